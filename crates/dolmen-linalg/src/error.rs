@@ -1,0 +1,49 @@
+/// Why a decomposition cannot be computed. Each variant carries what was refused.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum LinalgError {
+    /// An entry is NaN or infinite.
+    #[error(
+        "{what}: the entry in row {row}, column {column} is {value}, but every entry must be a finite number"
+    )]
+    NotFinite {
+        /// Which operation refused it.
+        what: &'static str,
+        /// Row, from 0.
+        row: usize,
+        /// Column, from 0.
+        column: usize,
+        /// The entry.
+        value: f64,
+    },
+    /// The shape does not fit the operation.
+    #[error("{what}: the matrix is {rows} × {columns}, but must be {needed}")]
+    Shape {
+        /// Which operation refused it.
+        what: &'static str,
+        /// Rows given.
+        rows: usize,
+        /// Columns given.
+        columns: usize,
+        /// What is allowed.
+        needed: &'static str,
+    },
+    /// A Cholesky pivot is not positive.
+    #[error("{what}: the matrix is not positive definite")]
+    NotPositiveDefinite {
+        /// Which operation refused it.
+        what: &'static str,
+    },
+    /// A pivot is zero to working precision.
+    #[error("{what}: the matrix is singular to working precision")]
+    Singular {
+        /// Which operation refused it.
+        what: &'static str,
+    },
+    /// An iteration did not converge.
+    #[error("{what}: the iteration did not converge")]
+    NoConvergence {
+        /// Which operation failed.
+        what: &'static str,
+    },
+}

@@ -1,0 +1,2 @@
+//! Closed forms and published numbers in plain `f64`, with none of our types: what tests, `dolmen validate` and
+//! the docs compare with, so that a mistake in a type cannot hide in the reference.

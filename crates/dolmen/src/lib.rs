@@ -1,0 +1,18 @@
+//! **Dolmen**: whether stacked-stone and timber heritage stands, how it moves, and what shaking it survives.
+//!
+//! Each chapter hands on one type and knows only the chapters before it:
+//!
+//! ```text
+//! signal::Record → modal::Modes → structure::{Chain, Frame} → stability → assess
+//! ```
+//!
+//! Everything here is a pure function of its arguments, in SI units: no file, clock, print or log. The crate
+//! `dolmen-formats` turns bytes into these values and back; the command `dolmen` opens the files.
+
+pub mod assess;
+pub mod known;
+pub mod modal;
+pub mod numeric;
+pub mod signal;
+pub mod stability;
+pub mod structure;

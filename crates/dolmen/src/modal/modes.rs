@@ -1,0 +1,51 @@
+//! What every method of identification returns.
+
+use crate::signal::{Channel, Processing};
+use dolmen_linalg::Complex64;
+
+/// How the modes were found.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// Frequency domain decomposition.
+    Fdd,
+    /// Covariance-driven stochastic subspace identification.
+    SsiCov,
+}
+
+/// One mode: an estimate, its scatter, and what is needed to doubt it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Mode {
+    /// Natural (undamped) frequency, Hz.
+    pub frequency_hz: f64,
+    /// Standard deviation of it, Hz; `None` where the method gives none.
+    pub frequency_sd_hz: Option<f64>,
+    /// Damping ratio.
+    pub damping_ratio: Option<f64>,
+    /// Standard deviation of it.
+    pub damping_ratio_sd: Option<f64>,
+    /// One component a channel; the largest is 1 + 0i.
+    pub shape: Vec<Complex64>,
+    /// Standard deviation of the modulus of each component of the shape.
+    pub shape_sd: Option<Vec<f64>>,
+    /// Modal phase collinearity, 0 to 1: 1 is a real shape.
+    pub phase_collinearity: f64,
+    /// Cycles observed, N_c = f T: the long-record floor is sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014).
+    pub cycles: f64,
+    /// Model orders at which a pole of this mode was found stable (empty for FDD).
+    pub orders: Vec<usize>,
+}
+
+/// All modes found in one record, by frequency.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Modes {
+    /// Ascending in frequency.
+    pub modes: Vec<Mode>,
+    /// The channels whose components the shapes hold, in order.
+    pub channels: Vec<Channel>,
+    /// How they were found.
+    pub method: Method,
+    /// Duration of the record, s.
+    pub duration_s: f64,
+    /// Processing history of the record.
+    pub history: Vec<Processing>,
+}

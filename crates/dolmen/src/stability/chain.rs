@@ -1,0 +1,60 @@
+//! Stability of a chain: the published criterion, the exact one, and margins.
+
+use super::Verdict;
+
+/// What the weights and lengths alone say: no joint stiffness is needed. All vectors lowest joint first, N m/rad.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainLimits {
+    /// G_i, gravity moment per rotation of link i with all links above it.
+    pub gravity_moment_n_m_rad: Vec<f64>,
+    /// k_cr of Choi (2021) eqs 38–42. **Unsafe**: a chain with these stiffnesses falls.
+    pub published_critical_n_m_rad: Vec<f64>,
+    /// k_b,cr = P_i H_i of Choi (2021) eq. 43.
+    pub published_buckling_n_m_rad: Vec<f64>,
+    /// M_i = Σ_{j≥i} G_j: exact limit of joint i when every other joint is rigid.
+    pub necessary_n_m_rad: Vec<f64>,
+    /// Eigenvalues of K with the published k_cr, ascending: a negative one is a shape in which it falls.
+    pub published_eigenvalues_n_m_rad: Vec<f64>,
+    /// Common factor that the published k_cr need before the chain stands.
+    pub published_critical_factor: f64,
+    /// Common factor that the published P·H need.
+    pub published_buckling_factor: f64,
+    /// Common factor that the necessary M_i need.
+    pub necessary_factor: f64,
+    /// Stiffness at which the chain just stands when all joints are equal, N m/rad.
+    pub equal_joints_n_m_rad: f64,
+}
+
+/// One joint of a chain with known stiffness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointStability {
+    /// k_i, N m/rad.
+    pub stiffness_n_m_rad: f64,
+    /// Least k_i at which the chain stands, the other joints as they are; `None` if it falls whatever k_i is.
+    pub stiffness_least_n_m_rad: Option<f64>,
+    /// k_i / k_i,min, the margin of this joint; `None` with `stiffness_least_n_m_rad`.
+    pub margin: Option<f64>,
+    /// Moment at which the joint's bed begins to open, N b/2, N m; `None` without a bed width.
+    pub uplift_moment_n_m: Option<f64>,
+}
+
+/// A chain with known joint stiffness.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainStability {
+    /// Lowest joint first.
+    pub joints: Vec<JointStability>,
+    /// λ, smallest factor on gravity that makes K singular.
+    pub load_factor: f64,
+    /// 1/λ, common factor that the stiffnesses need to be just enough.
+    pub stiffness_factor: f64,
+    /// Dunkerley bracket of 1/λ: max M_i/k_i.
+    pub stiffness_factor_least: f64,
+    /// Dunkerley bracket of 1/λ: Σ M_i/k_i.
+    pub stiffness_factor_most: f64,
+    /// Where the recursion E_i ≥ k_i from the top first fails, from 1 at the bottom; `None` if it stands.
+    pub failing_joint: Option<usize>,
+    /// Rotation of each link under gravity per unit of a common initial tilt; empty if it falls.
+    pub lean_amplification: Vec<f64>,
+    /// stable, marginal, unstable.
+    pub verdict: Verdict,
+}

@@ -1,0 +1,43 @@
+//! The fixed words of a verdict.
+
+/// Whether a structure stands under its own weight.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Verdict {
+    /// The load factor is at least [`Verdict::MARGINAL_BELOW`].
+    Stable,
+    /// It stands, with a load factor below [`Verdict::MARGINAL_BELOW`].
+    Marginal,
+    /// It falls: load factor ≤ 1, or stiffness matrix not positive definite.
+    Unstable,
+    /// Something needed is not known.
+    Unknown,
+}
+
+impl Verdict {
+    /// Load factor below which "stable" becomes "marginal", our choice: a stiffness that follows from
+    /// frequencies is uncertain by twice their error, and stone joints lose stiffness as they open.
+    pub const MARGINAL_BELOW: f64 = 1.5;
+
+    /// The verdict on a load factor λ (factor on gravity at which it falls).
+    pub fn of_load_factor(load_factor: f64) -> Self {
+        if load_factor.is_nan() {
+            Verdict::Unknown
+        } else if load_factor <= 1.0 {
+            Verdict::Unstable
+        } else if load_factor < Self::MARGINAL_BELOW {
+            Verdict::Marginal
+        } else {
+            Verdict::Stable
+        }
+    }
+
+    /// The word, in English: stable, marginal, unstable, unknown.
+    pub fn word(self) -> &'static str {
+        match self {
+            Verdict::Stable => "stable",
+            Verdict::Marginal => "marginal",
+            Verdict::Unstable => "unstable",
+            Verdict::Unknown => "unknown",
+        }
+    }
+}

@@ -1,0 +1,81 @@
+//! Stiffness from measured modes: what goes in and what comes out, the same for chains and frames.
+
+use super::NaturalMode;
+
+/// Lateral displacement of one point in a measured mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ShapePoint {
+    /// Height above the ground (lowest joint), m.
+    pub height_m: f64,
+    /// Displacement, any scale that all points of the mode share.
+    pub displacement: f64,
+    /// Standard deviation of it, same scale; 0 if taken as exact.
+    pub displacement_sd: f64,
+}
+
+/// One measured mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasuredMode {
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Standard deviation of it, Hz; 0 if taken as exact.
+    pub frequency_sd_hz: f64,
+    /// Measured points of the shape; empty if only the frequency is known.
+    pub shape: Vec<ShapePoint>,
+}
+
+/// One set of stiffnesses that explains the measured modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StiffnessSolution {
+    /// Stiffness of each joint (N m/rad) or storey (N/m), lowest first.
+    pub stiffness: Vec<f64>,
+    /// Standard deviation of each, same unit, from the modes' own; `None` if the modes carry none or the
+    /// stiffness is not determined.
+    pub stiffness_sd: Option<Vec<f64>>,
+    /// All natural modes of the structure with this stiffness, by frequency.
+    pub modes: Vec<NaturalMode>,
+    /// Root of the weighted mean square of (computed − measured)/sd over all data; relative differences where sd is 0.
+    pub misfit: f64,
+    /// Whether the structure stands with this stiffness (smallest ω² positive).
+    pub stands: bool,
+}
+
+/// What the data allow to say about which solution is the true one.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// One solution explains the data, the others do not.
+    One,
+    /// Several solutions explain the data equally well: shapes are needed to choose.
+    Indistinguishable,
+    /// Fewer data than unknowns: the solutions are points of a continuous family.
+    Underdetermined,
+    /// No real stiffness explains the data.
+    Impossible,
+}
+
+/// Which stiffnesses the sensors see: singular values of the Jacobian d(data)/d(ln k), data in units of their sd
+/// (relative where sd is 0).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Visibility {
+    /// Singular values, descending; as many as unknowns (zeros where there are fewer data).
+    pub singular_values: Vec<f64>,
+    /// For each stiffness, the share of its direction that the data determine: 1 fully, 0 not at all.
+    pub seen: Vec<f64>,
+    /// Number of directions that stay free.
+    pub free_directions: usize,
+}
+
+/// Every solution found, and what can be said about them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StiffnessSolutions {
+    /// Best misfit first; within equal misfit by the first stiffness.
+    pub solutions: Vec<StiffnessSolution>,
+    /// What the data allow to say.
+    pub choice: Choice,
+    /// What the sensors see, at the first solution; `None` if there is none.
+    pub visibility: Option<Visibility>,
+    /// Starting points tried (1 for a closed form).
+    pub starts: usize,
+    /// Sentences for the reader: why no solution exists, what was left out.
+    pub notes: Vec<String>,
+}

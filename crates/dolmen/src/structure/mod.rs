@@ -1,0 +1,15 @@
+//! Structures as checked values: mass, damping and stiffness matrices; natural modes; stiffness from modes.
+
+mod chain;
+mod error;
+mod frame;
+mod identification;
+mod natural;
+
+pub use chain::{Chain, Inertia, Link};
+pub use error::StructureError;
+pub use frame::{Convention, Frame, Storey};
+pub use identification::{
+    Choice, MeasuredMode, ShapePoint, StiffnessSolution, StiffnessSolutions, Visibility,
+};
+pub use natural::NaturalMode;

@@ -1,0 +1,14 @@
+//! Natural modes of a structure.
+
+/// One natural mode of an undamped structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NaturalMode {
+    /// ω², (rad/s)²: negative if the structure falls in this shape.
+    pub omega_squared: f64,
+    /// Frequency, Hz; 0 if ω² is not positive.
+    pub frequency_hz: f64,
+    /// Lateral displacement: of the top of each link of a chain, of each level of a frame; the largest is 1.
+    pub displacement: Vec<f64>,
+    /// The structure's own coordinates: link rotations of a chain (rad per unit of `displacement`), Y_i of a frame.
+    pub coordinates: Vec<f64>,
+}
