@@ -1,1 +1,3 @@
-//! x
+//! Bytes to values and back: records, project files, results, figures, reports. Opens no file.
+
+pub mod number;
