@@ -1,3 +1,4 @@
 //! Bytes to values and back: records, project files, results, figures, reports. Opens no file.
 
 pub mod number;
+pub mod project;

@@ -1,0 +1,90 @@
+//! What is wrong with a project file: every problem found, each with its place.
+
+use std::fmt;
+
+/// One problem of a project file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Problem {
+    /// Line, from 1.
+    pub line: usize,
+    /// Column in characters, from 1.
+    pub column: usize,
+    /// Where in the file: "links[2].centroid"; "" for the file as a whole.
+    pub path: String,
+    /// What is wrong, with the value.
+    pub message: String,
+    /// What is allowed.
+    pub allowed: Option<String>,
+    /// What to do.
+    pub help: Option<String>,
+    /// The source line.
+    pub(super) text: String,
+    /// Characters underlined, at least 1.
+    pub(super) marked: usize,
+}
+
+/// Why a project file cannot be used: all problems, by line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProjectError {
+    /// Name of the file, as given by the caller.
+    pub file: String,
+    /// The problems, by line; at least one.
+    pub problems: Vec<Problem>,
+}
+
+impl std::error::Error for ProjectError {}
+
+impl fmt::Display for ProjectError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for (i, problem) in self.problems.iter().enumerate() {
+            if i > 0 {
+                writeln!(f)?;
+            }
+            problem.render(&self.file, f)?;
+        }
+        Ok(())
+    }
+}
+
+/// Wide characters take two columns on a terminal: Hangul, CJK, kana, full-width forms.
+fn width(character: char) -> usize {
+    match character as u32 {
+        0x1100..=0x115F
+        | 0x2E80..=0x303E
+        | 0x3041..=0xA4CF
+        | 0xA960..=0xA97F
+        | 0xAC00..=0xD7A3
+        | 0xF900..=0xFAFF
+        | 0xFE30..=0xFE6F
+        | 0xFF00..=0xFF60
+        | 0xFFE0..=0xFFE6
+        | 0x1F300..=0x1FAFF
+        | 0x20000..=0x3FFFD => 2,
+        0x0300..=0x036F | 0x1160..=0x11FF | 0x200B..=0x200F | 0xFE00..=0xFE0F | 0xFEFF => 0,
+        _ => 1,
+    }
+}
+
+impl Problem {
+    fn render(&self, file: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let number = self.line.to_string();
+        let gutter = " ".repeat(number.len() + 1);
+        writeln!(f, "error: {}", self.message)?;
+        writeln!(f, "{gutter}--> {file}:{}:{}", self.line, self.column)?;
+        let columns = |characters: &mut dyn Iterator<Item = char>| characters.map(width).sum::<usize>();
+        let before = columns(&mut self.text.chars().take(self.column - 1));
+        let marked = self.text.chars().skip(self.column - 1).take(self.marked);
+        let carets = columns(&mut marked.into_iter()).max(1);
+        writeln!(f, "{gutter}|")?;
+        writeln!(f, " {number} | {}", self.text)?;
+        write!(f, "{gutter}| {}{}", " ".repeat(before), "^".repeat(carets))?;
+        match &self.allowed {
+            Some(allowed) => writeln!(f, " {allowed}")?,
+            None => writeln!(f)?,
+        }
+        if let Some(help) = &self.help {
+            writeln!(f, "{gutter}= help: {help}")?;
+        }
+        Ok(())
+    }
+}

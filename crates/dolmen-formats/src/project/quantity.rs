@@ -1,0 +1,68 @@
+//! One number of a project file: its value in SI, and what is known of it.
+
+/// Where a number comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Evidence {
+    /// Measured on this structure.
+    Measured,
+    /// A test on material or joints of this kind.
+    Test,
+    /// Published.
+    Literature,
+    /// Nobody has measured it: results that rest on it say so.
+    Assumed,
+}
+
+impl Evidence {
+    /// The word in the file: "measured", "test", "literature", "assumed".
+    pub fn word(self) -> &'static str {
+        match self {
+            Evidence::Measured => "measured",
+            Evidence::Test => "test",
+            Evidence::Literature => "literature",
+            Evidence::Assumed => "assumed",
+        }
+    }
+}
+
+/// A number of the file, converted to SI.
+///
+/// With a `cov` it stands for a lognormal variable of mean `value` and that coefficient of variation: positive, as
+/// weights, lengths, stiffnesses and frequencies are, and close to normal when the cov is small.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Quantity {
+    /// In SI units: N, kg, m, N/m, N m/rad, N m s/rad, kg m², Hz; a ratio as it is.
+    pub value: f64,
+    /// The SI unit of `value`, "N m/rad"; "" for a ratio.
+    pub unit: &'static str,
+    /// Coefficient of variation, standard deviation / mean, 0 to 1; `None` if the file gives none.
+    pub cov: Option<f64>,
+    /// Where it comes from; `None` if the file does not say.
+    pub source: Option<Evidence>,
+    /// Anything the author added.
+    pub note: Option<String>,
+    /// Where it stands in the file, parts counted from 1: "links[1].weight".
+    pub path: String,
+    /// As written, with the unit that applied: "38.95 kN".
+    pub written: String,
+}
+
+impl Quantity {
+    /// Its value, whatever its scatter: the `pick` of the nominal structure.
+    pub fn nominal(quantity: &Quantity) -> f64 {
+        quantity.value
+    }
+
+    /// Standard deviation, SI; 0 without a cov.
+    pub fn standard_deviation(&self) -> f64 {
+        self.cov.unwrap_or(0.0) * self.value.abs()
+    }
+
+    /// Whether the file marks it as assumed.
+    pub fn is_assumed(&self) -> bool {
+        self.source == Some(Evidence::Assumed)
+    }
+}
+
+/// How a caller chooses the value of each input: `&mut Quantity::nominal`, or a sample, or one input changed.
+pub type Pick<'a> = &'a mut dyn FnMut(&Quantity) -> f64;
