@@ -1,7 +1,7 @@
 //! The whole check of one structure: everything that needs no time history.
 
 use super::CentroidEffect;
-use crate::stability::{ChainLimits, ChainStability, FrameStability};
+use crate::stability::{ChainLimits, ChainStability};
 use crate::structure::NaturalMode;
 
 /// All that can be said of a chain at once.
@@ -15,15 +15,4 @@ pub struct ChainCheck {
     pub modes: Vec<NaturalMode>,
     /// What lowering each centroid does.
     pub centroids: Vec<CentroidEffect>,
-}
-
-/// All that can be said of a frame at once.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FrameCheck {
-    /// N_i / l_i of each storey, N/m: the least stiffness a storey of columns needs (drift convention).
-    pub geometric_n_m: Vec<f64>,
-    /// With the storeys' stiffness; `None` if it is not known.
-    pub stability: Option<FrameStability>,
-    /// Natural modes; empty if the stiffness is not known.
-    pub modes: Vec<NaturalMode>,
 }

@@ -7,5 +7,5 @@ mod verdict;
 
 pub use chain::{ChainLimits, ChainStability, JointStability};
 pub use error::StabilityError;
-pub use frame::{FrameStability, StoreyStability};
+pub use frame::{FrameStability, StoreyStability, frame_stability};
 pub use verdict::Verdict;

@@ -48,4 +48,72 @@ pub enum StructureError {
         /// "joints", "storeys".
         parts: &'static str,
     },
+    /// The acceleration of gravity is not positive.
+    #[error("gravity_m_s2 is {given}, but must be a positive number (9.81 on Earth)")]
+    Gravity {
+        /// The value given, m/s².
+        given: f64,
+    },
+    /// A quantity that must be zero or positive and finite is not.
+    #[error("{part} {number}: {quantity} is {given}, but must be 0 or a positive number")]
+    Negative {
+        /// "joint", "side support".
+        part: &'static str,
+        /// Which one, from 1 at the bottom.
+        number: usize,
+        /// Name of the quantity with its unit.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+    },
+    /// There is no such part.
+    #[error("{part} {given} was asked for, but they are numbered from 1 at the bottom to {most}")]
+    Part {
+        /// "link", "joint", "storey".
+        part: &'static str,
+        /// Number given.
+        given: usize,
+        /// Largest number.
+        most: usize,
+    },
+    /// A height is not on the structure.
+    #[error("{quantity} is {given}, but must lie on the structure: between 0 and its top at {top_m} m")]
+    Height {
+        /// Name of the quantity.
+        quantity: &'static str,
+        /// The value given, m above the lowest joint.
+        given: f64,
+        /// Height of the top, m.
+        top_m: f64,
+    },
+    /// A storey carries less than the storey above it.
+    #[error(
+        "storey {storey}: axial_n is {given}, less than the {above} of the storey above it, but a storey carries its \
+         own level and all above: if these are the loads of the levels alone, sum them from the top first"
+    )]
+    AxialOrder {
+        /// Which storey, from 1 at the bottom.
+        storey: usize,
+        /// Its axial force, N.
+        given: f64,
+        /// Axial force of the storey above it, N.
+        above: f64,
+    },
+    /// A tie does not join two different levels of the frame.
+    #[error(
+        "tie {tie} joins levels {lower} and {upper}, but must join two different levels between 0 (ground) and {most}"
+    )]
+    Tie {
+        /// Which tie, from 1.
+        tie: usize,
+        /// One level given.
+        lower: usize,
+        /// The other level given.
+        upper: usize,
+        /// Top level.
+        most: usize,
+    },
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] dolmen_linalg::LinalgError),
 }

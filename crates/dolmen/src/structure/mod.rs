@@ -8,7 +8,7 @@ mod natural;
 
 pub use chain::{Chain, Inertia, Link};
 pub use error::StructureError;
-pub use frame::{Convention, Frame, Storey};
+pub use frame::{Convention, Frame, Storey, Tie, storey_axial_forces_n};
 pub use identification::{
     Choice, MeasuredMode, ShapePoint, StiffnessSolution, StiffnessSolutions, Visibility,
 };

@@ -1,0 +1,125 @@
+//! The whole check of a frame: everything that needs no time history.
+
+use super::AssessError;
+use crate::stability::{FrameStability, frame_stability};
+use crate::structure::{Frame, NaturalMode};
+
+/// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
+const GRAVITY_M_S2: f64 = 9.806_65;
+/// A level whose load is outside this many times the weight of its mass is pointed out: our choice. Roof masses are
+/// lumped from drawings to some 10 %; axial forces summed twice give 2 in a frame of two equal storeys.
+const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
+
+/// All that can be said of a frame at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameCheck {
+    /// N_i / l_i of each storey, N/m: the least stiffness a storey of columns needs (drift convention).
+    pub geometric_n_m: Vec<f64>,
+    /// Load that each level adds to the axial force, over the weight of its mass; near 1 when the two agree.
+    pub level_load_ratios: Vec<f64>,
+    /// With the storeys' stiffness; `None` if it is not known.
+    pub stability: Option<FrameStability>,
+    /// Natural modes; empty if the stiffness is not known.
+    pub modes: Vec<NaturalMode>,
+    /// Sentences for the reader: what looks like a slip in the input.
+    pub notes: Vec<String>,
+}
+
+/// Stability and natural modes of a frame; without stiffness, what its loads alone say.
+///
+/// # Errors
+/// [`AssessError::Structure`] unless there is one stiffness, 0 or positive, a storey.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::check_frame;
+/// use dolmen::structure::{Convention, Frame, Storey};
+/// let storeys = vec![
+///     Storey { mass_kg: 290e3, height_m: 5.84, axial_n: 5919e3 },
+///     Storey { mass_kg: 314e3, height_m: 7.69, axial_n: 3077e3 },
+/// ];
+/// let gate = Frame::new(storeys, Convention::Drift)?;
+/// assert!((check_frame(&gate, None)?.geometric_n_m[0] - 1.01353e6).abs() < 10.0);
+/// assert!((check_frame(&gate, Some(&[32.65e6, 96.14e6]))?.modes[1].frequency_hz - 4.2).abs() < 1e-3);
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn check_frame(frame: &Frame, stiffness_n_m: Option<&[f64]>) -> Result<FrameCheck, AssessError> {
+    let level_load_ratios = frame.level_load_ratios(GRAVITY_M_S2);
+    let (stability, modes) = match stiffness_n_m {
+        None => (None, Vec::new()),
+        Some(k) => (Some(frame_stability(frame, k)?), frame.natural_modes(k)?),
+    };
+    Ok(FrameCheck {
+        geometric_n_m: frame.geometric_n_m(),
+        notes: load_notes(frame, &level_load_ratios),
+        level_load_ratios,
+        stability,
+        modes,
+    })
+}
+
+fn load_notes(frame: &Frame, ratios: &[f64]) -> Vec<String> {
+    if frame.storeys().iter().all(|s| s.axial_n == 0.0) {
+        return vec![
+            "No axial force is given: P-delta is left out, and nothing can be said of stability.".into(),
+        ];
+    }
+    let unlikely = ratios.iter().enumerate();
+    let unlikely = unlikely.filter(|(_, ratio)| !LOAD_RATIO_PLAUSIBLE.contains(*ratio));
+    unlikely
+        .map(|(i, ratio)| {
+            format!(
+                "Level {} loads its storey with {ratio:.2} times the weight of its mass. If the axial forces given \
+                 already hold the levels above, give them as storey forces, not as level loads: summed twice they \
+                 overstate P-delta.",
+                i + 1
+            )
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::{Convention, Storey, storey_axial_forces_n};
+
+    fn gate(axial_n: [f64; 2]) -> Frame {
+        let storeys = [(290e3, 5.84), (314e3, 7.69)].iter().zip(axial_n);
+        let storeys = storeys.map(|(&(mass_kg, height_m), axial_n)| Storey {
+            mass_kg,
+            height_m,
+            axial_n,
+        });
+        Frame::new(storeys.collect(), Convention::Grounded).unwrap()
+    }
+
+    #[test]
+    fn holds_printed_axial_forces_summed_twice_are_pointed_out() {
+        let printed = [5919e3, 3077e3];
+        assert!(check_frame(&gate(printed), None).unwrap().notes.is_empty());
+        let summed = storey_axial_forces_n(&printed);
+        let check = check_frame(&gate([summed[0], summed[1]]), None).unwrap();
+        assert_eq!(check.notes.len(), 1);
+        assert!(
+            check.notes[0].starts_with("Level 1 loads its storey with 2.08 times"),
+            "{}",
+            check.notes[0]
+        );
+    }
+
+    #[test]
+    fn holds_without_stiffness_only_loads_are_reported() {
+        let check = check_frame(&gate([0.0, 0.0]), None).unwrap();
+        assert_eq!((check.stability, check.modes.len()), (None, 0));
+        assert!(check.notes[0].starts_with("No axial force is given"));
+    }
+
+    #[test]
+    fn refuses_the_wrong_number_of_stiffnesses() {
+        let fault = check_frame(&gate([0.0, 0.0]), Some(&[1.0])).unwrap_err();
+        assert_eq!(
+            fault.to_string(),
+            "stiffness_n_m has 1 values, but the frame has 2 storeys"
+        );
+    }
+}
