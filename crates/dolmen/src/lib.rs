@@ -16,3 +16,4 @@ pub mod numeric;
 pub mod signal;
 pub mod stability;
 pub mod structure;
+pub mod validation;

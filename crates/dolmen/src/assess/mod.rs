@@ -1,12 +1,12 @@
 //! From results to answers: whole checks, sensitivities, probabilities.
 
-mod check;
+mod chain;
 mod error;
 mod frame;
 mod probability;
 mod sensitivity;
 
-pub use check::ChainCheck;
+pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
 pub use error::AssessError;
 pub use frame::{FrameCheck, check_frame};
 pub use probability::Probability;

@@ -11,6 +11,8 @@ pub struct CentroidEffect {
     pub published_critical_n_m_rad: Vec<f64>,
     /// Exact limits M_i with the change, N m/rad: none rises.
     pub necessary_n_m_rad: Vec<f64>,
+    /// Exact stiffness that equal joints need with the change, N m/rad: it never rises.
+    pub equal_joints_n_m_rad: f64,
     /// Load factor with the change; `None` if the joints' stiffness is not known.
     pub load_factor: Option<f64>,
 }

@@ -1,2 +1,5 @@
 //! Closed forms and published numbers in plain `f64`, with none of our types: what tests, `dolmen validate` and
 //! the docs compare with, so that a mistake in a type cannot hide in the reference.
+
+pub mod choi_2021;
+pub mod columns;

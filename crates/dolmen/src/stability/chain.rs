@@ -1,23 +1,27 @@
-//! Stability of a chain: the published criterion, the exact one, and margins.
+//! What stability says of a chain: results. The methods are in `chain_limits.rs` and `chain_stability.rs`.
 
 use super::Verdict;
 
 /// What the weights and lengths alone say: no joint stiffness is needed. All vectors lowest joint first, N m/rad.
+/// A side support is not counted.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainLimits {
     /// G_i, gravity moment per rotation of link i with all links above it.
     pub gravity_moment_n_m_rad: Vec<f64>,
     /// k_cr of Choi (2021) eqs 38–42. **Unsafe**: a chain with these stiffnesses falls.
     pub published_critical_n_m_rad: Vec<f64>,
-    /// k_b,cr = P_i H_i of Choi (2021) eq. 43.
+    /// k_b,cr = P_i H_i of Choi (2021) eq. 43: weight above the joint times height of the top above it.
     pub published_buckling_n_m_rad: Vec<f64>,
+    /// k_b,cr / k_cr, the paper's Table 2 recomputed.
+    pub published_ratio: Vec<f64>,
     /// M_i = Σ_{j≥i} G_j: exact limit of joint i when every other joint is rigid.
     pub necessary_n_m_rad: Vec<f64>,
     /// Eigenvalues of K with the published k_cr, ascending: a negative one is a shape in which it falls.
     pub published_eigenvalues_n_m_rad: Vec<f64>,
-    /// Common factor that the published k_cr need before the chain stands.
-    pub published_critical_factor: f64,
-    /// Common factor that the published P·H need.
+    /// Common factor that the published k_cr need before the chain stands; `None` if none helps, since one of them
+    /// is not positive.
+    pub published_critical_factor: Option<f64>,
+    /// Common factor that the published P·H need: above 1 they are unsafe too.
     pub published_buckling_factor: f64,
     /// Common factor that the necessary M_i need.
     pub necessary_factor: f64,
@@ -30,12 +34,19 @@ pub struct ChainLimits {
 pub struct JointStability {
     /// k_i, N m/rad.
     pub stiffness_n_m_rad: f64,
-    /// Least k_i at which the chain stands, the other joints as they are; `None` if it falls whatever k_i is.
+    /// Least k_i at which the chain stands, the other joints as they are; `None` if it falls whatever k_i is. 0 if
+    /// a side support holds it even without this joint.
     pub stiffness_least_n_m_rad: Option<f64>,
-    /// k_i / k_i,min, the margin of this joint; `None` with `stiffness_least_n_m_rad`.
+    /// k_i / k_i,min, the margin of this joint; `None` with `stiffness_least_n_m_rad`, infinite if that is 0.
     pub margin: Option<f64>,
-    /// Moment at which the joint's bed begins to open, N b/2, N m; `None` without a bed width.
+    /// Moment in the joint per rad of a common initial tilt, N m/rad; `None` if the chain falls.
+    pub lean_moment_n_m_rad: Option<f64>,
+    /// N b/2, the largest moment that weight lets a bed without tension pass, N m; `None` without a bed width. The
+    /// bed begins to open well before: at a third of it under a linear pressure.
     pub uplift_moment_n_m: Option<f64>,
+    /// Common initial tilt at which the moment in the joint reaches the uplift limit, rad; `None` without a bed
+    /// width or if the chain falls.
+    pub uplift_tilt_rad: Option<f64>,
 }
 
 /// A chain with known joint stiffness.
@@ -43,7 +54,7 @@ pub struct JointStability {
 pub struct ChainStability {
     /// Lowest joint first.
     pub joints: Vec<JointStability>,
-    /// λ, smallest factor on gravity that makes K singular.
+    /// λ, smallest factor on gravity that makes K singular; infinite if gravity has no lever.
     pub load_factor: f64,
     /// 1/λ, common factor that the stiffnesses need to be just enough.
     pub stiffness_factor: f64,
@@ -55,6 +66,8 @@ pub struct ChainStability {
     pub failing_joint: Option<usize>,
     /// Rotation of each link under gravity per unit of a common initial tilt; empty if it falls.
     pub lean_amplification: Vec<f64>,
+    /// Whether the side support is part of these numbers: there is one, and it has no gap.
+    pub side_support_counted: bool,
     /// stable, marginal, unstable.
     pub verdict: Verdict,
 }

@@ -1,11 +1,15 @@
 //! Does it stand: critical stiffness, load factor, margins, verdicts.
 
 mod chain;
+mod chain_limits;
+mod chain_stability;
 mod error;
 mod frame;
 mod verdict;
 
 pub use chain::{ChainLimits, ChainStability, JointStability};
+pub use chain_limits::chain_limits;
+pub use chain_stability::{chain_stability, failing_joint};
 pub use error::StabilityError;
 pub use frame::{FrameStability, StoreyStability, frame_stability};
 pub use verdict::Verdict;

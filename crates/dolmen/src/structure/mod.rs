@@ -6,7 +6,7 @@ mod frame;
 mod identification;
 mod natural;
 
-pub use chain::{Chain, Inertia, Link};
+pub use chain::{Chain, Inertia, Link, SideSupport, SingleMass};
 pub use error::StructureError;
 pub use frame::{Convention, Frame, Storey, Tie, storey_axial_forces_n};
 pub use identification::{

@@ -1,0 +1,11 @@
+//! Chain: n rigid links on rotational springs, as a flagpole of stacked stones.
+
+mod links;
+mod matrices;
+mod motion;
+mod side_support;
+mod single_mass;
+
+pub use links::{Chain, Inertia, Link};
+pub use side_support::SideSupport;
+pub use single_mass::SingleMass;

@@ -1,0 +1,18 @@
+use crate::assess::AssessError;
+use crate::stability::StabilityError;
+use crate::structure::StructureError;
+
+/// Why a case could not be computed.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ValidationError {
+    /// A structure of a source was refused.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// Its stability could not be assessed.
+    #[error(transparent)]
+    Stability(#[from] StabilityError),
+    /// It could not be assessed.
+    #[error(transparent)]
+    Assess(#[from] AssessError),
+}
