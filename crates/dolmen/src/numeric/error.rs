@@ -12,4 +12,52 @@ pub enum NumericError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A count lies outside the range in which the function is defined.
+    #[error("{quantity} is {given}, but must be between {least} and {most}")]
+    Count {
+        /// Name of the argument.
+        quantity: &'static str,
+        /// The value given.
+        given: u64,
+        /// Smallest allowed.
+        least: u64,
+        /// Largest allowed.
+        most: u64,
+    },
+    /// A value among many is not a finite number.
+    #[error("value {number} of {quantity} is {given}, but must be a finite number")]
+    NotFinite {
+        /// What the values are.
+        quantity: &'static str,
+        /// Which one, from 1.
+        number: usize,
+        /// The value given.
+        given: f64,
+    },
+    /// The function has the same sign at both ends.
+    #[error(
+        "no sign change: the function is {at_a} at {a} and {at_b} at {b}; choose ends where it differs in sign"
+    )]
+    NoSignChange {
+        /// One end.
+        a: f64,
+        /// The other.
+        b: f64,
+        /// Value at one end.
+        at_a: f64,
+        /// Value at the other.
+        at_b: f64,
+    },
+    /// The function gave NaN.
+    #[error("the function is not a number at {x}")]
+    NotANumber {
+        /// Where.
+        x: f64,
+    },
+    /// A search did not end.
+    #[error("no root within {most} evaluations: raise evaluations_most or width_most")]
+    Evaluations {
+        /// Evaluations allowed.
+        most: usize,
+    },
 }

@@ -24,6 +24,20 @@ pub struct MeasuredMode {
     pub shape: Vec<ShapePoint>,
 }
 
+/// Range of each stiffness while every frequency stays within a half-width of what was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StiffnessRange {
+    /// Half-width of each frequency, Hz, by frequency.
+    pub half_width_hz: Vec<f64>,
+    /// Smallest stiffness, lowest joint or storey first.
+    pub lower: Vec<f64>,
+    /// Largest stiffness.
+    pub upper: Vec<f64>,
+    /// Whether this solution exists over all of the range. If not, it meets another one and vanishes inside, and the
+    /// range holds only the part where it exists.
+    pub exists_throughout: bool,
+}
+
 /// One set of stiffnesses that explains the measured modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessSolution {
@@ -32,6 +46,9 @@ pub struct StiffnessSolution {
     /// Standard deviation of each, same unit, from the modes' own; `None` if the modes carry none or the
     /// stiffness is not determined.
     pub stiffness_sd: Option<Vec<f64>>,
+    /// Range of each while every frequency moves by √3 of its standard deviation, the half-width of a rounding that has
+    /// it (±0.05 Hz has 0.0289); `None` with `stiffness_sd`, or where it was not computed.
+    pub stiffness_range: Option<StiffnessRange>,
     /// All natural modes of the structure with this stiffness, by frequency.
     pub modes: Vec<NaturalMode>,
     /// Root of the weighted mean square of (computed − measured)/sd over all data; relative differences where sd is 0.

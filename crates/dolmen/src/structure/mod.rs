@@ -10,6 +10,6 @@ pub use chain::{Chain, Inertia, Link, SideSupport, SingleMass};
 pub use error::StructureError;
 pub use frame::{Convention, Frame, Storey, Tie, storey_axial_forces_n};
 pub use identification::{
-    Choice, MeasuredMode, ShapePoint, StiffnessSolution, StiffnessSolutions, Visibility,
+    Choice, MeasuredMode, ShapePoint, StiffnessRange, StiffnessSolution, StiffnessSolutions, Visibility,
 };
 pub use natural::NaturalMode;
