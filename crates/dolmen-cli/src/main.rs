@@ -1,2 +1,47 @@
-//! x
-fn main() {}
+//! The command `dolmen`: opens the files, calls the science, prints the answer.
+
+mod check;
+mod cli;
+mod files;
+mod new;
+mod open;
+mod tools;
+mod validate;
+
+use clap::Parser as _;
+use cli::{Cli, Verb};
+use std::process::ExitCode;
+
+/// How a run ended, other than by an error.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Outcome {
+    /// Nothing is unstable.
+    Stands,
+    /// A verdict is "unstable" or "below demand".
+    Falls,
+}
+
+fn main() -> ExitCode {
+    let cli = Cli::parse();
+    match run(&cli) {
+        Ok(Outcome::Stands) => ExitCode::SUCCESS,
+        Ok(Outcome::Falls) => ExitCode::from(1),
+        Err(fault) => {
+            tools::complain(&fault);
+            ExitCode::from(tools::exit_status(&fault))
+        }
+    }
+}
+
+fn run(cli: &Cli) -> anyhow::Result<Outcome> {
+    match &cli.verb {
+        Verb::New(options) => new::run(options, cli.quiet),
+        Verb::Check(options) => check::run(options, cli.json),
+        Verb::Validate => validate::run(cli.json),
+        Verb::Doctor => validate::doctor(),
+        Verb::Explain { code } => tools::explain(code.as_deref(), cli.json),
+        Verb::Completions { shell } => tools::completions(*shell),
+        Verb::Man { directory } => tools::man(directory.as_deref()),
+        _ => anyhow::bail!("not yet"),
+    }
+}

@@ -107,14 +107,20 @@ pub struct Project {
 impl Project {
     /// Every number of the file that a result may depend on: the structure's, then the surveys'.
     pub fn inputs(&self) -> Vec<&Quantity> {
+        let mut all = self.structure_inputs();
+        for survey in &self.surveys {
+            survey.inputs(&mut all);
+        }
+        all
+    }
+
+    /// The structure's own numbers: weights, lengths, stiffnesses.
+    pub fn structure_inputs(&self) -> Vec<&Quantity> {
         let mut all = Vec::new();
         match &self.structure {
             Structure::Chain(chain) => chain.inputs(&mut all),
             Structure::Frame(frame) => frame.inputs(&mut all),
             Structure::Survey => {}
-        }
-        for survey in &self.surveys {
-            survey.inputs(&mut all);
         }
         all
     }

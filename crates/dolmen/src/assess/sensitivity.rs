@@ -29,3 +29,56 @@ pub struct Sensitivity {
     /// Coefficient of variation of the input, if given.
     pub cov: Option<f64>,
 }
+
+/// Relative step of the central difference: its error falls with the step squared (1e-6 of the second derivative), the
+/// rounding error of the result (some 1e-13) grows as 1/step.
+const STEP: f64 = 1e-3;
+
+/// d ln(result) / d ln(input) at `value`, by central difference; one-sided where the result is not defined on the other
+/// side (a centre of mass already at the top of its link).
+///
+/// ```text
+/// e = [ln r(x(1+h)) − ln r(x(1−h))] / [ln(1+h) − ln(1−h)],  h = 1e-3
+/// ```
+///
+/// # Errors
+/// The error of `result` below `value` if it fails on both sides.
+///
+/// # Limits
+/// Exact for powers of the input. `result` must be positive: NaN comes out otherwise.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::elasticity;
+/// let e = elasticity(2.0, |x| Ok::<_, std::convert::Infallible>(3.0 * x.powi(-2)));
+/// assert!((e.unwrap_or(f64::NAN) + 2.0).abs() < 1e-10);
+/// ```
+pub fn elasticity<E>(value: f64, mut result: impl FnMut(f64) -> Result<f64, E>) -> Result<f64, E> {
+    let (up, down) = (value * (1.0 + STEP), value * (1.0 - STEP));
+    let (high, low) = match (result(up), result(down)) {
+        (Ok(above), Ok(below)) => ((above, up), (below, down)),
+        (Err(_), Ok(below)) => ((result(value)?, value), (below, down)),
+        (Ok(above), Err(_)) => ((above, up), (result(value)?, value)),
+        (Err(_), Err(fault)) => return Err(fault),
+    };
+    Ok((high.0 / low.0).ln() / (high.1 / low.1).ln())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_elasticity_of_a_power_and_at_an_edge() {
+        let cubed = |x: f64| {
+            if x <= 2.0 {
+                Ok(x.powi(3))
+            } else {
+                Err("beyond the edge")
+            }
+        };
+        assert!((elasticity(1.0, cubed).unwrap() - 3.0).abs() < 1e-11);
+        assert!((elasticity(2.0, cubed).unwrap() - 3.0).abs() < 1e-11);
+        assert_eq!(elasticity(3.0, cubed), Err("beyond the edge"));
+    }
+}

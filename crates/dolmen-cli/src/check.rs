@@ -1,0 +1,195 @@
+//! `dolmen check`: is the file right, does it stand.
+
+use crate::cli::Check as Options;
+use crate::{Outcome, open};
+use anyhow::{Context as _, Result};
+use dolmen::assess::{Sensitivity, check_chain, check_frame, elasticity, probability};
+use dolmen::numeric::Random;
+use dolmen::stability::{chain_stability, frame_stability};
+use dolmen_formats::answer::{Answer, Check, DirectionCheck, Sampled, State, VariantAnswer};
+use dolmen_formats::json::check_json;
+use dolmen_formats::project::{Pick, Project, Quantity, Structure};
+use dolmen_formats::text::check_text;
+use std::collections::BTreeMap;
+use std::path::Path;
+
+/// How many samples are drawn, and from which seed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Sampling {
+    pub(crate) samples: usize,
+    pub(crate) seed: u64,
+}
+
+pub(crate) fn run(options: &Options, as_json: bool) -> Result<Outcome> {
+    let open::Opened { project, file } = open::project(&options.project)?;
+    let sampling = options.samples.map(|samples| Sampling {
+        samples: samples as usize,
+        seed: options.seed,
+    });
+    let answer = answer(project, &file, sampling, options.sensitivity)?;
+    if as_json {
+        println!("{:#}", check_json(&answer));
+    } else {
+        print!("{}", check_text(&answer));
+    }
+    Ok(if answer.falls() {
+        Outcome::Falls
+    } else {
+        Outcome::Stands
+    })
+}
+
+/// Everything that `dolmen check` says of a project; its surveys are left for `identify`.
+pub(crate) fn answer(
+    project: Project,
+    file: &Path,
+    sampling: Option<Sampling>,
+    with_sensitivity: bool,
+) -> Result<Answer> {
+    let state = state_of(&project, sampling)?;
+    let mut variants = Vec::new();
+    for variant in &project.variants {
+        if let Some(state) = state_of(&variant.project, sampling)? {
+            variants.push(VariantAnswer {
+                name: variant.name.clone(),
+                title: variant.title.clone(),
+                state,
+            });
+        }
+    }
+    let sensitivities = if with_sensitivity {
+        sensitivities(&project)?
+    } else {
+        Vec::new()
+    };
+    let file = file.display().to_string();
+    Ok(Answer {
+        file,
+        project,
+        state,
+        variants,
+        sensitivities,
+        surveys: Vec::new(),
+    })
+}
+
+fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<State>> {
+    let Some(check) = check_of(project, &mut Quantity::nominal)? else {
+        return Ok(None);
+    };
+    let sampled = match sampling {
+        Some(sampling) => sampled(project, sampling)?,
+        None => None,
+    };
+    Ok(Some(State { check, sampled }))
+}
+
+/// The check of a structure, each input with the value that `pick` chooses; `None` if nothing is modelled.
+fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
+    Ok(match &project.structure {
+        Structure::Survey => None,
+        Structure::Chain(part) => {
+            let stiffness = part.stiffness_n_m_rad(pick);
+            Some(Check::Chain(Box::new(check_chain(
+                &part.build(pick)?,
+                stiffness.as_deref(),
+            )?)))
+        }
+        Structure::Frame(part) => {
+            let frame = part.build(pick)?;
+            let mut checks = Vec::new();
+            for direction in &part.directions {
+                let stiffness = part.stiffness_n_m(&direction.name, pick);
+                let check = check_frame(&frame, stiffness.as_deref())?;
+                checks.push(DirectionCheck {
+                    direction: direction.name.clone(),
+                    check,
+                });
+            }
+            Some(Check::Frame(checks))
+        }
+    })
+}
+
+/// The load factor, each input with the value that `pick` chooses: of a frame the smallest of its directions;
+/// `None` if no stiffness is known.
+fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
+    Ok(match &project.structure {
+        Structure::Survey => None,
+        Structure::Chain(part) => match part.stiffness_n_m_rad(pick) {
+            Some(stiffness) => Some(chain_stability(&part.build(pick)?, &stiffness)?.load_factor),
+            None => None,
+        },
+        Structure::Frame(part) => {
+            let frame = part.build(pick)?;
+            let mut least: Option<f64> = None;
+            for direction in &part.directions {
+                if let Some(stiffness) = part.stiffness_n_m(&direction.name, pick) {
+                    let factor = frame_stability(&frame, &stiffness)?.load_factor;
+                    least = Some(least.map_or(factor, |other| other.min(factor)));
+                }
+            }
+            least
+        }
+    })
+}
+
+/// The load factor under inputs drawn from their distributions; `None` if no stiffness or no scatter is known.
+fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>> {
+    let inputs = project.structure_inputs();
+    let scatters: Vec<(&Quantity, f64)> = inputs
+        .iter()
+        .filter_map(|q| Some((*q, q.cov.filter(|cov| *cov > 0.0)?)))
+        .collect();
+    if scatters.is_empty() || load_factor(project, &mut Quantity::nominal)?.is_none() {
+        return Ok(None);
+    }
+    let mut load_factors = Vec::with_capacity(sampling.samples);
+    let unstable = probability(
+        sampling.samples,
+        sampling.seed,
+        |random: &mut Random| -> Result<bool> {
+            // drawn in the order of the file, so that a sample does not depend on who asks first, or twice
+            let mut drawn = BTreeMap::new();
+            for (q, cov) in &scatters {
+                drawn.insert(q.path.as_str(), random.lognormal(q.value, *cov)?);
+            }
+            let mut pick = |q: &Quantity| drawn.get(q.path.as_str()).copied().unwrap_or(q.value);
+            let factor = load_factor(project, &mut pick).context(
+            "a sample of the inputs gives an impossible structure: lower the cov of the input that it names",
+        )?;
+            let factor = factor.unwrap_or(f64::NAN);
+            load_factors.push(factor);
+            Ok(factor <= 1.0)
+        },
+    )?;
+    load_factors.sort_by(f64::total_cmp);
+    let inputs = scatters.iter().map(|(q, _)| q.path.clone()).collect();
+    Ok(Some(Sampled {
+        unstable,
+        load_factors,
+        inputs,
+    }))
+}
+
+/// Elasticity of the load factor to each of the structure's inputs, strongest first; empty if no stiffness is known.
+fn sensitivities(project: &Project) -> Result<Vec<Sensitivity>> {
+    if load_factor(project, &mut Quantity::nominal)?.is_none() {
+        return Ok(Vec::new());
+    }
+    let mut all = Vec::new();
+    for input in project.structure_inputs() {
+        let elasticity = elasticity(input.value, |changed| -> Result<f64> {
+            let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
+            Ok(load_factor(project, &mut pick)?.unwrap_or(f64::NAN))
+        })?;
+        all.push(Sensitivity {
+            input: input.path.clone(),
+            value: input.value,
+            elasticity,
+            cov: input.cov,
+        });
+    }
+    all.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
+    Ok(all)
+}

@@ -1,0 +1,143 @@
+//! What can be typed: the verbs and their flags, with the help that clap prints.
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// From field vibration records and a page of dimensions to modes, stiffness, stability and a report, for
+/// stacked-stone and timber heritage.
+#[derive(Debug, Parser)]
+#[command(name = "dolmen", version, max_term_width = 110, propagate_version = true)]
+#[command(
+    after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\", 2 bad input, 3 a computation did \
+                        not converge.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
+)]
+pub(crate) struct Cli {
+    #[command(subcommand)]
+    pub(crate) verb: Verb,
+    /// Print results as JSON: keys are the fields' names, values in SI, units in the names
+    #[arg(long, global = true)]
+    pub(crate) json: bool,
+    /// Print no progress and no notes, only results
+    #[arg(long, short, global = true)]
+    pub(crate) quiet: bool,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum Verb {
+    /// Start a project from an example
+    New(New),
+    /// Is the file right, does it stand: stability, limits, modes. Milliseconds
+    Check(Check),
+    /// Records → modes → stiffness, with its ambiguity stated
+    Identify(Identify),
+    /// One self-contained HTML page, in English or Korean
+    Report(Report),
+    /// The main job on the shipped examples, start to report
+    Demo(Demo),
+    /// Published | computed | difference, for every source
+    Validate,
+    /// What a code in a message or report means; all codes without one
+    Explain {
+        /// The code, such as unsafe-criterion
+        code: Option<String>,
+    },
+    /// JSON schema of the project file
+    Schema,
+    /// Completions for a shell, to standard output
+    Completions {
+        /// The shell
+        shell: clap_complete::Shell,
+    },
+    /// The manual page (roff), to standard output, or one page a verb into a folder
+    Man {
+        /// Folder for one page a verb
+        directory: Option<PathBuf>,
+    },
+    /// Does this installation work: version, self-checks, writable folders
+    Doctor,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct New {
+    /// What kind of structure
+    pub(crate) kind: Kind,
+    /// Folder to make; it must not exist or be empty
+    pub(crate) directory: PathBuf,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Kind {
+    /// Stone flagpole: a chain of links on rotational joints
+    Flagpole,
+    /// Timber gate: a frame of rigid storeys
+    Gate,
+    /// Measured only: vibration records without a model
+    Survey,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Check {
+    /// Project file, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    /// Draw the inputs that carry a cov this many times, and say how probable each verdict is
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=10_000_000))]
+    pub(crate) samples: Option<u32>,
+    /// Seed of the samples: the same seed gives the same bits
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Say what one per cent of each input does to the load factor
+    #[arg(long)]
+    pub(crate) sensitivity: bool,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Identify {
+    /// Project file, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    /// Only this survey; all without it
+    #[arg(long, value_name = "NAME")]
+    pub(crate) survey: Option<String>,
+    /// Write the figures (SVG) and the result (JSON) into this folder
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Report {
+    /// Project files, or folders that hold project.toml: one report for all of them
+    #[arg(required = true)]
+    pub(crate) projects: Vec<PathBuf>,
+    /// Where to write it
+    #[arg(long, short, value_name = "FILE", default_value = "report.html")]
+    pub(crate) output: PathBuf,
+    /// Language of the page
+    #[arg(long, value_enum, default_value_t = Language::En)]
+    pub(crate) language: Language,
+    /// Draw the inputs that carry a cov this many times
+    #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(0..=10_000_000))]
+    pub(crate) samples: u32,
+    /// Seed of the samples
+    #[arg(long, default_value_t = 1)]
+    pub(crate) seed: u64,
+    /// Date to print on the page, such as 2026-05-12; none without it
+    #[arg(long)]
+    pub(crate) date: Option<String>,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Language {
+    /// English
+    En,
+    /// Korean
+    Ko,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Demo {
+    /// Folder to make for the examples and the report
+    #[arg(default_value = "dolmen-demo")]
+    pub(crate) directory: PathBuf,
+    /// Language of the page
+    #[arg(long, value_enum, default_value_t = Language::En)]
+    pub(crate) language: Language,
+}

@@ -1,0 +1,85 @@
+//! What helps to use the command: explanations, completions, manual pages, and how errors are shown.
+
+use crate::Outcome;
+use crate::cli::Cli;
+use anyhow::{Context as _, Result, bail};
+use clap::CommandFactory as _;
+use dolmen_formats::explain::{EXPLANATIONS, explain as look_up, nearest_code};
+use serde_json::json;
+use std::io::Write as _;
+use std::path::Path;
+
+/// Exit status of a computation that did not converge; bad input is [`BAD_INPUT`].
+const NO_CONVERGENCE: u8 = 3;
+/// Exit status of bad input.
+const BAD_INPUT: u8 = 2;
+
+/// Prints an error with its causes, to standard error.
+pub(crate) fn complain(fault: &anyhow::Error) {
+    let mut text = format!("{fault:#}");
+    if !text.starts_with("error") {
+        text.insert_str(0, "error: ");
+    }
+    eprintln!("{text}");
+}
+
+/// The exit status that an error stands for.
+pub(crate) fn exit_status(fault: &anyhow::Error) -> u8 {
+    let diverged = |cause: &(dyn std::error::Error + 'static)| cause.to_string().contains("did not converge");
+    if fault.chain().any(diverged) {
+        NO_CONVERGENCE
+    } else {
+        BAD_INPUT
+    }
+}
+
+pub(crate) fn explain(code: Option<&str>, as_json: bool) -> Result<Outcome> {
+    let chosen: Vec<_> = match code {
+        None => EXPLANATIONS.iter().collect(),
+        Some(code) => match look_up(code) {
+            Some(found) => vec![found],
+            None => {
+                let hint = nearest_code(code)
+                    .map(|near| format!(" Did you mean {near}?"))
+                    .unwrap_or_default();
+                bail!("there is no code \"{code}\".{hint} `dolmen explain` lists all codes")
+            }
+        },
+    };
+    if as_json {
+        let list: Vec<_> = chosen
+            .iter()
+            .map(|e| json!({ "code": e.code, "title": e.title, "text": e.text }))
+            .collect();
+        println!("{:#}", json!(list));
+    } else if code.is_none() {
+        for e in chosen {
+            println!("{:20} {}", e.code, e.title);
+        }
+    } else {
+        for e in chosen {
+            println!("{}: {}\n\n{}", e.code, e.title, e.text);
+        }
+    }
+    Ok(Outcome::Stands)
+}
+
+pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
+    let mut script = Vec::new();
+    clap_complete::generate(shell, &mut Cli::command(), "dolmen", &mut script);
+    std::io::stdout().write_all(&script)?;
+    Ok(Outcome::Stands)
+}
+
+pub(crate) fn man(directory: Option<&Path>) -> Result<Outcome> {
+    match directory {
+        None => clap_mangen::Man::new(Cli::command()).render(&mut std::io::stdout())?,
+        Some(directory) => {
+            std::fs::create_dir_all(directory)
+                .with_context(|| format!("cannot make the folder {}", directory.display()))?;
+            clap_mangen::generate_to(Cli::command(), directory)
+                .with_context(|| format!("cannot write manual pages into {}", directory.display()))?;
+        }
+    }
+    Ok(Outcome::Stands)
+}

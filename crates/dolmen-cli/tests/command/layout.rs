@@ -1,0 +1,131 @@
+// SOURCE     The layout of the project, as CONTRIBUTING.md tells it.
+// GOAL       Chapters import only downwards, and files stay readable in one sitting.
+// TOLERANCE  none.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// The chapters of the science crate: each may import itself and those before it.
+const CHAPTERS: [&str; 8] = [
+    "known",
+    "numeric",
+    "signal",
+    "modal",
+    "structure",
+    "stability",
+    "assess",
+    "validation",
+];
+/// Crates, lowest first, with the crates each may name.
+const CRATES: [(&str, &[&str]); 4] = [
+    ("dolmen-linalg", &[]),
+    ("dolmen", &["dolmen-linalg"]),
+    ("dolmen-formats", &["dolmen", "dolmen-linalg"]),
+    ("dolmen-cli", &["dolmen", "dolmen-formats"]),
+];
+/// Lines a file may have before its `#[cfg(test)]` module: one sitting.
+const LINES_MOST: usize = 550;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+fn rust_files(folder: &Path) -> Vec<PathBuf> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            found.extend(rust_files(&path));
+        } else if path.extension().is_some_and(|e| e == "rs") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    found
+}
+
+fn code(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    text.split("#[cfg(test)]\nmod ")
+        .next()
+        .unwrap_or_default()
+        .to_owned()
+}
+
+/// Chapters that `text` names through `crate::`, outside comments.
+fn imports(text: &str) -> Vec<&'static str> {
+    let lines = text.lines().filter(|line| !line.trim_start().starts_with("//"));
+    let mut named: Vec<&str> = lines
+        .flat_map(|line| {
+            line.match_indices("crate::")
+                .map(|(at, _)| &line[at + "crate::".len()..])
+                .collect::<Vec<_>>()
+        })
+        .filter_map(|rest| {
+            let word: String = rest
+                .chars()
+                .take_while(|c| c.is_alphanumeric() || *c == '_')
+                .collect();
+            CHAPTERS.iter().copied().find(|chapter| *chapter == word)
+        })
+        .collect();
+    named.dedup();
+    named
+}
+
+#[test]
+fn holds_chapters_import_only_downwards() {
+    let source = root().join("crates/dolmen/src");
+    let rank = |chapter: &str| CHAPTERS.iter().position(|c| *c == chapter);
+    for folder in fs::read_dir(&source)
+        .unwrap()
+        .map(|e| e.unwrap().path())
+        .filter(|p| p.is_dir())
+    {
+        let chapter = folder.file_name().unwrap().to_str().unwrap().to_owned();
+        let own =
+            rank(&chapter).unwrap_or_else(|| panic!("chapter {chapter} is not in the list of this test"));
+        for file in rust_files(&folder) {
+            for named in imports(&code(&file)) {
+                assert!(
+                    rank(named) <= Some(own),
+                    "{} imports {named}, a later chapter",
+                    file.display()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn holds_crates_depend_only_downwards() {
+    for (name, allowed) in CRATES {
+        let manifest = fs::read_to_string(root().join("crates").join(name).join("Cargo.toml")).unwrap();
+        let section = manifest.split("[dependencies]").nth(1).unwrap_or_default();
+        let section = section.split("\n[").next().unwrap_or_default();
+        for line in section.lines().filter(|line| line.starts_with("dolmen")) {
+            let dependency = line.split(['.', ' ', '=']).next().unwrap_or_default();
+            assert!(allowed.contains(&dependency), "{name} depends on {dependency}");
+        }
+    }
+}
+
+#[test]
+fn holds_files_can_be_read_in_one_sitting() {
+    for (name, _) in CRATES {
+        for file in rust_files(&root().join("crates").join(name).join("src")) {
+            let lines = code(&file).lines().count();
+            assert!(
+                lines <= LINES_MOST,
+                "{} has {lines} lines before its tests",
+                file.display()
+            );
+        }
+    }
+}
+
+#[test]
+fn refuses_an_upward_import_in_a_sample() {
+    assert_eq!(imports("use crate::assess::Probability;\n"), ["assess"]);
+    assert_eq!(imports("// use crate::assess::Probability;\n"), [""; 0]);
+}

@@ -1,0 +1,164 @@
+//! Everything that was computed for one project: what the command fills, and text, JSON and report print.
+
+use crate::project::{Names, Project};
+use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity};
+use dolmen::stability::Verdict;
+use dolmen::structure::{Convention, StiffnessSolutions};
+
+/// One project with its answers. What was not asked for, or cannot be computed, is empty or `None`.
+#[derive(Clone, Debug)]
+pub struct Answer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// What the file says.
+    pub project: Project,
+    /// Does it stand, as it is; `None` for `kind = "survey"`.
+    pub state: Option<State>,
+    /// The same with each `[variant.NAME]`, in the order of the file.
+    pub variants: Vec<VariantAnswer>,
+    /// What one per cent of each input does to the load factor, strongest first.
+    pub sensitivities: Vec<Sensitivity>,
+    /// What was identified from each survey, in the order of the file.
+    pub surveys: Vec<SurveyAnswer>,
+}
+
+/// Whether one version of a structure stands.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// The check of the structure.
+    pub check: Check,
+    /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
+    pub sampled: Option<Sampled>,
+}
+
+/// The check, by kind of structure.
+#[derive(Clone, Debug)]
+pub enum Check {
+    /// A chain.
+    Chain(Box<ChainCheck>),
+    /// A frame, one check a direction.
+    Frame(Vec<DirectionCheck>),
+}
+
+/// A frame in one direction.
+#[derive(Clone, Debug)]
+pub struct DirectionCheck {
+    /// "weak", "strong", "x".
+    pub direction: String,
+    /// Its check.
+    pub check: FrameCheck,
+}
+
+/// A variant and whether it stands.
+#[derive(Clone, Debug)]
+pub struct VariantAnswer {
+    /// The table's name.
+    pub name: String,
+    /// A longer name, if given.
+    pub title: Option<Names>,
+    /// Does it stand.
+    pub state: State,
+}
+
+/// The load factor under inputs drawn from their distributions.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    /// Probability that the structure falls (λ ≤ 1).
+    pub unstable: Probability,
+    /// λ of each sample, ascending. For a frame the smallest of its directions.
+    pub load_factors: Vec<f64>,
+    /// Paths of the inputs that were drawn.
+    pub inputs: Vec<String>,
+}
+
+/// What was identified from one survey.
+#[derive(Clone, Debug)]
+pub struct SurveyAnswer {
+    /// The survey's name.
+    pub name: String,
+    /// Stiffness from its modes, one entry a direction and convention.
+    pub stiffness: Vec<StiffnessAnswer>,
+}
+
+/// Stiffness from modes, in one direction and convention.
+#[derive(Clone, Debug)]
+pub struct StiffnessAnswer {
+    /// "x", "weak".
+    pub direction: String,
+    /// What the springs of a frame act on; `None` for a chain.
+    pub convention: Option<Convention>,
+    /// Frequencies that went in, Hz.
+    pub frequencies_hz: Vec<f64>,
+    /// Whether any of them carried a measured shape.
+    pub with_shapes: bool,
+    /// Every solution.
+    pub solutions: StiffnessSolutions,
+}
+
+impl State {
+    /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known.
+    pub fn load_factor(&self) -> Option<f64> {
+        match &self.check {
+            Check::Chain(check) => check.stability.as_ref().map(|s| s.load_factor),
+            Check::Frame(directions) => {
+                let known = directions.iter().filter_map(|d| d.check.stability.as_ref());
+                known.map(|s| s.load_factor).min_by(f64::total_cmp)
+            }
+        }
+    }
+
+    /// The worst verdict of the structure.
+    pub fn verdict(&self) -> Verdict {
+        match &self.check {
+            Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
+            Check::Frame(directions) => {
+                let of =
+                    |d: &DirectionCheck| d.check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
+                worst(directions.iter().map(of))
+            }
+        }
+    }
+}
+
+/// Unstable if any is; else unknown if any is; else the worse of the rest.
+fn worst(verdicts: impl Iterator<Item = Verdict>) -> Verdict {
+    let severity = |verdict: &Verdict| match verdict {
+        Verdict::Unstable => 3,
+        Verdict::Unknown => 2,
+        Verdict::Marginal => 1,
+        Verdict::Stable => 0,
+    };
+    verdicts.max_by_key(severity).unwrap_or(Verdict::Unknown)
+}
+
+impl Answer {
+    /// Whether any version of the structure is unstable: exit status 1.
+    pub fn falls(&self) -> bool {
+        let states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
+        states
+            .into_iter()
+            .any(|state| state.verdict() == Verdict::Unstable)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_an_unknown_direction_never_hides_behind_a_stable_one() {
+        assert_eq!(
+            worst([Verdict::Stable, Verdict::Unknown].into_iter()),
+            Verdict::Unknown
+        );
+        assert_eq!(
+            worst([Verdict::Unknown, Verdict::Unstable].into_iter()),
+            Verdict::Unstable
+        );
+        assert_eq!(
+            worst([Verdict::Marginal, Verdict::Stable].into_iter()),
+            Verdict::Marginal
+        );
+        assert_eq!(worst([].into_iter()), Verdict::Unknown);
+    }
+}

@@ -1,0 +1,174 @@
+//! What the codes in messages and reports mean: the long answer behind a short note.
+
+/// One code with its explanation.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Explanation {
+    /// The code, as printed in brackets: "unsafe-criterion".
+    pub code: &'static str,
+    /// One line.
+    pub title: &'static str,
+    /// A few plain paragraphs: what it means, why, what to do.
+    pub text: &'static str,
+}
+
+/// Every code, in alphabetical order.
+pub const EXPLANATIONS: &[Explanation] = &[
+    Explanation {
+        code: "assumed-input",
+        title: "A value is assumed, not measured",
+        text: "\
+The project file marks this value `source = \"assumed\"`. Every result that uses it rests on the assumption, and the
+report says which do. Give the value a `cov` (coefficient of variation) and run `dolmen check --samples 10000` to see
+how much the verdict depends on it, or measure it and change the source to \"test\" or \"measured\".",
+    },
+    Explanation {
+        code: "axial-double-count",
+        title: "The axial force of the upper storey is counted twice in the lower",
+        text: "\
+Equation 7 of Park & Min (2010) adds P2 to P1 in storey 1. The printed P1 = 5919 kN is already cumulative
+(P1 − P2 = 2842 kN is the weight of 290 t), so P2 enters storey 1 twice and k1 rises from 203.4 to 203.9 kN/mm. Say
+which force you give: `axial = \"storey\"` (all that the storey carries) or `axial = \"level\"` (what rests on its top).",
+    },
+    Explanation {
+        code: "block-rows",
+        title: "How many block rows the subspace method uses",
+        text: "\
+SSI-cov sees lags up to twice the block rows. If they span less than half a period of the lowest mode
+(br < fs / (2 f1)) that mode is lost or its damping is wrong by 100 % and more. Dolmen takes the lowest peak of the
+spectrum for f1, chooses block rows from it, says what it chose, and refuses values that cannot work. Decimating the
+record makes the same span cheaper.",
+    },
+    Explanation {
+        code: "cap-left-out",
+        title: "The cap stone is not in the model",
+        text: "\
+A chain without its top part weighs less and is lower than the structure: every limit is too low, which is
+unconservative. Add the cap as a link, or to the weight and centroid of the top link.",
+    },
+    Explanation {
+        code: "channel-fault",
+        title: "A channel is dead, clipped or a copy of another",
+        text: "\
+A dead channel (constant, or noise far below the others) adds a false row to every shape. A clipped one makes
+harmonics. A copied one makes the shapes look surer than they are. Mend the cable and repeat, or leave the channel out
+with `leave_out = true` on it in the project file.",
+    },
+    Explanation {
+        code: "damping-floor",
+        title: "The least scatter any method can reach",
+        text: "\
+With N_c = f T observed cycles, a long ambient record gives a frequency no better than sd(f)/f = √(ζ/2πN_c) and a
+damping ratio no better than sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014). Ten minutes of a 2 Hz mode with 1 % damping: ± 0.12 %
+and ± 12 %. Only a longer record lowers it.",
+    },
+    Explanation {
+        code: "indistinguishable",
+        title: "Several stiffnesses explain the measured frequencies equally well",
+        text: "\
+Frequencies alone do not determine where a structure is stiff: two storeys have two answers, five joints at least
+sixteen. All that were found are listed. They differ in their mode shapes: one measured shape (two sensors at
+different heights, recorded together) usually chooses. Dolmen does not choose without one.",
+    },
+    Explanation {
+        code: "joints-unknown",
+        title: "The stiffness is not known, so there is no verdict",
+        text: "\
+Weights and lengths give the least stiffness that each joint needs, not the stiffness it has. Measure vibration and run
+`dolmen identify`, or write assumed values with `source = \"assumed\"` and a `cov`.",
+    },
+    Explanation {
+        code: "load-factor",
+        title: "The load factor λ, and the words of the verdict",
+        text: "\
+λ is the smallest factor on gravity at which the stiffness matrix becomes singular: the structure falls when λ ≤ 1.
+1/λ is the common factor on all stiffnesses at which it just stands. Verdicts: stable (λ ≥ 1.5), marginal (1 < λ < 1.5),
+unstable (λ ≤ 1), unknown. The threshold 1.5 is Dolmen's choice, not a code's: a stiffness from frequencies is uncertain
+by twice their error, and stone joints lose stiffness as they open. λ says nothing about overturning: a linear joint does
+not open. The uplift limit (moment ≤ N b / 2) is a separate line.",
+    },
+    Explanation {
+        code: "margin",
+        title: "The margin of one joint",
+        text: "\
+k_i / k_i,min, where k_i,min = k_i − 1/(b_iᵀ K⁻¹ b_i) is the least stiffness of joint i at which the structure stands,
+with all other joints as they are. It is not k_i / E_i: the recursion's E_i tests stability and measures nothing (at
+1.03 P·H on the Naju flagpole it would say 1.035 to 2.138 where the margins are 1.012 to 1.035).",
+    },
+    Explanation {
+        code: "no-real-root",
+        title: "No stiffness gives these frequencies",
+        text: "\
+For two storeys with masses m1 (lower) and m2 (upper), real stiffnesses exist only if r + 1/r ≥ 2 √(1 + m2/m1), with
+r = ω2/ω1. If the measured ratio is smaller, one of the frequencies is not a translation of this direction (a twisting
+mode, a machine), a mass is wrong, or the structure is not two rigid storeys.",
+    },
+    Explanation {
+        code: "probability",
+        title: "What a probability from samples means",
+        text: "\
+Inputs with a `cov` are drawn from lognormal distributions with that mean and cov, independently, N times; the count of
+falls gives the probability, with its Clopper–Pearson interval. It is the probability given this model and these covs:
+it knows nothing of decay, of vandals, of a wrong drawing. The same seed gives the same bits.",
+    },
+    Explanation {
+        code: "swallowed-key",
+        title: "A key stands below a [table] that it does not belong to",
+        text: "\
+In TOML every key below `[survey.2010-05-12]` belongs to that table, up to the next [header], however it is indented.
+Move keys of the top level (units, links, joints, storeys…) above the first [header].",
+    },
+    Explanation {
+        code: "underdetermined",
+        title: "Fewer measured modes than unknown stiffnesses",
+        text: "\
+With m frequencies and n > m stiffnesses, n − m directions stay free: a continuous family explains the data. The
+solutions shown are members of it, not an answer. The table of what the sensors see says which stiffness is determined
+by how much. Measure shapes, or more modes.",
+    },
+    Explanation {
+        code: "unit-slip",
+        title: "A value looks a factor of a thousand off",
+        text: "\
+The value is possible as a number but not as this structure: another unit was probably meant. Write the unit with the
+value (\"1150 mm\", \"38.95 kN\"), or change `units`. If it is right as it stands, list its path under `allow`.",
+    },
+    Explanation {
+        code: "unsafe-criterion",
+        title: "The published critical stiffness is unsafe",
+        text: "\
+Choi (2021, eqs 38–42) sets each diagonal term of the stiffness matrix to zero: k_cr,n = G_n, k_cr,i = G_i − k_cr,i+1.
+A symmetric matrix with zeros on its diagonal and anything off it is indefinite, so a pole with those stiffnesses falls:
+the Naju flagpole needs 4.7356 times as much at every joint. The exact test is that the whole matrix is positive
+definite. Dolmen prints the published values because reports quote them, and the right ones beside them.",
+    },
+];
+
+/// The explanation of `code`, if there is one.
+pub fn explain(code: &str) -> Option<&'static Explanation> {
+    EXPLANATIONS.iter().find(|e| e.code == code)
+}
+
+/// The code most like `code`, to suggest when there is none of that name.
+pub fn nearest_code(code: &str) -> Option<&'static str> {
+    const LIKENESS_LEAST: f64 = 0.6; // Jaro–Winkler; below it a suggestion reads as noise
+    EXPLANATIONS
+        .iter()
+        .map(|e| (strsim::jaro_winkler(code, e.code), e.code))
+        .filter(|(likeness, _)| *likeness >= LIKENESS_LEAST)
+        .max_by(|a, b| a.0.total_cmp(&b.0))
+        .map(|(_, code)| code)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_codes_are_sorted_and_found() {
+        assert!(EXPLANATIONS.is_sorted_by(|a, b| a.code < b.code));
+        assert_eq!(explain("margin").map(|e| e.code), Some("margin"));
+        assert_eq!(explain("marginn"), None);
+        assert_eq!(nearest_code("unsafe_criterion"), Some("unsafe-criterion"));
+        assert_eq!(nearest_code("zzz"), None);
+    }
+}

@@ -1,0 +1,7 @@
+//! Answers as JSON: keys are the fields' names with the unit last, values in SI, `null` for what is not known.
+
+mod check;
+mod identify;
+
+pub use check::check_json;
+pub use identify::identification_json;

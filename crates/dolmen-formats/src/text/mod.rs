@@ -1,0 +1,13 @@
+//! Answers as text for a terminal: plain characters, columns that line up, units in the heads.
+
+mod check;
+mod identify;
+mod project;
+mod table;
+mod validate;
+
+pub use check::check_text;
+pub use identify::identification_text;
+pub use project::{heading_text, warnings_text};
+pub use table::Table;
+pub use validate::validation_text;

@@ -1,0 +1,71 @@
+//! What was read: echoed before any result.
+
+use crate::project::{Axial, Pick, Project, Quantity, Structure};
+use dolmen::structure::Convention;
+use std::fmt::Write as _;
+
+/// Name, file, kind and size of what was read.
+pub fn heading_text(project: &Project, file: &str) -> String {
+    let mut out = String::new();
+    let (en, ko) = (project.name.english(), project.name.korean());
+    let both = if en == ko {
+        en.to_owned()
+    } else {
+        format!("{en} ({ko})")
+    };
+    let _ = writeln!(out, "{both}\n  {file}: {}", size(project));
+    if let Some(source) = &project.source {
+        let _ = writeln!(out, "  source: {source}");
+    }
+    out
+}
+
+fn size(project: &Project) -> String {
+    let pick: Pick<'_> = &mut Quantity::nominal;
+    let gravity = project.gravity_m_s2;
+    match &project.structure {
+        Structure::Chain(chain) => {
+            let height: f64 = chain.links.iter().map(|link| pick(&link.length)).sum();
+            let mass: f64 = chain
+                .links
+                .iter()
+                .map(|link| link.heaviness.mass_kg(gravity, pick))
+                .sum();
+            let (n, weight) = (chain.links.len(), mass * gravity / 1e3);
+            format!("chain of {n} links, {height:.2} m high, {weight:.2} kN, g {gravity} m/s2")
+        }
+        Structure::Frame(frame) => {
+            let height: f64 = frame.storeys.iter().map(|storey| pick(&storey.height)).sum();
+            let mass: f64 = frame
+                .storeys
+                .iter()
+                .map(|storey| storey.heaviness.mass_kg(gravity, pick))
+                .sum();
+            let axial = match frame.axial {
+                Axial::Storey => "axial force given a storey",
+                Axial::Level => "axial force given a level",
+                Axial::FromMasses => "axial force from the masses",
+            };
+            let (n, mass) = (frame.storeys.len(), mass / 1e3);
+            format!("frame of {n} storeys, {height:.2} m high, {mass:.1} t, {axial}")
+        }
+        Structure::Survey => "measured, not modelled".to_owned(),
+    }
+}
+
+/// How a convention is named in text.
+pub(super) fn convention_words(convention: Convention) -> &'static str {
+    match convention {
+        Convention::Drift => "drift (spring between levels)",
+        Convention::Grounded => "grounded (spring to the ground, as eq. 7 is printed)",
+    }
+}
+
+/// What every result carries along: assumptions and omissions, a line each.
+pub fn warnings_text(project: &Project) -> String {
+    let mut out = String::new();
+    for warning in &project.warnings {
+        let _ = writeln!(out, "note: line {}: {}", warning.line, warning.message);
+    }
+    out
+}

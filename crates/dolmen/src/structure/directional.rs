@@ -1,0 +1,257 @@
+//! From modes as sensors see them to modes of a structure that moves in one horizontal direction.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | φ_c | `shape` | component of channel c, turned to be as real as it can be | |
+//! | d | `direction` | unit vector of the structure's direction | |
+//! | s_c | `direction` of a channel | unit vector of the sensor | |
+
+use super::{MeasuredMode, ShapePoint};
+use crate::modal::{Mode, Modes};
+use dolmen_linalg::Complex64;
+
+/// A sensor within 15° of the direction (cosine of it) measures it. Chosen here: the error of the cosine is 3 %.
+const ALONG_LEAST: f64 = 0.966;
+/// Share of a mode's squared components that must lie along the direction for the mode to be one of it. Chosen here: a
+/// mode at 45° has .5 in both.
+const SHARE_LEAST: f64 = 0.6;
+/// Sensors of one level may differ by this much of the shape's largest component; more is twisting. Chosen here.
+const TWIST_MOST: f64 = 0.3;
+/// Heights closer than this are one level, m. Chosen here: less than any storey or stone.
+const LEVEL_M: f64 = 0.05;
+
+/// Why a mode was kept out of the fit.
+#[derive(Clone, Debug, PartialEq)]
+pub enum LeftOut {
+    /// It moves mostly in another direction.
+    OtherDirection {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Share of its squared components along the direction.
+        share: f64,
+    },
+    /// Sensors at one height move differently: the plan twists, or the structure is not rigid there.
+    Twists {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Height at which they differ most, m.
+        height_m: f64,
+        /// Difference as a share of the shape's largest component along the direction.
+        difference: f64,
+    },
+}
+
+impl std::fmt::Display for LeftOut {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            LeftOut::OtherDirection { frequency_hz, share } => write!(
+                f,
+                "the mode at {frequency_hz:.3} Hz is left out: only {:.0} % of its motion is in this direction, {:.0} % \
+                 are needed",
+                100.0 * share,
+                100.0 * SHARE_LEAST
+            ),
+            LeftOut::Twists {
+                frequency_hz,
+                height_m,
+                difference,
+            } => write!(
+                f,
+                "the mode at {frequency_hz:.3} Hz is left out: at {height_m:.2} m its sensors differ by {:.0} % of the \
+                 largest, so it twists",
+                100.0 * difference
+            ),
+        }
+    }
+}
+
+/// Modes of one direction, and what was kept out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DirectionalModes {
+    /// Modes with their shape along the direction, one point a height, lowest first.
+    pub modes: Vec<MeasuredMode>,
+    /// The other modes of the record, and why.
+    pub left_out: Vec<LeftOut>,
+    /// Channels that measure the direction and have a height; fewer than 1 leaves `modes` empty.
+    pub channels_along: usize,
+}
+
+/// The modes of a record that move in `direction`, as the identification of stiffness takes them.
+///
+/// ```text
+/// share = Σ_along φ_c² / Σ φ_c²,  c along if |s_c · d| ≥ .966;  u(z) = mean of φ_c sign(s_c · d) over channels at z
+/// ```
+///
+/// # Input
+/// * `direction` -- unit vector, horizontal
+///
+/// # Limits
+/// Channels without a direction or a position are not used. Each height is taken as rigid in plan; a mode whose sensors
+/// at one height differ by more than 30 % of its largest component is left out as twisting.
+pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes {
+    let along: Vec<Option<(f64, f64)>> = modes
+        .channels
+        .iter()
+        .map(|channel| {
+            let cosine: f64 = channel
+                .direction?
+                .iter()
+                .zip(&direction)
+                .map(|(s, d)| s * d)
+                .sum();
+            let height = channel.position_m?[2];
+            (cosine.abs() >= ALONG_LEAST).then_some((height, cosine.signum()))
+        })
+        .collect();
+    let mut found = DirectionalModes {
+        channels_along: along.iter().flatten().count(),
+        ..DirectionalModes::default()
+    };
+    if found.channels_along == 0 {
+        return found;
+    }
+    for mode in &modes.modes {
+        match along_direction(mode, &along) {
+            Ok(measured) => found.modes.push(measured),
+            Err(why) => found.left_out.push(why),
+        }
+    }
+    found
+}
+
+/// Components turned by the common angle that makes them as real as they can be.
+fn real_shape(shape: &[Complex64]) -> Vec<f64> {
+    let turn = Complex64::from_polar(1.0, -0.5 * shape.iter().map(|z| z * z).sum::<Complex64>().arg());
+    shape.iter().map(|z| (z * turn).re).collect()
+}
+
+fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<MeasuredMode, LeftOut> {
+    let real = real_shape(&mode.shape);
+    let frequency_hz = mode.frequency_hz;
+    let square = |chosen: bool| -> f64 {
+        real.iter()
+            .zip(along)
+            .filter(|(_, a)| !chosen || a.is_some())
+            .map(|(x, _)| x * x)
+            .sum()
+    };
+    let share = square(true) / square(false);
+    if share.is_nan() || share < SHARE_LEAST {
+        return Err(LeftOut::OtherDirection { frequency_hz, share });
+    }
+    let sd = |channel: usize| {
+        mode.shape_sd
+            .as_ref()
+            .and_then(|sd| sd.get(channel))
+            .copied()
+            .unwrap_or(0.0)
+    };
+    let mut heard: Vec<(f64, f64, f64)> = along // height, displacement, its standard deviation
+        .iter()
+        .enumerate()
+        .filter_map(|(channel, a)| a.map(|(height, sign)| (height, sign * real[channel], sd(channel))))
+        .collect();
+    heard.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let largest = heard.iter().map(|point| point.1.abs()).fold(0.0, f64::max);
+    let mut shape = Vec::new();
+    for level in heard.chunk_by(|a, b| b.0 - a.0 < LEVEL_M) {
+        let (low, high) = level
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(lo, hi), p| {
+                (lo.min(p.1), hi.max(p.1))
+            });
+        let difference = (high - low) / largest;
+        let height_m = level[0].0;
+        if difference > TWIST_MOST {
+            return Err(LeftOut::Twists {
+                frequency_hz,
+                height_m,
+                difference,
+            });
+        }
+        let n = level.len() as f64;
+        shape.push(ShapePoint {
+            height_m,
+            displacement: level.iter().map(|p| p.1).sum::<f64>() / n,
+            displacement_sd: level.iter().map(|p| p.2 * p.2).sum::<f64>().sqrt() / n,
+        });
+    }
+    Ok(MeasuredMode {
+        frequency_hz,
+        frequency_sd_hz: mode.frequency_sd_hz.unwrap_or(0.0),
+        shape,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modal::Method;
+    use crate::signal::{Channel, Quantity};
+
+    fn channel(z: f64, direction: [f64; 3]) -> Channel {
+        Channel {
+            name: format!("{z} {direction:?}"),
+            quantity: Quantity::Acceleration,
+            position_m: Some([0.0, 0.0, z]),
+            direction: Some(direction),
+        }
+    }
+
+    fn modes(shapes: &[Vec<Complex64>]) -> Modes {
+        let mode = |(i, shape): (usize, &Vec<Complex64>)| Mode {
+            frequency_hz: 1.0 + i as f64,
+            frequency_sd_hz: Some(0.01),
+            damping_ratio: None,
+            damping_ratio_sd: None,
+            shape: shape.clone(),
+            shape_sd: None,
+            phase_collinearity: 1.0,
+            cycles: 600.0,
+            orders: vec![],
+        };
+        let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
+        Modes {
+            modes: shapes.iter().enumerate().map(mode).collect(),
+            // a sensor mounted the other way round, and a second one at the top
+            channels: vec![
+                channel(3.0, x),
+                channel(6.0, [-1.0, 0.0, 0.0]),
+                channel(6.0, x),
+                channel(6.0, y),
+            ],
+            method: Method::SsiCov,
+            duration_s: 600.0,
+            history: vec![],
+        }
+    }
+
+    #[test]
+    fn exact_shape_from_turned_and_reversed_sensors() {
+        let turn = Complex64::from_polar(1.0, 0.7);
+        let shape = [0.5, -1.0, 1.0, 0.0].map(|x| turn * x).to_vec();
+        let found = directional_modes(&modes(&[shape]), [1.0, 0.0, 0.0]);
+        let points = &found.modes[0].shape;
+        assert_eq!(points.len(), 2);
+        assert!((points[0].displacement / points[1].displacement - 0.5).abs() < 1e-14);
+        assert_eq!((points[0].height_m, points[1].height_m), (3.0, 6.0));
+    }
+
+    #[test]
+    fn refuses_modes_of_the_other_direction_and_twisting_ones() {
+        let across = [0.1, -0.1, 0.1, 1.0].map(|x| Complex64::new(x, 0.0)).to_vec();
+        let twisting = [0.5, 1.0, 1.0, 0.1].map(|x| Complex64::new(x, 0.0)).to_vec();
+        let found = directional_modes(&modes(&[across, twisting]), [1.0, 0.0, 0.0]);
+        assert!(found.modes.is_empty());
+        assert!(
+            found.left_out[0].to_string().contains("only 3 % of its motion"),
+            "{}",
+            found.left_out[0]
+        );
+        assert!(
+            found.left_out[1]
+                .to_string()
+                .contains("at 6.00 m its sensors differ by 200 %")
+        );
+    }
+}
