@@ -1,6 +1,7 @@
 //! What is wrong with a project file: every problem found, each with its place.
 
 use std::fmt;
+use std::ops::Range;
 
 /// One problem of a project file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -87,4 +88,82 @@ impl Problem {
         }
         Ok(())
     }
+}
+
+/// A problem before its line is known: a span of bytes of the text.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Fault {
+    pub(super) span: Range<usize>,
+    pub(super) path: String,
+    message: String,
+    allowed: Option<String>,
+    help: Option<String>,
+}
+
+impl Fault {
+    pub(super) fn new(span: Range<usize>, path: &str, message: impl Into<String>) -> Self {
+        Fault {
+            span,
+            path: path.to_owned(),
+            message: message.into(),
+            allowed: None,
+            help: None,
+        }
+    }
+
+    pub(super) fn allowed(mut self, allowed: impl Into<String>) -> Self {
+        self.allowed = Some(allowed.into());
+        self
+    }
+
+    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+        self.help = Some(help.into());
+        self
+    }
+
+    /// Puts it at the start of the file.
+    pub(super) fn at_top(mut self) -> Self {
+        self.span = 0..0;
+        self
+    }
+
+    /// Says in which variant it was found.
+    pub(super) fn in_variant(mut self, name: &str) -> Self {
+        self.path = format!("variant.{name}.{}", self.path);
+        self.message = format!("in variant \"{name}\": {}", self.message);
+        self
+    }
+
+    /// Whether it concerns the value at a path or a part of it.
+    pub(super) fn is_at_or_below(&self, path: &str) -> bool {
+        let rest = self.path.strip_prefix(path);
+        rest.is_some_and(|rest| rest.is_empty() || rest.starts_with(['.', '[']))
+    }
+
+    /// Finds its line and column.
+    pub(super) fn locate(self, text: &str) -> Problem {
+        let start = floor_char_boundary(text, self.span.start);
+        let end = floor_char_boundary(text, self.span.end.max(start));
+        let line_start = text[..start].rfind('\n').map_or(0, |at| at + 1);
+        let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
+        let line = text[line_start..line_end].trim_end_matches('\r');
+        let marked_end = end.clamp(start, line_start + line.len().max(start - line_start));
+        Problem {
+            line: text[..start].matches('\n').count() + 1,
+            column: text[line_start..start].chars().count() + 1,
+            path: self.path,
+            message: self.message,
+            allowed: self.allowed,
+            help: self.help,
+            // A tab would throw the carets off.
+            text: line.replace('\t', " "),
+            marked: text[start..marked_end].chars().count().max(1),
+        }
+    }
+}
+
+/// The start of the character that a byte belongs to.
+fn floor_char_boundary(text: &str, at: usize) -> usize {
+    let at = at.min(text.len());
+    (0..=at).rev().find(|at| text.is_char_boundary(*at)).unwrap_or(0)
 }

@@ -1,13 +1,22 @@
 //! Project files: one TOML a structure, with its surveys, variants and the evidence of each number.
 
 mod chain;
+mod check;
 mod content;
 mod error;
+mod file;
 mod frame;
+mod merge;
 mod quantity;
 mod read;
+mod read_structure;
+mod read_survey;
+mod reader;
 mod records;
+mod schema;
+mod slips;
 mod survey;
+mod units;
 
 pub use chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};
@@ -18,4 +27,5 @@ pub use read::parse_project;
 pub use records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
+pub use schema::json_schema;
 pub use survey::{ModeKind, Survey, SurveyMode, Tilt};

@@ -39,6 +39,8 @@ pub struct Quantity {
     pub cov: Option<f64>,
     /// Where it comes from; `None` if the file does not say.
     pub source: Option<Evidence>,
+    /// Where the cov comes from: `source` if the file says nothing else; `None` without a cov or a source.
+    pub cov_source: Option<Evidence>,
     /// Anything the author added.
     pub note: Option<String>,
     /// Where it stands in the file, parts counted from 1: "links[1].weight".
@@ -58,9 +60,14 @@ impl Quantity {
         self.cov.unwrap_or(0.0) * self.value.abs()
     }
 
-    /// Whether the file marks it as assumed.
+    /// Whether the file marks its value as assumed.
     pub fn is_assumed(&self) -> bool {
         self.source == Some(Evidence::Assumed)
+    }
+
+    /// Whether the file marks its scatter as assumed: probabilities then rest on that.
+    pub fn is_scatter_assumed(&self) -> bool {
+        self.cov_source == Some(Evidence::Assumed)
     }
 }
 

@@ -1,0 +1,442 @@
+//! The tree of a file against the schema: unknown keys, keys swallowed by the table above them, missing keys, wrong
+//! types, words that are not among the known ones. What is wrong is reported and taken out, so that the rest can be
+//! read and its own problems reported too.
+
+use super::error::Fault;
+use super::schema::{SCHEMA, resolved};
+use serde_json::{Map, Value};
+use std::borrow::Cow;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Similarity (Jaro–Winkler, 1 is equal) from which a known key is offered for an unknown one, our choice: "lenght"
+/// and "length" have 0.96, "weight" and "height" 0.89, "stifness" and "stiffness" 0.98, "tilt" and "title" 0.85.
+const SIMILARITY_LEAST: f64 = 0.8;
+
+/// Longest value that a message repeats, in characters.
+const ECHO_MOST: usize = 48;
+
+pub(super) type Node<'i> = Spanned<DeValue<'i>>;
+
+/// A key that stands below a table header but belongs to the top level.
+struct Swallowed<'i> {
+    key: Spanned<Cow<'i, str>>,
+    value: Node<'i>,
+}
+
+pub(super) struct SchemaCheck<'t, 'i> {
+    text: &'t str,
+    root: &'static Map<String, Value>,
+    swallowed: Vec<Swallowed<'i>>,
+    /// Paths that a misspelt key was probably meant for: not missed a second time.
+    meant: Vec<String>,
+    pub(super) faults: Vec<Fault>,
+}
+
+/// One table on the way from the root to the value.
+#[derive(Clone, Copy)]
+struct Above<'a> {
+    properties: Option<&'static Map<String, Value>>,
+    header: Option<&'a Range<usize>>,
+    parent: Option<&'a Above<'a>>,
+}
+
+impl<'t, 'i> SchemaCheck<'t, 'i> {
+    pub(super) fn new(text: &'t str) -> Self {
+        static EMPTY: std::sync::LazyLock<Map<String, Value>> = std::sync::LazyLock::new(Map::new);
+        SchemaCheck {
+            text,
+            root: properties(&SCHEMA).unwrap_or(&EMPTY),
+            swallowed: Vec::new(),
+            meant: Vec::new(),
+            faults: Vec::new(),
+        }
+    }
+
+    /// Checks the whole tree and takes out of it what is wrong.
+    pub(super) fn file(&mut self, root: &mut DeTable<'i>, root_span: &Range<usize>) {
+        self.table(root, root_span, &SCHEMA, "", None);
+        for Swallowed { key, mut value } in std::mem::take(&mut self.swallowed) {
+            let name = key.get_ref().to_string();
+            if root.contains_key(name.as_str()) {
+                continue;
+            }
+            if let Some(schema) = self.root.get(&name)
+                && self.value(&mut value, schema, &name, None)
+            {
+                root.insert(key, value);
+            }
+        }
+        self.required(root, root_span, &SCHEMA, "");
+    }
+
+    /// Checks one value; `false` if it must be taken out.
+    fn value(
+        &mut self,
+        node: &mut Node<'i>,
+        schema: &'static Value,
+        path: &str,
+        above: Option<&Above<'_>>,
+    ) -> bool {
+        let span = node.span();
+        let schema = resolved(schema);
+        let branches = branches(schema);
+        let fitting: Vec<&'static Value> = branches
+            .iter()
+            .copied()
+            .filter(|branch| fits(node.get_ref(), branch))
+            .collect();
+        let Some(branch) = fitting.first().copied() else {
+            self.wrong_type(node, schema, &branches, path);
+            return false;
+        };
+        match node.get_mut() {
+            DeValue::String(word) => return self.word(word, &fitting, schema, path, &span),
+            DeValue::Table(table) => {
+                self.table(table, &span, branch, path, above);
+                let before = self.faults.len();
+                self.required(table, &span, branch, path);
+                // A quantity without its value cannot stand in for one; a part without a key still can.
+                return self.faults.len() == before || branches.len() == 1;
+            }
+            DeValue::Array(list) => {
+                let Some(items) = branch.get("items") else {
+                    return true;
+                };
+                let mut sound = true;
+                for (i, item) in list.iter_mut().enumerate() {
+                    sound &= self.value(item, items, &format!("{path}[{}]", i + 1), above);
+                }
+                return sound;
+            }
+            _ => {}
+        }
+        true
+    }
+
+    fn table(
+        &mut self,
+        table: &mut DeTable<'i>,
+        span: &Range<usize>,
+        schema: &'static Value,
+        path: &str,
+        parent: Option<&Above<'_>>,
+    ) {
+        let known = properties(schema);
+        let others = schema
+            .get("additionalProperties")
+            .filter(|others| others.is_object());
+        let header = self
+            .text
+            .get(span.clone())
+            .filter(|written| written.starts_with('['));
+        let above = Above {
+            properties: known,
+            header: header.map(|_| span),
+            parent,
+        };
+        let mut out: Vec<String> = Vec::new();
+        for (key, value) in table.iter_mut() {
+            let name = key.get_ref().as_ref();
+            let below = join(path, name);
+            let sound = match (known.and_then(|known| known.get(name)), others) {
+                (Some(schema), _) | (None, Some(schema)) => self.value(value, schema, &below, Some(&above)),
+                (None, None) if schema.get("additionalProperties") == Some(&Value::Bool(false)) => {
+                    self.unknown(key, value, &below, &above);
+                    false
+                }
+                (None, None) => true,
+            };
+            if !sound {
+                out.push(name.to_owned());
+            }
+        }
+        for name in out {
+            table.remove(name.as_str());
+        }
+    }
+
+    /// Reports an unknown key: swallowed by the table above, or misspelt.
+    fn unknown(&mut self, key: &Spanned<Cow<'i, str>>, value: &Node<'i>, path: &str, above: &Above<'_>) {
+        let name = key.get_ref().as_ref();
+        let place = match path.len() - name.len() {
+            0 => "the top level".to_owned(),
+            end => path[..end - 1].to_owned(),
+        };
+        let fault = Fault::new(key.span(), path, format!("{place} has no key \"{name}\""));
+        let mut owner = above.parent;
+        while let Some(table) = owner {
+            let owns = table.properties.is_some_and(|keys| keys.contains_key(name));
+            if let (true, Some(header)) = (owns, above.header) {
+                let header_line = self.text[..header.start].matches('\n').count() + 1;
+                let header = self.text[header.clone()].trim();
+                let (belongs, remedy) = match table.parent {
+                    None => ("the top level".to_owned(), "above the first [table]".to_owned()),
+                    Some(_) => {
+                        let owner = table
+                            .header
+                            .map_or("the table above", |span| self.text[span.clone()].trim());
+                        (owner.to_owned(), format!("directly below {owner}"))
+                    }
+                };
+                let message =
+                    format!("\"{name}\" belongs to {belongs} but stands below {header} (line {header_line})");
+                self.faults.push(
+                    Fault::new(key.span(), path, message)
+                        .allowed("swallowed by the table above it")
+                        .help(format!(
+                            "move it {remedy}: in TOML a key belongs to the last [table] before it"
+                        )),
+                );
+                if table.parent.is_none() {
+                    self.swallowed.push(Swallowed {
+                        key: key.clone(),
+                        value: value.clone(),
+                    });
+                }
+                return;
+            }
+            owner = table.parent;
+        }
+        let known: Vec<&str> = above
+            .properties
+            .into_iter()
+            .flat_map(|keys| keys.keys())
+            .map(String::as_str)
+            .collect();
+        let help = match nearest(name, known.iter().copied()) {
+            Some(near) => {
+                self.meant
+                    .push(join(path[..path.len() - name.len()].trim_end_matches('.'), near));
+                format!("did you mean \"{near}\"?")
+            }
+            None => format!("known keys are {}", known.join(", ")),
+        };
+        self.faults.push(fault.allowed("unknown key").help(help));
+    }
+
+    fn required(&mut self, table: &DeTable<'i>, span: &Range<usize>, schema: &'static Value, path: &str) {
+        let required = schema.get("required").and_then(Value::as_array);
+        for name in required.into_iter().flatten().filter_map(Value::as_str) {
+            // A key taken out because it was wrong has been reported already.
+            let below = join(path, name);
+            let is_meant = || self.meant.contains(&below);
+            if table.contains_key(name)
+                || is_meant()
+                || self.faults.iter().any(|fault| fault.is_at_or_below(&below))
+            {
+                continue;
+            }
+            let subject = if path.is_empty() { "the file" } else { path };
+            let mut fault = Fault::new(
+                span.clone(),
+                &below,
+                format!("{subject} has no \"{name}\", but needs it"),
+            );
+            let property = schema.get("properties").and_then(|all| all.get(name));
+            if let Some(meaning) = property.and_then(description) {
+                fault = fault.help(format!("write {name} = …: {}", lower_first(&meaning)));
+            }
+            if path.is_empty() {
+                fault = fault.at_top();
+                fault = match name {
+                    "schema" => {
+                        fault.help("write schema = 1 as the first line: it is the version of the file format")
+                    }
+                    "kind" => fault.help("write kind = \"chain\", \"frame\" or \"survey\" near the top"),
+                    _ => fault,
+                };
+            }
+            self.faults.push(fault);
+        }
+    }
+
+    /// Checks text that must be one of some words.
+    fn word(
+        &mut self,
+        word: &str,
+        fitting: &[&'static Value],
+        schema: &'static Value,
+        path: &str,
+        span: &Range<usize>,
+    ) -> bool {
+        let words: Vec<&str> = fitting.iter().flat_map(|branch| words(branch)).collect();
+        if words.is_empty() || words.contains(&word) || fitting.iter().any(|branch| !is_word(branch)) {
+            return true;
+        }
+        let allowed = match schema.get("x-must-be").and_then(Value::as_str) {
+            Some(must_be) => must_be.to_owned(),
+            None => alternatives(&words),
+        };
+        let mut fault = Fault::new(span.clone(), path, format!("{path} = \"{word}\" is not known"));
+        fault = fault.allowed(format!("must be {allowed}"));
+        if let Some(near) = nearest(word, words.iter().copied()) {
+            fault = fault.help(format!("did you mean \"{near}\"?"));
+        }
+        self.faults.push(fault);
+        false
+    }
+
+    fn wrong_type(
+        &mut self,
+        node: &Node<'i>,
+        schema: &'static Value,
+        branches: &[&'static Value],
+        path: &str,
+    ) {
+        let span = node.span();
+        let needed = match schema.get("x-must-be").and_then(Value::as_str) {
+            Some(must_be) => must_be.to_owned(),
+            None => {
+                let mut types: Vec<&str> = branches.iter().filter_map(|branch| type_words(branch)).collect();
+                types.dedup();
+                types.join(" or ")
+            }
+        };
+        let written = self.text.get(span.clone()).unwrap_or_default().trim();
+        let is_short = !written.contains('\n') && written.chars().count() <= ECHO_MOST;
+        let echo = if is_short && !written.starts_with("[[") && matches!(node.get_ref(), DeValue::Table(_)) {
+            String::new()
+        } else if is_short {
+            format!(" = {written}")
+        } else {
+            String::new()
+        };
+        let given = type_word_of(node.get_ref());
+        let mut fault = Fault::new(span, path, format!("{path}{echo} is {given}"));
+        fault = fault.allowed(format!("must be {needed}"));
+        let help = match node.get_ref() {
+            DeValue::String(_) if needed.starts_with("a number") || needed.starts_with("a whole") => {
+                Some("write a number without quotes".to_owned())
+            }
+            DeValue::Datetime(_) if needed == "text" => Some(format!("put it in quotes: \"{written}\"")),
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a list" => {
+                Some(format!("put it in brackets: [{written}]"))
+            }
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a table" => {
+                let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
+                let named = branches
+                    .iter()
+                    .any(|branch| properties(branch).is_some_and(|keys| keys.contains_key(key)));
+                (!table.is_empty() && named).then(|| {
+                    format!("{key} belongs one level deeper: give the {table} a name, [{table}.NAME], and put it there")
+                })
+            }
+            _ => None,
+        };
+        if let Some(help) = help {
+            fault = fault.help(help);
+        }
+        self.faults.push(fault);
+    }
+}
+
+fn join(path: &str, key: &str) -> String {
+    if path.is_empty() {
+        key.to_owned()
+    } else {
+        format!("{path}.{key}")
+    }
+}
+
+fn properties(schema: &Value) -> Option<&Map<String, Value>> {
+    schema.get("properties").and_then(Value::as_object)
+}
+
+fn description(schema: &Value) -> Option<String> {
+    let text = schema.get("description")?.as_str()?;
+    Some(text.split_whitespace().collect::<Vec<_>>().join(" "))
+}
+
+/// A description within a sentence: without its capital and its full stop.
+fn lower_first(sentence: &str) -> String {
+    let mut characters = sentence.trim_end_matches('.').chars();
+    let first = characters.next().into_iter().flat_map(char::to_lowercase);
+    first.chain(characters).collect()
+}
+
+/// The alternatives of a schema, itself if it has none.
+fn branches(schema: &'static Value) -> Vec<&'static Value> {
+    let schema = resolved(schema);
+    let choice = schema
+        .get("anyOf")
+        .or_else(|| schema.get("oneOf"))
+        .and_then(Value::as_array);
+    match choice {
+        Some(alternatives) => alternatives.iter().flat_map(branches).collect(),
+        None => vec![schema],
+    }
+}
+
+fn is_word(schema: &Value) -> bool {
+    schema.get("const").is_some() || schema.get("enum").is_some()
+}
+
+fn words(schema: &'static Value) -> Vec<&'static str> {
+    let constant = schema.get("const").and_then(Value::as_str);
+    let list = schema.get("enum").and_then(Value::as_array);
+    constant
+        .into_iter()
+        .chain(list.into_iter().flatten().filter_map(Value::as_str))
+        .collect()
+}
+
+fn type_of(schema: &Value) -> Option<&str> {
+    let constant = || schema.get("const").or_else(|| schema.get("enum")?.get(0));
+    let named = schema.get("type").and_then(Value::as_str);
+    named.or_else(|| constant().filter(|value| value.is_string()).map(|_| "string"))
+}
+
+/// Whether a value is of the type that a schema asks for. A schema without a type takes anything.
+fn fits(value: &DeValue<'_>, schema: &Value) -> bool {
+    match type_of(schema) {
+        Some("number") => matches!(value, DeValue::Integer(_) | DeValue::Float(_)),
+        Some("integer") => matches!(value, DeValue::Integer(_)),
+        Some("string") => matches!(value, DeValue::String(_)),
+        Some("boolean") => matches!(value, DeValue::Boolean(_)),
+        Some("array") => matches!(value, DeValue::Array(_)),
+        Some("object") => matches!(value, DeValue::Table(_)),
+        _ => true,
+    }
+}
+
+fn type_words(schema: &Value) -> Option<&'static str> {
+    Some(match type_of(schema)? {
+        "number" => "a number",
+        "integer" => "a whole number",
+        "string" => "text",
+        "boolean" => "true or false",
+        "array" => "a list",
+        "object" => "a table",
+        _ => return None,
+    })
+}
+
+fn type_word_of(value: &DeValue<'_>) -> &'static str {
+    match value {
+        DeValue::String(_) => "text",
+        DeValue::Integer(_) | DeValue::Float(_) => "a number",
+        DeValue::Boolean(_) => "true or false",
+        DeValue::Datetime(_) => "a date",
+        DeValue::Array(_) => "a list",
+        DeValue::Table(_) => "a table",
+    }
+}
+
+/// "a", "b" or "c", each in quotes.
+fn alternatives(words: &[&str]) -> String {
+    let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    match quoted.split_last() {
+        Some((last, [])) => last.clone(),
+        Some((last, others)) => format!("{} or {last}", others.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// The most similar of the known words, if any is similar enough.
+fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
+    let scored = known.map(|known| (strsim::jaro_winkler(word, known), known));
+    let near = scored.filter(|(score, _)| *score >= SIMILARITY_LEAST);
+    near.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, known)| known)
+}

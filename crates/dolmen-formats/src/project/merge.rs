@@ -1,0 +1,64 @@
+//! A variant laid over the file: tables are merged, everything else is replaced, elements of a list are patched by
+//! number. Every value keeps its place in the text, so that a problem points at the line that wrote it.
+
+use super::check::Node;
+use super::error::Fault;
+use toml::de::{DeTable, DeValue};
+
+/// Lays `patch` over `base`; returns what cannot be laid.
+pub(super) fn merge<'i>(base: &mut DeTable<'i>, patch: &DeTable<'i>, path: &str) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    for (key, value) in patch.iter() {
+        let name = key.get_ref().as_ref();
+        let below = match path {
+            "" => name.to_owned(),
+            path => format!("{path}.{name}"),
+        };
+        match base.get_mut(name) {
+            Some(under) => faults.extend(lay(under, value, &below)),
+            None => {
+                base.insert(key.clone(), value.clone());
+            }
+        }
+    }
+    faults
+}
+
+fn lay<'i>(under: &mut Node<'i>, over: &Node<'i>, path: &str) -> Vec<Fault> {
+    let DeValue::Table(patch) = over.get_ref() else {
+        *under = over.clone();
+        return Vec::new();
+    };
+    match under.get_mut() {
+        // A quantity with its own value is another quantity: the old cov and unit must not cling to it.
+        DeValue::Table(_) if patch.contains_key("value") => *under = over.clone(),
+        DeValue::Table(table) => return merge(table, patch, path),
+        DeValue::Array(list) => return patch_list(list, patch, path),
+        _ => *under = over.clone(),
+    }
+    Vec::new()
+}
+
+fn patch_list<'i>(list: &mut [Node<'i>], patch: &DeTable<'i>, path: &str) -> Vec<Fault> {
+    let count = list.len();
+    let mut faults = Vec::new();
+    for (key, value) in patch.iter() {
+        let number = key
+            .get_ref()
+            .parse::<usize>()
+            .ok()
+            .and_then(|number| number.checked_sub(1));
+        match number.and_then(|index| list.get_mut(index)) {
+            Some(under) => faults.extend(lay(under, value, &format!("{path}[{}]", key.get_ref()))),
+            None => {
+                let message = format!("{path} has no element \"{}\"", key.get_ref());
+                let allowed = format!("must be a number from 1 to {count}");
+                let help = format!(
+                    "a list is changed by number, {path} = {{ 2 = {{ … }} }}, or replaced: {path} = [ … ]"
+                );
+                faults.push(Fault::new(key.span(), path, message).allowed(allowed).help(help));
+            }
+        }
+    }
+    faults
+}

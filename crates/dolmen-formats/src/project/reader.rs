@@ -1,0 +1,539 @@
+//! What reading needs everywhere: units, places, faults, and numbers made into quantities.
+
+use super::content::{Names, Warning, WarningKind};
+use super::error::Fault;
+use super::file::{At, EvidenceRaw, KindRaw, NamesRaw, NumberRaw, QuantityRaw, UnitsRaw};
+use super::quantity::{Evidence, Quantity};
+use super::units::{Dimension, Unit, parse_unit, split_number};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// What a number of the file measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Measure {
+    Length,
+    Force,
+    Mass,
+    JointStiffness,
+    StoreyStiffness,
+    JointDamping,
+    Inertia,
+    Frequency,
+    Acceleration,
+    Ratio,
+}
+
+impl Measure {
+    pub(super) fn dimension(self) -> Dimension {
+        match self {
+            Measure::Length => Dimension::LENGTH,
+            Measure::Force => Dimension::FORCE,
+            Measure::Mass => Dimension::MASS,
+            Measure::JointStiffness => Dimension::MOMENT,
+            Measure::StoreyStiffness => Dimension::FORCE_PER_LENGTH,
+            Measure::JointDamping => Dimension::ROTATIONAL_DAMPING,
+            Measure::Inertia => Dimension::INERTIA,
+            Measure::Frequency => Dimension::FREQUENCY,
+            Measure::Acceleration => Dimension::ACCELERATION,
+            Measure::Ratio => Dimension::RATIO,
+        }
+    }
+
+    /// Its SI unit, the default of bare numbers.
+    pub(super) fn si(self) -> &'static str {
+        match self {
+            Measure::Length => "m",
+            Measure::Force => "N",
+            Measure::Mass => "kg",
+            Measure::JointStiffness => "N m/rad",
+            Measure::StoreyStiffness => "N/m",
+            Measure::JointDamping => "N m s/rad",
+            Measure::Inertia => "kg m2",
+            Measure::Frequency => "Hz",
+            Measure::Acceleration => "m/s2",
+            Measure::Ratio => "",
+        }
+    }
+
+    /// A unit to name in a message.
+    fn example(self) -> &'static str {
+        match self {
+            Measure::Length => "m or mm",
+            Measure::Force => "kN",
+            Measure::Mass => "t or kg",
+            Measure::JointStiffness => "kN*m/rad",
+            Measure::StoreyStiffness => "kN/mm",
+            Measure::JointDamping => "kN*m*s/rad",
+            Measure::Inertia => "t*m2",
+            Measure::Frequency => "Hz",
+            Measure::Acceleration => "m/s2",
+            Measure::Ratio => "%, or none",
+        }
+    }
+}
+
+/// Which values a number may have.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Bound {
+    Positive,
+    NotNegative,
+    Any,
+}
+
+/// The unit of bare numbers of one measure: as written, and what it is.
+#[derive(Clone, Debug)]
+struct BareUnit {
+    text: String,
+    factor: f64,
+}
+
+/// The state of one reading.
+#[derive(Debug, Default)]
+pub(super) struct Reader {
+    units: BTreeMap<Measure, BareUnit>,
+    places: BTreeMap<String, Range<usize>>,
+    allow: Vec<(At<String>, bool)>,
+    pub(super) faults: Vec<Fault>,
+    warnings: Vec<(Range<usize>, Warning)>,
+}
+
+impl Reader {
+    pub(super) fn new(units: Option<&UnitsRaw>, kind: KindRaw, allow: Option<Vec<At<String>>>) -> Self {
+        let mut reader = Reader {
+            allow: allow.into_iter().flatten().map(|path| (path, false)).collect(),
+            ..Reader::default()
+        };
+        let Some(units) = units else {
+            return reader;
+        };
+        let stiffness = match kind {
+            KindRaw::Frame => Measure::StoreyStiffness,
+            KindRaw::Chain | KindRaw::Survey => Measure::JointStiffness,
+        };
+        for (name, measure, written) in [
+            ("length", Measure::Length, &units.length),
+            ("force", Measure::Force, &units.force),
+            ("mass", Measure::Mass, &units.mass),
+            ("stiffness", stiffness, &units.stiffness),
+            ("damping", Measure::JointDamping, &units.damping),
+            ("inertia", Measure::Inertia, &units.inertia),
+            ("frequency", Measure::Frequency, &units.frequency),
+            ("acceleration", Measure::Acceleration, &units.acceleration),
+        ] {
+            let Some(written) = written else { continue };
+            let path = format!("units.{name}");
+            if let Some(unit) = reader.unit(&written.value, &written.span, &path, measure, &path) {
+                let bare = BareUnit {
+                    text: written.value.trim().to_owned(),
+                    factor: unit.factor,
+                };
+                reader.units.insert(measure, bare);
+            }
+        }
+        reader
+    }
+
+    /// The unit that bare numbers have: its text, and how many SI units it is.
+    pub(super) fn bare_unit(&self, measure: Measure) -> (&str, f64) {
+        let given = self.units.get(&measure);
+        given.map_or((measure.si(), 1.0), |unit| (&unit.text, unit.factor))
+    }
+
+    /// An SI value in the unit of bare numbers, for a message: "2.61 m".
+    pub(super) fn echo(&self, value: f64, measure: Measure) -> String {
+        let (unit, factor) = self.bare_unit(measure);
+        with_unit(&short(value / factor), unit)
+    }
+
+    /// Where the value at a path stands.
+    pub(super) fn place(&self, path: &str) -> Range<usize> {
+        self.places.get(path).cloned().unwrap_or(0..0)
+    }
+
+    pub(super) fn mark(&mut self, path: &str, span: &Range<usize>) {
+        self.places.insert(path.to_owned(), span.clone());
+    }
+
+    pub(super) fn fault(&mut self, fault: Fault) {
+        self.faults.push(fault);
+    }
+
+    /// A probable slip: a fault, or a warning where `allow` names it.
+    pub(super) fn slip(&mut self, path: &str, message: String, help: String) {
+        if let Some((_, used)) = self.allow.iter_mut().find(|(allowed, _)| allowed.value == path) {
+            *used = true;
+            self.warn(
+                WarningKind::Allowed,
+                path,
+                format!("{message}; the file allows it"),
+            );
+            return;
+        }
+        let help = format!("{help}; if it is right, add it to the file: allow = [\"{path}\"]");
+        let fault = Fault::new(self.place(path), path, message);
+        self.fault(fault.allowed("probably a slip").help(help));
+    }
+
+    pub(super) fn warn(&mut self, kind: WarningKind, path: &str, message: String) {
+        let warning = Warning {
+            kind,
+            line: 0,
+            path: path.to_owned(),
+            message,
+        };
+        self.warnings.push((self.place(path), warning));
+    }
+
+    /// The warnings, by line; entries of `allow` that nothing needed are among them.
+    pub(super) fn take_warnings(&mut self, text: &str) -> Vec<Warning> {
+        let mut all = std::mem::take(&mut self.warnings);
+        for (path, used) in &self.allow {
+            if !used {
+                let message = format!(
+                    "allow names \"{}\", but nothing there needs it: take it out",
+                    path.value
+                );
+                let warning = Warning {
+                    kind: WarningKind::AllowedInVain,
+                    line: 0,
+                    path: "allow".to_owned(),
+                    message,
+                };
+                all.push((path.span.clone(), warning));
+            }
+        }
+        for (span, warning) in &mut all {
+            warning.line = Fault::new(span.clone(), "", "").locate(text).line;
+        }
+        all.sort_by_key(|(span, _)| span.start);
+        all.into_iter().map(|(_, warning)| warning).collect()
+    }
+
+    /// Reads a unit and checks its dimension. `path` is where it is written, `of` the value it belongs to.
+    pub(super) fn unit(
+        &mut self,
+        text: &str,
+        span: &Range<usize>,
+        path: &str,
+        measure: Measure,
+        of: &str,
+    ) -> Option<Unit> {
+        let unit = match parse_unit(text) {
+            Ok(unit) => unit,
+            Err(fault) => {
+                let message = format!("{of}: in \"{}\" {fault}", text.trim());
+                let help = fault.help();
+                self.fault(
+                    Fault::new(span.clone(), path, message)
+                        .allowed("unknown unit")
+                        .help(help),
+                );
+                return None;
+            }
+        };
+        if unit.dimension == measure.dimension() {
+            return Some(unit);
+        }
+        let needed = measure.dimension();
+        let message = format!(
+            "{of} needs {needed}, but \"{}\" is {}",
+            text.trim(),
+            unit.dimension
+        );
+        let (part, key) = of.rsplit_once('.').unwrap_or(("", of));
+        let help = match (key, unit.dimension) {
+            ("weight", Dimension::MASS) => format!("write mass instead of weight in {part}"),
+            ("mass", Dimension::FORCE) => format!("write weight instead of mass in {part}"),
+            _ => format!("use a unit such as {}", measure.example()),
+        };
+        self.fault(
+            Fault::new(span.clone(), path, message)
+                .allowed("wrong kind of unit")
+                .help(help),
+        );
+        None
+    }
+
+    /// A number with its unit: SI value, factor and how it was written.
+    fn number(
+        &mut self,
+        raw: &NumberRaw,
+        unit: Option<&At<String>>,
+        span: &Range<usize>,
+        path: &str,
+        measure: Measure,
+    ) -> Option<Number> {
+        let (value, unit_text, unit_span) = match raw {
+            NumberRaw::Number(value) => match unit {
+                Some(unit) => (*value, unit.value.as_str(), &unit.span),
+                None => {
+                    let (text, factor) = self.bare_unit(measure);
+                    let written = with_unit(&short(*value), text);
+                    return Some(Number {
+                        value: value * factor,
+                        factor,
+                        written,
+                    });
+                }
+            },
+            NumberRaw::Text(text) => {
+                let allowed = format!(
+                    "must be a number, or text with a unit such as {}",
+                    measure.example()
+                );
+                let Some((value, rest)) = split_number(text) else {
+                    let fault = Fault::new(
+                        span.clone(),
+                        path,
+                        format!("{path} = \"{text}\" is text, not a number"),
+                    );
+                    self.fault(fault.allowed(allowed));
+                    return None;
+                };
+                if rest.is_empty() && measure != Measure::Ratio {
+                    let (bare, _) = self.bare_unit(measure);
+                    let fault = Fault::new(
+                        span.clone(),
+                        path,
+                        format!("{path} = \"{text}\" is text without a unit"),
+                    );
+                    let help = format!(
+                        "write {0} without quotes, or with its unit: \"{0} {bare}\"",
+                        text.trim()
+                    );
+                    self.fault(fault.allowed(allowed).help(help));
+                    return None;
+                }
+                if rest.starts_with(',') {
+                    let fault = Fault::new(span.clone(), path, format!("{path} = \"{text}\" holds a comma"));
+                    self.fault(
+                        fault
+                            .allowed("unclear number")
+                            .help("write decimals with a point and no thousands separator"),
+                    );
+                    return None;
+                }
+                if let Some(unit) = unit {
+                    let message = format!(
+                        "{path} has its unit twice: in \"{text}\" and unit = \"{}\"",
+                        unit.value
+                    );
+                    self.fault(Fault::new(unit.span.clone(), path, message).help("keep one of them"));
+                    return None;
+                }
+                if rest.is_empty() {
+                    (value, "1", span)
+                } else {
+                    (value, rest, span)
+                }
+            }
+        };
+        let unit = self.unit(unit_text, unit_span, path, measure, path)?;
+        let written = match raw {
+            NumberRaw::Number(number) => with_unit(&short(*number), unit_text),
+            NumberRaw::Text(text) => text.trim().to_owned(),
+        };
+        Some(Number {
+            value: value * unit.factor,
+            factor: unit.factor,
+            written,
+        })
+    }
+
+    /// A quantity; `None` if it is missing or wrong, which has then been reported.
+    pub(super) fn quantity(
+        &mut self,
+        raw: Option<&At<QuantityRaw>>,
+        path: &str,
+        measure: Measure,
+        bound: Bound,
+    ) -> Option<Quantity> {
+        let raw = raw?;
+        self.mark(path, &raw.span);
+        let (plain, table, span) = match &raw.value {
+            QuantityRaw::Plain(plain) => (plain, None, &raw.span),
+            QuantityRaw::Table(table) => {
+                let value = table.value.as_ref()?;
+                (&value.value, Some(table), &value.span)
+            }
+        };
+        let unit = table.and_then(|table| table.unit.as_ref());
+        let number = self.number(plain, unit, span, path, measure)?;
+        self.bounded(number.value, &number.written, span, path, bound)?;
+        let mut quantity = Quantity {
+            value: number.value,
+            unit: measure.si(),
+            cov: None,
+            source: None,
+            cov_source: None,
+            note: None,
+            path: path.to_owned(),
+            written: number.written,
+        };
+        if let Some(table) = table {
+            quantity.source = table.source.map(evidence);
+            quantity.note.clone_from(&table.note);
+            quantity.cov = match (&table.cov, &table.sd) {
+                (Some(_), Some(sd)) => {
+                    let message = format!("{path} has both cov and sd");
+                    self.fault(
+                        Fault::new(sd.span.clone(), path, message).help("keep one of them: cov = sd / value"),
+                    );
+                    return None;
+                }
+                (Some(cov), None) => Some(self.cov(cov.value, cov, &format!("{path}.cov"))?),
+                (None, Some(sd)) => {
+                    let cov = sd.value * number.factor / number.value.abs();
+                    Some(self.cov(cov, sd, &format!("{path}.sd"))?)
+                }
+                (None, None) => None,
+            };
+            if quantity.cov.is_some() {
+                quantity.cov_source = table.cov_source.or(table.source).map(evidence);
+            }
+        }
+        Some(quantity)
+    }
+
+    fn cov(&mut self, cov: f64, written: &At<f64>, path: &str) -> Option<f64> {
+        if (0.0..=1.0).contains(&cov) {
+            return Some(cov);
+        }
+        let given = short(written.value);
+        let fault = Fault::new(
+            written.span.clone(),
+            path,
+            format!("{path} = {given} is outside its range"),
+        );
+        let (allowed, help) = if path.ends_with(".sd") {
+            ("must be 0 to the value itself", "sd is in the unit of value")
+        } else {
+            ("must be 0 to 1", "cov is standard deviation / mean: 5 % is 0.05")
+        };
+        self.fault(fault.allowed(allowed).help(help));
+        None
+    }
+
+    /// Checks that a value is finite and within its bound.
+    pub(super) fn bounded(
+        &mut self,
+        value: f64,
+        written: &str,
+        span: &Range<usize>,
+        path: &str,
+        bound: Bound,
+    ) -> Option<()> {
+        let (fits, allowed) = match bound {
+            Bound::Positive => (value > 0.0, "must be above 0"),
+            Bound::NotNegative => (value >= 0.0, "must be 0 or above"),
+            Bound::Any => (true, "must be a finite number"),
+        };
+        if fits && value.is_finite() {
+            return Some(());
+        }
+        let message = if value.is_nan() {
+            format!("{path} is not a number")
+        } else {
+            format!("{path} = {written} cannot be")
+        };
+        self.fault(Fault::new(span.clone(), path, message).allowed(allowed));
+        None
+    }
+
+    /// A plain number in a closed range.
+    pub(super) fn within(
+        &mut self,
+        number: Option<&At<f64>>,
+        path: &str,
+        least: f64,
+        most: f64,
+    ) -> Option<f64> {
+        let number = number?;
+        if (least..=most).contains(&number.value) {
+            return Some(number.value);
+        }
+        let message = format!("{path} = {} is outside its range", short(number.value));
+        let allowed = format!("must be {} to {}", short(least), short(most));
+        self.fault(Fault::new(number.span.clone(), path, message).allowed(allowed));
+        None
+    }
+
+    /// A whole number in a closed range.
+    pub(super) fn count(
+        &mut self,
+        number: Option<&At<i64>>,
+        path: &str,
+        least: usize,
+        most: usize,
+    ) -> Option<usize> {
+        let number = number?;
+        let count = usize::try_from(number.value)
+            .ok()
+            .filter(|count| (least..=most).contains(count));
+        if count.is_none() {
+            let message = format!("{path} = {} is outside its range", number.value);
+            let allowed = format!("must be {least} to {most}");
+            self.fault(Fault::new(number.span.clone(), path, message).allowed(allowed));
+        }
+        count
+    }
+}
+
+struct Number {
+    value: f64,
+    factor: f64,
+    written: String,
+}
+
+fn evidence(raw: EvidenceRaw) -> Evidence {
+    match raw {
+        EvidenceRaw::Measured => Evidence::Measured,
+        EvidenceRaw::Test => Evidence::Test,
+        EvidenceRaw::Literature => Evidence::Literature,
+        EvidenceRaw::Assumed => Evidence::Assumed,
+    }
+}
+
+/// Text alone is the English name, or the Korean one if it is written in Hangul.
+pub(super) fn names(raw: NamesRaw) -> Names {
+    match raw {
+        NamesRaw::One(name) if name.chars().any(|c| ('가'..='힣').contains(&c)) => Names {
+            en: None,
+            ko: Some(name),
+        },
+        NamesRaw::One(name) => Names {
+            en: Some(name),
+            ko: None,
+        },
+        NamesRaw::Table(table) => Names {
+            en: table.en,
+            ko: table.ko,
+        },
+    }
+}
+
+/// A number for a message: at most six significant digits, without trailing zeros.
+pub(super) fn short(value: f64) -> String {
+    const DIGITS: i32 = 6;
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let exponent = value.abs().log10().floor() as i32;
+    if !(-5..12).contains(&exponent) {
+        return format!("{value:e}");
+    }
+    let decimals = (DIGITS - 1 - exponent).clamp(0, 12) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+fn with_unit(number: &str, unit: &str) -> String {
+    match unit {
+        "" => number.to_owned(),
+        "%" => format!("{number} %"),
+        unit => format!("{number} {unit}"),
+    }
+}

@@ -1,0 +1,319 @@
+//! Units as people write them, with their dimensions: "kN*m/rad", "kN/mm", "t", "m/s2", "g".
+
+use std::fmt;
+
+/// Powers of metre, kilogram and second. An angle has none: N m/rad and N m are the same.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Dimension {
+    metre: i32,
+    kilogram: i32,
+    second: i32,
+}
+
+const fn dimension(metre: i32, kilogram: i32, second: i32) -> Dimension {
+    Dimension {
+        metre,
+        kilogram,
+        second,
+    }
+}
+
+impl Dimension {
+    pub(super) const RATIO: Dimension = dimension(0, 0, 0);
+    pub(super) const LENGTH: Dimension = dimension(1, 0, 0);
+    pub(super) const MASS: Dimension = dimension(0, 1, 0);
+    pub(super) const FREQUENCY: Dimension = dimension(0, 0, -1);
+    pub(super) const FORCE: Dimension = dimension(1, 1, -2);
+    pub(super) const MOMENT: Dimension = dimension(2, 1, -2);
+    pub(super) const FORCE_PER_LENGTH: Dimension = dimension(0, 1, -2);
+    pub(super) const ROTATIONAL_DAMPING: Dimension = dimension(2, 1, -1);
+    pub(super) const INERTIA: Dimension = dimension(2, 1, 0);
+    pub(super) const VELOCITY: Dimension = dimension(1, 0, -1);
+    pub(super) const ACCELERATION: Dimension = dimension(1, 0, -2);
+
+    fn times(self, other: Dimension, power: i32) -> Option<Dimension> {
+        let sum = |a: i32, b: i32| a.checked_add(b.checked_mul(power)?);
+        Some(Dimension {
+            metre: sum(self.metre, other.metre)?,
+            kilogram: sum(self.kilogram, other.kilogram)?,
+            second: sum(self.second, other.second)?,
+        })
+    }
+}
+
+/// What is named in a message: the dimension in words.
+impl fmt::Display for Dimension {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = match *self {
+            Dimension::RATIO => "a plain number or an angle",
+            Dimension::LENGTH => "a length",
+            Dimension::MASS => "a mass",
+            Dimension::FREQUENCY => "a frequency",
+            Dimension::FORCE => "a force",
+            Dimension::MOMENT => "a moment (or rotational stiffness)",
+            Dimension::FORCE_PER_LENGTH => "a force per length (lateral stiffness)",
+            Dimension::ROTATIONAL_DAMPING => "a rotational damping",
+            Dimension::INERTIA => "a moment of inertia",
+            Dimension::VELOCITY => "a velocity",
+            Dimension::ACCELERATION => "an acceleration",
+            Dimension {
+                metre: 0,
+                kilogram: 0,
+                second: 1,
+            } => "a time",
+            Dimension {
+                metre: -3,
+                kilogram: 1,
+                second: 0,
+            } => "a density",
+            Dimension {
+                metre,
+                kilogram,
+                second,
+            } => return write!(f, "m^{metre} kg^{kilogram} s^{second}"),
+        };
+        f.write_str(name)
+    }
+}
+
+/// Standard gravity, m/s²: exact by definition (CGPM 1901); kgf, tf and g rest on it.
+pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.80665;
+
+/// Symbols: each is so many SI units of its dimension.
+const SYMBOLS: &[(&str, f64, Dimension)] = &[
+    ("m", 1.0, Dimension::LENGTH),
+    ("mm", 1e-3, Dimension::LENGTH),
+    ("cm", 1e-2, Dimension::LENGTH),
+    ("km", 1e3, Dimension::LENGTH),
+    ("kg", 1.0, Dimension::MASS),
+    ("t", 1e3, Dimension::MASS),
+    ("s", 1.0, dimension(0, 0, 1)),
+    ("ms", 1e-3, dimension(0, 0, 1)),
+    ("Hz", 1.0, Dimension::FREQUENCY),
+    ("kHz", 1e3, Dimension::FREQUENCY),
+    ("N", 1.0, Dimension::FORCE),
+    ("kN", 1e3, Dimension::FORCE),
+    ("MN", 1e6, Dimension::FORCE),
+    ("kgf", STANDARD_GRAVITY_M_S2, Dimension::FORCE),
+    ("tf", 1e3 * STANDARD_GRAVITY_M_S2, Dimension::FORCE),
+    ("Nm", 1.0, Dimension::MOMENT),
+    ("kNm", 1e3, Dimension::MOMENT),
+    ("MNm", 1e6, Dimension::MOMENT),
+    ("g", STANDARD_GRAVITY_M_S2, Dimension::ACCELERATION),
+    ("gal", 1e-2, Dimension::ACCELERATION),
+    ("rad", 1.0, Dimension::RATIO),
+    ("mrad", 1e-3, Dimension::RATIO),
+    ("deg", std::f64::consts::PI / 180.0, Dimension::RATIO),
+    ("°", std::f64::consts::PI / 180.0, Dimension::RATIO),
+    ("%", 1e-2, Dimension::RATIO),
+];
+
+/// No unit of the field has a higher power: m⁴ is a second moment of area.
+const POWER_MOST: i32 = 4;
+
+/// A unit: so many SI units of its dimension.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Unit {
+    pub(super) factor: f64,
+    pub(super) dimension: Dimension,
+}
+
+/// Why a text is not a unit.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum UnitError {
+    Empty,
+    Unknown {
+        symbol: String,
+        nearest: Option<&'static str>,
+    },
+    ProductAfterSlash,
+    Power {
+        symbol: String,
+    },
+}
+
+impl fmt::Display for UnitError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            UnitError::Empty => f.write_str("there is no unit"),
+            UnitError::Unknown { symbol, .. } => write!(f, "\"{symbol}\" is not a known unit"),
+            UnitError::ProductAfterSlash => f.write_str("what stands below the / is not clear"),
+            UnitError::Power { symbol } => {
+                write!(f, "the power of \"{symbol}\" is not one of 1 to {POWER_MOST}")
+            }
+        }
+    }
+}
+
+impl UnitError {
+    pub(super) fn help(&self) -> String {
+        match self {
+            UnitError::Unknown {
+                nearest: Some(nearest),
+                ..
+            } => format!("did you mean \"{nearest}\"?"),
+            UnitError::ProductAfterSlash => "write products before one / at the end: \"kN*m/rad\"".to_owned(),
+            _ => {
+                let symbols: Vec<&str> = SYMBOLS.iter().map(|(symbol, ..)| *symbol).collect();
+                format!("units are products and one quotient of {}", symbols.join(" "))
+            }
+        }
+    }
+}
+
+fn is_product(character: char) -> bool {
+    matches!(character, '*' | '·' | '⋅' | '×' | '-' | ' ')
+}
+
+/// Reads a unit. Products are written `*`, `·`, `-` or a space, a quotient `/`, powers `2`, `^2` or `²`.
+pub(super) fn parse_unit(text: &str) -> Result<Unit, UnitError> {
+    let text = text.trim();
+    if text.is_empty() {
+        return Err(UnitError::Empty);
+    }
+    let mut unit = Unit {
+        factor: 1.0,
+        dimension: Dimension::RATIO,
+    };
+    let mut parts = text.split('/');
+    let above = parts.next().unwrap_or_default();
+    for symbol in above.split(is_product).filter(|symbol| !symbol.is_empty()) {
+        if symbol != "1" {
+            multiply(&mut unit, symbol, 1)?;
+        }
+    }
+    if let Some(below) = parts.next() {
+        let below = below.trim();
+        if parts.next().is_some() || below.contains(is_product) {
+            return Err(UnitError::ProductAfterSlash);
+        }
+        multiply(&mut unit, below, -1)?;
+    }
+    Ok(unit)
+}
+
+fn multiply(unit: &mut Unit, written: &str, sign: i32) -> Result<(), UnitError> {
+    let is_power = |c: char| c.is_ascii_digit() || matches!(c, '^' | '²' | '³');
+    let symbol = written.trim_end_matches(is_power);
+    let power = match &written[symbol.len()..] {
+        "" => 1,
+        "²" => 2,
+        "³" => 3,
+        digits => digits
+            .trim_start_matches('^')
+            .parse()
+            .ok()
+            .filter(|power| (1..=POWER_MOST).contains(power))
+            .ok_or_else(|| UnitError::Power {
+                symbol: symbol.to_owned(),
+            })?,
+    };
+    let Some((_, factor, dimension)) = SYMBOLS.iter().find(|(known, ..)| *known == symbol) else {
+        return Err(UnitError::Unknown {
+            symbol: symbol.to_owned(),
+            nearest: nearest_symbol(symbol),
+        });
+    };
+    let power = sign * power;
+    unit.factor *= factor.powi(power);
+    let product = unit.dimension.times(*dimension, power);
+    unit.dimension = product.ok_or(UnitError::ProductAfterSlash)?;
+    Ok(())
+}
+
+/// Only differences of case and common spellings: "KN", "HZ", "ton" is left open on purpose (t or tf?).
+fn nearest_symbol(symbol: &str) -> Option<&'static str> {
+    let spelled = match symbol {
+        "metre" | "meter" | "metres" | "meters" => "m",
+        "kilonewton" | "kilonewtons" => "kN",
+        "tonne" | "tonnes" => "t",
+        "hertz" => "Hz",
+        "degree" | "degrees" => "deg",
+        "Gal" => "gal",
+        other => {
+            let lower = other.to_lowercase();
+            let same = |known: &&(&'static str, f64, Dimension)| known.0.to_lowercase() == lower;
+            return SYMBOLS.iter().find(same).map(|(known, ..)| *known);
+        }
+    };
+    Some(spelled)
+}
+
+/// A text such as "38.95 kN": the number, and the rest after it.
+pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
+    let text = text.trim();
+    let bytes = text.as_bytes();
+    let digits = |from: usize| from + bytes[from..].iter().take_while(|b| b.is_ascii_digit()).count();
+    let signed = |at: usize| at + usize::from(matches!(bytes.get(at), Some(b'+' | b'-')));
+    let start = signed(0);
+    let mut end = digits(start);
+    if bytes.get(end) == Some(&b'.') {
+        end = digits(end + 1);
+    }
+    if matches!(bytes.get(end), Some(b'e' | b'E')) {
+        let exponent = signed(end + 1);
+        if digits(exponent) > exponent {
+            end = digits(exponent);
+        }
+    }
+    let value: f64 = text[..end].parse().ok()?;
+    Some((value, text[end..].trim()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn of(text: &str) -> (f64, Dimension) {
+        let unit = parse_unit(text).unwrap();
+        (unit.factor, unit.dimension)
+    }
+
+    #[test]
+    fn exact_units_of_the_field_convert_to_si() {
+        assert_eq!(of("kN*m/rad"), (1e3, Dimension::MOMENT));
+        for same in ["kN m/rad", "kN·m/rad", "kN-m/rad", "kNm/rad", "kN*m", "N*km"] {
+            assert_eq!(of(same), of("kN*m/rad"), "{same}");
+        }
+        assert_eq!(of("kN/mm"), (1e6, Dimension::FORCE_PER_LENGTH));
+        assert_eq!(of("tf"), (9806.65, Dimension::FORCE));
+        assert_eq!(of("g"), (9.80665, Dimension::ACCELERATION));
+        for same in ["m/s2", "m/s^2", "m/s²"] {
+            assert_eq!(of(same), (1.0, Dimension::ACCELERATION), "{same}");
+        }
+        assert_eq!(of("1/s"), of("Hz"));
+        assert_eq!(of("t*m2"), (1e3, Dimension::INERTIA));
+        assert_eq!(of("kN*m*s/rad"), (1e3, Dimension::ROTATIONAL_DAMPING));
+        let per_degree = of("kN*m/deg").0;
+        assert!((per_degree - 57_295.779_513_082_32).abs() < 1e-9, "{per_degree}");
+    }
+
+    #[test]
+    fn refuses_what_is_not_a_unit_and_names_the_nearest() {
+        let fault = |text: &str| {
+            let fault = parse_unit(text).unwrap_err();
+            format!("{fault}; {}", fault.help())
+        };
+        assert_eq!(fault("KN"), "\"KN\" is not a known unit; did you mean \"kN\"?");
+        assert!(fault("ton").starts_with("\"ton\" is not a known unit; units are products"));
+        assert_eq!(
+            fault("N/m*s"),
+            "what stands below the / is not clear; write products before one / at the end: \"kN*m/rad\""
+        );
+        assert!(fault("m9").starts_with("the power of \"m\" is not one of 1 to 4"));
+        assert!(fault("").starts_with("there is no unit"));
+        assert!(fault("m/").starts_with("\"\" is not a known unit"));
+    }
+
+    #[test]
+    fn exact_a_number_is_split_from_its_unit() {
+        assert_eq!(split_number("38.95 kN"), Some((38.95, "kN")));
+        assert_eq!(split_number("1150mm"), Some((1150.0, "mm")));
+        assert_eq!(split_number("-2.5e3 N"), Some((-2500.0, "N")));
+        assert_eq!(split_number("5 e"), Some((5.0, "e")));
+        assert_eq!(split_number("kN"), None);
+        assert_eq!(split_number("1,150 mm"), Some((1.0, ",150 mm")));
+        assert_eq!(split_number(""), None);
+        assert_eq!(split_number("."), None);
+    }
+}
