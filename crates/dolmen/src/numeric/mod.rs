@@ -2,11 +2,13 @@
 
 mod elementary;
 mod error;
+mod levenberg_marquardt;
 mod random;
 mod roots;
 mod statistics;
 
 pub use error::NumericError;
+pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};

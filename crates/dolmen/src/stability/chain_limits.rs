@@ -52,7 +52,7 @@ pub fn chain_limits(chain: &Chain) -> Result<ChainLimits, StabilityError> {
     let g = chain.gravity_moments_n_m_rad();
     let critical = published_critical(&g);
     let buckling = published_buckling(chain);
-    let necessary = necessary(&g);
+    let necessary = chain.necessary_n_m_rad();
     let published_critical_factor = match critical.iter().all(|&k| k > 0.0) {
         true => Some(stiffness_factor(&necessary, &critical)?),
         false => None,
@@ -95,15 +95,6 @@ fn published_buckling(chain: &Chain) -> Vec<f64> {
         *slot = weight * height;
     }
     buckling
-}
-
-/// M_i = Σ_{j≥i} G_j.
-pub(super) fn necessary(g: &[f64]) -> Vec<f64> {
-    let mut sums = g.to_vec();
-    for i in (1..g.len()).rev() {
-        sums[i - 1] += sums[i];
-    }
-    sums
 }
 
 /// 1/λ for joint stiffnesses k > 0: in the joints' own rotations the springs are diagonal, and gravity is M_max(i,j).

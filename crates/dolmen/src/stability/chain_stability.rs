@@ -9,7 +9,6 @@
 //! | λ | `load_factor` | smallest factor on gravity that makes K singular | |
 //! | A | `springs`, `gravity` | K in joint rotations: springs minus gravity | N m/rad |
 
-use super::chain_limits::necessary;
 use super::{ChainStability, JointStability, StabilityError, Verdict};
 use crate::structure::Chain;
 use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen, solve};
@@ -63,7 +62,7 @@ use dolmen_linalg::{Matrix, cholesky, generalized_symmetric_eigen, solve};
 pub fn chain_stability(chain: &Chain, stiffness_n_m_rad: &[f64]) -> Result<ChainStability, StabilityError> {
     let k = stiffness_n_m_rad;
     let failing_joint = failing_joint(chain, k)?;
-    let necessary = necessary(&chain.gravity_moments_n_m_rad());
+    let necessary = chain.necessary_n_m_rad();
     let n = k.len();
 
     let springs = springs_in_joint_rotations(chain, k)?;

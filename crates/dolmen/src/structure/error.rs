@@ -77,7 +77,7 @@ pub enum StructureError {
         most: usize,
     },
     /// A height is not on the structure.
-    #[error("{quantity} is {given}, but must lie on the structure: between 0 and its top at {top_m} m")]
+    #[error("{quantity} is {given}, but must lie on the structure: between 0 and its top at {top_m:.3} m")]
     Height {
         /// Name of the quantity.
         quantity: &'static str,
@@ -112,6 +112,46 @@ pub enum StructureError {
         upper: usize,
         /// Top level.
         most: usize,
+    },
+    /// Stiffness was asked of no modes.
+    #[error("no measured mode is given, but stiffness needs at least 1")]
+    ModesMissing,
+    /// More modes than the structure has.
+    #[error(
+        "{given} measured modes are given, but a structure of {most} {parts} has only {most}: give the lowest {most}"
+    )]
+    ModesMost {
+        /// How many were given.
+        given: usize,
+        /// How many the structure has.
+        most: usize,
+        /// "links", "storeys".
+        parts: &'static str,
+    },
+    /// Measured frequencies do not ascend.
+    #[error(
+        "mode {mode}: frequency_hz is {given}, not above the {before} of the mode before it: give the modes in ascending \
+         order, each once"
+    )]
+    FrequencyOrder {
+        /// Which mode, from 1.
+        mode: usize,
+        /// Its frequency, Hz.
+        given: f64,
+        /// Frequency of the mode before it, Hz.
+        before: f64,
+    },
+    /// A number of a measured mode is refused.
+    #[error("mode {mode}: {quantity} is {given}, but must be {allowed}")]
+    Mode {
+        /// Which mode, from 1.
+        mode: usize,
+        /// Name of the quantity with its unit.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
     },
     /// A decomposition failed.
     #[error(transparent)]

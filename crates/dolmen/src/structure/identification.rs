@@ -1,6 +1,6 @@
 //! Stiffness from measured modes: what goes in and what comes out, the same for chains and frames.
 
-use super::NaturalMode;
+use super::{NaturalMode, StructureError};
 
 /// Lateral displacement of one point in a measured mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -95,4 +95,75 @@ pub struct StiffnessSolutions {
     pub starts: usize,
     /// Sentences for the reader: why no solution exists, what was left out.
     pub notes: Vec<String>,
+}
+
+/// Refuses modes that cannot be those of a structure of `most` parts.
+///
+/// # Errors
+/// [`StructureError::ModesMissing`], [`StructureError::ModesMost`], [`StructureError::Mode`],
+/// [`StructureError::FrequencyOrder`].
+pub(super) fn check_modes(
+    modes: &[MeasuredMode],
+    most: usize,
+    parts: &'static str,
+) -> Result<(), StructureError> {
+    let given = modes.len();
+    if given == 0 {
+        return Err(StructureError::ModesMissing);
+    }
+    if given > most {
+        return Err(StructureError::ModesMost { given, most, parts });
+    }
+    for (i, mode) in modes.iter().enumerate() {
+        let refuse = |quantity, given: f64, allowed, holds: bool| match holds && given.is_finite() {
+            true => Ok(()),
+            false => Err(StructureError::Mode {
+                mode: i + 1,
+                quantity,
+                given,
+                allowed,
+            }),
+        };
+        let (positive, not_negative) = ("a positive number", "0 (exact) or a positive number");
+        let MeasuredMode {
+            frequency_hz,
+            frequency_sd_hz,
+            shape,
+        } = mode;
+        refuse("frequency_hz", *frequency_hz, positive, *frequency_hz > 0.0)?;
+        refuse(
+            "frequency_sd_hz",
+            *frequency_sd_hz,
+            not_negative,
+            *frequency_sd_hz >= 0.0,
+        )?;
+        for point in shape {
+            refuse(
+                "displacement of a shape point",
+                point.displacement,
+                "a finite number",
+                true,
+            )?;
+            let sd = point.displacement_sd;
+            refuse("displacement_sd of a shape point", sd, not_negative, sd >= 0.0)?;
+        }
+        if !shape.is_empty() && shape.iter().all(|point| point.displacement == 0.0) {
+            refuse(
+                "largest displacement of the shape",
+                0.0,
+                "other than 0: leave the shape out",
+                false,
+            )?;
+        }
+        if let Some(before) = i.checked_sub(1).map(|before| modes[before].frequency_hz)
+            && mode.frequency_hz <= before
+        {
+            return Err(StructureError::FrequencyOrder {
+                mode: i + 1,
+                given: mode.frequency_hz,
+                before,
+            });
+        }
+    }
+    Ok(())
 }

@@ -7,7 +7,7 @@ mod frame;
 mod identification;
 mod natural;
 
-pub use chain::{Chain, Inertia, Link, SideSupport, SingleMass};
+pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
 pub use directional::{DirectionalModes, LeftOut, directional_modes};
 pub use error::StructureError;
 pub use frame::{Convention, Frame, Storey, Tie, storey_axial_forces_n};

@@ -23,6 +23,12 @@ impl Draws {
         low + (high - low) * self.unit()
     }
 
+    /// Standard normal (Box & Muller 1958).
+    pub(crate) fn normal(&mut self) -> f64 {
+        let radius = (-2.0 * (1.0 - self.unit()).ln()).sqrt();
+        radius * (std::f64::consts::TAU * self.unit()).cos()
+    }
+
     /// A chain of n links with masses over two decades.
     pub(crate) fn chain(&mut self, n: usize) -> Chain {
         let links = (0..n)

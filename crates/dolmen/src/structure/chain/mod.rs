@@ -1,11 +1,16 @@
 //! Chain: n rigid links on rotational springs, as a flagpole of stacked stones.
 
+mod from_modes;
 mod links;
 mod matrices;
+mod modal_fit;
 mod motion;
+mod notes;
 mod side_support;
 mod single_mass;
+mod starts;
 
+pub use from_modes::{ChainStiffness, chain_stiffness};
 pub use links::{Chain, Inertia, Link};
 pub use side_support::SideSupport;
 pub use single_mass::SingleMass;

@@ -1,0 +1,224 @@
+//! How far a chain with given joint stiffness is from measured modes, with the exact derivative.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | x_i | `x` | ln k_i | |
+//! | L | `lower` | M = L Lᵀ | |
+//! | q_j, λ_j | | eigenvector and eigenvalue of L⁻¹ K L⁻ᵀ, φ_j = L⁻ᵀ q_j | , (rad/s)² |
+//! | ĉ_i | `joints` | L⁻¹ b_i, b_i = e_i − e_{i−1} | |
+//! | ẑ_p | `Shape::sensors` | L⁻¹ c(z_p) | |
+//! | w, v | `Shape::measured`, `computed` | measured and computed shape, over sd | |
+//! | a | `scale` | scale of the shape, (vᵀw)/(vᵀv) | |
+
+use super::Chain;
+use crate::numeric::Residuals;
+use crate::structure::{MeasuredMode, StructureError};
+use dolmen_linalg::{Matrix, cholesky, solve, symmetric_eigen};
+
+/// Standard deviations that stand in where modes carry none.
+#[derive(Clone, Copy)]
+pub(super) struct StandIn {
+    /// Relative to the frequency.
+    pub(super) frequency: f64,
+    /// Relative to the largest displacement of the mode.
+    pub(super) shape: f64,
+}
+
+struct Shape {
+    sensors: Vec<Vec<f64>>,
+    measured: Vec<f64>,
+    sd: Vec<f64>,
+}
+
+struct Target {
+    /// ln ω².
+    ln_omega_squared: f64,
+    /// sd of ln f.
+    sd: f64,
+    shape: Option<Shape>,
+}
+
+pub(super) struct ModalFit {
+    joints: Vec<Vec<f64>>,
+    /// L⁻¹ (diag(G) − side support) L⁻ᵀ: what is taken from the springs.
+    fixed: Matrix,
+    targets: Vec<Target>,
+}
+
+impl ModalFit {
+    pub(super) fn new(
+        chain: &Chain,
+        modes: &[MeasuredMode],
+        stand_in: StandIn,
+    ) -> Result<Self, StructureError> {
+        let n = chain.links().len();
+        let lower = cholesky(&chain.mass_matrix())?;
+        let reduce = |v: &[f64]| -> Result<Vec<f64>, StructureError> {
+            Ok(solve(&lower, &Matrix::from_column(v))?.column(0).to_vec())
+        };
+        let joint = |i: usize| -> Vec<f64> {
+            let at = |j: usize| f64::from(u8::from(j == i)) - f64::from(u8::from(j + 1 == i));
+            (0..n).map(at).collect()
+        };
+        // stiffness of unit joints minus their springs leaves gravity and the side support
+        let unit = vec![1.0; n];
+        let springs = unit_springs(n);
+        let fixed = &springs - &chain.stiffness_matrix(&unit)?;
+        let half = solve(&lower, &fixed)?;
+        let fixed = solve(&lower, &half.transpose())?;
+        let targets = modes.iter().map(|mode| -> Result<Target, StructureError> {
+            let given = mode.frequency_sd_hz / mode.frequency_hz;
+            Ok(Target {
+                ln_omega_squared: 2.0 * (std::f64::consts::TAU * mode.frequency_hz).ln(),
+                sd: if given > 0.0 { given } else { stand_in.frequency },
+                shape: shape(chain, mode, stand_in.shape, &reduce)?,
+            })
+        });
+        Ok(ModalFit {
+            joints: (0..n).map(|i| reduce(&joint(i))).collect::<Result<_, _>>()?,
+            fixed,
+            targets: targets.collect::<Result<_, _>>()?,
+        })
+    }
+
+    /// Number of independent data: a shape of p points holds p − 1, its scale being free.
+    pub(super) fn data(&self) -> usize {
+        let shapes = self.targets.iter().filter_map(|target| target.shape.as_ref());
+        self.targets.len() + shapes.map(|shape| shape.measured.len() - 1).sum::<usize>()
+    }
+
+    /// ω² of all modes, ascending.
+    pub(super) fn omega_squared(&self, x: &[f64]) -> Option<Vec<f64>> {
+        Some(symmetric_eigen(&self.reduced_stiffness(x)).ok()?.values)
+    }
+
+    /// Mean of ln ω²_measured − ln ω²_computed over the measured modes; `None` if the chain falls.
+    pub(super) fn mean_log_frequency_short(&self, x: &[f64]) -> Option<f64> {
+        let values = self.omega_squared(x).filter(|values| values[0] > 0.0)?;
+        let each = self.targets.iter().zip(&values);
+        let sum: f64 = each
+            .map(|(target, value)| target.ln_omega_squared - value.ln())
+            .sum();
+        Some(sum / self.targets.len() as f64)
+    }
+
+    fn reduced_stiffness(&self, x: &[f64]) -> Matrix {
+        let n = x.len();
+        let mut a = self.fixed.scaled(-1.0);
+        for (c, x) in self.joints.iter().zip(x) {
+            let k = x.exp();
+            for j in 0..n {
+                for i in 0..n {
+                    a[(i, j)] += k * c[i] * c[j];
+                }
+            }
+        }
+        a
+    }
+
+    /// Residuals (computed − measured)/sd, frequencies as logarithms, and d/dx; `None` if the chain falls.
+    ///
+    /// ```text
+    /// d ln f_j / dx_i = k_i (ĉ_iᵀ q_j)² / 2 λ_j
+    /// dq_j / dx_i = Σ_{m≠j} q_m k_i (ĉ_iᵀ q_m)(ĉ_iᵀ q_j) / (λ_j − λ_m)
+    /// shape: r = a v − w,  dr = a (I − v vᵀ/vᵀv) dv − v (dvᵀ r)/(vᵀv)        variable projection
+    /// ```
+    pub(super) fn residuals(&self, x: &[f64]) -> Option<Residuals> {
+        let n = x.len();
+        let eigen = symmetric_eigen(&self.reduced_stiffness(x)).ok()?;
+        if eigen.values[0] <= 0.0 {
+            return None;
+        }
+        let turn = Matrix::from_fn(n, n, |i, j| dot(&self.joints[i], eigen.vectors.column(j)));
+        let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
+        for (j, target) in self.targets.iter().enumerate() {
+            let lambda = eigen.values[j];
+            let slope = |i: usize| 0.5 * x[i].exp() * turn[(i, j)].powi(2) / lambda / target.sd;
+            let off = 0.5 * (lambda.ln() - target.ln_omega_squared) / target.sd;
+            rows.push((off, (0..n).map(slope).collect()));
+            let Some(shape) = &target.shape else { continue };
+            let seen = |q: &[f64]| -> Vec<f64> {
+                let points = shape.sensors.iter().zip(&shape.sd);
+                points.map(|(z, sd)| dot(z, q) / sd).collect()
+            };
+            let all: Vec<Vec<f64>> = (0..n).map(|m| seen(eigen.vectors.column(m))).collect();
+            let v = &all[j];
+            let square = dot(v, v).max(f64::MIN_POSITIVE);
+            let scale = dot(v, &shape.measured) / square;
+            let off: Vec<f64> = v
+                .iter()
+                .zip(&shape.measured)
+                .map(|(v, w)| scale * v - w)
+                .collect();
+            let first = rows.len();
+            rows.extend(off.iter().map(|&r| (r, vec![0.0; n])));
+            for i in 0..n {
+                let mut dv = vec![0.0; v.len()];
+                for m in (0..n).filter(|&m| m != j) {
+                    let gap = lambda - eigen.values[m];
+                    let share = x[i].exp() * turn[(i, m)] * turn[(i, j)] / gap;
+                    dv.iter_mut().zip(&all[m]).for_each(|(dv, u)| *dv += share * u);
+                }
+                let (along, across) = (dot(v, &dv) / square, dot(&dv, &off) / square);
+                for (p, (_, row)) in rows[first..].iter_mut().enumerate() {
+                    row[i] = scale * (dv[p] - v[p] * along) - v[p] * across;
+                }
+            }
+        }
+        if rows
+            .iter()
+            .any(|(r, row)| !r.is_finite() || row.iter().any(|d| !d.is_finite()))
+        {
+            return None; // two equal eigenvalues: the shape has no derivative there
+        }
+        Some(Residuals {
+            jacobian: Matrix::from_fn(rows.len(), n, |i, j| rows[i].1[j]),
+            residual: rows.into_iter().map(|(r, _)| r).collect(),
+        })
+    }
+}
+
+fn unit_springs(n: usize) -> Matrix {
+    Matrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
+        0 if i + 1 < n => 2.0,
+        0 => 1.0,
+        1 => -1.0,
+        _ => 0.0,
+    })
+}
+
+/// The points of a mode, over their sd; `None` with fewer than 2, since the scale is free.
+fn shape(
+    chain: &Chain,
+    mode: &MeasuredMode,
+    stand_in: f64,
+    reduce: &impl Fn(&[f64]) -> Result<Vec<f64>, StructureError>,
+) -> Result<Option<Shape>, StructureError> {
+    if mode.shape.len() < 2 {
+        return Ok(None);
+    }
+    let largest = mode
+        .shape
+        .iter()
+        .fold(0.0_f64, |most, point| most.max(point.displacement.abs()));
+    let mut shape = Shape {
+        sensors: Vec::new(),
+        measured: Vec::new(),
+        sd: Vec::new(),
+    };
+    for point in &mode.shape {
+        let sd = if point.displacement_sd > 0.0 {
+            point.displacement_sd
+        } else {
+            stand_in * largest
+        };
+        shape.sensors.push(reduce(&chain.lever_m_rad(point.height_m)?)?);
+        shape.measured.push(point.displacement / sd);
+        shape.sd.push(sd);
+    }
+    Ok(Some(shape))
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}

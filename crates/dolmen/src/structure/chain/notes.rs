@@ -1,0 +1,148 @@
+//! Sentences for the reader of an identification.
+
+use super::from_modes::{Count, EXACT, Search, Weighting, rank};
+use crate::structure::{Choice, Visibility};
+use dolmen_linalg::Svd;
+
+/// A joint whose direction the data determine by less than this share is named as not seen.
+const SEEN_LEAST: f64 = 0.5;
+/// Components of a free direction below this are left out of the sentence.
+const COMPONENT_LEAST: f64 = 0.05;
+
+pub(super) fn of_solutions(
+    search: &Search,
+    count: Count,
+    choice: Choice,
+    nearest: Option<f64>,
+) -> Vec<String> {
+    let mut notes = Vec::new();
+    let joints = search.chain.links().len();
+    let modes = search.modes.len();
+    let shapes = search.modes.iter().filter(|mode| mode.shape.len() >= 2).count();
+    let Count { starts, solutions } = count;
+    match choice {
+        Choice::Impossible => notes.push(match nearest {
+            Some(misfit) => format!(
+                "No joint stiffness explains the {modes} modes: the nearest is off by {}. Check that they are the lowest \
+                 modes of one direction with none left out between them, and the masses.",
+                off(search.weighting, misfit)
+            ),
+            None => "No joint stiffness was found at which the chain stands.".to_string(),
+        }),
+        Choice::Underdetermined => notes.push(format!(
+            "{modes} {}{} hold {} independent data for {joints} joint stiffnesses: they cannot be determined. The set \
+             shown fits the data and is the nearest to stiffness in proportion to the weight moment above each joint, \
+             an assumption and not a measurement. Measure more modes, or shapes at several heights.",
+            if modes == 1 { "frequency" } else { "frequencies" },
+            if shapes > 0 { " with shape points" } else { "" },
+            search.independent
+        )),
+        Choice::Indistinguishable => notes.push(format!(
+            "{solutions} sets of joint stiffness explain the data equally well and all stand, found from {starts} starts; \
+             there may be more. {} cannot tell them apart: {}.",
+            if shapes == 0 { "Frequencies alone" } else { "These data" },
+            if shapes == 0 {
+                "measure the shapes too, best with a sensor near each joint"
+            } else {
+                "measure the shapes at more heights or in more modes"
+            }
+        )),
+        Choice::One if shapes == 0 && joints > 1 => notes.push(format!(
+            "Only one set of joint stiffness was found from {starts} starts, but frequencies alone often have several: \
+             this is no proof."
+        )),
+        Choice::One => {}
+    }
+    if solutions > search.options.solutions_most {
+        notes.push(format!(
+            "{solutions} solutions were found; the first {} are listed.",
+            search.options.solutions_most
+        ));
+    }
+    for (j, mode) in search.modes.iter().enumerate() {
+        if mode.shape.len() == 1 {
+            notes.push(format!(
+                "Mode {} has one shape point: its scale is free, so it says nothing and is left out.",
+                j + 1
+            ));
+        }
+    }
+    if search.weighting == Weighting::PartlyAssumed {
+        notes.push(format!(
+            "Data without a standard deviation were given {} % of a frequency and {} % of the largest displacement of a \
+             mode, an assumption.",
+            100.0 * search.options.frequency_sd_assumed,
+            100.0 * search.options.shape_sd_assumed
+        ));
+    }
+    let explained = matches!(choice, Choice::One | Choice::Indistinguishable);
+    if let (Weighting::Relative, Some(misfit)) = (search.weighting, nearest)
+        && explained
+        && misfit >= EXACT
+    {
+        notes.push(format!(
+            "The best set is off by {}; without standard deviations of the modes no interval can be given.",
+            off(search.weighting, misfit)
+        ));
+    }
+    if search.chain.assumes_thin_rods() {
+        notes.push(
+            "Moments of inertia that were not given are those of thin rods, which are low: stiffness comes out low too."
+                .to_string(),
+        );
+    }
+    if let Some(support) = search.chain.side_support() {
+        notes.push(if support.acts_linearly() {
+            "The side support is part of the model, its stiffness taken as given.".to_string()
+        } else {
+            "The side support has a gap and is left out: the chain is taken not to touch it while it vibrates."
+                .to_string()
+        });
+    }
+    notes
+}
+
+fn off(weighting: Weighting, misfit: f64) -> String {
+    match weighting {
+        Weighting::Relative => format!("{:.2} % (root mean square)", 100.0 * misfit),
+        _ => format!("{misfit:.1} standard deviations (root mean square)"),
+    }
+}
+
+/// What can change without any datum changing.
+pub(super) fn of_free_directions(jacobian: &Svd, choice: Choice) -> Vec<String> {
+    if choice != Choice::Underdetermined {
+        return Vec::new();
+    }
+    let n = jacobian.v.rows();
+    (rank(&jacobian.s)..n)
+        .map(|direction| {
+            let parts: Vec<String> = (0..n)
+                .filter(|&i| jacobian.v[(i, direction)].abs() >= COMPONENT_LEAST)
+                .map(|i| format!("joint {} {:+.2}", i + 1, jacobian.v[(i, direction)]))
+                .collect();
+            format!(
+                "Free: changes of ln k in the proportions {} leave all data unchanged (to first order).",
+                parts.join(", ")
+            )
+        })
+        .collect()
+}
+
+pub(super) fn of_unseen_joints(visibility: &Visibility) -> Option<String> {
+    let unseen = visibility
+        .seen
+        .iter()
+        .enumerate()
+        .filter(|(_, seen)| **seen < SEEN_LEAST);
+    let joints: Vec<String> = unseen.map(|(i, _)| (i + 1).to_string()).collect();
+    if joints.is_empty() {
+        return None;
+    }
+    Some(format!(
+        "The sensors hardly see joint{} {}: the data would barely change with {} stiffness.",
+        if joints.len() == 1 { "" } else { "s" },
+        joints.join(", "),
+        if joints.len() == 1 { "its" } else { "their" }
+    ))
+}
