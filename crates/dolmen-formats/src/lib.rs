@@ -2,7 +2,12 @@
 
 pub mod answer;
 pub mod explain;
+pub mod figures;
 pub mod json;
+mod language;
 pub mod number;
 pub mod project;
+pub mod report;
 pub mod text;
+
+pub use language::Language;

@@ -52,6 +52,22 @@ pub fn significant(value: f64, digits: usize) -> String {
     sign(value) + &text
 }
 
+/// `value` with at most so many significant digits, zeros behind the point left out: for what a person wrote.
+///
+/// ```
+/// use dolmen_formats::number::trimmed;
+/// assert_eq!((trimmed(2.610, 5), trimmed(2930.0, 5)), ("2.61".to_string(), "2930".to_string()));
+/// ```
+pub fn trimmed(value: f64, digits: usize) -> String {
+    let text = significant(value, digits);
+    match text.split_once('.') {
+        Some((_, decimals)) if decimals.bytes().all(|b| b.is_ascii_digit()) => {
+            text.trim_end_matches('0').trim_end_matches('.').into()
+        }
+        _ => text,
+    }
+}
+
 /// `value` with so many digits after the point.
 ///
 /// ```

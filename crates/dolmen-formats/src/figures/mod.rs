@@ -1,0 +1,15 @@
+//! Figures as SVG: text stays text, units on every axis, readable by the colour-blind and in grey print.
+
+mod assess;
+mod axis;
+mod chain;
+mod frame;
+mod ink;
+mod plot;
+mod scene;
+mod shapes;
+
+pub use assess::{VariantDot, load_factor_distribution, variants_compared};
+pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
+pub use frame::frame_sketch;
+pub use shapes::{ShapePanel, mode_shapes};

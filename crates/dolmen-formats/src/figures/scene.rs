@@ -1,0 +1,199 @@
+//! A small SVG drawing: what has no axes (elevations, sketches, shapes, plans). Coordinates in px, y down.
+
+use super::ink::{Anchor, FONTS, Label, Line, Shape, TEXT};
+use std::fmt::Write as _;
+
+pub(crate) struct Scene {
+    width: f64,
+    height: f64,
+    body: String,
+}
+
+impl Scene {
+    pub(crate) fn new(width: f64, height: f64) -> Self {
+        Scene {
+            width,
+            height,
+            body: String::new(),
+        }
+    }
+
+    pub(crate) fn line(&mut self, from: [f64; 2], to: [f64; 2], line: Line) {
+        self.path(&[from, to], line);
+    }
+
+    pub(crate) fn path(&mut self, points: &[[f64; 2]], line: Line) {
+        let points = joined(points);
+        let style = stroke(line);
+        put(
+            &mut self.body,
+            format_args!("<polyline points=\"{points}\" fill=\"none\" {style}/>"),
+        );
+    }
+
+    pub(crate) fn polygon(&mut self, points: &[[f64; 2]], fill: &str, line: Line) {
+        let points = joined(points);
+        let style = stroke(line);
+        put(
+            &mut self.body,
+            format_args!("<polygon points=\"{points}\" fill=\"{fill}\" {style}/>"),
+        );
+    }
+
+    pub(crate) fn circle(&mut self, at: [f64; 2], radius: f64, fill: &str, line: Line) {
+        let (x, y) = (short(at[0]), short(at[1]));
+        let style = stroke(line);
+        put(
+            &mut self.body,
+            format_args!(
+                "<circle cx=\"{x}\" cy=\"{y}\" r=\"{}\" fill=\"{fill}\" {style}/>",
+                short(radius)
+            ),
+        );
+    }
+
+    pub(crate) fn marker(&mut self, at: [f64; 2], shape: Shape, size: f64, colour: &'static str) {
+        let outline = Line::new(colour, 1.8);
+        match shape {
+            Shape::Circle => self.circle(at, size, colour, outline),
+            Shape::Ring => self.circle(at, size, "#ffffff", outline),
+            _ => {
+                for stroke in marker_strokes(shape, size) {
+                    let points: Vec<[f64; 2]> = stroke.iter().map(|p| [at[0] + p[0], at[1] + p[1]]).collect();
+                    if stroke.len() == 2 {
+                        self.path(&points, Line::new(colour, 2.4));
+                    } else {
+                        self.polygon(&points, colour, outline);
+                    }
+                }
+            }
+        }
+    }
+
+    /// A text whose baseline's middle height stands at `at`.
+    pub(crate) fn text(&mut self, at: [f64; 2], label: &Label) {
+        let anchor = match label.anchor {
+            Anchor::Start => "start",
+            Anchor::Middle => "middle",
+            Anchor::End => "end",
+        };
+        let mut style = String::new();
+        if label.bold {
+            style.push_str(" font-weight=\"bold\"");
+        }
+        if label.colour != TEXT {
+            let _ = write!(style, " fill=\"{}\"", label.colour);
+        }
+        put(
+            &mut self.body,
+            format_args!(
+                "<text x=\"{}\" y=\"{}\" dy=\"0.36em\" font-size=\"{}\" text-anchor=\"{anchor}\"{style}>{}</text>",
+                short(at[0]),
+                short(at[1]),
+                short(label.size),
+                escaped(&label.text)
+            ),
+        );
+    }
+
+    /// The whole drawing. `title` is what a reader who cannot see it is told.
+    pub(crate) fn svg(&self, title: &str) -> String {
+        wrapped(
+            self.width,
+            self.height,
+            [self.width, self.height],
+            title,
+            &self.body,
+        )
+    }
+}
+
+/// The frame that every figure has, drawn by us or by plotters, whose units may be finer than px.
+pub(super) fn wrapped(width: f64, height: f64, view: [f64; 2], title: &str, body: &str) -> String {
+    format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" \
+         font-family=\"{FONTS}\" fill=\"{TEXT}\" role=\"img\"><title>{}</title>\n{body}</svg>\n",
+        short(width),
+        short(height),
+        short(view[0]),
+        short(view[1]),
+        escaped(title)
+    )
+}
+
+/// Outline of a marker around its point: two points are a line, more a filled polygon.
+pub(super) fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
+    let s = size;
+    match shape {
+        Shape::Circle | Shape::Ring => vec![],
+        Shape::Square => vec![vec![[-s, -s], [s, -s], [s, s], [-s, s]]],
+        Shape::Diamond => vec![vec![
+            [0.0, -1.35 * s],
+            [1.35 * s, 0.0],
+            [0.0, 1.35 * s],
+            [-1.35 * s, 0.0],
+        ]],
+        Shape::Triangle => vec![vec![
+            [0.0, -1.15 * s],
+            [1.15 * s, 0.85 * s],
+            [-1.15 * s, 0.85 * s],
+        ]],
+        Shape::Cross => vec![vec![[-s, -s], [s, s]], vec![[-s, s], [s, -s]]],
+        Shape::Bar => vec![vec![[0.0, -1.9 * s], [0.0, 1.9 * s]]],
+    }
+}
+
+/// Text made safe between tags and in attributes.
+pub(crate) fn escaped(text: &str) -> String {
+    let mut safe = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            '&' => safe.push_str("&amp;"),
+            '<' => safe.push_str("&lt;"),
+            '>' => safe.push_str("&gt;"),
+            '"' => safe.push_str("&quot;"),
+            '\'' => safe.push_str("&#39;"),
+            // Letters that XML forbids even when escaped.
+            c if c.is_control() && !matches!(c, '\n' | '\t') => {}
+            c => safe.push(c),
+        }
+    }
+    safe
+}
+
+fn put(body: &mut String, arguments: std::fmt::Arguments) {
+    // Writing into a String cannot fail.
+    let _ = body.write_fmt(arguments);
+    body.push('\n');
+}
+
+fn joined(points: &[[f64; 2]]) -> String {
+    let text: Vec<String> = points
+        .iter()
+        .map(|p| format!("{},{}", short(p[0]), short(p[1])))
+        .collect();
+    text.join(" ")
+}
+
+fn stroke(line: Line) -> String {
+    let mut style = format!(
+        "stroke=\"{}\" stroke-width=\"{}\"",
+        line.colour,
+        short(line.width)
+    );
+    if line.dashed {
+        style.push_str(" stroke-dasharray=\"5 4\"");
+    }
+    if line.opacity < 1.0 {
+        let _ = write!(style, " opacity=\"{}\"", short(line.opacity));
+    }
+    style
+}
+
+/// A coordinate with two digits after the point and no zeros behind them; what is not a number stands at 0.
+fn short(value: f64) -> String {
+    let value = if value.is_finite() { value } else { 0.0 };
+    let text = format!("{value:.2}");
+    let text = text.trim_end_matches('0').trim_end_matches('.');
+    if text == "-0" { "0".into() } else { text.into() }
+}

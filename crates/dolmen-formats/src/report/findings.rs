@@ -1,0 +1,89 @@
+//! The findings in plain words, made from the values: what was not computed is called unknown.
+
+use super::given::assumptions;
+use super::{chain, frame, identification, samples, variants};
+use crate::Language;
+use crate::answer::{Answer, Check};
+use crate::project::{Cap, Structure};
+use dolmen::stability::Verdict;
+use maud::{Markup, html};
+
+/// How a finding is marked.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Tone {
+    Good,
+    Warn,
+    Bad,
+    Plain,
+    Unknown,
+}
+
+/// One finding.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Finding {
+    pub(super) tone: Tone,
+    pub(super) text: String,
+}
+
+impl Finding {
+    pub(super) fn new(tone: Tone, text: impl Into<String>) -> Self {
+        Finding {
+            tone,
+            text: text.into(),
+        }
+    }
+
+    /// Marked as the verdict is.
+    pub(super) fn of(verdict: Verdict, text: impl Into<String>) -> Self {
+        let tone = match verdict {
+            Verdict::Stable => Tone::Good,
+            Verdict::Marginal => Tone::Warn,
+            Verdict::Unstable => Tone::Bad,
+            Verdict::Unknown => Tone::Unknown,
+        };
+        Self::new(tone, text)
+    }
+}
+
+/// The list of all findings.
+pub(super) fn list(answer: &Answer, language: Language) -> Markup {
+    let mut all = Vec::new();
+    if let Some(state) = &answer.state {
+        match &state.check {
+            Check::Chain(check) => all.extend(chain::findings(check, language)),
+            Check::Frame(directions) => all.extend(frame::findings(directions, language)),
+        }
+        all.extend(samples::findings(state.sampled.as_ref(), language));
+    }
+    all.extend(variants::findings(answer, language));
+    all.extend(identification::findings(&answer.surveys, language));
+    let cap_left_out =
+        matches!(&answer.project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut);
+    if cap_left_out {
+        all.push(Finding::new(
+            Tone::Warn,
+            language.pick(
+                "The part at the very top (cap stone) is left out of the model: the true limits are higher and the true margins lower than stated.",
+                "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유율은 작다.",
+            ),
+        ));
+    }
+    if let Some(text) = assumptions(&answer.project, language) {
+        all.push(Finding::new(Tone::Warn, text));
+    }
+    html! {
+        ul.findings { @for finding in &all {
+            li class=(class(finding.tone)) { (finding.text) }
+        } }
+    }
+}
+
+fn class(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Good => "good",
+        Tone::Warn => "warn",
+        Tone::Bad => "bad",
+        Tone::Plain => "plain",
+        Tone::Unknown => "unknown",
+    }
+}

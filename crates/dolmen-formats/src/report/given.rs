@@ -1,0 +1,177 @@
+//! What was given: every input with its unit, scatter and source, and what rests on assumptions.
+
+use super::table::{Cell, table};
+use super::words::{evidence_word, listed, path_words, unit_text};
+use crate::Language;
+use crate::number;
+use crate::project::{Project, Quantity, Structure};
+use maud::{Markup, html};
+
+/// The section "what was given".
+pub(super) fn section(project: &Project, language: Language) -> Markup {
+    let inputs = project.inputs();
+    html! {
+        h2 { (language.pick("What was given", "주어진 입력")) }
+        @if let Some(description) = &project.description { p { (description) } }
+        @if inputs.is_empty() {
+            p { (language.pick(
+                "No dimensions were given: only what was measured is reported.",
+                "치수가 주어지지 않아 계측 결과만 보고한다.",
+            )) }
+        } @else {
+            (inputs_table(project, &inputs, language))
+        }
+        (surveys(project, language))
+        @if !project.warnings.is_empty() {
+            h3 { (language.pick("Warnings on reading the file", "입력 파일에 대한 경고")) }
+            ul { @for warning in &project.warnings {
+                li { (warning.message) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
+            } }
+        }
+    }
+}
+
+fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> Markup {
+    let with_cov = inputs.iter().any(|q| q.cov.is_some());
+    let with_note = inputs.iter().any(|q| q.note.is_some());
+    let mut head = vec![
+        language.pick("Input", "입력"),
+        language.pick("In the file", "파일의 위치"),
+        language.pick("Source", "출처"),
+    ];
+    let words = head.len();
+    head.extend([
+        language.pick("As written", "기재값"),
+        language.pick("SI value", "SI 값"),
+    ]);
+    if with_cov {
+        head.push(language.pick("Coefficient of variation", "변동계수"));
+    }
+    if with_note {
+        head.push(language.pick("Note", "비고"));
+    }
+    let head: Vec<String> = head.into_iter().map(String::from).collect();
+    let rows: Vec<Vec<Cell>> = inputs
+        .iter()
+        .map(|q| {
+            let source = evidence_word(q.source, language);
+            let mut row: Vec<Cell> = vec![
+                path_words(&q.path, language).into(),
+                q.path.clone().into(),
+                if q.is_assumed() {
+                    Cell::assumed(source)
+                } else {
+                    source.into()
+                },
+                q.written.clone().into(),
+                format!(
+                    "{}{}{}",
+                    number::trimmed(q.value, 6),
+                    number::NARROW_SPACE,
+                    unit_text(q.unit)
+                )
+                .into(),
+            ];
+            if with_cov {
+                row.push(q.cov.map_or("–".into(), |cov| number::percent(cov, 2)).into());
+            }
+            if with_note {
+                row.push(q.note.clone().unwrap_or_default().into());
+            }
+            row
+        })
+        .collect();
+    let gravity = format!(
+        "g = {}{}m/s²",
+        number::trimmed(project.gravity_m_s2, 6),
+        number::NARROW_SPACE
+    );
+    let caption = language.pick(
+        format!("Inputs. Values marked as assumed are tinted; {gravity}."),
+        format!("입력값. 가정한 값은 바탕색으로 표시하였다; {gravity}."),
+    );
+    table(&caption, words, &head, &rows)
+}
+
+fn surveys(project: &Project, language: Language) -> Markup {
+    html! {
+        @for survey in &project.surveys {
+            h3 { (language.pick("Survey", "조사")) " " (survey.name) }
+            ul {
+                @if let Some(note) = &survey.note { li { (note) } }
+                @if let Some(source) = &survey.source { li { (language.pick("Source: ", "출처: ")) (source) } }
+                @if let Some(temperature) = survey.temperature_c {
+                    li { (language.pick("Air temperature ", "기온 ")) (number::significant(temperature, 3)) "\u{202f}°C" }
+                } @else {
+                    li { (language.pick("Air temperature: unknown", "기온: 미상")) }
+                }
+                @if let Some(datum) = &survey.datum { li { (language.pick("Datum: ", "기준점: ")) (datum) } }
+                @if !survey.tilt.is_empty() {
+                    li { (language.pick("Tilt: ", "기울기: "))
+                        @for (i, (direction, tilt)) in survey.tilt.iter().enumerate() {
+                            @if i > 0 { ", " } (direction) " " (tilt.written)
+                        } }
+                }
+                @if let Some(records) = &survey.records {
+                    li { (language.pick("Vibration records: ", "진동 기록: ")) code { (records.file) } }
+                }
+            }
+        }
+    }
+}
+
+/// What the assumed inputs make uncertain, for the findings: `None` if nothing is assumed.
+pub(super) fn assumptions(project: &Project, language: Language) -> Option<String> {
+    let assumed: Vec<&Quantity> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
+    if assumed.is_empty() {
+        return None;
+    }
+    let is_stiffness = |q: &&Quantity| q.path.ends_with("stiffness") || q.path.contains("stiffness[");
+    let is_damping = |q: &&Quantity| q.path.contains("damping");
+    let stiffness = assumed.iter().filter(|q| is_stiffness(q)).count();
+    let damping = assumed.iter().filter(|q| is_damping(q)).count();
+    let body = assumed.len() - stiffness - damping;
+    let mut parts = Vec::new();
+    if body > 0 {
+        parts.push(language.pick(
+            format!("{body} of the dimensions, weights or frequencies (every result that uses them)"),
+            format!("치수·무게·진동수 {body}개(이를 사용한 모든 결과)"),
+        ));
+    }
+    if stiffness > 0 {
+        let (chain, frame) = (
+            language.pick(
+                "the verdict, the load factor, the margins and the modes",
+                "판정, 하중계수, 여유율, 모드",
+            ),
+            language.pick(
+                "the verdict, the load factor and the modes",
+                "판정, 하중계수, 모드",
+            ),
+        );
+        let rests = if matches!(project.structure, Structure::Chain(_)) {
+            chain
+        } else {
+            frame
+        };
+        parts.push(language.pick(
+            format!(
+                "{stiffness} stiffness values ({rests} rest on them; limits from weights and lengths do not)"
+            ),
+            format!(
+                "강성 {stiffness}개({rests}가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)"
+            ),
+        ));
+    }
+    if damping > 0 {
+        parts.push(language.pick(
+            format!("{damping} damping values (no result of this page rests on them)"),
+            format!("감쇠 {damping}개(이 보고서의 결과와 무관)"),
+        ));
+    }
+    let parts = listed(&parts, language);
+    Some(language.pick(
+        format!("Assumed, not measured: {parts}."),
+        format!("실측이 아닌 가정값: {parts}."),
+    ))
+}

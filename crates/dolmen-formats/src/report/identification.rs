@@ -1,0 +1,320 @@
+//! What was found from measured vibration: stiffness with all its solutions, and what the sensors cannot see.
+
+use super::findings::{Finding, Tone};
+use super::table::{Cell, figure, table};
+use super::words::{convention_word, listed};
+use crate::Language;
+use crate::answer::{StiffnessAnswer, SurveyAnswer};
+use crate::figures::{ShapePanel, mode_shapes};
+use crate::number::{self, prefix, significant};
+use crate::project::{Project, Quantity, Structure};
+use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
+use maud::{Markup, html};
+
+/// Solutions drawn and listed; the rest are counted.
+const SOLUTIONS_SHOWN: usize = 8;
+
+/// Solutions whose shapes are drawn.
+const SOLUTIONS_DRAWN: usize = 4;
+
+/// A stiffness of which the data determine less than this share is called unseen.
+const SEEN_LEAST: f64 = 0.5;
+
+pub(super) fn findings(all: &[SurveyAnswer], language: Language) -> Vec<Finding> {
+    all.iter()
+        .flat_map(|i| &i.stiffness)
+        .map(|answer| choice(answer, language))
+        .collect()
+}
+
+/// Direction and convention, for a head or the start of a sentence.
+fn place(answer: &StiffnessAnswer, language: Language) -> String {
+    let direction = language.pick(
+        format!("direction {}", answer.direction),
+        format!("{} 방향", answer.direction),
+    );
+    match answer.convention {
+        None => direction,
+        Some(convention) => format!("{direction}, {}", convention_word(convention, language)),
+    }
+}
+
+fn choice(answer: &StiffnessAnswer, language: Language) -> Finding {
+    let place = place(answer, language);
+    let count = answer.solutions.solutions.len();
+    let modes = answer.frequencies_hz.len();
+    let with_shapes = if answer.with_shapes {
+        language.pick(" and the measured shapes", "와 계측 모드형상")
+    } else {
+        ""
+    };
+    let head = language.pick(
+        format!("Stiffness from vibration ({place}): "),
+        format!("진동으로 추정한 강성({place}): "),
+    );
+    match answer.solutions.choice {
+        Choice::One => Finding::new(
+            Tone::Good,
+            head + &language.pick(
+                format!("one solution explains the {modes} frequencies{with_shapes}."),
+                format!("고유진동수 {modes}개{with_shapes}를 설명하는 해는 하나이다."),
+            ),
+        ),
+        Choice::Indistinguishable => Finding::new(
+            Tone::Warn,
+            head + &language.pick(
+                format!("{count} different solutions explain the {modes} measured frequencies equally well. They cannot be told apart without a measured shape; none is preferred here."),
+                format!("서로 다른 해 {count}개가 계측 고유진동수 {modes}개를 똑같이 잘 설명한다. 계측 모드형상 없이는 구별할 수 없으며, 여기서는 어느 것도 택하지 않는다."),
+            ),
+        ),
+        Choice::Underdetermined => {
+            let free = answer.solutions.visibility.as_ref().map(|v| v.free_directions);
+            let free = free.map_or(language.pick("some", "일부").to_string(), |f| f.to_string());
+            Finding::new(
+                Tone::Warn,
+                head + &language.pick(
+                    format!("not determined. {modes} measured modes leave {free} directions of the stiffness free; the solutions shown are points of a continuous family."),
+                    format!("정해지지 않는다. 계측 모드 {modes}개로는 강성의 방향 {free}개가 자유로우며, 제시된 해는 연속적인 해집합의 일부이다."),
+                ),
+            )
+        }
+        Choice::Impossible => {
+            let why = answer.solutions.notes.join(" ");
+            Finding::new(
+                Tone::Bad,
+                head + &language.pick(
+                    format!("no real stiffness explains the {modes} measured modes. {why}"),
+                    format!("계측 모드 {modes}개를 설명하는 실수 강성이 없다. {why}"),
+                ),
+            )
+        }
+    }
+}
+
+/// The section on stiffness from vibration.
+pub(super) fn section(project: &Project, all: &[SurveyAnswer], language: Language) -> Markup {
+    if all.iter().all(|i| i.stiffness.is_empty()) {
+        return html! {};
+    }
+    html! {
+        h2 { (language.pick("Stiffness from measured vibration", "계측 진동으로부터 추정한 강성")) }
+        @for identification in all {
+            @for answer in &identification.stiffness {
+                h3 { (language.pick("Survey", "조사")) " " (identification.name) ", " (place(answer, language)) }
+                @let measured = modes_of(project, identification, answer);
+                (measured_words(answer, &measured, language))
+                @if answer.solutions.solutions.is_empty() {
+                    p { (language.pick("No stiffness explains these modes.", "이 모드를 설명하는 강성이 없다.")) }
+                } @else {
+                    (solutions(project, answer, &measured, language))
+                }
+                @if let Some(visibility) = &answer.solutions.visibility { (seen(visibility, language)) }
+                @for note in &answer.solutions.notes { p.note { (note) } }
+            }
+        }
+    }
+}
+
+/// The modes that went in as the project states them; those from records are known by frequency alone.
+fn modes_of(project: &Project, survey: &SurveyAnswer, answer: &StiffnessAnswer) -> Vec<MeasuredMode> {
+    let stated = project.surveys.iter().find(|s| s.name == survey.name);
+    let stated = stated
+        .map(|s| s.measured_modes(&answer.direction, &mut Quantity::nominal))
+        .unwrap_or_default();
+    let mode = |&frequency_hz: &f64| {
+        let same = stated.iter().find(|m| m.frequency_hz == frequency_hz);
+        same.cloned().unwrap_or(MeasuredMode {
+            frequency_hz,
+            frequency_sd_hz: 0.0,
+            shape: Vec::new(),
+        })
+    };
+    answer.frequencies_hz.iter().map(mode).collect()
+}
+
+fn measured_words(answer: &StiffnessAnswer, measured: &[MeasuredMode], language: Language) -> Markup {
+    let texts: Vec<String> = measured
+        .iter()
+        .map(|mode| {
+            let shape = if mode.shape.is_empty() && answer.with_shapes {
+                String::new()
+            } else if mode.shape.is_empty() {
+                language.pick(" (no shape)", " (모드형상 없음)").into()
+            } else {
+                let points = mode.shape.len();
+                language.pick(
+                    format!(" ({points} points of its shape)"),
+                    format!(" (측점 {points}개의 모드형상)"),
+                )
+            };
+            let frequency = number::with_sd(mode.frequency_hz, mode.frequency_sd_hz);
+            format!("{frequency}\u{202f}Hz{shape}")
+        })
+        .collect();
+    html! { p { (language.pick("Measured: ", "계측값: ")) (listed(&texts, language)) "." } }
+}
+
+fn letter(index: usize) -> String {
+    char::from_u32('A' as u32 + index as u32 % 26)
+        .map(String::from)
+        .unwrap_or_default()
+}
+
+fn solutions(
+    project: &Project,
+    answer: &StiffnessAnswer,
+    measured: &[MeasuredMode],
+    language: Language,
+) -> Markup {
+    let shown = &answer.solutions.solutions[..answer.solutions.solutions.len().min(SOLUTIONS_SHOWN)];
+    let (unit_si, part) = match project.structure {
+        Structure::Chain(_) => ("N·m/rad", language.pick("joint", "연결부")),
+        _ => ("N/m", language.pick("storey", "층")),
+    };
+    let all: Vec<f64> = shown.iter().flat_map(|s| s.stiffness.iter().copied()).collect();
+    let unit = prefix(&all, unit_si);
+    let count = shown.iter().map(|s| s.stiffness.len()).max().unwrap_or(0);
+    let mut head = vec![
+        language.pick("Solution", "해").to_string(),
+        language.pick("stands", "안정 여부").to_string(),
+    ];
+    head.extend((1..=count).map(|i| format!("k{} {part} {i} ({})", number::subscript(i), unit.unit)));
+    head.push(language.pick("misfit", "오차").into());
+    head.push(language.pick("frequencies (Hz)", "고유진동수 (Hz)").into());
+    let rows: Vec<Vec<Cell>> = shown
+        .iter()
+        .enumerate()
+        .map(|(i, s)| solution_row(i, s, &unit, language))
+        .collect();
+    let total = answer.solutions.solutions.len();
+    let starts = answer.solutions.starts;
+    let caption = language.pick(
+        format!("Solutions, {} of {total} found. From {starts} starting points (1: a closed form); misfit is the root mean square deviation in units of the standard deviation, relative where none is given.", shown.len()),
+        format!("해 {total}개 중 {}개. 시작점 {starts}개(1: 닫힌 해); 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다.", shown.len()),
+    );
+    html! {
+        (table(&caption, 2, &head, &rows))
+        @if let Some(heights) = heights_m(&project.structure) { (shapes(&heights, answer, measured, language)) }
+    }
+}
+
+fn solution_row(
+    index: usize,
+    solution: &StiffnessSolution,
+    unit: &number::Prefixed,
+    language: Language,
+) -> Vec<Cell> {
+    let stands = if solution.stands {
+        language.pick("stands", "안정").into()
+    } else {
+        Cell::bad(language.pick("falls", "전도"))
+    };
+    let mut row: Vec<Cell> = vec![letter(index).into(), stands];
+    for (i, k) in solution.stiffness.iter().enumerate() {
+        let sd = solution.stiffness_sd.as_ref().and_then(|sd| sd.get(i));
+        row.push(match sd {
+            Some(sd) => unit.number_with_sd(*k, *sd).into(),
+            None => unit.number(*k, 5).into(),
+        });
+    }
+    row.push(significant(solution.misfit, 2).into());
+    let frequencies: Vec<String> = solution
+        .modes
+        .iter()
+        .map(|m| significant(m.frequency_hz, 4))
+        .collect();
+    row.push(frequencies.join(", ").into());
+    row
+}
+
+fn shapes(
+    heights_m: &[f64],
+    answer: &StiffnessAnswer,
+    measured: &[MeasuredMode],
+    language: Language,
+) -> Markup {
+    let mut panels = Vec::new();
+    for (i, solution) in answer
+        .solutions
+        .solutions
+        .iter()
+        .take(SOLUTIONS_DRAWN)
+        .enumerate()
+    {
+        for (j, mode) in solution.modes.iter().enumerate() {
+            // A measured mode is drawn over the computed one nearest to it.
+            let nearest = measured.iter().find(|m| {
+                let apart = |f: f64| (f - m.frequency_hz).abs();
+                solution
+                    .modes
+                    .iter()
+                    .all(|other| apart(mode.frequency_hz) <= apart(other.frequency_hz))
+            });
+            panels.push(ShapePanel {
+                title: format!("{} · {} {}", letter(i), language.pick("mode", "모드"), j + 1),
+                mode,
+                measured: nearest.map_or(&[], |m| m.shape.as_slice()),
+            });
+        }
+    }
+    figure(
+        &mode_shapes(heights_m, &panels, language),
+        language.pick(
+            "Mode shapes of the solutions. The same frequencies, other shapes: one measured shape tells which is the true one. Rings are measured points.",
+            "해별 모드형상. 고유진동수는 같으나 형상이 다르므로 모드형상 하나만 계측하면 참값을 가릴 수 있다. 고리는 계측점이다.",
+        ),
+    )
+}
+
+fn seen(visibility: &Visibility, language: Language) -> Markup {
+    let shares: Vec<String> = visibility
+        .seen
+        .iter()
+        .enumerate()
+        .map(|(i, s)| format!("k{}: {}", number::subscript(i + 1), significant(*s, 2)))
+        .collect();
+    let shares = shares.join(", ");
+    let unseen: Vec<String> = visibility
+        .seen
+        .iter()
+        .enumerate()
+        .filter(|(_, s)| **s < SEEN_LEAST)
+        .map(|(i, _)| format!("k{}", number::subscript(i + 1)))
+        .collect();
+    let free = visibility.free_directions;
+    let verdict = if unseen.is_empty() {
+        String::new()
+    } else {
+        let unseen = listed(&unseen, language);
+        language.pick(
+            format!(" The data say little of {unseen}."),
+            format!(" {unseen}에 대해서는 자료가 알려 주는 것이 거의 없다."),
+        )
+    };
+    html! { p {
+        (language.pick(
+            format!("What the data see, 1 fully and 0 not at all: {shares}; {free} directions stay free."),
+            format!("자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 자유로운 방향 {free}개."),
+        )) (verdict)
+    } }
+}
+
+/// Heights of the displacements of a structure's modes.
+fn heights_m(structure: &Structure) -> Option<Vec<f64>> {
+    match structure {
+        Structure::Frame(part) => part
+            .build(&mut Quantity::nominal)
+            .ok()
+            .map(|f| f.level_heights_m()),
+        Structure::Chain(part) => {
+            let chain = part.build(&mut Quantity::nominal).ok()?;
+            let mut height = 0.0;
+            let tops = chain.links().iter().map(|link| {
+                height += link.length_m;
+                height
+            });
+            Some(tops.collect())
+        }
+        Structure::Survey => None,
+    }
+}

@@ -1,0 +1,201 @@
+//! The page: head, verdict, findings, sections, method, evidence.
+
+use super::style::STYLE;
+use super::words::{thresholds, verdict_sign, verdict_word};
+use super::{chain, findings, frame, given, identification, samples, variants};
+use crate::Language;
+use crate::answer::{Answer, Check, State};
+use crate::number::significant;
+use crate::project::Structure;
+use dolmen::stability::Verdict;
+use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
+
+/// Who made the page, and when.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Imprint {
+    /// Name and version of the program: "dolmen 0.1.0".
+    pub program: String,
+    /// When, as it is to be printed: "2026-05-12"; `None` leaves it out, so that the same input gives the same page.
+    pub date: Option<String>,
+}
+
+/// The report on one or more projects as a page that needs nothing else: no script, no font, no picture from outside.
+///
+/// Several projects begin on a page of their own in print, and a list of them stands at the top. What an answer does
+/// not hold is left out or called unknown.
+pub fn html(answers: &[Answer], language: Language, imprint: &Imprint) -> String {
+    let title = match answers {
+        [one] => name(one, language).to_string(),
+        _ => language.pick("Reports", "보고서 모음").to_string(),
+    };
+    markup! {
+        (DOCTYPE)
+        html lang=(language.code()) {
+            head {
+                meta charset="utf-8";
+                meta name="viewport" content="width=device-width, initial-scale=1";
+                title { (title) }
+                style { (PreEscaped(STYLE)) }
+            }
+            body {
+                @if answers.len() > 1 { (contents(answers, language)) }
+                @for (i, answer) in answers.iter().enumerate() {
+                    article id=(format!("report-{}", i + 1)) { (article(answer, language, imprint)) }
+                }
+            }
+        }
+    }
+    .into_string()
+}
+
+fn contents(answers: &[Answer], language: Language) -> Markup {
+    markup! {
+        nav {
+            h1 { (language.pick("Reports", "보고서 모음")) }
+            ol { @for (i, answer) in answers.iter().enumerate() {
+                li {
+                    a href=(format!("#report-{}", i + 1)) { (name(answer, language)) }
+                    @if let Some(state) = &answer.state { ": " (verdict_word(state.verdict(), language)) }
+                }
+            } }
+        }
+    }
+}
+
+fn name(answer: &Answer, language: Language) -> &str {
+    language.pick(answer.project.name.english(), answer.project.name.korean())
+}
+
+fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
+    let project = &answer.project;
+    let other = language.pick(project.name.korean(), project.name.english());
+    let kind = match &project.structure {
+        Structure::Chain(_) => language.pick(
+            "Stability of a chain of rigid links",
+            "강체 링크 체인 모델의 안정성 검토",
+        ),
+        Structure::Frame(_) => language.pick(
+            "Stability of a frame of rigid storeys",
+            "강체 층 골조 모델의 안정성 검토",
+        ),
+        Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
+    };
+    markup! {
+        header {
+            p.kicker { (kind) }
+            h1 { (name(answer, language)) }
+            @if other != name(answer, language) { p.sub { (other) } }
+            p.sub {
+                @if let Some(date) = &imprint.date { (date) " · " }
+                (imprint.program)
+            }
+        }
+        @if let Some(state) = &answer.state { (banner(answer, state, language)) }
+        h2 { (language.pick("Findings", "검토 결과 요약")) }
+        (findings::list(answer, language))
+        (given::section(project, language))
+        @match (&project.structure, answer.state.as_ref().map(|s| &s.check)) {
+            (Structure::Chain(part), Some(Check::Chain(check))) => (chain::sections(part, check, language)),
+            (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
+            _ => {}
+        }
+        (variants::section(answer, language))
+        (samples::sections(answer.state.as_ref(), &answer.sensitivities, language))
+        (identification::section(project, &answer.surveys, language))
+        (method(answer, language))
+        (evidence(answer, language, imprint))
+    }
+}
+
+fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
+    let verdict = state.verdict();
+    let sentence = match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
+        Some(load_factor) => format!("λ = {}", significant(load_factor, 4)),
+        None => language
+            .pick("Stiffness is not given.", "강성이 주어지지 않음.")
+            .into(),
+    };
+    let assumed = answer.project.inputs().iter().filter(|q| q.is_assumed()).count();
+    markup! {
+        div class=(format!("verdict {}", verdict.word())) {
+            div.word { (verdict_sign(verdict)) " " (verdict_word(verdict, language)) }
+            div {
+                p { b { (sentence) }
+                    @if assumed > 0 { " " (language.pick(
+                        format!("This rests on {assumed} assumed values; see the findings."),
+                        format!("가정값 {assumed}개에 의존한다(결과 요약 참조)."),
+                    )) }
+                }
+                p.scale { (thresholds(language)) }
+            }
+        }
+    }
+}
+
+fn method(answer: &Answer, language: Language) -> Markup {
+    let lines: Vec<&str> = match answer.project.structure {
+        Structure::Chain(_) => vec![
+            language.pick(
+                "Rigid links on linear rotational springs, small rotations, static gravity. The chain stands if and only if its stiffness matrix with gravity is positive definite.",
+                "강체 부재와 선형 회전 스프링, 미소 회전, 정적 중력을 가정하였다. 중력을 포함한 강성행렬이 양정부호일 때, 그리고 그때에만 안정하다.",
+            ),
+            language.pick(
+                "λ is the smallest factor on gravity that makes this matrix singular. The margin of a joint is its stiffness over the least one at which the chain stands, the other joints as they are.",
+                "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 연결부의 여유율은 다른 연결부를 그대로 두었을 때 서 있을 최소 강성에 대한 현재 강성의 비이다.",
+            ),
+            language.pick(
+                "Not covered: earthquake and wind, strength and ageing of stone, slipping, opening of joints, foundations other than the lowest spring, and plan directions other than the one modelled.",
+                "검토 범위 밖: 지진과 바람, 석재의 강도와 노후, 미끄러짐, 연결부의 벌어짐, 최하단 스프링 외의 지반, 모델링하지 않은 방향.",
+            ),
+        ],
+        Structure::Frame(_) => vec![
+            language.pick(
+                "Rigid storeys on linear lateral springs; gravity enters as P-delta. Each direction is a frame of its own; twisting modes are reported and kept out.",
+                "강체 층과 선형 횡방향 스프링, 중력은 P-델타 효과로 고려하였다. 각 방향은 독립된 골조이며 비틀림모드는 보고하되 추정에서 제외하였다.",
+            ),
+            language.pick(
+                "λ is the smallest factor on all axial forces that makes the stiffness matrix singular.",
+                "λ는 강성행렬을 특이하게 만드는 가장 작은 축력 배수이다.",
+            ),
+            language.pick(
+                "Not covered: friction and its loss under strong shaking, earthquake and wind, strength and decay of timber. Stiffness from ambient vibration is that of very small motion and falls as motion grows.",
+                "검토 범위 밖: 마찰과 강한 진동에서의 마찰 저하, 지진과 바람, 목재의 강도와 부후. 상시진동으로 얻은 강성은 극히 작은 진폭의 값이며 진폭이 커지면 감소한다.",
+            ),
+        ],
+        Structure::Survey => vec![language.pick(
+            "Only what was measured is reported; no model was made, so that nothing is said about stability.",
+            "계측 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",
+        )],
+    };
+    markup! {
+        h2 { (language.pick("Method and limits", "방법과 한계")) }
+        ul { @for line in lines { li { (line) } } }
+    }
+}
+
+fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
+    let chain = matches!(answer.project.structure, Structure::Chain(_));
+    let frame = matches!(answer.project.structure, Structure::Frame(_));
+    markup! {
+        h2 { (language.pick("Evidence and sources", "근거와 출처")) }
+        ul {
+            li { (language.pick("Computed by ", "계산 프로그램: ")) (imprint.program) }
+            @if let Some(sampled) = answer.state.as_ref().and_then(|s| s.sampled.as_ref()) {
+                li { (language.pick("Seed of the samples: ", "표본 추출 시드: ")) (sampled.unstable.seed) }
+            }
+            @if let Some(source) = &answer.project.source { li { (language.pick("Input: ", "입력 자료: ")) (source) } }
+            @if chain {
+                li { "최재성 (2021) 5개의 연결부를 가지는 역진자형 석조문화재의 동적 해석모델 및 안정성 연구 / Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of inverted pendulum type with 5 joints. "
+                    (language.pick("The published criterion: eqs 38–43, Tables 1–3.", "발표된 기준: 식 38–43, 표 1–3.")) }
+            }
+            @if frame {
+                li { "박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction. "
+                    (language.pick("The printed stiffness: eq. 7.", "논문의 강성: 식 7.")) }
+            }
+        }
+        footer { (language.pick(
+            "The same input gives the same numbers. This page supports the judgement of an engineer; it does not replace it.",
+            "같은 입력은 같은 결과를 준다. 이 보고서는 기술자의 판단을 돕기 위한 것이며 이를 대신하지 않는다.",
+        )) }
+    }
+}

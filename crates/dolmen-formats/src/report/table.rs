@@ -1,0 +1,74 @@
+//! Tables and figures of the page.
+
+use maud::{Markup, PreEscaped, html};
+
+/// One cell.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Cell {
+    text: String,
+    class: &'static str,
+}
+
+impl Cell {
+    /// On an assumed value.
+    pub(super) fn assumed(text: impl Into<String>) -> Self {
+        Cell {
+            text: text.into(),
+            class: "assumed",
+        }
+    }
+
+    /// A number that says it falls.
+    pub(super) fn bad(text: impl Into<String>) -> Self {
+        Cell {
+            text: text.into(),
+            class: "bad-number",
+        }
+    }
+}
+
+impl<T: Into<String>> From<T> for Cell {
+    fn from(text: T) -> Self {
+        Cell {
+            text: text.into(),
+            class: "",
+        }
+    }
+}
+
+/// A table whose first `words` columns hold words and the others numbers.
+pub(super) fn table(caption: &str, words: usize, head: &[String], rows: &[Vec<Cell>]) -> Markup {
+    let side = |column: usize| if column < words { "t" } else { "" };
+    html! {
+        div.scroll { table {
+            caption { (strong_lead(caption)) }
+            thead { tr { @for (i, name) in head.iter().enumerate() { th class=[filled(side(i))] scope="col" { (name) } } } }
+            tbody { @for row in rows { tr {
+                @for (i, cell) in row.iter().enumerate() {
+                    td class=[filled(&classes(side(i), cell.class))] { (cell.text) }
+                }
+            } } }
+        } }
+    }
+}
+
+/// A figure with its caption. `svg` was made by us, its texts escaped there.
+pub(super) fn figure(svg: &str, caption: &str) -> Markup {
+    html! { figure { (PreEscaped(svg)) figcaption { (strong_lead(caption)) } } }
+}
+
+/// The first sentence stands out: it says what is to be seen.
+fn strong_lead(text: &str) -> Markup {
+    match text.split_once(". ") {
+        Some((lead, rest)) => html! { b { (lead) "." } " " (rest) },
+        None => html! { b { (text) } },
+    }
+}
+
+fn classes(side: &str, own: &str) -> String {
+    format!("{side} {own}").trim().to_string()
+}
+
+fn filled(class: &str) -> Option<String> {
+    (!class.is_empty()).then(|| class.to_string())
+}

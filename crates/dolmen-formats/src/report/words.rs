@@ -1,0 +1,121 @@
+//! The fixed words: verdicts with their thresholds, where numbers come from, what parts are called.
+
+use crate::Language;
+use crate::number;
+use crate::project::Evidence;
+use dolmen::stability::Verdict;
+use dolmen::structure::Convention;
+
+/// The word of a verdict.
+pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str {
+    match verdict {
+        Verdict::Stable => language.pick("stable", "안정"),
+        Verdict::Marginal => language.pick("marginal", "여유 부족"),
+        Verdict::Unstable => language.pick("unstable", "불안정"),
+        Verdict::Unknown => language.pick("unknown", "판정 불가"),
+    }
+}
+
+/// The sign that stands before a verdict, for those who see no colours.
+pub(super) fn verdict_sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Stable => "●",
+        Verdict::Marginal => "◆",
+        Verdict::Unstable => "✕",
+        Verdict::Unknown => "?",
+    }
+}
+
+/// What the words mean, with their thresholds.
+pub(super) fn thresholds(language: Language) -> String {
+    let limit = number::significant(Verdict::MARGINAL_BELOW, 2);
+    language.pick(
+        format!(
+            "stable: λ ≥ {limit} · marginal: 1 < λ < {limit} · unstable: λ ≤ 1 · unknown: not enough is given. λ is the \
+             factor on gravity at which the structure falls."
+        ),
+        format!(
+            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 넘어지게 \
+             되는 중력의 배수(하중계수)이다."
+        ),
+    )
+}
+
+/// Where a number comes from.
+pub(super) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &'static str {
+    match evidence {
+        Some(Evidence::Measured) => language.pick("measured", "실측"),
+        Some(Evidence::Test) => language.pick("test", "시험"),
+        Some(Evidence::Literature) => language.pick("literature", "문헌"),
+        Some(Evidence::Assumed) => language.pick("assumed", "가정"),
+        None => language.pick("not stated", "출처 미기재"),
+    }
+}
+
+/// What the springs of a frame act on.
+pub(super) fn convention_word(convention: Convention, language: Language) -> &'static str {
+    match convention {
+        Convention::Drift => language.pick("spring on storey drift", "층간변위에 작용하는 스프링"),
+        Convention::Grounded => language.pick(
+            "spring on displacement from the ground (as printed)",
+            "지반 기준 변위에 작용하는 스프링(논문 표기)",
+        ),
+    }
+}
+
+/// A unit as printed: "N m/rad" is "N·m/rad".
+pub(super) fn unit_text(unit: &str) -> String {
+    unit.replace(' ', "·")
+}
+
+/// "links[1].weight" in words, "link 1, weight"; a path that is not known stays as it is.
+pub(super) fn path_words(path: &str, language: Language) -> String {
+    let Some((part, quantity)) = path.rsplit_once('.') else {
+        return path.to_string();
+    };
+    let (Some(part), Some(quantity)) = (part_words(part, language), quantity_word(quantity, language)) else {
+        return path.to_string();
+    };
+    format!("{part} {quantity}")
+}
+
+fn part_words(part: &str, language: Language) -> Option<String> {
+    let (kind, number) = part.split_once('[')?;
+    let number = number.strip_suffix(']')?;
+    let kind = match kind {
+        "links" => language.pick("link", "부재"),
+        "joints" => language.pick("joint", "연결부"),
+        "storeys" => language.pick("storey", "층"),
+        _ => return None,
+    };
+    number
+        .bytes()
+        .all(|b| b.is_ascii_digit())
+        .then(|| format!("{kind} {number}"))
+}
+
+fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
+    Some(match quantity {
+        "weight" => language.pick("weight", "무게"),
+        "mass" => language.pick("mass", "질량"),
+        "length" => language.pick("length", "길이"),
+        "centroid" => language.pick("centre of mass above its foot", "하단에서 무게 중심까지 높이"),
+        "inertia" => language.pick("moment of inertia", "질량 관성모멘트"),
+        "breadth" => language.pick("breadth", "폭"),
+        "bed_width" => language.pick("bed width", "밑면 폭"),
+        "stiffness" => language.pick("stiffness", "강성"),
+        "damping" => language.pick("damping", "감쇠"),
+        "height" => language.pick("height", "높이"),
+        "axial_force" => language.pick("axial force", "축력"),
+        _ => return None,
+    })
+}
+
+/// "1, 2 and 3".
+pub(super) fn listed(items: &[String], language: Language) -> String {
+    match items {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{}{}{last}", first.join(", "), language.pick(" and ", " 및 ")),
+    }
+}
