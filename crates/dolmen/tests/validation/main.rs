@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod chain_identification;
+mod chain_laws;
 mod choi_2021;
 mod columns;
 mod draws;

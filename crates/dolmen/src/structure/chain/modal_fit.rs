@@ -222,3 +222,62 @@ fn shape(
 fn dot(a: &[f64], b: &[f64]) -> f64 {
     a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::{Inertia, Link, ShapePoint, SideSupport};
+
+    #[test]
+    fn exact_derivatives_of_frequencies_and_shapes() {
+        let link = |mass_kg: f64, length_m: f64| Link {
+            mass_kg,
+            length_m,
+            centroid_m: 0.45 * length_m,
+            inertia: Inertia::ThinRod,
+            bed_width_m: None,
+        };
+        let support = SideSupport {
+            height_m: 2.0,
+            stiffness_n_m: 3e4,
+            gap_m: 0.0,
+        };
+        let chain = Chain::new(vec![link(900.0, 1.5), link(500.0, 1.2), link(300.0, 0.9)], 9.81).unwrap();
+        let chain = chain.with_side_support(support).unwrap();
+        let point = |height_m: f64, displacement: f64| ShapePoint {
+            height_m,
+            displacement,
+            displacement_sd: 0.05,
+        };
+        let mode = |frequency_hz: f64, last: f64| MeasuredMode {
+            frequency_hz,
+            frequency_sd_hz: 0.1,
+            shape: vec![point(1.0, 0.3), point(2.2, 0.5), point(3.6, last)],
+        };
+        let stand_in = StandIn {
+            frequency: 1.0,
+            shape: 1.0,
+        };
+        let fit = ModalFit::new(&chain, &[mode(1.0, 1.1), mode(4.0, -0.7)], stand_in).unwrap();
+        let x = [11.5, 10.8, 10.1];
+        let at = fit.residuals(&x).unwrap();
+        assert_eq!((at.residual.len(), fit.data()), (8, 6));
+        const STEP: f64 = 1e-5; // central difference: error of order STEP² against rounding of 1e-16 / STEP
+        for i in 0..3 {
+            let moved = |by: f64| {
+                let mut x = x;
+                x[i] += by;
+                fit.residuals(&x).unwrap().residual
+            };
+            let (ahead, behind) = (moved(STEP), moved(-STEP));
+            for p in 0..8 {
+                let slope = (ahead[p] - behind[p]) / (2.0 * STEP);
+                let exact = at.jacobian[(p, i)];
+                assert!(
+                    (slope - exact).abs() < 1e-7 * (1.0 + exact.abs()),
+                    "datum {p}, joint {i}: {slope} {exact}"
+                );
+            }
+        }
+    }
+}
