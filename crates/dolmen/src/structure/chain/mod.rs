@@ -6,6 +6,7 @@ mod matrices;
 mod modal_fit;
 mod motion;
 mod notes;
+mod search;
 mod side_support;
 mod single_mass;
 mod starts;

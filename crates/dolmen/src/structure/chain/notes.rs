@@ -1,6 +1,7 @@
 //! Sentences for the reader of an identification.
 
-use super::from_modes::{Count, EXACT, Search, Weighting, rank};
+use super::from_modes::Weighting;
+use super::search::{Count, EXACT, Search, rank};
 use crate::structure::{Choice, Visibility};
 use dolmen_linalg::Svd;
 
@@ -9,21 +10,21 @@ const SEEN_LEAST: f64 = 0.5;
 /// Components of a free direction below this are left out of the sentence.
 const COMPONENT_LEAST: f64 = 0.05;
 
-pub(super) fn of_solutions(
-    search: &Search,
-    count: Count,
-    choice: Choice,
-    nearest: Option<f64>,
-) -> Vec<String> {
+pub(super) fn of_solutions(search: &Search, count: &Count, choice: Choice) -> Vec<String> {
     let mut notes = Vec::new();
     let joints = search.chain.links().len();
     let modes = search.modes.len();
     let shapes = search.modes.iter().filter(|mode| mode.shape.len() >= 2).count();
-    let Count { starts, solutions } = count;
+    let Count {
+        starts,
+        solutions,
+        nearest,
+        odd,
+    } = *count;
     match choice {
         Choice::Impossible => notes.push(match nearest {
             Some(misfit) => format!(
-                "No joint stiffness explains the {modes} modes: the nearest is off by {}. Check that they are the lowest \
+                "No joint stiffness was found, from {starts} starts, that explains the {modes} modes: the nearest is off by {}. Check that they are the lowest \
                  modes of one direction with none left out between them, and the masses.",
                 off(search.weighting, misfit)
             ),
@@ -52,6 +53,13 @@ pub(super) fn of_solutions(
              this is no proof."
         )),
         Choice::One => {}
+    }
+    if odd {
+        notes.push(
+            "Their number is odd, but as many frequencies as joints have an even number of solutions: at least one more \
+             exists and was not found. Raise starts."
+                .to_string(),
+        );
     }
     if solutions > search.options.solutions_most {
         notes.push(format!(
