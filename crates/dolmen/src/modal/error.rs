@@ -1,3 +1,6 @@
+use crate::signal::SignalError;
+use dolmen_linalg::LinalgError;
+
 /// Why modes cannot be identified. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -17,4 +20,131 @@ pub enum ModalError {
         /// Largest order allowed.
         most: usize,
     },
+    /// More modes are asked than the model order can hold.
+    #[error(
+        "modes_wanted is {given}, but a model of order {order_most} holds at most {most} modes: raise order_most or \
+         ask for fewer"
+    )]
+    ModesWanted {
+        /// Modes asked.
+        given: usize,
+        /// Largest model order.
+        order_most: usize,
+        /// Modes it can hold.
+        most: usize,
+    },
+    /// Fewer modes were found than asked.
+    #[error(
+        "modes_wanted is {given}, but only {found} were found stable (at {found_hz:?} Hz): record for longer, place \
+         sensors where the missing modes move, or ask for {found}"
+    )]
+    ModesMissing {
+        /// Modes asked.
+        given: usize,
+        /// Modes found.
+        found: usize,
+        /// Their frequencies, Hz.
+        found_hz: Vec<f64>,
+    },
+    /// No mode was found near a requested frequency.
+    #[error(
+        "no mode was found at {given_hz} Hz (± {within_hz} Hz); the modes found lie at {found_hz:?} Hz: no other mode \
+         is returned in its place"
+    )]
+    NoModeAt {
+        /// Frequency asked, Hz.
+        given_hz: f64,
+        /// How far off a mode may lie, Hz.
+        within_hz: f64,
+        /// Frequencies found, Hz.
+        found_hz: Vec<f64>,
+    },
+    /// The block rows given do not reach over half a period of the lowest mode.
+    #[error(
+        "block_rows is {given}, but the lowest mode of interest ({frequency_hz} Hz) needs at least {least} at \
+         {sampling_rate_hz} samples a second: raise block_rows, decimate, or raise frequency_low_hz"
+    )]
+    BlockRows {
+        /// Block rows given.
+        given: usize,
+        /// Least number.
+        least: usize,
+        /// Lowest frequency of interest, Hz.
+        frequency_hz: f64,
+        /// Sampling rate after decimation, Hz.
+        sampling_rate_hz: f64,
+    },
+    /// The record is too short for the lags and blocks.
+    #[error(
+        "the record has {samples} samples, but correlations over {lags} lags in {blocks} blocks of time need {needed}: \
+         record for longer, or lower block_rows or time_blocks"
+    )]
+    TooShort {
+        /// Samples a channel.
+        samples: usize,
+        /// Lags.
+        lags: usize,
+        /// Blocks of time.
+        blocks: usize,
+        /// Samples needed.
+        needed: usize,
+    },
+    /// An option is out of its range.
+    #[error("{option} is {given}, but must be {allowed}")]
+    Option {
+        /// Name of the option.
+        option: &'static str,
+        /// Value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// No spectral peak stands above the noise, so nothing can be chosen from the data.
+    #[error(
+        "no peak of the spectrum rises {prominence_db} dB above its surroundings between {low_hz} and {high_hz} Hz: \
+         the record may hold noise alone; give block_rows and the frequency range to try all the same"
+    )]
+    NoPeak {
+        /// Prominence asked, dB.
+        prominence_db: f64,
+        /// Lowest frequency looked at, Hz.
+        low_hz: f64,
+        /// Highest frequency looked at, Hz.
+        high_hz: f64,
+    },
+    /// A channel does not move at all.
+    #[error("channel \"{channel}\" has the same value in every sample: leave it out or mend the sensor")]
+    DeadChannel {
+        /// Its name.
+        channel: String,
+    },
+    /// Two channels hold the same numbers.
+    #[error("channels \"{first}\" and \"{second}\" hold the same numbers: leave one out")]
+    DuplicateChannels {
+        /// Name of one.
+        first: String,
+        /// Name of the other.
+        second: String,
+    },
+    /// A mode of a made record cannot be made.
+    #[error(
+        "mode {mode} of the made record has frequency {frequency_hz} Hz and damping ratio {damping_ratio}, but must lie \
+         between 0 and {nyquist_hz} Hz and between 0 and 1, with one finite shape component a channel"
+    )]
+    MadeMode {
+        /// Index of the mode, from 0.
+        mode: usize,
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Its damping ratio.
+        damping_ratio: f64,
+        /// Half the sampling rate, Hz.
+        nyquist_hz: f64,
+    },
+    /// The record itself is refused.
+    #[error(transparent)]
+    Record(#[from] SignalError),
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] LinalgError),
 }

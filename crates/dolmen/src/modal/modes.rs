@@ -1,7 +1,9 @@
 //! What every method of identification returns.
 
+use super::ModalError;
 use crate::signal::{Channel, Processing};
 use dolmen_linalg::Complex64;
+use std::f64::consts::PI;
 
 /// How the modes were found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,4 +50,36 @@ pub struct Modes {
     pub duration_s: f64,
     /// Processing history of the record.
     pub history: Vec<Processing>,
+}
+
+impl Mode {
+    /// Long-record floor of the relative standard deviation of the damping ratio, 1/√(2πζN_c); infinite without one.
+    ///
+    /// # Source
+    /// Au (2014) Mech. Syst. Signal Process. 48:15-33.
+    pub fn damping_floor(&self) -> f64 {
+        match self.damping_ratio {
+            Some(zeta) if zeta > 0.0 => 1.0 / (2.0 * PI * zeta * self.cycles).sqrt(),
+            _ => f64::INFINITY,
+        }
+    }
+}
+
+impl Modes {
+    /// The mode nearest to `frequency_hz`, if it lies within `within_hz`.
+    ///
+    /// # Errors
+    /// [`ModalError::NoModeAt`] if none does: another mode is never returned in its place.
+    pub fn nearest(&self, frequency_hz: f64, within_hz: f64) -> Result<&Mode, ModalError> {
+        let apart = |m: &Mode| (m.frequency_hz - frequency_hz).abs();
+        self.modes
+            .iter()
+            .filter(|m| apart(m) <= within_hz)
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)))
+            .ok_or_else(|| ModalError::NoModeAt {
+                given_hz: frequency_hz,
+                within_hz,
+                found_hz: self.modes.iter().map(|m| m.frequency_hz).collect(),
+            })
+    }
 }

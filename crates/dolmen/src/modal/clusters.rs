@@ -1,0 +1,212 @@
+//! Automatic choice of modes: poles that agree across model orders, one an order, each group shown by its medoid.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | d | `distance` | how far apart two poles are |
+//! | μ/2π | `root_hz` | continuous-time eigenvalue over 2π, Hz |
+
+use super::indicators::assurance;
+use super::ssi_cov::{Pole, Subspace};
+use super::stabilization::Stabilization;
+use super::{ModalError, PoleDeviation, deviation};
+use std::f64::consts::PI;
+
+/// Options of [`clusters`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Clustering {
+    /// Largest distance d of a pole from the medoid of its cluster; default 0.05 (ours: several times the scatter of
+    /// a pole between orders, and far below the distance 1 of two shapes at right angles).
+    pub distance_most: f64,
+    /// Least share of the model orders from the first that shows the mode to the highest, 0 to 1; default 0.4 (ours).
+    pub orders_share_least: f64,
+    /// Least number of orders; default 6 (ours: so many in a row hardly happen by chance).
+    pub orders_least: usize,
+    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 5 (ours: modes of the made
+    /// records reach 1 to 3, poles that fit noise 5 to 100).
+    pub deviation_over_floor_most: f64,
+}
+
+impl Default for Clustering {
+    fn default() -> Self {
+        Clustering {
+            distance_most: 0.05,
+            orders_share_least: 0.4,
+            orders_least: 6,
+            deviation_over_floor_most: 5.0,
+        }
+    }
+}
+
+/// What became of a cluster.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fate {
+    /// It is a mode.
+    Mode,
+    /// Too few orders show it.
+    FewOrders,
+    /// Its standard deviation is far above what the record's length explains: it fits noise.
+    Scattered,
+    /// It splits off a mode with more orders: like shape, and frequencies not apart beyond their scatter.
+    Double,
+}
+
+/// Poles of several orders that agree.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cluster {
+    /// The pole nearest to all others.
+    pub medoid: Pole,
+    /// Its standard deviations; `None` where too few orders made them not worth computing.
+    pub deviation: Option<PoleDeviation>,
+    /// Orders that show it, ascending.
+    pub orders: Vec<usize>,
+    /// Standard deviation of the frequency between these orders, Hz.
+    pub frequency_spread_hz: f64,
+    /// Standard deviation of the damping ratio between these orders.
+    pub damping_ratio_spread: f64,
+    /// What became of it.
+    pub fate: Fate,
+}
+
+/// Groups the possible poles across orders and judges each group.
+///
+/// ```text
+/// d(i, j) = |μ_i - μ_j| / |μ_j| + 1 - MAC(i, j)
+/// ```
+/// The pole with most orders within d ≤ `distance_most` (ties: smallest mean d) is the first medoid; of each order the
+/// pole nearest to it joins; all poles within reach leave the field; and so on.
+///
+/// # Errors
+/// [`ModalError::Linalg`].
+///
+/// # Source
+/// Distance: Magalhães, Cunha & Caetano (2009) Mech. Syst. Signal Process. 23:316-329. Floor of the deviation: Au (2014)
+/// Mech. Syst. Signal Process. 48:15-33. Differs from the source: greedy medoids instead of a hierarchical tree, and
+/// the judgement by the deviation.
+pub fn clusters(
+    subspace: &Subspace,
+    stabilization: &Stabilization,
+    duration_s: f64,
+    options: &Clustering,
+) -> Result<Vec<Cluster>, ModalError> {
+    let poles: Vec<&Pole> = stabilization
+        .poles
+        .iter()
+        .filter(|j| j.stability.possible())
+        .map(|j| &j.pole)
+        .collect();
+    let mut found = group(&poles, options);
+    for cluster in &mut found {
+        let first = cluster.orders.first().copied().unwrap_or(0);
+        let possible = (subspace.order_most.saturating_sub(first)) / 2 + 1;
+        let needed = (options.orders_share_least * possible as f64).ceil() as usize;
+        if cluster.orders.len() < needed.max(options.orders_least) {
+            continue;
+        }
+        let sd = deviation(subspace, &cluster.medoid)?;
+        let medoid = &cluster.medoid;
+        let floor_hz = medoid.frequency_hz
+            * (medoid.damping_ratio / (2.0 * PI * medoid.frequency_hz * duration_s)).sqrt();
+        let settled = sd.frequency_sd_hz <= options.deviation_over_floor_most * floor_hz;
+        cluster.fate = if settled { Fate::Mode } else { Fate::Scattered };
+        cluster.deviation = Some(sd);
+    }
+    for i in 0..found.len() {
+        let double = found[i].fate == Fate::Mode && found[..i].iter().any(|mode| splits_off(&found[i], mode));
+        if double {
+            found[i].fate = Fate::Double;
+        }
+    }
+    found.sort_by(|a, b| a.medoid.frequency_hz.total_cmp(&b.medoid.frequency_hz));
+    Ok(found)
+}
+
+/// Whether `cluster` shows the same mode as `mode`, which has at least as many orders.
+fn splits_off(cluster: &Cluster, mode: &Cluster) -> bool {
+    const DEVIATIONS: f64 = 3.0; // two estimates of one number lie so near in 99.7 % of cases
+    const ALIKE: f64 = 0.8; // shapes of distinct modes, a handful of sensors: rarely above
+    let (Some(a), Some(b)) = (&cluster.deviation, &mode.deviation) else {
+        return false;
+    };
+    let apart = (cluster.medoid.frequency_hz - mode.medoid.frequency_hz).abs();
+    mode.fate == Fate::Mode
+        && apart <= DEVIATIONS * a.frequency_sd_hz.hypot(b.frequency_sd_hz)
+        && assurance(&cluster.medoid.shape, &mode.medoid.shape) >= ALIKE
+}
+
+struct Neighbour {
+    index: usize,
+    distance: f64,
+}
+
+/// Greedy medoids, those with most orders first; `fate` is `FewOrders` for all.
+fn group(poles: &[&Pole], options: &Clustering) -> Vec<Cluster> {
+    let near: Vec<Vec<Neighbour>> = poles
+        .iter()
+        .map(|p| neighbours(p, poles, options.distance_most))
+        .collect();
+    let mut free = vec![true; poles.len()];
+    let mut found = Vec::new();
+    loop {
+        let best = (0..poles.len())
+            .filter(|&i| free[i])
+            .map(|i| {
+                let members = one_an_order(&near[i], poles, &free);
+                let mean = members.iter().map(|m| m.distance).sum::<f64>() / members.len().max(1) as f64;
+                (i, members.len(), mean)
+            })
+            .reduce(|a, b| if (b.1, -b.2) > (a.1, -a.2) { b } else { a });
+        let Some((medoid, ..)) = best else { break };
+        let members = one_an_order(&near[medoid], poles, &free);
+        for n in &near[medoid] {
+            free[n.index] = false;
+        }
+        free[medoid] = false;
+        let of = |value: fn(&Pole) -> f64| spread(members.iter().map(|m| value(poles[m.index])));
+        found.push(Cluster {
+            medoid: poles[medoid].clone(),
+            deviation: None,
+            orders: members.iter().map(|m| poles[m.index].order).collect(),
+            frequency_spread_hz: of(|p| p.frequency_hz),
+            damping_ratio_spread: of(|p| p.damping_ratio),
+            fate: Fate::FewOrders,
+        });
+    }
+    found
+}
+
+fn neighbours(pole: &Pole, poles: &[&Pole], most: f64) -> Vec<Neighbour> {
+    let root = pole.root_hz();
+    let mut near = Vec::new();
+    for (index, other) in poles.iter().enumerate() {
+        let apart = (other.root_hz() - root).norm() / root.norm();
+        if apart <= most {
+            let distance = apart + 1.0 - assurance(&pole.shape, &other.shape);
+            if distance <= most {
+                near.push(Neighbour { index, distance });
+            }
+        }
+    }
+    near
+}
+
+/// Of each order the nearest free neighbour; neighbours come by ascending order.
+fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&Pole], free: &[bool]) -> Vec<&'a Neighbour> {
+    let mut members: Vec<&Neighbour> = Vec::new();
+    for n in near.iter().filter(|n| free[n.index]) {
+        match members.last_mut() {
+            Some(last) if poles[last.index].order == poles[n.index].order => {
+                if n.distance < last.distance {
+                    *last = n;
+                }
+            }
+            _ => members.push(n),
+        }
+    }
+    members
+}
+
+fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
+    let n = values.clone().count().max(1) as f64;
+    let mean = values.clone().sum::<f64>() / n;
+    (values.map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt()
+}

@@ -1,0 +1,380 @@
+//! From a record to its modes: block rows, decimation, order and modes chosen from the data, and every choice told.
+
+use super::clusters::{Cluster, Clustering, Fate, clusters};
+use super::correlations::CLEAN_SHARE;
+use super::fdd::{Fdd, SingularSpectrum, fdd};
+use super::ssi_cov::{SsiCov, Subspace, ssi_cov};
+use super::stabilization::{Criteria, Stabilization, stabilize};
+use super::{Method, ModalError, Mode, Modes};
+use crate::signal::Record;
+
+/// Periods of the lowest mode that the lags reach over, 2 br of them: half of this is the least of theory. Longer
+/// lags tell close modes apart; much longer ones hold noise alone.
+const PERIODS_REACHED: f64 = 3.0;
+/// Hankel matrices of more rows take seconds and show no more.
+const HANKEL_ROWS_MOST: usize = 900;
+/// Range above the highest peak that is kept free of aliases.
+const RANGE_ABOVE_PEAK: f64 = 1.3;
+/// Highest model order without a wish.
+const ORDER_MOST: usize = 60;
+
+/// Options of [`identify`]. The defaults serve every record this chapter was measured on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identify {
+    /// Lowest frequency of interest, Hz; `None` (default): the lowest peak of the spectrum decides.
+    pub frequency_low_hz: Option<f64>,
+    /// Highest frequency of interest, Hz; `None` (default): the highest peak of the spectrum decides.
+    pub frequency_high_hz: Option<f64>,
+    /// Block rows; `None` (default): from the lowest frequency.
+    pub block_rows: Option<usize>,
+    /// Decimation of the correlations; `None` (default): from the highest frequency; `Some(1)`: none.
+    pub decimation: Option<usize>,
+    /// Highest model order; `None` (default): 60, less if the block rows allow no more.
+    pub order_most: Option<usize>,
+    /// Blocks of time for the standard deviations; default 30.
+    pub time_blocks: usize,
+    /// Modes that must be found; `None` (default): as many as there are.
+    pub modes_wanted: Option<usize>,
+    /// The spectrum that is looked at first.
+    pub fdd: Fdd,
+    /// What a pole must fulfil; its frequency range is narrowed to the one chosen.
+    pub criteria: Criteria,
+    /// How poles become modes.
+    pub clustering: Clustering,
+}
+
+impl Default for Identify {
+    fn default() -> Self {
+        Identify {
+            frequency_low_hz: None,
+            frequency_high_hz: None,
+            block_rows: None,
+            decimation: None,
+            order_most: None,
+            time_blocks: 30,
+            modes_wanted: None,
+            fdd: Fdd::default(),
+            criteria: Criteria::default(),
+            clustering: Clustering::default(),
+        }
+    }
+}
+
+/// What was chosen from the data, and from what.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Lowest peak of the spectrum (or lowest frequency asked), Hz: the block rows reach over its period.
+    pub lowest_hz: f64,
+    /// Highest peak of the spectrum (or highest frequency asked), Hz: the decimation keeps it.
+    pub highest_hz: f64,
+    /// Samples before over samples after the low-pass filter of the correlations.
+    pub decimation: usize,
+    /// Sampling rate after decimation, Hz.
+    pub sampling_rate_hz: f64,
+    /// Block rows.
+    pub block_rows: usize,
+    /// Least block rows for the lowest frequency: half a period.
+    pub block_rows_least: usize,
+    /// Highest model order.
+    pub order_most: usize,
+    /// Blocks of time.
+    pub time_blocks: usize,
+    /// Range in which modes are accepted, Hz.
+    pub range_hz: [f64; 2],
+}
+
+/// What must be known beside the modes.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Note {
+    /// The block rows are fewer than wished, so as to keep the matrices in bounds.
+    BlockRowsBounded {
+        /// Wished.
+        wished: usize,
+        /// Taken.
+        taken: usize,
+    },
+    /// A peak of the spectrum at which no stable mode was found.
+    PeakWithoutMode {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Its prominence, dB.
+        prominence_db: f64,
+    },
+    /// A mode seen for so few cycles that its damping ratio is hardly known.
+    FewCycles {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Long-record floor of the relative standard deviation of its damping ratio.
+        damping_floor: f64,
+    },
+}
+
+impl std::fmt::Display for Note {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Note::BlockRowsBounded { wished, taken } => write!(
+                f,
+                "{taken} block rows instead of {wished}, to keep the Hankel matrix below {HANKEL_ROWS_MOST} rows: modes \
+                 that lie close together are told apart less well"
+            ),
+            Note::PeakWithoutMode {
+                frequency_hz,
+                prominence_db,
+            } => write!(
+                f,
+                "the spectrum has a peak of {prominence_db:.0} dB at {frequency_hz:.3} Hz that no stable mode explains: a \
+                 machine, or a mode too weak or too short in the record"
+            ),
+            Note::FewCycles {
+                frequency_hz,
+                damping_floor,
+            } => write!(
+                f,
+                "the mode at {frequency_hz:.3} Hz was seen for so few cycles that its damping ratio cannot be known better \
+                 than ± {:.0} %",
+                100.0 * damping_floor
+            ),
+        }
+    }
+}
+
+/// The modes of a record and everything needed to draw, to doubt and to repeat them.
+#[derive(Clone, Debug)]
+pub struct ModalAnalysis {
+    /// The modes, by frequency.
+    pub modes: Modes,
+    /// Singular values of the spectral matrix over frequency.
+    pub spectrum: SingularSpectrum,
+    /// Peaks of the spectrum as modes: a second opinion on frequency and shape.
+    pub fdd_modes: Modes,
+    /// Every pole with its verdict.
+    pub stabilization: Stabilization,
+    /// Every cluster of poles with its fate; those with `Fate::Mode` are the modes, in order.
+    pub clusters: Vec<Cluster>,
+    /// Singular values of the Hankel matrix, descending.
+    pub hankel_singular_values: Vec<f64>,
+    /// What was chosen from the data.
+    pub settings: Settings,
+    /// What must be known beside the modes.
+    pub notes: Vec<Note>,
+}
+
+/// Modes of an ambient record, found without a hand on it: spectrum, SSI-cov of all orders, clusters.
+///
+/// The lowest and the highest peak of the spectrum decide how far the correlations reach and how much they are
+/// decimated; [`Settings`] tells. Two passes over the record: one of long lags for the spectrum, one for SSI.
+///
+/// # Errors
+/// [`ModalError::DeadChannel`], [`ModalError::DuplicateChannels`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
+/// [`ModalError::Order`], [`ModalError::ModesWanted`], [`ModalError::ModesMissing`], [`ModalError::TooShort`],
+/// [`ModalError::Option`], [`ModalError::Linalg`].
+///
+/// # Example
+/// ```
+/// use dolmen::modal::{Identify, ReferenceCase, identify};
+/// let record = ReferenceCase::ShearChain.made(1)?.make()?;
+/// let found = identify(&record, &Identify::default())?;
+/// assert_eq!(found.modes.modes.len(), 2);
+/// let first = &found.modes.modes[0];
+/// assert!((first.frequency_hz - 1.1).abs() < 4.0 * first.frequency_sd_hz.unwrap_or(0.0));
+/// # Ok::<(), dolmen::modal::ModalError>(())
+/// ```
+pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
+    refuse_faulty_channels(record)?;
+    let peaks = fdd(
+        record,
+        &Fdd {
+            frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
+            frequency_high_hz: options.frequency_high_hz.or(options.fdd.frequency_high_hz),
+            ..options.fdd.clone()
+        },
+    )?;
+    let mut notes = Vec::new();
+    let settings = choose(record, options, &peaks.modes, &mut notes)?;
+    let subspace = ssi_cov(
+        record,
+        &SsiCov {
+            block_rows: settings.block_rows,
+            order_most: settings.order_most,
+            decimation: settings.decimation,
+            time_blocks: settings.time_blocks,
+        },
+    )?;
+    let stabilization = stabilize(
+        &subspace.poles,
+        &Criteria {
+            frequency_low_hz: options.criteria.frequency_low_hz.max(settings.range_hz[0]),
+            frequency_high_hz: options.criteria.frequency_high_hz.min(settings.range_hz[1]),
+            ..options.criteria.clone()
+        },
+    );
+    let clusters = clusters(
+        &subspace,
+        &stabilization,
+        record.duration_s(),
+        &options.clustering,
+    )?;
+    let modes = modes_of(record, &clusters);
+    wanted(options, &modes)?;
+    remark(&modes, &peaks.modes, &peaks.spectrum.prominence_db, &mut notes);
+    let Subspace { singular_values, .. } = subspace;
+    Ok(ModalAnalysis {
+        modes,
+        spectrum: peaks.spectrum,
+        fdd_modes: peaks.modes,
+        stabilization,
+        clusters,
+        hankel_singular_values: singular_values,
+        settings,
+        notes,
+    })
+}
+
+fn refuse_faulty_channels(record: &Record) -> Result<(), ModalError> {
+    let channels = record.channels();
+    for (c, channel) in channels.iter().enumerate() {
+        let samples = record.samples(c);
+        if samples.iter().all(|x| *x == samples[0]) {
+            return Err(ModalError::DeadChannel {
+                channel: channel.name.clone(),
+            });
+        }
+        if let Some(twin) = (0..c).find(|&other| record.samples(other) == samples) {
+            return Err(ModalError::DuplicateChannels {
+                first: channels[twin].name.clone(),
+                second: channel.name.clone(),
+            });
+        }
+    }
+    Ok(())
+}
+
+fn choose(
+    record: &Record,
+    options: &Identify,
+    peaks: &Modes,
+    notes: &mut Vec<Note>,
+) -> Result<Settings, ModalError> {
+    let (l, rate_hz) = (record.channels().len(), record.sampling_rate_hz());
+    let peak = |mode: Option<&Mode>, asked: Option<f64>| {
+        asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
+            prominence_db: options.fdd.prominence_db,
+            low_hz: options.frequency_low_hz.unwrap_or(0.0),
+            high_hz: options.frequency_high_hz.unwrap_or(0.5 * rate_hz),
+        })
+    };
+    let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
+    let highest_hz = peak(peaks.modes.last(), options.frequency_high_hz)?;
+    let free = 0.5 * CLEAN_SHARE * rate_hz / (RANGE_ABOVE_PEAK * highest_hz);
+    let decimation = options.decimation.unwrap_or((free as usize).max(1));
+    let sampling_rate_hz = rate_hz / decimation as f64;
+    let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
+    let wished = ((0.5 * PERIODS_REACHED * sampling_rate_hz / lowest_hz).ceil() as usize)
+        .max(ORDER_MOST.div_ceil(l) + 1);
+    let block_rows = options.block_rows.unwrap_or_else(|| {
+        let taken = wished.min((HANKEL_ROWS_MOST / l).max(block_rows_least));
+        if taken < wished {
+            notes.push(Note::BlockRowsBounded { wished, taken });
+        }
+        taken
+    });
+    if block_rows < block_rows_least {
+        return Err(ModalError::BlockRows {
+            given: block_rows,
+            least: block_rows_least,
+            frequency_hz: lowest_hz,
+            sampling_rate_hz,
+        });
+    }
+    let order_most = options
+        .order_most
+        .unwrap_or(ORDER_MOST.min(l * (block_rows.max(2) - 1) / 2 * 2));
+    if let Some(given) = options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
+        return Err(ModalError::ModesWanted {
+            given,
+            order_most,
+            most: order_most / 2,
+        });
+    }
+    let clean_hz = if decimation > 1 {
+        0.5 * CLEAN_SHARE * sampling_rate_hz
+    } else {
+        0.5 * rate_hz
+    };
+    // below the least the block rows reach over less than half a period
+    let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
+    Ok(Settings {
+        lowest_hz,
+        highest_hz,
+        decimation,
+        sampling_rate_hz,
+        block_rows,
+        block_rows_least,
+        order_most,
+        time_blocks: options.time_blocks,
+        range_hz: [
+            options.frequency_low_hz.unwrap_or(0.0).max(seen_hz),
+            options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
+        ],
+    })
+}
+
+fn modes_of(record: &Record, clusters: &[Cluster]) -> Modes {
+    let modes = clusters
+        .iter()
+        .filter(|c| c.fate == Fate::Mode)
+        .map(|c| Mode {
+            frequency_hz: c.medoid.frequency_hz,
+            frequency_sd_hz: c.deviation.as_ref().map(|d| d.frequency_sd_hz),
+            damping_ratio: Some(c.medoid.damping_ratio),
+            damping_ratio_sd: c.deviation.as_ref().map(|d| d.damping_ratio_sd),
+            shape: c.medoid.shape.clone(),
+            shape_sd: c.deviation.as_ref().map(|d| d.shape_sd.clone()),
+            phase_collinearity: c.medoid.phase_collinearity,
+            cycles: c.medoid.frequency_hz * record.duration_s(),
+            orders: c.orders.clone(),
+        })
+        .collect();
+    Modes {
+        modes,
+        channels: record.channels().to_vec(),
+        method: Method::SsiCov,
+        duration_s: record.duration_s(),
+        history: record.history().to_vec(),
+    }
+}
+
+fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
+    match options.modes_wanted {
+        Some(given) if given > modes.modes.len() => Err(ModalError::ModesMissing {
+            given,
+            found: modes.modes.len(),
+            found_hz: modes.modes.iter().map(|m| m.frequency_hz).collect(),
+        }),
+        _ => Ok(()),
+    }
+}
+
+fn remark(modes: &Modes, peaks: &Modes, prominence_db: &[f64], notes: &mut Vec<Note>) {
+    const NEAR: f64 = 0.03; // relative; a line of the spectrum lies so near its mode
+    const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
+    for (peak, &prominence_db) in peaks.modes.iter().zip(prominence_db) {
+        let explained = |m: &Mode| (m.frequency_hz / peak.frequency_hz - 1.0).abs() <= NEAR;
+        if !modes.modes.iter().any(explained) {
+            notes.push(Note::PeakWithoutMode {
+                frequency_hz: peak.frequency_hz,
+                prominence_db,
+            });
+        }
+    }
+    for mode in &modes.modes {
+        let damping_floor = mode.damping_floor();
+        if damping_floor > DAMPING_FLOOR {
+            notes.push(Note::FewCycles {
+                frequency_hz: mode.frequency_hz,
+                damping_floor,
+            });
+        }
+    }
+}

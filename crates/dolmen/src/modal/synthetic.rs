@@ -1,0 +1,283 @@
+//! Made ambient records whose poles are known exactly: what every method of this chapter is measured against.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | q, q̇ | `q`, `v` | modal coordinate and its velocity | m, m/s |
+//! | ω, ζ | `omega`, `zeta` | natural frequency, damping ratio | rad/s, - |
+//! | p | `p` | white modal force per modal mass, held over one sample | m/s² |
+
+use super::ModalError;
+use crate::numeric::Random;
+use crate::signal::{Channel, Quantity, Record};
+use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
+use std::f64::consts::PI;
+
+/// Decay times that pass before the first sample is kept: e⁻⁸ = 0.03 % of the start is left.
+const DECAYS_BEFORE_START: f64 = 8.0;
+
+/// One mode of a made record, exact.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MadeMode {
+    /// Natural (undamped) frequency, Hz, below half the sampling rate.
+    pub frequency_hz: f64,
+    /// Damping ratio, between 0 and 1.
+    pub damping_ratio: f64,
+    /// One component a channel.
+    pub shape: Vec<f64>,
+}
+
+/// How to make an ambient record.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MadeRecord {
+    /// The modes: all shapes equally long.
+    pub modes: Vec<MadeMode>,
+    /// Duration, s.
+    pub duration_s: f64,
+    /// Samples a second, Hz.
+    pub sampling_rate_hz: f64,
+    /// What the channels measure; default acceleration (`Unknown` makes acceleration).
+    pub quantity: Quantity,
+    /// Standard deviation of the white sensor noise over that of the channel's motion; default 0.1 (20 dB).
+    pub noise_ratio: f64,
+    /// Seed: one seed, one record.
+    pub seed: u64,
+}
+
+impl Default for MadeRecord {
+    fn default() -> Self {
+        MadeRecord {
+            modes: Vec::new(),
+            duration_s: 600.0,
+            sampling_rate_hz: 100.0,
+            quantity: Quantity::Acceleration,
+            noise_ratio: 0.1,
+            seed: 0,
+        }
+    }
+}
+
+impl MadeRecord {
+    /// The record: each mode a single degree of freedom under its own white force, plus white sensor noise.
+    ///
+    /// ```text
+    /// q̈ + 2ζω q̇ + ω² q = p,   p constant over each sample:   [q v]ₖ₊₁ = Ad [q v]ₖ + Bd pₖ   exact (zero-order hold)
+    /// yₖ = Σ φ x + noise,      x = q, v, or p - 2ζω v - ω² q     shape: channels × 1
+    /// ```
+    ///
+    /// # Errors
+    /// [`ModalError::MadeMode`] for a mode that cannot be made; [`ModalError::Record`] if there is nothing to record.
+    ///
+    /// # Example
+    /// ```
+    /// use dolmen::modal::{MadeMode, MadeRecord};
+    /// let mode = MadeMode { frequency_hz: 2.0, damping_ratio: 0.01, shape: vec![1.0, -0.5] };
+    /// let record = MadeRecord { modes: vec![mode], duration_s: 60.0, ..Default::default() }.make()?;
+    /// assert_eq!((record.channels().len(), record.length()), (2, 6000));
+    /// # Ok::<(), dolmen::modal::ModalError>(())
+    /// ```
+    pub fn make(&self) -> Result<Record, ModalError> {
+        let channels = self.modes.first().map_or(0, |m| m.shape.len());
+        for (mode, made) in self.modes.iter().enumerate() {
+            let nyquist_hz = 0.5 * self.sampling_rate_hz;
+            let frequency = made.frequency_hz > 0.0 && made.frequency_hz < nyquist_hz;
+            let damping = made.damping_ratio > 0.0 && made.damping_ratio < 1.0;
+            let shape = made.shape.len() == channels && made.shape.iter().all(|x| x.is_finite());
+            if !(frequency && damping && shape) {
+                return Err(ModalError::MadeMode {
+                    mode,
+                    frequency_hz: made.frequency_hz,
+                    damping_ratio: made.damping_ratio,
+                    nyquist_hz,
+                });
+            }
+        }
+        let length = (self.duration_s * self.sampling_rate_hz).round() as usize;
+        let mut samples = vec![0.0; channels * length];
+        for (index, mode) in self.modes.iter().enumerate() {
+            let motion = self.motion(mode, Random::new(self.seed, index as u64), length);
+            for (channel, phi) in samples.chunks_exact_mut(length.max(1)).zip(&mode.shape) {
+                for (y, x) in channel.iter_mut().zip(&motion) {
+                    *y += phi * x;
+                }
+            }
+        }
+        for (c, channel) in samples.chunks_exact_mut(length.max(1)).enumerate() {
+            let mut random = Random::new(self.seed, (self.modes.len() + c) as u64);
+            let power = channel.iter().map(|y| y * y).sum::<f64>() / length as f64;
+            let sd = self.noise_ratio * power.sqrt();
+            for y in channel {
+                *y += sd * random.normal();
+            }
+        }
+        let named = (0..channels).map(|c| Channel {
+            quantity: match self.quantity {
+                Quantity::Unknown => Quantity::Acceleration,
+                known => known,
+            },
+            ..Channel::named(format!("made {}", c + 1))
+        });
+        Ok(Record::from_contiguous(
+            named.collect(),
+            samples,
+            self.sampling_rate_hz,
+        )?)
+    }
+
+    fn motion(&self, mode: &MadeMode, mut random: Random, length: usize) -> Vec<f64> {
+        let (omega, zeta) = (2.0 * PI * mode.frequency_hz, mode.damping_ratio);
+        let dt = 1.0 / self.sampling_rate_hz;
+        let omega_d = omega * (1.0 - zeta * zeta).sqrt();
+        let decay = (-zeta * omega * dt).exp();
+        let (s, c) = (omega_d * dt).sin_cos();
+        let (s, c) = (decay * s / omega_d, decay * c);
+        // Ad = e^(A dt), Bd = (1/ω²) (x_static - Ad x_static) with x_static = [1 0]
+        let ad = [
+            [c + zeta * omega * s, s],
+            [-omega * omega * s, c - zeta * omega * s],
+        ];
+        let bd = [(1.0 - ad[0][0]) / (omega * omega), -ad[1][0] / (omega * omega)];
+        let before = (DECAYS_BEFORE_START / (zeta * omega * dt)).ceil() as usize;
+        let (mut q, mut v) = (0.0, 0.0);
+        let mut motion = Vec::with_capacity(length);
+        for k in 0..before + length {
+            let p = random.normal();
+            if k >= before {
+                motion.push(match self.quantity {
+                    Quantity::Displacement => q,
+                    Quantity::Velocity => v,
+                    Quantity::Acceleration | Quantity::Unknown => {
+                        p - 2.0 * zeta * omega * v - omega * omega * q
+                    }
+                });
+            }
+            (q, v) = (
+                ad[0][0] * q + ad[0][1] * v + bd[0] * p,
+                ad[1][0] * q + ad[1][1] * v + bd[1] * p,
+            );
+        }
+        motion
+    }
+}
+
+/// Buildings whose made records this chapter is measured on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReferenceCase {
+    /// Two floors, 1.1 and 4.2 Hz, ζ 2 %: 2 channels × 10 min × 100 Hz.
+    ShearChain,
+    /// Four floors × (x, y), y 4 % stiffer so that modes come in pairs 2 % apart, axes turned by 30°, f1 1.5 Hz,
+    /// ζ 1 %: 8 channels × 10 min × 100 Hz.
+    ClosePairs,
+    /// Four floors × (x, y, turn) with the centre of mass off the centre of stiffness, f1 1.2 Hz, ζ 1.2 %, three
+    /// sensors a floor at two corners: 12 channels × 1 h × 200 Hz.
+    Twisting,
+}
+
+impl ReferenceCase {
+    /// What to make: `made.make()` gives the record, `made.modes` the truth.
+    ///
+    /// # Errors
+    /// [`ModalError::Linalg`], which these fixed buildings do not raise.
+    pub fn made(self, seed: u64) -> Result<MadeRecord, ModalError> {
+        Ok(match self {
+            ReferenceCase::ShearChain => MadeRecord {
+                modes: [(1.1, [0.5, 1.0]), (4.2, [1.0, -0.5])]
+                    .map(|(frequency_hz, shape)| MadeMode {
+                        frequency_hz,
+                        damping_ratio: 0.02,
+                        shape: shape.to_vec(),
+                    })
+                    .to_vec(),
+                seed,
+                ..Default::default()
+            },
+            ReferenceCase::ClosePairs => MadeRecord {
+                modes: close_pairs()?,
+                seed,
+                ..Default::default()
+            },
+            ReferenceCase::Twisting => MadeRecord {
+                modes: twisting()?,
+                duration_s: 3600.0,
+                sampling_rate_hz: 200.0,
+                seed,
+                ..Default::default()
+            },
+        })
+    }
+}
+
+const FLOORS: usize = 4;
+/// Storey stiffness from the ground up, relative.
+const STOREYS: [f64; FLOORS] = [1.0, 1.0 - 0.4 / 3.0, 1.0 - 0.8 / 3.0, 0.6];
+
+fn shear_stiffness(i: usize, j: usize) -> f64 {
+    let above = |k: usize| STOREYS.get(k + 1).copied().unwrap_or(0.0);
+    match i.abs_diff(j) {
+        0 => STOREYS[i] + above(i),
+        1 => -STOREYS[i.max(j)],
+        _ => 0.0,
+    }
+}
+
+/// Modes of K with unit masses, first frequency `first_hz`, seen by sensors that read `sensors` × coordinates.
+fn modes_of(
+    k: &Matrix,
+    sensors: &Matrix,
+    first_hz: f64,
+    damping_ratio: f64,
+) -> Result<Vec<MadeMode>, ModalError> {
+    let e = generalized_symmetric_eigen(k, &Matrix::identity(k.rows()))?;
+    let scale = first_hz / e.values[0].sqrt();
+    Ok((0..k.rows())
+        .map(|j| MadeMode {
+            frequency_hz: scale * e.values[j].sqrt(),
+            damping_ratio,
+            shape: sensors.times(e.vectors.column(j)),
+        })
+        .collect())
+}
+
+fn close_pairs() -> Result<Vec<MadeMode>, ModalError> {
+    const STIFFER_Y: f64 = 1.04;
+    let (s, c) = (PI / 6.0).sin_cos();
+    let k = Matrix::from_fn(2 * FLOORS, 2 * FLOORS, |i, j| {
+        let factor = if i % 2 == 1 { STIFFER_Y } else { 1.0 };
+        if i % 2 == j % 2 {
+            factor * shear_stiffness(i / 2, j / 2)
+        } else {
+            0.0
+        }
+    });
+    let turned = Matrix::from_fn(2 * FLOORS, 2 * FLOORS, |i, j| {
+        match (i / 2 == j / 2, i % 2, j % 2) {
+            (false, ..) => 0.0,
+            (true, 0, 0) | (true, 1, 1) => c,
+            (true, 0, _) => -s,
+            (true, ..) => s,
+        }
+    });
+    modes_of(&k, &turned, 1.5, 0.01)
+}
+
+fn twisting() -> Result<Vec<MadeMode>, ModalError> {
+    // lengths in radii of gyration, so that each coordinate (x, y, turn × radius) has unit mass
+    const STIFFER_Y: f64 = 1.04;
+    const TWIST: f64 = 1.5; // twisting over sway stiffness: uncoupled frequencies 22 % apart
+    const OFF_CENTRE: [f64; 2] = [0.12, 0.06];
+    const CORNER: f64 = 1.2; // half the side of a square floor: 1.22 radii of gyration
+    let [ex, ey] = OFF_CENTRE;
+    let storey = [
+        [1.0, 0.0, -ey],
+        [0.0, STIFFER_Y, STIFFER_Y * ex],
+        [-ey, STIFFER_Y * ex, TWIST],
+    ];
+    let sensor = [[1.0, 0.0, CORNER], [0.0, 1.0, CORNER], [0.0, 1.0, -CORNER]];
+    let n = 3 * FLOORS;
+    let k = Matrix::from_fn(n, n, |i, j| storey[i % 3][j % 3] * shear_stiffness(i / 3, j / 3));
+    let sensors = Matrix::from_fn(
+        n,
+        n,
+        |i, j| if i / 3 == j / 3 { sensor[i % 3][j % 3] } else { 0.0 },
+    );
+    modes_of(&k, &sensors, 1.2, 0.012)
+}
