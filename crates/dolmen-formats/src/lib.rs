@@ -7,6 +7,7 @@ pub mod json;
 mod language;
 pub mod number;
 pub mod project;
+pub mod records;
 pub mod report;
 pub mod text;
 

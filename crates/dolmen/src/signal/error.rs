@@ -44,4 +44,139 @@ pub enum SignalError {
         /// The value found.
         value: f64,
     },
+    /// A sample is so large that it is no measurement, and sums of its squares would overflow.
+    #[error(
+        "channel \"{channel}\" holds {value} at sample {sample} (t = {time_s} s), but no sample may be above {most}: \
+         an over-range mark of the logger? cut it away, or leave the channel out"
+    )]
+    TooLarge {
+        /// Name of the channel.
+        channel: String,
+        /// Index of the sample, from 0.
+        sample: usize,
+        /// Its time from the start, s.
+        time_s: f64,
+        /// The value found.
+        value: f64,
+        /// The largest allowed.
+        most: f64,
+    },
+    /// Not one description to each series of samples.
+    #[error(
+        "{channels} channels are described, but {series} series of samples are given: give one description to each"
+    )]
+    ChannelCount {
+        /// Channels described.
+        channels: usize,
+        /// Series given.
+        series: usize,
+    },
+    /// Two channels have one name.
+    #[error(
+        "channels {first} and {second} (counted from 1) are both named \"{name}\": give each its own name"
+    )]
+    SameName {
+        /// The name.
+        name: String,
+        /// First channel of that name, counted from 1.
+        first: usize,
+        /// Second channel of that name, counted from 1.
+        second: usize,
+    },
+    /// A channel is named that the record does not have.
+    #[error("there is no channel \"{given}\"; the record has {}", .names.join(", "))]
+    UnknownChannel {
+        /// The name asked for.
+        given: String,
+        /// The names there are.
+        names: Vec<String>,
+    },
+    /// Every channel was to be left out.
+    #[error("all {channels} channels were to be left out, but at least 1 must stay")]
+    NothingLeft {
+        /// Channels of the record.
+        channels: usize,
+    },
+    /// The part of the time to be kept is empty or not within the record.
+    #[error(
+        "the cut from {from_s} s to {to_s} s is refused: it must go forwards, hold at least 2 samples ({least_s} s) \
+         and lie within the record, 0 to {duration_s} s"
+    )]
+    Cut {
+        /// Start asked for, s.
+        from_s: f64,
+        /// End asked for, s.
+        to_s: f64,
+        /// Two sampling intervals, s.
+        least_s: f64,
+        /// Duration of the record, s.
+        duration_s: f64,
+    },
+    /// A corner frequency is not between zero and the Nyquist frequency.
+    #[error(
+        "{argument} is {given} Hz, but must lie above 0 and below the Nyquist frequency {nyquist_hz} Hz (half the \
+         sampling rate): lower it, or leave the filter out"
+    )]
+    Corner {
+        /// The argument.
+        argument: &'static str,
+        /// Its value, Hz.
+        given: f64,
+        /// Half the sampling rate, Hz.
+        nyquist_hz: f64,
+    },
+    /// The lower corner of a band-pass is not below the upper.
+    #[error(
+        "low_hz is {low_hz} Hz and high_hz is {high_hz} Hz, but low_hz must be the lower one: exchange them"
+    )]
+    Band {
+        /// Lower corner given, Hz.
+        low_hz: f64,
+        /// Upper corner given, Hz.
+        high_hz: f64,
+    },
+    /// The order of a filter is out of range.
+    #[error("order is {given}, but must be 1 to {most}: 4 is usual")]
+    FilterOrder {
+        /// The order given.
+        given: usize,
+        /// The highest allowed.
+        most: usize,
+    },
+    /// The filter rings longer than the record lasts.
+    #[error(
+        "the record lasts {duration_s} s, but the {filter} filter rings for {ringing_s:.3} s at each end: take a \
+         longer record, or a corner further from 0 Hz"
+    )]
+    TooShortForFilter {
+        /// Which filter: "low-pass", "band-pass", "anti-alias".
+        filter: &'static str,
+        /// Duration of the record, s.
+        duration_s: f64,
+        /// Time until the filter has come to rest, s.
+        ringing_s: f64,
+    },
+    /// The decimation factor is out of range.
+    #[error(
+        "the decimation factor is {given}, but must be 2 to {most} (at least 2 samples of {length} must be left): \
+         leave decimation out, or lower the factor"
+    )]
+    Factor {
+        /// The factor given.
+        given: usize,
+        /// The largest allowed.
+        most: usize,
+        /// Samples of the record.
+        length: usize,
+    },
+    /// The segments of a spectrum are too short, or longer than the record.
+    #[error("segment_length is {given}, but must be {least} to {most} samples, the length of the record")]
+    SegmentLength {
+        /// Samples asked for.
+        given: usize,
+        /// Fewest samples of which a spectrum can be made.
+        least: usize,
+        /// Samples of the record.
+        most: usize,
+    },
 }

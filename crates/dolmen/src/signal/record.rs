@@ -2,6 +2,9 @@
 
 use super::SignalError;
 
+/// No instrument yields more in any unit, and the sum of squares of any record within it is finite. Chosen here.
+const SAMPLE_MOST: f64 = 1e100;
+
 /// What a channel measures. Samples are in SI units of it (m/s², m/s, m), or in counts if the unit is not known.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
@@ -105,13 +108,20 @@ impl Record {
     /// A record from one vector of samples a channel.
     ///
     /// # Errors
-    /// [`SignalError::Empty`], [`SignalError::Ragged`], [`SignalError::SamplingRate`], [`SignalError::NotFinite`].
+    /// [`SignalError::Empty`], [`SignalError::Ragged`], [`SignalError::SameName`], [`SignalError::SamplingRate`],
+    /// [`SignalError::NotFinite`], [`SignalError::TooLarge`].
     pub fn new(
         channels: Vec<Channel>,
         samples: Vec<Vec<f64>>,
         sampling_rate_hz: f64,
     ) -> Result<Self, SignalError> {
         let first = samples.first().map_or(0, Vec::len);
+        if channels.len() != samples.len() {
+            return Err(SignalError::ChannelCount {
+                channels: channels.len(),
+                series: samples.len(),
+            });
+        }
         if let Some((channel, odd)) = channels.iter().zip(&samples).find(|(_, s)| s.len() != first) {
             return Err(SignalError::Ragged {
                 channel: channel.name.clone(),
@@ -138,18 +148,38 @@ impl Record {
                 samples: length,
             });
         }
+        for (j, channel) in channels.iter().enumerate() {
+            if let Some(i) = channels[..j].iter().position(|c| c.name == channel.name) {
+                return Err(SignalError::SameName {
+                    name: channel.name.clone(),
+                    first: i + 1,
+                    second: j + 1,
+                });
+            }
+        }
         if !(sampling_rate_hz > 0.0 && sampling_rate_hz.is_finite()) {
             return Err(SignalError::SamplingRate {
                 given: sampling_rate_hz,
             });
         }
-        if let Some(at) = samples.iter().position(|x| !x.is_finite()) {
-            let sample = at % length;
-            return Err(SignalError::NotFinite {
-                channel: channels[at / length].name.clone(),
-                sample,
-                time_s: sample as f64 / sampling_rate_hz,
-                value: samples[at],
+        if let Some(at) = samples.iter().position(|x| x.is_nan() || x.abs() > SAMPLE_MOST) {
+            let (channel, sample, value) = (channels[at / length].name.clone(), at % length, samples[at]);
+            let time_s = sample as f64 / sampling_rate_hz;
+            return Err(if value.is_finite() {
+                SignalError::TooLarge {
+                    channel,
+                    sample,
+                    time_s,
+                    value,
+                    most: SAMPLE_MOST,
+                }
+            } else {
+                SignalError::NotFinite {
+                    channel,
+                    sample,
+                    time_s,
+                    value,
+                }
             });
         }
         Ok(Record {
@@ -189,5 +219,117 @@ impl Record {
     /// What was done to it since it was measured, oldest first.
     pub fn history(&self) -> &[Processing] {
         &self.history
+    }
+
+    /// Writes a step into the history. Readers begin it with [`Processing::Read`]; what conditions a record in this
+    /// crate writes its own step.
+    pub fn note(&mut self, step: Processing) {
+        self.history.push(step);
+    }
+
+    /// Samples of one channel, to be changed in place.
+    pub(super) fn samples_mut(&mut self, channel: usize) -> &mut [f64] {
+        &mut self.samples[channel * self.length..(channel + 1) * self.length]
+    }
+
+    /// Keeps the channels for which `keep` is true, moving samples within the memory held.
+    pub(super) fn retain_channels(&mut self, keep: impl Fn(&Channel) -> bool) {
+        let mut kept = 0;
+        for channel in 0..self.channels.len() {
+            if keep(&self.channels[channel]) {
+                let from = channel * self.length;
+                self.samples
+                    .copy_within(from..from + self.length, kept * self.length);
+                kept += 1;
+            }
+        }
+        self.channels.retain(keep);
+        self.samples.truncate(kept * self.length);
+        self.samples.shrink_to_fit();
+    }
+
+    /// Keeps samples `start`, `start + step`, … of each channel, `length` of them, moving them within the memory held.
+    pub(super) fn retain_samples(&mut self, start: usize, step: usize, length: usize) {
+        let mut kept = 0; // never overtakes `from`: what is read has not been written over
+        for channel in 0..self.channels.len() {
+            let from = channel * self.length + start;
+            for i in 0..length {
+                self.samples[kept] = self.samples[from + i * step];
+                kept += 1;
+            }
+        }
+        self.samples.truncate(kept);
+        self.samples.shrink_to_fit();
+        self.length = length;
+        self.sampling_rate_hz /= step as f64;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(names: &[&str]) -> Vec<Channel> {
+        names.iter().map(|&n| Channel::named(n)).collect()
+    }
+
+    #[test]
+    fn refuses_a_sample_that_is_not_a_number_and_says_where() {
+        let fault = Record::new(
+            named(&["a", "b"]),
+            vec![vec![0.0; 4], vec![0.0, 1.0, f64::NAN, 2.0]],
+            10.0,
+        );
+        assert_eq!(
+            fault.unwrap_err().to_string(),
+            "channel \"b\" holds NaN at sample 2 (t = 0.2 s): cut the record before or after it, or leave the \
+             channel out"
+        );
+    }
+
+    #[test]
+    fn refuses_a_sample_no_instrument_yields() {
+        let fault = Record::new(named(&["a"]), vec![vec![0.0, -1e300]], 10.0).unwrap_err();
+        assert!(
+            fault.to_string().starts_with("channel \"a\" holds -1")
+                && fault.to_string().contains("over-range"),
+            "{fault}"
+        );
+    }
+
+    #[test]
+    fn refuses_channels_that_do_not_match() {
+        let message = |channels: &[&str], samples: Vec<Vec<f64>>| {
+            Record::new(named(channels), samples, 10.0)
+                .unwrap_err()
+                .to_string()
+        };
+        assert_eq!(
+            message(&["a", "b"], vec![vec![0.0; 4], vec![0.0; 3]]),
+            "channel \"b\" has 3 samples, but the first has 4: all channels of one record share their time stamps"
+        );
+        assert_eq!(
+            message(&["a", "b", "a"], vec![vec![0.0; 4]; 3]),
+            "channels 1 and 3 (counted from 1) are both named \"a\": give each its own name"
+        );
+        assert_eq!(
+            message(&["a", "b"], vec![vec![0.0; 4]; 3]),
+            "2 channels are described, but 3 series of samples are given: give one description to each"
+        );
+        assert_eq!(
+            message(&[], vec![]),
+            "the record has 0 channels of 0 samples, but must have at least 1 of 2"
+        );
+    }
+
+    #[test]
+    fn refuses_a_sampling_rate_that_is_not_positive() {
+        for given in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let fault = Record::new(named(&["a"]), vec![vec![0.0; 4]], given).unwrap_err();
+            assert_eq!(
+                fault.to_string(),
+                format!("sampling_rate_hz is {given}, but must be a positive number")
+            );
+        }
     }
 }

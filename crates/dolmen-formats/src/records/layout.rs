@@ -1,0 +1,312 @@
+//! How a CSV file is laid out: found out from its first lines.
+
+use super::number::parse_cell;
+use super::{Header, RateSource, RecordError, RecordOptions};
+
+/// Lines looked at to find the delimiter out.
+const LINES_LOOKED_AT: usize = 20;
+/// Lines that begin with this hold no samples.
+pub(super) const COMMENT: u8 = b'#';
+
+/// What stands between two cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Delimiter {
+    /// `;`
+    Semicolon,
+    /// A tab; two of them hold an empty cell.
+    Tab,
+    /// `,`
+    Comma,
+    /// Any number of blanks and tabs.
+    WhiteSpace,
+}
+
+/// What stands before the decimals.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Decimal {
+    /// `.`
+    Point,
+    /// `,`
+    Comma,
+}
+
+/// How a CSV file was laid out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CsvLayout {
+    /// Between cells.
+    pub delimiter: Delimiter,
+    /// Before decimals.
+    pub decimal: Decimal,
+    /// Line of the header, counted from 1, if there is one.
+    pub header_line: Option<usize>,
+    /// All columns of the file, in order: as named by the header, or ch1, ch2, …
+    pub columns: Vec<String>,
+    /// The column of time stamps, if there is one.
+    pub time_column: Option<String>,
+    /// Where the sampling rate comes from.
+    pub rate_source: RateSource,
+    /// Whether the last line ends with a line end. If not, the file may have been cut short, and its last number with it.
+    pub last_line_ended: bool,
+}
+
+impl Delimiter {
+    pub(super) fn byte(self) -> u8 {
+        match self {
+            Delimiter::Semicolon => b';',
+            Delimiter::Tab => b'\t',
+            Delimiter::Comma => b',',
+            Delimiter::WhiteSpace => b' ',
+        }
+    }
+
+    /// Whether cells can be parted by this byte.
+    pub(super) fn is(self, byte: u8) -> bool {
+        byte == self.byte() || (self == Delimiter::WhiteSpace && byte == b'\t')
+    }
+
+    /// The cells of one line, quotes kept, blanks around them taken off. A delimiter within quotes parts nothing.
+    pub(super) fn cells(self, line: &[u8]) -> Vec<&[u8]> {
+        let mut quoted = false;
+        let cells = line.split(|b| {
+            quoted ^= *b == b'"';
+            !quoted && self.is(*b)
+        });
+        let cells = cells.map(<[u8]>::trim_ascii);
+        if self == Delimiter::WhiteSpace {
+            cells.filter(|cell| !cell.is_empty()).collect()
+        } else {
+            cells.collect()
+        }
+    }
+}
+
+impl Decimal {
+    pub(super) fn byte(self) -> u8 {
+        match self {
+            Decimal::Point => b'.',
+            Decimal::Comma => b',',
+        }
+    }
+}
+
+/// A cell without the quotes around it.
+pub(super) fn unquoted(cell: &[u8]) -> &[u8] {
+    cell.strip_prefix(b"\"")
+        .and_then(|c| c.strip_suffix(b"\""))
+        .unwrap_or(cell)
+        .trim_ascii()
+}
+
+/// One line of a file, without its line end.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Line<'a> {
+    /// Counted from 1.
+    pub(super) number: usize,
+    pub(super) text: &'a [u8],
+    /// Where it begins.
+    pub(super) at: usize,
+    /// Where the next line begins.
+    pub(super) next: usize,
+    /// Whether it has a line end.
+    pub(super) ended: bool,
+}
+
+/// The line that begins at `at`; `None` at the end of the file.
+#[inline]
+pub(super) fn line_at(bytes: &[u8], at: usize, number: usize) -> Option<Line<'_>> {
+    let rest = bytes.get(at..).filter(|r| !r.is_empty())?;
+    let (text, next, ended) = match memchr::memchr(b'\n', rest) {
+        Some(end) => (&rest[..end], at + end + 1, true),
+        None => (rest, bytes.len(), false),
+    };
+    Some(Line {
+        number,
+        at,
+        text: text.strip_suffix(b"\r").unwrap_or(text),
+        next,
+        ended,
+    })
+}
+
+/// Whether a line holds cells: it is neither blank nor a comment.
+#[inline]
+pub(super) fn holds_cells(text: &[u8]) -> bool {
+    // the first byte decides for nearly every line
+    match text.trim_ascii_start().first() {
+        None => false,
+        Some(first) => *first != COMMENT,
+    }
+}
+
+/// What the first lines say.
+#[derive(Clone, Debug)]
+pub(super) struct Start {
+    pub(super) delimiter: Delimiter,
+    pub(super) decimal: Decimal,
+    pub(super) header_line: Option<usize>,
+    pub(super) columns: Vec<String>,
+    /// Whether each line of samples ends with a delimiter that begins no cell.
+    pub(super) trailing_delimiter: bool,
+    /// Where the samples begin, and the number of that line.
+    pub(super) samples_at: usize,
+    pub(super) samples_line: usize,
+}
+
+impl Start {
+    pub(super) fn find(bytes: &[u8], options: &RecordOptions) -> Result<Self, RecordError> {
+        let (mut at, mut number) = (0, 1);
+        let mut lines = Vec::with_capacity(LINES_LOOKED_AT);
+        while let Some(line) = line_at(bytes, at, number)
+            && lines.len() < LINES_LOOKED_AT
+        {
+            if number > options.skip_lines && holds_cells(line.text) {
+                lines.push(line);
+            }
+            (at, number) = (line.next, number + 1);
+        }
+        let first = *lines.first().ok_or(RecordError::Empty)?;
+        let (delimiter, decimal) = detect(&lines, options);
+        let is_number = |cell: &&[u8]| parse_cell(unquoted(cell), decimal.byte()).is_some();
+        let mut names = delimiter.cells(first.text);
+        let has_header = match options.header {
+            Header::Present => true,
+            Header::Absent => false,
+            Header::Detect => {
+                // an empty cell is a missing sample, not a name
+                let texts = names.iter().filter(|c| !c.is_empty());
+                let numbers = texts.clone().filter(|c| is_number(c)).count();
+                let has_time = texts
+                    .clone()
+                    .any(|c| matches!(time_name(unquoted(c)), TimeName::Seconds(_)));
+                if numbers > 0 && numbers < texts.count() && !has_time {
+                    return Err(RecordError::UnclearHeader { line: first.number });
+                }
+                numbers == 0 || has_time
+            }
+        };
+        let samples = if has_header { lines.get(1) } else { Some(&first) };
+        let samples = samples.ok_or(RecordError::OnlyHeader { line: first.number })?;
+        let cells = delimiter.cells(samples.text);
+        let trailing_delimiter = cells.len() > 1 && cells.last().is_some_and(|c| c.is_empty());
+        let count = cells.len() - usize::from(trailing_delimiter);
+        if trailing_delimiter && names.len() == cells.len() && names.last().is_some_and(|c| c.is_empty()) {
+            names.pop();
+        }
+        if names.len() != count && has_header {
+            return Err(RecordError::Ragged {
+                line: samples.number,
+                found: count,
+                expected: names.len(),
+                last: !samples.ended,
+            });
+        }
+        let columns = (1..=count).map(|n| match has_header {
+            true if !unquoted(names[n - 1]).is_empty() => {
+                String::from_utf8_lossy(unquoted(names[n - 1])).into_owned()
+            }
+            _ => format!("ch{n}"),
+        });
+        Ok(Start {
+            delimiter,
+            decimal,
+            header_line: has_header.then_some(first.number),
+            columns: columns.collect(),
+            trailing_delimiter,
+            samples_at: samples.at,
+            samples_line: samples.number,
+        })
+    }
+}
+
+/// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white
+/// space, and the point before the comma.
+fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
+    let mut best = (Delimiter::Semicolon, Decimal::Point);
+    let mut best_score = None;
+    for delimiter in [
+        Delimiter::Semicolon,
+        Delimiter::Tab,
+        Delimiter::Comma,
+        Delimiter::WhiteSpace,
+    ] {
+        for decimal in [Decimal::Point, Decimal::Comma] {
+            let given = options.delimiter.is_none_or(|d| d == delimiter)
+                && options.decimal.is_none_or(|d| d == decimal);
+            let both_commas = delimiter == Delimiter::Comma && decimal == Decimal::Comma;
+            if !given || (both_commas && options.decimal.is_none()) {
+                continue;
+            }
+            let score = score(lines, delimiter, decimal);
+            if best_score.is_none_or(|s| score > s) {
+                (best, best_score) = ((delimiter, decimal), Some(score));
+            }
+        }
+    }
+    best
+}
+
+/// How much sense the lines make: 4 for each that is as wide as most and numbers throughout, 2 if mostly; 4 if the first is
+/// as wide as most; 1 if that is more than one cell.
+fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
+    let rows: Vec<Vec<&[u8]>> = lines
+        .iter()
+        .map(|line| {
+            let mut cells = delimiter.cells(line.text);
+            if cells.len() > 1 && cells.last().is_some_and(|c| c.is_empty()) {
+                cells.pop();
+            }
+            cells
+        })
+        .collect();
+    let mut widths: Vec<usize> = rows.iter().map(Vec::len).collect();
+    widths.sort_unstable();
+    let width = widths[widths.len() / 2];
+    let sense = |cells: &Vec<&[u8]>| {
+        let is_number = |c: &&&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
+        let numbers = cells.iter().filter(is_number).count();
+        match cells.len() == width {
+            true if numbers == width => 4,
+            true if 2 * numbers > width => 2,
+            _ => 0,
+        }
+    };
+    let first = if rows[0].len() == width { 4 } else { 0 };
+    rows.iter().map(sense).sum::<usize>() + first + usize::from(width > 1)
+}
+
+/// What the name of a column says of time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum TimeName {
+    /// Not a time column.
+    No,
+    /// Time stamps in a unit of so many seconds.
+    Seconds(f64),
+    /// Time in some unit that is not known.
+    Unclear,
+}
+
+/// Reads names like "t", "Time (s)", "time_ms", "Zeit [s]", "seconds".
+pub(super) fn time_name(name: &[u8]) -> TimeName {
+    let lower = String::from_utf8_lossy(name).to_lowercase();
+    let mut words = lower
+        .split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ')
+        .filter(|w| !w.is_empty());
+    let unit = |word: &str| match word {
+        "s" | "sec" | "secs" | "second" | "seconds" => Some(1.0),
+        "ms" | "msec" | "millisecond" | "milliseconds" => Some(1e-3),
+        "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" => Some(1e-6),
+        _ => None,
+    };
+    let (first, second, more) = (words.next(), words.next(), words.next());
+    match (first, second) {
+        (Some("t" | "time" | "times" | "zeit" | "timestamp" | "timestamps"), None) => TimeName::Seconds(1.0),
+        (Some("sec" | "second" | "seconds"), None) => TimeName::Seconds(1.0),
+        (Some("t" | "time" | "times" | "zeit" | "timestamp" | "timestamps"), Some(word)) => {
+            match unit(word) {
+                Some(seconds) if more.is_none() => TimeName::Seconds(seconds),
+                _ => TimeName::Unclear,
+            }
+        }
+        _ => TimeName::No,
+    }
+}

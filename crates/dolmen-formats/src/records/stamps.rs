@@ -1,0 +1,192 @@
+//! Time stamps: are they even, and what rate do they say?
+//!
+//! A stamp printed to the digit u lies within u of the true time (rounded or cut). Stamps are even if one step Δ puts every
+//! one of them within its u, and 1 % of a step for the clock, of t_0 + i Δ. Each stamp narrows the interval in which Δ must
+//! lie; the first that leaves it empty is refused. Where u is more than a quarter of a step, one missing sample could hide
+//! in the rounding: then all steps must be the same, as they are where Δ is a multiple of u, or the rate must be given.
+
+use super::RecordError;
+use super::number::Number;
+
+/// Share of a step by which a clock may be off at any one sample: no more than noise far below that of a sensor. Chosen here.
+const CLOCK_JITTER: f64 = 0.01;
+/// Stamps coarser than this share of a step cannot show that one sample is missing, unless all steps are the same. Chosen
+/// here.
+const RESOLUTION_MOST: f64 = 0.25;
+/// Share by which a rate given may differ from that of the stamps: 1e-4 of every frequency, well below any scatter.
+const RATE_TOLERANCE: f64 = 1e-4;
+/// A given step this near to a multiple of the resolution (relative) is one: its stamps are printed without rounding.
+const MULTIPLE: f64 = 1e-6;
+/// Rounding of a mean of differences of doubles, generously (relative).
+const ROUNDING: f64 = 1e-9;
+/// A double holds so many digits.
+const DIGITS_MOST: i32 = 17;
+
+/// Where the sampling rate comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RateSource {
+    /// It was given, and there are no time stamps.
+    Given,
+    /// From the time stamps: of the rates they allow, the one with the fewest digits, as rate or as step.
+    Stamps,
+    /// It was given, and the time stamps agree.
+    GivenAndStamps,
+}
+
+/// The time stamps seen so far.
+#[derive(Clone, Debug)]
+pub(super) struct Stamps {
+    /// Seconds in one unit of the column.
+    unit_s: f64,
+    given_hz: Option<f64>,
+    first_s: f64,
+    last_s: f64,
+    last_step_s: f64,
+    /// Whether all steps are the same, to half the last digit.
+    all_same: bool,
+    count: usize,
+    /// Most digits (from the first that is not 0) and most decimals of any stamp: programs print all stamps of a file alike.
+    digits: i32,
+    decimals: i32,
+    /// The interval of steps that agree with all stamps, s.
+    step_least_s: f64,
+    step_most_s: f64,
+}
+
+impl Stamps {
+    pub(super) fn new(unit_s: f64, given_hz: Option<f64>) -> Self {
+        Stamps {
+            unit_s,
+            given_hz,
+            last_step_s: f64::NAN,
+            all_same: true,
+            first_s: 0.0,
+            last_s: 0.0,
+            count: 0,
+            digits: 0,
+            decimals: -DIGITS_MOST,
+            step_least_s: 0.0,
+            step_most_s: f64::INFINITY,
+        }
+    }
+
+    /// Takes the next stamp; refuses one that no even step agrees with.
+    pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
+        self.decimals = self.decimals.max(printed.decimals);
+        self.digits = self.digits.max(leading(printed.value) + printed.decimals);
+        let stamp_s = printed.value * self.unit_s;
+        let i = self.count as f64;
+        self.count += 1;
+        if self.count == 1 {
+            (self.first_s, self.last_s) = (stamp_s, stamp_s);
+            return Ok(());
+        }
+        let elapsed = stamp_s - self.first_s;
+        let step_s = stamp_s - self.last_s;
+        let resolution_s = self.resolution_s(printed.value);
+        let allowed = resolution_s + CLOCK_JITTER * elapsed.abs() / i;
+        let (least, most) = ((elapsed - allowed) / i, (elapsed + allowed) / i);
+        // written so that it is false for NaN
+        let agrees = most >= self.step_least_s && least <= self.step_most_s && most > 0.0;
+        if !agrees {
+            let expected_step_s = self.step_s();
+            return Err(RecordError::Uneven {
+                line,
+                stamp_s,
+                step_s,
+                expected_step_s,
+                expected_s: self.first_s + i * expected_step_s,
+            });
+        }
+        self.step_least_s = self.step_least_s.max(least);
+        self.step_most_s = self.step_most_s.min(most);
+        let same = (step_s - self.last_step_s).abs() < 0.5 * resolution_s;
+        self.all_same &= same || self.count == 2;
+        if self.count > 2 && !same && self.must_be_same(resolution_s) {
+            return Err(RecordError::CoarseStamps {
+                line,
+                step_s,
+                step_before_s: self.last_step_s,
+                resolution_s,
+            });
+        }
+        (self.last_s, self.last_step_s) = (stamp_s, step_s);
+        Ok(())
+    }
+
+    /// Whether stamps of that resolution show a missing sample only by a step that differs.
+    fn must_be_same(&self, resolution_s: f64) -> bool {
+        let step_s = self
+            .given_hz
+            .map_or(0.5 * (self.step_least_s + self.step_most_s), |rate| 1.0 / rate);
+        let steps = step_s / resolution_s;
+        let coarse = steps * RESOLUTION_MOST < 1.0;
+        coarse && (self.given_hz.is_none() || (steps - steps.round()).abs() < MULTIPLE * steps)
+    }
+
+    /// The rate, Hz, after the last stamp.
+    pub(super) fn rate_hz(&self) -> Result<f64, RecordError> {
+        let (least_hz, most_hz) = (
+            1.0 / self.step_most_s,
+            1.0 / self.step_least_s.max(f64::MIN_POSITIVE),
+        );
+        match self.given_hz {
+            None if self.all_same => {
+                let mean_hz = (self.count - 1) as f64 / (self.last_s - self.first_s);
+                Ok(simplest_rate(
+                    mean_hz * (1.0 - ROUNDING),
+                    mean_hz * (1.0 + ROUNDING),
+                ))
+            }
+            None => Ok(simplest_rate(least_hz, most_hz)),
+            Some(given) => {
+                let tolerance = RATE_TOLERANCE * given;
+                if given >= least_hz - tolerance && given <= most_hz + tolerance {
+                    Ok(given)
+                } else {
+                    Err(RecordError::RateDisagrees {
+                        given,
+                        stamps_hz: 1.0 / self.step_s(),
+                    })
+                }
+            }
+        }
+    }
+
+    /// Middle of the steps that agree so far, s; their upper end while there is no lower.
+    fn step_s(&self) -> f64 {
+        if self.count < 2 {
+            f64::NAN
+        } else if self.step_least_s > 0.0 {
+            0.5 * (self.step_least_s + self.step_most_s)
+        } else {
+            self.step_most_s
+        }
+    }
+
+    /// The last digit printed of a stamp of that value, s. A program that prints a fixed number of digits prints fewer
+    /// decimals of larger numbers.
+    fn resolution_s(&self, value: f64) -> f64 {
+        let by_digits = leading(value) - self.digits.min(DIGITS_MOST);
+        self.unit_s * 10f64.powi((-self.decimals).max(by_digits))
+    }
+}
+
+/// Digits before the decimal sign; less than 0 for zeros after it.
+fn leading(value: f64) -> i32 {
+    if value == 0.0 {
+        0
+    } else {
+        value.abs().log10().floor() as i32 + 1
+    }
+}
+
+/// Of the rates from `least` to `most`, the one with the fewest digits, itself or as a step.
+fn simplest_rate(least: f64, most: f64) -> f64 {
+    let middle = 0.5 * (least + most);
+    let rounded = |x: f64, digits: usize| format!("{x:.*e}", digits - 1).parse::<f64>().unwrap_or(x);
+    (1..DIGITS_MOST as usize)
+        .flat_map(|digits| [rounded(middle, digits), 1.0 / rounded(1.0 / middle, digits)])
+        .find(|rate| (least..=most).contains(rate))
+        .unwrap_or(middle)
+}

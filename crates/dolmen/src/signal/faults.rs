@@ -1,0 +1,258 @@
+//! What is wrong with a channel that is all numbers and yet no measurement.
+
+use super::Record;
+use std::fmt;
+
+/// A channel this much weaker than the median of the others (−60 dB) hears the logger, not the structure. Chosen here.
+const FAINT: f64 = 1e-3;
+/// Samples in a row at one exact extreme that count as a run. Chosen here: two alone happen in coarsely digitised records.
+const RUN_LEAST: usize = 3;
+/// Samples in such runs from which on a channel is called clipped. Chosen here.
+const HELD_LEAST: usize = 10;
+/// A clipped channel meets its extreme this many times more often than the value next to it; the crest of a digitised
+/// sine does so 1/(√2 - 1) = 2.4 times. Chosen here.
+const CROWDED: usize = 4;
+/// Two channels are one if their steps agree to this share of the largest step. Chosen here: above the rounding of 32-bit
+/// numbers, far below the noise of two sensors.
+const SAME: f64 = 1e-6;
+
+/// Why a channel should not be used as it is. Printed, it is a sentence that says what to do.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ChannelFault {
+    /// Every sample is the same.
+    Constant {
+        /// Name of the channel.
+        channel: String,
+        /// The one value.
+        value: f64,
+    },
+    /// Far weaker than the other channels of its kind.
+    Faint {
+        /// Name of the channel.
+        channel: String,
+        /// Its standard deviation.
+        deviation: f64,
+        /// Median standard deviation of the channels that measure the same quantity.
+        typical: f64,
+    },
+    /// Held at its exact largest or smallest value: the range of the sensor or logger was exceeded.
+    Clipped {
+        /// Name of the channel.
+        channel: String,
+        /// The value it is held at.
+        value: f64,
+        /// Samples at that value.
+        samples: usize,
+        /// The first of them, s from the start.
+        first_s: f64,
+    },
+    /// The same signal as another channel, but for a factor and an offset.
+    Duplicated {
+        /// Name of the first channel.
+        channel: String,
+        /// Name of the second channel.
+        other: String,
+        /// Second over first.
+        factor: f64,
+    },
+}
+
+impl fmt::Display for ChannelFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Constant { channel, value } => write!(
+                f,
+                "channel \"{channel}\" is dead: every sample is {value}; leave it out, and look at its cable"
+            ),
+            Self::Faint {
+                channel,
+                deviation,
+                typical,
+            } => write!(
+                f,
+                "channel \"{channel}\" is dead or in another unit: its standard deviation is {deviation:.3e}, the \
+                 median of its kind is {typical:.3e}; leave it out, or correct its unit"
+            ),
+            Self::Clipped {
+                channel,
+                value,
+                samples,
+                first_s,
+            } => write!(
+                f,
+                "channel \"{channel}\" is clipped: {samples} samples stand at exactly {value}, first at {first_s} s; \
+                 cut the record to a part within range, or leave the channel out"
+            ),
+            Self::Duplicated {
+                channel,
+                other,
+                factor,
+            } => write!(
+                f,
+                "channels \"{channel}\" and \"{other}\" hold the same signal (factor {factor:.6}): one cable on two \
+                 inputs, or one column twice; leave one of them out"
+            ),
+        }
+    }
+}
+
+/// Everything wrong with the channels of a record, in the order of the channels. Samples that are not numbers cannot be
+/// here: [`Record::new`] refuses them.
+///
+/// Finds channels that are constant; more than 60 dB weaker than the median of their kind (in deviation and in steps, so
+/// that drift alone neither hides nor makes one); held at an exact extreme; or equal to another but for a factor.
+///
+/// # Limits
+/// Wants the record as it was measured: filters smooth clipped crests away. Channels of which fewer than three measure
+/// the same quantity are not compared in strength.
+///
+/// # Example
+/// ```
+/// use dolmen::signal::{Channel, Record, inspect};
+/// let good: Vec<f64> = (0..500).map(|i| (0.3 * i as f64).sin() + (0.71 * i as f64).cos()).collect();
+/// let record = Record::new(
+///     vec![Channel::named("roof"), Channel::named("base")],
+///     vec![good, vec![0.0; 500]],
+///     100.0,
+/// )?;
+/// let faults = inspect(&record);
+/// assert!(faults[0].to_string().starts_with("channel \"base\" is dead: every sample is 0"));
+/// # Ok::<(), dolmen::signal::SignalError>(())
+/// ```
+pub fn inspect(record: &Record) -> Vec<ChannelFault> {
+    let strengths: Vec<Strength> = (0..record.channels().len())
+        .map(|c| Strength::of(record.samples(c)))
+        .collect();
+    let mut faults = Vec::new();
+    for (c, channel) in record.channels().iter().enumerate() {
+        let x = record.samples(c);
+        let name = || channel.name.clone();
+        if strengths[c].largest_step == 0.0 {
+            faults.push(ChannelFault::Constant {
+                channel: name(),
+                value: x[0],
+            });
+            continue;
+        }
+        let kind: Vec<&Strength> = record
+            .channels()
+            .iter()
+            .zip(&strengths)
+            .filter(|(other, s)| other.quantity == channel.quantity && s.largest_step > 0.0)
+            .map(|(_, s)| s)
+            .collect();
+        let typical = median(kind.iter().map(|s| s.deviation).collect());
+        let typical_step = median(kind.iter().map(|s| s.step_deviation).collect());
+        let own = &strengths[c];
+        if kind.len() >= 3 && own.deviation < FAINT * typical && own.step_deviation < FAINT * typical_step {
+            faults.push(ChannelFault::Faint {
+                channel: name(),
+                deviation: own.deviation,
+                typical,
+            });
+        }
+        for sign in [1.0, -1.0] {
+            if let Some(held) = held_at_extreme(x, sign) {
+                faults.push(ChannelFault::Clipped {
+                    channel: name(),
+                    value: held.value,
+                    samples: held.samples,
+                    first_s: held.first as f64 / record.sampling_rate_hz(),
+                });
+            }
+        }
+        for (other, earlier) in record.channels()[..c].iter().enumerate() {
+            if let Some(factor) = same_but_for_factor(record.samples(other), x, strengths[other].largest_at) {
+                faults.push(ChannelFault::Duplicated {
+                    channel: earlier.name.clone(),
+                    other: name(),
+                    factor,
+                });
+                break; // a third copy is named with the first only
+            }
+        }
+    }
+    faults
+}
+
+/// How strong a channel is.
+struct Strength {
+    /// Standard deviation.
+    deviation: f64,
+    /// Root mean square of the steps from sample to sample.
+    step_deviation: f64,
+    /// Largest step, and the sample it starts from.
+    largest_step: f64,
+    largest_at: usize,
+}
+
+impl Strength {
+    fn of(x: &[f64]) -> Self {
+        let n = x.len() as f64;
+        let mean = x.iter().sum::<f64>() / n;
+        let square: f64 = x.iter().map(|v| (v - mean).powi(2)).sum();
+        let (mut step_square, mut largest_step, mut largest_at) = (0.0, 0.0, 0);
+        for (i, pair) in x.windows(2).enumerate() {
+            let step = (pair[1] - pair[0]).abs();
+            step_square += step * step;
+            if step > largest_step {
+                (largest_step, largest_at) = (step, i);
+            }
+        }
+        Strength {
+            deviation: (square / n).sqrt(),
+            step_deviation: (step_square / (n - 1.0)).sqrt(),
+            largest_step,
+            largest_at,
+        }
+    }
+}
+
+/// Samples held at one extreme.
+struct Held {
+    value: f64,
+    samples: usize,
+    first: usize,
+}
+
+/// The samples at the largest value (`sign` 1) or the smallest (`sign` -1), if they look held there.
+fn held_at_extreme(x: &[f64], sign: f64) -> Option<Held> {
+    let extreme = x.iter().fold(f64::NEG_INFINITY, |m, v| m.max(sign * v));
+    let next = x
+        .iter()
+        .map(|v| sign * v)
+        .filter(|v| *v < extreme)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let count = |value: f64| x.iter().filter(|v| sign * **v == value).count();
+    let samples = count(extreme);
+    if samples < HELD_LEAST || samples < CROWDED * count(next) {
+        return None;
+    }
+    let in_runs: usize = x
+        .chunk_by(|a, b| (sign * a == extreme) == (sign * b == extreme))
+        .filter(|run| sign * run[0] == extreme && run.len() >= RUN_LEAST)
+        .map(<[f64]>::len)
+        .sum();
+    let first = x.iter().position(|v| sign * v == extreme)?;
+    (in_runs >= HELD_LEAST).then_some(Held {
+        value: x[first],
+        samples,
+        first,
+    })
+}
+
+/// b / a if the steps of `b` are those of `a` times one factor, measured at the largest step of `a`.
+fn same_but_for_factor(a: &[f64], b: &[f64], largest_at: usize) -> Option<f64> {
+    let step = |x: &[f64], i: usize| x[i + 1] - x[i];
+    let factor = step(b, largest_at) / step(a, largest_at);
+    let bound = SAME * step(b, largest_at).abs();
+    // false for a factor that is not a number (a constant channel) and for a channel without that step
+    let same = bound > 0.0 && (0..a.len() - 1).all(|i| (step(b, i) - factor * step(a, i)).abs() <= bound);
+    same.then_some(factor)
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
