@@ -30,13 +30,14 @@ pub(super) struct SchemaCheck<'t, 'i> {
     root: &'static Map<String, Value>,
     swallowed: Vec<Swallowed<'i>>,
     /// Paths that a misspelt key was probably meant for: not missed a second time.
-    meant: Vec<String>,
+    pub(super) meant: Vec<String>,
     pub(super) faults: Vec<Fault>,
 }
 
 /// One table on the way from the root to the value.
 #[derive(Clone, Copy)]
 struct Above<'a> {
+    path: &'a str,
     properties: Option<&'static Map<String, Value>>,
     header: Option<&'a Range<usize>>,
     parent: Option<&'a Above<'a>>,
@@ -132,6 +133,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             .get(span.clone())
             .filter(|written| written.starts_with('['));
         let above = Above {
+            path,
             properties: known,
             header: header.map(|_| span),
             parent,
@@ -171,14 +173,12 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             if let (true, Some(header)) = (owns, above.header) {
                 let header_line = self.text[..header.start].matches('\n').count() + 1;
                 let header = self.text[header.clone()].trim();
-                let (belongs, remedy) = match table.parent {
-                    None => ("the top level".to_owned(), "above the first [table]".to_owned()),
-                    Some(_) => {
-                        let owner = table
-                            .header
-                            .map_or("the table above", |span| self.text[span.clone()].trim());
-                        (owner.to_owned(), format!("directly below {owner}"))
-                    }
+                let (belongs, remedy) = match table.path {
+                    "" => ("the top level".to_owned(), "above the first [table]".to_owned()),
+                    path => (
+                        format!("[{path}]"),
+                        format!("above line {header_line}, below [{path}]"),
+                    ),
                 };
                 let message =
                     format!("\"{name}\" belongs to {belongs} but stands below {header} (line {header_line})");

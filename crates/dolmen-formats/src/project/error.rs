@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::ops::Range;
+use unicode_width::UnicodeWidthChar;
 
 /// One problem of a project file.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -47,32 +48,16 @@ impl fmt::Display for ProjectError {
     }
 }
 
-/// Wide characters take two columns on a terminal: Hangul, CJK, kana, full-width forms.
-fn width(character: char) -> usize {
-    match character as u32 {
-        0x1100..=0x115F
-        | 0x2E80..=0x303E
-        | 0x3041..=0xA4CF
-        | 0xA960..=0xA97F
-        | 0xAC00..=0xD7A3
-        | 0xF900..=0xFAFF
-        | 0xFE30..=0xFE6F
-        | 0xFF00..=0xFF60
-        | 0xFFE0..=0xFFE6
-        | 0x1F300..=0x1FAFF
-        | 0x20000..=0x3FFFD => 2,
-        0x0300..=0x036F | 0x1160..=0x11FF | 0x200B..=0x200F | 0xFE00..=0xFE0F | 0xFEFF => 0,
-        _ => 1,
-    }
-}
-
 impl Problem {
+    /// Columns are counted as a terminal shows them: Hangul takes two.
     fn render(&self, file: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = self.line.to_string();
         let gutter = " ".repeat(number.len() + 1);
         writeln!(f, "error: {}", self.message)?;
         writeln!(f, "{gutter}--> {file}:{}:{}", self.line, self.column)?;
-        let columns = |characters: &mut dyn Iterator<Item = char>| characters.map(width).sum::<usize>();
+        let columns = |characters: &mut dyn Iterator<Item = char>| {
+            characters.filter_map(UnicodeWidthChar::width).sum::<usize>()
+        };
         let before = columns(&mut self.text.chars().take(self.column - 1));
         let marked = self.text.chars().skip(self.column - 1).take(self.marked);
         let carets = columns(&mut marked.into_iter()).max(1);

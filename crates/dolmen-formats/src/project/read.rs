@@ -3,12 +3,14 @@
 use super::check::SchemaCheck;
 use super::content::{Project, Structure, Variant, WarningKind};
 use super::error::{Fault, ProjectError};
-use super::file::{At, FileRaw, KindRaw, NamesRaw};
+use super::file::{FileRaw, KindRaw, NamesRaw};
+use super::file_number::At;
+use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::quantity::Quantity;
 use super::read_structure::{chain, frame};
 use super::read_survey::surveys;
-use super::reader::{Bound, Measure, Reader, names};
+use super::reader::{Reader, names};
 use super::schema::{KEYS_OF_KIND, SCHEMA_VERSION, kind_word};
 use super::slips;
 use super::units::STANDARD_GRAVITY_M_S2;
@@ -170,7 +172,7 @@ fn read_one<'i>(
             return None;
         }
     };
-    let project = of_raw(text, raw, &mut check.faults);
+    let project = of_raw(text, raw, &mut check);
     let sound = check.faults.is_empty();
     faults.append(&mut check.faults);
     project.filter(|_| sound)
@@ -201,14 +203,14 @@ fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
     }
 }
 
-fn of_raw(text: &str, mut raw: FileRaw, faults: &mut Vec<Fault>) -> Option<Project> {
+fn of_raw(text: &str, mut raw: FileRaw, check: &mut SchemaCheck<'_, '_>) -> Option<Project> {
     let kind = raw.kind.as_ref().map(|kind| kind.value);
     let mut reader = Reader::new(
         raw.units.as_ref(),
         kind.unwrap_or(KindRaw::Survey),
         raw.allow.take(),
     );
-    reader.faults.append(faults);
+    reader.take_over(&mut check.faults, std::mem::take(&mut check.meant));
     let gravity = reader.quantity(
         raw.gravity.as_ref(),
         "gravity",
@@ -237,7 +239,9 @@ fn of_raw(text: &str, mut raw: FileRaw, faults: &mut Vec<Fault>) -> Option<Proje
         Some(KindRaw::Survey) => Some(Structure::Survey),
         None => None,
     };
-    slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
+    if !reader.has_wrong_units {
+        slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
+    }
     let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
     let mut project = match (schema, structure, name) {
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
@@ -252,7 +256,7 @@ fn of_raw(text: &str, mut raw: FileRaw, faults: &mut Vec<Fault>) -> Option<Proje
             warnings: Vec::new(),
         },
         _ => {
-            faults.append(&mut reader.faults);
+            check.faults.append(&mut reader.faults);
             return None;
         }
     };
@@ -314,7 +318,7 @@ fn variant<'i>(
         faults.push(
             fault
                 .allowed("must be a table")
-                .help(format!("write [{path}] above what it changes")),
+                .help("give the variant a name: [variant.NAME] above what it changes"),
         );
         return None;
     };
@@ -323,7 +327,12 @@ fn variant<'i>(
     let title = title(table.remove_entry("title"), &path, faults);
     for key in KEYS_OF_THE_FILE {
         if let Some((written, _)) = table.remove_entry(key) {
-            let fault = Fault::new(written.span(), &path, format!("a variant cannot change {key}"));
+            let path = format!("{path}.{key}");
+            let fault = Fault::new(
+                written.span(),
+                &path,
+                format!("variant \"{name}\" cannot change {key}"),
+            );
             faults.push(
                 fault
                     .allowed("holds for the whole file")

@@ -3,13 +3,12 @@
 use super::chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
 use super::content::WarningKind;
 use super::error::Fault;
-use super::file::{
-    At, AxialRaw, CapRaw, ConventionRaw, DirectionRaw, FileRaw, JointRaw, LinkRaw, OrUnknown, QuantityRaw,
-    StoreyRaw,
-};
+use super::file::{AxialRaw, CapRaw, ConventionRaw, DirectionRaw, FileRaw, JointRaw, LinkRaw, StoreyRaw};
+use super::file_number::{At, OrUnknown, QuantityRaw};
 use super::frame::{Axial, DirectionPart, FramePart, StoreyPart};
+use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
-use super::reader::{Bound, Measure, Reader};
+use super::reader::Reader;
 use dolmen::structure::Convention;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -50,12 +49,8 @@ fn heaviness(
             None
         }
         (None, None) => {
-            let wrong = |key: &str| {
-                let path = format!("{path}.{key}");
-                move |fault: &Fault| fault.is_at_or_below(&path)
-            };
             let reported =
-                reader.faults.iter().any(wrong("weight")) || reader.faults.iter().any(wrong("mass"));
+                reader.is_reported(&format!("{path}.weight")) || reader.is_reported(&format!("{path}.mass"));
             if !reported {
                 let fault = Fault::new(part.clone(), path, format!("{path} has neither weight nor mass"));
                 reader.fault(fault.help("give weight = … (a force) or mass = …"));
@@ -270,7 +265,7 @@ fn warn_of_rods(reader: &mut Reader, links: &[LinkPart]) {
 }
 
 fn missing(reader: &mut Reader, key: &str, message: &str, help: &str) {
-    if !reader.faults.iter().any(|fault| fault.is_at_or_below(key)) {
+    if !reader.is_reported(key) {
         reader.fault(Fault::new(0..0, key, message).at_top().help(help));
     }
 }

@@ -2,83 +2,13 @@
 
 use super::content::{Names, Warning, WarningKind};
 use super::error::Fault;
-use super::file::{At, EvidenceRaw, KindRaw, NamesRaw, NumberRaw, QuantityRaw, UnitsRaw};
+use super::file::{KindRaw, NamesRaw, UnitsRaw};
+use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
+use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
-use super::units::{Dimension, Unit, parse_unit, split_number};
+use super::units::{Dimension, Unit, UnitError, parse_unit, split_number};
 use std::collections::BTreeMap;
 use std::ops::Range;
-
-/// What a number of the file measures.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Measure {
-    Length,
-    Force,
-    Mass,
-    JointStiffness,
-    StoreyStiffness,
-    JointDamping,
-    Inertia,
-    Frequency,
-    Acceleration,
-    Ratio,
-}
-
-impl Measure {
-    pub(super) fn dimension(self) -> Dimension {
-        match self {
-            Measure::Length => Dimension::LENGTH,
-            Measure::Force => Dimension::FORCE,
-            Measure::Mass => Dimension::MASS,
-            Measure::JointStiffness => Dimension::MOMENT,
-            Measure::StoreyStiffness => Dimension::FORCE_PER_LENGTH,
-            Measure::JointDamping => Dimension::ROTATIONAL_DAMPING,
-            Measure::Inertia => Dimension::INERTIA,
-            Measure::Frequency => Dimension::FREQUENCY,
-            Measure::Acceleration => Dimension::ACCELERATION,
-            Measure::Ratio => Dimension::RATIO,
-        }
-    }
-
-    /// Its SI unit, the default of bare numbers.
-    pub(super) fn si(self) -> &'static str {
-        match self {
-            Measure::Length => "m",
-            Measure::Force => "N",
-            Measure::Mass => "kg",
-            Measure::JointStiffness => "N m/rad",
-            Measure::StoreyStiffness => "N/m",
-            Measure::JointDamping => "N m s/rad",
-            Measure::Inertia => "kg m2",
-            Measure::Frequency => "Hz",
-            Measure::Acceleration => "m/s2",
-            Measure::Ratio => "",
-        }
-    }
-
-    /// A unit to name in a message.
-    fn example(self) -> &'static str {
-        match self {
-            Measure::Length => "m or mm",
-            Measure::Force => "kN",
-            Measure::Mass => "t or kg",
-            Measure::JointStiffness => "kN*m/rad",
-            Measure::StoreyStiffness => "kN/mm",
-            Measure::JointDamping => "kN*m*s/rad",
-            Measure::Inertia => "t*m2",
-            Measure::Frequency => "Hz",
-            Measure::Acceleration => "m/s2",
-            Measure::Ratio => "%, or none",
-        }
-    }
-}
-
-/// Which values a number may have.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Bound {
-    Positive,
-    NotNegative,
-    Any,
-}
 
 /// The unit of bare numbers of one measure: as written, and what it is.
 #[derive(Clone, Debug)]
@@ -93,6 +23,10 @@ pub(super) struct Reader {
     units: BTreeMap<Measure, BareUnit>,
     places: BTreeMap<String, Range<usize>>,
     allow: Vec<(At<String>, bool)>,
+    /// Paths that a misspelt key was probably meant for.
+    meant: Vec<String>,
+    /// Whether a unit of bare numbers is wrong: their size then says nothing.
+    pub(super) has_wrong_units: bool,
     pub(super) faults: Vec<Fault>,
     warnings: Vec<(Range<usize>, Warning)>,
 }
@@ -128,9 +62,23 @@ impl Reader {
                     factor: unit.factor,
                 };
                 reader.units.insert(measure, bare);
+            } else {
+                reader.has_wrong_units = true;
             }
         }
         reader
+    }
+
+    /// Takes over what the check against the schema found.
+    pub(super) fn take_over(&mut self, faults: &mut Vec<Fault>, meant: Vec<String>) {
+        self.faults.append(faults);
+        self.meant = meant;
+    }
+
+    /// Whether what is wrong at a path, or missing there, has been reported already.
+    pub(super) fn is_reported(&self, path: &str) -> bool {
+        self.meant.iter().any(|meant| meant == path)
+            || self.faults.iter().any(|fault| fault.is_at_or_below(path))
     }
 
     /// The unit that bare numbers have: its text, and how many SI units it is.
@@ -169,7 +117,8 @@ impl Reader {
             );
             return;
         }
-        let help = format!("{help}; if it is right, add it to the file: allow = [\"{path}\"]");
+        let stop = if help.ends_with('?') { "" } else { "." };
+        let help = format!("{help}{stop} If it is right, write allow = [\"{path}\"]");
         let fault = Fault::new(self.place(path), path, message);
         self.fault(fault.allowed("probably a slip").help(help));
     }
@@ -221,7 +170,11 @@ impl Reader {
         let unit = match parse_unit(text) {
             Ok(unit) => unit,
             Err(fault) => {
-                let message = format!("{of}: in \"{}\" {fault}", text.trim());
+                let whole = match &fault {
+                    UnitError::Unknown { symbol, .. } if symbol == text.trim() => String::new(),
+                    _ => format!("in \"{}\" ", text.trim()),
+                };
+                let message = format!("{of}: {whole}{fault}");
                 let help = fault.help();
                 self.fault(
                     Fault::new(span.clone(), path, message)
