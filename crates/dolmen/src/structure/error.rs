@@ -153,6 +153,38 @@ pub enum StructureError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// Not as many frequencies as storeys.
+    #[error(
+        "frequencies_hz has {given} values, but the stiffness of {needed} storeys follows from {needed}: no more can \
+         exist, and fewer leave a continuous family of solutions"
+    )]
+    Frequencies {
+        /// How many were given.
+        given: usize,
+        /// How many are needed.
+        needed: usize,
+    },
+    /// Too many storeys for every root to be found.
+    #[error("the frame has {given} storeys, but every root can be found for at most {most}: give shapes")]
+    Storeys {
+        /// How many it has.
+        given: usize,
+        /// Most allowed.
+        most: usize,
+    },
+    /// A storey's spring does not move in a shape.
+    #[error(
+        "storey {storey} does not move in this shape ({extension} of {largest}): its stiffness cannot be seen; give \
+         another mode, or more than one"
+    )]
+    Invisible {
+        /// Which storey, from 1 at the bottom.
+        storey: usize,
+        /// Extension of its spring.
+        extension: f64,
+        /// Largest displacement of the shape.
+        largest: f64,
+    },
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] dolmen_linalg::LinalgError),

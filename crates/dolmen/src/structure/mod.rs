@@ -1,6 +1,7 @@
 //! Structures as checked values: mass, damping and stiffness matrices; natural modes; stiffness from modes.
 
 mod chain;
+mod continuation;
 mod directional;
 mod error;
 mod frame;
@@ -10,7 +11,10 @@ mod natural;
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
 pub use directional::{DirectionalModes, LeftOut, directional_modes};
 pub use error::StructureError;
-pub use frame::{Convention, Frame, Storey, Tie, storey_axial_forces_n};
+pub use frame::{
+    Convention, Frame, FrequencyRoots, Storey, Tie, stiffness_from_frequencies, stiffness_from_shape,
+    stiffness_range, storey_axial_forces_n,
+};
 pub use identification::{
     Choice, MeasuredMode, ShapePoint, StiffnessRange, StiffnessSolution, StiffnessSolutions, Visibility,
 };
