@@ -151,7 +151,7 @@ fn corrected(pencil: &Pencil, start: Vec<Complex64>, t: Complex64) -> Option<Vec
             .iter()
             .zip(&k)
             .fold(0.0_f64, |most, (d, k)| most.max(d.norm() / k.norm()));
-        if iteration == 0 && !(size < CORRECTION_MOST) {
+        if iteration == 0 && (size.is_nan() || size > CORRECTION_MOST) {
             return None;
         }
         k = advanced(&k, &change, 1.0);
@@ -193,10 +193,10 @@ fn linearised(
     let mut rows = Vec::with_capacity(n * (n + 1));
     for &lambda in &pencil.lambda {
         let mut a = Vec::with_capacity(n * 2 * n);
-        for row in 0..n {
+        for (row, k) in k.iter().enumerate() {
             for column in 0..n {
                 let s = lambda * pencil.w[(row, column)] - pencil.h[(row, column)];
-                a.push(if row == column { k[row] - s } else { -s * t });
+                a.push(if row == column { k - s } else { -s * t });
             }
             a.extend((0..n).map(|column| Complex64::from(if row == column { 1.0 } else { 0.0 })));
         }
