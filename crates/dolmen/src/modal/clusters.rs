@@ -7,9 +7,8 @@
 
 use super::indicators::assurance;
 use super::ssi_cov::{Pole, Subspace};
-use super::stabilization::Stabilization;
-use super::{ModalError, PoleDeviation, deviation};
-use std::f64::consts::PI;
+use super::stabilization::{JudgedPole, Stabilization};
+use super::{ModalError, PoleDeviation, Propagation};
 
 /// Options of [`clusters`].
 #[derive(Clone, Debug, PartialEq)]
@@ -17,22 +16,18 @@ pub struct Clustering {
     /// Largest distance d of a pole from the medoid of its cluster; default 0.05 (ours: several times the scatter of
     /// a pole between orders, and far below the distance 1 of two shapes at right angles).
     pub distance_most: f64,
-    /// Least share of the model orders from the first that shows the mode to the highest, 0 to 1; default 0.4 (ours).
+    /// Least share of the model orders from the first that shows the mode to the highest, 0 to 1; default 0.2 (ours).
     pub orders_share_least: f64,
-    /// Least number of orders; default 6 (ours: so many in a row hardly happen by chance).
+    /// Least number of orders; default 4 (ours).
     pub orders_least: usize,
-    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 5 (ours: modes of the made
-    /// records reach 1 to 3, poles that fit noise 5 to 100).
-    pub deviation_over_floor_most: f64,
 }
 
 impl Default for Clustering {
     fn default() -> Self {
         Clustering {
             distance_most: 0.05,
-            orders_share_least: 0.4,
-            orders_least: 6,
-            deviation_over_floor_most: 5.0,
+            orders_share_least: 0.2,
+            orders_least: 4,
         }
     }
 }
@@ -44,8 +39,6 @@ pub enum Fate {
     Mode,
     /// Too few orders show it.
     FewOrders,
-    /// Its standard deviation is far above what the record's length explains: it fits noise.
-    Scattered,
     /// It splits off a mode with more orders: like shape, and frequencies not apart beyond their scatter.
     Double,
 }
@@ -53,9 +46,9 @@ pub enum Fate {
 /// Poles of several orders that agree.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cluster {
-    /// The pole nearest to all others.
+    /// The pole nearest to all others among those whose deviation is near the least.
     pub medoid: Pole,
-    /// Its standard deviations; `None` where too few orders made them not worth computing.
+    /// Its standard deviations; `None` where too few orders show it.
     pub deviation: Option<PoleDeviation>,
     /// Orders that show it, ascending.
     pub orders: Vec<usize>,
@@ -72,43 +65,49 @@ pub struct Cluster {
 /// ```text
 /// d(i, j) = |μ_i - μ_j| / |μ_j| + 1 - MAC(i, j)
 /// ```
-/// The pole with most orders within d ≤ `distance_most` (ties: smallest mean d) is the first medoid; of each order the
+/// The pole with most orders within d ≤ `distance_most` (ties: smallest mean d) leads the first group; of each order the
 /// pole nearest to it joins; all poles within reach leave the field; and so on.
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
 ///
 /// # Source
-/// Distance: Magalhães, Cunha & Caetano (2009) Mech. Syst. Signal Process. 23:316-329. Floor of the deviation: Au (2014)
-/// Mech. Syst. Signal Process. 48:15-33. Differs from the source: greedy medoids instead of a hierarchical tree, and
-/// the judgement by the deviation.
+/// Distance: Magalhães, Cunha & Caetano (2009) Mech. Syst. Signal Process. 23:316-329. Differs from the source: greedy
+/// groups instead of a hierarchical tree; the number of modes is not given but follows from the orders that show each.
 pub fn clusters(
     subspace: &Subspace,
     stabilization: &Stabilization,
-    duration_s: f64,
     options: &Clustering,
 ) -> Result<Vec<Cluster>, ModalError> {
-    let poles: Vec<&Pole> = stabilization
+    let poles: Vec<&JudgedPole> = stabilization
         .poles
         .iter()
         .filter(|j| j.stability.possible())
-        .map(|j| &j.pole)
         .collect();
-    let mut found = group(&poles, options);
-    for cluster in &mut found {
-        let first = cluster.orders.first().copied().unwrap_or(0);
+    let mut propagation = Propagation::new(subspace);
+    let mut found = Vec::new();
+    for members in group(&poles, options) {
+        let first = members.first().map_or(0, |&m| poles[m].pole.order);
         let possible = (subspace.order_most.saturating_sub(first)) / 2 + 1;
         let needed = (options.orders_share_least * possible as f64).ceil() as usize;
-        if cluster.orders.len() < needed.max(options.orders_least) {
+        let Some(medoid) = medoid(&members, &poles) else {
             continue;
-        }
-        let sd = deviation(subspace, &cluster.medoid)?;
-        let medoid = &cluster.medoid;
-        let floor_hz = medoid.frequency_hz
-            * (medoid.damping_ratio / (2.0 * PI * medoid.frequency_hz * duration_s)).sqrt();
-        let settled = sd.frequency_sd_hz <= options.deviation_over_floor_most * floor_hz;
-        cluster.fate = if settled { Fate::Mode } else { Fate::Scattered };
-        cluster.deviation = Some(sd);
+        };
+        let enough = members.len() >= needed.max(options.orders_least);
+        let deviation = if enough {
+            Some(propagation.deviation(medoid)?)
+        } else {
+            None
+        };
+        let of = |value: fn(&Pole) -> f64| spread(members.iter().map(|&i| value(&poles[i].pole)));
+        found.push(Cluster {
+            medoid: medoid.clone(),
+            deviation,
+            orders: members.iter().map(|&i| poles[i].pole.order).collect(),
+            frequency_spread_hz: of(|p| p.frequency_hz),
+            damping_ratio_spread: of(|p| p.damping_ratio),
+            fate: if enough { Fate::Mode } else { Fate::FewOrders },
+        });
     }
     for i in 0..found.len() {
         let double = found[i].fate == Fate::Mode && found[..i].iter().any(|mode| splits_off(&found[i], mode));
@@ -138,11 +137,11 @@ struct Neighbour {
     distance: f64,
 }
 
-/// Greedy medoids, those with most orders first; `fate` is `FewOrders` for all.
-fn group(poles: &[&Pole], options: &Clustering) -> Vec<Cluster> {
+/// Groups of indices of poles that agree, one an order by ascending order; those with most orders first.
+fn group(poles: &[&JudgedPole], options: &Clustering) -> Vec<Vec<usize>> {
     let near: Vec<Vec<Neighbour>> = poles
         .iter()
-        .map(|p| neighbours(p, poles, options.distance_most))
+        .map(|p| neighbours(&p.pole, poles, options.distance_most))
         .collect();
     let mut free = vec![true; poles.len()];
     let mut found = Vec::new();
@@ -155,29 +154,36 @@ fn group(poles: &[&Pole], options: &Clustering) -> Vec<Cluster> {
                 (i, members.len(), mean)
             })
             .reduce(|a, b| if (b.1, -b.2) > (a.1, -a.2) { b } else { a });
-        let Some((medoid, ..)) = best else { break };
-        let members = one_an_order(&near[medoid], poles, &free);
-        for n in &near[medoid] {
+        let Some((leader, ..)) = best else { break };
+        let members = one_an_order(&near[leader], poles, &free);
+        found.push(members.iter().map(|m| m.index).collect());
+        for n in &near[leader] {
             free[n.index] = false;
         }
-        free[medoid] = false;
-        let of = |value: fn(&Pole) -> f64| spread(members.iter().map(|m| value(poles[m.index])));
-        found.push(Cluster {
-            medoid: poles[medoid].clone(),
-            deviation: None,
-            orders: members.iter().map(|m| poles[m.index].order).collect(),
-            frequency_spread_hz: of(|p| p.frequency_hz),
-            damping_ratio_spread: of(|p| p.damping_ratio),
-            fate: Fate::FewOrders,
-        });
+        free[leader] = false;
     }
     found
 }
 
-fn neighbours(pole: &Pole, poles: &[&Pole], most: f64) -> Vec<Neighbour> {
+/// Of the members whose deviation is near the least, the one nearest to all others: at some orders a pole that fits
+/// noise comes so close to the mode that both are badly known.
+fn medoid<'a>(members: &[usize], poles: &[&'a JudgedPole]) -> Option<&'a Pole> {
+    const NEAR_LEAST: f64 = 1.3; // the deviations themselves are known to 13 % or so: twice that
+    let sd_hz = |i: usize| poles[i].frequency_sd_hz.unwrap_or(f64::INFINITY);
+    let least = members.iter().map(|&i| sd_hz(i)).fold(f64::INFINITY, f64::min);
+    let best: Vec<&Pole> = members
+        .iter()
+        .filter(|&&i| sd_hz(i) <= NEAR_LEAST * least)
+        .map(|&i| &poles[i].pole)
+        .collect();
+    let apart = |p: &Pole| -> f64 { best.iter().map(|q| (p.root_hz() - q.root_hz()).norm()).sum() };
+    best.iter().copied().min_by(|a, b| apart(a).total_cmp(&apart(b)))
+}
+
+fn neighbours(pole: &Pole, poles: &[&JudgedPole], most: f64) -> Vec<Neighbour> {
     let root = pole.root_hz();
     let mut near = Vec::new();
-    for (index, other) in poles.iter().enumerate() {
+    for (index, other) in poles.iter().map(|j| &j.pole).enumerate() {
         let apart = (other.root_hz() - root).norm() / root.norm();
         if apart <= most {
             let distance = apart + 1.0 - assurance(&pole.shape, &other.shape);
@@ -190,11 +196,11 @@ fn neighbours(pole: &Pole, poles: &[&Pole], most: f64) -> Vec<Neighbour> {
 }
 
 /// Of each order the nearest free neighbour; neighbours come by ascending order.
-fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&Pole], free: &[bool]) -> Vec<&'a Neighbour> {
+fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&JudgedPole], free: &[bool]) -> Vec<&'a Neighbour> {
     let mut members: Vec<&Neighbour> = Vec::new();
     for n in near.iter().filter(|n| free[n.index]) {
         match members.last_mut() {
-            Some(last) if poles[last.index].order == poles[n.index].order => {
+            Some(last) if poles[last.index].pole.order == poles[n.index].pole.order => {
                 if n.distance < last.distance {
                     *last = n;
                 }

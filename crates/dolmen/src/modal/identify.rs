@@ -15,8 +15,11 @@ const PERIODS_REACHED: f64 = 3.0;
 const HANKEL_ROWS_MOST: usize = 900;
 /// Range above the highest peak that is kept free of aliases.
 const RANGE_ABOVE_PEAK: f64 = 1.3;
-/// Highest model order without a wish.
-const ORDER_MOST: usize = 60;
+/// Without a wish the highest model order is this many times the peaks or the channels, whichever are more: two for
+/// each mode, the rest for noise and close neighbours. Far more, and poles that fit noise crowd out the modes.
+const ORDER_OVER_PEAKS: usize = 6;
+/// Bounds of that order: enough orders to see what comes back, and no more than a minute of work.
+const ORDER_RANGE: [usize; 2] = [24, 60];
 
 /// Options of [`identify`]. The defaults serve every record this chapter was measured on.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,7 +32,8 @@ pub struct Identify {
     pub block_rows: Option<usize>,
     /// Decimation of the correlations; `None` (default): from the highest frequency; `Some(1)`: none.
     pub decimation: Option<usize>,
-    /// Highest model order; `None` (default): 60, less if the block rows allow no more.
+    /// Highest model order; `None` (default): six times the peaks of the spectrum or the channels, whichever are more,
+    /// between 24 and 60.
     pub order_most: Option<usize>,
     /// Blocks of time for the standard deviations; default 30.
     pub time_blocks: usize,
@@ -94,12 +98,10 @@ pub enum Note {
         /// Taken.
         taken: usize,
     },
-    /// A peak of the spectrum at which no stable mode was found.
-    PeakWithoutMode {
-        /// Its frequency, Hz.
-        frequency_hz: f64,
-        /// Its prominence, dB.
-        prominence_db: f64,
+    /// Peaks of the spectrum at which no stable mode was found.
+    PeaksWithoutMode {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
     },
     /// A mode seen for so few cycles that its damping ratio is hardly known.
     FewCycles {
@@ -118,14 +120,14 @@ impl std::fmt::Display for Note {
                 "{taken} block rows instead of {wished}, to keep the Hankel matrix below {HANKEL_ROWS_MOST} rows: modes \
                  that lie close together are told apart less well"
             ),
-            Note::PeakWithoutMode {
-                frequency_hz,
-                prominence_db,
-            } => write!(
-                f,
-                "the spectrum has a peak of {prominence_db:.0} dB at {frequency_hz:.3} Hz that no stable mode explains: a \
-                 machine, or a mode too weak or too short in the record"
-            ),
+            Note::PeaksWithoutMode { frequency_hz } => {
+                write!(f, "the spectrum has peaks that no stable mode explains, at ")?;
+                for (i, frequency_hz) in frequency_hz.iter().enumerate() {
+                    let comma = if i > 0 { ", " } else { "" };
+                    write!(f, "{comma}{frequency_hz:.3}")?;
+                }
+                write!(f, " Hz: machines, or modes too weak for this record")
+            }
             Note::FewCycles {
                 frequency_hz,
                 damping_floor,
@@ -202,22 +204,17 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         },
     )?;
     let stabilization = stabilize(
-        &subspace.poles,
+        &subspace,
         &Criteria {
             frequency_low_hz: options.criteria.frequency_low_hz.max(settings.range_hz[0]),
             frequency_high_hz: options.criteria.frequency_high_hz.min(settings.range_hz[1]),
             ..options.criteria.clone()
         },
-    );
-    let clusters = clusters(
-        &subspace,
-        &stabilization,
-        record.duration_s(),
-        &options.clustering,
     )?;
+    let clusters = clusters(&subspace, &stabilization, &options.clustering)?;
     let modes = modes_of(record, &clusters);
     wanted(options, &modes)?;
-    remark(&modes, &peaks.modes, &peaks.spectrum.prominence_db, &mut notes);
+    remark(&modes, &peaks.modes, &mut notes);
     let Subspace { singular_values, .. } = subspace;
     Ok(ModalAnalysis {
         modes,
@@ -270,8 +267,9 @@ fn choose(
     let decimation = options.decimation.unwrap_or((free as usize).max(1));
     let sampling_rate_hz = rate_hz / decimation as f64;
     let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
-    let wished = ((0.5 * PERIODS_REACHED * sampling_rate_hz / lowest_hz).ceil() as usize)
-        .max(ORDER_MOST.div_ceil(l) + 1);
+    let sought = (ORDER_OVER_PEAKS * peaks.modes.len().max(l)).clamp(ORDER_RANGE[0], ORDER_RANGE[1]);
+    let wished =
+        ((0.5 * PERIODS_REACHED * sampling_rate_hz / lowest_hz).ceil() as usize).max(sought.div_ceil(l) + 1);
     let block_rows = options.block_rows.unwrap_or_else(|| {
         let taken = wished.min((HANKEL_ROWS_MOST / l).max(block_rows_least));
         if taken < wished {
@@ -289,7 +287,7 @@ fn choose(
     }
     let order_most = options
         .order_most
-        .unwrap_or(ORDER_MOST.min(l * (block_rows.max(2) - 1) / 2 * 2));
+        .unwrap_or(sought.min(l * (block_rows.max(2) - 1) / 2 * 2));
     if let Some(given) = options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
         return Err(ModalError::ModesWanted {
             given,
@@ -356,17 +354,21 @@ fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
     }
 }
 
-fn remark(modes: &Modes, peaks: &Modes, prominence_db: &[f64], notes: &mut Vec<Note>) {
+fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     const NEAR: f64 = 0.03; // relative; a line of the spectrum lies so near its mode
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
-    for (peak, &prominence_db) in peaks.modes.iter().zip(prominence_db) {
-        let explained = |m: &Mode| (m.frequency_hz / peak.frequency_hz - 1.0).abs() <= NEAR;
-        if !modes.modes.iter().any(explained) {
-            notes.push(Note::PeakWithoutMode {
-                frequency_hz: peak.frequency_hz,
-                prominence_db,
-            });
-        }
+    let explained = |peak: &Mode| {
+        let near = |m: &Mode| (m.frequency_hz / peak.frequency_hz - 1.0).abs() <= NEAR;
+        modes.modes.iter().any(near)
+    };
+    let frequency_hz: Vec<f64> = peaks
+        .modes
+        .iter()
+        .filter(|peak| !explained(peak))
+        .map(|peak| peak.frequency_hz)
+        .collect();
+    if !frequency_hz.is_empty() {
+        notes.push(Note::PeaksWithoutMode { frequency_hz });
     }
     for mode in &modes.modes {
         let damping_floor = mode.damping_floor();

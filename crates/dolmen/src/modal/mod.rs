@@ -21,4 +21,4 @@ pub use modes::{Method, Mode, Modes};
 pub use ssi_cov::{Pole, SsiCov, Subspace, ssi_cov};
 pub use stabilization::{Criteria, JudgedPole, Stability, Stabilization, stabilize};
 pub use synthetic::{MadeMode, MadeRecord, ReferenceCase};
-pub use uncertainty::{PoleDeviation, deviation};
+pub use uncertainty::{PoleDeviation, Propagation};

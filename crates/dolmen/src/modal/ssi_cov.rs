@@ -82,6 +82,8 @@ pub struct Subspace {
     pub order_most: usize,
     /// Sampling rate after decimation, Hz.
     pub sampling_rate_hz: f64,
+    /// Duration of the record, s.
+    pub duration_s: f64,
     pub(super) correlations: Correlations,
     /// First `order_most` left singular vectors.
     pub(super) u: Matrix,
@@ -119,7 +121,7 @@ pub fn ssi_cov(record: &Record, options: &SsiCov) -> Result<Subspace, ModalError
     let lags = 2 * options.block_rows - 1;
     let correlations = correlate(record, lags_before(lags, options.decimation), options.time_blocks)?
         .decimated(options.decimation);
-    subspace(correlations, options)
+    subspace(correlations, options, record.duration_s())
 }
 
 fn check(options: &SsiCov, channels: usize) -> Result<(), ModalError> {
@@ -155,7 +157,7 @@ fn check(options: &SsiCov, channels: usize) -> Result<(), ModalError> {
     Ok(())
 }
 
-fn subspace(correlations: Correlations, options: &SsiCov) -> Result<Subspace, ModalError> {
+fn subspace(correlations: Correlations, options: &SsiCov, duration_s: f64) -> Result<Subspace, ModalError> {
     let (l, br, n) = (correlations.channels, options.block_rows, options.order_most);
     let hankel = Matrix::from_fn(l * br, l * br, |i, j| {
         correlations.lag(i / l + j / l + 1)[i % l * l + j % l]
@@ -181,6 +183,7 @@ fn subspace(correlations: Correlations, options: &SsiCov) -> Result<Subspace, Mo
         block_rows: br,
         order_most: n,
         sampling_rate_hz: 1.0 / correlations.step_s,
+        duration_s,
         correlations,
         u,
         v_over_s,

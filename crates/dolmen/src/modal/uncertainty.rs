@@ -1,12 +1,13 @@
-//! Standard deviation of one pole, from the scatter of the correlations between blocks of time (first order).
+//! Standard deviation of poles, from the scatter of the correlations between blocks of time (first order).
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | dH | `hankel_times` | Hankel matrix of one block's deviation | m × m, m = l br |
-//! | P | `off_subspace` | I - U Uᵀ, U the first n left singular vectors | m × m |
-//! | w | `w` | V S⁻¹ φ | m |
-//! | r | `residual` | (O↓ - λ O↑) φ | m - l |
-//! | χ | `left` | left eigenvector, χᵀ A = λ χᵀ | n |
+//! | dH | `hankel` | Hankel matrix of one block's deviation | m × m, m = l br |
+//! | D | `d` | dH V S⁻¹ | m × N |
+//! | ↑, ↓ | `up`, `down` | without the last, the first block row | m - l rows |
+//! | E, F, G | `e`, `f`, `g` | Uᵀ D, Qᵀ D↓, Qᵀ D↑ | N × N |
+//! | J, K | `j`, `k` | D↑ᵀ U↓, D↑ᵀ U↑ | N × N |
+//! | χ, φ | `left`, `right` | left and right eigenvectors of A, χᵀφ = 1 | n |
 
 use super::ModalError;
 use super::indicators::largest;
@@ -25,18 +26,16 @@ pub struct PoleDeviation {
     pub shape_sd: Vec<f64>,
 }
 
-/// Standard deviations of `pole`, by first-order propagation from the correlations of each block of time.
+/// First-order propagation from the correlations of each block of time to the poles of one [`Subspace`].
 ///
 /// ```text
-/// dU = P dH V S⁻¹                                       the part inside span(U) turns U and A alike: no pole moves
-/// dA φ = O↑⁺ (dU↓ φ - λ dU↑ φ) + (O↑ᵀO↑)⁻¹ dU↑ᵀ r         shape: n × 1
-/// dλ = χᵀ dA φ / χᵀφ;   dφ = Σ φ_k χ_kᵀ dA φ / (λ - λ_k) χ_kᵀφ_k
-/// var(f) = b/(b-1) Σ df²                                 over the b blocks of time
+/// dU = (I - U Uᵀ) D                                     the part inside span(U) turns U and A alike: no pole moves
+/// dA φ = R⁻¹ [(F - λ G) φ - (Qᵀ U↓ - λ R) E φ] + (RᵀR)⁻¹ (J - λ K) φ      leading n × n blocks; shape: n × 1
+/// dλ = χᵀ dA φ;   dφ = Σ φ_k χ_kᵀ dA φ / (λ - λ_k)
+/// var(f) = b/(b-1) Σ df²                                over the b blocks of time
 /// ```
-/// Only matrix–vector products for each block: no Kronecker product is formed, no block's Hankel matrix kept.
-///
-/// # Errors
-/// [`ModalError::Linalg`].
+/// Everything of a block that any order needs are five N × N matrices, N the highest order: no Kronecker product is
+/// formed and no block's Hankel matrix kept.
 ///
 /// # Limits
 /// First order: it holds where the standard deviation is small beside the distance to the next pole of like shape.
@@ -44,104 +43,154 @@ pub struct PoleDeviation {
 ///
 /// # Source
 /// Reynders, Pintelon & De Roeck (2008) Mech. Syst. Signal Process. 22:948-969; Döhler & Mevel (2013) Mech. Syst.
-/// Signal Process. 38:346-366. Differs from the sources: products for the poles asked, not a covariance of A.
-pub fn deviation(subspace: &Subspace, pole: &Pole) -> Result<PoleDeviation, ModalError> {
-    let local = Local::new(subspace, pole)?;
-    let blocks = &subspace.correlations.deviations;
-    let correction = blocks.len() as f64 / (blocks.len() as f64 - 1.0);
-    let (mut f2, mut z2, mut s2) = (0.0, 0.0, vec![0.0; pole.shape.len()]);
-    let mu = pole.eigenvalue.ln() * subspace.sampling_rate_hz;
-    let omega = mu.norm();
-    for block in blocks {
-        let (d_lambda, d_shape) = local.change(block);
-        let d_mu = d_lambda / pole.eigenvalue * subspace.sampling_rate_hz;
-        let d_omega = (mu.conj() * d_mu).re / omega;
-        let d_zeta = -d_mu.re / omega + mu.re * d_omega / (omega * omega);
-        f2 += (d_omega / (2.0 * PI)).powi(2);
-        z2 += d_zeta.powi(2);
-        for ((s2, phi), d) in s2.iter_mut().zip(&pole.shape).zip(d_shape) {
-            let along = if phi.norm() > 0.0 {
-                (phi.conj() * d).re / phi.norm()
-            } else {
-                d.norm()
-            };
-            *s2 += along * along;
-        }
-    }
-    Ok(PoleDeviation {
-        frequency_sd_hz: (correction * f2).sqrt(),
-        damping_ratio_sd: (correction * z2).sqrt(),
-        shape_sd: s2.into_iter().map(|s| (correction * s).sqrt()).collect(),
-    })
+/// Signal Process. 38:346-366. Differs from the sources: matrix–vector products for the poles asked, not the
+/// covariance of A; the shape is set to 1 at its largest component before its deviation is taken.
+pub struct Propagation<'a> {
+    subspace: &'a Subspace,
+    blocks: Vec<Block>,
+    /// State matrices decomposed so far, by order.
+    orders: Vec<Option<Order>>,
 }
 
-/// What the propagation needs of one pole, the same for all blocks.
-struct Local<'a> {
-    subspace: &'a Subspace,
+impl<'a> Propagation<'a> {
+    /// Projects every block's deviation: the work that all poles share.
+    pub fn new(subspace: &'a Subspace) -> Self {
+        let lags = subspace.correlations.deviations.iter();
+        Propagation {
+            subspace,
+            blocks: lags.map(|lags| Block::new(subspace, lags)).collect(),
+            orders: (0..=subspace.order_most).map(|_| None).collect(),
+        }
+    }
+
+    /// Standard deviation of the frequency of a pole of this subspace, Hz.
+    ///
+    /// # Errors
+    /// [`ModalError::Linalg`].
+    pub fn frequency_sd_hz(&mut self, pole: &Pole) -> Result<f64, ModalError> {
+        let (order, blocks, subspace) = self.order(pole)?;
+        let index = nearest(&order.values, pole.eigenvalue);
+        let changes = blocks.iter().map(|b| {
+            let d_lambda = order.along(index, &order.state_change(subspace, b, index));
+            frequency_and_damping(pole, d_lambda, subspace.sampling_rate_hz)[0]
+        });
+        let sum: f64 = changes.map(|d| d * d).sum();
+        Ok((correction(blocks.len()) * sum).sqrt())
+    }
+
+    /// Standard deviations of a pole of this subspace.
+    ///
+    /// # Errors
+    /// [`ModalError::Linalg`].
+    pub fn deviation(&mut self, pole: &Pole) -> Result<PoleDeviation, ModalError> {
+        let (order, blocks, subspace) = self.order(pole)?;
+        let index = nearest(&order.values, pole.eigenvalue);
+        let shape = leading_times(&subspace.u, pole.shape.len(), order.right.column(index));
+        let (mut f2, mut z2, mut s2) = (0.0, 0.0, vec![0.0; pole.shape.len()]);
+        for block in blocks {
+            let d_a_phi = order.state_change(subspace, block, index);
+            let d_lambda = order.along(index, &d_a_phi);
+            let [df, dz] = frequency_and_damping(pole, d_lambda, subspace.sampling_rate_hz);
+            f2 += df * df;
+            z2 += dz * dz;
+            let d_shape = order.shape_change(subspace, block, index, &d_a_phi);
+            for (c, d) in unit_shape_change(&shape, &d_shape).into_iter().enumerate() {
+                let phi = pole.shape[c];
+                let along = if phi.norm() > 0.0 {
+                    (phi.conj() * d).re / phi.norm()
+                } else {
+                    d.norm()
+                };
+                s2[c] += along * along;
+            }
+        }
+        let sd = |sum: f64| (correction(blocks.len()) * sum).sqrt();
+        Ok(PoleDeviation {
+            frequency_sd_hz: sd(f2),
+            damping_ratio_sd: sd(z2),
+            shape_sd: s2.into_iter().map(sd).collect(),
+        })
+    }
+
+    fn order(&mut self, pole: &Pole) -> Result<(&Order, &[Block], &'a Subspace), ModalError> {
+        let slot = &mut self.orders[pole.order];
+        let order = match slot {
+            Some(order) => order,
+            None => slot.insert(Order::new(self.subspace, pole.order)?),
+        };
+        Ok((order, &self.blocks, self.subspace))
+    }
+}
+
+fn correction(blocks: usize) -> f64 {
+    blocks as f64 / (blocks as f64 - 1.0)
+}
+
+/// Changes of frequency, Hz, and of damping ratio, for a change of the discrete eigenvalue.
+fn frequency_and_damping(pole: &Pole, d_lambda: Complex64, rate_hz: f64) -> [f64; 2] {
+    let mu = pole.eigenvalue.ln() * rate_hz;
+    let omega = mu.norm();
+    let d_mu = d_lambda / pole.eigenvalue * rate_hz;
+    let d_omega = (mu.conj() * d_mu).re / omega;
+    [
+        d_omega / (2.0 * PI),
+        -d_mu.re / omega + mu.re * d_omega / (omega * omega),
+    ]
+}
+
+/// Change of a shape whose largest component is held at 1.
+fn unit_shape_change(shape: &[Complex64], change: &[Complex64]) -> Vec<Complex64> {
+    let m = largest(shape).unwrap_or(0);
+    let (top, d_top) = (shape[m], change[m]);
+    let pairs = shape.iter().zip(change);
+    pairs.map(|(x, d)| d / top - x * d_top / (top * top)).collect()
+}
+
+/// What one block of time changes, projected.
+struct Block {
+    e: Matrix,
+    f: Matrix,
+    g: Matrix,
+    j: Matrix,
+    k: Matrix,
+    /// First block row of D.
+    top: Matrix,
+}
+
+impl Block {
+    fn new(s: &Subspace, lags: &[f64]) -> Self {
+        let (l, m, n) = (s.correlations.channels, s.u.rows(), s.order_most);
+        let hankel = Matrix::from_fn(m, m, |i, j| lags[(i / l + j / l + 1) * l * l + i % l * l + j % l]);
+        let d = &hankel * &s.v_over_s;
+        let (up, down) = (d.block(0, 0, m - l, n), d.block(l, 0, m - l, n));
+        let (u_up, u_down) = (s.u.block(0, 0, m - l, n), s.u.block(l, 0, m - l, n));
+        Block {
+            e: s.u.transpose_times(&d),
+            f: s.upper.q.transpose_times(&down),
+            g: s.upper.q.transpose_times(&up),
+            j: up.transpose_times(&u_down),
+            k: up.transpose_times(&u_up),
+            top: d.block(0, 0, l, n),
+        }
+    }
+}
+
+/// Eigenvalues and vectors of the state matrix of one order.
+struct Order {
     n: usize,
-    index: usize,
     values: Vec<Complex64>,
     right: ComplexMatrix,
     /// Left eigenvector k in column k, scaled so that χ_kᵀ φ_k = 1.
     left: ComplexMatrix,
-    w: Split,
-    /// P [r; 0].
-    residual: Split,
-    /// First block row of U φ.
-    shape: Vec<Complex64>,
 }
 
-/// A complex vector as real and imaginary parts: products with real matrices stay real.
-#[derive(Clone)]
-struct Split {
-    re: Vec<f64>,
-    im: Vec<f64>,
-}
-
-impl Split {
-    fn zeros(n: usize) -> Self {
-        Split {
-            re: vec![0.0; n],
-            im: vec![0.0; n],
-        }
-    }
-
-    fn of(z: &[Complex64]) -> Self {
-        Split {
-            re: z.iter().map(|z| z.re).collect(),
-            im: z.iter().map(|z| z.im).collect(),
-        }
-    }
-
-    fn at(&self, i: usize) -> Complex64 {
-        Complex64::new(self.re[i], self.im[i])
-    }
-
-    fn mapped(&self, f: impl Fn(&[f64]) -> Vec<f64>) -> Self {
-        Split {
-            re: f(&self.re),
-            im: f(&self.im),
-        }
-    }
-}
-
-impl<'a> Local<'a> {
-    fn new(subspace: &'a Subspace, pole: &Pole) -> Result<Self, ModalError> {
-        let (n, l) = (pole.order, subspace.correlations.channels);
+impl Order {
+    fn new(subspace: &Subspace, n: usize) -> Result<Self, ModalError> {
         let a = state(&subspace.upper.r, &subspace.shifted, n);
         let (e, mut mirrored) = (eigen(&a)?, eigen(&a.transpose())?);
-        let nearest = |values: &[Complex64], to: Complex64| {
-            (0..n).reduce(|best, k| {
-                if (values[k] - to).norm_sqr() < (values[best] - to).norm_sqr() {
-                    k
-                } else {
-                    best
-                }
-            })
-        };
         let mut left = ComplexMatrix::zeros(n, n);
         for k in 0..n {
-            let from = nearest(&mirrored.values, e.values[k]).unwrap_or(k);
+            let from = nearest(&mirrored.values, e.values[k]);
             mirrored.values[from] = Complex64::new(f64::INFINITY, 0.0); // taken
             let (chi, phi) = (mirrored.vectors.column(from), e.vectors.column(k));
             let scale: Complex64 = chi.iter().zip(phi).map(|(x, y)| x * y).sum();
@@ -149,134 +198,87 @@ impl<'a> Local<'a> {
                 left[(i, k)] = chi[i] / scale;
             }
         }
-        let index = nearest(&e.values, pole.eigenvalue).unwrap_or(0);
-        let (lambda, phi) = (e.values[index], Split::of(e.vectors.column(index)));
-        let times = |m: &Matrix, x: &Split| x.mapped(|x| leading_times(m, x));
-        let modal = times(&subspace.u, &phi); // U φ
-        let mut residual = Split::zeros(modal.re.len());
-        for i in 0..modal.re.len() - l {
-            let r = modal.at(i + l) - lambda * modal.at(i);
-            (residual.re[i], residual.im[i]) = (r.re, r.im);
-        }
-        Ok(Local {
-            subspace,
+        Ok(Order {
             n,
-            index,
-            w: times(&subspace.v_over_s, &phi),
-            residual: residual.mapped(|x| off_subspace(&subspace.u, n, x)),
-            shape: (0..l).map(|c| modal.at(c)).collect(),
             values: e.values,
             right: e.vectors,
             left,
         })
     }
 
-    /// Change of the eigenvalue and of the normalised shape for one block's deviation of the correlations.
-    fn change(&self, block: &[f64]) -> (Complex64, Vec<Complex64>) {
-        let (s, n, l) = (self.subspace, self.n, self.shape.len());
-        let lambda = self.values[self.index];
-        // dU φ = P dH w
-        let d_modal = self
-            .w
-            .mapped(|w| off_subspace(&s.u, n, &hankel_times(block, l, w)));
-        let mut fit = Split::zeros(d_modal.re.len() - l);
-        for i in 0..fit.re.len() {
-            let z = d_modal.at(i + l) - lambda * d_modal.at(i);
-            (fit.re[i], fit.im[i]) = (z.re, z.im);
-        }
-        // O↑⁺ (dU↓ φ - λ dU↑ φ) = R⁻¹ Qᵀ (…)
-        let first = fit.mapped(|z| {
-            let mut x = leading_transposed_times(&s.upper.q, n, z);
-            back_substitute(&s.upper.r, &mut x);
-            x
-        });
-        // (RᵀR)⁻¹ S⁻¹ Vᵀ dHᵀ P [r; 0]
-        let second = self.residual.mapped(|p| {
-            let mut x = leading_transposed_times(&s.v_over_s, n, &hankel_transposed_times(block, l, p));
-            forward_substitute(&s.upper.r, &mut x);
-            back_substitute(&s.upper.r, &mut x);
-            x
-        });
-        let d_a_phi: Vec<Complex64> = (0..n).map(|i| first.at(i) + second.at(i)).collect();
-        let along = |k: usize| -> Complex64 {
-            let chi = self.left.column(k);
-            chi.iter().zip(&d_a_phi).map(|(x, y)| x * y).sum()
+    /// dA φ of the pole at `index` for one block's deviation.
+    fn state_change(&self, s: &Subspace, block: &Block, index: usize) -> Vec<Complex64> {
+        let (n, lambda, phi) = (self.n, self.values[index], self.right.column(index));
+        let difference = |a: &Matrix, b: &Matrix, x: &[Complex64]| -> Vec<Complex64> {
+            let (ax, bx) = (leading_times(a, n, x), leading_times(b, n, x));
+            ax.iter().zip(&bx).map(|(a, b)| a - lambda * b).collect()
         };
-        let mut d_phi = vec![Complex64::ZERO; n];
-        for k in (0..n).filter(|&k| k != self.index) {
-            let weight = along(k) / (lambda - self.values[k]);
+        let moved = difference(&block.f, &block.g, phi);
+        let turned = difference(&s.shifted, &s.upper.r, &leading_times(&block.e, n, phi));
+        let mut second = difference(&block.j, &block.k, phi);
+        forward_substitute(&s.upper.r, &mut second);
+        let mut sum: Vec<Complex64> = (0..n).map(|i| moved[i] - turned[i] + second[i]).collect();
+        back_substitute_complex(&s.upper.r, &mut sum);
+        sum
+    }
+
+    /// χ_kᵀ x.
+    fn along(&self, k: usize, x: &[Complex64]) -> Complex64 {
+        self.left.column(k).iter().zip(x).map(|(chi, x)| chi * x).sum()
+    }
+
+    /// Change of the first block row of U φ.
+    fn shape_change(
+        &self,
+        s: &Subspace,
+        block: &Block,
+        index: usize,
+        d_a_phi: &[Complex64],
+    ) -> Vec<Complex64> {
+        let (n, l, phi) = (self.n, block.top.rows(), self.right.column(index));
+        let mut d_phi: Vec<Complex64> = leading_times(&block.e, n, phi).iter().map(|e| -e).collect();
+        for k in (0..n).filter(|&k| k != index) {
+            let weight = self.along(k, d_a_phi) / (self.values[index] - self.values[k]);
             for (d, phi) in d_phi.iter_mut().zip(self.right.column(k)) {
                 *d += weight * phi;
             }
         }
-        let d_shape: Vec<Complex64> = (0..l)
-            .map(|c| d_modal.at(c) + (0..n).map(|k| d_phi[k] * s.u[(c, k)]).sum::<Complex64>())
-            .collect();
-        let m = largest(&self.shape).unwrap_or(0);
-        let (top, d_top) = (self.shape[m], d_shape[m]);
-        let unit = self.shape.iter().zip(&d_shape);
-        let normalized = unit.map(|(x, d)| d / top - x * d_top / (top * top)).collect();
-        (along(self.index), normalized)
+        let (inside, outside) = (leading_times(&s.u, l, &d_phi), leading_times(&block.top, l, phi));
+        inside.iter().zip(&outside).map(|(a, b)| a + b).collect()
     }
 }
 
-/// First n columns of `m` times `x` of length n.
-fn leading_times(m: &Matrix, x: &[f64]) -> Vec<f64> {
-    let mut y = vec![0.0; m.rows()];
+fn nearest(values: &[Complex64], to: Complex64) -> usize {
+    let apart = |k: usize| (values[k] - to).norm_sqr();
+    (0..values.len())
+        .reduce(|best, k| if apart(k) < apart(best) { k } else { best })
+        .unwrap_or(0)
+}
+
+/// First `rows` rows and as many columns of `m` as `x` is long, times `x`.
+fn leading_times(m: &Matrix, rows: usize, x: &[Complex64]) -> Vec<Complex64> {
+    let mut y = vec![Complex64::ZERO; rows];
     for (j, xj) in x.iter().enumerate() {
         for (y, m) in y.iter_mut().zip(m.column(j)) {
-            *y += m * xj;
+            *y += xj * m;
         }
     }
     y
 }
 
-/// First n columns of `m`, transposed, times `x`.
-fn leading_transposed_times(m: &Matrix, n: usize, x: &[f64]) -> Vec<f64> {
-    (0..n)
-        .map(|j| m.column(j).iter().zip(x).map(|(m, x)| m * x).sum())
-        .collect()
-}
-
-fn off_subspace(u: &Matrix, n: usize, x: &[f64]) -> Vec<f64> {
-    let inside = leading_times(u, &leading_transposed_times(u, n, x));
-    x.iter().zip(inside).map(|(x, y)| x - y).collect()
+/// x ← R_n⁻¹ x.
+fn back_substitute_complex(r: &Matrix, x: &mut [Complex64]) {
+    let mut part: [Vec<f64>; 2] = [x.iter().map(|z| z.re).collect(), x.iter().map(|z| z.im).collect()];
+    part.iter_mut().for_each(|p| back_substitute(r, p));
+    for (i, z) in x.iter_mut().enumerate() {
+        *z = Complex64::new(part[0][i], part[1][i]);
+    }
 }
 
 /// x ← R_n⁻ᵀ x.
-fn forward_substitute(r: &Matrix, x: &mut [f64]) {
+fn forward_substitute(r: &Matrix, x: &mut [Complex64]) {
     for i in 0..x.len() {
-        let sum: f64 = r.column(i)[..i].iter().zip(&x[..i]).map(|(r, x)| r * x).sum();
+        let sum: Complex64 = r.column(i)[..i].iter().zip(&x[..i]).map(|(r, x)| x * r).sum();
         x[i] = (x[i] - sum) / r[(i, i)];
     }
-}
-
-/// [R_(i+j+1)] x, from the lags alone.
-fn hankel_times(lags: &[f64], l: usize, x: &[f64]) -> Vec<f64> {
-    let mut y = vec![0.0; x.len()];
-    for (i, y) in y.chunks_exact_mut(l).enumerate() {
-        for (j, x) in x.chunks_exact(l).enumerate() {
-            let r = &lags[(i + j + 1) * l * l..(i + j + 2) * l * l];
-            for (y, row) in y.iter_mut().zip(r.chunks_exact(l)) {
-                *y += row.iter().zip(x).map(|(r, x)| r * x).sum::<f64>();
-            }
-        }
-    }
-    y
-}
-
-/// [R_(i+j+1)]ᵀ x, from the lags alone.
-fn hankel_transposed_times(lags: &[f64], l: usize, x: &[f64]) -> Vec<f64> {
-    let mut y = vec![0.0; x.len()];
-    for (j, y) in y.chunks_exact_mut(l).enumerate() {
-        for (i, x) in x.chunks_exact(l).enumerate() {
-            let r = &lags[(i + j + 1) * l * l..(i + j + 2) * l * l];
-            for (row, x) in r.chunks_exact(l).zip(x) {
-                for (y, r) in y.iter_mut().zip(row) {
-                    *y += r * x;
-                }
-            }
-        }
-    }
-    y
 }
