@@ -20,6 +20,10 @@ pub struct Clustering {
     pub orders_share_least: f64,
     /// Least number of orders; default 4 (ours).
     pub orders_least: usize,
+    /// Largest standard deviation of a mode's frequency over its floor √(ζ/2πN_c), at the order that knows it best;
+    /// default 3.5 (ours: modes of the made records stay below 2, of a timber building whose stiffness follows its
+    /// motion below 3; poles that fit noise start near 3.5).
+    pub deviation_over_floor_most: f64,
 }
 
 impl Default for Clustering {
@@ -28,6 +32,7 @@ impl Default for Clustering {
             distance_most: 0.05,
             orders_share_least: 0.2,
             orders_least: 4,
+            deviation_over_floor_most: 3.5,
         }
     }
 }
@@ -39,6 +44,8 @@ pub enum Fate {
     Mode,
     /// Too few orders show it.
     FewOrders,
+    /// Its standard deviation is above what the record's length explains, at every order.
+    Scattered,
     /// It splits off a mode with more orders: like shape, and frequencies not apart beyond their scatter.
     Double,
 }
@@ -94,6 +101,7 @@ pub fn clusters(
             continue;
         };
         let enough = members.len() >= needed.max(options.orders_least);
+        let most_hz = options.deviation_over_floor_most * medoid.floor_hz(subspace.duration_s);
         let deviation = if enough {
             Some(propagation.deviation(medoid)?)
         } else {
@@ -102,11 +110,15 @@ pub fn clusters(
         let of = |value: fn(&Pole) -> f64| spread(members.iter().map(|&i| value(&poles[i].pole)));
         found.push(Cluster {
             medoid: medoid.clone(),
-            deviation,
             orders: members.iter().map(|&i| poles[i].pole.order).collect(),
             frequency_spread_hz: of(|p| p.frequency_hz),
             damping_ratio_spread: of(|p| p.damping_ratio),
-            fate: if enough { Fate::Mode } else { Fate::FewOrders },
+            fate: match &deviation {
+                None => Fate::FewOrders,
+                Some(d) if d.frequency_sd_hz > most_hz => Fate::Scattered,
+                Some(_) => Fate::Mode,
+            },
+            deviation,
         });
     }
     for i in 0..found.len() {

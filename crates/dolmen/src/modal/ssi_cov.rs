@@ -67,6 +67,12 @@ impl Pole {
         let zeta = self.damping_ratio;
         Complex64::new(-zeta, (1.0 - zeta * zeta).max(0.0).sqrt()) * self.frequency_hz
     }
+
+    /// Long-record floor of the standard deviation of the frequency, f √(ζ/2πN_c) (Au 2014), Hz.
+    pub(crate) fn floor_hz(&self, duration_s: f64) -> f64 {
+        let cycles = self.frequency_hz * duration_s;
+        self.frequency_hz * (self.damping_ratio / (2.0 * PI * cycles)).sqrt()
+    }
 }
 
 /// Poles of every even order, with the decomposition they came from.

@@ -2,7 +2,6 @@
 
 use super::indicators::assurance;
 use super::{ModalError, Pole, Propagation, Subspace};
-use std::f64::consts::PI;
 
 /// Criteria of [`stabilize`].
 #[derive(Clone, Debug, PartialEq)]
@@ -22,7 +21,7 @@ pub struct Criteria {
     /// Largest mean phase deviation over a right angle, 0 to 1; default 0.45 (ours).
     pub phase_deviation_most: f64,
     /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 5 (ours: modes of the made
-    /// records reach 1 to 3, poles that fit noise 5 to 100).
+    /// records reach 1 to 2, poles that fit noise 5 to 100).
     pub deviation_over_floor_most: f64,
     /// Largest change of frequency to the order below, relative; default 0.01 (Peeters & De Roeck 1999).
     pub frequency_change_most: f64,
@@ -120,7 +119,7 @@ pub fn stabilize(subspace: &Subspace, criteria: &Criteria) -> Result<Stabilizati
         if stability.is_none() {
             let sd_hz = propagation.frequency_sd_hz(pole)?;
             frequency_sd_hz = Some(sd_hz);
-            let settled = sd_hz <= criteria.deviation_over_floor_most * floor_hz(pole, subspace.duration_s);
+            let settled = sd_hz <= criteria.deviation_over_floor_most * pole.floor_hz(subspace.duration_s);
             stability = if settled { None } else { Some(Stability::Scattered) };
         }
         let possible_below = judged[below.clone()].iter().filter(|j| j.stability.possible());
@@ -134,12 +133,6 @@ pub fn stabilize(subspace: &Subspace, criteria: &Criteria) -> Result<Stabilizati
         poles: judged,
         criteria: criteria.clone(),
     })
-}
-
-/// Long-record floor of the standard deviation of the frequency, f √(ζ/2πN_c).
-fn floor_hz(pole: &Pole, duration_s: f64) -> f64 {
-    let cycles = pole.frequency_hz * duration_s;
-    pole.frequency_hz * (pole.damping_ratio / (2.0 * PI * cycles)).sqrt()
 }
 
 fn hard(pole: &Pole, c: &Criteria) -> Option<Stability> {
