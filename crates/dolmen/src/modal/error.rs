@@ -1,4 +1,4 @@
-use crate::signal::SignalError;
+use crate::signal::{ChannelFault, SignalError};
 use dolmen_linalg::LinalgError;
 
 /// Why modes cannot be identified. Each variant carries the value that was refused.
@@ -19,6 +19,17 @@ pub enum ModalError {
         channels: usize,
         /// Largest order allowed.
         most: usize,
+    },
+    /// The Hankel matrix has fewer significant singular values than the order asked.
+    #[error(
+        "order_most is {given}, but the correlations have rank {rank} to working precision: the record holds almost no \
+         noise; lower order_most to {rank} or less"
+    )]
+    Rank {
+        /// Order asked.
+        given: usize,
+        /// Singular values above rounding.
+        rank: usize,
     },
     /// More modes are asked than the model order can hold.
     #[error(
@@ -112,20 +123,9 @@ pub enum ModalError {
         /// Highest frequency looked at, Hz.
         high_hz: f64,
     },
-    /// A channel does not move at all.
-    #[error("channel \"{channel}\" has the same value in every sample: leave it out or mend the sensor")]
-    DeadChannel {
-        /// Its name.
-        channel: String,
-    },
-    /// Two channels hold the same numbers.
-    #[error("channels \"{first}\" and \"{second}\" hold the same numbers: leave one out")]
-    DuplicateChannels {
-        /// Name of one.
-        first: String,
-        /// Name of the other.
-        second: String,
-    },
+    /// A channel is dead or holds the same signal as another.
+    #[error("{0}")]
+    Channel(ChannelFault),
     /// A mode of a made record cannot be made.
     #[error(
         "mode {mode} of the made record has frequency {frequency_hz} Hz and damping ratio {damping_ratio}, but must lie \

@@ -18,6 +18,8 @@ use std::ops::Range;
 const LINES_MOST: usize = 16_384;
 /// Fewest lines that still show a peak.
 const LINES_LEAST: usize = 64;
+/// Samples over lines: fewer parts to average, and the peaks of noise pass for modes.
+const PARTS_LEAST: usize = 16;
 /// Lines from zero frequency that the removed mean and the lag window spoil.
 const LINES_SPOILT: usize = 4;
 
@@ -92,7 +94,15 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
             allowed: "a positive number",
         });
     }
-    let automatic = (record.length() / 16 + 1).next_power_of_two() / 2;
+    if record.length() < PARTS_LEAST * LINES_LEAST {
+        return Err(ModalError::TooShort {
+            samples: record.length(),
+            lags: LINES_LEAST,
+            blocks: PARTS_LEAST,
+            needed: PARTS_LEAST * LINES_LEAST,
+        });
+    }
+    let automatic = (record.length() / PARTS_LEAST + 1).next_power_of_two() / 2;
     let lines = options.lines.unwrap_or(automatic.clamp(LINES_LEAST, LINES_MOST));
     let correlations = correlate(record, lines, 1)?;
     let matrices = SpectralMatrices::new(&correlations);

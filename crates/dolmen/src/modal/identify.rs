@@ -6,7 +6,7 @@ use super::fdd::{Fdd, SingularSpectrum, fdd};
 use super::ssi_cov::{SsiCov, Subspace, ssi_cov};
 use super::stabilization::{Criteria, Stabilization, stabilize};
 use super::{Method, ModalError, Mode, Modes};
-use crate::signal::Record;
+use crate::signal::{ChannelFault, Record, inspect};
 
 /// Periods of the lowest mode that the lags reach over, 2 br of them: half of this is the least of theory. Longer
 /// lags tell close modes apart; much longer ones hold noise alone.
@@ -91,6 +91,8 @@ pub struct Settings {
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Note {
+    /// A channel that is faint or clipped: it was used all the same.
+    Channel(ChannelFault),
     /// The block rows are fewer than wished, so as to keep the matrices in bounds.
     BlockRowsBounded {
         /// Wished.
@@ -115,6 +117,7 @@ pub enum Note {
 impl std::fmt::Display for Note {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
+            Note::Channel(fault) => write!(f, "{fault} (it was used all the same)"),
             Note::BlockRowsBounded { wished, taken } => write!(
                 f,
                 "{taken} block rows instead of {wished}, to keep the Hankel matrix below {HANKEL_ROWS_MOST} rows: modes \
@@ -168,7 +171,7 @@ pub struct ModalAnalysis {
 /// decimated; [`Settings`] tells. Two passes over the record: one of long lags for the spectrum, one for SSI.
 ///
 /// # Errors
-/// [`ModalError::DeadChannel`], [`ModalError::DuplicateChannels`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
+/// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
 /// [`ModalError::Order`], [`ModalError::ModesWanted`], [`ModalError::ModesMissing`], [`ModalError::TooShort`],
 /// [`ModalError::Option`], [`ModalError::Linalg`].
 ///
@@ -183,7 +186,8 @@ pub struct ModalAnalysis {
 /// # Ok::<(), dolmen::modal::ModalError>(())
 /// ```
 pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
-    refuse_faulty_channels(record)?;
+    check(record, options)?;
+    let mut notes = judge_channels(record)?;
     let peaks = fdd(
         record,
         &Fdd {
@@ -192,7 +196,6 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
             ..options.fdd.clone()
         },
     )?;
-    let mut notes = Vec::new();
     let settings = choose(record, options, &peaks.modes, &mut notes)?;
     let subspace = ssi_cov(
         record,
@@ -228,23 +231,42 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     })
 }
 
-fn refuse_faulty_channels(record: &Record) -> Result<(), ModalError> {
-    let channels = record.channels();
-    for (c, channel) in channels.iter().enumerate() {
-        let samples = record.samples(c);
-        if samples.iter().all(|x| *x == samples[0]) {
-            return Err(ModalError::DeadChannel {
-                channel: channel.name.clone(),
-            });
-        }
-        if let Some(twin) = (0..c).find(|&other| record.samples(other) == samples) {
-            return Err(ModalError::DuplicateChannels {
-                first: channels[twin].name.clone(),
-                second: channel.name.clone(),
-            });
-        }
+fn check(record: &Record, options: &Identify) -> Result<(), ModalError> {
+    let nyquist_hz = 0.5 * record.sampling_rate_hz();
+    let low_hz = options.frequency_low_hz.unwrap_or(0.0);
+    let high_hz = options.frequency_high_hz.unwrap_or(nyquist_hz);
+    let refused = |option, given, allowed| {
+        Err(ModalError::Option {
+            option,
+            given,
+            allowed,
+        })
+    };
+    if !(low_hz >= 0.0 && low_hz < nyquist_hz) {
+        return refused("frequency_low_hz", low_hz, "between 0 and half the sampling rate");
+    }
+    if !(high_hz > low_hz && high_hz <= nyquist_hz) {
+        let allowed = "above frequency_low_hz and at most half the sampling rate";
+        return refused("frequency_high_hz", high_hz, allowed);
+    }
+    if options.decimation == Some(0) {
+        return refused("decimation", 0.0, "at least 1");
     }
     Ok(())
+}
+
+/// Refuses dead and duplicated channels; notes faint and clipped ones.
+fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
+    let mut notes = Vec::new();
+    for fault in inspect(record) {
+        match fault {
+            ChannelFault::Constant { .. } | ChannelFault::Duplicated { .. } => {
+                return Err(ModalError::Channel(fault));
+            }
+            _ => notes.push(Note::Channel(fault)),
+        }
+    }
+    Ok(notes)
 }
 
 fn choose(

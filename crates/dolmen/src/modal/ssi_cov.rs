@@ -17,6 +17,9 @@ use crate::signal::Record;
 use dolmen_linalg::{Complex64, Matrix, Qr, eigen, qr, svd};
 use std::f64::consts::PI;
 
+/// Singular values below this share of the largest are rounding (double precision, FFT sums of many samples).
+const RANK_LEAST: f64 = 1e-13;
+
 /// Options of [`ssi_cov`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct SsiCov {
@@ -111,7 +114,8 @@ pub struct Subspace {
 /// R_0 is left out, so that white sensor noise does not enter.
 ///
 /// # Errors
-/// [`ModalError::Order`], [`ModalError::Option`], [`ModalError::TooShort`], [`ModalError::Linalg`].
+/// [`ModalError::Order`], [`ModalError::Rank`], [`ModalError::Option`], [`ModalError::TooShort`],
+/// [`ModalError::Linalg`].
 ///
 /// # Limits
 /// With fewer than fs/(2 f1) block rows the first mode is lost or its damping is wrong by several times; see
@@ -170,6 +174,10 @@ fn subspace(correlations: Correlations, options: &SsiCov, duration_s: f64) -> Re
     });
     let f = svd(&hankel)?;
     drop(hankel);
+    let rank = f.s.iter().filter(|s| **s > RANK_LEAST * f.s[0]).count();
+    if n > rank {
+        return Err(ModalError::Rank { given: n, rank });
+    }
     let u = f.u.block(0, 0, l * br, n);
     let v_over_s = Matrix::from_fn(l * br, n, |i, j| f.v[(i, j)] / f.s[j].max(f64::MIN_POSITIVE));
     let upper = qr(&u.block(0, 0, l * (br - 1), n))?;
@@ -240,4 +248,75 @@ fn poles_of(a: &Matrix, u: &Matrix, channels: usize, step_s: f64) -> Result<Vec<
     }
     poles.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     Ok(poles)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const STEP_S: f64 = 0.05;
+    const MODES: [(f64, f64, [f64; 3]); 2] = [(1.0, 0.01, [1.0, 0.5, -0.2]), (2.5, 0.03, [0.3, -0.8, 1.0])];
+
+    /// Correlations of free modes under white force, up to a scale: Σ φ φᵀ e^(-ζωτ) cos(ω_d τ).
+    fn analytic(lags: usize) -> Correlations {
+        let mut mean = Vec::new();
+        for k in 0..=lags {
+            let entry = |a: usize, b: usize| -> f64 {
+                let of = MODES.iter().map(|(f, zeta, phi)| {
+                    let (omega, tau) = (2.0 * PI * f, k as f64 * STEP_S);
+                    let turn = omega * (1.0 - zeta * zeta).sqrt() * tau;
+                    phi[a] * phi[b] * (-zeta * omega * tau).exp() * turn.cos()
+                });
+                of.sum()
+            };
+            mean.extend((0..9).map(|i| entry(i / 3, i % 3)));
+        }
+        Correlations {
+            channels: 3,
+            lags,
+            step_s: STEP_S,
+            mean,
+            deviations: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn exact_poles_and_shapes_of_exact_correlations() {
+        let options = SsiCov {
+            block_rows: 10,
+            order_most: 4,
+            ..Default::default()
+        };
+        let found = subspace(analytic(19), &options, 100.0).unwrap();
+        let at_four: Vec<&Pole> = found.poles.iter().filter(|p| p.order == 4).collect();
+        assert_eq!(at_four.len(), 2);
+        for (pole, (frequency_hz, zeta, phi)) in at_four.iter().zip(MODES) {
+            assert!((pole.frequency_hz / frequency_hz - 1.0).abs() < 1e-11, "{pole:?}");
+            assert!((pole.damping_ratio - zeta).abs() < 1e-11, "{pole:?}");
+            for (z, phi) in pole.shape.iter().zip(phi) {
+                assert!((z - phi).norm() < 1e-9, "{pole:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_an_order_above_what_block_rows_or_rank_allow() {
+        let options = |order_most| SsiCov {
+            block_rows: 10,
+            order_most,
+            ..Default::default()
+        };
+        let fault = check(&options(28), 3).unwrap_err().to_string();
+        assert_eq!(
+            fault,
+            "order_most is 28, but 10 block rows of 3 channels allow at most 26: raise block_rows or lower order_most"
+        );
+        let fault = subspace(analytic(19), &options(6), 100.0)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            fault.starts_with("order_most is 6, but the correlations have rank 4"),
+            "{fault}"
+        );
+    }
 }

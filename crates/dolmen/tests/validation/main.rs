@@ -6,3 +6,4 @@ mod chain_laws;
 mod choi_2021;
 mod columns;
 mod draws;
+mod made_records;
