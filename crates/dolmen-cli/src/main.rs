@@ -3,8 +3,10 @@
 mod check;
 mod cli;
 mod files;
+mod identify;
 mod new;
 mod open;
+mod report;
 mod tools;
 mod validate;
 
@@ -37,11 +39,14 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
     match &cli.verb {
         Verb::New(options) => new::run(options, cli.quiet),
         Verb::Check(options) => check::run(options, cli.json),
+        Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
+        Verb::Report(options) => report::run(options, cli.quiet),
+        Verb::Demo(options) => report::demo(options, cli.quiet),
+        Verb::Schema => tools::schema(),
         Verb::Validate => validate::run(cli.json),
         Verb::Doctor => validate::doctor(),
         Verb::Explain { code } => tools::explain(code.as_deref(), cli.json),
         Verb::Completions { shell } => tools::completions(*shell),
         Verb::Man { directory } => tools::man(directory.as_deref()),
-        _ => anyhow::bail!("not yet"),
     }
 }

@@ -1,8 +1,12 @@
-//! From paths to values: project files and the records they name.
+//! From paths to values: project files, and the records they name, conditioned as they say.
 
 use crate::files;
-use anyhow::Result;
-use dolmen_formats::project::{Project, parse_project};
+use anyhow::{Context as _, Result};
+use dolmen::signal::{
+    Channel, ChannelFault, Record, Trend, band_pass, cut, decimate, detrend, inspect, leave_out, low_pass,
+};
+use dolmen_formats::project::{ChannelSource, Column, Conditioning, Project, RecordSource, parse_project};
+use dolmen_formats::records::{self, Delimiter, Pick, RecordOptions, TimeColumn, Unit, read_record};
 use std::path::{Path, PathBuf};
 
 /// A project and the file it came from.
@@ -17,4 +21,112 @@ pub(crate) fn project(path: &Path) -> Result<Opened> {
     let text = files::read_text(&file)?;
     let project = parse_project(&text, &file.display().to_string())?;
     Ok(Opened { project, file })
+}
+
+/// A record as it is to be used, and what it was when read.
+pub(crate) struct OpenedRecord {
+    pub(crate) record: Record,
+    pub(crate) channels: usize,
+    pub(crate) samples: usize,
+    pub(crate) sampling_rate_hz: f64,
+    pub(crate) faults: Vec<ChannelFault>,
+}
+
+/// Reads the record file of a survey, looks for faulty channels, leaves out those that the project says, conditions.
+pub(crate) fn record(source: &RecordSource, project_file: &Path) -> Result<OpenedRecord> {
+    let path = project_file.parent().unwrap_or(Path::new(".")).join(&source.file);
+    let shown = || path.display().to_string();
+    let record = read_record(&files::read(&path)?, &options(source).with_context(shown)?)
+        .with_context(shown)?
+        .record;
+    let (channels, samples) = (record.channels().len(), record.length());
+    let sampling_rate_hz = record.sampling_rate_hz();
+    let dropped: Vec<&str> = source.channels.iter().filter(|c| c.leave_out).map(name).collect();
+    let record = if dropped.is_empty() {
+        record
+    } else {
+        leave_out(record, &dropped).with_context(shown)?
+    };
+    let faults = inspect(&record);
+    let record = condition(record, &source.conditioning).with_context(shown)?;
+    Ok(OpenedRecord {
+        record,
+        channels,
+        samples,
+        sampling_rate_hz,
+        faults,
+    })
+}
+
+fn name(channel: &ChannelSource) -> &str {
+    match (&channel.name, &channel.column) {
+        (Some(name), _) | (None, Column::Name(name)) => name,
+        (None, Column::Number(_)) => "",
+    }
+}
+
+fn column(column: &Column) -> records::Column {
+    match column {
+        Column::Number(number) => records::Column::Number(*number),
+        Column::Name(name) => records::Column::Named(name.clone()),
+    }
+}
+
+fn options(source: &RecordSource) -> Result<RecordOptions> {
+    let pick = |channel: &ChannelSource| {
+        let name = match (&channel.name, &channel.column) {
+            (Some(name), _) | (None, Column::Name(name)) => name.clone(),
+            (None, Column::Number(number)) => format!("ch{number}"),
+        };
+        let sensor = Channel {
+            position_m: channel.position_m,
+            direction: channel.direction,
+            ..Channel::named(name)
+        };
+        Pick {
+            column: column(&channel.column),
+            channel: sensor,
+        }
+    };
+    Ok(RecordOptions {
+        sampling_rate_hz: source.sampling_rate_hz,
+        unit: match &source.unit {
+            Some(unit) => Unit::parse(unit)?,
+            None => Unit::default(),
+        },
+        picks: source.channels.iter().map(pick).collect(),
+        delimiter: source.delimiter.and_then(|sign| match sign {
+            ',' => Some(Delimiter::Comma),
+            ';' => Some(Delimiter::Semicolon),
+            '\t' => Some(Delimiter::Tab),
+            ' ' => Some(Delimiter::WhiteSpace),
+            _ => None,
+        }),
+        time: source
+            .time_column
+            .as_ref()
+            .map_or(TimeColumn::Detect, |given| TimeColumn::At(column(given))),
+        ..RecordOptions::default()
+    })
+}
+
+fn condition(mut record: Record, steps: &Conditioning) -> Result<Record> {
+    if let Some(part) = steps.cut {
+        record = cut(record, part.from_s, part.to_s)?;
+    }
+    match steps.detrend_degree {
+        None => {}
+        Some(0) => record = detrend(record, Trend::Mean),
+        Some(_) => record = detrend(record, Trend::Line),
+    }
+    if let Some(band) = steps.band_pass {
+        record = band_pass(record, band.low_hz, band.high_hz, band.order)?;
+    }
+    if let Some(low) = steps.low_pass {
+        record = low_pass(record, low.corner_hz, low.order)?;
+    }
+    if let Some(factor) = steps.decimate_factor {
+        record = decimate(record, factor)?;
+    }
+    Ok(record)
 }

@@ -5,6 +5,7 @@ use crate::cli::Cli;
 use anyhow::{Context as _, Result, bail};
 use clap::CommandFactory as _;
 use dolmen_formats::explain::{EXPLANATIONS, explain as look_up, nearest_code};
+use dolmen_formats::project::json_schema;
 use serde_json::json;
 use std::io::Write as _;
 use std::path::Path;
@@ -68,6 +69,11 @@ pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "dolmen", &mut script);
     std::io::stdout().write_all(&script)?;
+    Ok(Outcome::Stands)
+}
+
+pub(crate) fn schema() -> Result<Outcome> {
+    println!("{:#}", json_schema());
     Ok(Outcome::Stands)
 }
 

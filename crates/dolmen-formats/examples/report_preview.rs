@@ -234,6 +234,7 @@ fn roots() -> Vec<SurveyAnswer> {
         stands: true,
     };
     vec![SurveyAnswer {
+        records: None,
         name: "2009".into(),
         stiffness: vec![StiffnessAnswer {
             direction: "weak".into(),

@@ -2,6 +2,8 @@
 
 use crate::project::{Names, Project};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity};
+use dolmen::modal::ModalAnalysis;
+use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
 use dolmen::structure::{Convention, StiffnessSolutions};
 
@@ -76,8 +78,29 @@ pub struct Sampled {
 pub struct SurveyAnswer {
     /// The survey's name.
     pub name: String,
+    /// Modes from its records; `None` if it has none.
+    pub records: Option<RecordAnswer>,
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
+}
+
+/// What a record gave.
+#[derive(Clone, Debug)]
+pub struct RecordAnswer {
+    /// Path of the record file as the project names it.
+    pub file: String,
+    /// Channels read, before any was left out.
+    pub channels: usize,
+    /// Samples a channel, as read.
+    pub samples: usize,
+    /// Sampling rate, as read, Hz.
+    pub sampling_rate_hz: f64,
+    /// Unit of the numbers; "" if not known.
+    pub unit: String,
+    /// What looked wrong with channels.
+    pub faults: Vec<ChannelFault>,
+    /// Spectrum, stabilisation and modes.
+    pub analysis: ModalAnalysis,
 }
 
 /// Stiffness from modes, in one direction and convention.

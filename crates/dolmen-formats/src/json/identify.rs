@@ -1,7 +1,9 @@
 //! `dolmen identify` as JSON.
 
 use super::check::{modes, project};
-use crate::answer::{Answer, StiffnessAnswer, SurveyAnswer};
+use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen::modal::{Mode, Modes};
+use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessSolution, Visibility};
 use serde_json::{Value, json};
 
@@ -16,7 +18,60 @@ pub fn identification_json(answer: &Answer) -> Value {
 fn survey(survey: &SurveyAnswer) -> Value {
     json!({
         "name": survey.name,
+        "records": survey.records.as_ref().map(record),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
+    })
+}
+
+fn record(record: &RecordAnswer) -> Value {
+    let analysis = &record.analysis;
+    let settings = &analysis.settings;
+    json!({
+        "file": record.file,
+        "channels": record.channels,
+        "samples": record.samples,
+        "sampling_rate_hz": record.sampling_rate_hz,
+        "unit": record.unit,
+        "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "settings": {
+            "lowest_hz": settings.lowest_hz,
+            "highest_hz": settings.highest_hz,
+            "decimation": settings.decimation,
+            "sampling_rate_hz": settings.sampling_rate_hz,
+            "block_rows": settings.block_rows,
+            "block_rows_least": settings.block_rows_least,
+            "order_most": settings.order_most,
+            "time_blocks": settings.time_blocks,
+            "range_hz": settings.range_hz,
+        },
+        "modes": identified(&analysis.modes),
+        "fdd_modes": identified(&analysis.fdd_modes),
+        "notes": analysis.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+/// Identified modes; shapes as [re, im] a channel.
+fn identified(modes: &Modes) -> Value {
+    let mode = |mode: &Mode| {
+        json!({
+            "frequency_hz": mode.frequency_hz,
+            "frequency_sd_hz": mode.frequency_sd_hz,
+            "damping_ratio": mode.damping_ratio,
+            "damping_ratio_sd": mode.damping_ratio_sd,
+            "shape": mode.shape.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>(),
+            "shape_sd": mode.shape_sd,
+            "phase_collinearity": mode.phase_collinearity,
+            "cycles": mode.cycles,
+            "orders": mode.orders,
+        })
+    };
+    let channel =
+        |c: &Channel| json!({ "name": c.name, "position_m": c.position_m, "direction": c.direction });
+    json!({
+        "duration_s": modes.duration_s,
+        "channels": modes.channels.iter().map(channel).collect::<Vec<_>>(),
+        "modes": modes.modes.iter().map(mode).collect::<Vec<_>>(),
     })
 }
 

@@ -80,6 +80,7 @@ fn gate() -> Answer {
     let check = Check::Frame(checks.collect());
     let mut answer = answer(project, check);
     answer.surveys = vec![SurveyAnswer {
+        records: None,
         name: "2009".into(),
         stiffness: vec![stiffness],
     }];

@@ -2,8 +2,9 @@
 
 use super::Table;
 use super::project::{convention_words, heading_text, warnings_text};
-use crate::answer::{Answer, StiffnessAnswer, SurveyAnswer};
+use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::number::prefix;
+use dolmen::modal::Modes;
 use dolmen::structure::{Choice, StiffnessSolution, Visibility};
 use std::fmt::Write as _;
 
@@ -28,6 +29,9 @@ pub fn identification_text(answer: &Answer) -> String {
 
 fn survey_text(survey: &SurveyAnswer) -> String {
     let mut out = format!("\n== survey {}\n", survey.name);
+    if let Some(record) = &survey.records {
+        out += &record_text(record);
+    }
     let mut direction = "";
     for stiffness in &survey.stiffness {
         if stiffness.direction != direction {
@@ -37,6 +41,119 @@ fn survey_text(survey: &SurveyAnswer) -> String {
         out += &stiffness_text(stiffness);
     }
     out
+}
+
+fn record_text(record: &RecordAnswer) -> String {
+    let modes = &record.analysis.modes;
+    let unit = if record.unit.is_empty() {
+        "unit not given"
+    } else {
+        &record.unit
+    };
+    let mut out = format!(
+        "\nRecord {}: {} channels × {} samples at {} Hz ({:.1} min), {unit}\n",
+        record.file,
+        record.channels,
+        record.samples,
+        record.sampling_rate_hz,
+        record.samples as f64 / record.sampling_rate_hz / 60.0
+    );
+    for step in &modes.history {
+        let _ = writeln!(out, "  done: {step}");
+    }
+    for fault in &record.faults {
+        let _ = writeln!(out, "  warning: {fault} [channel-fault]");
+    }
+    let chosen = &record.analysis.settings;
+    let _ = writeln!(
+        out,
+        "  chosen from the data: {} block rows at {:.4} Hz (at least {} for the lowest peak, {:.3} Hz), orders to {}, modes \
+         sought in\n  {:.3} to {:.3} Hz [block-rows]",
+        chosen.block_rows,
+        chosen.sampling_rate_hz,
+        chosen.block_rows_least,
+        chosen.lowest_hz,
+        chosen.order_most,
+        chosen.range_hz[0],
+        chosen.range_hz[1]
+    );
+    out += &modes_text(modes);
+    for note in &record.analysis.notes {
+        let _ = writeln!(out, "  note: {note}");
+    }
+    out
+}
+
+fn modes_text(modes: &Modes) -> String {
+    if modes.modes.is_empty() {
+        return "\nNo mode was found.\n".to_owned();
+    }
+    let heads = [
+        "mode",
+        "f, Hz",
+        "± 95 %",
+        "damping, %",
+        "± 95 %",
+        "floor ±, %",
+        "MPC",
+        "cycles",
+        "orders",
+    ];
+    let mut table = Table::new(&heads, 1);
+    for (i, mode) in modes.modes.iter().enumerate() {
+        let some = |x: Option<f64>, decimals: usize| x.map_or("-".to_owned(), |x| format!("{x:.decimals$}"));
+        let floor = mode
+            .damping_ratio
+            .map(|zeta| 100.0 * TWO_SIDED_95 * zeta * mode.damping_floor());
+        table.row(vec![
+            (i + 1).to_string(),
+            format!("{:.4}", mode.frequency_hz),
+            some(mode.frequency_sd_hz.map(|sd| TWO_SIDED_95 * sd), 4),
+            some(mode.damping_ratio.map(|zeta| 100.0 * zeta), 3),
+            some(mode.damping_ratio_sd.map(|sd| 100.0 * TWO_SIDED_95 * sd), 3),
+            some(floor, 3),
+            format!("{:.3}", mode.phase_collinearity),
+            format!("{:.0}", mode.cycles),
+            mode.orders.len().to_string(),
+        ]);
+    }
+    let mut out = format!(
+        "\nModes, none picked by hand\n{}  floor: what any method can reach at best in this many cycles [damping-floor]\n",
+        table.text()
+    );
+    out += &channel_shapes_text(modes);
+    out
+}
+
+/// Shapes at the sensors: modulus with the sign of its phase, the largest 1.
+fn channel_shapes_text(modes: &Modes) -> String {
+    let mut heads: Vec<String> = vec!["channel".into(), "place, m".into(), "direction".into()];
+    heads.extend(
+        modes
+            .modes
+            .iter()
+            .map(|mode| format!("{:.3} Hz", mode.frequency_hz)),
+    );
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut table = Table::new(&heads, 3);
+    for (c, channel) in modes.channels.iter().enumerate() {
+        let numbers = |v: [f64; 3]| format!("{} {} {}", v[0], v[1], v[2]);
+        let dash = || "-".to_owned();
+        let mut row = vec![
+            channel.name.clone(),
+            channel.position_m.map_or_else(dash, numbers),
+            channel.direction.map_or_else(dash, numbers),
+        ];
+        row.extend(modes.modes.iter().map(|mode| {
+            let component = mode.shape[c];
+            format!("{:+.3}", component.norm().copysign(component.re))
+        }));
+        table.row(row);
+    }
+    format!(
+        "  shapes at the sensors (modulus, signed by phase)\n{}",
+        table.text()
+    )
 }
 
 fn data_text(stiffness: &StiffnessAnswer) -> String {

@@ -94,6 +94,39 @@ pub enum Processing {
     },
 }
 
+impl std::fmt::Display for Processing {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Processing::Read { format, unit } if unit.is_empty() => {
+                write!(f, "read from {format}, unit not given")
+            }
+            Processing::Read { format, unit } => write!(f, "read from {format}, unit {unit}"),
+            Processing::LeftOut { channels } => write!(f, "left out {}", channels.join(", ")),
+            Processing::Cut { from_s, to_s } => write!(f, "cut to {from_s} s … {to_s} s"),
+            Processing::Detrend { degree: 0 } => write!(f, "mean removed"),
+            Processing::Detrend { degree: 1 } => write!(f, "straight line removed"),
+            Processing::Detrend { degree } => write!(f, "polynomial of degree {degree} removed"),
+            Processing::LowPass { corner_hz, order } => {
+                write!(
+                    f,
+                    "low-pass {corner_hz} Hz, Butterworth of order {order}, zero phase"
+                )
+            }
+            Processing::BandPass {
+                low_hz,
+                high_hz,
+                order,
+            } => {
+                write!(
+                    f,
+                    "band-pass {low_hz} to {high_hz} Hz, Butterworth of order {order}, zero phase"
+                )
+            }
+            Processing::Decimate { factor } => write!(f, "decimated by {factor}"),
+        }
+    }
+}
+
 /// Channels × samples at one sampling rate, all finite.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Record {

@@ -1,0 +1,188 @@
+//! `dolmen identify`: records → modes → stiffness.
+
+use crate::cli::Identify as Options;
+use crate::{Outcome, files, open};
+use anyhow::{Context as _, Result, bail};
+use dolmen::modal::{Identify, Modes, identify};
+use dolmen::structure::{Chain, ChainStiffness, MeasuredMode, chain_stiffness, directional_modes};
+use dolmen_formats::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen_formats::json::identification_json;
+use dolmen_formats::project::{Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_formats::text::identification_text;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::Path;
+use std::time::Duration;
+
+/// How often the progress line turns.
+const TICK: Duration = Duration::from_millis(120);
+
+pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
+    let open::Opened { project, file } = open::project(&options.project)?;
+    let surveys = surveys(&project, &file, options.survey.as_deref(), quiet)?;
+    let file = file.display().to_string();
+    let answer = Answer {
+        file,
+        project,
+        state: None,
+        variants: Vec::new(),
+        sensitivities: Vec::new(),
+        surveys,
+    };
+    let json = identification_json(&answer);
+    if as_json {
+        println!("{json:#}");
+    } else {
+        print!("{}", identification_text(&answer));
+    }
+    if let Some(folder) = &options.output {
+        files::write(
+            &folder.join("identification.json"),
+            format!("{json:#}\n").as_bytes(),
+        )?;
+        if !quiet {
+            eprintln!("figures and identification.json are in {}", folder.display());
+        }
+    }
+    Ok(Outcome::Stands)
+}
+
+/// What the surveys of a project give, all of them or the one that is named.
+pub(crate) fn surveys(
+    project: &Project,
+    file: &Path,
+    only: Option<&str>,
+    quiet: bool,
+) -> Result<Vec<SurveyAnswer>> {
+    if let Some(name) = only
+        && !project.surveys.iter().any(|survey| survey.name == name)
+    {
+        let names: Vec<&str> = project
+            .surveys
+            .iter()
+            .map(|survey| survey.name.as_str())
+            .collect();
+        bail!("there is no survey \"{name}\": the file has {}", names.join(", "));
+    }
+    let chosen = project
+        .surveys
+        .iter()
+        .filter(|survey| only.is_none_or(|name| survey.name == name));
+    chosen
+        .map(|survey| of_survey(project, survey, file, quiet))
+        .collect()
+}
+
+fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Result<SurveyAnswer> {
+    let context = || format!("survey {}", survey.name);
+    let records = match &survey.records {
+        Some(source) => Some(of_record(source, file, quiet).with_context(context)?),
+        None => None,
+    };
+    let mut stiffness = Vec::new();
+    for direction in survey.modes.keys() {
+        let modes = survey.measured_modes(direction, &mut Quantity::nominal);
+        if !modes.is_empty() {
+            stiffness.extend(stiffness_of(project, direction, &modes, &[]).with_context(context)?);
+        }
+    }
+    if let Some(found) = &records {
+        for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
+            if !survey.modes.contains_key(direction) {
+                stiffness.extend(
+                    from_record(project, &found.analysis.modes, direction, vector).with_context(context)?,
+                );
+            }
+        }
+    }
+    Ok(SurveyAnswer {
+        name: survey.name.clone(),
+        records,
+        stiffness,
+    })
+}
+
+fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<RecordAnswer> {
+    let spinner = spinner(quiet, format!("reading {}", source.file));
+    let opened = open::record(source, project_file)?;
+    spinner.set_message(format!("modes of {}", source.file));
+    let options = Identify {
+        frequency_low_hz: source.modal.frequency_low_hz,
+        frequency_high_hz: source.modal.frequency_high_hz,
+        block_rows: source.modal.block_rows,
+        order_most: source.modal.order_most,
+        modes_wanted: source.modal.modes_wanted,
+        ..Identify::default()
+    };
+    let analysis = identify(&opened.record, &options).with_context(|| source.file.clone())?;
+    spinner.finish_and_clear();
+    Ok(RecordAnswer {
+        file: source.file.clone(),
+        channels: opened.channels,
+        samples: opened.samples,
+        sampling_rate_hz: opened.sampling_rate_hz,
+        unit: source.unit.clone().unwrap_or_default(),
+        faults: opened.faults,
+        analysis,
+    })
+}
+
+/// A turning line on standard error, on a terminal only.
+fn spinner(quiet: bool, message: String) -> ProgressBar {
+    let bar = if quiet {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::new_spinner()
+    };
+    if let Ok(style) = ProgressStyle::with_template("{spinner} {msg} {elapsed}") {
+        bar.set_style(style);
+    }
+    bar.set_message(message);
+    bar.enable_steady_tick(TICK);
+    bar
+}
+
+/// Stiffness from the modes of a record that move in one direction; none if no sensor measures it.
+fn from_record(
+    project: &Project,
+    modes: &Modes,
+    direction: &str,
+    vector: [f64; 3],
+) -> Result<Vec<StiffnessAnswer>> {
+    let found = directional_modes(modes, vector);
+    if found.modes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let notes: Vec<String> = found.left_out.iter().map(ToString::to_string).collect();
+    stiffness_of(project, direction, &found.modes, &notes)
+}
+
+/// Every stiffness that explains `modes`: one answer for a chain, one a convention for a frame.
+fn stiffness_of(
+    project: &Project,
+    direction: &str,
+    modes: &[MeasuredMode],
+    notes: &[String],
+) -> Result<Vec<StiffnessAnswer>> {
+    let pick = &mut Quantity::nominal;
+    let answer = |convention, mut solutions: dolmen::structure::StiffnessSolutions| {
+        solutions.notes.extend(notes.iter().cloned());
+        StiffnessAnswer {
+            direction: direction.to_owned(),
+            convention,
+            frequencies_hz: modes.iter().map(|mode| mode.frequency_hz).collect(),
+            with_shapes: modes.iter().any(|mode| !mode.shape.is_empty()),
+            solutions,
+        }
+    };
+    match &project.structure {
+        Structure::Survey => Ok(Vec::new()),
+        Structure::Chain(part) => {
+            let chain: Chain = part.build(pick)?;
+            Ok(vec![answer(
+                None,
+                chain_stiffness(&chain, modes, &ChainStiffness::default())?,
+            )])
+        }
+        Structure::Frame(_) => Ok(Vec::new()),
+    }
+}

@@ -1,0 +1,141 @@
+//! `dolmen report` and `dolmen demo`: projects to one page.
+
+use crate::check::{self, Sampling};
+use crate::cli::{Demo, Language as Chosen, Report};
+use crate::{Outcome, files, identify, new, open};
+use anyhow::Result;
+use dolmen_formats::Language;
+use dolmen_formats::answer::Answer;
+use dolmen_formats::report::{Imprint, html};
+use std::path::{Path, PathBuf};
+
+/// Samples of the demo: enough for a figure, few enough for a blink.
+const DEMO_SAMPLES: usize = 2000;
+/// Seed of the demo.
+const DEMO_SEED: u64 = 1;
+
+fn language(chosen: Chosen) -> Language {
+    match chosen {
+        Chosen::En => Language::English,
+        Chosen::Ko => Language::Korean,
+    }
+}
+
+fn imprint(date: Option<String>) -> Imprint {
+    Imprint {
+        program: concat!("dolmen ", env!("CARGO_PKG_VERSION")).to_owned(),
+        date,
+    }
+}
+
+/// Everything that can be said of one project: its check, with samples and sensitivities, and its surveys.
+fn whole(path: &Path, sampling: Option<Sampling>, quiet: bool) -> Result<Answer> {
+    let open::Opened { project, file } = open::project(path)?;
+    let surveys = identify::surveys(&project, &file, None, quiet)?;
+    let mut answer = check::answer(project, &file, sampling, true)?;
+    answer.surveys = surveys;
+    Ok(answer)
+}
+
+pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {
+    let sampling = (options.samples > 0).then_some(Sampling {
+        samples: options.samples as usize,
+        seed: options.seed,
+    });
+    let mut answers = Vec::new();
+    for path in &options.projects {
+        answers.push(whole(path, sampling, quiet)?);
+    }
+    let page = html(
+        &answers,
+        language(options.language),
+        &imprint(options.date.clone()),
+    );
+    files::write(&options.output, page.as_bytes())?;
+    if !quiet {
+        println!("{}", options.output.display());
+    }
+    Ok(if answers.iter().any(Answer::falls) {
+        Outcome::Falls
+    } else {
+        Outcome::Stands
+    })
+}
+
+pub(crate) fn demo(options: &Demo, quiet: bool) -> Result<Outcome> {
+    let folder = free_folder(&options.directory)?;
+    let mut answers = Vec::new();
+    for example in new::DEMO {
+        let directory = folder.join(example);
+        new::copy_example(example, &directory)?;
+        let sampling = Some(Sampling {
+            samples: DEMO_SAMPLES,
+            seed: DEMO_SEED,
+        });
+        let answer = whole(&directory, sampling, quiet)?;
+        if !quiet {
+            println!("{}: {}", answer.project.name.english(), summary(&answer));
+        }
+        answers.push(answer);
+    }
+    let report = folder.join("report.html");
+    files::write(
+        &report,
+        html(&answers, language(options.language), &imprint(None)).as_bytes(),
+    )?;
+    if !quiet {
+        print!("The report on all of them: ");
+    }
+    println!("{}", report.display());
+    Ok(Outcome::Stands)
+}
+
+/// The folder asked for if it is free, else the first of "NAME-2", "NAME-3"… that is: nothing is overwritten.
+fn free_folder(wanted: &Path) -> Result<PathBuf> {
+    let name = wanted
+        .file_name()
+        .map(|n| n.to_string_lossy().into_owned())
+        .unwrap_or_default();
+    let mut folder = wanted.to_owned();
+    let mut number = 1;
+    while folder.exists() {
+        number += 1;
+        folder = wanted.with_file_name(format!("{name}-{number}"));
+    }
+    files::fresh_folder(&folder)?;
+    Ok(folder)
+}
+
+/// One line on a project.
+fn summary(answer: &Answer) -> String {
+    let mut parts = Vec::new();
+    if let Some(state) = &answer.state {
+        parts.push(format!("as it is {}", state.verdict().word()));
+    }
+    for variant in &answer.variants {
+        parts.push(format!("{} {}", variant.name, variant.state.verdict().word()));
+    }
+    for survey in &answer.surveys {
+        if let Some(record) = &survey.records {
+            let found: Vec<String> = record
+                .analysis
+                .modes
+                .modes
+                .iter()
+                .map(|mode| format!("{:.3}", mode.frequency_hz))
+                .collect();
+            parts.push(format!("modes at {} Hz", found.join(", ")));
+        }
+        for stiffness in &survey.stiffness {
+            let (direction, solutions) = (&stiffness.direction, stiffness.solutions.solutions.len());
+            let convention = stiffness.convention.map_or("", |c| match c {
+                dolmen::structure::Convention::Drift => " (drift)",
+                dolmen::structure::Convention::Grounded => " (grounded)",
+            });
+            parts.push(format!(
+                "{solutions} stiffnesses explain direction {direction}{convention}"
+            ));
+        }
+    }
+    parts.join("; ")
+}
