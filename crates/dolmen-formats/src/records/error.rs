@@ -30,7 +30,7 @@ pub enum RecordError {
     Utf16,
     /// The unit is not one of [`Unit`](super::Unit).
     #[error(
-        "the unit \"{given}\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, or \\
+        "the unit \"{given}\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, or \
          \"unknown\" to keep the numbers as they are"
     )]
     UnknownUnit {
@@ -51,7 +51,7 @@ pub enum RecordError {
     },
     /// A cell holds nothing.
     #[error(
-        "line {line}, column \"{column}\" is empty: a sample is missing; cut the file before or after it, or leave the \\
+        "line {line}, column \"{column}\" is empty: a sample is missing; cut the file before or after it, or leave the \
          column out"
     )]
     EmptyCell {
@@ -62,7 +62,7 @@ pub enum RecordError {
     },
     /// A cell holds NaN or infinity.
     #[error(
-        "line {line}, column \"{column}\" holds {text}: a sample is missing; cut the file before or after it, or leave \\
+        "line {line}, column \"{column}\" holds {text}: a sample is missing; cut the file before or after it, or leave \
          the column out"
     )]
     NotFinite {
@@ -134,7 +134,7 @@ pub enum RecordError {
     },
     /// Neither a rate nor a time column.
     #[error(
-        "the sampling rate is not known: no column is named time or t (the columns are {}); give sampling_rate_hz, or name \\
+        "the sampling rate is not known: no column is named time or t (the columns are {}); give sampling_rate_hz, or name \
          the time column",
         names.join(", ")
     )]
@@ -147,7 +147,7 @@ pub enum RecordError {
     NoRateNpy,
     /// A channel that looks like time stamps.
     #[error(
-        "column \"{column}\" rises by {step} from each line to the next, as time stamps or a line count do, not as a \\
+        "column \"{column}\" rises by {step} from each line to the next, as time stamps or a line count do, not as a \
          sensor: name it as the time column, or name the columns to read"
     )]
     LooksLikeTime {
@@ -158,7 +158,7 @@ pub enum RecordError {
     },
     /// The name of the time column holds a unit that is not known.
     #[error(
-        "column \"{column}\" looks like time stamps in a unit that is not s, ms or us: name it as the time column if it \\
+        "column \"{column}\" looks like time stamps in a unit that is not s, ms or us: name it as the time column if it \
          is in seconds, or say that there is none and give sampling_rate_hz"
     )]
     TimeUnit {
@@ -167,8 +167,8 @@ pub enum RecordError {
     },
     /// Time stamps that are not evenly spaced.
     #[error(
-        "line {line}: the time stamp {stamp_s} s is {step_s:.6} s after the one before, but even steps of \\
-         {expected_step_s:.6} s would put it at {expected_s:.6} s: samples are missing or the clock jumped; cut the file \\
+        "line {line}: the time stamp {stamp_s} s is {step_s:.6} s after the one before, but even steps of \
+         {expected_step_s:.6} s would put it at {expected_s:.6} s: samples are missing or the clock jumped; cut the file \
          there, or resample it before"
     )]
     Uneven {
@@ -201,7 +201,7 @@ pub enum RecordError {
     },
     /// The rate given is not that of the time stamps.
     #[error(
-        "sampling_rate_hz is {given}, but the time stamps say {stamps_hz:.6}: correct it, or leave it out to take that of \\
+        "sampling_rate_hz is {given}, but the time stamps say {stamps_hz:.6}: correct it, or leave it out to take that of \
          the stamps"
     )]
     RateDisagrees {
@@ -211,7 +211,7 @@ pub enum RecordError {
         stamps_hz: f64,
     },
     /// No NPY file.
-    #[error("this is no NPY file: it does not begin with \\\\x93NUMPY")]
+    #[error("this is no NPY file: it does not begin with \\x93NUMPY")]
     NotNpy,
     /// A later version of NPY.
     #[error(
@@ -243,7 +243,7 @@ pub enum RecordError {
     },
     /// An array of no or more than two axes.
     #[error(
-        "the array of the NPY file has shape {shape:?}, but must have 1 axis (samples) or 2 (samples and channels): save \\
+        "the array of the NPY file has shape {shape:?}, but must have 1 axis (samples) or 2 (samples and channels): save \
          one setup a file"
     )]
     NpyShape {
@@ -260,7 +260,7 @@ pub enum RecordError {
     },
     /// The NPY file goes on after its last value.
     #[error(
-        "the NPY file goes on for {extra} bytes after the last value of its shape {shape:?}: it is damaged or holds \\
+        "the NPY file goes on for {extra} bytes after the last value of its shape {shape:?}: it is damaged or holds \
          several arrays; save one array a file"
     )]
     NpyTrailing {

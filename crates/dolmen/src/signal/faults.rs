@@ -256,3 +256,111 @@ fn median(mut values: Vec<f64>) -> f64 {
     values.sort_by(f64::total_cmp);
     values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::signal::{Channel, cut};
+    use proptest::prelude::*;
+
+    /// A sum of sines that no two seeds share.
+    fn shaken(seed: usize) -> Vec<f64> {
+        let pitch = 0.31 + 0.017 * seed as f64;
+        (0..4000)
+            .map(|i| {
+                (pitch * i as f64).sin() + (2.3 * pitch * i as f64 + 1.0).cos() + (0.01 * i as f64).sin()
+            })
+            .collect()
+    }
+
+    fn record(channels: Vec<Vec<f64>>) -> Record {
+        let names = (1..=channels.len())
+            .map(|c| Channel::named(format!("ch{c}")))
+            .collect();
+        Record::new(names, channels, 100.0).unwrap()
+    }
+
+    fn sentences(channels: Vec<Vec<f64>>) -> Vec<String> {
+        inspect(&record(channels))
+            .iter()
+            .map(ToString::to_string)
+            .collect()
+    }
+
+    #[test]
+    fn holds_sound_channels_have_no_fault() {
+        assert_eq!(sentences((0..4).map(shaken).collect()), [""; 0]);
+        // a coarse digitiser and a slow drift are no clipping
+        let coarse = |scale: f64| shaken(1).iter().map(|x| (scale * x).round()).collect();
+        let drift = (0..4000)
+            .map(|i| (300.0 * (0.001 * f64::from(i)).sin()).round())
+            .collect();
+        assert_eq!(
+            sentences(vec![coarse(1.2), coarse(5.0), coarse(40.0), drift]),
+            [""; 0]
+        );
+    }
+
+    #[test]
+    fn refuses_a_dead_channel() {
+        assert_eq!(
+            sentences(vec![shaken(0), vec![-0.25; 4000], shaken(2)]),
+            ["channel \"ch2\" is dead: every sample is -0.25; leave it out, and look at its cable"]
+        );
+    }
+
+    #[test]
+    fn refuses_a_faint_channel() {
+        let faint = shaken(1).iter().map(|x| 5e-4 * x).collect();
+        assert_eq!(
+            sentences(vec![shaken(0), faint, shaken(2)]),
+            [
+                "channel \"ch2\" is dead or in another unit: its standard deviation is 6.129e-4, the median of its kind is \
+              1.226e0; leave it out, or correct its unit"
+            ]
+        );
+    }
+
+    #[test]
+    fn refuses_a_clipped_channel() {
+        let clipped = shaken(1).iter().map(|x| x.clamp(-9.0, 1.5)).collect::<Vec<_>>();
+        let found = sentences(vec![shaken(0), clipped.clone(), shaken(2)]);
+        let samples = clipped.iter().filter(|x| **x == 1.5).count();
+        let first = clipped.iter().position(|x| *x == 1.5).unwrap() as f64 / 100.0;
+        assert_eq!(
+            found,
+            [format!(
+                "channel \"ch2\" is clipped: {samples} samples stand at exactly 1.5, first at {first} s; cut the record to a \
+                 part within range, or leave the channel out"
+            )]
+        );
+        // where it does as it is told, the fault is gone
+        let part = cut(record(vec![shaken(0), clipped]), 0.0, first).unwrap();
+        assert_eq!(inspect(&part), []);
+    }
+
+    #[test]
+    fn refuses_a_duplicated_channel() {
+        let copy = shaken(0).iter().map(|x| 0.1 - 2.0 * x).collect();
+        assert_eq!(
+            sentences(vec![shaken(0), shaken(1), copy]),
+            [
+                "channels \"ch1\" and \"ch3\" hold the same signal (factor -2.000000): one cable on two inputs, or one column \
+              twice; leave one of them out"
+            ]
+        );
+    }
+
+    proptest! {
+        #[test]
+        fn holds_a_copy_is_found_whatever_its_factor(exponent in -6.0..6.0, negative: bool, offset in -10.0..10.0) {
+            let factor = 10f64.powf(exponent) * if negative { -1.0 } else { 1.0 };
+            let copy = shaken(3).iter().map(|x| factor * (x + offset)).collect();
+            let found = inspect(&record(vec![shaken(3), copy]));
+            prop_assert!(
+                matches!(found[..], [ChannelFault::Duplicated { factor: f, .. }] if (f / factor - 1.0).abs() < 1e-9),
+                "{found:?}"
+            );
+        }
+    }
+}

@@ -163,3 +163,84 @@ pub fn cross_spectra(record: &Record, options: &Welch) -> Result<CrossSpectra, S
         density,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::signal::Channel;
+    use proptest::prelude::*;
+
+    fn record(channels: Vec<Vec<f64>>) -> Record {
+        let names = (0..channels.len())
+            .map(|c| Channel::named(format!("{c}")))
+            .collect();
+        Record::new(names, channels, 100.0).unwrap()
+    }
+
+    // numpy 2.4.6, scipy 1.17.1:
+    //   i = np.arange(2000); u = np.sin(.37*i) + .5*np.cos(1.1*i+.3); v = np.cos(.37*i) + .3*np.sin(2.2*i)
+    //   f, S = csd(v, u, fs=100, nperseg=n); f, P = welch(u, fs=100, nperseg=n)
+    #[test]
+    #[rustfmt::skip]
+    fn agrees_with_csd_and_welch() {
+        let i = || (0..2000).map(f64::from);
+        let u = i().map(|i| (0.37 * i).sin() + 0.5 * (1.1 * i + 0.3).cos()).collect();
+        let v = i().map(|i| (0.37 * i).cos() + 0.3 * (2.2 * i).sin()).collect();
+        let record = record(vec![u, v]);
+        for (segment_length, segments, lines) in [
+            (256, 14, [
+                (0, 0.0, 3.400756806897638e-06, 0.0, 2.3947714734474503e-05),
+                (1, 0.390625, 1.673681315899749e-06, 3.7345724743596156e-08, 1.1691963027673635e-05),
+                (15, 5.859375, -4.0433820936457875e-07, -0.8471365844227013, 0.8471368622921902),
+                (128, 50.0, -8.62441357095825e-15, 0.0, 1.6878235244324313e-14),
+            ]),
+            (255, 14, [
+                (0, 0.0, 1.1557361308841832e-06, 0.0, 8.901731081236409e-06),
+                (1, 0.392156862745098, 5.689617752507492e-07, 1.597309299843662e-09, 4.431124290274224e-06),
+                (15, 5.882352941176469, -6.602204778458468e-07, -0.8497099029854163, 0.8497100020794519),
+                (127, 49.803921568627445, -9.010737691340479e-15, 1.0590371108341588e-15, 7.663063638094194e-14),
+            ]),
+        ] {
+            let spectra = cross_spectra(&record, &Welch { segment_length }).unwrap();
+            assert_eq!(spectra.segments, segments);
+            for (line, frequency_hz, re, im, power) in lines {
+                assert!((spectra.frequency_hz[line] - frequency_hz).abs() < 1e-12);
+                let s = spectra.density(0, 1, line);
+                assert!((s - Complex64::new(re, im)).norm() < 1e-13, "{segment_length}, line {line}: {s}");
+                assert!((spectra.power(0)[line] - power).abs() < 1e-13);
+                assert_eq!(spectra.density(1, 0, line), s.conj());
+                assert_eq!(spectra.matrix(line).column(1)[0], s);
+            }
+        }
+    }
+
+    proptest! {
+        /// Parseval: the densities add up to the mean square of the windowed samples.
+        #[test]
+        fn holds_power_is_kept(x in prop::collection::vec(-1.0..1.0, 8..200)) {
+            let n = x.len();
+            let mean = x.iter().sum::<f64>() / n as f64;
+            let window = |i: usize| (std::f64::consts::PI * i as f64 / n as f64).sin().powi(2);
+            let square: f64 = x.iter().enumerate().map(|(i, v)| (window(i) * (v - mean)).powi(2)).sum();
+            let energy: f64 = (0..n).map(|i| window(i).powi(2)).sum();
+            let spectra = cross_spectra(&record(vec![x]), &Welch { segment_length: n }).unwrap();
+            let total = spectra.power(0).iter().sum::<f64>() * spectra.resolution_hz;
+            prop_assert!((total - square / energy).abs() < 1e-12, "{} {}", total, square / energy);
+        }
+    }
+
+    #[test]
+    fn refuses_segments_that_do_not_fit() {
+        let record = record(vec![vec![0.0; 100]]);
+        for segment_length in [0, 7, 101] {
+            assert_eq!(
+                cross_spectra(&record, &Welch { segment_length })
+                    .unwrap_err()
+                    .to_string(),
+                format!(
+                    "segment_length is {segment_length}, but must be 8 to 100 samples, the length of the record"
+                )
+            );
+        }
+    }
+}

@@ -1,0 +1,511 @@
+//! Records from CSV: every dialect, every refusal with its message.
+
+use dolmen::signal::{Channel, Processing, Quantity};
+use dolmen_formats::records::{
+    Column, CsvLayout, Decimal, Delimiter, Header, Layout, Pick, RateSource, Reading, RecordOptions,
+    TimeColumn, Unit, parse_number, read_csv,
+};
+use proptest::prelude::*;
+
+fn read(text: &str) -> Reading {
+    read_csv(text.as_bytes(), &RecordOptions::default()).unwrap()
+}
+
+fn layout(reading: &Reading) -> &CsvLayout {
+    match &reading.layout {
+        Layout::Csv(layout) => layout,
+        other => panic!("{other:?}"),
+    }
+}
+
+fn refusal_with(text: &str, options: &RecordOptions) -> String {
+    read_csv(text.as_bytes(), options).unwrap_err().to_string()
+}
+
+fn refusal(text: &str) -> String {
+    refusal_with(text, &RecordOptions::default())
+}
+
+fn at_100_hz() -> RecordOptions {
+    RecordOptions {
+        sampling_rate_hz: Some(100.0),
+        ..Default::default()
+    }
+}
+
+fn named(column: &str, channel: &str) -> Pick {
+    Pick {
+        column: Column::Named(column.into()),
+        channel: Channel::named(channel),
+    }
+}
+
+#[test]
+fn exact_the_same_record_in_every_dialect() {
+    for (text, delimiter, decimal) in [
+        (
+            "time,a,b\n0.00,1.5,-2\n0.01,2.5,0\n0.02,1,3e-1\n",
+            Delimiter::Comma,
+            Decimal::Point,
+        ),
+        (
+            "time;a;b\r\n0,00;1,5;-2\r\n0,01;2,5;0\r\n0,02;1;3e-1\r\n",
+            Delimiter::Semicolon,
+            Decimal::Comma,
+        ),
+        (
+            "time;a;b\n0.00;1.5;-2\n0.01;2.5;0\n0.02;1;3e-1",
+            Delimiter::Semicolon,
+            Decimal::Point,
+        ),
+        (
+            "time\ta\tb\n0.00\t1.5\t-2\n0.01\t2.5\t0\n0.02\t1\t3e-1\n",
+            Delimiter::Tab,
+            Decimal::Point,
+        ),
+        (
+            "  time   a b\n  0.00  1.5 -2\n\t0.01 2.5\t0  \n0.02 1 3e-1\n",
+            Delimiter::WhiteSpace,
+            Decimal::Point,
+        ),
+        (
+            "time a b\n0,00 1,5 -2\n0,01 2,5 0\n0,02 1 3e-1\n",
+            Delimiter::WhiteSpace,
+            Decimal::Comma,
+        ),
+        (
+            "# by hand\n\ntime, a, b\n# rest\n0.00, 1.5, -2\n\n0.01 ,2.5 , 0\n0.02,1,3e-1 \n",
+            Delimiter::Comma,
+            Decimal::Point,
+        ),
+        (
+            "\"time\",\"a\",\"b\"\n\"0.00\",\"1.5\",\"-2\"\n\"0.01\",\"2.5\",\"0\"\n\"0.02\",\"1\",\"3e-1\"\n",
+            Delimiter::Comma,
+            Decimal::Point,
+        ),
+        (
+            "\"time\",\"a\",\"b\"\n\"0,00\",\"1,5\",\"-2\"\n\"0,01\",\"2,5\",\"0\"\n\"0,02\",\"1\",\"3e-1\"\n",
+            Delimiter::Comma,
+            Decimal::Comma,
+        ),
+        (
+            "\u{feff}time,a,b,\n0.00,1.5,-2,\n0.01,2.5,0,\n0.02,1,3e-1,\n",
+            Delimiter::Comma,
+            Decimal::Point,
+        ),
+        (
+            "time,a,b\n0.00,1.5,-2,\n0.01,2.5,0,\n0.02,1,3e-1,\n",
+            Delimiter::Comma,
+            Decimal::Point,
+        ),
+        (
+            "a,time (ms),b\n1.5,0,-2\n2.5,10,0\n1,20,3e-1\n",
+            Delimiter::Comma,
+            Decimal::Point,
+        ),
+    ] {
+        let options = RecordOptions {
+            // a comma between decimals and between cells is never guessed
+            decimal: (delimiter == Delimiter::Comma).then_some(decimal),
+            ..Default::default()
+        };
+        let reading = read_csv(text.as_bytes(), &options).unwrap_or_else(|e| panic!("{text}\n{e}"));
+        let record = &reading.record;
+        assert_eq!(
+            (layout(&reading).delimiter, layout(&reading).decimal),
+            (delimiter, decimal),
+            "{text}"
+        );
+        assert_eq!(record.channels(), ["a", "b"].map(Channel::named), "{text}");
+        assert_eq!(
+            (record.samples(0), record.samples(1)),
+            (&[1.5, 2.5, 1.0][..], &[-2.0, 0.0, 0.3][..]),
+            "{text}"
+        );
+        assert_eq!(record.sampling_rate_hz(), 100.0, "{text}");
+    }
+}
+
+#[test]
+fn exact_units_history_and_what_was_found_out() {
+    let options = RecordOptions {
+        unit: Unit::Gal,
+        ..Default::default()
+    };
+    let reading = read_csv(b"t,roof\n0,100\n0.5,-50\n1.0,25", &options).unwrap();
+    assert_eq!(reading.record.samples(0), [1.0, -0.5, 0.25]);
+    assert_eq!(reading.record.channels()[0].quantity, Quantity::Acceleration);
+    assert_eq!(
+        reading.record.history(),
+        [Processing::Read {
+            format: "csv".into(),
+            unit: "cm/s2".into()
+        }]
+    );
+    assert_eq!(
+        *layout(&reading),
+        CsvLayout {
+            delimiter: Delimiter::Comma,
+            decimal: Decimal::Point,
+            header_line: Some(1),
+            columns: vec!["t".into(), "roof".into()],
+            time_column: Some("t".into()),
+            rate_source: RateSource::Stamps,
+            last_line_ended: false,
+        }
+    );
+}
+
+#[test]
+fn exact_columns_picked_by_name_and_number() {
+    let options = RecordOptions {
+        picks: vec![
+            named("b", "roof y"),
+            Pick {
+                column: Column::Number(1),
+                channel: Channel {
+                    position_m: Some([1.0, 2.0, 3.0]),
+                    direction: Some([0.0, 1.0, 0.0]),
+                    ..Channel::named("roof x")
+                },
+            },
+        ],
+        ..at_100_hz()
+    };
+    let record = read_csv(b"a,x,b\n1,text,2\n3,,4\n5,\"a,b\",7\n", &options)
+        .unwrap()
+        .record;
+    assert_eq!(record.samples(0), [2.0, 4.0, 7.0]); // a column that is not asked for may hold anything
+    assert_eq!(record.samples(1), [1.0, 3.0, 5.0]);
+    assert_eq!(record.channels()[1].position_m, Some([1.0, 2.0, 3.0]));
+    assert_eq!(record.channels()[0].name, "roof y");
+}
+
+#[test]
+fn exact_without_names_or_with_lines_to_skip() {
+    let record = read_csv(b"1,4\n2,7\n3.5,1\n", &at_100_hz()).unwrap().record;
+    assert_eq!(record.channels(), ["ch1", "ch2"].map(Channel::named));
+    let options = RecordOptions {
+        skip_lines: 2,
+        header: Header::Present,
+        ..at_100_hz()
+    };
+    let record = read_csv(b"Logger 7; 3 channels\nm/s2\n1;2\n0,5;4\n1,5;2\n", &options)
+        .unwrap()
+        .record;
+    assert_eq!(record.channels(), ["1", "2"].map(Channel::named));
+    assert_eq!(record.samples(0), [0.5, 1.5]);
+}
+
+/// `steps` stamps at that rate, printed with that many decimals.
+fn stamped(rate_hz: f64, steps: usize, decimals: usize) -> String {
+    (0..steps).fold("t,x\n".to_string(), |text, i| {
+        text + &format!("{:.decimals$},{}\n", i as f64 / rate_hz, (i * i) % 7)
+    })
+}
+
+#[test]
+fn exact_the_rate_behind_rounded_stamps() {
+    for (rate_hz, steps, decimals) in [
+        (100.0, 3, 2),
+        (100.0, 5000, 2),
+        (100.0, 5000, 6),
+        (128.0, 5000, 3),
+        (200.0, 5000, 3),
+        (51.2, 5000, 4),
+        (1000.0 / 3.0, 5000, 3), // a step of 3 ms
+        (256.0, 5000, 9),
+        (1.0, 20, 0),
+        (10.0, 4, 1),
+    ] {
+        let rate = read(&stamped(rate_hz, steps, decimals)).record.sampling_rate_hz();
+        assert!(
+            (rate / rate_hz - 1.0).abs() < 1e-12,
+            "{rate_hz} Hz with {decimals} decimals: {rate}"
+        );
+    }
+}
+
+#[test]
+fn exact_stamps_that_lose_decimals_as_they_grow() {
+    // seven digits, as a program that prints "%.7g": 0.005 … 1000.005 is 1000.005, 10000.01 is short of one
+    let mut text = "t,x\n".to_string();
+    for i in 0..3000 {
+        let stamp = 9990.0 + f64::from(i) * 0.02;
+        let decimals = if stamp < 10_000.0 { 3 } else { 2 };
+        text += &format!("{stamp:.decimals$},{}\n", i % 11);
+    }
+    assert_eq!(read(&text).record.sampling_rate_hz(), 50.0);
+}
+
+#[test]
+fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
+    let mut lines: Vec<String> = stamped(100.0, 200, 3).lines().map(String::from).collect();
+    lines.remove(120); // the stamp 1.19
+    assert_eq!(
+        refusal(&lines.join("\n")),
+        "line 121: the time stamp 1.2 s is 0.020000 s after the one before, but even steps of 0.010000 s would put it at \
+         1.190000 s: samples are missing or the clock jumped; cut the file there, or resample it before"
+    );
+    // repeated, backwards, and a clock that runs faster from the middle on
+    assert!(
+        refusal("t,x\n0,1\n0.01,2\n0.01,5\n0.02,2\n").contains("line 4: the time stamp is 0.000000 s after")
+    );
+    assert!(
+        refusal("t,x\n0,1\n0.010,2\n0.005,5\n")
+            .starts_with("line 4: the time stamp 0.005 s is -0.005000 s after")
+    );
+    let mut text = stamped(100.0, 500, 4);
+    for i in 1..500 {
+        text += &format!("{:.4},{}\n", 4.99 + f64::from(i) * 0.01002, i % 5);
+    }
+    assert!(refusal(&text).contains("samples are missing or the clock jumped"));
+}
+
+#[test]
+fn refuses_a_missing_sample_hidden_in_coarse_stamps() {
+    let mut lines: Vec<String> = stamped(100.0, 200, 2).lines().map(String::from).collect();
+    lines.remove(120);
+    let expected = "line 121: the time stamp is 0.020000 s after the one before, that one 0.010000 s after its own; printed \
+                    to 0.01 s, this may be rounding or a missing sample: give sampling_rate_hz if none is missing, or \
+                    print more digits";
+    assert_eq!(refusal(&lines.join("\n")), expected);
+    // a given rate of which the stamps need no rounding changes nothing; one of which they do is believed
+    assert_eq!(refusal_with(&lines.join("\n"), &at_100_hz()), expected);
+    let options = RecordOptions {
+        sampling_rate_hz: Some(128.0),
+        ..Default::default()
+    };
+    let reading = read_csv(stamped(128.0, 500, 2).as_bytes(), &options).unwrap();
+    assert_eq!(layout(&reading).rate_source, RateSource::GivenAndStamps);
+}
+
+#[test]
+fn refuses_a_rate_that_the_stamps_contradict() {
+    let options = RecordOptions {
+        sampling_rate_hz: Some(200.0),
+        ..Default::default()
+    };
+    assert_eq!(
+        refusal_with(&stamped(100.0, 500, 4), &options),
+        "sampling_rate_hz is 200, but the time stamps say 100.000000: correct it, or leave it out to take that of the stamps"
+    );
+    assert_eq!(
+        refusal("a,b\n1,2\n4,3\n"),
+        "the sampling rate is not known: no column is named time or t (the columns are a, b); give sampling_rate_hz, or \
+         name the time column"
+    );
+    assert!(
+        refusal("time (min),b\n1,2\n4,3\n")
+            .starts_with("column \"time (min)\" looks like time stamps in a unit")
+    );
+}
+
+#[test]
+fn refuses_a_time_column_taken_for_a_channel() {
+    let rows: String = (0..50).map(|i| format!("{},{}\n", i, (i * i) % 7)).collect();
+    assert_eq!(
+        refusal_with(&rows, &at_100_hz()),
+        "column \"ch1\" rises by 1 from each line to the next, as time stamps or a line count do, not as a sensor: name it \
+         as the time column, or name the columns to read"
+    );
+    let options = RecordOptions {
+        time: TimeColumn::At(Column::Number(1)),
+        ..Default::default()
+    };
+    assert_eq!(
+        read_csv(rows.as_bytes(), &options)
+            .unwrap()
+            .record
+            .sampling_rate_hz(),
+        1.0
+    );
+}
+
+#[test]
+fn refuses_cells_that_are_no_samples() {
+    let with = |cell: &str| format!("time,roof x,roof y\n0.00,1,2\n0.01,{cell},4\n0.02,5,6\n");
+    assert_eq!(
+        refusal(&with("abc")),
+        "line 3, column \"roof x\": \"abc\" is not a number; correct it, leave the column out, or cut the file"
+    );
+    assert_eq!(
+        refusal(&with("1.2.3")),
+        "line 3, column \"roof x\": \"1.2.3\" is not a number; correct it, leave the column out, or cut the file"
+    );
+    assert_eq!(
+        refusal(&with("NaN")),
+        "line 3, column \"roof x\" holds NaN: a sample is missing; cut the file before or after it, or leave the column out"
+    );
+    for empty in ["", "  ", "\"\""] {
+        assert_eq!(
+            refusal(&with(empty)),
+            "line 3, column \"roof x\" is empty: a sample is missing; cut the file before or after it, or leave the column \
+             out"
+        );
+    }
+    for text in ["inf", "-Infinity", "1e999"] {
+        assert!(refusal(&with(text)).contains(&format!("holds {text}: a sample is missing")));
+    }
+    // of the stamps as of the samples
+    assert!(
+        refusal("time,x\n0,1\nlater,2\n").starts_with("line 3, column \"time\": \"later\" is not a number")
+    );
+}
+
+#[test]
+fn refuses_ragged_lines() {
+    assert_eq!(
+        refusal("time,a,b\n0.00,1,2\n0.01,3\n0.02,5,6\n"),
+        "line 3 holds 2 cells, but the lines before it 3: correct it, or cut the file there"
+    );
+    assert_eq!(
+        refusal("time,a,b\n0.00,1,2\n0.01,3,4,5\n0.02,5,6\n"),
+        "line 3 holds 4 cells, but the lines before it 3: correct it, or cut the file there"
+    );
+    assert_eq!(
+        refusal("time,a,b\n0.00,1,2\n0.01,3,4\n0.02,"),
+        "line 4 holds 2 cells, but the lines before it 3: correct it, or cut the file there; it is the last line: the file \
+         was cut short"
+    );
+    assert!(refusal("t a b\n0.00 1 2\n0.01 3 4\n0.02 5 \n").starts_with("line 4 holds 2 cells"));
+    assert!(refusal("t;a;b\n0.00;1;2;\n0.01;3;4;;\n").starts_with("line 3 holds 4 cells"));
+}
+
+#[test]
+fn refuses_files_without_samples() {
+    let empty = "the file is empty: it holds no line but blank ones and comments; is it the right file?";
+    for text in ["", "\n\n", "# nothing\n", "  \r\n\r\n"] {
+        assert_eq!(refusal(text), empty);
+    }
+    assert_eq!(
+        refusal("time,a\n"),
+        "the file holds a header (line 1) but no samples: is it the right file?"
+    );
+    assert_eq!(
+        refusal("time\n0\n1\n"),
+        "the file holds only the time column \"time\": there is nothing to read"
+    );
+    assert_eq!(
+        refusal("time,a\n0,1\n"),
+        "the record has 1 channels of 1 samples, but must have at least 1 of 2"
+    );
+    assert_eq!(
+        read_csv(b"\xff\xfet\0", &RecordOptions::default())
+            .unwrap_err()
+            .to_string(),
+        "the file is UTF-16 text: save it as UTF-8 (\"CSV UTF-8\" in spreadsheets)"
+    );
+}
+
+#[test]
+fn refuses_columns_that_are_not_there() {
+    let text = "time,roof x,roof y,roof y\n0,1,2,3\n1,2,3,4\n";
+    let pick = |picks: Vec<Pick>| {
+        refusal_with(
+            text,
+            &RecordOptions {
+                picks,
+                ..Default::default()
+            },
+        )
+    };
+    assert_eq!(
+        pick(vec![named("Rooof X", "x")]),
+        "there is no column \"Rooof X\" (did you mean \"roof x\"?); the file has time, roof x, roof y, roof y"
+    );
+    assert_eq!(
+        pick(vec![named("base", "x")]),
+        "there is no column \"base\"; the file has time, roof x, roof y, roof y"
+    );
+    assert_eq!(
+        pick(vec![named("roof y", "y")]),
+        "2 columns are named \"roof y\": ask for the one you mean by its number"
+    );
+    assert_eq!(
+        pick(vec![named("roof x", "x"), named("roof x", "y")]),
+        "column \"roof x\" is read twice, as \"x\" and as \"y\": give each channel its own column"
+    );
+    assert_eq!(
+        pick(vec![named("time", "x")]),
+        "column \"time\" is read twice, as \"time\" and as \"x\": give each channel its own column"
+    );
+    let fifth = Pick {
+        column: Column::Number(5),
+        channel: Channel::named("x"),
+    };
+    assert_eq!(
+        pick(vec![fifth]),
+        "there is no column 5: the file has columns 1 to 4"
+    );
+}
+
+#[test]
+fn refuses_a_first_line_of_names_and_numbers() {
+    assert_eq!(
+        refusal_with("0.1,oops,0.3\n0.2,0.1,0.4\n", &at_100_hz()),
+        "line 1 holds both names and numbers: if it names the columns, say that the header is present; if it holds samples, \
+         correct it"
+    );
+}
+
+#[test]
+fn holds_a_file_cut_anywhere_gives_an_error_or_a_shorter_record() {
+    for text in [
+        "# a\r\ntime,a,b\r\n0.00,1.5,-2\r\n0.01,2.5,0\r\n0.02,1,3e-1\r\n0.03,1,2\r\n",
+        "\u{feff}time;\"a;\";b;\n0,00;1,5;-2;\n0,01;\"2,5\";0;\n0,02;1;3e-1;\n",
+        "  t  x y\n 0 1 2\n 1 4 3\n 2 9 1\n",
+    ] {
+        let whole = read(text).record;
+        for end in 0..text.len() {
+            if let Ok(part) = read_csv(&text.as_bytes()[..end], &RecordOptions::default()) {
+                let (length, channels) = (part.record.length(), part.record.channels().len());
+                assert!(length <= whole.length() && channels <= whole.channels().len());
+                // all but the last line, which may be cut within its last number
+                if channels == whole.channels().len() {
+                    for channel in 0..channels {
+                        assert_eq!(
+                            part.record.samples(channel)[..length - 1],
+                            whole.samples(channel)[..length - 1]
+                        );
+                    }
+                }
+            }
+        }
+    }
+}
+
+proptest! {
+    #[test]
+    fn holds_numbers_are_those_of_the_standard_library(text in "[+-]?[0-9]{0,22}(\\.[0-9]{0,22})?([eE][+-]?[0-9]{0,5})?") {
+        let expected = text.parse::<f64>().ok().map(f64::to_bits);
+        prop_assert_eq!(parse_number(text.as_bytes()).map(f64::to_bits), expected);
+    }
+
+    #[test]
+    fn holds_any_double_comes_back(bits: u64) {
+        let x = f64::from_bits(bits);
+        prop_assume!(x.is_finite());
+        for text in [format!("{x}"), format!("{x:e}"), format!("{x:?}")] {
+            let back = read_number_in_a_file(&text);
+            if x.abs() <= 1e100 {
+                prop_assert_eq!(back.map(f64::to_bits), Some(bits), "{}", text);
+            }
+        }
+    }
+
+    #[test]
+    fn holds_any_bytes_give_a_record_or_an_error(bytes in prop::collection::vec(prop::sample::select(b"0123456789.,;-+e\"# \t\r\ntx\xff".to_vec()), 0..80)) {
+        let _ = read_csv(&bytes, &RecordOptions::default());
+        let _ = read_csv(&bytes, &at_100_hz());
+    }
+}
+
+/// That text as the first sample of a record.
+fn read_number_in_a_file(text: &str) -> Option<f64> {
+    if text.len() > 60 {
+        return text.parse().ok(); // longer cells are no number anyone prints, and refused
+    }
+    let file = format!("{text},0\n1,2\n0,0\n");
+    Some(read_csv(file.as_bytes(), &at_100_hz()).ok()?.record.samples(0)[0])
+}
