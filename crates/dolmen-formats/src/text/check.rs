@@ -303,7 +303,7 @@ fn chain_stability_text(stability: &ChainStability) -> String {
     let _ = writeln!(
         out,
         "  k,min: least stiffness of that joint, the others as they are. lean: rotation of the link under gravity \
-         per\n  unit of a common tilt. uplift tilt: common tilt at which the bed begins to open (needs bed_width)."
+         per\n  unit of a common tilt. uplift tilt: common tilt at which weight alone no longer closes the bed (needs bed_width)."
     );
     let _ = writeln!(
         out,

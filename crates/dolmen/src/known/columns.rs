@@ -22,4 +22,55 @@ pub fn hencky_tip_load(links: u32) -> f64 {
 pub const GREENHILL_COLUMN: f64 = 7.837_347_438;
 
 /// ω H² √(ρA/EI) of a uniform cantilever, first three: roots of cos β cosh β = −1, squared.
-pub const UNIFORM_CANTILEVER: [f64; 3] = [3.516_015_269, 22.034_491_565, 61.697_214_364];
+///
+/// # Source
+/// Euler, L. (1744) Methodus inveniendi lineas curvas, Additamentum I.
+pub const UNIFORM_CANTILEVER: [f64; 3] = [3.516_015_268_5, 22.034_491_564_7, 61.697_214_414];
+
+/// ω H² √(ρA/EI) of cantilevers that taper to nothing, A and I at the foot, the first three: roots z of
+/// J_m(z) I_{m+1}(z) + I_m(z) J_{m+1}(z) = 0, as z²/4. `order` m = 1: a wedge, depth linear and breadth uniform; m = 2:
+/// a cone or pyramid.
+///
+/// # Source
+/// Kirchhoff, G. R. (1879) Monatsber. Akad. Wiss. Berlin 815-828. The roots are those of a clamped circular plate with m
+/// nodal diameters.
+pub fn pointed_cantilever(order: i32) -> [f64; 3] {
+    const STEP: f64 = 0.05; // the roots lie more than 3 apart
+    const HALVINGS: usize = 60;
+    let f = |z: f64| {
+        bessel_series(order, z, -1.0) * bessel_series(order + 1, z, 1.0)
+            + bessel_series(order, z, 1.0) * bessel_series(order + 1, z, -1.0)
+    };
+    let mut roots = [0.0; 3];
+    let mut low = 1.0;
+    for root in &mut roots {
+        while f(low) * f(low + STEP) > 0.0 {
+            low += STEP;
+        }
+        let (mut a, mut b) = (low, low + STEP);
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (a + b);
+            if f(a) * f(middle) > 0.0 {
+                a = middle;
+            } else {
+                b = middle;
+            }
+        }
+        *root = 0.25 * a * a;
+        low += STEP;
+    }
+    roots
+}
+
+/// J_m (`sign` −1) or I_m (`sign` 1) by power series: 10 digits up to z = 13.
+fn bessel_series(order: i32, z: f64, sign: f64) -> f64 {
+    const TERMS: i32 = 60;
+    let half = 0.5 * z;
+    let mut term = (1..=order).fold(1.0, |product, i| product * half / f64::from(i));
+    let mut sum = 0.0;
+    for i in 1..=TERMS {
+        sum += term;
+        term *= sign * half * half / f64::from(i * (i + order));
+    }
+    sum
+}

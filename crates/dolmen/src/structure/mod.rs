@@ -7,6 +7,7 @@ mod error;
 mod frame;
 mod identification;
 mod natural;
+mod tapered_cantilever;
 
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
 pub use directional::{DirectionalModes, LeftOut, directional_modes};
@@ -19,3 +20,4 @@ pub use identification::{
     Choice, MeasuredMode, ShapePoint, StiffnessRange, StiffnessSolution, StiffnessSolutions, Visibility,
 };
 pub use natural::NaturalMode;
+pub use tapered_cantilever::{Section, TaperedCantilever};
