@@ -52,9 +52,11 @@ impl Problem {
     /// Columns are counted as a terminal shows them: Hangul takes two.
     fn render(&self, file: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let number = self.line.to_string();
-        let gutter = " ".repeat(number.len() + 1);
+        // " 7 | text": the bar stands below the bar, the arrow's tail one column before it.
+        let arrow = " ".repeat(number.len() + 1);
+        let gutter = " ".repeat(number.len() + 2);
         writeln!(f, "error: {}", self.message)?;
-        writeln!(f, "{gutter}--> {file}:{}:{}", self.line, self.column)?;
+        writeln!(f, "{arrow}--> {file}:{}:{}", self.line, self.column)?;
         let columns = |characters: &mut dyn Iterator<Item = char>| {
             characters.filter_map(UnicodeWidthChar::width).sum::<usize>()
         };

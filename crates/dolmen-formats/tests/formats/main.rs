@@ -3,3 +3,6 @@
 
 mod csv_records;
 mod npy_records;
+mod project;
+mod project_keys;
+mod project_values;
