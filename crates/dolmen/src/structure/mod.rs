@@ -1,11 +1,11 @@
 //! Structures as checked values: mass, damping and stiffness matrices; natural modes; stiffness from modes.
 
 mod chain;
-mod continuation;
 mod directional;
 mod error;
 mod frame;
 mod identification;
+mod inverse;
 mod natural;
 mod tapered_cantilever;
 
@@ -13,11 +13,12 @@ pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, c
 pub use directional::{DirectionalModes, LeftOut, directional_modes};
 pub use error::StructureError;
 pub use frame::{
-    Convention, Frame, FrequencyRoots, Storey, Tie, stiffness_from_frequencies, stiffness_from_shape,
-    stiffness_range, storey_axial_forces_n,
+    Convention, Frame, FrameStiffness, Storey, Tie, frame_stiffness, stiffness_from_frequencies,
+    stiffness_from_shape, stiffness_range, storey_axial_forces_n,
 };
 pub use identification::{
     Choice, MeasuredMode, ShapePoint, StiffnessRange, StiffnessSolution, StiffnessSolutions, Visibility,
 };
+pub use inverse::{FrequencyRoots, StiffnessSearch};
 pub use natural::NaturalMode;
 pub use tapered_cantilever::{Section, TaperedCantilever};

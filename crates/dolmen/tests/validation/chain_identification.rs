@@ -357,8 +357,10 @@ fn holds_frequencies_no_chain_has_are_said_to_be_impossible() {
     let found = identify(&naju(), &modes);
     assert_eq!((found.choice, found.solutions.len()), (Choice::Impossible, 0));
     assert!(
-        found.notes[0]
-            .starts_with("No joint stiffness was found, from 1000 starts, that explains the 5 modes: the")
+        found
+            .notes
+            .iter()
+            .any(|note| note.starts_with("No joint stiffness was found, from"))
     );
 }
 

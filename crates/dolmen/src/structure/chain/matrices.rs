@@ -55,18 +55,6 @@ impl Chain {
         sums
     }
 
-    /// (diag(G) − s c cᵀ) θ: what gravity and the side support add to the springs' balance of moments.
-    pub(super) fn not_springs_times(&self, rotations: &[f64]) -> Result<Vec<f64>, StructureError> {
-        let g = self.gravity_moments_n_m_rad();
-        let mut moments: Vec<f64> = g.iter().zip(rotations).map(|(g, theta)| g * theta).collect();
-        if let Some(support) = self.side_support().filter(|support| support.acts_linearly()) {
-            let c = self.lever_m_rad(support.height_m)?;
-            let push = support.stiffness_n_m * c.iter().zip(rotations).map(|(c, t)| c * t).sum::<f64>();
-            moments.iter_mut().zip(&c).for_each(|(m, c)| *m -= c * push);
-        }
-        Ok(moments)
-    }
-
     /// M, kg m²/rad.
     ///
     /// ```text

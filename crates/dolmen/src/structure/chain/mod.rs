@@ -3,13 +3,9 @@
 mod from_modes;
 mod links;
 mod matrices;
-mod modal_fit;
 mod motion;
-mod notes;
-mod search;
 mod side_support;
 mod single_mass;
-mod starts;
 
 pub use from_modes::{ChainStiffness, chain_stiffness};
 pub use links::{Chain, Inertia, Link};

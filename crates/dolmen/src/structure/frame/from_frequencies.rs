@@ -10,29 +10,12 @@
 //! | κ_i | `kappa` | k_i − g_i, spring less P-delta (drift) | N/m |
 //! | u, v | `u` | (k1 − g1 − g2)/m1 and (k2 − g2)/m2 (grounded) | (rad/s)² |
 
-use super::newton::stiffness_by_newton;
 use super::storeys::{Convention, Frame};
 use crate::structure::StructureError;
-use crate::structure::continuation::{Pencil, continue_all};
-use dolmen_linalg::Matrix;
+use crate::structure::inverse::{FrequencyRoots, Sprung, roots_by_continuation};
 
 /// Most storeys for which every root is found: n! paths are followed, 720 of them for six.
 pub(crate) const STOREYS_EXHAUSTIVE_MOST: usize = 6;
-/// Two roots whose every stiffness agrees to this are one: √ε, as close as a double root can be resolved.
-const SAME_ROOT: f64 = 1e-6;
-
-/// Every stiffness that gives a frame exactly its measured frequencies.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FrequencyRoots {
-    /// Each a stiffness a storey, N/m, lowest first; ordered by the first storey's.
-    pub stiffness_n_m: Vec<Vec<f64>>,
-    /// Solutions in complex numbers, n!, all of which were looked at.
-    pub solutions_complex: usize,
-    /// Whether all of them were reached. If not, real roots may be missing.
-    pub complete: bool,
-    /// Why there is no root, or fewer than looked for; in a sentence with its numbers.
-    pub notes: Vec<String>,
-}
 
 /// All sets of n storey stiffnesses with which the frame has these n natural frequencies.
 ///
@@ -67,8 +50,8 @@ pub struct FrequencyRoots {
 ///     Storey { mass_kg: 314e3, height_m: 7.69, axial_n: 3077e3 },
 /// ];
 /// let roots = stiffness_from_frequencies(&Frame::new(storeys, Convention::Drift)?, &[1.1, 4.2])?;
-/// assert_eq!(roots.stiffness_n_m.len(), 2);
-/// assert!((roots.stiffness_n_m[0][0] - 32.65e6).abs() < 5e3);
+/// assert_eq!(roots.stiffness.len(), 2);
+/// assert!((roots.stiffness[0][0] - 32.65e6).abs() < 5e3);
 /// # Ok::<(), dolmen::structure::StructureError>(())
 /// ```
 pub fn stiffness_from_frequencies(
@@ -93,7 +76,7 @@ pub fn stiffness_from_frequencies(
             Convention::Drift => two_storeys_drift(frame, &lambda),
             Convention::Grounded => two_storeys_grounded(frame, &lambda),
         },
-        (..=STOREYS_EXHAUSTIVE_MOST, _) => by_continuation(frame, &lambda)?,
+        (..=STOREYS_EXHAUSTIVE_MOST, _) => roots_by_continuation(&frame.model()?, &lambda)?,
         _ => {
             return Err(StructureError::Storeys {
                 given: n,
@@ -101,7 +84,7 @@ pub fn stiffness_from_frequencies(
             });
         }
     };
-    roots.stiffness_n_m.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    roots.stiffness.sort_by(|a, b| a[0].total_cmp(&b[0]));
     Ok(roots)
 }
 
@@ -129,7 +112,7 @@ pub(super) fn check_ascending(frequencies_hz: &[f64]) -> Result<(), StructureErr
 fn one_storey(frame: &Frame, lambda: f64) -> FrequencyRoots {
     let k = lambda * frame.storeys()[0].mass_kg + frame.geometric_n_m()[0];
     FrequencyRoots {
-        stiffness_n_m: vec![vec![k]],
+        stiffness: vec![vec![k]],
         solutions_complex: 1,
         complete: true,
         notes: Vec::new(),
@@ -174,7 +157,7 @@ fn two_storeys_drift(frame: &Frame, lambda: &[f64]) -> FrequencyRoots {
         vec![kappa1 + geometric[0], kappa2 + geometric[1]]
     };
     FrequencyRoots {
-        stiffness_n_m: kappas.into_iter().map(stiffness).collect(),
+        stiffness: kappas.into_iter().map(stiffness).collect(),
         solutions_complex: 2,
         complete: true,
         notes,
@@ -203,80 +186,11 @@ fn two_storeys_grounded(frame: &Frame, lambda: &[f64]) -> FrequencyRoots {
         ]
     };
     FrequencyRoots {
-        stiffness_n_m: us.into_iter().map(stiffness).collect(),
+        stiffness: us.into_iter().map(stiffness).collect(),
         solutions_complex: 2,
         complete: true,
         notes,
     }
-}
-
-/// Three storeys and more: all complex solutions, then the real ones among them, each made exact and verified.
-fn by_continuation(frame: &Frame, lambda: &[f64]) -> Result<FrequencyRoots, StructureError> {
-    /// Imaginary part, relative to the modulus, up to which a solution may be a real one not yet made exact: two real
-    /// roots that nearly meet are found with √ε of it.
-    const NEARLY_REAL: f64 = 1e-3;
-    let found = continue_all(&pencil(frame, lambda)?);
-    let mut real: Vec<Vec<f64>> = Vec::new();
-    for solution in &found.solutions {
-        if solution.iter().any(|k| k.im.abs() > NEARLY_REAL * k.norm()) {
-            continue;
-        }
-        let start: Vec<f64> = solution.iter().map(|k| k.re).collect();
-        let Some(exact) = stiffness_by_newton(frame, lambda, start) else {
-            continue;
-        };
-        let same = |other: &Vec<f64>| {
-            other
-                .iter()
-                .zip(&exact)
-                .all(|(a, b)| (a - b).abs() <= SAME_ROOT * b.abs())
-        };
-        if !real.iter().any(same) {
-            real.push(exact);
-        }
-    }
-    let (separated, expected) = (found.solutions.len(), found.expected);
-    let mut notes = Vec::new();
-    if separated < expected {
-        notes.push(format!(
-            "Only {separated} of {expected} solutions in complex numbers were separated: some nearly coincide. A real \
-             one may be missing beside those given."
-        ));
-    } else if real.is_empty() {
-        notes.push(format!(
-            "No stiffness gives these {} frequencies: none of the {expected} solutions in complex numbers is real and \
-             positive. Check the masses, and whether every mode moves in this direction without twisting.",
-            lambda.len()
-        ));
-    }
-    Ok(FrequencyRoots {
-        stiffness_n_m: real,
-        solutions_complex: expected,
-        complete: separated == expected,
-        notes,
-    })
-}
-
-/// det(diag(k) + H − λ W) = 0: in the coordinates of the springs each k_i stands alone on the diagonal.
-fn pencil(frame: &Frame, lambda: &[f64]) -> Result<Pencil, StructureError> {
-    let n = lambda.len();
-    let without_springs = frame.stiffness_matrix(&vec![0.0; n])?;
-    let mass = frame.mass_matrix();
-    let (h, w) = match frame.convention() {
-        Convention::Grounded => (without_springs, mass),
-        Convention::Drift => {
-            let c = Matrix::from_fn(n, n, |row, column| if column <= row { 1.0 } else { 0.0 }); // Y = C δ
-            (
-                c.transpose_times(&(&without_springs * &c)),
-                c.transpose_times(&(&mass * &c)),
-            )
-        }
-    };
-    Ok(Pencil {
-        h,
-        w,
-        lambda: lambda.to_vec(),
-    })
 }
 
 #[cfg(test)]
@@ -334,11 +248,11 @@ mod tests {
                 );
                 let truth = |root: &Vec<f64>| root.iter().zip(&k).all(|(a, b)| (a / b - 1.0).abs() < 1e-6);
                 assert_eq!(
-                    roots.stiffness_n_m.iter().filter(|root| truth(root)).count(),
+                    roots.stiffness.iter().filter(|root| truth(root)).count(),
                     1,
                     "{what}"
                 );
-                for root in &roots.stiffness_n_m {
+                for root in &roots.stiffness {
                     for (mode, f) in frame.natural_modes(root).unwrap().iter().zip(&f) {
                         assert!((mode.frequency_hz / f - 1.0).abs() < 1e-9, "{what}");
                     }

@@ -6,7 +6,6 @@
 //! | q | `force` | ω² M φ + K_G φ − K_ties φ: what the storeys' springs hold | – · N/m |
 //! | e_i | `extension` | drift of storey i (grounded: its displacement) | – |
 
-use super::newton::extension;
 use super::storeys::{Convention, Frame};
 use crate::structure::StructureError;
 use dolmen_linalg::Matrix;
@@ -94,6 +93,15 @@ pub fn stiffness_from_shape(
         stiffness[i] = held / e;
     }
     Ok(stiffness)
+}
+
+/// What the spring of storey i sees: its drift, or its displacement.
+fn extension(frame: &Frame, displacement: &[f64], i: usize) -> f64 {
+    match frame.convention() {
+        Convention::Grounded => displacement[i],
+        Convention::Drift if i == 0 => displacement[0],
+        Convention::Drift => displacement[i] - displacement[i - 1],
+    }
 }
 
 #[cfg(test)]

@@ -1,17 +1,9 @@
-//! How far a stiffness can lie from the one found, when each frequency may lie anywhere within a half-width.
-//!
-//! | symbol | code | meaning | unit |
-//! |:--|:--|:--|:--|
-//! | h_j | `half_width_hz` | half-width of the interval of frequency j | Hz |
-//! | s | `way` | way from the measured frequencies to a corner of the box, 0 to 1 | – |
+//! How far a storey's stiffness can lie from the one found, when frequencies are rounded.
 
 use super::from_frequencies::check_ascending;
-use super::newton::stiffness_by_newton;
-use super::storeys::Frame;
+use super::storeys::{Frame, not_negative};
+use crate::structure::inverse::{Sprung, range_of_root};
 use crate::structure::{StiffnessRange, StructureError};
-
-/// Steps from the centre of the box of frequencies to each of its corners.
-const STEPS: usize = 16;
 
 /// Range of each stiffness of one root while every frequency stays within `frequencies_hz` ± `half_width_hz`: the
 /// effect of rounding alone.
@@ -40,7 +32,7 @@ const STEPS: usize = 16;
 ///     Storey { mass_kg: 314e3, height_m: 7.69, axial_n: 3077e3 },
 /// ];
 /// let gate = Frame::new(storeys, Convention::Grounded)?;
-/// let root = &stiffness_from_frequencies(&gate, &[1.1, 4.2])?.stiffness_n_m[1];
+/// let root = &stiffness_from_frequencies(&gate, &[1.1, 4.2])?.stiffness[1];
 /// let range = stiffness_range(&gate, &[1.1, 4.2], &[0.05, 0.05], root)?;
 /// assert!((range.lower[0] / 1e6 - 199.0).abs() < 0.5 && (range.upper[0] / 1e6 - 209.0).abs() < 0.5);
 /// # Ok::<(), dolmen::structure::StructureError>(())
@@ -60,42 +52,14 @@ pub fn stiffness_range(
         }
     }
     for (j, &half_width) in half_width_hz.iter().enumerate() {
-        super::storeys::not_negative("frequency", j + 1, "half_width_hz", half_width)?;
+        not_negative("frequency", j + 1, "half_width_hz", half_width)?;
     }
-    let mut range = StiffnessRange {
-        half_width_hz: half_width_hz.to_vec(),
-        lower: root_n_m.to_vec(),
-        upper: root_n_m.to_vec(),
-        exists_throughout: true,
-    };
-    for corner in 0..1_usize << n {
-        let mut k = root_n_m.to_vec();
-        for step in 1..=STEPS {
-            let way = step as f64 / STEPS as f64;
-            let lambda: Vec<f64> = (0..n)
-                .map(|j| {
-                    let sign = if corner >> j & 1 == 0 { -1.0 } else { 1.0 };
-                    (std::f64::consts::TAU * (frequencies_hz[j] + sign * way * half_width_hz[j])).powi(2)
-                })
-                .collect();
-            let ascending = lambda.windows(2).all(|pair| pair[0] < pair[1]);
-            let next = if ascending {
-                stiffness_by_newton(frame, &lambda, k)
-            } else {
-                None
-            };
-            let Some(next) = next else {
-                range.exists_throughout = false;
-                break;
-            };
-            for (i, &k) in next.iter().enumerate() {
-                range.lower[i] = range.lower[i].min(k);
-                range.upper[i] = range.upper[i].max(k);
-            }
-            k = next;
-        }
-    }
-    Ok(range)
+    Ok(range_of_root(
+        &frame.model()?,
+        frequencies_hz,
+        half_width_hz,
+        root_n_m,
+    ))
 }
 
 #[cfg(test)]
@@ -118,7 +82,7 @@ mod tests {
         let frequencies = [1.1, 4.2];
         let roots = stiffness_from_frequencies(&gate(), &frequencies)
             .unwrap()
-            .stiffness_n_m;
+            .stiffness;
         for (which, root) in roots.iter().enumerate() {
             let range = stiffness_range(&gate(), &frequencies, &[0.05, 0.02], root).unwrap();
             assert!(range.exists_throughout);
@@ -126,10 +90,7 @@ mod tests {
             for f1 in [1.05, 1.15] {
                 for f2 in [4.18, 4.22] {
                     corners.push(
-                        stiffness_from_frequencies(&gate(), &[f1, f2])
-                            .unwrap()
-                            .stiffness_n_m[which]
-                            .clone(),
+                        stiffness_from_frequencies(&gate(), &[f1, f2]).unwrap().stiffness[which].clone(),
                     );
                 }
             }
@@ -148,7 +109,7 @@ mod tests {
         let frequencies = [1.7, 4.25];
         let roots = stiffness_from_frequencies(&gate(), &frequencies)
             .unwrap()
-            .stiffness_n_m;
+            .stiffness;
         assert_eq!(roots.len(), 2);
         assert!(
             !stiffness_range(&gate(), &frequencies, &[0.05, 0.05], &roots[0])

@@ -1,8 +1,8 @@
-//! Where the search for joint stiffness starts.
+//! Where the search for stiffness starts.
 
-use super::Chain;
+use super::{SpringModel, Sprung};
 use crate::structure::{MeasuredMode, StructureError};
-use dolmen_linalg::{LinalgError, Matrix, solve_least_squares};
+use dolmen_linalg::{LinalgError, Matrix, solve, solve_least_squares};
 
 /// Stiffness over the prior of the scattered starts, at most and at least, as a logarithm: e^±4 = 55 and 1/55. Stone
 /// joints of one pole differ by that much (our choice).
@@ -40,30 +40,30 @@ pub(super) fn scattered_starts(prior: &[f64], first: usize, count: usize) -> Vec
 /// stiffness comes out not positive.
 ///
 /// ```text
-/// k_i (θ_i − θ_{i−1}) = Σ_{j≥i} (ω² M θ + G θ − s c cᵀ θ)_j        one equation a joint and mode, linear in k
+/// k_i (b_iᵀ φ) = (B⁻¹ (ω² M φ − K_0 φ))_i               one equation a spring and mode, linear in k
 /// ```
 pub(super) fn linear_estimate(
-    chain: &Chain,
+    structure: &impl Sprung,
+    model: &SpringModel,
     modes: &[MeasuredMode],
 ) -> Result<Option<Vec<f64>>, StructureError> {
-    let n = chain.links().len();
-    let mass = chain.mass_matrix();
+    let n = model.parts();
     let (mut above, mut below) = (vec![0.0; n], vec![0.0; n]);
     for mode in modes {
-        let Some(theta) = rotations(chain, mode)? else {
+        let Some(shape) = whole_shape(structure, n, mode)? else {
             continue;
         };
         let omega = std::f64::consts::TAU * mode.frequency_hz;
-        let inertia = mass.times(&theta);
-        let taken = chain.not_springs_times(&theta)?;
-        let mut moment = 0.0;
-        for i in (0..n).rev() {
-            moment += omega * omega * inertia[i] + taken[i];
-            let turn = theta[i] - if i == 0 { 0.0 } else { theta[i - 1] };
-            // moments of a mode grow with ω²: weigh each mode's equations by it
-            let weight = omega.powi(-4);
-            above[i] += weight * turn * moment;
-            below[i] += weight * turn * turn;
+        let inertia = model.mass.times(&shape);
+        let pairs = inertia.iter().zip(model.rest.times(&shape));
+        let force: Vec<f64> = pairs.map(|(m, rest)| omega * omega * m - rest).collect();
+        let held = solve(&model.springs, &Matrix::from_column(&force))?;
+        // forces of a mode grow with ω²: weigh each mode's equations by it
+        let weight = omega.powi(-4);
+        for i in 0..n {
+            let extension = model.extension(i, &shape);
+            above[i] += weight * extension * held[(i, 0)];
+            below[i] += weight * extension * extension;
         }
     }
     let k: Vec<f64> = above.iter().zip(&below).map(|(a, b)| a / b).collect();
@@ -71,19 +71,22 @@ pub(super) fn linear_estimate(
     Ok(usable.then(|| k.iter().map(|k| k.ln()).collect()))
 }
 
-/// Rotations of all links from a mode's points, by least squares; `None` if the points do not give them.
-fn rotations(chain: &Chain, mode: &MeasuredMode) -> Result<Option<Vec<f64>>, StructureError> {
-    let n = chain.links().len();
-    if mode.shape.len() < n {
+/// All coordinates from a mode's points, by least squares; `None` if the points do not give them.
+fn whole_shape(
+    structure: &impl Sprung,
+    coordinates: usize,
+    mode: &MeasuredMode,
+) -> Result<Option<Vec<f64>>, StructureError> {
+    if mode.shape.len() < coordinates {
         return Ok(None);
     }
-    let levers = mode.shape.iter().map(|point| chain.lever_m_rad(point.height_m));
-    let levers: Vec<Vec<f64>> = levers.collect::<Result<_, _>>()?;
+    let sensors = mode.shape.iter().map(|point| structure.sensor(point.height_m));
+    let sensors: Vec<Vec<f64>> = sensors.collect::<Result<_, _>>()?;
     let points: Vec<f64> = mode.shape.iter().map(|point| point.displacement).collect();
-    let matrix = Matrix::from_fn(points.len(), n, |p, i| levers[p][i]);
+    let matrix = Matrix::from_fn(points.len(), coordinates, |p, i| sensors[p][i]);
     match solve_least_squares(&matrix, &Matrix::from_column(&points)) {
-        Ok(theta) => Ok(Some(theta.column(0).to_vec())),
-        Err(LinalgError::Singular { .. }) => Ok(None), // no sensor on some link
+        Ok(shape) => Ok(Some(shape.column(0).to_vec())),
+        Err(LinalgError::Singular { .. }) => Ok(None), // a part without a sensor
         Err(fault) => Err(fault.into()),
     }
 }

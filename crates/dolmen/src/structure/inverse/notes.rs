@@ -1,18 +1,20 @@
 //! Sentences for the reader of an identification.
 
-use super::from_modes::Weighting;
+use super::Sprung;
+use super::options::Weighting;
 use super::search::{Count, EXACT, Search, rank};
 use crate::structure::{Choice, Visibility};
 use dolmen_linalg::Svd;
 
-/// A joint whose direction the data determine by less than this share is named as not seen.
+/// A spring whose direction the data determine by less than this share is named as not seen.
 const SEEN_LEAST: f64 = 0.5;
 /// Components of a free direction below this are left out of the sentence.
 const COMPONENT_LEAST: f64 = 0.05;
 
-pub(super) fn of_solutions(search: &Search, count: &Count, choice: Choice) -> Vec<String> {
+pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, choice: Choice) -> Vec<String> {
+    let (kind, spring) = (S::KIND, S::SPRING);
     let mut notes = Vec::new();
-    let joints = search.chain.links().len();
+    let parts = search.parts();
     let modes = search.modes.len();
     let shapes = search.modes.iter().filter(|mode| mode.shape.len() >= 2).count();
     let Count {
@@ -20,46 +22,59 @@ pub(super) fn of_solutions(search: &Search, count: &Count, choice: Choice) -> Ve
         solutions,
         nearest,
         odd,
+        ref roots,
     } = *count;
+    let complete = roots.as_ref().is_some_and(|roots| roots.complete);
+    let how_found = match roots {
+        Some(roots) if roots.complete => format!(
+            "all {} solutions in complex numbers were followed, so there is no other",
+            roots.solutions_complex
+        ),
+        _ => format!("found from {starts} starts; there may be more"),
+    };
+    if let Some(roots) = roots {
+        notes.extend(roots.notes.iter().cloned());
+    }
     match choice {
+        Choice::Impossible if complete => {}
         Choice::Impossible => notes.push(match nearest {
             Some(misfit) => format!(
-                "No joint stiffness was found, from {starts} starts, that explains the {modes} modes: the nearest is off by {}. Check that they are the lowest \
+                "No {spring} stiffness was found, from {starts} starts, that explains the {modes} modes: the nearest is off by {}. Check that they are the lowest \
                  modes of one direction with none left out between them, and the masses.",
                 off(search.weighting, misfit)
             ),
-            None => "No joint stiffness was found at which the chain stands.".to_string(),
+            None => format!("No {spring} stiffness was found at which the {kind} stands."),
         }),
         Choice::Underdetermined => notes.push(format!(
-            "{modes} {}{} hold {} independent data for {joints} joint stiffnesses: they cannot be determined. The set \
-             shown fits the data and is the nearest to stiffness in proportion to the weight moment above each joint, \
-             an assumption and not a measurement. Measure more modes, or shapes at several heights.",
+            "{modes} {}{} hold {} independent data for {parts} {spring} stiffnesses: they cannot be determined. The set \
+             shown fits the data and is the nearest to stiffness in proportion to {}, an assumption and not \
+             a measurement. Measure more modes, or shapes at several heights.",
             if modes == 1 { "frequency" } else { "frequencies" },
             if shapes > 0 { " with shape points" } else { "" },
-            search.independent
+            search.independent,
+            S::PROPORTION
         )),
         Choice::Indistinguishable => notes.push(format!(
-            "{solutions} sets of joint stiffness explain the data equally well and all stand, found from {starts} starts; \
-             there may be more. {} cannot tell them apart: {}.",
+            "{solutions} sets of {spring} stiffness explain the data equally well and all stand ({how_found}). {} cannot \
+             tell them apart: {}.",
             if shapes == 0 { "Frequencies alone" } else { "These data" },
             if shapes == 0 {
-                "measure the shapes too, best with a sensor near each joint"
+                format!("measure the shapes too, best with a sensor near each {spring}")
             } else {
-                "measure the shapes at more heights or in more modes"
+                "measure the shapes at more heights or in more modes".to_string()
             }
         )),
-        Choice::One if shapes == 0 && joints > 1 => notes.push(format!(
-            "Only one set of joint stiffness was found from {starts} starts, but frequencies alone often have several: \
+        Choice::One if shapes == 0 && parts > 1 && !complete => notes.push(format!(
+            "Only one set of {spring} stiffness was found from {starts} starts, but frequencies alone often have several: \
              this is no proof."
         )),
         Choice::One => {}
     }
     if odd {
-        notes.push(
-            "Their number is odd, but as many frequencies as joints have an even number of solutions: at least one more \
-             exists and was not found. Raise starts."
-                .to_string(),
-        );
+        notes.push(format!(
+            "Their number is odd, but as many frequencies as {spring}s have an even number of solutions: at least one \
+             more exists and was not found. Raise starts."
+        ));
     }
     if solutions > search.options.solutions_most {
         notes.push(format!(
@@ -93,20 +108,7 @@ pub(super) fn of_solutions(search: &Search, count: &Count, choice: Choice) -> Ve
             off(search.weighting, misfit)
         ));
     }
-    if search.chain.assumes_thin_rods() {
-        notes.push(
-            "Moments of inertia that were not given are those of thin rods, which are low: stiffness comes out low too."
-                .to_string(),
-        );
-    }
-    if let Some(support) = search.chain.side_support() {
-        notes.push(if support.acts_linearly() {
-            "The side support is part of the model, its stiffness taken as given.".to_string()
-        } else {
-            "The side support has a gap and is left out: the chain is taken not to touch it while it vibrates."
-                .to_string()
-        });
-    }
+    notes.extend(search.structure.assumptions());
     notes
 }
 
@@ -118,7 +120,7 @@ fn off(weighting: Weighting, misfit: f64) -> String {
 }
 
 /// What can change without any datum changing.
-pub(super) fn of_free_directions(jacobian: &Svd, choice: Choice) -> Vec<String> {
+pub(super) fn of_free_directions(spring: &str, jacobian: &Svd, choice: Choice) -> Vec<String> {
     if choice != Choice::Underdetermined {
         return Vec::new();
     }
@@ -127,7 +129,7 @@ pub(super) fn of_free_directions(jacobian: &Svd, choice: Choice) -> Vec<String> 
         .map(|direction| {
             let parts: Vec<String> = (0..n)
                 .filter(|&i| jacobian.v[(i, direction)].abs() >= COMPONENT_LEAST)
-                .map(|i| format!("joint {} {:+.2}", i + 1, jacobian.v[(i, direction)]))
+                .map(|i| format!("{spring} {} {:+.2}", i + 1, jacobian.v[(i, direction)]))
                 .collect();
             format!(
                 "Free: changes of ln k in the proportions {} leave all data unchanged (to first order).",
@@ -137,20 +139,20 @@ pub(super) fn of_free_directions(jacobian: &Svd, choice: Choice) -> Vec<String> 
         .collect()
 }
 
-pub(super) fn of_unseen_joints(visibility: &Visibility) -> Option<String> {
+pub(super) fn of_unseen(spring: &str, visibility: &Visibility) -> Option<String> {
     let unseen = visibility
         .seen
         .iter()
         .enumerate()
         .filter(|(_, seen)| **seen < SEEN_LEAST);
-    let joints: Vec<String> = unseen.map(|(i, _)| (i + 1).to_string()).collect();
-    if joints.is_empty() {
+    let unseen: Vec<String> = unseen.map(|(i, _)| (i + 1).to_string()).collect();
+    if unseen.is_empty() {
         return None;
     }
     Some(format!(
-        "The sensors hardly see joint{} {}: the data would barely change with {} stiffness.",
-        if joints.len() == 1 { "" } else { "s" },
-        joints.join(", "),
-        if joints.len() == 1 { "its" } else { "their" }
+        "The sensors hardly see {spring}{} {}: the data would barely change with {} stiffness.",
+        if unseen.len() == 1 { "" } else { "s" },
+        unseen.join(", "),
+        if unseen.len() == 1 { "its" } else { "their" }
     ))
 }

@@ -1,16 +1,16 @@
-//! How far a chain with given joint stiffness is from measured modes, with the exact derivative.
+//! How far a structure with given stiffness is from measured modes, with the exact derivative.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x_i | `x` | ln k_i | |
 //! | L | `lower` | M = L Lᵀ | |
 //! | q_j, λ_j | | eigenvector and eigenvalue of L⁻¹ K L⁻ᵀ, φ_j = L⁻ᵀ q_j | , (rad/s)² |
-//! | ĉ_i | `joints` | L⁻¹ b_i, b_i = e_i − e_{i−1} | |
+//! | ĉ_i | `springs` | L⁻¹ b_i | |
 //! | ẑ_p | `Shape::sensors` | L⁻¹ c(z_p) | |
 //! | w, v | `Shape::measured`, `computed` | measured and computed shape, over sd | |
 //! | a | `scale` | scale of the shape, (vᵀw)/(vᵀv) | |
 
-use super::Chain;
+use super::{SpringModel, Sprung};
 use crate::numeric::Residuals;
 use crate::structure::{MeasuredMode, StructureError};
 use dolmen_linalg::{Matrix, cholesky, solve, symmetric_eigen};
@@ -39,44 +39,36 @@ struct Target {
 }
 
 pub(super) struct ModalFit {
-    joints: Vec<Vec<f64>>,
-    /// L⁻¹ (diag(G) − side support) L⁻ᵀ: what is taken from the springs.
-    fixed: Matrix,
+    springs: Vec<Vec<f64>>,
+    /// L⁻¹ K_0 L⁻ᵀ: what there is beside the springs.
+    rest: Matrix,
     targets: Vec<Target>,
 }
 
 impl ModalFit {
     pub(super) fn new(
-        chain: &Chain,
+        structure: &impl Sprung,
+        model: &SpringModel,
         modes: &[MeasuredMode],
         stand_in: StandIn,
     ) -> Result<Self, StructureError> {
-        let n = chain.links().len();
-        let lower = cholesky(&chain.mass_matrix())?;
+        let lower = cholesky(&model.mass)?;
         let reduce = |v: &[f64]| -> Result<Vec<f64>, StructureError> {
             Ok(solve(&lower, &Matrix::from_column(v))?.column(0).to_vec())
         };
-        let joint = |i: usize| -> Vec<f64> {
-            let at = |j: usize| f64::from(u8::from(j == i)) - f64::from(u8::from(j + 1 == i));
-            (0..n).map(at).collect()
-        };
-        // stiffness of unit joints minus their springs leaves gravity and the side support
-        let unit = vec![1.0; n];
-        let springs = unit_springs(n);
-        let fixed = &springs - &chain.stiffness_matrix(&unit)?;
-        let half = solve(&lower, &fixed)?;
-        let fixed = solve(&lower, &half.transpose())?;
+        let half = solve(&lower, &model.rest)?;
+        let springs = (0..model.parts()).map(|i| reduce(model.springs.column(i)));
         let targets = modes.iter().map(|mode| -> Result<Target, StructureError> {
             let given = mode.frequency_sd_hz / mode.frequency_hz;
             Ok(Target {
                 ln_omega_squared: 2.0 * (std::f64::consts::TAU * mode.frequency_hz).ln(),
                 sd: if given > 0.0 { given } else { stand_in.frequency },
-                shape: shape(chain, mode, stand_in.shape, &reduce)?,
+                shape: shape(structure, mode, stand_in.shape, &reduce)?,
             })
         });
         Ok(ModalFit {
-            joints: (0..n).map(|i| reduce(&joint(i))).collect::<Result<_, _>>()?,
-            fixed,
+            springs: springs.collect::<Result<_, _>>()?,
+            rest: solve(&lower, &half.transpose())?,
             targets: targets.collect::<Result<_, _>>()?,
         })
     }
@@ -92,7 +84,7 @@ impl ModalFit {
         Some(symmetric_eigen(&self.reduced_stiffness(x)).ok()?.values)
     }
 
-    /// Mean of ln ω²_measured − ln ω²_computed over the measured modes; `None` if the chain falls.
+    /// Mean of ln ω²_measured − ln ω²_computed over the measured modes; `None` if the structure falls.
     pub(super) fn mean_log_frequency_short(&self, x: &[f64]) -> Option<f64> {
         let values = self.omega_squared(x).filter(|values| values[0] > 0.0)?;
         let each = self.targets.iter().zip(&values);
@@ -104,8 +96,8 @@ impl ModalFit {
 
     fn reduced_stiffness(&self, x: &[f64]) -> Matrix {
         let n = x.len();
-        let mut a = self.fixed.scaled(-1.0);
-        for (c, x) in self.joints.iter().zip(x) {
+        let mut a = self.rest.clone();
+        for (c, x) in self.springs.iter().zip(x) {
             let k = x.exp();
             for j in 0..n {
                 for i in 0..n {
@@ -116,7 +108,7 @@ impl ModalFit {
         a
     }
 
-    /// Residuals (computed − measured)/sd, frequencies as logarithms, and d/dx; `None` if the chain falls.
+    /// Residuals (computed − measured)/sd, frequencies as logarithms, and d/dx; `None` if the structure falls.
     ///
     /// ```text
     /// d ln f_j / dx_i = k_i (ĉ_iᵀ q_j)² / 2 λ_j
@@ -129,7 +121,7 @@ impl ModalFit {
         if eigen.values[0] <= 0.0 {
             return None;
         }
-        let turn = Matrix::from_fn(n, n, |i, j| dot(&self.joints[i], eigen.vectors.column(j)));
+        let turn = Matrix::from_fn(n, n, |i, j| dot(&self.springs[i], eigen.vectors.column(j)));
         let mut rows: Vec<(f64, Vec<f64>)> = Vec::new();
         for (j, target) in self.targets.iter().enumerate() {
             let lambda = eigen.values[j];
@@ -178,18 +170,9 @@ impl ModalFit {
     }
 }
 
-fn unit_springs(n: usize) -> Matrix {
-    Matrix::from_fn(n, n, |i, j| match i.abs_diff(j) {
-        0 if i + 1 < n => 2.0,
-        0 => 1.0,
-        1 => -1.0,
-        _ => 0.0,
-    })
-}
-
 /// The points of a mode, over their sd; `None` with fewer than 2, since the scale is free.
 fn shape(
-    chain: &Chain,
+    structure: &impl Sprung,
     mode: &MeasuredMode,
     stand_in: f64,
     reduce: &impl Fn(&[f64]) -> Result<Vec<f64>, StructureError>,
@@ -212,7 +195,7 @@ fn shape(
         } else {
             stand_in * largest
         };
-        shape.sensors.push(reduce(&chain.lever_m_rad(point.height_m)?)?);
+        shape.sensors.push(reduce(&structure.sensor(point.height_m)?)?);
         shape.measured.push(point.displacement / sd);
         shape.sd.push(sd);
     }
@@ -226,7 +209,7 @@ fn dot(a: &[f64], b: &[f64]) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::structure::{Inertia, Link, ShapePoint, SideSupport};
+    use crate::structure::{Chain, Inertia, Link, ShapePoint, SideSupport};
 
     #[test]
     fn exact_derivatives_of_frequencies_and_shapes() {
@@ -258,7 +241,13 @@ mod tests {
             frequency: 1.0,
             shape: 1.0,
         };
-        let fit = ModalFit::new(&chain, &[mode(1.0, 1.1), mode(4.0, -0.7)], stand_in).unwrap();
+        let fit = ModalFit::new(
+            &chain,
+            &chain.model().unwrap(),
+            &[mode(1.0, 1.1), mode(4.0, -0.7)],
+            stand_in,
+        )
+        .unwrap();
         let x = [11.5, 10.8, 10.1];
         let at = fit.residuals(&x).unwrap();
         assert_eq!((at.residual.len(), fit.data()), (8, 6));

@@ -36,6 +36,8 @@ const STEP_MOST: f64 = 0.1;
 const CAUTION: f64 = 0.3;
 /// Step below which a path counts as lost: it ends where two solutions meet, which then differ by √ of this.
 const STEP_LEAST: f64 = 1e-12;
+/// Steps after which a path counts as lost; 10 to 60 are usual. Frequencies within a per mille of each other need more.
+const STEPS_MOST: usize = 500;
 /// A corrector must start within this of the solution, relative, and end within the next after three iterations.
 const CORRECTION_MOST: f64 = 0.05;
 const CORRECTED: f64 = 1e-9;
@@ -62,7 +64,7 @@ pub(crate) fn continue_all(pencil: &Pencil) -> AllSolutions {
                 solutions.push(end);
             }
         }
-        if solutions.len() >= expected {
+        if solutions.len() >= expected || solutions.is_empty() {
             break;
         }
         step_most *= CAUTION;
@@ -102,7 +104,10 @@ fn follow(pencil: &Pencil, start: &[usize], arc: f64, step_most: f64) -> Option<
     let on_diagonal = |(i, &j): (usize, &usize)| pencil.lambda[j] * pencil.w[(i, i)] - pencil.h[(i, i)];
     let mut k: Vec<Complex64> = start.iter().enumerate().map(|x| on_diagonal(x).into()).collect();
     let (mut s, mut step) = (0.0, step_most);
-    while s < 1.0 {
+    for _ in 0..STEPS_MOST {
+        if s >= 1.0 {
+            break;
+        }
         let next = if s + step > 1.0 - STEP_LEAST {
             1.0
         } else {
@@ -128,6 +133,9 @@ fn follow(pencil: &Pencil, start: &[usize], arc: f64, step_most: f64) -> Option<
                 }
             }
         }
+    }
+    if s < 1.0 {
+        return None;
     }
     for _ in 0..FINISHING {
         let Some(change) = newton_step(pencil, &k, Complex64::ONE) else {

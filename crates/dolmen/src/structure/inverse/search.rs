@@ -1,17 +1,19 @@
-//! The search behind [`chain_stiffness`](super::chain_stiffness): from starts to ranked, judged solutions.
+//! The search for stiffness: from roots and starts to ranked, judged solutions.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
 //! | x_i | `x` | ln k_i | |
 //! | J = U S Vᵀ | `jacobian` | d(data over sd)/dx | |
 
-use super::from_modes::Weighting;
 use super::modal_fit::ModalFit;
+use super::options::Weighting;
+use super::range::range_of_root;
 use super::starts::{linear_estimate, scattered_starts};
-use super::{Chain, ChainStiffness, notes};
+use super::{FrequencyRoots, SpringModel, Sprung, StiffnessSearch, notes};
 use crate::numeric::{LeastSquaresFit, Residuals, levenberg_marquardt};
+use crate::structure::identification::check_modes;
 use crate::structure::{
-    Choice, MeasuredMode, StiffnessSolution, StiffnessSolutions, StructureError, Visibility,
+    Choice, MeasuredMode, StiffnessRange, StiffnessSolution, StiffnessSolutions, StructureError, Visibility,
 };
 use dolmen_linalg::{Matrix, svd};
 
@@ -28,6 +30,8 @@ const SAME: f64 = 1e-5;
 /// Batches of starts tried at most: while the number of solutions of as many frequencies as joints is odd, or while
 /// none is found where shapes are given.
 const BATCHES_MOST: usize = 5;
+/// Most springs whose range is followed to the 2ⁿ corners of the box of frequencies.
+const RANGED_PARTS_MOST: usize = 4;
 /// Singular values below this share of the largest are 0.
 const RANK_LEAST: f64 = 1e-8;
 /// Difference of chi-squared below which two fits cannot be told apart: 95 % of one degree of freedom.
@@ -52,19 +56,65 @@ pub(super) struct Count {
     pub(super) nearest: Option<f64>,
     /// Whether the number of solutions shows that at least one is missing.
     pub(super) odd: bool,
+    /// What following every solution gave, where that was done.
+    pub(super) roots: Option<FrequencyRoots>,
 }
 
-pub(super) struct Search<'a> {
-    pub(super) chain: &'a Chain,
+pub(super) struct Search<'a, S> {
+    pub(super) structure: &'a S,
     pub(super) modes: &'a [MeasuredMode],
-    pub(super) options: &'a ChainStiffness,
-    pub(super) fit: ModalFit,
+    pub(super) options: &'a StiffnessSearch,
+    model: SpringModel,
+    fit: ModalFit,
     pub(super) weighting: Weighting,
-    /// Rank of the Jacobian where stiffness is in proportion to M_i.
+    /// Rank of the Jacobian at the first guess.
     pub(super) independent: usize,
 }
 
-impl Search<'_> {
+/// Every stiffness found that explains the modes.
+///
+/// # Errors
+/// As [`chain_stiffness`](crate::structure::chain_stiffness).
+pub(crate) fn stiffness_from_modes<S: Sprung>(
+    structure: &S,
+    modes: &[MeasuredMode],
+    options: &StiffnessSearch,
+) -> Result<StiffnessSolutions, StructureError> {
+    let model = structure.model()?;
+    check_modes(modes, model.parts(), S::PARTS)?;
+    let weighting = Weighting::of(modes);
+    let mut search = Search {
+        fit: ModalFit::new(structure, &model, modes, weighting.stand_in(options))?,
+        structure,
+        modes,
+        options,
+        model,
+        weighting,
+        independent: 0,
+    };
+    let n = search.model.parts();
+    let prior = search.prior();
+    search.independent = match search.fit.residuals(&prior) {
+        Some(at) => rank(&singular_values(&at.jacobian)?),
+        None => search.fit.data().min(n), // two modes coincide there
+    };
+    if search.independent < n {
+        return search.nearest_to_the_prior(&prior);
+    }
+    let roots = if modes.len() == n {
+        let frequencies: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
+        structure.roots(&frequencies)?
+    } else {
+        None
+    };
+    search.many_starts(&prior, roots)
+}
+
+impl<S: Sprung> Search<'_, S> {
+    pub(super) fn parts(&self) -> usize {
+        self.model.parts()
+    }
+
     fn found(&self, fit: LeastSquaresFit) -> Found {
         let squares: f64 = fit.at.residual.iter().map(|r| r * r).sum();
         Found {
@@ -81,44 +131,36 @@ impl Search<'_> {
         }
     }
 
-    /// ln M_i, scaled so that the frequencies fit best on average.
-    pub(super) fn prior(&self) -> Vec<f64> {
-        self.scaled(
-            self.chain
-                .necessary_n_m_rad()
-                .iter()
-                .map(|m| m.max(f64::MIN_POSITIVE).ln())
-                .collect(),
-        )
+    /// Logarithm of the first guess, scaled so that the frequencies fit best on average.
+    fn prior(&self) -> Vec<f64> {
+        let proportion = self.structure.proportion();
+        self.scaled(proportion.iter().map(|k| k.max(f64::MIN_POSITIVE).ln()).collect())
     }
 
-    pub(super) fn many_starts(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
-        let n = self.chain.links().len();
-        let only_frequencies = n > 1 && self.fit.data() == self.modes.len();
+    /// All solutions: followed from a solved case where that is possible, else from many starts.
+    fn many_starts(
+        &self,
+        prior: &[f64],
+        roots: Option<FrequencyRoots>,
+    ) -> Result<StiffnessSolutions, StructureError> {
+        let only_frequencies = self.fit.data() == self.modes.len();
         let mut all: Vec<Found> = Vec::new();
         let mut tried = 0;
-        if let Some(start) = linear_estimate(self.chain, self.modes)? {
+        if let Some(start) = linear_estimate(self.structure, &self.model, self.modes)? {
             tried += 1;
             self.descend(start, ITERATIONS_MOST, &mut all);
         }
-        let starts = if only_frequencies {
-            self.options.starts
+        for root in roots.iter().flat_map(|roots| &roots.stiffness) {
+            let start = root.iter().map(|k| k.ln()).collect();
+            self.descend(start, ITERATIONS_MOST, &mut all);
+        }
+        let complete = roots.as_ref().is_some_and(|roots| roots.complete);
+        let settled =
+            only_frequencies && complete && (!all.is_empty() || self.weighting == Weighting::Relative);
+        if settled {
+            tried += roots.as_ref().map_or(0, |roots| roots.solutions_complex);
         } else {
-            self.options.starts / STARTS_WITH_SHAPES
-        };
-        for batch in 0..BATCHES_MOST {
-            for start in scattered_starts(prior, batch * starts, starts.max(1)) {
-                tried += 1;
-                self.descend(self.scaled(start), ITERATIONS_MOST, &mut all);
-            }
-            let exact = all.iter().filter(|found| found.misfit < EXACT).count();
-            let enough = match only_frequencies {
-                true => exact.is_multiple_of(2) || exact > self.options.solutions_most,
-                false => all.iter().any(|found| found.misfit <= self.misfit_accepted()),
-            };
-            if enough {
-                break;
-            }
+            tried += self.descend_from_scattered(prior, only_frequencies, &mut all);
         }
         self.sort(&mut all);
         let mut nearest = all.first().map(|found| found.misfit);
@@ -136,14 +178,40 @@ impl Search<'_> {
             finished.retain(|found| found.misfit < EXACT);
         }
         let choice = self.choose(&finished)?;
-        let odd = only_frequencies && exact && !finished.len().is_multiple_of(2);
+        let even = finished.len().is_multiple_of(2) || self.parts() == 1;
         let count = Count {
             starts: tried,
             solutions: finished.len(),
             nearest,
-            odd,
+            odd: only_frequencies && !complete && exact && !even,
+            roots: roots.filter(|_| only_frequencies),
         };
         self.answer(finished, choice, count)
+    }
+
+    /// Minima from a scatter of starts; how many starts were tried.
+    fn descend_from_scattered(&self, prior: &[f64], only_frequencies: bool, all: &mut Vec<Found>) -> usize {
+        let starts = if only_frequencies {
+            self.options.starts
+        } else {
+            self.options.starts / STARTS_WITH_SHAPES
+        };
+        let mut tried = 0;
+        for batch in 0..BATCHES_MOST {
+            for start in scattered_starts(prior, batch * starts, starts.max(1)) {
+                tried += 1;
+                self.descend(self.scaled(start), ITERATIONS_MOST, all);
+            }
+            let exact = all.iter().filter(|found| found.misfit < EXACT).count();
+            let enough = match only_frequencies && self.parts() > 1 {
+                true => exact.is_multiple_of(2) || exact > self.options.solutions_most,
+                false => all.iter().any(|found| found.misfit <= self.misfit_accepted()),
+            };
+            if enough {
+                break;
+            }
+        }
+        tried
     }
 
     /// Adds the minimum that a start leads to, unless it is there already.
@@ -195,9 +263,9 @@ impl Search<'_> {
         }
     }
 
-    /// Fewer independent data than joints: of all that fit, the one nearest to the prior in ln k, its common factor free.
-    pub(super) fn nearest_to_the_prior(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
-        let n = self.chain.links().len();
+    /// Fewer independent data than springs: of all that fit, the one nearest to the prior in ln k, its common factor free.
+    fn nearest_to_the_prior(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
+        let n = self.parts();
         let mut x = prior.to_vec();
         let mut end = None;
         for weight in PRIOR_WEIGHTS {
@@ -235,13 +303,14 @@ impl Search<'_> {
             solutions: accepted.len(),
             nearest,
             odd: false,
+            roots: None,
         };
         self.answer(accepted, choice, count)
     }
 
     /// The same proportions with the common factor that fits the frequencies' logarithms on average.
     ///
-    /// Gravity takes its share whatever the springs are, so the factor is found by doubling until the chain stands,
+    /// Gravity takes its share whatever the springs are, so the factor is found by doubling until the structure stands,
     /// then by the secant of the mean of ln ω² (its slope in ln k is near 1).
     fn scaled(&self, mut x: Vec<f64>) -> Vec<f64> {
         const DOUBLINGS_MOST: usize = 200;
@@ -278,13 +347,21 @@ impl Search<'_> {
         let starts = count.starts;
         let mut notes = notes::of_solutions(self, &count, choice);
         if let Some(best) = all.first() {
-            notes.extend(notes::of_free_directions(&svd(&tall(&best.jacobian))?, choice));
+            notes.extend(notes::of_free_directions(
+                S::SPRING,
+                &svd(&tall(&best.jacobian))?,
+                choice,
+            ));
         }
         if let Some(visibility) = &visibility {
-            notes.extend(notes::of_unseen_joints(visibility));
+            notes.extend(notes::of_unseen(S::SPRING, visibility));
         }
         all.truncate(self.options.solutions_most);
-        let solutions = all.iter().map(|found| self.solution(found, choice));
+        let ranged = count.roots.is_some()
+            && self.weighting == Weighting::Given
+            && self.parts() <= RANGED_PARTS_MOST
+            && all.iter().all(|found| found.misfit < EXACT);
+        let solutions = all.iter().map(|found| self.solution(found, choice, ranged));
         Ok(StiffnessSolutions {
             solutions: solutions.collect::<Result<_, _>>()?,
             choice,
@@ -294,21 +371,38 @@ impl Search<'_> {
         })
     }
 
-    fn solution(&self, found: &Found, choice: Choice) -> Result<StiffnessSolution, StructureError> {
+    fn solution(
+        &self,
+        found: &Found,
+        choice: Choice,
+        ranged: bool,
+    ) -> Result<StiffnessSolution, StructureError> {
         let stiffness: Vec<f64> = found.x.iter().map(|x| x.exp()).collect();
         let relative_sd = match (self.weighting, choice) {
             (Weighting::Relative, _) | (_, Choice::Underdetermined) => None,
             _ => self.relative_sd(found)?,
         };
-        let modes = self.chain.natural_modes(&stiffness)?;
+        let modes = self.structure.natural_modes_with(&stiffness)?;
         Ok(StiffnessSolution {
             stiffness_sd: relative_sd.map(|sd| sd.iter().zip(&stiffness).map(|(sd, k)| sd * k).collect()),
-            stiffness_range: None,
+            stiffness_range: if ranged { self.range(&stiffness) } else { None },
             stands: modes.first().is_some_and(|mode| mode.omega_squared > 0.0),
             stiffness,
             modes,
             misfit: found.misfit,
         })
+    }
+
+    /// While every frequency moves by √3 of its standard deviation.
+    fn range(&self, root: &[f64]) -> Option<StiffnessRange> {
+        let frequencies: Vec<f64> = self.modes.iter().map(|mode| mode.frequency_hz).collect();
+        let half_width = self
+            .modes
+            .iter()
+            .map(|mode| 3.0_f64.sqrt() * mode.frequency_sd_hz);
+        let half_width: Vec<f64> = half_width.collect();
+        let positive = frequencies.iter().zip(&half_width).all(|(f, h)| f > h);
+        positive.then(|| range_of_root(&self.model, &frequencies, &half_width, root))
     }
 
     /// √diag (JᵀJ)⁻¹, widened by the misfit where there are data to spare; `None` if not determined.

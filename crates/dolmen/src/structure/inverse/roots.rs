@@ -1,0 +1,97 @@
+//! Every stiffness that has exactly as many frequencies as measured.
+
+use super::SpringModel;
+use super::continuation::{Pencil, continue_all};
+use super::newton::stiffness_by_newton;
+use crate::structure::StructureError;
+use dolmen_linalg::{Matrix, solve};
+
+/// Two roots whose every stiffness agrees to this are one: √ε, as close as a double root can be resolved.
+const SAME_ROOT: f64 = 1e-6;
+/// Imaginary part, relative to the modulus, up to which a solution may be a real one not yet made exact: two real roots
+/// that nearly meet are found with √ε of it.
+const NEARLY_REAL: f64 = 1e-3;
+
+/// Every stiffness that gives a structure exactly its measured frequencies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrequencyRoots {
+    /// Each a stiffness a spring, N/m or N m/rad, lowest first; ordered by the first.
+    pub stiffness: Vec<Vec<f64>>,
+    /// Solutions in complex numbers, n!, all of which were looked at.
+    pub solutions_complex: usize,
+    /// Whether all of them were reached. If not, real roots may be missing.
+    pub complete: bool,
+    /// Why there is no root, or fewer than looked for; in a sentence with its numbers.
+    pub notes: Vec<String>,
+}
+
+/// All complex solutions, then the real ones among them, each made exact and verified.
+///
+/// # Errors
+/// [`StructureError::Linalg`] if the springs do not hold every coordinate.
+pub(crate) fn roots_by_continuation(
+    model: &SpringModel,
+    lambda: &[f64],
+) -> Result<FrequencyRoots, StructureError> {
+    let found = continue_all(&pencil(model, lambda)?);
+    let mut stiffness: Vec<Vec<f64>> = Vec::new();
+    for solution in &found.solutions {
+        if solution.iter().any(|k| k.im.abs() > NEARLY_REAL * k.norm()) {
+            continue;
+        }
+        let start: Vec<f64> = solution.iter().map(|k| k.re).collect();
+        if start.iter().any(|&k| k <= 0.0) {
+            continue; // what else is known of the structure would have to be undone
+        }
+        let Some(exact) = stiffness_by_newton(model, lambda, start) else {
+            continue;
+        };
+        let same = |other: &Vec<f64>| {
+            let pairs = other.iter().zip(&exact);
+            pairs
+                .into_iter()
+                .all(|(a, b)| (a - b).abs() <= SAME_ROOT * b.abs())
+        };
+        if !stiffness.iter().any(same) {
+            stiffness.push(exact);
+        }
+    }
+    stiffness.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let (separated, expected) = (found.solutions.len(), found.expected);
+    let mut notes = Vec::new();
+    if separated < expected {
+        notes.push(format!(
+            "Only {separated} of {expected} solutions in complex numbers were separated: some nearly coincide. A real \
+             one may be missing beside those given."
+        ));
+    } else if stiffness.is_empty() {
+        notes.push(format!(
+            "No stiffness gives these {} frequencies: none of the {expected} solutions in complex numbers is real and \
+             positive. Check the masses, and whether every mode moves in this direction without twisting.",
+            lambda.len()
+        ));
+    }
+    Ok(FrequencyRoots {
+        stiffness,
+        solutions_complex: expected,
+        complete: separated == expected,
+        notes,
+    })
+}
+
+/// det(diag(k) + H − λ W) = 0: in the coordinates of the springs, δ = Bᵀ φ, each k_i stands alone on the diagonal.
+///
+/// ```text
+/// H = B⁻¹ K_0 B⁻ᵀ,   W = B⁻¹ M B⁻ᵀ                                                      n × n
+/// ```
+fn pencil(model: &SpringModel, lambda: &[f64]) -> Result<Pencil, StructureError> {
+    let turned = |a: &Matrix| -> Result<Matrix, StructureError> {
+        let half = solve(&model.springs, a)?;
+        Ok(solve(&model.springs, &half.transpose())?)
+    };
+    Ok(Pencil {
+        h: turned(&model.rest)?,
+        w: turned(&model.mass)?,
+        lambda: lambda.to_vec(),
+    })
+}
