@@ -71,7 +71,13 @@ fn fits(expected: &[String], printed: &[&str]) -> bool {
 
 fn run_page(page: &Path) {
     let text = fs::read_to_string(page).unwrap();
-    let name = page.file_name().unwrap().to_string_lossy().into_owned();
+    let parts: Vec<_> = page
+        .components()
+        .rev()
+        .take(2)
+        .map(|part| part.as_os_str().to_string_lossy())
+        .collect();
+    let name = parts.join("-"); // two pages are called README.md
     let scratch = Scratch::with_examples(&name);
     for listing in listings(&text) {
         let mut status = 0;

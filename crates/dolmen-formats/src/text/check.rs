@@ -422,7 +422,10 @@ fn sampled_text(sampled: &Sampled) -> String {
 }
 
 fn comparison(answer: &Answer) -> String {
-    let mut table = Table::new(&["version", "verdict", "load factor", "f1, Hz", "P(falls)"], 2);
+    let mut table = Table::new(
+        &["version", "verdict", "load factor", "f1, Hz", "P(falls), 95 %"],
+        2,
+    );
     let own = answer.state.iter().map(|state| ("as it is", state));
     let others = answer
         .variants

@@ -1,0 +1,212 @@
+// SOURCE     The shipped examples; Choi (2021); Park & Min (2010).
+// GOAL       What a user reads is what the science computed, to the digit, and its exit status follows the verdict.
+// TOLERANCE  none: printed digits.
+
+use super::verbs::Scratch;
+use std::fs;
+
+#[test]
+fn published_numbers_of_naju_are_printed_to_the_last_digit() {
+    let scratch = Scratch::with_examples("naju");
+    let answer = scratch.dolmen("check examples/naju_flagpole");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let words: Vec<&str> = answer.stdout.split_whitespace().collect();
+    let printed = |row: &[&str]| words.windows(row.len()).any(|window| window == row);
+    // joint, G, k_cr (Table 1: 128.64 43.24 11.73 5.69 1.93), P·H and its ratio (Table 2), exact limit
+    for row in [
+        ["1", "171.8860", "128.6437", "739.6890", "5.75", "253.8271"],
+        ["2", "54.9676", "43.2423", "209.8525", "4.85", "81.9411"],
+        ["3", "17.4156", "11.7253", "64.5588", "5.51", "26.9735"],
+        ["4", "7.6241", "5.6903", "21.6504", "3.80", "9.5579"],
+        ["5", "1.9338", "1.9338", "4.0141", "2.08", "1.9338"],
+    ] {
+        assert!(printed(&row), "{row:?} is missing in\n{}", answer.stdout);
+    }
+    assert!(printed(&["factor", "4.735605", "1.026526", "2.476536"]));
+    assert!(answer.stdout.contains("291.9841 kN·m/rad"));
+    // Table 3
+    assert!(printed(&["127.5860", "44.3000", "10.6676", "5.6903", "1.9338"]));
+    assert!(printed(&["128.2569", "43.6291", "11.3385", "6.0771", "1.5470"]));
+    assert!(answer.stdout.contains("UNSAFE: the published criterion k_cr"));
+}
+
+#[test]
+fn holds_a_pole_with_the_published_stiffness_falls_and_ends_with_status_1() {
+    let scratch = Scratch::with_examples("falls");
+    let project = scratch.path().join("examples/naju_flagpole/project.toml");
+    let mut text = fs::read_to_string(&project).unwrap();
+    text += "\n[variant.published]\njoints = [{ stiffness = 128.64 }, { stiffness = 43.24 }, { stiffness = 11.73 }, \
+             { stiffness = 5.69 }, { stiffness = 1.93 }]\n";
+    fs::write(&project, text).unwrap();
+    let answer = scratch.dolmen("check examples/naju_flagpole");
+    assert_eq!(answer.status, 1, "{}", answer.stdout);
+    assert!(answer.stdout.contains("VERDICT unstable"), "{}", answer.stdout);
+    let json = scratch.dolmen("check examples/naju_flagpole --json");
+    assert_eq!(json.status, 1);
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    let variants = value["variants"].as_array().unwrap();
+    let published = variants.iter().find(|v| v["name"] == "published").unwrap();
+    assert_eq!(published["state"]["verdict"], "unstable");
+    assert!(
+        published["state"]["check"]["chain"]["stability"]["load_factor"]
+            .as_f64()
+            .unwrap()
+            < 0.22
+    );
+}
+
+#[test]
+fn holds_the_same_seed_gives_the_same_text_and_another_seed_another() {
+    let scratch = Scratch::with_examples("seed");
+    let run = |seed: u32| {
+        scratch
+            .dolmen(&format!(
+                "check examples/naju_flagpole --samples 500 --seed {seed}"
+            ))
+            .stdout
+    };
+    assert_eq!(run(7), run(7));
+    assert_ne!(run(7), run(8));
+}
+
+#[test]
+fn holds_the_report_is_one_page_in_either_language_and_the_same_twice() {
+    let scratch = Scratch::with_examples("report");
+    for language in ["en", "ko"] {
+        let run = |name: &str| {
+            let answer = scratch.dolmen(&format!(
+                "report examples/naju_flagpole --language {language} -o {name}"
+            ));
+            assert_eq!(answer.status, 0, "{}", answer.stderr);
+            fs::read_to_string(scratch.path().join(name)).unwrap()
+        };
+        let page = run("one.html");
+        assert_eq!(page, run("two.html"));
+        let outside = page.replace("http://www.w3.org/", "");
+        assert!(
+            !outside.contains("http://") && !outside.contains("https://") && !outside.contains("<script")
+        );
+        assert!(page.contains("석당간") && page.contains("4.735605"), "{language}");
+    }
+}
+
+#[test]
+fn agrees_validation_page_is_what_the_command_prints() {
+    let printed = Scratch::new("validate").dolmen("validate");
+    assert_eq!(printed.status, 0, "{}", printed.stderr);
+    let kept = fs::read_to_string(super::verbs::root().join("VALIDATION.md")).unwrap();
+    assert!(
+        printed.stdout == kept,
+        "VALIDATION.md is out of date: `dolmen validate > VALIDATION.md`"
+    );
+}
+
+/// A survey project around one CSV record.
+fn survey(scratch: &Scratch, csv: &str, more: &str) -> super::verbs::Answer {
+    let folder = scratch.path().join("tower");
+    fs::create_dir_all(&folder).unwrap();
+    fs::write(folder.join("record.csv"), csv).unwrap();
+    let project = format!(
+        "schema = 1\nkind = \"survey\"\nname = {{ en = \"Tower\" }}\n\n[survey.first.records]\nfile = \"record.csv\"\n{more}\n"
+    );
+    fs::write(folder.join("project.toml"), project).unwrap();
+    scratch.dolmen("identify tower")
+}
+
+/// Two channels of a swinging tower at 50 Hz; `change` rewrites a line.
+fn swinging(change: impl Fn(usize, String) -> String) -> String {
+    let mut csv = String::from("t,north,east\n");
+    for i in 0..30_000 {
+        let t = i as f64 / 50.0;
+        let noise = (i as f64 * 12.9898).sin() * 43758.547;
+        let a = (9.0 * t).sin() + 0.3 * (noise - noise.floor());
+        let b = (14.0 * t).cos() + 0.3 * (noise * 7.0 - (noise * 7.0).floor());
+        csv += &change(i, format!("{t:.2},{a:.5},{b:.5}\n"));
+    }
+    csv
+}
+
+#[test]
+fn refuses_bad_records_with_the_file_the_place_and_the_remedy() {
+    let scratch = Scratch::new("records");
+    let ok = survey(&scratch, &swinging(|_, line| line), "");
+    assert_eq!(ok.status, 0, "{}", ok.stderr);
+    let cases: [(&str, String, &str, &[&str]); 7] = [
+        ("empty file", String::new(), "", &["record.csv", "empty"]),
+        (
+            "text in a number column",
+            swinging(|i, line| {
+                if i == 10 {
+                    line.replace(',', ",oops,").replacen(",oops", "", 1)
+                } else {
+                    line
+                }
+            }),
+            "",
+            &["record.csv", "oops"],
+        ),
+        (
+            "NaN",
+            swinging(|i, line| if i == 10 { "0.20,NaN,0.1\n".into() } else { line }),
+            "",
+            &["record.csv", "north"],
+        ),
+        (
+            "uneven time stamps",
+            swinging(|i, line| if i == 40 { String::new() } else { line }),
+            "",
+            &["record.csv", "time stamp"],
+        ),
+        (
+            "dead channel",
+            swinging(|_, line| format!("{},0\n", line.rsplit_once(',').unwrap().0)),
+            "",
+            &["east", "dead"],
+        ),
+        (
+            "missing column",
+            swinging(|_, line| line),
+            "channels = [{ column = \"nord\" }]",
+            &["record.csv", "nord", "north"],
+        ),
+        (
+            "more modes than the order allows",
+            swinging(|_, line| line),
+            "modal = { order_most = 4, modes_wanted = 9 }",
+            &["9", "4"],
+        ),
+    ];
+    for (what, csv, more, said) in cases {
+        let answer = survey(&scratch, &csv, more);
+        assert_eq!(answer.status, 2, "{what}: {}{}", answer.stdout, answer.stderr);
+        for word in said {
+            assert!(
+                answer.stderr.contains(word),
+                "{what}: \"{word}\" is missing in: {}",
+                answer.stderr
+            );
+        }
+        assert!(!answer.stderr.contains("panicked"), "{what}: {}", answer.stderr);
+    }
+}
+
+#[test]
+fn refuses_a_survey_that_is_not_there_and_a_folder_without_a_project() {
+    let scratch = Scratch::with_examples("wrong");
+    let answer = scratch.dolmen("identify examples/palisaden --survey spring");
+    assert_eq!(answer.status, 2);
+    assert!(
+        answer
+            .stderr
+            .contains("no survey \"spring\": the file has ambient"),
+        "{}",
+        answer.stderr
+    );
+    let answer = scratch.dolmen("check examples");
+    assert_eq!(answer.status, 2);
+    assert!(
+        answer.stderr.contains("holds no project.toml"),
+        "{}",
+        answer.stderr
+    );
+}
