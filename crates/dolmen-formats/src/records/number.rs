@@ -43,7 +43,7 @@ pub fn parse_number(text: &[u8]) -> Option<f64> {
     }
 }
 
-/// The number that begins at `at`, if it is one that needs no more than exact doubles. What follows it is not looked at.
+/// The finite number that begins at `at`, if it is plainly written. What follows it is not looked at.
 #[inline]
 pub(super) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
     let sign = *text.get(at)?;
@@ -58,10 +58,10 @@ pub(super) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
         printed += decimals;
         end = after;
     }
-    if printed == 0 || printed > DIGITS_MOST || mantissa > MANTISSA_MOST {
+    if printed == 0 {
         return None;
     }
-    let mut decimals = decimals as i32; // at most 19
+    let mut decimals = i32::try_from(decimals).ok()?;
     if let Some(b'e' | b'E') = text.get(end) {
         let negative = text.get(end + 1) == Some(&b'-');
         let first = end + 1 + usize::from(matches!(text.get(end + 1), Some(b'-' | b'+')));
@@ -73,20 +73,29 @@ pub(super) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
         // at most 4 digits
         decimals += exponent as i32 * if negative { 1 } else { -1 };
     }
-    let magnitude = match decimals {
-        0..=POWER_MOST => mantissa as f64 / POWERS[decimals as usize],
-        _ if (-POWER_MOST..0).contains(&decimals) => mantissa as f64 * POWERS[-decimals as usize],
-        _ => return None,
+    let exact = printed <= DIGITS_MOST && mantissa <= MANTISSA_MOST && decimals.abs() <= POWER_MOST;
+    let value = if exact {
+        let power = POWERS[decimals.unsigned_abs() as usize];
+        let magnitude = if decimals < 0 {
+            mantissa as f64 * power
+        } else {
+            mantissa as f64 / power
+        };
+        if sign == b'-' { -magnitude } else { magnitude }
+    } else if decimal_sign == b'.' {
+        std::str::from_utf8(&text[at..end])
+            .ok()?
+            .parse()
+            .ok()
+            .filter(|v: &f64| v.is_finite())?
+    } else {
+        return None;
     };
-    Some(Number {
-        value: if sign == b'-' { -magnitude } else { magnitude },
-        end,
-        decimals,
-    })
+    Some(Number { value, end, decimals })
 }
 
-/// The number that a whole cell is: no blanks, the decimal sign as given. Slower than [`scan`], and reads everything that
-/// `str::parse` reads.
+/// The number that a whole cell is: no blanks, the decimal sign as given. Reads everything that `str::parse` reads, such as
+/// NaN.
 pub(super) fn parse_cell(cell: &[u8], decimal_sign: u8) -> Option<Number> {
     if let Some(number) = scan(cell, 0, decimal_sign)
         && number.end == cell.len()

@@ -48,6 +48,10 @@ pub(super) struct Stamps {
     /// Most digits (from the first that is not 0) and most decimals of any stamp: programs print all stamps of a file alike.
     digits: i32,
     decimals: i32,
+    /// What the last digit is worth for stamps of `decade.0` ≤ |value| < `decade.1`, in the unit of the column.
+    resolution: f64,
+    decade: (f64, f64),
+    decade_decimals: i32,
     /// The interval of steps that agree with all stamps, s.
     step_least_s: f64,
     step_most_s: f64,
@@ -65,6 +69,9 @@ impl Stamps {
             count: 0,
             digits: 0,
             decimals: -DIGITS_MOST,
+            resolution: f64::NAN,
+            decade: (0.0, 0.0),
+            decade_decimals: -DIGITS_MOST,
             step_least_s: 0.0,
             step_most_s: f64::INFINITY,
         }
@@ -72,8 +79,7 @@ impl Stamps {
 
     /// Takes the next stamp; refuses one that no even step agrees with.
     pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
-        self.decimals = self.decimals.max(printed.decimals);
-        self.digits = self.digits.max(leading(printed.value) + printed.decimals);
+        self.look_at_digits(printed);
         let stamp_s = printed.value * self.unit_s;
         let i = self.count as f64;
         self.count += 1;
@@ -83,7 +89,7 @@ impl Stamps {
         }
         let elapsed = stamp_s - self.first_s;
         let step_s = stamp_s - self.last_s;
-        let resolution_s = self.resolution_s(printed.value);
+        let resolution_s = self.unit_s * self.resolution;
         let allowed = resolution_s + CLOCK_JITTER * elapsed.abs() / i;
         let (least, most) = ((elapsed - allowed) / i, (elapsed + allowed) / i);
         // written so that it is false for NaN
@@ -164,11 +170,19 @@ impl Stamps {
         }
     }
 
-    /// The last digit printed of a stamp of that value, s. A program that prints a fixed number of digits prints fewer
-    /// decimals of larger numbers.
-    fn resolution_s(&self, value: f64) -> f64 {
-        let by_digits = leading(value) - self.digits.min(DIGITS_MOST);
-        self.unit_s * 10f64.powi((-self.decimals).max(by_digits))
+    /// Finds out what the last digit printed of this stamp is worth. A program that prints a fixed number of digits prints
+    /// fewer decimals of larger numbers. Works anew only where the answer can change.
+    fn look_at_digits(&mut self, printed: Number) {
+        let size = printed.value.abs();
+        if printed.decimals <= self.decade_decimals && (self.decade.0..self.decade.1).contains(&size) {
+            return;
+        }
+        let leading = leading(size);
+        self.decade = (10f64.powi(leading - 1), 10f64.powi(leading));
+        self.decade_decimals = printed.decimals;
+        self.decimals = self.decimals.max(printed.decimals);
+        self.digits = self.digits.max(leading + printed.decimals).min(DIGITS_MOST);
+        self.resolution = 10f64.powi((-self.decimals).max(leading - self.digits));
     }
 }
 

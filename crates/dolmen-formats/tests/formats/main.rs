@@ -1,6 +1,7 @@
 //! What bytes become which values, and which are refused with which words.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
+mod corpus;
 mod csv_records;
 mod npy_records;
 mod project;

@@ -1,0 +1,39 @@
+//! Every file that fuzzing kept is read again: a record or an error, never a panic.
+
+use dolmen_formats::records::{RecordOptions, read_csv, read_npy};
+use std::path::Path;
+
+/// Hands each file of a corpus on; returns how many there were.
+fn replay(corpus: &str, read: impl Fn(&[u8])) -> usize {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("../../fuzz/corpus")
+        .join(corpus);
+    let files = std::fs::read_dir(&folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display()));
+    files
+        .map(|file| read(&std::fs::read(file.unwrap().path()).unwrap()))
+        .count()
+}
+
+fn at_100_hz() -> RecordOptions {
+    RecordOptions {
+        sampling_rate_hz: Some(100.0),
+        ..Default::default()
+    }
+}
+
+#[test]
+fn holds_csv() {
+    let files = replay("csv", |bytes| {
+        let _ = read_csv(bytes, &RecordOptions::default());
+        let _ = read_csv(bytes, &at_100_hz());
+    });
+    assert!(files >= 10, "{files} files");
+}
+
+#[test]
+fn holds_npy() {
+    let files = replay("npy", |bytes| {
+        let _ = read_npy(bytes, &at_100_hz());
+    });
+    assert!(files >= 10, "{files} files");
+}

@@ -1,0 +1,15 @@
+//! Any bytes are a record or an error.
+#![no_main]
+
+use dolmen_formats::records::{RecordOptions, read_npy};
+use libfuzzer_sys::fuzz_target;
+
+fuzz_target!(|bytes: &[u8]| {
+    let options = RecordOptions {
+        sampling_rate_hz: Some(100.0),
+        ..Default::default()
+    };
+    if let Ok(reading) = read_npy(bytes, &options) {
+        assert!(reading.record.length() * reading.record.channels().len() <= bytes.len());
+    }
+});
