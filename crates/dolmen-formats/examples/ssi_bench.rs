@@ -39,10 +39,18 @@ fn main() -> Result<(), Box<dyn Error>> {
             )?;
             let mut out = std::io::BufWriter::new(std::io::stdout().lock());
             for pole in &found.poles {
-                writeln!(out, "{} {:.12} {:.12}", pole.order, pole.frequency_hz, pole.damping_ratio)?;
+                writeln!(
+                    out,
+                    "{} {:.12} {:.12}",
+                    pole.order, pole.frequency_hz, pole.damping_ratio
+                )?;
             }
         }
-        _ => return Err("ssi_bench make CASE SEED FILE, or ssi_bench poles FILE RATE BLOCK_ROWS ORDER_MOST".into()),
+        _ => {
+            return Err(
+                "ssi_bench make CASE SEED FILE, or ssi_bench poles FILE RATE BLOCK_ROWS ORDER_MOST".into(),
+            );
+        }
     }
     Ok(())
 }
