@@ -68,6 +68,25 @@ pub fn trimmed(value: f64, digits: usize) -> String {
     }
 }
 
+/// A ratio whose meaning turns at 1 (load factor, margin), with as many more digits as keep it from reading "1" when it
+/// is not: 0.99997 at 3 digits is not "1.00".
+///
+/// ```
+/// use dolmen_formats::number::beside_one;
+/// assert_eq!((beside_one(1.0123, 3), beside_one(0.99997, 3)), ("1.01".to_string(), "0.99997".to_string()));
+/// ```
+pub fn beside_one(value: f64, digits: usize) -> String {
+    let mut digits = digits;
+    loop {
+        let text = significant(value, digits);
+        let reads_one = text.trim_end_matches('0') == "1." || text == "1";
+        if !reads_one || value == 1.0 || digits >= DIGITS_MOST {
+            return text;
+        }
+        digits += 1;
+    }
+}
+
 /// `value` with so many digits after the point.
 ///
 /// ```
@@ -161,6 +180,15 @@ impl Prefixed {
     /// Value and standard deviation in this unit, without the unit's name.
     pub fn number_with_sd(&self, value_si: f64, sd_si: f64) -> String {
         with_sd(value_si * self.factor, sd_si * self.factor)
+    }
+
+    /// `value_si` in this unit with the unit's name, without zeros behind the point: for what a person wrote.
+    pub fn trimmed(&self, value_si: f64, digits: usize) -> String {
+        format!(
+            "{}{NARROW_SPACE}{}",
+            trimmed(value_si * self.factor, digits),
+            self.unit
+        )
     }
 
     /// `value_si` in this unit, with the unit's name.

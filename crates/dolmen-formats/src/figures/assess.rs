@@ -72,7 +72,7 @@ pub fn load_factor_distribution(
         let words = format!(
             "{} λ = {}",
             language.pick("nominal", "기준값"),
-            number::significant(nominal, 3)
+            number::beside_one(nominal, 4)
         );
         plot.key(Key::Line(Line::new(BLACK, 1.8)), words);
     }
@@ -83,7 +83,7 @@ pub fn load_factor_distribution(
     let marginal = format!(
         "λ = {}: {}",
         number::significant(Verdict::MARGINAL_BELOW, 2),
-        language.pick("below it marginal", "미만이면 한계")
+        language.pick("below it marginal", "미만이면 여유 부족")
     );
     plot.key(Key::Line(Line::new(ORANGE, 1.8).dashed()), marginal);
     let share = format!(
@@ -102,7 +102,7 @@ pub fn load_factor_distribution(
         falls.count,
         falls.samples,
         language.pick("samples", "표본"),
-        number::significant(100.0 * falls.confidence, 3),
+        number::trimmed(100.0 * falls.confidence, 3),
         number::NARROW_SPACE,
         language.pick("interval", "신뢰구간")
     );
@@ -152,7 +152,7 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
             let verdict = Verdict::of_load_factor(load_factor);
             let at = [load_factor, row + 0.14];
             plot.sized_dot(at, verdict_shape(verdict), 6.0, verdict_colour(verdict));
-            let label = Label::new(number::significant(load_factor, 3), Anchor::Start).bold();
+            let label = Label::new(number::beside_one(load_factor, 4), Anchor::Start).bold();
             plot.text(at, [11.0, 0.0], label);
         } else {
             let unknown = Label::new(language.pick("unknown", "미상"), Anchor::Start);
@@ -174,7 +174,7 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
     let marginal = format!(
         "{}: {}",
         number::significant(Verdict::MARGINAL_BELOW, 2),
-        language.pick("below it marginal", "미만이면 한계")
+        language.pick("below it marginal", "미만이면 여유 부족")
     );
     plot.key(Key::Line(Line::new(ORANGE, 1.6).dashed()), marginal);
     plot.svg(language.pick("Variants compared", "변형안 비교"))

@@ -61,7 +61,7 @@ pub fn chain_elevation(
         [8.0, 10.0],
         &Label::new(language.pick("Height (m)", "높이 (m)"), Anchor::Start).small(),
     );
-    let margin_head = language.pick("joint: margin k/kₘᵢₙ", "연결부: 여유율 k/kₘᵢₙ");
+    let margin_head = language.pick("joint: margin k/k_min", "연결부: 여유율 k/k_min");
     scene.text([432.0, 10.0], &Label::new(margin_head, Anchor::End).small());
 
     let mut base_m = 0.0;
@@ -98,7 +98,7 @@ pub fn chain_elevation(
         let facts = format!(
             "L {}{s}m · {}",
             number::significant(link.length_m, 3),
-            weight_unit.text(masses[i], 4),
+            weight_unit.trimmed(masses[i], 4),
             s = number::NARROW_SPACE
         );
         scene.text(
@@ -116,7 +116,7 @@ pub fn chain_elevation(
         let words = match (joint, margin) {
             (None, _) => language.pick("unknown", "미상").to_string(),
             (Some(_), None) => language.pick("falls", "전도").to_string(),
-            (Some(_), Some(margin)) => number::significant(margin, 3),
+            (Some(_), Some(margin)) => number::beside_one(margin, 3),
         };
         scene.line([axis + half + 12.0, low], [330.0, low], Line::new(LIGHT, 1.0));
         scene.marker([axis, low], verdict_shape(verdict), 6.0, verdict_colour(verdict));
@@ -204,9 +204,9 @@ pub fn stiffness_limits(
             continue;
         };
         if let Some(least) = joint.stiffness_least_n_m_rad {
-            plot.sized_dot(at(least, 0.0), Shape::Ring, 4.5, BLUE);
+            plot.sized_dot(at(least, -0.17), Shape::Ring, 4.5, BLUE);
         }
-        plot.sized_dot(at(joint.stiffness_n_m_rad, 0.0), Shape::Circle, 5.0, BLUE);
+        plot.sized_dot(at(joint.stiffness_n_m_rad, -0.17), Shape::Circle, 5.0, BLUE);
     }
     let keys = [
         (

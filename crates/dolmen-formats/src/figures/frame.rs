@@ -71,7 +71,7 @@ pub fn frame_sketch(
             &Label::new(height, Anchor::Start).small().coloured(GREY),
         );
 
-        let mass = format!("m{} = {}", subscript(i + 1), mass_unit.text(storey.mass_kg, 4));
+        let mass = format!("m{} = {}", subscript(i + 1), mass_unit.trimmed(storey.mass_kg, 4));
         scene.text([282.0, high], &Label::new(mass, Anchor::Start));
         let name = part_name(names, i, language.pick("storey", "층"));
         scene.text([282.0, middle - 9.0], &Label::new(name, Anchor::Start).bold());
@@ -79,7 +79,7 @@ pub fn frame_sketch(
             "{} N{} = {}",
             language.pick("axial force", "축력"),
             subscript(i + 1),
-            force_unit.text(storey.axial_n, 4)
+            force_unit.trimmed(storey.axial_n, 4)
         );
         scene.text(
             [282.0, middle + 8.0],
@@ -93,8 +93,8 @@ pub fn frame_sketch(
                 5.0,
                 verdict_colour(verdict),
             );
-            let margin = storey.margin.map_or("–".into(), |m| number::significant(m, 3));
-            let words = language.pick("margin k/kₘᵢₙ", "여유율 k/kₘᵢₙ");
+            let margin = storey.margin.map_or("–".into(), |m| number::beside_one(m, 3));
+            let words = language.pick("margin k/k_min", "여유율 k/k_min");
             scene.text(
                 [300.0, middle + 25.0],
                 &Label::new(format!("{words} {margin}"), Anchor::Start).small(),

@@ -14,7 +14,11 @@ pub(crate) const ORANGE: &str = "#e69f00";
 pub(crate) const SKY: &str = "#56b4e9";
 pub(crate) const GREEN: &str = "#009e73";
 pub(crate) const BLUE: &str = "#0072b2";
+pub(crate) const PURPLE: &str = "#cc79a7";
 pub(crate) const VERMILLION: &str = "#d55e00";
+
+/// A series of its own colour each, in the order in which they differ most.
+pub(crate) const SERIES: [&str; 6] = [BLUE, VERMILLION, GREEN, PURPLE, ORANGE, SKY];
 
 /// Fonts with Hangul on every system, first those that an engineer's machine has.
 pub(crate) const FONTS: &str = "'Noto Sans CJK KR','Noto Sans KR','Malgun Gothic','Apple SD Gothic Neo','Helvetica Neue',Arial,sans-serif";
@@ -71,6 +75,10 @@ impl Line {
             dashed: false,
             opacity: 1.0,
         }
+    }
+
+    pub(crate) const fn faint(self, opacity: f64) -> Self {
+        Line { opacity, ..self }
     }
 
     pub(crate) const fn dashed(self) -> Self {

@@ -168,7 +168,7 @@ impl Plot {
         let spec = Cartesian2d::<Axis, Axis>::new(
             self.x.clone(),
             self.y.clone(),
-            (fine(x0)..fine(x1), fine(top)..fine(bottom)),
+            (fine(x0)..fine(x1), fine(bottom)..fine(top)),
         );
         let to_px = |at: [f64; 2]| {
             let (x, y) = spec.translate(&(at[0], at[1]));

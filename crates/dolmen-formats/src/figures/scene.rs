@@ -52,6 +52,26 @@ impl Scene {
         );
     }
 
+    /// An arrow from `from` to `to` with a filled head of `head` px.
+    pub(crate) fn arrow(&mut self, from: [f64; 2], to: [f64; 2], head: f64, line: Line) {
+        let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+        let length = dx.hypot(dy);
+        if length < 1e-9 {
+            return;
+        }
+        let (ux, uy) = (dx / length, dy / length);
+        let head = head.min(0.7 * length);
+        let neck = [to[0] - ux * head, to[1] - uy * head];
+        self.line(from, neck, line);
+        let half = 0.42 * head;
+        let tip = [
+            to,
+            [neck[0] - uy * half, neck[1] + ux * half],
+            [neck[0] + uy * half, neck[1] - ux * half],
+        ];
+        self.polygon(&tip, line.colour, Line::new(line.colour, 0.5));
+    }
+
     pub(crate) fn marker(&mut self, at: [f64; 2], shape: Shape, size: f64, colour: &'static str) {
         let outline = Line::new(colour, 1.8);
         match shape {
@@ -112,12 +132,13 @@ impl Scene {
 pub(super) fn wrapped(width: f64, height: f64, view: [f64; 2], title: &str, body: &str) -> String {
     format!(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{}\" height=\"{}\" viewBox=\"0 0 {} {}\" \
-         font-family=\"{FONTS}\" fill=\"{TEXT}\" role=\"img\"><title>{}</title>\n{body}</svg>\n",
+         font-family=\"{FONTS}\" fill=\"{TEXT}\" role=\"img\"><title>{}</title>\n{}</svg>\n",
         short(width),
         short(height),
         short(view[0]),
         short(view[1]),
-        escaped(title)
+        escaped(title),
+        with_subscripts(body)
     )
 }
 
@@ -141,6 +162,20 @@ pub(super) fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
         Shape::Cross => vec![vec![[-s, -s], [s, s]], vec![[-s, s], [s, -s]]],
         Shape::Bar => vec![vec![[0.0, -1.9 * s], [0.0, 1.9 * s]]],
     }
+}
+
+/// The names of limits with their subscripts set as such: k_cr. No letter of Unicode is a lowered c.
+fn with_subscripts(body: &str) -> String {
+    let mut body = body.to_string();
+    for (name, letter, below) in [("k_cr", "k", "cr"), ("k_min", "k", "min")] {
+        if body.contains(name) {
+            let set = format!(
+                "{letter}<tspan dy=\"0.28em\" font-size=\"75%\">{below}</tspan><tspan dy=\"-0.21em\">\u{200b}</tspan>"
+            );
+            body = body.replace(name, &set);
+        }
+    }
+    body
 }
 
 /// Text made safe between tags and in attributes.

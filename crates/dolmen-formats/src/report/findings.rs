@@ -1,7 +1,7 @@
 //! The findings in plain words, made from the values: what was not computed is called unknown.
 
 use super::given::assumptions;
-use super::{chain, frame, identification, samples, variants};
+use super::{chain_findings, frame, identification, modal, samples, variants};
 use crate::Language;
 use crate::answer::{Answer, Check};
 use crate::project::{Cap, Structure};
@@ -50,12 +50,17 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     let mut all = Vec::new();
     if let Some(state) = &answer.state {
         match &state.check {
-            Check::Chain(check) => all.extend(chain::findings(check, language)),
+            Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
         }
         all.extend(samples::findings(state.sampled.as_ref(), language));
     }
     all.extend(variants::findings(answer, language));
+    for survey in &answer.surveys {
+        if let Some(record) = &survey.records {
+            all.extend(modal::findings(record, language));
+        }
+    }
     all.extend(identification::findings(&answer.surveys, language));
     let cap_left_out =
         matches!(&answer.project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut);
@@ -65,6 +70,24 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
             language.pick(
                 "The part at the very top (cap stone) is left out of the model: the true limits are higher and the true margins lower than stated.",
                 "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유율은 작다.",
+            ),
+        ));
+    }
+    let scatters = answer
+        .project
+        .inputs()
+        .into_iter()
+        .filter(|q| q.is_scatter_assumed())
+        .count();
+    let sampled = answer.state.as_ref().is_some_and(|s| s.sampled.is_some());
+    if sampled && scatters > 0 {
+        all.push(Finding::new(
+            Tone::Warn,
+            language.pick(
+                format!(
+                    "The scatter of {scatters} inputs is itself assumed, and the probability rests on it."
+                ),
+                format!("입력 {scatters}개의 변동계수 자체가 가정값이며, 확률은 이에 의존한다."),
             ),
         ));
     }

@@ -1,13 +1,13 @@
 //! A frame in the report: verdict, storeys, modes, one direction after the other.
 
-use super::chain::load_factor_words;
+use super::chain_findings::load_factor_words;
 use super::findings::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use super::words::convention_word;
 use crate::Language;
 use crate::answer::DirectionCheck;
 use crate::figures::{ShapePanel, frame_sketch, mode_shapes};
-use crate::number::{self, prefix, significant};
+use crate::number::{self, beside_one, prefix, significant};
 use crate::project::{FramePart, Quantity};
 use dolmen::stability::{FrameStability, Verdict};
 use dolmen::structure::Frame;
@@ -70,12 +70,12 @@ fn weakest(stability: &FrameStability, label: &str, language: Language) -> Optio
         .enumerate()
         .filter_map(|(i, s)| Some((i + 1, s.margin?)));
     let (storey, margin) = margins.min_by(|a, b| a.1.total_cmp(&b.1))?;
-    let margin_text = significant(margin, 3);
+    let margin_text = beside_one(margin, 3);
     Some(Finding::of(
         Verdict::of_load_factor(margin),
         language.pick(
             format!("{label}storey {storey} has the least margin, {margin_text} times the stiffness at which the frame would just stand."),
-            format!("{label}여유가 가장 작은 층은 {storey}층이며, 골조가 간신히 서 있을 강성의 {margin_text}배이다."),
+            format!("{label}여유가 가장 작은 층은 {storey}층이며, 골조가 안정 한계 강성의 {margin_text}배이다."),
         ),
     ))
 }
@@ -157,8 +157,8 @@ fn storeys(direction: &DirectionCheck, language: Language) -> Markup {
                         .map_or(Cell::bad(falls), |k| unit.number(k, 5).into()),
                 );
                 row.push(match storey.margin {
-                    Some(margin) if margin > 1.0 => significant(margin, 4).into(),
-                    Some(margin) => Cell::bad(significant(margin, 4)),
+                    Some(margin) if margin > 1.0 => beside_one(margin, 4).into(),
+                    Some(margin) => Cell::bad(beside_one(margin, 4)),
                     None => Cell::bad(falls),
                 });
             }
@@ -167,10 +167,10 @@ fn storeys(direction: &DirectionCheck, language: Language) -> Markup {
         .collect();
     let caption = match &check.stability {
         Some(stability) => {
-            let lambda = significant(stability.load_factor, 4);
+            let lambda = beside_one(stability.load_factor, 4);
             language.pick(
                 format!("Storeys, λ = {lambda}. Least k is where the frame just stands, the other storeys as they are."),
-                format!("층별 결과, λ = {lambda}. 최소 k는 다른 층을 그대로 두고 간신히 서 있는 강성이다."),
+                format!("층별 결과, λ = {lambda}. 최소 k는 다른 층을 그대로 두고 안정 한계 강성이다."),
             )
         }
         None => language

@@ -4,7 +4,7 @@ use super::table::{Cell, table};
 use super::words::{evidence_word, listed, path_words, unit_text};
 use crate::Language;
 use crate::number;
-use crate::project::{Project, Quantity, Structure};
+use crate::project::{Project, Quantity, Structure, Warning, WarningKind};
 use maud::{Markup, html};
 
 /// The section "what was given".
@@ -25,7 +25,7 @@ pub(super) fn section(project: &Project, language: Language) -> Markup {
         @if !project.warnings.is_empty() {
             h3 { (language.pick("Warnings on reading the file", "입력 파일에 대한 경고")) }
             ul { @for warning in &project.warnings {
-                li { (warning.message) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
+                li { (warning_words(warning, language)) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
             } }
         }
     }
@@ -93,6 +93,19 @@ fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> 
     table(&caption, words, &head, &rows)
 }
 
+/// The sentence of the reader of the file; in Korean what it is about, and the sentence as it stands.
+fn warning_words(warning: &Warning, language: Language) -> String {
+    let korean = match warning.kind {
+        WarningKind::CapLeftOut => "최상부 부재가 제외되어 불안전측이다",
+        WarningKind::Assumed => "가정한 값이 있다",
+        WarningKind::ThinRod => "관성모멘트가 주어지지 않아 가는 봉으로 보았다",
+        WarningKind::AxialFromMasses => "축력이 주어지지 않아 질량으로부터 구하였다",
+        WarningKind::Allowed => "의심스러운 값을 allow 항목에 따라 허용하였다",
+        WarningKind::AllowedInVain => "allow 항목 중 쓰이지 않은 것이 있다",
+    };
+    language.pick(warning.message.clone(), format!("{korean} [{}]", warning.message))
+}
+
 fn surveys(project: &Project, language: Language) -> Markup {
     html! {
         @for survey in &project.surveys {
@@ -130,12 +143,16 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
     let is_damping = |q: &&Quantity| q.path.contains("damping");
     let stiffness = assumed.iter().filter(|q| is_stiffness(q)).count();
     let damping = assumed.iter().filter(|q| is_damping(q)).count();
-    let body = assumed.len() - stiffness - damping;
+    let surveyed = assumed
+        .iter()
+        .filter(|q| q.path.starts_with("survey.") && !is_damping(q))
+        .count();
+    let body = assumed.len() - stiffness - damping - surveyed;
     let mut parts = Vec::new();
     if body > 0 {
         parts.push(language.pick(
-            format!("{body} of the dimensions, weights or frequencies (every result that uses them)"),
-            format!("치수·무게·진동수 {body}개(이를 사용한 모든 결과)"),
+            format!("{body} of the dimensions and weights (every result that uses them)"),
+            format!("치수·무게 {body}개(이를 사용한 모든 결과)"),
         ));
     }
     if stiffness > 0 {
@@ -161,6 +178,14 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
             format!(
                 "강성 {stiffness}개({rests}가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)"
             ),
+        ));
+    }
+    if surveyed > 0 {
+        parts.push(language.pick(
+            format!(
+                "{surveyed} frequencies (the stiffness found from them is an illustration, not a finding)"
+            ),
+            format!("고유진동수 {surveyed}개(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)"),
         ));
     }
     if damping > 0 {

@@ -109,7 +109,7 @@ pub(super) fn section(project: &Project, all: &[SurveyAnswer], language: Languag
                     (solutions(project, answer, &measured, language))
                 }
                 @if let Some(visibility) = &answer.solutions.visibility { (seen(visibility, language)) }
-                @for note in &answer.solutions.notes { p.note { (note) } }
+                @for note in &answer.solutions.notes { p.note { (language.pick("", "비고(영문): ")) (note) } }
             }
         }
     }
@@ -172,7 +172,10 @@ fn solutions(
         _ => ("N/m", language.pick("storey", "층")),
     };
     let all: Vec<f64> = shown.iter().flat_map(|s| s.stiffness.iter().copied()).collect();
-    let unit = prefix(&all, unit_si);
+    // One prefix for stiffnesses that may lie decades apart: that of their geometric mean.
+    let logarithms = all.iter().filter(|k| **k > 0.0).map(|k| k.ln());
+    let (count, sum) = logarithms.fold((0.0, 0.0), |(n, s), l| (n + 1.0, s + l));
+    let unit = prefix(&[if count > 0.0 { f64::exp(sum / count) } else { 0.0 }], unit_si);
     let count = shown.iter().map(|s| s.stiffness.len()).max().unwrap_or(0);
     let mut head = vec![
         language.pick("Solution", "해").to_string(),
@@ -189,8 +192,8 @@ fn solutions(
     let total = answer.solutions.solutions.len();
     let starts = answer.solutions.starts;
     let caption = language.pick(
-        format!("Solutions, {} of {total} found. From {starts} starting points (1: a closed form); misfit is the root mean square deviation in units of the standard deviation, relative where none is given.", shown.len()),
-        format!("해 {total}개 중 {}개. 시작점 {starts}개(1: 닫힌 해); 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다.", shown.len()),
+        format!("Solutions, {} of {total} found. From {starts} starting points (1: a closed form); misfit is the root mean square deviation in units of the standard deviation, relative where none is given; in brackets the range while every frequency moves by √3 of its standard deviation.", shown.len()),
+        format!("해 {total}개 중 {}개. 시작점 {starts}개(1: 닫힌 해); 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다; 대괄호는 각 진동수가 표준편차의 √3배만큼 변할 때의 범위.", shown.len()),
     );
     html! {
         (table(&caption, 2, &head, &rows))
@@ -212,10 +215,22 @@ fn solution_row(
     let mut row: Vec<Cell> = vec![letter(index).into(), stands];
     for (i, k) in solution.stiffness.iter().enumerate() {
         let sd = solution.stiffness_sd.as_ref().and_then(|sd| sd.get(i));
-        row.push(match sd {
-            Some(sd) => unit.number_with_sd(*k, *sd).into(),
-            None => unit.number(*k, 5).into(),
-        });
+        let mut text = match sd {
+            Some(sd) => unit.number_with_sd(*k, *sd),
+            None => unit.number(*k, 5),
+        };
+        let range = solution
+            .stiffness_range
+            .as_ref()
+            .and_then(|r| Some((*r.lower.get(i)?, *r.upper.get(i)?)));
+        if let Some((lower, upper)) = range {
+            text.push_str(&format!(
+                " [{}; {}]",
+                unit.number(lower, 3),
+                unit.number(upper, 3)
+            ));
+        }
+        row.push(text.into());
     }
     row.push(significant(solution.misfit, 2).into());
     let frequencies: Vec<String> = solution
@@ -257,13 +272,18 @@ fn shapes(
             });
         }
     }
-    figure(
-        &mode_shapes(heights_m, &panels, language),
+    let caption = if answer.solutions.choice == Choice::Indistinguishable {
         language.pick(
-            "Mode shapes of the solutions. The same frequencies, other shapes: one measured shape tells which is the true one. Rings are measured points.",
-            "해별 모드형상. 고유진동수는 같으나 형상이 다르므로 모드형상 하나만 계측하면 참값을 가릴 수 있다. 고리는 계측점이다.",
-        ),
-    )
+            "Mode shapes of the solutions. The same frequencies, other shapes: a measured shape can tell which is the true one. Rings are measured points.",
+            "해별 모드형상. 고유진동수는 같으나 형상이 다르므로 모드형상을 계측하면 참값을 가릴 수 있다. 고리는 계측점이다.",
+        )
+    } else {
+        language.pick(
+            "Mode shapes of the solutions. Rings are measured points.",
+            "해별 모드형상. 고리는 계측점이다.",
+        )
+    };
+    figure(&mode_shapes(heights_m, &panels, language), caption)
 }
 
 fn seen(visibility: &Visibility, language: Language) -> Markup {

@@ -1,10 +1,13 @@
 //! One self-contained HTML page, English or Korean, that an engineer hands over.
 
 mod chain;
+mod chain_centroids;
+mod chain_findings;
 mod findings;
 mod frame;
 mod given;
 mod identification;
+mod modal;
 mod page;
 mod samples;
 mod style;

@@ -2,11 +2,11 @@
 
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
-use super::{chain, findings, frame, given, identification, samples, variants};
+use super::{chain, findings, frame, given, identification, modal, samples, variants};
 use crate::Language;
 use crate::answer::{Answer, Check, State};
-use crate::number::significant;
-use crate::project::Structure;
+use crate::number::beside_one;
+use crate::project::{Quantity, Structure};
 use dolmen::stability::Verdict;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
@@ -46,6 +46,8 @@ pub fn html(answers: &[Answer], language: Language, imprint: &Imprint) -> String
         }
     }
     .into_string()
+    .replace("k_cr", "k<sub>cr</sub>")
+    .replace("k_min", "k<sub>min</sub>")
 }
 
 fn contents(answers: &[Answer], language: Language) -> Markup {
@@ -101,6 +103,9 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         }
         (variants::section(answer, language))
         (samples::sections(answer.state.as_ref(), &answer.sensitivities, language))
+        @for survey in &answer.surveys {
+            @if let Some(record) = &survey.records { (modal::section(&survey.name, record, language)) }
+        }
         (identification::section(project, &answer.surveys, language))
         (method(answer, language))
         (evidence(answer, language, imprint))
@@ -110,12 +115,19 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
 fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
     let verdict = state.verdict();
     let sentence = match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
-        Some(load_factor) => format!("λ = {}", significant(load_factor, 4)),
+        Some(load_factor) => format!("λ = {}.", beside_one(load_factor, 4)),
         None => language
             .pick("Stiffness is not given.", "강성이 주어지지 않음.")
             .into(),
     };
-    let assumed = answer.project.inputs().iter().filter(|q| q.is_assumed()).count();
+    // What a survey assumes touches stiffness from vibration, not this verdict.
+    let structural = |q: &&Quantity| q.is_assumed() && !q.path.starts_with("survey.");
+    let inputs = answer.project.inputs();
+    let assumed = if verdict == Verdict::Unknown {
+        0
+    } else {
+        inputs.into_iter().filter(structural).count()
+    };
     markup! {
         div class=(format!("verdict {}", verdict.word())) {
             div.word { (verdict_sign(verdict)) " " (verdict_word(verdict, language)) }
@@ -141,7 +153,7 @@ fn method(answer: &Answer, language: Language) -> Markup {
             ),
             language.pick(
                 "λ is the smallest factor on gravity that makes this matrix singular. The margin of a joint is its stiffness over the least one at which the chain stands, the other joints as they are.",
-                "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 연결부의 여유율은 다른 연결부를 그대로 두었을 때 서 있을 최소 강성에 대한 현재 강성의 비이다.",
+                "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 연결부의 여유율은 다른 연결부를 그대로 두었을 때 안정을 유지하는 최소 강성에 대한 현재 강성의 비이다.",
             ),
             language.pick(
                 "Not covered: earthquake and wind, strength and ageing of stone, slipping, opening of joints, foundations other than the lowest spring, and plan directions other than the one modelled.",

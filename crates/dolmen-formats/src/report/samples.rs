@@ -6,7 +6,7 @@ use super::words::{listed, path_words};
 use crate::Language;
 use crate::answer::{Sampled, State};
 use crate::figures::load_factor_distribution;
-use crate::number::{self, percent, significant};
+use crate::number::{self, beside_one, percent};
 use dolmen::assess::Sensitivity;
 use maud::{Markup, html};
 
@@ -23,7 +23,11 @@ pub(super) fn findings(sampled: Option<&Sampled>, language: Language) -> Vec<Fin
         percent(falls.lower, 2),
         percent(falls.upper, 2),
     );
-    let confidence = percent(falls.confidence, 3);
+    let confidence = format!(
+        "{}{}%",
+        number::trimmed(100.0 * falls.confidence, 3),
+        number::NARROW_SPACE
+    );
     let tone = if falls.count == 0 { Tone::Plain } else { Tone::Warn };
     vec![Finding::new(
         tone,
@@ -34,7 +38,7 @@ pub(super) fn findings(sampled: Option<&Sampled>, language: Language) -> Vec<Fin
                 falls.count, falls.samples
             ),
             format!(
-                "입력값의 변동을 고려하면 표본 {total}개 중 {count}개에서 넘어진다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. \
+                "입력값의 변동을 고려하면 표본 {total}개 중 {count}개에서 전도된다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. \
                  이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
                 total = falls.samples,
                 count = falls.count
@@ -112,5 +116,5 @@ fn signed(value: f64) -> String {
 
 /// λ with so many digits as findings show.
 pub(super) fn lambda_text(load_factor: Option<f64>, language: Language) -> String {
-    load_factor.map_or(language.pick("unknown", "미상").into(), |l| significant(l, 4))
+    load_factor.map_or(language.pick("unknown", "미상").into(), |l| beside_one(l, 4))
 }

@@ -38,18 +38,21 @@ figcaption b,caption b{color:var(--text)}
 .pair{display:flex;flex-wrap:wrap;gap:.6rem 1rem;justify-content:center}
 .pair figure{flex:1 1 20rem;margin:.6rem 0}
 .scroll{overflow-x:auto;margin:.9rem 0}
+.short{break-inside:avoid}
 table{border-collapse:collapse;width:100%;font-size:.87rem;font-variant-numeric:tabular-nums;line-height:1.4}
 caption{caption-side:top;padding-bottom:.35rem}
 th,td{padding:.27rem .55rem;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
 thead th{border-bottom:1.5px solid var(--text);vertical-align:bottom;font-weight:600}
 tbody tr:last-child td{border-bottom:1.5px solid var(--text)}
-.t{text-align:left}
+td{white-space:nowrap}.t{text-align:left}td.t{white-space:normal}
+sub{font-size:.75em;line-height:0}
 td.assumed{background:#fff3d6}
 .bad-number{color:#a83f00;font-weight:600}
 code{font-family:ui-monospace,'D2Coding',Consolas,Menlo,monospace;font-size:.88em}
 nav ol{padding-left:1.4rem}
 a{color:#0060a0}
 footer{margin-top:2.6rem;padding-top:.6rem;border-top:1px solid var(--line);color:var(--grey);font-size:.85rem}
+nav+article{margin-top:2.2rem;border-top:4px solid var(--text);padding-top:1.6rem}
 article+article{margin-top:4rem;border-top:4px solid var(--text);padding-top:2rem}
 @page{size:A4;margin:16mm 15mm 18mm}
 @media print{

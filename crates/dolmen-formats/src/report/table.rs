@@ -2,6 +2,9 @@
 
 use maud::{Markup, PreEscaped, html};
 
+/// Tables of so many rows stay on one page in print.
+const WHOLE_ROWS: usize = 14;
+
 /// One cell.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Cell {
@@ -40,7 +43,8 @@ impl<T: Into<String>> From<T> for Cell {
 pub(super) fn table(caption: &str, words: usize, head: &[String], rows: &[Vec<Cell>]) -> Markup {
     let side = |column: usize| if column < words { "t" } else { "" };
     html! {
-        div.scroll { table {
+        @let whole = rows.len() <= WHOLE_ROWS;
+        div class=(if whole { "scroll short" } else { "scroll" }) { table {
             caption { (strong_lead(caption)) }
             thead { tr { @for (i, name) in head.iter().enumerate() { th class=[filled(side(i))] scope="col" { (name) } } } }
             tbody { @for row in rows { tr {

@@ -2,9 +2,11 @@
 
 use super::{Imprint, html};
 use crate::Language;
-use crate::answer::{Answer, Check, DirectionCheck, State, StiffnessAnswer, SurveyAnswer};
+use crate::answer::{Answer, Check, DirectionCheck, RecordAnswer, State, StiffnessAnswer, SurveyAnswer};
+use crate::number::with_sd;
 use crate::project::{Project, Quantity, Structure, parse_project};
 use dolmen::assess::{check_chain, check_frame};
+use dolmen::modal::{Identify, ReferenceCase, identify};
 use dolmen::structure::{Choice, Convention, StiffnessSolution, StiffnessSolutions};
 
 const POLE: &str = r#"
@@ -226,7 +228,8 @@ fn holds_verdict_words_follow_the_load_factor() {
         for (language, word) in [(Language::English, english), (Language::Korean, korean)] {
             let page = page(std::slice::from_ref(&answer), language);
             let banner = page.split(class).nth(1).unwrap_or_else(|| panic!("{k}: {class}"));
-            assert!(banner[..200].contains(word), "{k}: {word}");
+            let said = banner.split("</div>").next().unwrap_or_default();
+            assert!(said.ends_with(&format!(" {word}")), "{k}: {said}");
         }
     }
     let unknown = page(&[pole("\"unknown\"")], Language::English);
@@ -262,4 +265,55 @@ fn holds_roots_that_cannot_be_told_apart_are_all_shown_and_none_is_chosen() {
 fn holds_the_same_answer_gives_the_same_page() {
     let answers = [pole(&equal(400.0)), gate()];
     assert_eq!(page(&answers, Language::Korean), page(&answers, Language::Korean));
+}
+
+/// A made record of two floors, 1.1 and 4.2 Hz, as a survey without a model.
+fn survey() -> Answer {
+    let record = ReferenceCase::ShearChain.made(11).unwrap().make().unwrap();
+    let analysis = identify(&record, &Identify::default()).unwrap();
+    let text = "schema = 1\nkind = \"survey\"\nname = { en = \"Tower\", ko = \"탑\" }\n\
+                [survey.now.records]\nfile = \"r.csv\"\nsampling_rate = \"100 Hz\"\n";
+    Answer {
+        file: "project.toml".into(),
+        project: parse_project(text, "project.toml").unwrap(),
+        state: None,
+        variants: vec![],
+        sensitivities: vec![],
+        surveys: vec![SurveyAnswer {
+            name: "now".into(),
+            records: Some(RecordAnswer {
+                file: "r.csv".into(),
+                channels: 2,
+                samples: record.length(),
+                sampling_rate_hz: record.sampling_rate_hz(),
+                unit: String::new(),
+                faults: vec![],
+                analysis,
+            }),
+            stiffness: vec![],
+        }],
+    }
+}
+
+#[test]
+fn holds_modes_of_a_record_stand_with_their_deviations_and_nothing_is_said_of_stability() {
+    let answer = survey();
+    let modes = &answer.surveys[0].records.as_ref().unwrap().analysis.modes.modes;
+    assert_eq!(modes.len(), 2);
+    let english = page(std::slice::from_ref(&answer), Language::English);
+    for mode in modes {
+        let text = with_sd(mode.frequency_hz, mode.frequency_sd_hz.unwrap());
+        assert!(
+            english.matches(&text).count() >= 2,
+            "{text} in the findings and in the table"
+        );
+    }
+    assert!(!english.contains("class=\"verdict") && !english.contains("λ ="));
+    for svg in figures(&english) {
+        assert_nests(&format!("<svg{svg}</svg>"));
+    }
+    for name in ["Frequency (Hz)", "Singular value (dB)", "Model order (–)"] {
+        assert!(english.contains(name), "{name}");
+    }
+    assert_eq!(numbers(&english), numbers(&page(&[answer], Language::Korean)));
 }

@@ -7,7 +7,7 @@ use super::words::verdict_word;
 use crate::Language;
 use crate::answer::{Answer, Check, State, VariantAnswer};
 use crate::figures::{VariantDot, variants_compared};
-use crate::number::significant;
+use crate::number::{beside_one, significant};
 use dolmen::stability::Verdict;
 use maud::{Markup, html};
 
@@ -35,7 +35,7 @@ pub(super) fn findings(answer: &Answer, language: Language) -> Vec<Finding> {
             let (Some(new), Some(old)) = (after.load_factor, before.load_factor) else {
                 continue;
             };
-            let (from, to) = (significant(old, 4), significant(new, 4));
+            let (from, to) = (beside_one(old, 4), beside_one(new, 4));
             let word = verdict_word(after.verdict, language);
             let tone = if new < old { Tone::Warn } else { Tone::Plain };
             let place = if after.name.is_empty() {
@@ -93,7 +93,7 @@ pub(super) fn section(answer: &Answer, language: Language) -> Markup {
             let margin = match least_margin(row) {
                 None => unknown.to_string(),
                 Some(None) => language.pick("falls", "전도").to_string(),
-                Some(Some(margin)) => significant(margin, 4),
+                Some(Some(margin)) => beside_one(margin, 4),
             };
             vec![
                 row.name.clone().into(),

@@ -35,8 +35,7 @@ pub(super) fn thresholds(language: Language) -> String {
              factor on gravity at which the structure falls."
         ),
         format!(
-            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 넘어지게 \
-             되는 중력의 배수(하중계수)이다."
+            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중계수)이다."
         ),
     )
 }
@@ -70,6 +69,9 @@ pub(super) fn unit_text(unit: &str) -> String {
 
 /// "links[1].weight" in words, "link 1, weight"; a path that is not known stays as it is.
 pub(super) fn path_words(path: &str, language: Language) -> String {
+    if let Some(words) = survey_words(path, language) {
+        return words;
+    }
     let Some((part, quantity)) = path.rsplit_once('.') else {
         return path.to_string();
     };
@@ -77,6 +79,31 @@ pub(super) fn path_words(path: &str, language: Language) -> String {
         return path.to_string();
     };
     format!("{part} {quantity}")
+}
+
+/// "survey.2009.frequencies.x[1]" and "survey.2009.modes.x[1].frequency".
+fn survey_words(path: &str, language: Language) -> Option<String> {
+    let rest = path.strip_prefix("survey.")?;
+    let (place, damping) = match rest.strip_suffix(".frequency") {
+        Some(place) => (place, false),
+        None => match rest.strip_suffix(".damping_ratio") {
+            Some(place) => (place, true),
+            None => (rest, false),
+        },
+    };
+    let (survey, mode) = place
+        .split_once(".frequencies.")
+        .or_else(|| place.split_once(".modes."))?;
+    let (direction, number) = mode.strip_suffix(']')?.split_once('[')?;
+    let quantity = if damping {
+        language.pick("damping ratio", "감쇠비")
+    } else {
+        language.pick("frequency", "고유진동수")
+    };
+    Some(language.pick(
+        format!("{quantity} {number}, direction {direction} (survey {survey})"),
+        format!("{direction} 방향 {quantity} {number} (조사 {survey})"),
+    ))
 }
 
 fn part_words(part: &str, language: Language) -> Option<String> {
@@ -99,7 +126,7 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "weight" => language.pick("weight", "무게"),
         "mass" => language.pick("mass", "질량"),
         "length" => language.pick("length", "길이"),
-        "centroid" => language.pick("centre of mass above its foot", "하단에서 무게 중심까지 높이"),
+        "centroid" => language.pick("height of centre of mass", "무게 중심 높이"),
         "inertia" => language.pick("moment of inertia", "질량 관성모멘트"),
         "breadth" => language.pick("breadth", "폭"),
         "bed_width" => language.pick("bed width", "밑면 폭"),

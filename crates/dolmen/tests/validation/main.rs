@@ -7,4 +7,3 @@ mod choi_2021;
 mod columns;
 mod draws;
 mod made_records;
-mod pyoma2;

@@ -5,7 +5,6 @@ mod modal_fit;
 mod newton;
 mod notes;
 mod options;
-mod prior;
 mod range;
 mod roots;
 mod search;

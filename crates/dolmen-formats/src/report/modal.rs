@@ -1,0 +1,329 @@
+//! Modes from ambient vibration in the report: what was done, figures, table, what to doubt.
+
+use super::findings::{Finding, Tone};
+use super::table::{Cell, figure, table};
+use super::words::listed;
+use crate::Language;
+use crate::answer::RecordAnswer;
+use crate::figures::{sensor_shapes, singular_values, stabilization};
+use crate::number::{self, significant, with_sd};
+use dolmen::modal::{Fate, Method, ModalAnalysis, Mode, Note};
+use dolmen::signal::{ChannelFault, Processing};
+use maud::{Markup, html};
+
+/// "1.882 ± 0.004".
+fn frequency(mode: &Mode) -> String {
+    mode.frequency_sd_hz.map_or_else(
+        || significant(mode.frequency_hz, 4),
+        |sd| with_sd(mode.frequency_hz, sd),
+    )
+}
+
+/// Damping ratio in per cent, with its deviation.
+fn damping(mode: &Mode, language: Language) -> String {
+    match (mode.damping_ratio, mode.damping_ratio_sd) {
+        (Some(zeta), Some(sd)) => with_sd(100.0 * zeta, 100.0 * sd),
+        (Some(zeta), None) => significant(100.0 * zeta, 2),
+        (None, _) => language.pick("unknown", "미상").into(),
+    }
+}
+
+pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding> {
+    let analysis = &record.analysis;
+    let modes = &analysis.modes.modes;
+    let minutes = significant(analysis.modes.duration_s / 60.0, 2);
+    let channels = analysis.modes.channels.len();
+    if modes.is_empty() {
+        return vec![Finding::new(
+            Tone::Unknown,
+            language.pick(
+                format!("No mode was found in {minutes} minutes of {channels} channels."),
+                format!("{minutes}분, {channels}채널의 기록에서 모드를 찾지 못하였다."),
+            ),
+        )];
+    }
+    let values: Vec<String> = modes
+        .iter()
+        .map(|m| format!("{}\u{202f}Hz", frequency(m)))
+        .collect();
+    let values = listed(&values, language);
+    let count = modes.len();
+    let mut all = vec![Finding::new(
+        Tone::Plain,
+        language.pick(
+            format!("{count} modes were found in {minutes} minutes of {channels} channels, no peak picked by hand: {values} (± standard deviation)."),
+            format!("{minutes}분, {channels}채널의 기록에서 모드 {count}개를 수작업 없이 찾았다: {values}(± 표준편차)."),
+        ),
+    )];
+    if !record.faults.is_empty() {
+        let faults = record.faults.len();
+        all.push(Finding::new(
+            Tone::Warn,
+            language.pick(
+                format!("{faults} faults were seen in its channels; they are named with the record."),
+                format!("채널에서 이상 {faults}건이 발견되었다(기록 항목 참조)."),
+            ),
+        ));
+    }
+    all
+}
+
+/// The section on the record of a survey.
+pub(super) fn section(survey: &str, record: &RecordAnswer, language: Language) -> Markup {
+    let analysis = &record.analysis;
+    html! {
+        h2 { (language.pick("Modes from ambient vibration", "상시진동 기록의 모드 분석")) ": " (survey) }
+        (read(record, language))
+        (history(&analysis.modes.history, language))
+        (figure(
+            &singular_values(analysis, language),
+            language.pick(
+                "Singular values of the spectral matrix. Each peak of the first one that stands above the second is one way of moving; lines mark the modes found.",
+                "스펙트럼 행렬의 특이값. 첫째 특이값이 둘째 위로 솟은 봉우리가 하나의 운동 형태이며, 선은 찾은 모드이다.",
+            ),
+        ))
+        (figure(
+            &stabilization(analysis, language),
+            language.pick(
+                "Stabilisation diagram. A mode of the structure comes back at the same frequency in model after model; noise does not.",
+                "안정화 다이어그램. 구조물의 모드는 모델 차수가 바뀌어도 같은 진동수에서 반복되지만 잡음은 그렇지 않다.",
+            ),
+        ))
+        @if !analysis.modes.modes.is_empty() {
+            (modes_table(analysis, language))
+            (figure(
+                &sensor_shapes(&analysis.modes, language),
+                language.pick(
+                    "Mode shapes at the sensors. Only what the channels measured, along their directions; the longest drawn alike in each mode.",
+                    "센서 위치의 모드형상. 채널이 계측한 방향의 성분만 표시하였으며 모드마다 최대값을 같게 그렸다.",
+                ),
+            ))
+        }
+        (settings(analysis, language))
+        @for note in &analysis.notes { p.note { (note_words(note, language)) } }
+    }
+}
+
+/// What was read, and what looks wrong with it.
+fn read(record: &RecordAnswer, language: Language) -> Markup {
+    let (channels, samples) = (record.channels, number::fixed(record.samples as f64, 0));
+    let rate = number::trimmed(record.sampling_rate_hz, 6);
+    let seconds = number::trimmed(record.samples as f64 / record.sampling_rate_hz, 6);
+    let unit = if record.unit.is_empty() {
+        language
+            .pick(
+                "unit unknown: amplitudes mean nothing, frequencies and shapes do",
+                "단위 미상: 진폭은 의미가 없으나 진동수와 모드형상은 유효",
+            )
+            .into()
+    } else {
+        language.pick(format!("unit {}", record.unit), format!("단위 {}", record.unit))
+    };
+    let used = analysis_channels(record);
+    html! {
+        p {
+            (language.pick("Record ", "기록 ")) code { (record.file) } ": "
+            (language.pick(
+                format!("{channels} channels of {samples} samples at {rate}\u{202f}Hz ({seconds}\u{202f}s), {unit}. Channels used: {used}."),
+                format!("{channels}채널, 채널당 표본 {samples}개, {rate}\u{202f}Hz ({seconds}\u{202f}s), {unit}. 사용한 채널: {used}."),
+            ))
+        }
+        @if !record.faults.is_empty() {
+            ul.findings { @for fault in &record.faults { li.warn { (fault_words(fault, language)) } } }
+        }
+    }
+}
+
+fn analysis_channels(record: &RecordAnswer) -> String {
+    let names: Vec<&str> = record
+        .analysis
+        .modes
+        .channels
+        .iter()
+        .map(|c| c.name.as_str())
+        .collect();
+    names.join(", ")
+}
+
+fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
+    let head = [
+        language.pick("Mode", "모드").to_string(),
+        language.pick("frequency (Hz)", "고유진동수 (Hz)").to_string(),
+        language.pick("damping ratio (%)", "감쇠비 (%)").to_string(),
+        language
+            .pick("floor of its sd (%)", "표준편차 하한 (%)")
+            .to_string(),
+        language
+            .pick("phase collinearity", "모드 위상 공선성 (MPC)")
+            .to_string(),
+        language.pick("cycles", "관측 주기 수").to_string(),
+        language.pick("model orders", "모델 차수 수").to_string(),
+    ];
+    let rows: Vec<Vec<Cell>> = analysis
+        .modes
+        .modes
+        .iter()
+        .enumerate()
+        .map(|(i, mode)| {
+            let floor = mode.damping_ratio.map(|zeta| 100.0 * zeta * mode.damping_floor());
+            vec![
+                (i + 1).to_string().into(),
+                frequency(mode).into(),
+                damping(mode, language).into(),
+                floor
+                    .filter(|f| f.is_finite())
+                    .map_or("–".into(), |f| significant(f, 2))
+                    .into(),
+                number::fixed(mode.phase_collinearity, 3).into(),
+                number::fixed(mode.cycles, 0).into(),
+                mode.orders.len().to_string().into(),
+            ]
+        })
+        .collect();
+    let method = match analysis.modes.method {
+        Method::Fdd => language.pick("frequency domain decomposition", "주파수 영역 분해법(FDD)"),
+        Method::SsiCov => language.pick(
+            "covariance-driven stochastic subspace identification",
+            "공분산 기반 확률적 부분공간법(SSI-cov)",
+        ),
+    };
+    let caption = language.pick(
+        format!("Modes by {method}, ± standard deviation. The floor is the least deviation of a damping ratio that a record of this length allows (Au 2014); a collinearity of 1 is a real shape."),
+        format!("{method}에 의한 모드, ± 표준편차. 하한은 이 길이의 기록에서 감쇠비가 가질 수 있는 최소 표준편차(Au 2014)이며, 공선성 1은 실수 모드형상을 뜻한다."),
+    );
+    table(&caption, 1, &head, &rows)
+}
+
+fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
+    let s = &analysis.settings;
+    let (low, high) = (significant(s.range_hz[0], 3), significant(s.range_hz[1], 3));
+    let rate = number::trimmed(s.sampling_rate_hz, 5);
+    let (rows, order, blocks) = (s.block_rows, s.order_most, s.time_blocks);
+    let refused = |fate: Fate| analysis.clusters.iter().filter(|c| c.fate == fate).count();
+    let (few, scattered, double) = (
+        refused(Fate::FewOrders),
+        refused(Fate::Scattered),
+        refused(Fate::Double),
+    );
+    html! {
+        p { (language.pick(
+            format!("Chosen from the data: {rows} block rows at {rate}\u{202f}Hz, model orders to {order}, modes accepted between {low} and {high}\u{202f}Hz, deviations from {blocks} blocks of time. Groups of poles not taken as modes: {few} in too few orders, {scattered} too scattered, {double} doubles of another."),
+            format!("자료로부터 정한 값: 블록 행 {rows}개({rate}\u{202f}Hz), 모델 차수 {order}까지, 모드 채택 범위 {low}–{high}\u{202f}Hz, 표준편차는 시간 블록 {blocks}개에서 산정. 모드로 보지 않은 극점군: 차수 부족 {few}개, 산포 과다 {scattered}개, 중복 {double}개."),
+        )) }
+    }
+}
+
+fn note_words(note: &Note, language: Language) -> String {
+    let hertz = |value: &f64| format!("{value:.3}\u{202f}Hz");
+    let korean = match note {
+        Note::BlockRowsBounded { wished, taken } => format!(
+            "행렬 크기를 제한하기 위해 블록 행을 {wished}개 대신 {taken}개로 하였다. 서로 가까운 모드의 구별이 어려워진다."
+        ),
+        Note::PeaksWithoutMode { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{}에 스펙트럼 봉우리가 있으나 이를 설명하는 안정한 모드가 없다. 기계 진동이거나 이 기록에서는 너무 약한 모드이다.",
+                all.join(", ")
+            )
+        }
+        Note::Channel(fault) => format!("{} 그대로 사용하였다.", fault_words(fault, language)),
+        Note::FewCycles {
+            frequency_hz,
+            damping_floor,
+        } => format!(
+            "{} 모드는 관측 주기 수가 적어 감쇠비를 ± {:.0}\u{202f}%보다 정확히 알 수 없다.",
+            hertz(frequency_hz),
+            100.0 * damping_floor
+        ),
+        other => format!("[영문] {other}"),
+    };
+    language.pick(sentence(&note.to_string()), korean)
+}
+
+fn fault_words(fault: &ChannelFault, language: Language) -> String {
+    let korean = match fault {
+        ChannelFault::Constant { .. } => "신호 없음",
+        ChannelFault::Faint { .. } => "신호가 지나치게 약하거나 단위가 다름",
+        ChannelFault::Clipped { .. } => "측정 범위 초과(클리핑)",
+        ChannelFault::Duplicated { .. } => "중복 채널",
+        _ => "이상",
+    };
+    language.pick(sentence(&fault.to_string()), format!("{korean} [{fault}]"))
+}
+
+/// With a capital at the start and a full stop.
+fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map(|c| c.to_uppercase().to_string())
+        .unwrap_or_default();
+    format!("{first}{}.", letters.as_str().trim_end_matches('.'))
+}
+
+fn history(steps: &[Processing], language: Language) -> Markup {
+    if steps.is_empty() {
+        return html! {};
+    }
+    html! {
+        p { (language.pick("What was done to the record, in this order:", "기록의 처리 이력(순서대로):")) }
+        ol { @for step in steps { li { (step_words(step, language)) } } }
+    }
+}
+
+fn step_words(step: &Processing, language: Language) -> String {
+    let n = |value: f64| number::trimmed(value, 6);
+    match step {
+        Processing::Read { format, unit } if unit.is_empty() => language.pick(
+            format!("read as {format}; the unit is unknown"),
+            format!("{format} 형식으로 읽음; 단위 미상"),
+        ),
+        Processing::Read { format, unit } => language.pick(
+            format!("read as {format} in {unit}"),
+            format!("{format} 형식으로 읽음, 단위 {unit}"),
+        ),
+        Processing::LeftOut { channels } => {
+            let channels = listed(channels, language);
+            language.pick(
+                format!("left out: {channels}"),
+                format!("제외한 채널: {channels}"),
+            )
+        }
+        Processing::Cut { from_s, to_s } => language.pick(
+            format!("cut to {} to {}\u{202f}s", n(*from_s), n(*to_s)),
+            format!("{}–{}\u{202f}s 구간만 사용", n(*from_s), n(*to_s)),
+        ),
+        Processing::Detrend { degree } => language.pick(
+            format!("trend removed, polynomial of degree {degree}"),
+            format!("추세 제거, {degree}차 다항식"),
+        ),
+        Processing::LowPass { corner_hz, order } => language.pick(
+            format!(
+                "low-pass at {}\u{202f}Hz, order {order}, zero phase",
+                n(*corner_hz)
+            ),
+            format!("저역통과 {}\u{202f}Hz, {order}차, 영위상", n(*corner_hz)),
+        ),
+        Processing::BandPass {
+            low_hz,
+            high_hz,
+            order,
+        } => language.pick(
+            format!(
+                "band-pass {} to {}\u{202f}Hz, order {order}, zero phase",
+                n(*low_hz),
+                n(*high_hz)
+            ),
+            format!(
+                "대역통과 {}–{}\u{202f}Hz, {order}차, 영위상",
+                n(*low_hz),
+                n(*high_hz)
+            ),
+        ),
+        Processing::Decimate { factor } => language.pick(
+            format!("decimated by {factor} after an anti-alias filter"),
+            format!("앨리어싱 방지 필터 후 1/{factor}로 재표본화"),
+        ),
+        other => format!("{other:?}"),
+    }
+}
