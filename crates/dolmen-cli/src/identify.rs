@@ -4,10 +4,13 @@ use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::modal::{Identify, Modes, identify};
-use dolmen::structure::{Chain, ChainStiffness, MeasuredMode, chain_stiffness, directional_modes};
+use dolmen::structure::{
+    Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, chain_stiffness,
+    directional_modes, frame_stiffness,
+};
 use dolmen_formats::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use dolmen_formats::json::identification_json;
-use dolmen_formats::project::{Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_formats::project::{ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_formats::text::identification_text;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
@@ -82,7 +85,10 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
     for direction in survey.modes.keys() {
         let modes = survey.measured_modes(direction, &mut Quantity::nominal);
         if !modes.is_empty() {
-            stiffness.extend(stiffness_of(project, direction, &modes, &[]).with_context(context)?);
+            stiffness.extend(
+                stiffness_of(project, direction, &modes, &twisting(survey, direction))
+                    .with_context(context)?,
+            );
         }
     }
     if let Some(found) = &records {
@@ -99,6 +105,20 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
         records,
         stiffness,
     })
+}
+
+/// Sentences on the modes of a direction that twist: reported, but kept out of the fit.
+fn twisting(survey: &Survey, direction: &str) -> Vec<String> {
+    let modes = survey.modes.get(direction).into_iter().flatten();
+    let twisting = modes.filter(|mode| mode.kind == ModeKind::Torsion);
+    twisting
+        .map(|mode| {
+            format!(
+                "The mode at {} Hz twists in plan and is kept out of the fit.",
+                mode.frequency.value
+            )
+        })
+        .collect()
 }
 
 fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<RecordAnswer> {
@@ -183,6 +203,17 @@ fn stiffness_of(
                 chain_stiffness(&chain, modes, &ChainStiffness::default())?,
             )])
         }
-        Structure::Frame(_) => Ok(Vec::new()),
+        Structure::Frame(part) => {
+            let built = part.build(pick)?;
+            let mut answers = Vec::new();
+            for convention in [Convention::Drift, Convention::Grounded] {
+                let frame = Frame::new(built.storeys().to_vec(), convention)?;
+                answers.push(answer(
+                    Some(convention),
+                    frame_stiffness(&frame, modes, &FrameStiffness::default())?,
+                ));
+            }
+            Ok(answers)
+        }
     }
 }

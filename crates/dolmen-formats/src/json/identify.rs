@@ -4,7 +4,7 @@ use super::check::{modes, project};
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use dolmen::modal::{Mode, Modes};
 use dolmen::signal::Channel;
-use dolmen::structure::{Choice, Convention, StiffnessSolution, Visibility};
+use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.
@@ -103,6 +103,7 @@ fn solution(solution: &StiffnessSolution) -> Value {
     json!({
         "stiffness": solution.stiffness,
         "stiffness_sd": solution.stiffness_sd,
+        "stiffness_range": solution.stiffness_range.as_ref().map(range),
         "modes": modes(&solution.modes),
         "misfit": solution.misfit,
         "stands": solution.stands,
@@ -114,5 +115,14 @@ fn visibility(visibility: &Visibility) -> Value {
         "singular_values": visibility.singular_values,
         "seen": visibility.seen,
         "free_directions": visibility.free_directions,
+    })
+}
+
+fn range(range: &StiffnessRange) -> Value {
+    json!({
+        "half_width_hz": range.half_width_hz,
+        "lower": range.lower,
+        "upper": range.upper,
+        "exists_throughout": range.exists_throughout,
     })
 }

@@ -217,6 +217,13 @@ fn stiffness_text(stiffness: &StiffnessAnswer) -> String {
                 );
                 table.row(cells);
             }
+            if let Some(range) = &solution.stiffness_range {
+                for (name, ends) in [("  least", &range.lower), ("  most", &range.upper)] {
+                    let mut cells = vec![name.to_owned()];
+                    cells.extend(ends.iter().map(|k| format!("{:.4}", k * unit.factor)));
+                    table.row(cells);
+                }
+            }
         }
         let _ = writeln!(
             out,
@@ -224,6 +231,18 @@ fn stiffness_text(stiffness: &StiffnessAnswer) -> String {
             unit.unit
         );
         out += &table.text();
+        if let Some(range) = found
+            .solutions
+            .iter()
+            .find_map(|solution| solution.stiffness_range.as_ref())
+        {
+            let widths: Vec<String> = range.half_width_hz.iter().map(|w| format!("{w:.3}")).collect();
+            let _ = writeln!(
+                out,
+                "  least, most: while each frequency moves by {} Hz",
+                widths.join(", ")
+            );
+        }
         if found.solutions.len() > SOLUTIONS_SHOWN {
             let _ = writeln!(
                 out,
@@ -288,7 +307,12 @@ fn visibility_text(visibility: &Visibility, part: &str) -> String {
         .collect();
     let mut out = format!("  seen by the data, {part} 1 first: {}", seen.join(", "));
     if visibility.free_directions > 0 {
-        let _ = write!(out, "; {} directions stay free", visibility.free_directions);
+        let plural = if visibility.free_directions == 1 {
+            " stays"
+        } else {
+            "s stay"
+        };
+        let _ = write!(out, "; {} direction{plural} free", visibility.free_directions);
     }
     out.push('\n');
     out

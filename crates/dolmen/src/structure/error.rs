@@ -141,6 +141,16 @@ pub enum StructureError {
         /// Frequency of the mode before it, Hz.
         before: f64,
     },
+    /// An option of the search is refused.
+    #[error("{option} is {given}, but must be {allowed}")]
+    Option {
+        /// Its name.
+        option: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
     /// A number of a measured mode is refused.
     #[error("mode {mode}: {quantity} is {given}, but must be {allowed}")]
     Mode {

@@ -203,7 +203,7 @@ fn holds_two_frequencies_for_five_springs_are_an_honest_answer() {
     assert_eq!(found.visibility.as_ref().unwrap().free_directions, 3);
     assert_eq!(
         found.notes[0],
-        "2 frequencies hold 2 independent data for 5 joint stiffnesses: they cannot be determined. The set shown fits \
+        "2 frequencies give 2 independent data for 5 joint stiffnesses: they cannot be determined. The set shown fits \
          the data and is the nearest to stiffness in proportion to the weight moment above each joint, an assumption \
          and not a measurement. Measure more modes, or shapes at several heights."
     );
@@ -224,7 +224,7 @@ fn holds_sensors_on_the_lowest_link_alone_add_nothing() {
     let found = identify(&chain, &measured(&chain, &k, 1, &[0.5, 1.0, 1.5, 2.0, 2.5, 3.0]));
     assert_eq!(found.choice, Choice::Underdetermined);
     assert_eq!(found.visibility.unwrap().free_directions, 4);
-    assert!(found.notes[0].starts_with("1 frequency with shape points hold 1 independent data"));
+    assert!(found.notes[0].starts_with("1 frequency with shape points give 1 independent datum"));
 }
 
 #[test]
@@ -247,6 +247,27 @@ fn holds_a_nearly_rigid_joint_is_not_seen() {
         "{:?}",
         found.notes
     );
+}
+
+#[test]
+fn holds_data_that_some_stiffness_fits_are_never_called_impossible() {
+    // the prior is far from equal joints: the search from it alone ends beside the data
+    let chain = naju();
+    let equal = dolmen::stability::chain_limits(&chain)
+        .unwrap()
+        .equal_joints_n_m_rad;
+    for modes in 1..=3 {
+        for heights in [vec![], vec![5.0, 10.83], vec![2.0, 4.0, 6.0, 8.0, 10.83]] {
+            let mut data = measured(&chain, &[2.0 * equal; 5], modes, &heights);
+            for (j, mode) in data.iter_mut().enumerate() {
+                mode.frequency_hz *= if j % 2 == 0 { 1.004 } else { 0.997 };
+                mode.shape.iter_mut().for_each(|point| point.displacement += 0.01);
+            }
+            let found = identify(&chain, &data);
+            assert_ne!(found.choice, Choice::Impossible, "{:?}", found.notes);
+            assert!(found.choice != Choice::Underdetermined || found.solutions.len() == 1);
+        }
+    }
 }
 
 #[test]
@@ -424,4 +445,24 @@ fn refuses_bad_modes_and_says_which() {
         let fault = chain_stiffness(&chain, &modes, &ChainStiffness::default()).unwrap_err();
         assert_eq!(fault.to_string(), message);
     }
+    let options = ChainStiffness {
+        misfit_most: f64::NAN,
+        ..Default::default()
+    };
+    assert_eq!(
+        chain_stiffness(&chain, &[plain(1.0)], &options)
+            .unwrap_err()
+            .to_string(),
+        "misfit_most is NaN, but must be a positive number"
+    );
+    let options = ChainStiffness {
+        starts: 0,
+        ..Default::default()
+    };
+    assert_eq!(
+        chain_stiffness(&chain, &[plain(1.0)], &options)
+            .unwrap_err()
+            .to_string(),
+        "starts is 0, but must be at least 1"
+    );
 }

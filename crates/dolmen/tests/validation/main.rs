@@ -7,3 +7,4 @@ mod choi_2021;
 mod columns;
 mod draws;
 mod made_records;
+mod pyoma2;

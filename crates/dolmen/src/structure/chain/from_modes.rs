@@ -40,7 +40,7 @@ pub type ChainStiffness = StiffnessSearch;
 /// # Errors
 /// [`StructureError::ModesMissing`], [`StructureError::ModesMost`] for more modes than links,
 /// [`StructureError::FrequencyOrder`], [`StructureError::Mode`], [`StructureError::Height`] for a sensor above the
-/// top.
+/// top, [`StructureError::Option`].
 ///
 /// # Limits
 /// Above five joints, and with shapes, "every solution" is every solution found: many starts are no proof. Standard deviations are linear: above some 30 %

@@ -5,6 +5,7 @@ mod modal_fit;
 mod newton;
 mod notes;
 mod options;
+mod prior;
 mod range;
 mod roots;
 mod search;

@@ -20,6 +20,7 @@ pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, cho
     let Count {
         starts,
         solutions,
+        as_good,
         nearest,
         odd,
         ref roots,
@@ -45,17 +46,22 @@ pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, cho
             ),
             None => format!("No {spring} stiffness was found at which the {kind} stands."),
         }),
+        Choice::Underdetermined if search.independent >= parts => notes.push(format!(
+            "The best fit leaves some {spring} stiffness free: beyond some value, more of it changes no datum. The set \
+             shown is one of many that fit as well."
+        )),
         Choice::Underdetermined => notes.push(format!(
-            "{modes} {}{} hold {} independent data for {parts} {spring} stiffnesses: they cannot be determined. The set \
+            "{modes} {}{} give {} independent {} for {parts} {spring} stiffnesses: they cannot be determined. The set \
              shown fits the data and is the nearest to stiffness in proportion to {}, an assumption and not \
              a measurement. Measure more modes, or shapes at several heights.",
             if modes == 1 { "frequency" } else { "frequencies" },
             if shapes > 0 { " with shape points" } else { "" },
             search.independent,
+            if search.independent == 1 { "datum" } else { "data" },
             S::PROPORTION
         )),
         Choice::Indistinguishable => notes.push(format!(
-            "{solutions} sets of {spring} stiffness explain the data equally well and all stand ({how_found}). {} cannot \
+            "{as_good} sets of {spring} stiffness explain the data equally well and all stand ({how_found}). {} cannot \
              tell them apart: {}.",
             if shapes == 0 { "Frequencies alone" } else { "These data" },
             if shapes == 0 {
@@ -154,5 +160,24 @@ pub(super) fn of_unseen(spring: &str, visibility: &Visibility) -> Option<String>
         if unseen.len() == 1 { "" } else { "s" },
         unseen.join(", "),
         if unseen.len() == 1 { "its" } else { "their" }
+    ))
+}
+
+/// Springs whose interval is too wide to be linear.
+pub(super) fn of_wide_intervals(spring: &str, relative_sd: &[f64]) -> Option<String> {
+    const LINEAR_MOST: f64 = 0.3; // beyond it ln k and k differ by more than a seventh
+    let wide = relative_sd
+        .iter()
+        .enumerate()
+        .filter(|(_, sd)| **sd > LINEAR_MOST);
+    let each: Vec<String> = wide
+        .map(|(i, sd)| format!("{spring} {} by {:.0} %", i + 1, 100.0 * sd))
+        .collect();
+    if each.is_empty() {
+        return None;
+    }
+    Some(format!(
+        "The data determine some stiffnesses only to an order of magnitude (standard deviation of {}).",
+        each.join(", ")
     ))
 }

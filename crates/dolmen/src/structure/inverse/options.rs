@@ -1,7 +1,7 @@
 //! How stiffness is sought, and by what measure data are weighted.
 
 use super::modal_fit::StandIn;
-use crate::structure::MeasuredMode;
+use crate::structure::{MeasuredMode, StructureError};
 
 /// How stiffness is sought from measured modes.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +35,30 @@ impl Default for StiffnessSearch {
             frequency_sd_assumed: 0.005,
             shape_sd_assumed: 0.02,
         }
+    }
+}
+
+impl StiffnessSearch {
+    /// Refuses what makes no sense.
+    pub(super) fn check(&self) -> Result<(), StructureError> {
+        let positive = "a positive number";
+        for (option, given, allowed) in [
+            ("starts", self.starts as f64, "at least 1"),
+            ("solutions_most", self.solutions_most as f64, "at least 1"),
+            ("misfit_most", self.misfit_most, positive),
+            ("difference_most", self.difference_most, positive),
+            ("frequency_sd_assumed", self.frequency_sd_assumed, positive),
+            ("shape_sd_assumed", self.shape_sd_assumed, positive),
+        ] {
+            if !(given > 0.0 && given.is_finite()) {
+                return Err(StructureError::Option {
+                    option,
+                    given,
+                    allowed,
+                });
+            }
+        }
+        Ok(())
     }
 }
 

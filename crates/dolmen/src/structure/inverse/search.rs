@@ -10,7 +10,7 @@ use super::options::Weighting;
 use super::range::range_of_root;
 use super::starts::{linear_estimate, scattered_starts};
 use super::{FrequencyRoots, SpringModel, Sprung, StiffnessSearch, notes};
-use crate::numeric::{LeastSquaresFit, Residuals, levenberg_marquardt};
+use crate::numeric::{LeastSquaresFit, levenberg_marquardt};
 use crate::structure::identification::check_modes;
 use crate::structure::{
     Choice, MeasuredMode, StiffnessRange, StiffnessSolution, StiffnessSolutions, StructureError, Visibility,
@@ -18,7 +18,7 @@ use crate::structure::{
 use dolmen_linalg::{Matrix, svd};
 
 /// Iterations from one start, most: from far starts about 30 suffice.
-const ITERATIONS_MOST: usize = 120;
+pub(super) const ITERATIONS_MOST: usize = 120;
 /// Iterations that finish a solution to be listed: few are needed unless it lies in a long flat valley.
 const ITERATIONS_LAST: usize = 500;
 /// One start in this many is tried where shapes are given: they leave far fewer solutions than n!.
@@ -39,19 +39,18 @@ const CHI_SQUARED_95: f64 = 3.841_458_8;
 /// Change of data that counts as seen if they carry no sd, relative: frequencies of the field scatter by half a per
 /// cent. With sd the bound is one sd.
 const SEEN_RELATIVE: f64 = 0.005;
-/// Weights of the prior as it is let go, in units of the data's: the last is below rounding of what the data say.
-const PRIOR_WEIGHTS: [f64; 4] = [1.0, 1e-2, 1e-4, 1e-6];
-
 /// One minimum.
-struct Found {
+pub(super) struct Found {
     x: Vec<f64>,
-    misfit: f64,
+    pub(super) misfit: f64,
     jacobian: Matrix,
 }
 
 pub(super) struct Count {
     pub(super) starts: usize,
     pub(super) solutions: usize,
+    /// Of these, as good as the best.
+    pub(super) as_good: usize,
     /// Misfit of the best end of all, accepted or not.
     pub(super) nearest: Option<f64>,
     /// Whether the number of solutions shows that at least one is missing.
@@ -65,7 +64,7 @@ pub(super) struct Search<'a, S> {
     pub(super) modes: &'a [MeasuredMode],
     pub(super) options: &'a StiffnessSearch,
     model: SpringModel,
-    fit: ModalFit,
+    pub(super) fit: ModalFit,
     pub(super) weighting: Weighting,
     /// Rank of the Jacobian at the first guess.
     pub(super) independent: usize,
@@ -82,6 +81,7 @@ pub(crate) fn stiffness_from_modes<S: Sprung>(
 ) -> Result<StiffnessSolutions, StructureError> {
     let model = structure.model()?;
     check_modes(modes, model.parts(), S::PARTS)?;
+    options.check()?;
     let weighting = Weighting::of(modes);
     let mut search = Search {
         fit: ModalFit::new(structure, &model, modes, weighting.stand_in(options))?,
@@ -115,7 +115,7 @@ impl<S: Sprung> Search<'_, S> {
         self.model.parts()
     }
 
-    fn found(&self, fit: LeastSquaresFit) -> Found {
+    pub(super) fn found(&self, fit: LeastSquaresFit) -> Found {
         let squares: f64 = fit.at.residual.iter().map(|r| r * r).sum();
         Found {
             misfit: (squares / self.fit.data() as f64).sqrt(),
@@ -124,7 +124,7 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    fn misfit_accepted(&self) -> f64 {
+    pub(super) fn misfit_accepted(&self) -> f64 {
         match self.weighting {
             Weighting::Relative => self.options.difference_most,
             _ => self.options.misfit_most,
@@ -178,10 +178,14 @@ impl<S: Sprung> Search<'_, S> {
             finished.retain(|found| found.misfit < EXACT);
         }
         let choice = self.choose(&finished)?;
+        if choice == Choice::Underdetermined {
+            finished.truncate(1); // the others are points of the same family
+        }
         let even = finished.len().is_multiple_of(2) || self.parts() == 1;
         let count = Count {
             starts: tried,
             solutions: finished.len(),
+            as_good: self.as_good(&finished),
             nearest,
             odd: only_frequencies && !complete && exact && !even,
             roots: roots.filter(|_| only_frequencies),
@@ -240,11 +244,17 @@ impl<S: Sprung> Search<'_, S> {
         if rank(&singular_values(&best.jacobian)?) < n {
             return Ok(Choice::Underdetermined);
         }
-        let good = all.iter().filter(|found| self.as_good_as(found, best)).count();
-        Ok(if good > 1 {
+        Ok(if self.as_good(all) > 1 {
             Choice::Indistinguishable
         } else {
             Choice::One
+        })
+    }
+
+    fn as_good(&self, all: &[Found]) -> usize {
+        let best = all.first();
+        best.map_or(0, |best| {
+            all.iter().filter(|found| self.as_good_as(found, best)).count()
         })
     }
 
@@ -263,56 +273,11 @@ impl<S: Sprung> Search<'_, S> {
         }
     }
 
-    /// Fewer independent data than springs: of all that fit, the one nearest to the prior in ln k, its common factor free.
-    fn nearest_to_the_prior(&self, prior: &[f64]) -> Result<StiffnessSolutions, StructureError> {
-        let n = self.parts();
-        let mut x = prior.to_vec();
-        let mut end = None;
-        for weight in PRIOR_WEIGHTS {
-            let with_prior = |x: &[f64]| {
-                let at = self.fit.residuals(x)?;
-                let off: Vec<f64> = x.iter().zip(prior).map(|(x, p)| x - p).collect();
-                let mean = off.iter().sum::<f64>() / n as f64;
-                let m = at.residual.len();
-                let mut residual = at.residual;
-                residual.extend(off.iter().map(|d| weight * (d - mean)));
-                let jacobian = Matrix::from_fn(m + n, n, |i, j| match i.checked_sub(m) {
-                    None => at.jacobian[(i, j)],
-                    Some(row) => weight * (f64::from(u8::from(row == j)) - 1.0 / n as f64),
-                });
-                Some(Residuals { residual, jacobian })
-            };
-            if let Some(fit) = levenberg_marquardt(x.clone(), ITERATIONS_MOST, with_prior) {
-                x = fit.x;
-            }
-            end = self.fit.residuals(&x);
-        }
-        let found = end.map(|at| self.found(LeastSquaresFit { x, at }));
-        let nearest = found.as_ref().map(|found| found.misfit);
-        let accepted: Vec<Found> = found
-            .into_iter()
-            .filter(|found| found.misfit <= self.misfit_accepted())
-            .collect();
-        let choice = if accepted.is_empty() {
-            Choice::Impossible
-        } else {
-            Choice::Underdetermined
-        };
-        let count = Count {
-            starts: 1,
-            solutions: accepted.len(),
-            nearest,
-            odd: false,
-            roots: None,
-        };
-        self.answer(accepted, choice, count)
-    }
-
     /// The same proportions with the common factor that fits the frequencies' logarithms on average.
     ///
     /// Gravity takes its share whatever the springs are, so the factor is found by doubling until the structure stands,
     /// then by the secant of the mean of ln ω² (its slope in ln k is near 1).
-    fn scaled(&self, mut x: Vec<f64>) -> Vec<f64> {
+    pub(super) fn scaled(&self, mut x: Vec<f64>) -> Vec<f64> {
         const DOUBLINGS_MOST: usize = 200;
         const CORRECTIONS: usize = 4;
         let shift = |x: &mut Vec<f64>, by: f64| x.iter_mut().for_each(|x| *x += by);
@@ -337,7 +302,7 @@ impl<S: Sprung> Search<'_, S> {
         x
     }
 
-    fn answer(
+    pub(super) fn answer(
         &self,
         mut all: Vec<Found>,
         choice: Choice,
@@ -352,6 +317,10 @@ impl<S: Sprung> Search<'_, S> {
                 &svd(&tall(&best.jacobian))?,
                 choice,
             ));
+        }
+        if let (Some(best), true) = (all.first(), self.interval_stated(choice)) {
+            let relative_sd = self.relative_sd(best)?;
+            notes.extend(relative_sd.and_then(|sd| notes::of_wide_intervals(S::SPRING, &sd)));
         }
         if let Some(visibility) = &visibility {
             notes.extend(notes::of_unseen(S::SPRING, visibility));
@@ -371,6 +340,11 @@ impl<S: Sprung> Search<'_, S> {
         })
     }
 
+    /// Whether the modes carry standard deviations and determine the stiffness.
+    fn interval_stated(&self, choice: Choice) -> bool {
+        self.weighting != Weighting::Relative && choice != Choice::Underdetermined
+    }
+
     fn solution(
         &self,
         found: &Found,
@@ -378,9 +352,9 @@ impl<S: Sprung> Search<'_, S> {
         ranged: bool,
     ) -> Result<StiffnessSolution, StructureError> {
         let stiffness: Vec<f64> = found.x.iter().map(|x| x.exp()).collect();
-        let relative_sd = match (self.weighting, choice) {
-            (Weighting::Relative, _) | (_, Choice::Underdetermined) => None,
-            _ => self.relative_sd(found)?,
+        let relative_sd = match self.interval_stated(choice) {
+            true => self.relative_sd(found)?,
+            false => None,
         };
         let modes = self.structure.natural_modes_with(&stiffness)?;
         Ok(StiffnessSolution {

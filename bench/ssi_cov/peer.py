@@ -1,0 +1,28 @@
+"""SSI-cov of one record by pyOMA2 as its manual shows it: FILE SAMPLING_RATE_HZ BLOCK_ROWS ORDER_MOST."""
+
+import os
+import resource
+import sys
+
+import numpy as np
+from pyoma2.algorithms.ssi import SSI
+from pyoma2.setup.single import SingleSetup
+
+
+def cpu_s():
+    used = resource.getrusage(resource.RUSAGE_SELF)
+    return used.ru_utime + used.ru_stime
+
+
+imported_s = cpu_s()
+path, rate, block_rows, order = sys.argv[1], float(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4])
+setup = SingleSetup(np.load(path), fs=rate)
+method = os.environ.get("PEER_METHOD", "cov")
+setup.add_algorithms(SSI(name="ssi", method=method, br=block_rows, ordmax=order, step=2))
+setup.run_by_name("ssi")
+result = setup["ssi"].result
+print(f"imported_cpu_s {imported_s:.3f}")
+for column in range(result.Fn_poles.shape[1]):
+    for f, z in zip(result.Fn_poles[:, column], result.Xi_poles[:, column]):
+        if np.isfinite(f):
+            print(f"{2 * column} {f:.12f} {z:.12f}")

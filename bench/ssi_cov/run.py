@@ -1,0 +1,85 @@
+"""Dolmen and pyOMA2 find the same poles of the same record with the same settings; CPU time and memory of both.
+
+Run by scripts/bench. Each process gets one thread. CPU time is user + system of the whole process; the peer's is also
+given less what its imports took. Poles are matched order by order; the largest difference of those below 2 % damping
+is printed: the two windows of the correlations differ by 2 x block rows samples of the record, nothing else does.
+"""
+
+import argparse
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parent.parent
+ONE_THREAD = {f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL", "NUMEXPR")}
+CASES = {
+    # name: (record, sampling rate Hz, channels, samples, block rows, order)
+    "a": ("pairs", 100, 8, 60_000, 50, 60),
+    "b": ("twisting", 200, 12, 720_000, 84, 60),
+}
+
+
+def measured(command):
+    with tempfile.TemporaryFile() as out:
+        process = subprocess.Popen(command, stdout=out, stderr=subprocess.DEVNULL, env={**os.environ, **ONE_THREAD})
+        _, status, used = os.wait4(process.pid, 0)
+        if status:
+            sys.exit(f"{command[0]} ended with status {status}")
+        out.seek(0)
+        lines = out.read().decode().splitlines()
+    return lines, used.ru_utime + used.ru_stime, used.ru_maxrss / 1024
+
+
+def poles(lines):
+    found = {}
+    for line in lines:
+        order, f, z = (float(word) for word in line.split())
+        if 0 < z < 0.02:
+            found.setdefault(order, []).append((f, z))
+    return found
+
+
+def difference(ours, theirs):
+    """Largest relative difference of frequency, and the share of the peer's poles that have a partner within 1 %."""
+    worst, met, total = 0.0, 0, 0
+    for order, peers in theirs.items():
+        for f, z in peers:
+            total += 1
+            near = min(ours.get(order, []), key=lambda p: abs(p[0] - f) + abs(p[1] - z) * f, default=None)
+            if near and abs(near[0] / f - 1) < 0.01:
+                met += 1
+                worst = max(worst, abs(near[0] / f - 1))
+    return worst, met, total
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--peer", default=str(ROOT / "bench" / ".venv" / "bin" / "python"))
+    parser.add_argument("--cases", default="a", help="a, b (the peer needs 13 GB), or ab")
+    parser.add_argument("--repeat", type=int, default=3)
+    options = parser.parse_args()
+    binary = ROOT / "target" / "release" / "examples" / "ssi_bench"
+    for case in options.cases:
+        record, rate, channels, samples, block_rows, order = CASES[case]
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder) / "record.npy"
+            subprocess.run([binary, "make", record, "1", file], check=True)
+            settings = [str(file), str(rate), str(block_rows), str(order)]
+            ours = min((measured([binary, "poles", *settings]) for _ in range(options.repeat)), key=lambda r: r[1])
+            peer = [options.peer, str(HERE / "peer.py"), *settings]
+            theirs = min((measured(peer) for _ in range(1 if case == "b" else options.repeat)), key=lambda r: r[1])
+        imported = float(theirs[0][0].split()[1])
+        allowed = 2.5 * channels * samples * 8 / 2**20 + 50
+        worst, met, total = difference(poles(ours[0]), poles(theirs[0][1:]))
+        print(f"case {case}: {channels} channels x {samples} samples, {block_rows} block rows, orders 2 to {order}")
+        print(f"  Dolmen    {ours[1]:8.2f} s CPU   {ours[2]:8.0f} MiB (allowed {allowed:.0f})")
+        print(f"  pyOMA2    {theirs[1]:8.2f} s CPU   {theirs[2]:8.0f} MiB, imports {imported:.2f} s")
+        print(f"  ratio     {theirs[1] / ours[1]:8.1f} whole process, {(theirs[1] - imported) / ours[1]:.1f} without imports")
+        print(f"  poles     {met} of {total} below 2 % damping meet, frequencies within {worst:.1e}")
+
+
+if __name__ == "__main__":
+    main()
