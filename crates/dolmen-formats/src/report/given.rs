@@ -34,11 +34,7 @@ pub(super) fn section(project: &Project, language: Language) -> Markup {
 fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> Markup {
     let with_cov = inputs.iter().any(|q| q.cov.is_some());
     let with_note = inputs.iter().any(|q| q.note.is_some());
-    let mut head = vec![
-        language.pick("Input", "입력"),
-        language.pick("In the file", "파일의 위치"),
-        language.pick("Source", "출처"),
-    ];
+    let mut head = vec![language.pick("Input", "입력"), language.pick("Source", "출처")];
     let words = head.len();
     head.extend([
         language.pick("As written", "기재값"),
@@ -57,7 +53,6 @@ fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> 
             let source = evidence_word(q.source, language);
             let mut row: Vec<Cell> = vec![
                 path_words(&q.path, language).into(),
-                q.path.clone().into(),
                 if q.is_assumed() {
                     Cell::assumed(source)
                 } else {
@@ -76,7 +71,7 @@ fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> 
                 row.push(q.cov.map_or("–".into(), |cov| number::percent(cov, 2)).into());
             }
             if with_note {
-                row.push(q.note.clone().unwrap_or_default().into());
+                row.push(Cell::wrapping(q.note.clone().unwrap_or_default()));
             }
             row
         })

@@ -5,17 +5,14 @@ use super::table::{Cell, figure, table};
 use super::words::{convention_word, listed};
 use crate::Language;
 use crate::answer::{StiffnessAnswer, SurveyAnswer};
-use crate::figures::{ShapePanel, mode_shapes};
+use crate::figures::{letter, measured_modes, solution_shapes};
 use crate::number::{self, prefix, significant};
-use crate::project::{Project, Quantity, Structure};
+use crate::project::{Project, Structure};
 use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
 use maud::{Markup, html};
 
 /// Solutions drawn and listed; the rest are counted.
 const SOLUTIONS_SHOWN: usize = 8;
-
-/// Solutions whose shapes are drawn.
-const SOLUTIONS_DRAWN: usize = 4;
 
 /// A stiffness of which the data determine less than this share is called unseen.
 const SEEN_LEAST: f64 = 0.5;
@@ -101,7 +98,7 @@ pub(super) fn section(project: &Project, all: &[SurveyAnswer], language: Languag
         @for identification in all {
             @for answer in &identification.stiffness {
                 h3 { (language.pick("Survey", "조사")) " " (identification.name) ", " (place(answer, language)) }
-                @let measured = modes_of(project, identification, answer);
+                @let measured = measured_modes(project, &identification.name, answer);
                 (measured_words(answer, &measured, language))
                 @if answer.solutions.solutions.is_empty() {
                     p { (language.pick("No stiffness explains these modes.", "이 모드를 설명하는 강성이 없다.")) }
@@ -113,23 +110,6 @@ pub(super) fn section(project: &Project, all: &[SurveyAnswer], language: Languag
             }
         }
     }
-}
-
-/// The modes that went in as the project states them; those from records are known by frequency alone.
-fn modes_of(project: &Project, survey: &SurveyAnswer, answer: &StiffnessAnswer) -> Vec<MeasuredMode> {
-    let stated = project.surveys.iter().find(|s| s.name == survey.name);
-    let stated = stated
-        .map(|s| s.measured_modes(&answer.direction, &mut Quantity::nominal))
-        .unwrap_or_default();
-    let mode = |&frequency_hz: &f64| {
-        let same = stated.iter().find(|m| m.frequency_hz == frequency_hz);
-        same.cloned().unwrap_or(MeasuredMode {
-            frequency_hz,
-            frequency_sd_hz: 0.0,
-            shape: Vec::new(),
-        })
-    };
-    answer.frequencies_hz.iter().map(mode).collect()
 }
 
 fn measured_words(answer: &StiffnessAnswer, measured: &[MeasuredMode], language: Language) -> Markup {
@@ -152,12 +132,6 @@ fn measured_words(answer: &StiffnessAnswer, measured: &[MeasuredMode], language:
         })
         .collect();
     html! { p { (language.pick("Measured: ", "계측값: ")) (listed(&texts, language)) "." } }
-}
-
-fn letter(index: usize) -> String {
-    char::from_u32('A' as u32 + index as u32 % 26)
-        .map(String::from)
-        .unwrap_or_default()
 }
 
 fn solutions(
@@ -197,7 +171,9 @@ fn solutions(
     );
     html! {
         (table(&caption, 2, &head, &rows))
-        @if let Some(heights) = heights_m(&project.structure) { (shapes(&heights, answer, measured, language)) }
+        @if let Some(svg) = solution_shapes(&project.structure, answer, measured, language) {
+            (figure(&svg, shapes_caption(answer, language)))
+        }
     }
 }
 
@@ -238,41 +214,13 @@ fn solution_row(
         .iter()
         .map(|m| significant(m.frequency_hz, 4))
         .collect();
-    row.push(frequencies.join(", ").into());
+    row.push(Cell::wrapping(frequencies.join(", ")));
     row
 }
 
-fn shapes(
-    heights_m: &[f64],
-    answer: &StiffnessAnswer,
-    measured: &[MeasuredMode],
-    language: Language,
-) -> Markup {
-    let mut panels = Vec::new();
-    for (i, solution) in answer
-        .solutions
-        .solutions
-        .iter()
-        .take(SOLUTIONS_DRAWN)
-        .enumerate()
-    {
-        for (j, mode) in solution.modes.iter().enumerate() {
-            // A measured mode is drawn over the computed one nearest to it.
-            let nearest = measured.iter().find(|m| {
-                let apart = |f: f64| (f - m.frequency_hz).abs();
-                solution
-                    .modes
-                    .iter()
-                    .all(|other| apart(mode.frequency_hz) <= apart(other.frequency_hz))
-            });
-            panels.push(ShapePanel {
-                title: format!("{} · {} {}", letter(i), language.pick("mode", "모드"), j + 1),
-                mode,
-                measured: nearest.map_or(&[], |m| m.shape.as_slice()),
-            });
-        }
-    }
-    let caption = if answer.solutions.choice == Choice::Indistinguishable {
+/// What the shapes of the solutions show: only where the frequencies are the same does a shape choose.
+fn shapes_caption(answer: &StiffnessAnswer, language: Language) -> &'static str {
+    if answer.solutions.choice == Choice::Indistinguishable {
         language.pick(
             "Mode shapes of the solutions. The same frequencies, other shapes: a measured shape can tell which is the true one. Rings are measured points.",
             "해별 모드형상. 고유진동수는 같으나 형상이 다르므로 모드형상을 계측하면 참값을 가릴 수 있다. 고리는 계측점이다.",
@@ -282,8 +230,7 @@ fn shapes(
             "Mode shapes of the solutions. Rings are measured points.",
             "해별 모드형상. 고리는 계측점이다.",
         )
-    };
-    figure(&mode_shapes(heights_m, &panels, language), caption)
+    }
 }
 
 fn seen(visibility: &Visibility, language: Language) -> Markup {
@@ -317,24 +264,4 @@ fn seen(visibility: &Visibility, language: Language) -> Markup {
             format!("자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 자유로운 방향 {free}개."),
         )) (verdict)
     } }
-}
-
-/// Heights of the displacements of a structure's modes.
-fn heights_m(structure: &Structure) -> Option<Vec<f64>> {
-    match structure {
-        Structure::Frame(part) => part
-            .build(&mut Quantity::nominal)
-            .ok()
-            .map(|f| f.level_heights_m()),
-        Structure::Chain(part) => {
-            let chain = part.build(&mut Quantity::nominal).ok()?;
-            let mut height = 0.0;
-            let tops = chain.links().iter().map(|link| {
-                height += link.length_m;
-                height
-            });
-            Some(tops.collect())
-        }
-        Structure::Survey => None,
-    }
 }

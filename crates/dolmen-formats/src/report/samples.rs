@@ -74,7 +74,6 @@ pub(super) fn sections(state: Option<&State>, sensitivities: &[Sensitivity], lan
 fn sensitivity_table(sensitivities: &[Sensitivity], language: Language) -> Markup {
     let head = [
         language.pick("Input", "입력").to_string(),
-        language.pick("In the file", "파일의 위치").to_string(),
         language
             .pick(
                 "change of λ (%) for +1 % of the input",
@@ -92,7 +91,6 @@ fn sensitivity_table(sensitivities: &[Sensitivity], language: Language) -> Marku
         .map(|s| {
             vec![
                 path_words(&s.input, language).into(),
-                s.input.clone().into(),
                 signed(s.elasticity).into(),
                 s.cov.map_or("–".into(), |cov| percent(cov, 2)).into(),
                 s.cov
@@ -106,7 +104,7 @@ fn sensitivity_table(sensitivities: &[Sensitivity], language: Language) -> Marku
         format!("Sensitivity of the load factor, {shown} of {} inputs. Elasticity at the values given, by central difference.", sensitivities.len()),
         format!("하중계수의 민감도, 입력 {total}개 중 {shown}개. 주어진 값에서 중앙차분으로 구한 탄성도이다.", total = sensitivities.len()),
     );
-    table(&caption, 2, &head, &rows)
+    table(&caption, 1, &head, &rows)
 }
 
 fn signed(value: f64) -> String {

@@ -21,6 +21,14 @@ impl Cell {
         }
     }
 
+    /// Words or a list too long for one line.
+    pub(super) fn wrapping(text: impl Into<String>) -> Self {
+        Cell {
+            text: text.into(),
+            class: "wrap",
+        }
+    }
+
     /// A number that says it falls.
     pub(super) fn bad(text: impl Into<String>) -> Self {
         Cell {
