@@ -172,7 +172,12 @@ fn from_record(
     if found.modes.is_empty() {
         return Ok(Vec::new());
     }
-    let notes: Vec<String> = found.left_out.iter().map(ToString::to_string).collect();
+    let mut notes: Vec<String> = found.left_out.iter().map(ToString::to_string).collect();
+    notes.push(format!(
+        "The {} modes used are taken as the lowest of direction {direction}, none missed between them: if one was, every stiffness \
+         is wrong.",
+        found.modes.len()
+    ));
     stiffness_of(project, direction, &found.modes, &notes)
 }
 

@@ -210,3 +210,70 @@ fn refuses_a_survey_that_is_not_there_and_a_folder_without_a_project() {
         answer.stderr
     );
 }
+
+#[test]
+fn holds_a_record_of_a_frame_gives_back_the_stiffness_it_was_made_with() {
+    use dolmen::modal::{MadeMode, MadeRecord};
+    use dolmen::structure::{Convention, Frame, Storey};
+    let storey = |mass_kg, height_m, axial_n| Storey {
+        mass_kg,
+        height_m,
+        axial_n,
+    };
+    let storeys = vec![storey(290e3, 5.84, 5919e3), storey(314e3, 7.69, 3077e3)];
+    let truth = [185.18e6, 16.85e6]; // the other root of its frequencies: 32.65 and 96.14 MN/m
+    let modes = Frame::new(storeys, Convention::Drift)
+        .unwrap()
+        .natural_modes(&truth)
+        .unwrap();
+    let made = MadeRecord {
+        modes: modes
+            .iter()
+            .map(|mode| MadeMode {
+                frequency_hz: mode.frequency_hz,
+                damping_ratio: 0.02,
+                shape: mode.displacement.clone(),
+            })
+            .collect(),
+        seed: 1,
+        ..Default::default()
+    };
+    let record = made.make().unwrap();
+    let mut csv = String::from("low,high\n");
+    for (low, high) in record.samples(0).iter().zip(record.samples(1)) {
+        csv += &format!("{low:e},{high:e}\n");
+    }
+    let scratch = Scratch::new("inverse");
+    fs::write(scratch.path().join("record.csv"), csv).unwrap();
+    let project = format!(
+        "schema = 1\nkind = \"frame\"\nname = {{ en = \"Gate\" }}\nunits = {{ force = \"kN\", mass = \"t\" }}\naxial = \"storey\"\n\
+         storeys = [{{ mass = 290, height = 5.84, axial_force = 5919 }}, {{ mass = 314, height = 7.69, axial_force = 3077 }}]\n\
+         [survey.s.records]\nfile = \"record.csv\"\nsampling_rate = \"{} Hz\"\nchannels = [\n\
+         {{ column = \"low\", position = [0, 0, 5.84], direction = \"x\" }},\n\
+         {{ column = \"high\", position = [0, 0, 13.53], direction = \"x\" }},\n]\n",
+        record.sampling_rate_hz()
+    );
+    fs::write(scratch.path().join("project.toml"), project).unwrap();
+    let answer = scratch.dolmen("identify project.toml --json");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let value: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let drift = &value["surveys"][0]["stiffness"][0];
+    assert_eq!(
+        (drift["convention"].as_str(), drift["choice"].as_str()),
+        (Some("drift"), Some("one")),
+        "{drift:#}"
+    );
+    let solution = &drift["solutions"][0];
+    for i in 0..2 {
+        let (k, sd) = (
+            solution["stiffness"][i].as_f64().unwrap(),
+            solution["stiffness_sd"][i].as_f64().unwrap(),
+        );
+        assert!(
+            (k - truth[i]).abs() < 3.0 * sd && sd < 0.2 * truth[i],
+            "k{} = {k} ± {sd}, made with {}",
+            i + 1,
+            truth[i]
+        );
+    }
+}

@@ -9,7 +9,7 @@ pub struct ShapePoint {
     pub height_m: f64,
     /// Displacement, any scale that all points of the mode share.
     pub displacement: f64,
-    /// Standard deviation of it, same scale; 0 if taken as exact.
+    /// Standard deviation of it, same scale; 0 if taken as exact, as at the point where the scale was set.
     pub displacement_sd: f64,
 }
 

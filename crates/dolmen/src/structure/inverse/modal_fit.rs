@@ -170,6 +170,12 @@ impl ModalFit {
     }
 }
 
+/// The point at which the others' scale was taken has no scatter of its own: it gets this share of the least of theirs.
+/// Small enough to pin the scale there, large enough to keep the problem well conditioned. Chosen here.
+const EXACT_SHARE: f64 = 1e-3;
+/// A standard deviation below this share of the largest displacement is rounding of 0.
+const ROUNDING: f64 = 1e-12;
+
 /// The points of a mode, over their sd; `None` with fewer than 2, since the scale is free.
 fn shape(
     structure: &impl Sprung,
@@ -189,11 +195,20 @@ fn shape(
         measured: Vec::new(),
         sd: Vec::new(),
     };
+    let given = mode.shape.iter().map(|point| point.displacement_sd);
+    let least = given
+        .filter(|&sd| sd > ROUNDING * largest)
+        .fold(f64::INFINITY, f64::min);
+    let exact = if least.is_finite() {
+        EXACT_SHARE * least
+    } else {
+        stand_in * largest
+    };
     for point in &mode.shape {
-        let sd = if point.displacement_sd > 0.0 {
+        let sd = if point.displacement_sd > ROUNDING * largest {
             point.displacement_sd
         } else {
-            stand_in * largest
+            exact
         };
         shape.sensors.push(reduce(&structure.sensor(point.height_m)?)?);
         shape.measured.push(point.displacement / sd);

@@ -76,8 +76,13 @@ pub(super) enum Weighting {
 impl Weighting {
     pub(super) fn of(modes: &[MeasuredMode]) -> Self {
         let all = modes.iter().flat_map(|mode| {
-            let points = mode.shape.iter().map(|point| point.displacement_sd);
-            points.chain([mode.frequency_sd_hz])
+            // one point without scatter among others with it is where the scale was taken
+            let shape = mode
+                .shape
+                .iter()
+                .map(|point| point.displacement_sd)
+                .reduce(f64::max);
+            shape.into_iter().chain([mode.frequency_sd_hz])
         });
         let (given, count) = all.fold((0, 0), |(given, count), sd| {
             (given + usize::from(sd > 0.0), count + 1)
