@@ -87,7 +87,6 @@ impl Sprung for Chain {
     const KIND: &'static str = "chain";
     const PARTS: &'static str = "links";
     const SPRING: &'static str = "joint";
-    const PROPORTION: &'static str = "the weight moment above each joint";
 
     fn model(&self) -> Result<SpringModel, StructureError> {
         let n = self.links().len();
@@ -111,6 +110,10 @@ impl Sprung for Chain {
 
     fn proportion(&self) -> Vec<f64> {
         self.necessary_n_m_rad()
+    }
+
+    fn proportion_words(&self) -> &'static str {
+        "the weight moment above each joint"
     }
 
     fn natural_modes_with(&self, stiffness: &[f64]) -> Result<Vec<NaturalMode>, StructureError> {

@@ -74,8 +74,6 @@ impl Sprung for Frame {
     const KIND: &'static str = "frame";
     const PARTS: &'static str = "storeys";
     const SPRING: &'static str = "storey";
-    const PROPORTION: &'static str = "the mass moment above each storey over its height, which makes the first shape \
-                                      nearly straight";
 
     fn model(&self) -> Result<SpringModel, StructureError> {
         let n = self.storeys().len();
@@ -137,6 +135,15 @@ impl Sprung for Frame {
             .collect();
         proportion.reverse();
         proportion
+    }
+
+    fn proportion_words(&self) -> &'static str {
+        match self.convention() {
+            Convention::Drift => {
+                "the mass moment above each storey over its height (a nearly straight first shape)"
+            }
+            Convention::Grounded => "the mass above each storey",
+        }
     }
 
     fn natural_modes_with(&self, stiffness: &[f64]) -> Result<Vec<NaturalMode>, StructureError> {

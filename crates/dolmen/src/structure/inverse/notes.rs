@@ -58,7 +58,7 @@ pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, cho
             if shapes > 0 { " with shape points" } else { "" },
             search.independent,
             if search.independent == 1 { "datum" } else { "data" },
-            S::PROPORTION
+            search.structure.proportion_words()
         )),
         Choice::Indistinguishable => notes.push(format!(
             "{as_good} sets of {spring} stiffness explain the data equally well and all stand ({how_found}). {} cannot \

@@ -54,8 +54,6 @@ pub(crate) trait Sprung {
     const PARTS: &'static str;
     /// What has a stiffness: "joint", "storey".
     const SPRING: &'static str;
-    /// What the first guess of [`Sprung::proportion`] is in proportion to.
-    const PROPORTION: &'static str;
 
     fn model(&self) -> Result<SpringModel, StructureError>;
 
@@ -64,6 +62,9 @@ pub(crate) trait Sprung {
 
     /// A first guess of the stiffnesses, up to a factor.
     fn proportion(&self) -> Vec<f64>;
+
+    /// What [`Sprung::proportion`] is in proportion to.
+    fn proportion_words(&self) -> &'static str;
 
     fn natural_modes_with(&self, stiffness: &[f64]) -> Result<Vec<NaturalMode>, StructureError>;
 
