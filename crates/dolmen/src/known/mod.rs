@@ -3,3 +3,4 @@
 
 pub mod choi_2021;
 pub mod columns;
+pub mod park_min_2010;

@@ -1,4 +1,4 @@
-use super::{ValidationError, choi_2021, columns};
+use super::{ValidationError, choi_2021, columns, park_min_2010};
 
 /// One number of a source beside ours.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,6 @@ impl Case {
 /// # Ok::<(), dolmen::validation::ValidationError>(())
 /// ```
 pub fn cases() -> Result<Vec<Case>, ValidationError> {
-    let sources = [choi_2021::cases()?, columns::cases()?];
+    let sources = [choi_2021::cases()?, columns::cases()?, park_min_2010::cases()?];
     Ok(sources.into_iter().flatten().collect())
 }

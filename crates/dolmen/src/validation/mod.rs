@@ -5,7 +5,9 @@ mod case;
 mod choi_2021;
 mod columns;
 mod error;
+mod park_min_2010;
 
 pub use case::{Case, cases};
 pub use choi_2021::naju_flagpole;
 pub use error::ValidationError;
+pub use park_min_2010::{heunginjimun_gate, heunginjimun_gate_as_printed};

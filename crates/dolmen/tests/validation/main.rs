@@ -7,4 +7,5 @@ mod choi_2021;
 mod columns;
 mod draws;
 mod made_records;
+mod park_min_2010;
 mod pyoma2;
