@@ -224,7 +224,7 @@ fn holds_sensors_on_the_lowest_link_alone_add_nothing() {
     let found = identify(&chain, &measured(&chain, &k, 1, &[0.5, 1.0, 1.5, 2.0, 2.5, 3.0]));
     assert_eq!(found.choice, Choice::Underdetermined);
     assert_eq!(found.visibility.unwrap().free_directions, 4);
-    assert!(found.notes[0].starts_with("1 frequency with shape points give 1 independent datum"));
+    assert!(found.notes[0].starts_with("1 frequency with shape points gives 1 independent datum"));
 }
 
 #[test]

@@ -300,7 +300,7 @@ fn holds_one_frequency_of_the_strong_axis_is_an_honest_answer() {
     assert_eq!(found.solutions[0].stiffness_sd, None);
     assert!((found.solutions[0].modes[0].frequency_hz / paper::STRONG_HZ - 1.0).abs() < 1e-9);
     assert!(
-        found.notes[0].starts_with("1 frequency give"),
+        found.notes[0].starts_with("1 frequency gives 1 independent datum for 2 storey stiffnesses: "),
         "{}",
         found.notes[0]
     );

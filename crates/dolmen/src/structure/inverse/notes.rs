@@ -51,11 +51,12 @@ pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, cho
              shown is one of many that fit as well."
         )),
         Choice::Underdetermined => notes.push(format!(
-            "{modes} {}{} give {} independent {} for {parts} {spring} stiffnesses: they cannot be determined. The set \
+            "{modes} {}{} {} {} independent {} for {parts} {spring} stiffnesses: they cannot be determined. The set \
              shown fits the data and is the nearest to stiffness in proportion to {}, an assumption and not \
              a measurement. Measure more modes, or shapes at several heights.",
             if modes == 1 { "frequency" } else { "frequencies" },
             if shapes > 0 { " with shape points" } else { "" },
+            if modes == 1 { "gives" } else { "give" },
             search.independent,
             if search.independent == 1 { "datum" } else { "data" },
             search.structure.proportion_words()
