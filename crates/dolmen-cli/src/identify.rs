@@ -8,7 +8,9 @@ use dolmen::structure::{
     Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, chain_stiffness,
     directional_modes, frame_stiffness,
 };
+use dolmen_formats::Language;
 use dolmen_formats::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen_formats::figures;
 use dolmen_formats::json::identification_json;
 use dolmen_formats::project::{ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_formats::text::identification_text;
@@ -42,6 +44,12 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             &folder.join("identification.json"),
             format!("{json:#}\n").as_bytes(),
         )?;
+        for figure in figures::identification(&answer, Language::English) {
+            files::write(
+                &folder.join(format!("{}.svg", figure.name)),
+                figure.svg.as_bytes(),
+            )?;
+        }
         if !quiet {
             eprintln!("figures and identification.json are in {}", folder.display());
         }

@@ -4,6 +4,7 @@ use crate::check::{self, Sampling};
 use crate::cli::{Demo, Language as Chosen, Report};
 use crate::{Outcome, files, identify, new, open};
 use anyhow::Result;
+use dolmen::structure::{Choice, Convention};
 use dolmen_formats::Language;
 use dolmen_formats::answer::Answer;
 use dolmen_formats::report::{Imprint, html};
@@ -127,14 +128,19 @@ fn summary(answer: &Answer) -> String {
             parts.push(format!("modes at {} Hz", found.join(", ")));
         }
         for stiffness in &survey.stiffness {
-            let (direction, solutions) = (&stiffness.direction, stiffness.solutions.solutions.len());
-            let convention = stiffness.convention.map_or("", |c| match c {
-                dolmen::structure::Convention::Drift => " (drift)",
-                dolmen::structure::Convention::Grounded => " (grounded)",
-            });
-            parts.push(format!(
-                "{solutions} stiffnesses explain direction {direction}{convention}"
-            ));
+            let convention = match stiffness.convention {
+                Some(Convention::Drift) => " (drift)",
+                Some(Convention::Grounded) => " (grounded)",
+                None => "",
+            };
+            let found = &stiffness.solutions;
+            let what = match found.choice {
+                Choice::One => "one stiffness explains".to_owned(),
+                Choice::Indistinguishable => format!("{} stiffnesses explain", found.solutions.len()),
+                Choice::Underdetermined => "too few data for the stiffness of".to_owned(),
+                Choice::Impossible => "no stiffness explains".to_owned(),
+            };
+            parts.push(format!("{what} direction {}{convention}", stiffness.direction));
         }
     }
     parts.join("; ")
