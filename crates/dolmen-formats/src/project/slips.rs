@@ -1,19 +1,20 @@
 //! Probable slips of unit: values that are possible in themselves, but not beside each other or in this world.
 //!
-//! A slip between units of one kind is a factor of 1000 (mm, kN, t), seldom 10, 100 or 57.3. Each bound below lies
-//! between the widest real structures we know and the mildest slip of 1000, so that neither is mistaken for the
-//! other. What they refuse can be let pass with `allow`. Slips of 10 to 100 cannot be told from real structures.
+//! A slip between units of one kind is a factor of 1000 (mm, kN, t), seldom 10, 100 or 57.3. Each bound lies outside
+//! the widest real structures we know, with room; a slip of 1000 in a part that is like the others crosses it. A slip
+//! in a part that was already odd the other way does not, nor do slips of 10 to 100. What is refused can be let pass
+//! with `allow`.
 //!
-//! | what is compared | real structures | after a slip of 1000 | bound |
+//! | what is compared | real structures | slip of 1000 in a flagpole or gate | bound |
 //! |:--|:--|:--|:--|
-//! | mass per length of a link / median of the others | 1/92 (iron finial on stone drums) to 13 | 76 and more | 200 |
-//! | side of a link as a block of stone / height of the whole | 0.006 (antenna tube) to 1.5 (squat statue) | ≤ 0.002, ≥ 1.9 (flagpole) | 0.004 to 1.5 |
-//! | length of a link / median of the others | 1/70 to 10 | 14 and more | 100 |
-//! | joint stiffness / (P H), over the median of the others | 1/100 to 100 (wedged base, loose tops) | 10 and more | 300 |
-//! | mass of a storey | 1 t (open pavilion) to 20 000 t | | same |
-//! | axial force / weight above | 0.5 to 2 (columns and loads counted differently) | ≤ 0.002, ≥ 500 | 0.2 to 5 |
-//! | √(k/m)/2π of a storey | 0.3 to 30 Hz | a factor of 32 | 0.2 to 60 Hz |
-//! | measured frequency | 0.1 Hz (high tower) to 100 Hz (small stone) | | 0.05 to 200 Hz |
+//! | mass per length of a link / median of the others | 1/92 (iron finial on stone drums) to 13 | 1/550, 550 and more | 200 |
+//! | side of a link as a block of stone / height of the whole | 0.006 (antenna tube) to 1.4 (squat statue) | 0.002, 1.9 (lowest link) | 0.004 to 1.5 |
+//! | length of a link / median of the others | 1/70 to 10 | 370 and more | 100 |
+//! | joint stiffness / (P H) over the median of the others | 1/100 to 100 (wedged base, loose tops) | 1000 | 300 |
+//! | mass of a storey | 1 t (open pavilion) to 20 000 t | 0.3 t, 290 000 t | 1 t to 20 000 t |
+//! | axial force / weight above | 0.5 to 2 (columns and loads counted differently) | 1/1000, 1000 | 0.2 to 5 |
+//! | √(k/m)/2π of a storey | 0.3 to 30 Hz | 0.05 to 0.13, 50 to 130 Hz | 0.2 to 60 Hz |
+//! | measured frequency | 0.1 Hz (high tower) to 100 Hz (small stone) | 0.001, 1000 Hz | 0.05 to 200 Hz |
 
 use super::chain::Heaviness;
 use super::content::Structure;

@@ -444,6 +444,36 @@ modal = { frequency_high_hz = 10, order_most = 40, modes_wanted = 3 }
     assert_eq!(records.modal.modes_wanted, Some(3));
 }
 
+#[test]
+fn holds_the_listings_of_the_book_are_read_and_its_errors_are_what_is_said() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/project-file.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let blocks = |fence: &str| -> Vec<String> {
+        let parts = page.split(fence).skip(1);
+        parts
+            .map(|part| part.split("\n```").next().unwrap().trim_start().to_owned())
+            .collect()
+    };
+    let listings = blocks("```toml\n");
+    assert_eq!(listings.len(), 2);
+    for listing in listings {
+        read(&listing);
+    }
+    let said = [
+        refused(&chain_with(&[("centroid = 1.18", "centroid = 5.2")])),
+        refused(&chain_with(&[(
+            "joints = \"unknown\"\n",
+            "\n[survey.2010-05-12]\ntemperature_c = 18\njoints = \"unknown\"\n",
+        )])),
+        refused(&chain_with(&[("15.13", "15130")])),
+    ];
+    let errors = blocks("```text\n");
+    assert_eq!(
+        errors.iter().map(|error| error.trim_end()).collect::<Vec<_>>(),
+        said.each_ref().map(|s| s.trim_end())
+    );
+}
+
 /// Columns that a text takes on a terminal, Hangul two each: counted here without the product's own code.
 fn columns(text: &str) -> usize {
     text.chars()
