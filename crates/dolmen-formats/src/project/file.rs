@@ -2,7 +2,7 @@
 //! that one problem does not hide the next; which keys are required stands in the schema, where the check against
 //! the schema finds it.
 
-use super::file_number::{At, OrUnknown, QuantityRaw};
+use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::file_survey::SurveyRaw;
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
@@ -25,6 +25,8 @@ pub(super) struct FileRaw {
     pub(super) description: Option<String>,
     /// Where the numbers come from.
     pub(super) source: Option<String>,
+    /// Where every number of the file comes from that does not say it itself; numbers written in a variant are left out.
+    pub(super) evidence: Option<EvidenceRaw>,
     /// Units of bare numbers; SI where none is given.
     pub(super) units: Option<UnitsRaw>,
     /// Acceleration of gravity that turns weights into masses, m/s² unless units.acceleration says otherwise;

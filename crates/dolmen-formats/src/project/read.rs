@@ -14,8 +14,10 @@ use super::reader::{Reader, names};
 use super::schema::{KEYS_OF_KIND, SCHEMA_VERSION, kind_word};
 use super::slips;
 use super::units::STANDARD_GRAVITY_M_S2;
+use dolmen::structure::StructureError;
 use serde::Deserialize;
 use std::borrow::Cow;
+use std::collections::BTreeSet;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -76,7 +78,7 @@ fn read(text: &str) -> Result<Project, Vec<Fault>> {
     let variants = root.remove("variant");
     let mut base = root.clone();
     let mut faults = Vec::new();
-    let project = read_one(text, &mut base, &span, &mut faults);
+    let project = read_one(text, (&mut base, &span), None, &mut faults);
     let mut read_variants = Vec::new();
     if let Some(variants) = variants {
         let DeValue::Table(table) = variants.get_ref() else {
@@ -150,10 +152,12 @@ fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
 }
 
 /// Reads one whole structure, the file's own or a merged variant.
+///
+/// `own` are the starts of the file's own values, if it is a variant.
 fn read_one<'i>(
     text: &str,
-    root: &mut DeTable<'i>,
-    span: &Range<usize>,
+    (root, span): (&mut DeTable<'i>, &Range<usize>),
+    own: Option<BTreeSet<usize>>,
     faults: &mut Vec<Fault>,
 ) -> Option<Project> {
     let mut check = SchemaCheck::new(text);
@@ -172,7 +176,7 @@ fn read_one<'i>(
             return None;
         }
     };
-    let project = of_raw(text, raw, &mut check);
+    let project = of_raw(text, raw, own, &mut check);
     let sound = check.faults.is_empty();
     faults.append(&mut check.faults);
     project.filter(|_| sound)
@@ -203,13 +207,19 @@ fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
     }
 }
 
-fn of_raw(text: &str, mut raw: FileRaw, check: &mut SchemaCheck<'_, '_>) -> Option<Project> {
+fn of_raw(
+    text: &str,
+    mut raw: FileRaw,
+    own: Option<BTreeSet<usize>>,
+    check: &mut SchemaCheck<'_, '_>,
+) -> Option<Project> {
     let kind = raw.kind.as_ref().map(|kind| kind.value);
     let mut reader = Reader::new(
         raw.units.as_ref(),
         kind.unwrap_or(KindRaw::Survey),
         raw.allow.take(),
     );
+    reader.set_evidence(raw.evidence, own);
     reader.take_over(&mut check.faults, std::mem::take(&mut check.meant));
     let gravity = reader.quantity(
         raw.gravity.as_ref(),
@@ -242,6 +252,7 @@ fn of_raw(text: &str, mut raw: FileRaw, check: &mut SchemaCheck<'_, '_>) -> Opti
     if !reader.has_wrong_units {
         slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
     }
+    buildable(&mut reader, structure.as_ref());
     let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
     let mut project = match (schema, structure, name) {
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
@@ -263,6 +274,25 @@ fn of_raw(text: &str, mut raw: FileRaw, check: &mut SchemaCheck<'_, '_>) -> Opti
     warn_of_assumed(&mut reader, &project);
     project.warnings = reader.take_warnings(text);
     Some(project)
+}
+
+/// What the science refuses beyond what has been checked here: storeys whose axial force grows upwards.
+fn buildable(reader: &mut Reader, structure: Option<&Structure>) {
+    if !reader.faults.is_empty() {
+        return;
+    }
+    let (built, path) = match structure {
+        Some(Structure::Chain(chain)) => (chain.build(&mut Quantity::nominal).map(|_| ()), "links"),
+        Some(Structure::Frame(frame)) => (frame.build(&mut Quantity::nominal).map(|_| ()), "storeys"),
+        Some(Structure::Survey) | None => return,
+    };
+    if let Err(why) = built {
+        let path = match &why {
+            StructureError::AxialOrder { storey, .. } => format!("storeys[{storey}].axial_force"),
+            _ => path.to_owned(),
+        };
+        reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+    }
 }
 
 fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<super::content::Names> {
@@ -343,7 +373,11 @@ fn variant<'i>(
     let (base, span) = base;
     let mut merged = base.clone();
     let mut own = merge(&mut merged, &table, "");
-    let project = read_one(text, &mut merged, span, &mut own);
+    let mut starts = BTreeSet::new();
+    for value in base.iter().map(|(_, value)| value) {
+        value_starts(value, &mut starts);
+    }
+    let project = read_one(text, (&mut merged, span), Some(starts), &mut own);
     for fault in own {
         // What the file itself does wrong has been said already.
         if !faults[..before].contains(&fault) {
@@ -355,6 +389,16 @@ fn variant<'i>(
         title,
         project: project?,
     })
+}
+
+/// Where a value and all values within it start.
+fn value_starts(node: &Spanned<DeValue<'_>>, starts: &mut BTreeSet<usize>) {
+    starts.insert(node.span().start);
+    match node.get_ref() {
+        DeValue::Array(list) => list.iter().for_each(|value| value_starts(value, starts)),
+        DeValue::Table(table) => table.iter().for_each(|(_, value)| value_starts(value, starts)),
+        _ => {}
+    }
 }
 
 fn title<'i>(

@@ -10,7 +10,7 @@ use super::reader::{Reader, short};
 use super::records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
-use super::units::{Dimension, parse_unit};
+use crate::records::Unit;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -196,20 +196,12 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
     })
 }
 
-/// The unit of samples must be one of an acceleration, a velocity or a displacement.
+/// The unit of samples must be one that the readers of records know.
 fn sample_unit(reader: &mut Reader, unit: &At<String>, path: &str) {
-    let allowed = "must be an acceleration, a velocity or a length: m/s2, g, gal, mm/s, mm";
-    let fault = Fault::new(
-        unit.span.clone(),
-        path,
-        format!("{path} = \"{}\" is no unit of vibration", unit.value),
-    );
-    match parse_unit(&unit.value) {
-        Ok(read)
-            if [Dimension::ACCELERATION, Dimension::VELOCITY, Dimension::LENGTH]
-                .contains(&read.dimension) => {}
-        Ok(_) => reader.fault(fault.allowed(allowed)),
-        Err(why) => reader.fault(fault.allowed(allowed).help(why.help())),
+    if let Err(why) = Unit::parse(&unit.value) {
+        let message = format!("{path} = \"{}\" is no unit of vibration", unit.value.trim());
+        let fault = Fault::new(unit.span.clone(), path, message);
+        reader.fault(fault.allowed("unknown unit").help(why.to_string()));
     }
 }
 

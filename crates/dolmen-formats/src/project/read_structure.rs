@@ -318,6 +318,7 @@ pub(super) fn frame(
     if !countable(reader, list, "storeys") {
         return None;
     }
+    reader.mark("storeys", &list.span);
     let numbered = list.value.iter().enumerate();
     let storeys: Vec<Option<StoreyPart>> = numbered
         .map(|(i, raw)| storey(reader, raw, &format!("storeys[{}]", i + 1)))
@@ -346,7 +347,6 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
     }
     match (count, raw.axial.as_ref()) {
         (0, None) => {
-            reader.mark("storeys", &storeys.span);
             let message = "no axial_force: taken as the weight of the masses at the storey's top and above; \
                            axial_force = 0 would leave P-delta out";
             reader.warn(WarningKind::AxialFromMasses, "storeys", message.to_owned());

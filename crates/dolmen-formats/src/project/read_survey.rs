@@ -64,6 +64,9 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             listed.extend(mode(reader, raw, &format!("{path}.modes.{direction}[{}]", i + 1)));
         }
     }
+    for listed in modes.values() {
+        ascending(reader, listed);
+    }
     let mut tilt = BTreeMap::new();
     for (direction, raw) in raw.tilt.iter().flatten() {
         if let Some(read) = self::tilt(reader, raw, &format!("{path}.tilt.{direction}")) {
@@ -88,6 +91,30 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             .records
             .as_ref()
             .and_then(|raw| records(reader, raw, &format!("{path}.records"))),
+    }
+}
+
+/// Translation modes of a direction are numbered by their place: each must lie above the one before it.
+fn ascending(reader: &mut Reader, listed: &[SurveyMode]) {
+    let translation: Vec<&SurveyMode> = listed
+        .iter()
+        .filter(|mode| mode.kind == ModeKind::Translation)
+        .collect();
+    for pair in translation.windows(2) {
+        let [before, after] = pair else { continue };
+        if after.frequency.value <= before.frequency.value {
+            let path = &after.frequency.path;
+            let message = format!(
+                "{path} = {} does not lie above the mode before it",
+                after.frequency.written
+            );
+            let fault = Fault::new(reader.place(path), path, message);
+            reader.fault(
+                fault
+                    .allowed(format!("must be above {}", before.frequency.written))
+                    .help("list the modes of a direction in ascending order, each once"),
+            );
+        }
     }
 }
 

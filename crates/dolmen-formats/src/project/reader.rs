@@ -7,7 +7,7 @@ use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
 use super::units::{Dimension, Unit, UnitError, parse_unit, split_number};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// The unit of bare numbers of one measure: as written, and what it is.
@@ -23,6 +23,10 @@ pub(super) struct Reader {
     units: BTreeMap<Measure, BareUnit>,
     places: BTreeMap<String, Range<usize>>,
     allow: Vec<(At<String>, bool)>,
+    /// Where numbers come from that do not say it.
+    evidence: Option<Evidence>,
+    /// Where the file's own values start, if a variant is read: only they have the default evidence.
+    own: Option<BTreeSet<usize>>,
     /// Paths that a misspelt key was probably meant for.
     meant: Vec<String>,
     /// Whether a unit of bare numbers is wrong: their size then says nothing.
@@ -67,6 +71,12 @@ impl Reader {
             }
         }
         reader
+    }
+
+    /// Where numbers come from that do not say it: all, or those that start at one of `own`.
+    pub(super) fn set_evidence(&mut self, evidence: Option<EvidenceRaw>, own: Option<BTreeSet<usize>>) {
+        self.evidence = evidence.map(self::evidence);
+        self.own = own;
     }
 
     /// Takes over what the check against the schema found.
@@ -323,8 +333,12 @@ impl Reader {
             path: path.to_owned(),
             written: number.written,
         };
+        let is_own = |own: &BTreeSet<usize>| own.contains(&raw.span.start);
+        if self.own.as_ref().is_none_or(is_own) {
+            quantity.source = self.evidence;
+        }
         if let Some(table) = table {
-            quantity.source = table.source.map(evidence);
+            quantity.source = table.source.map(evidence).or(quantity.source);
             quantity.note.clone_from(&table.note);
             quantity.cov = match (&table.cov, &table.sd) {
                 (Some(_), Some(sd)) => {
@@ -342,7 +356,7 @@ impl Reader {
                 (None, None) => None,
             };
             if quantity.cov.is_some() {
-                quantity.cov_source = table.cov_source.or(table.source).map(evidence);
+                quantity.cov_source = table.cov_source.map(evidence).or(quantity.source);
             }
         }
         Some(quantity)

@@ -330,6 +330,37 @@ fn holds_a_variant_with_a_new_value_drops_the_old_scatter() {
 }
 
 #[test]
+fn holds_the_evidence_of_the_file_is_that_of_its_own_numbers_alone() {
+    let text = chain_with(&[
+        ("units", "evidence = \"literature\"\nunits"),
+        (
+            "weight = 15.13",
+            "weight = { value = 15.13, cov = 0.1, source = \"test\" }",
+        ),
+        ("weight = 6.78", "weight = { value = 6.78, cov = 0.1 }"),
+    ]);
+    let text =
+        format!("{text}\n[variant.a]\nlinks = {{ 1 = {{ centroid = 1.5, length = {{ value = 3.7 }} }} }}\n");
+    let project = read(&text);
+    let source = |project: &Project, path: &str| project.input(path).unwrap().source;
+    assert_eq!(source(&project, "links[1].weight"), Some(Evidence::Literature));
+    assert_eq!(source(&project, "links[2].weight"), Some(Evidence::Test));
+    assert_eq!(
+        project.input("links[2].weight").unwrap().cov_source,
+        Some(Evidence::Test)
+    );
+    assert_eq!(
+        project.input("links[3].weight").unwrap().cov_source,
+        Some(Evidence::Literature)
+    );
+    let variant = &project.variants[0].project;
+    assert_eq!(source(variant, "links[1].weight"), Some(Evidence::Literature));
+    // Whoever writes a new number says where it comes from.
+    assert_eq!(source(variant, "links[1].centroid"), None);
+    assert_eq!(source(variant, "links[1].length"), None);
+}
+
+#[test]
 fn holds_allow_lets_a_slip_pass_and_says_so() {
     let text = chain_with(&[
         ("15.13", "15130"),

@@ -455,7 +455,8 @@ error: survey.a.records.unit = "kN" is no unit of vibration
    --> project.toml:14:8
     |
  14 | unit = "kN"
-    |        ^^^^ must be an acceleration, a velocity or a length: m/s2, g, gal, mm/s, mm
+    |        ^^^^ unknown unit
+    = help: the unit "kN" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, or "unknown" to keep the numbers as they are
 
 error: survey.a.records.channels[1].column = 0 is outside its range
    --> project.toml:16:14

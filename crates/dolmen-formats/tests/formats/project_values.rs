@@ -480,6 +480,38 @@ error: survey.a.modes.x[1].damping_ratio = 2, but structures have 0.005 to 0.1
 }
 
 #[test]
+fn refuses_frequencies_that_do_not_ascend() {
+    let text = format!(
+        "{CHAIN}\n{}",
+        r#"[survey.a]
+frequencies = { x = [4.9, 4.6] }
+"#
+    );
+    let said = r##"
+error: survey.a.frequencies.x[2] = 4.6 Hz does not lie above the mode before it
+   --> project.toml:13:27
+    |
+ 13 | frequencies = { x = [4.9, 4.6] }
+    |                           ^^^ must be above 4.9 Hz
+    = help: list the modes of a direction in ascending order, each once
+"##;
+    assert_eq!(refused(&text), said.trim_start_matches('\n'));
+}
+
+#[test]
+fn refuses_axial_forces_that_grow_upwards() {
+    let text = frame_with(&[(r#"5919"#, r#"1300"#)]);
+    let said = r##"
+error: storey 1: axial_n is 1300000, less than the 3077000 of the storey above it, but a storey carries its own level and all above: if these are the loads of the levels alone, sum them from the top first
+  --> project.toml:7:46
+   |
+ 7 |   { mass = 290, height = 5.84, axial_force = 1300 },
+   |                                              ^^^^
+"##;
+    assert_eq!(refused(&text), said.trim_start_matches('\n'));
+}
+
+#[test]
 fn refuses_a_tilt_upside_down() {
     let text = format!(
         "{CHAIN}\n{}",
