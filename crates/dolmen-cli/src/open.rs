@@ -3,7 +3,8 @@
 use crate::files;
 use anyhow::{Context as _, Result};
 use dolmen::signal::{
-    Channel, ChannelFault, Record, Trend, band_pass, cut, decimate, detrend, inspect, leave_out, low_pass,
+    Channel, ChannelFault, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
+    inspect, low_pass,
 };
 use dolmen_formats::project::{ChannelSource, Column, Conditioning, Project, RecordSource, parse_project};
 use dolmen_formats::records::{self, Delimiter, Pick, RecordOptions, TimeColumn, Unit, read_record};
@@ -32,21 +33,20 @@ pub(crate) struct OpenedRecord {
     pub(crate) faults: Vec<ChannelFault>,
 }
 
-/// Reads the record file of a survey, looks for faulty channels, leaves out those that the project says, conditions.
+/// Reads the record file of a survey but for the channels to be left out (they may hold anything, NaN too), looks for faulty
+/// channels, conditions.
 pub(crate) fn record(source: &RecordSource, project_file: &Path) -> Result<OpenedRecord> {
     let path = project_file.parent().unwrap_or(Path::new(".")).join(&source.file);
     let shown = || path.display().to_string();
-    let record = read_record(&files::read(&path)?, &options(source).with_context(shown)?)
+    let mut record = read_record(&files::read(&path)?, &options(source).with_context(shown)?)
         .with_context(shown)?
         .record;
-    let (channels, samples) = (record.channels().len(), record.length());
+    let left_out: Vec<String> = source.channels.iter().filter(|c| c.leave_out).map(name).collect();
+    let (channels, samples) = (record.channels().len() + left_out.len(), record.length());
     let sampling_rate_hz = record.sampling_rate_hz();
-    let dropped: Vec<&str> = source.channels.iter().filter(|c| c.leave_out).map(name).collect();
-    let record = if dropped.is_empty() {
-        record
-    } else {
-        leave_out(record, &dropped).with_context(shown)?
-    };
+    if !left_out.is_empty() {
+        record.note(Processing::LeftOut { channels: left_out });
+    }
     let faults = inspect(&record);
     let record = condition(record, &source.conditioning).with_context(shown)?;
     Ok(OpenedRecord {
@@ -58,10 +58,10 @@ pub(crate) fn record(source: &RecordSource, project_file: &Path) -> Result<Opene
     })
 }
 
-fn name(channel: &ChannelSource) -> &str {
+fn name(channel: &ChannelSource) -> String {
     match (&channel.name, &channel.column) {
-        (Some(name), _) | (None, Column::Name(name)) => name,
-        (None, Column::Number(_)) => "",
+        (Some(name), _) | (None, Column::Name(name)) => name.clone(),
+        (None, Column::Number(number)) => format!("ch{number}"),
     }
 }
 
@@ -74,27 +74,31 @@ fn column(column: &Column) -> records::Column {
 
 fn options(source: &RecordSource) -> Result<RecordOptions> {
     let pick = |channel: &ChannelSource| {
-        let name = match (&channel.name, &channel.column) {
-            (Some(name), _) | (None, Column::Name(name)) => name.clone(),
-            (None, Column::Number(number)) => format!("ch{number}"),
-        };
         let sensor = Channel {
             position_m: channel.position_m,
             direction: channel.direction,
-            ..Channel::named(name)
+            ..Channel::named(name(channel))
         };
         Pick {
             column: column(&channel.column),
             channel: sensor,
         }
     };
+    let used = source.channels.iter().filter(|c| !c.leave_out);
+    let picks: Vec<Pick> = used.map(pick).collect();
+    if picks.is_empty() && !source.channels.is_empty() {
+        return Err(SignalError::NothingLeft {
+            channels: source.channels.len(),
+        }
+        .into());
+    }
     Ok(RecordOptions {
         sampling_rate_hz: source.sampling_rate_hz,
         unit: match &source.unit {
             Some(unit) => Unit::parse(unit)?,
             None => Unit::default(),
         },
-        picks: source.channels.iter().map(pick).collect(),
+        picks,
         delimiter: source.delimiter.and_then(|sign| match sign {
             ',' => Some(Delimiter::Comma),
             ';' => Some(Delimiter::Semicolon),

@@ -191,6 +191,33 @@ fn refuses_bad_records_with_the_file_the_place_and_the_remedy() {
 }
 
 #[test]
+fn holds_a_channel_left_out_may_hold_anything() {
+    let scratch = Scratch::new("left_out");
+    let csv = swinging(|i, line| format!("{},{}\n", line.trim_end(), if i == 10 { "NaN" } else { "0.5" }));
+    let csv = csv.replacen("east", "east,loose", 1);
+    let channels = |leave_out: &str| {
+        let sound = ["north", "east"]
+            .map(|c| format!("{{ column = \"{c}\"{leave_out} }}"))
+            .join(", ");
+        format!("channels = [{sound}, {{ column = \"loose\", leave_out = true }}]")
+    };
+    let answer = survey(&scratch, &csv, &channels(""));
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(
+        answer.stdout.contains("loose"),
+        "what was left out is said: {}",
+        answer.stdout
+    );
+    let answer = survey(&scratch, &csv, &channels(", leave_out = true"));
+    assert_eq!(answer.status, 2);
+    assert!(
+        answer.stderr.contains("all 3 channels were to be left out"),
+        "{}",
+        answer.stderr
+    );
+}
+
+#[test]
 fn refuses_a_survey_that_is_not_there_and_a_folder_without_a_project() {
     let scratch = Scratch::with_examples("wrong");
     let answer = scratch.dolmen("identify examples/palisaden --survey spring");

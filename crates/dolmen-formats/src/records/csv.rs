@@ -29,7 +29,8 @@ const COUNT_TOLERANCE: f64 = 1e-3;
 /// fewer cells, uneven time stamps, no rate, a column that is not there.
 ///
 /// # Limits
-/// Time stamps are numbers, not dates. In a file without a line end after its last line, the last number may have been cut
+/// Time stamps are numbers, not dates; a column of dates is passed over, unchecked, where both the rate and the columns are
+/// told. In a file without a line end after its last line, the last number may have been cut
 /// short: see [`CsvLayout::last_line_ended`].
 ///
 /// # Example
@@ -46,6 +47,10 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes); // byte order mark of UTF-8
     let start = Start::find(bytes, options)?;
     let time = find_time(&start.columns, &options.time)?;
+    // dates: everything that stamps could tell is told
+    let told =
+        options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
+    let time = time.filter(|t| start.numeric[t.column] || !told);
     let plan = Plan::new(&start, options, time)?;
     if plan.channels.is_empty() {
         return Err(RecordError::OnlyTime {
@@ -386,6 +391,11 @@ impl LineReader<'_> {
         match parse_cell(cell, self.start.decimal.byte()) {
             Some(number) if number.value.is_finite() => Ok(Number { end, ..number }),
             Some(_) => Err(RecordError::NotFinite {
+                line,
+                column: name(),
+                text: text(),
+            }),
+            None if self.uses[column] == Use::Time => Err(RecordError::TimeText {
                 line,
                 column: name(),
                 text: text(),

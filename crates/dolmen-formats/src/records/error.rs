@@ -49,6 +49,19 @@ pub enum RecordError {
         /// What stands there.
         text: String,
     },
+    /// A time stamp is a date or other text.
+    #[error(
+        "line {line}, column \"{column}\": the time stamp \"{text}\" is not a number of seconds: give sampling_rate_hz and name \
+         the columns to read, then dates are passed over"
+    )]
+    TimeText {
+        /// Line of the file.
+        line: usize,
+        /// Name of the time column.
+        column: String,
+        /// What stands there.
+        text: String,
+    },
     /// A cell holds nothing.
     #[error(
         "line {line}, column \"{column}\" is empty: a sample is missing; cut the file before or after it, or leave the \

@@ -147,6 +147,8 @@ pub(super) struct Start {
     pub(super) columns: Vec<String>,
     /// Whether each line of samples ends with a delimiter that begins no cell.
     pub(super) trailing_delimiter: bool,
+    /// Which cells of the first line of samples are numbers.
+    pub(super) numeric: Vec<bool>,
     /// Where the samples begin, and the number of that line.
     pub(super) samples_at: usize,
     pub(super) samples_line: usize,
@@ -212,6 +214,7 @@ impl Start {
             header_line: has_header.then_some(first.number),
             columns: columns.collect(),
             trailing_delimiter,
+            numeric: cells.iter().map(is_number).collect(),
             samples_at: samples.at,
             samples_line: samples.number,
         })

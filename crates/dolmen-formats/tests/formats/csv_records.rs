@@ -349,7 +349,27 @@ fn refuses_cells_that_are_no_samples() {
     }
     // of the stamps as of the samples
     assert!(
-        refusal("time,x\n0,1\nlater,2\n").starts_with("line 3, column \"time\": \"later\" is not a number")
+        refusal("time,x\n0,1\nlater,2\n").starts_with("line 3, column \"time\": the time stamp \"later\" is not")
+    );
+}
+
+#[test]
+fn refuses_dates_unless_rate_and_columns_are_told() {
+    let text =
+        "time,x,y\n2010-05-12 10:00:00.00,1,2\n2010-05-12 10:00:00.01,3,1\n2010-05-12 10:00:00.02,2,5\n";
+    let message = "line 2, column \"time\": the time stamp \"2010-05-12 10:00:00.00\" is not a number of seconds: give \
+                   sampling_rate_hz and name the columns to read, then dates are passed over";
+    assert_eq!(refusal(text), message);
+    assert_eq!(refusal_with(text, &at_100_hz()), message);
+    let told = RecordOptions {
+        picks: vec![named("y", "roof")],
+        ..at_100_hz()
+    };
+    let reading = read_csv(text.as_bytes(), &told).unwrap();
+    assert_eq!(reading.record.samples(0), [2.0, 1.0, 5.0]);
+    assert_eq!(
+        (layout(&reading).rate_source, &layout(&reading).time_column),
+        (RateSource::Given, &None)
     );
 }
 
