@@ -70,7 +70,7 @@ fn choice(answer: &StiffnessAnswer, language: Language) -> Finding {
             Finding::new(
                 Tone::Warn,
                 head + &language.pick(
-                    format!("not determined. {modes} measured modes leave {free} directions of the stiffness free; the solutions shown are points of a continuous family."),
+                    format!("not determined. Measured modes: {modes}; directions of the stiffness that stay free: {free}; any solution shown is one point of a continuous family."),
                     format!("정해지지 않는다. 계측 모드 {modes}개로는 강성의 방향 {free}개가 자유로우며, 제시된 해는 연속적인 해집합의 일부이다."),
                 ),
             )
@@ -161,28 +161,35 @@ fn solutions(
     let rows: Vec<Vec<Cell>> = shown
         .iter()
         .enumerate()
-        .map(|(i, s)| solution_row(i, s, &unit, language))
+        .map(|(i, s)| solution_row(i, s, &unit, answer.solutions.choice, language))
         .collect();
     let total = answer.solutions.solutions.len();
     let starts = answer.solutions.starts;
     let caption = language.pick(
-        format!("Solutions, {} of {total} found. From {starts} starting points (1: a closed form); misfit is the root mean square deviation in units of the standard deviation, relative where none is given; in brackets the range while every frequency moves by √3 of its standard deviation.", shown.len()),
-        format!("해 {total}개 중 {}개. 시작점 {starts}개(1: 닫힌 해); 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다; 대괄호는 각 진동수가 표준편차의 √3배만큼 변할 때의 범위.", shown.len()),
+        format!("Solutions, {} of {total} found. Starting points tried: {starts}; misfit is the root mean square deviation in units of the standard deviation, relative where none is given; in brackets the range while every frequency moves by √3 of its standard deviation.", shown.len()),
+        format!("해 {total}개 중 {}개. 시작점 {starts}개; 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다; 대괄호는 각 진동수가 표준편차의 √3배만큼 변할 때의 범위.", shown.len()),
     );
     html! {
         (table(&caption, 2, &head, &rows))
         @if let Some(svg) = solution_shapes(&project.structure, answer, measured, language) {
-            (figure(&svg, shapes_caption(answer, language)))
+            (figure(&svg, &shapes_caption(answer, language)))
         }
     }
+}
+
+/// Digits of a stiffness without a deviation: fewer where it is one of a family.
+fn digits_of(choice: Choice) -> usize {
+    if choice == Choice::Underdetermined { 3 } else { 4 }
 }
 
 fn solution_row(
     index: usize,
     solution: &StiffnessSolution,
     unit: &number::Prefixed,
+    choice: Choice,
     language: Language,
 ) -> Vec<Cell> {
+    let digits = digits_of(choice);
     let stands = if solution.stands {
         language.pick("stands", "안정").into()
     } else {
@@ -193,7 +200,7 @@ fn solution_row(
         let sd = solution.stiffness_sd.as_ref().and_then(|sd| sd.get(i));
         let mut text = match sd {
             Some(sd) => unit.number_with_sd(*k, *sd),
-            None => unit.number(*k, 5),
+            None => unit.number(*k, digits),
         };
         let range = solution
             .stiffness_range
@@ -219,18 +226,20 @@ fn solution_row(
 }
 
 /// What the shapes of the solutions show: only where the frequencies are the same does a shape choose.
-fn shapes_caption(answer: &StiffnessAnswer, language: Language) -> &'static str {
+fn shapes_caption(answer: &StiffnessAnswer, language: Language) -> String {
+    let mut caption = language
+        .pick("Mode shapes of the solutions.", "해별 모드형상.")
+        .to_string();
     if answer.solutions.choice == Choice::Indistinguishable {
-        language.pick(
-            "Mode shapes of the solutions. The same frequencies, other shapes: a measured shape can tell which is the true one. Rings are measured points.",
-            "해별 모드형상. 고유진동수는 같으나 형상이 다르므로 모드형상을 계측하면 참값을 가릴 수 있다. 고리는 계측점이다.",
-        )
-    } else {
-        language.pick(
-            "Mode shapes of the solutions. Rings are measured points.",
-            "해별 모드형상. 고리는 계측점이다.",
-        )
+        caption.push_str(language.pick(
+            " The same frequencies, other shapes: a measured shape can tell which is the true one.",
+            " 고유진동수는 같으나 형상이 다르므로 모드형상을 계측하면 참값을 가릴 수 있다.",
+        ));
     }
+    if answer.with_shapes {
+        caption.push_str(language.pick(" Rings are measured points.", " 고리는 계측점이다."));
+    }
+    caption
 }
 
 fn seen(visibility: &Visibility, language: Language) -> Markup {
@@ -238,7 +247,7 @@ fn seen(visibility: &Visibility, language: Language) -> Markup {
         .seen
         .iter()
         .enumerate()
-        .map(|(i, s)| format!("k{}: {}", number::subscript(i + 1), significant(*s, 2)))
+        .map(|(i, s)| format!("k{}: {}", number::subscript(i + 1), number::fixed(*s, 2)))
         .collect();
     let shares = shares.join(", ");
     let unseen: Vec<String> = visibility
@@ -260,7 +269,7 @@ fn seen(visibility: &Visibility, language: Language) -> Markup {
     };
     html! { p {
         (language.pick(
-            format!("What the data see, 1 fully and 0 not at all: {shares}; {free} directions stay free."),
+            format!("What the data see, 1 fully and 0 not at all: {shares}; directions that stay free: {free}."),
             format!("자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 자유로운 방향 {free}개."),
         )) (verdict)
     } }

@@ -48,10 +48,11 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
         .collect();
     let values = listed(&values, language);
     let count = modes.len();
+    let found = if count == 1 { "mode was" } else { "modes were" };
     let mut all = vec![Finding::new(
         Tone::Plain,
         language.pick(
-            format!("{count} modes were found in {minutes} minutes of {channels} channels, no peak picked by hand: {values} (± standard deviation)."),
+            format!("{count} {found} found in {minutes} minutes of {channels} channels, no peak picked by hand: {values} (± standard deviation)."),
             format!("{minutes}분, {channels}채널의 기록에서 모드 {count}개를 수작업 없이 찾았다: {values}(± 표준편차)."),
         ),
     )];

@@ -3,7 +3,7 @@
 use maud::{Markup, PreEscaped, html};
 
 /// Tables of so many rows stay on one page in print.
-const WHOLE_ROWS: usize = 14;
+const WHOLE_ROWS: usize = 8;
 
 /// One cell.
 #[derive(Clone, Debug, Default)]

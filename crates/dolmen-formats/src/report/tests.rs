@@ -256,7 +256,7 @@ fn holds_both_languages_have_the_same_numbers() {
 fn holds_roots_that_cannot_be_told_apart_are_all_shown_and_none_is_chosen() {
     let page = page(&[gate()], Language::English);
     assert!(page.contains("2 different solutions") && page.contains("none is preferred"));
-    for number in ["32.650", "96.140", "185.18", "16.850"] {
+    for number in ["32.65", "96.14", "185.2", "16.85"] {
         assert!(page.contains(number), "{number}");
     }
 }
