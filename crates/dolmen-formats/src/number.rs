@@ -343,6 +343,8 @@ mod tests {
     #[test]
     fn exact_prefixes() {
         assert_eq!(engineering(120e6, "N/m", 3), "120\u{202f}MN/m");
+        assert_eq!(engineering(1e6, "N", 3), "1.00\u{202f}MN");
+        assert_eq!(engineering(999e3, "N", 3), "999\u{202f}kN");
         assert_eq!(engineering(290e3, "kg", 3), "290\u{202f}t");
         assert_eq!(engineering(12.5, "m", 3), "12.5\u{202f}m");
         assert_eq!(engineering(f64::INFINITY, "N", 3), "∞\u{202f}N");
@@ -354,6 +356,6 @@ mod tests {
             (superscript(-305), subscript(12)),
             ("⁻³⁰⁵".to_string(), "₁₂".to_string())
         );
-        assert_eq!((4..10).map(superscript).collect::<String>(), "⁴⁵⁶⁷⁸⁹");
+        assert_eq!((0..10).map(superscript).collect::<String>(), "⁰¹²³⁴⁵⁶⁷⁸⁹");
     }
 }
