@@ -59,9 +59,9 @@ pub struct Cluster {
     pub deviation: Option<PoleDeviation>,
     /// Orders that show it, ascending.
     pub orders: Vec<usize>,
-    /// Standard deviation of the frequency between these orders, Hz.
+    /// Standard deviation of the frequency between the orders that know it best, Hz.
     pub frequency_spread_hz: f64,
-    /// Standard deviation of the damping ratio between these orders.
+    /// Standard deviation of the damping ratio between the orders that know it best.
     pub damping_ratio_spread: f64,
     /// What became of it.
     pub fate: Fate,
@@ -97,9 +97,8 @@ pub fn clusters(
         let first = members.first().map_or(0, |&m| poles[m].pole.order);
         let possible = (subspace.order_most.saturating_sub(first)) / 2 + 1;
         let needed = (options.orders_share_least * possible as f64).ceil() as usize;
-        let Some(medoid) = medoid(&members, &poles) else {
-            continue;
-        };
+        let best = best_known(&members, &poles);
+        let Some(medoid) = medoid(&best) else { continue };
         let enough = members.len() >= needed.max(options.orders_least);
         let most_hz = options.deviation_over_floor_most * medoid.floor_hz(subspace.duration_s);
         let deviation = if enough {
@@ -107,7 +106,7 @@ pub fn clusters(
         } else {
             None
         };
-        let of = |value: fn(&Pole) -> f64| spread(members.iter().map(|&i| value(&poles[i].pole)));
+        let of = |value: fn(&Pole) -> f64| spread(best.iter().map(|pole| value(pole)));
         found.push(Cluster {
             medoid: medoid.clone(),
             orders: members.iter().map(|&i| poles[i].pole.order).collect(),
@@ -177,19 +176,20 @@ fn group(poles: &[&JudgedPole], options: &Clustering) -> Vec<Vec<usize>> {
     found
 }
 
-/// Of the members whose deviation is near the least, the one nearest to all others: at some orders a pole that fits
-/// noise comes so close to the mode that both are badly known.
-fn medoid<'a>(members: &[usize], poles: &[&'a JudgedPole]) -> Option<&'a Pole> {
+/// The members whose deviation is near the least: at some orders a pole that fits noise comes so close to the mode that
+/// both are badly known.
+fn best_known<'a>(members: &[usize], poles: &[&'a JudgedPole]) -> Vec<&'a Pole> {
     const NEAR_LEAST: f64 = 1.3; // the deviations themselves are known to 13 % or so: twice that
     let sd_hz = |i: usize| poles[i].frequency_sd_hz.unwrap_or(f64::INFINITY);
     let least = members.iter().map(|&i| sd_hz(i)).fold(f64::INFINITY, f64::min);
-    let best: Vec<&Pole> = members
-        .iter()
-        .filter(|&&i| sd_hz(i) <= NEAR_LEAST * least)
-        .map(|&i| &poles[i].pole)
-        .collect();
-    let apart = |p: &Pole| -> f64 { best.iter().map(|q| (p.root_hz() - q.root_hz()).norm()).sum() };
-    best.iter().copied().min_by(|a, b| apart(a).total_cmp(&apart(b)))
+    let near = members.iter().filter(|&&i| sd_hz(i) <= NEAR_LEAST * least);
+    near.map(|&i| &poles[i].pole).collect()
+}
+
+/// The one nearest to all others.
+fn medoid<'a>(poles: &[&'a Pole]) -> Option<&'a Pole> {
+    let apart = |p: &Pole| -> f64 { poles.iter().map(|q| (p.root_hz() - q.root_hz()).norm()).sum() };
+    poles.iter().copied().min_by(|a, b| apart(a).total_cmp(&apart(b)))
 }
 
 fn neighbours(pole: &Pole, poles: &[&JudgedPole], most: f64) -> Vec<Neighbour> {

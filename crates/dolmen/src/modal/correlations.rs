@@ -55,16 +55,14 @@ pub(crate) fn lags_before(lags: usize, factor: usize) -> usize {
 pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<Correlations, ModalError> {
     let (l, n) = (record.channels().len(), record.length());
     let starts = n.saturating_sub(lags);
-    let mut segment = lags.max(SEGMENT_LEAST).next_power_of_two();
-    while starts / segment < blocks && segment / 2 >= lags && segment > 2 {
-        segment /= 2;
-    }
-    if segment < lags || starts.div_ceil(segment) < blocks || starts == 0 {
+    let fast = lags.max(SEGMENT_LEAST).next_power_of_two();
+    let segment = fast.min(starts / blocks.max(1)); // a short record has short blocks: FFTs of any length
+    if segment < lags.max(1) {
         return Err(ModalError::TooShort {
             samples: n,
             lags,
             blocks,
-            needed: lags + blocks * lags.next_power_of_two(),
+            needed: (blocks + 1) * lags,
         });
     }
     let mut pass = Pass::new(record, lags, segment);

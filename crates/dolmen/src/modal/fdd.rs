@@ -58,6 +58,8 @@ pub struct SingularSpectrum {
     pub singular_values: Vec<Vec<f64>>,
     /// Height of each peak over the higher saddle beside it, dB, in the order of the modes.
     pub prominence_db: Vec<f64>,
+    /// Width of each peak 3 dB below its top, Hz, in the order of the modes: 2ζf, but no less than the window's 1.3/(M dt).
+    pub half_power_width_hz: Vec<f64>,
 }
 
 /// Peaks of the spectrum as modes, with the singular values they were picked from.
@@ -149,6 +151,10 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
             frequency_hz: (0..=lines).map(|i| i as f64 * step_hz).collect(),
             singular_values,
             prominence_db: peaks.iter().map(|p| p.prominence_db).collect(),
+            half_power_width_hz: peaks
+                .iter()
+                .map(|p| half_power_width(&level, p.line) * step_hz)
+                .collect(),
         },
     })
 }
@@ -207,6 +213,24 @@ fn parzen(x: f64) -> f64 {
 
 fn decibel(power: f64) -> f64 {
     10.0 * power.max(f64::MIN_POSITIVE).log10()
+}
+
+/// Distance in lines between the points 3 dB below the top at `line`, on straight lines through the spectrum.
+fn half_power_width(level: &[f64], line: usize) -> f64 {
+    const HALF_POWER_DB: f64 = 3.0103; // 10 log10 2
+    let target = level[line] - HALF_POWER_DB;
+    let reach = |next: &dyn Fn(usize) -> Option<usize>| {
+        let (mut at, mut steps) = (line, 0.0);
+        while let Some(beyond) = next(at) {
+            if level[beyond] < target {
+                return steps + (level[at] - target) / (level[at] - level[beyond]);
+            }
+            (at, steps) = (beyond, steps + 1.0);
+        }
+        steps
+    };
+    let right = |i: usize| (i + 1 < level.len()).then_some(i + 1);
+    reach(&|i| i.checked_sub(1)) + reach(&right)
 }
 
 struct Peak {

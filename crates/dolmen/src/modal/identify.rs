@@ -1,11 +1,11 @@
 //! From a record to its modes: block rows, decimation, order and modes chosen from the data, and every choice told.
 
 use super::clusters::{Cluster, Clustering, Fate, clusters};
-use super::correlations::CLEAN_SHARE;
-use super::fdd::{Fdd, SingularSpectrum, fdd};
+use super::correlations::{CLEAN_SHARE, lags_before};
+use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::ssi_cov::{SsiCov, Subspace, ssi_cov};
 use super::stabilization::{Criteria, Stabilization, stabilize};
-use super::{Method, ModalError, Mode, Modes};
+use super::{Method, ModalError, Mode, Modes, PoleDeviation};
 use crate::signal::{ChannelFault, Record, inspect};
 
 /// Periods of the lowest mode that the lags reach over, 2 br of them: half of this is the least of theory. Longer
@@ -87,6 +87,9 @@ pub struct Settings {
     pub range_hz: [f64; 2],
 }
 
+/// With fewer blocks of time the standard deviations are themselves known to worse than 24 %.
+const TIME_BLOCKS_LEAST: usize = 10;
+
 /// What must be known beside the modes.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -99,6 +102,16 @@ pub enum Note {
         wished: usize,
         /// Taken.
         taken: usize,
+    },
+    /// The record is too short for the blocks of time asked.
+    FewBlocks {
+        /// Taken.
+        time_blocks: usize,
+    },
+    /// Peaks too narrow for a structure: they decide neither block rows nor decimation, and are no modes.
+    Tones {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
     },
     /// Peaks of the spectrum at which no stable mode was found.
     PeaksWithoutMode {
@@ -123,12 +136,20 @@ impl std::fmt::Display for Note {
                 "{taken} block rows instead of {wished}, to keep the Hankel matrix below {HANKEL_ROWS_MOST} rows: modes \
                  that lie close together are told apart less well"
             ),
+            Note::FewBlocks { time_blocks } => write!(
+                f,
+                "the record is short: standard deviations come from {time_blocks} blocks of time, and are themselves known \
+                 to ± {:.0} %",
+                100.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt()
+            ),
+            Note::Tones { frequency_hz } => {
+                write!(f, "the spectrum has lines too narrow for a structure, at ")?;
+                list(f, frequency_hz)?;
+                write!(f, " Hz: machines")
+            }
             Note::PeaksWithoutMode { frequency_hz } => {
                 write!(f, "the spectrum has peaks that no stable mode explains, at ")?;
-                for (i, frequency_hz) in frequency_hz.iter().enumerate() {
-                    let comma = if i > 0 { ", " } else { "" };
-                    write!(f, "{comma}{frequency_hz:.3}")?;
-                }
+                list(f, frequency_hz)?;
                 write!(f, " Hz: machines, or modes too weak for this record")
             }
             Note::FewCycles {
@@ -142,6 +163,14 @@ impl std::fmt::Display for Note {
             ),
         }
     }
+}
+
+fn list(f: &mut std::fmt::Formatter<'_>, frequency_hz: &[f64]) -> std::fmt::Result {
+    for (i, frequency_hz) in frequency_hz.iter().enumerate() {
+        let comma = if i > 0 { ", " } else { "" };
+        write!(f, "{comma}{frequency_hz:.3}")?;
+    }
+    Ok(())
 }
 
 /// The modes of a record and everything needed to draw, to doubt and to repeat them.
@@ -188,7 +217,7 @@ pub struct ModalAnalysis {
 pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
     check(record, options)?;
     let mut notes = judge_channels(record)?;
-    let peaks = fdd(
+    let mut peaks = fdd(
         record,
         &Fdd {
             frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
@@ -196,6 +225,10 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
             ..options.fdd.clone()
         },
     )?;
+    let tones = split_tones(&mut peaks, options.criteria.damping_ratio_least);
+    if !tones.is_empty() {
+        notes.push(Note::Tones { frequency_hz: tones });
+    }
     let settings = choose(record, options, &peaks.modes, &mut notes)?;
     let subspace = ssi_cov(
         record,
@@ -269,6 +302,25 @@ fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     Ok(notes)
 }
 
+/// Takes the peaks out whose half-power width is that of a smaller damping ratio than any structure has, where the
+/// lines are fine enough to tell; returns their frequencies.
+fn split_tones(peaks: &mut FddResult, damping_ratio_least: f64) -> Vec<f64> {
+    let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
+    let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
+    let modes = std::mem::take(&mut peaks.modes.modes);
+    let mut tones = Vec::new();
+    for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
+        if width_hz < 2.0 * damping_ratio_least * mode.frequency_hz {
+            tones.push(mode.frequency_hz);
+        } else {
+            peaks.modes.modes.push(mode);
+            peaks.spectrum.half_power_width_hz.push(width_hz);
+            peaks.spectrum.prominence_db.push(prominence_db);
+        }
+    }
+    tones
+}
+
 fn choose(
     record: &Record,
     options: &Identify,
@@ -307,6 +359,21 @@ fn choose(
             sampling_rate_hz,
         });
     }
+    let lags = lags_before(2 * block_rows - 1, decimation);
+    let time_blocks = options
+        .time_blocks
+        .min(record.length().saturating_sub(lags) / lags.max(1));
+    if time_blocks < TIME_BLOCKS_LEAST.min(options.time_blocks) {
+        return Err(ModalError::TooShort {
+            samples: record.length(),
+            lags,
+            blocks: TIME_BLOCKS_LEAST,
+            needed: (TIME_BLOCKS_LEAST + 1) * lags,
+        });
+    }
+    if time_blocks < options.time_blocks {
+        notes.push(Note::FewBlocks { time_blocks });
+    }
     let order_most = options
         .order_most
         .unwrap_or(sought.min(l * (block_rows.max(2) - 1) / 2 * 2));
@@ -332,7 +399,7 @@ fn choose(
         block_rows,
         block_rows_least,
         order_most,
-        time_blocks: options.time_blocks,
+        time_blocks,
         range_hz: [
             options.frequency_low_hz.unwrap_or(0.0).max(seen_hz),
             options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
@@ -346,9 +413,9 @@ fn modes_of(record: &Record, clusters: &[Cluster]) -> Modes {
         .filter(|c| c.fate == Fate::Mode)
         .map(|c| Mode {
             frequency_hz: c.medoid.frequency_hz,
-            frequency_sd_hz: c.deviation.as_ref().map(|d| d.frequency_sd_hz),
+            frequency_sd_hz: sd(c, |d| d.frequency_sd_hz, c.frequency_spread_hz),
             damping_ratio: Some(c.medoid.damping_ratio),
-            damping_ratio_sd: c.deviation.as_ref().map(|d| d.damping_ratio_sd),
+            damping_ratio_sd: sd(c, |d| d.damping_ratio_sd, c.damping_ratio_spread),
             shape: c.medoid.shape.clone(),
             shape_sd: c.deviation.as_ref().map(|d| d.shape_sd.clone()),
             phase_collinearity: c.medoid.phase_collinearity,
@@ -363,6 +430,12 @@ fn modes_of(record: &Record, clusters: &[Cluster]) -> Modes {
         duration_s: record.duration_s(),
         history: record.history().to_vec(),
     }
+}
+
+/// Scatter between blocks of time and scatter between orders, together: which order is looked at is as much chance as
+/// which ten minutes were recorded.
+fn sd(cluster: &Cluster, of_time: fn(&PoleDeviation) -> f64, of_order: f64) -> Option<f64> {
+    cluster.deviation.as_ref().map(|d| of_time(d).hypot(of_order))
 }
 
 fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
