@@ -5,8 +5,8 @@ use crate::{Outcome, open};
 use anyhow::{Context as _, Result};
 use dolmen::assess::{Sensitivity, check_chain, check_frame, elasticity, probability};
 use dolmen::numeric::Random;
-use dolmen::stability::{chain_stability, frame_stability};
-use dolmen_formats::answer::{Answer, Check, DirectionCheck, Sampled, State, VariantAnswer};
+use dolmen::stability::{chain_limits, chain_stability, frame_stability};
+use dolmen_formats::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State, VariantAnswer};
 use dolmen_formats::json::check_json;
 use dolmen_formats::project::{Pick, Project, Quantity, Structure};
 use dolmen_formats::text::check_text;
@@ -57,10 +57,15 @@ pub(crate) fn answer(
             });
         }
     }
-    let sensitivities = if with_sensitivity {
-        sensitivities(&project)?
+    let known = state.as_ref().is_some_and(|state| state.load_factor().is_some());
+    let sensitivity_of = if known {
+        SensitivityOf::LoadFactor
     } else {
-        Vec::new()
+        SensitivityOf::EqualJoints
+    };
+    let sensitivities = match with_sensitivity {
+        true => sensitivities(&project, sensitivity_of)?,
+        false => Vec::new(),
     };
     let file = file.display().to_string();
     Ok(Answer {
@@ -69,6 +74,7 @@ pub(crate) fn answer(
         state,
         variants,
         sensitivities,
+        sensitivity_of,
         surveys: Vec::new(),
     })
 }
@@ -158,7 +164,9 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>> {
             let factor = load_factor(project, &mut pick).context(
             "a sample of the inputs gives an impossible structure: lower the cov of the input that it names",
         )?;
-            let factor = factor.unwrap_or(f64::NAN);
+            let factor = factor
+                .filter(|factor| !factor.is_nan())
+                .context("the load factor of a sample is not a number: it must not be counted as standing")?;
             load_factors.push(factor);
             Ok(factor <= 1.0)
         },
@@ -172,16 +180,27 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>> {
     }))
 }
 
-/// Elasticity of the load factor to each of the structure's inputs, strongest first; empty if no stiffness is known.
-fn sensitivities(project: &Project) -> Result<Vec<Sensitivity>> {
-    if load_factor(project, &mut Quantity::nominal)?.is_none() {
+/// The result that sensitivities are of, each input with the value that `pick` chooses.
+fn sensitive(project: &Project, of: SensitivityOf, pick: Pick<'_>) -> Result<Option<f64>> {
+    match (of, &project.structure) {
+        (SensitivityOf::LoadFactor, _) => load_factor(project, pick),
+        (SensitivityOf::EqualJoints, Structure::Chain(part)) => {
+            Ok(Some(chain_limits(&part.build(pick)?)?.equal_joints_n_m_rad))
+        }
+        (SensitivityOf::EqualJoints, _) => Ok(None),
+    }
+}
+
+/// Elasticity of a result to each of the structure's inputs, strongest first; empty if there is no such result.
+fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity>> {
+    if sensitive(project, of, &mut Quantity::nominal)?.is_none() {
         return Ok(Vec::new());
     }
     let mut all = Vec::new();
     for input in project.structure_inputs() {
         let elasticity = elasticity(input.value, |changed| -> Result<f64> {
             let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
-            Ok(load_factor(project, &mut pick)?.unwrap_or(f64::NAN))
+            Ok(sensitive(project, of, &mut pick)?.unwrap_or(f64::NAN))
         })?;
         all.push(Sensitivity {
             input: input.path.clone(),

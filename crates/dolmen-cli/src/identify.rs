@@ -9,7 +9,7 @@ use dolmen::structure::{
     directional_modes, frame_stiffness,
 };
 use dolmen_formats::Language;
-use dolmen_formats::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen_formats::answer::{Answer, RecordAnswer, SensitivityOf, StiffnessAnswer, SurveyAnswer};
 use dolmen_formats::figures;
 use dolmen_formats::json::identification_json;
 use dolmen_formats::project::{ModeKind, Project, Quantity, RecordSource, Structure, Survey};
@@ -31,6 +31,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         state: None,
         variants: Vec::new(),
         sensitivities: Vec::new(),
+        sensitivity_of: SensitivityOf::default(),
         surveys,
     };
     let json = identification_json(&answer);

@@ -18,10 +18,22 @@ pub struct Answer {
     pub state: Option<State>,
     /// The same with each `[variant.NAME]`, in the order of the file.
     pub variants: Vec<VariantAnswer>,
-    /// What one per cent of each input does to the load factor, strongest first.
+    /// What one per cent of each input does to `sensitivity_of`, strongest first.
     pub sensitivities: Vec<Sensitivity>,
+    /// The result that the sensitivities are of.
+    pub sensitivity_of: SensitivityOf,
     /// What was identified from each survey, in the order of the file.
     pub surveys: Vec<SurveyAnswer>,
+}
+
+/// The result whose sensitivities are given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SensitivityOf {
+    /// λ: the structure's stiffness is known.
+    #[default]
+    LoadFactor,
+    /// Stiffness that equal joints of a chain need: its own is not known.
+    EqualJoints,
 }
 
 /// Whether one version of a structure stands.

@@ -1,6 +1,6 @@
 //! `dolmen check` as JSON.
 
-use crate::answer::{Answer, Check, DirectionCheck, Sampled, State};
+use crate::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
 use crate::project::Project;
 use dolmen::assess::{CentroidEffect, ChainCheck, FrameCheck, Probability, Sensitivity};
 use dolmen::stability::{ChainLimits, ChainStability, FrameStability, JointStability, StoreyStability};
@@ -17,6 +17,10 @@ pub fn check_json(answer: &Answer) -> Value {
         "project": project(&answer.project, &answer.file),
         "state": answer.state.as_ref().map(state),
         "variants": variants.collect::<Vec<_>>(),
+        "sensitivity_of": match answer.sensitivity_of {
+            SensitivityOf::LoadFactor => "load_factor",
+            SensitivityOf::EqualJoints => "equal_joints_n_m_rad",
+        },
         "sensitivities": answer.sensitivities.iter().map(sensitivity).collect::<Vec<_>>(),
     })
 }

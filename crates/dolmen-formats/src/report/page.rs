@@ -102,7 +102,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             _ => {}
         }
         (variants::section(answer, language))
-        (samples::sections(answer.state.as_ref(), &answer.sensitivities, language))
+        (samples::sections(answer, language))
         @for survey in &answer.surveys {
             @if let Some(record) = &survey.records { (modal::section(&survey.name, record, language)) }
         }

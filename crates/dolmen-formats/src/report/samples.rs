@@ -4,7 +4,7 @@ use super::findings::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use super::words::{listed, path_words};
 use crate::Language;
-use crate::answer::{Sampled, State};
+use crate::answer::{Answer, Sampled, SensitivityOf, State};
 use crate::figures::load_factor_distribution;
 use crate::number::{self, beside_one, percent};
 use dolmen::assess::Sensitivity;
@@ -48,7 +48,8 @@ pub(super) fn findings(sampled: Option<&Sampled>, language: Language) -> Vec<Fin
 }
 
 /// The sections on samples and sensitivities.
-pub(super) fn sections(state: Option<&State>, sensitivities: &[Sensitivity], language: Language) -> Markup {
+pub(super) fn sections(answer: &Answer, language: Language) -> Markup {
+    let (state, sensitivities) = (answer.state.as_ref(), &answer.sensitivities);
     let sampled = state.and_then(|s| s.sampled.as_ref());
     let nominal = state.and_then(State::load_factor);
     if sampled.is_none() && sensitivities.is_empty() {
@@ -67,23 +68,26 @@ pub(super) fn sections(state: Option<&State>, sensitivities: &[Sensitivity], lan
             @let drawn: Vec<String> = sampled.inputs.iter().map(|path| path_words(path, language)).collect();
             p { (language.pick("Inputs drawn: ", "추출한 입력: ")) (listed(&drawn, language)) "." }
         }
-        @if !sensitivities.is_empty() { (sensitivity_table(sensitivities, language)) }
+        @if !sensitivities.is_empty() { (sensitivity_table(sensitivities, answer.sensitivity_of, language)) }
     }
 }
 
-fn sensitivity_table(sensitivities: &[Sensitivity], language: Language) -> Markup {
+fn sensitivity_table(sensitivities: &[Sensitivity], of: SensitivityOf, language: Language) -> Markup {
+    let result = match of {
+        SensitivityOf::LoadFactor => "λ",
+        SensitivityOf::EqualJoints => language.pick("equal joint stiffness needed", "균등 접합부 필요 강성"),
+    };
     let head = [
         language.pick("Input", "입력").to_string(),
-        language
-            .pick(
-                "change of λ (%) for +1 % of the input",
-                "입력 +1 %에 대한 λ의 변화 (%)",
-            )
-            .to_string(),
+        language.pick(
+            format!("change of {result} (%) for +1 % of the input"),
+            format!("입력 +1 %에 대한 {result}의 변화 (%)"),
+        ),
         language.pick("coefficient of variation", "변동계수").to_string(),
-        language
-            .pick("scatter of λ from it", "그로 인한 λ의 변동")
-            .to_string(),
+        language.pick(
+            format!("scatter of {result} from it"),
+            format!("그로 인한 {result}의 변동"),
+        ),
     ];
     let rows: Vec<Vec<Cell>> = sensitivities
         .iter()
@@ -101,8 +105,8 @@ fn sensitivity_table(sensitivities: &[Sensitivity], language: Language) -> Marku
         .collect();
     let shown = rows.len();
     let caption = language.pick(
-        format!("Sensitivity of the load factor, {shown} of {} inputs. Elasticity at the values given, by central difference.", sensitivities.len()),
-        format!("하중계수의 민감도, 입력 {total}개 중 {shown}개. 주어진 값에서 중앙차분으로 구한 탄성도이다.", total = sensitivities.len()),
+        format!("Sensitivity of {result}, {shown} of {} inputs. Elasticity at the values given, by central difference.", sensitivities.len()),
+        format!("{result}의 민감도, 입력 {total}개 중 {shown}개. 주어진 값에서 중앙차분으로 구한 탄성도이다.", total = sensitivities.len()),
     );
     table(&caption, 1, &head, &rows)
 }

@@ -96,6 +96,7 @@ fn answer(project: Project, check: Check) -> Answer {
         state: Some(State { check, sampled: None }),
         variants: vec![],
         sensitivities: vec![],
+        sensitivity_of: Default::default(),
         surveys: vec![],
     }
 }
@@ -279,6 +280,7 @@ fn survey() -> Answer {
         state: None,
         variants: vec![],
         sensitivities: vec![],
+        sensitivity_of: Default::default(),
         surveys: vec![SurveyAnswer {
             name: "now".into(),
             records: Some(RecordAnswer {

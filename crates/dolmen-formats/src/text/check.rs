@@ -2,10 +2,10 @@
 
 use super::Table;
 use super::project::{heading_text, warnings_text};
-use crate::answer::{Answer, Check, DirectionCheck, Sampled, State};
+use crate::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
 use crate::number::{percent, prefix};
 use crate::project::{Project, Structure};
-use dolmen::assess::{CentroidEffect, FrameCheck, Sensitivity};
+use dolmen::assess::{CentroidEffect, FrameCheck};
 use dolmen::stability::{ChainLimits, ChainStability, FrameStability, Verdict};
 use dolmen::structure::NaturalMode;
 use std::fmt::Write as _;
@@ -36,7 +36,7 @@ pub fn check_text(answer: &Answer) -> String {
     if !answer.variants.is_empty() {
         out += &comparison(answer);
     }
-    out += &sensitivity_text(&answer.sensitivities);
+    out += &sensitivity_text(answer);
     out.push('\n');
     out += &warnings_text(&answer.project);
     out
@@ -451,14 +451,16 @@ fn comparison(answer: &Answer) -> String {
     format!("\nSide by side\n{}", table.text())
 }
 
-fn sensitivity_text(sensitivities: &[Sensitivity]) -> String {
+fn sensitivity_text(answer: &Answer) -> String {
+    let sensitivities = &answer.sensitivities;
+    let of = match answer.sensitivity_of {
+        SensitivityOf::LoadFactor => "load factor",
+        SensitivityOf::EqualJoints => "stiffness that equal joints need",
+    };
     if sensitivities.is_empty() {
         return String::new();
     }
-    let mut table = Table::new(
-        &["input", "value, SI", "% of load factor per % of input", "cov"],
-        1,
-    );
+    let mut table = Table::new(&["input", "value, SI", "% of it per % of input", "cov"], 1);
     for s in sensitivities
         .iter()
         .filter(|s| s.elasticity.abs() >= ELASTICITY_SHOWN_LEAST)
@@ -472,7 +474,7 @@ fn sensitivity_text(sensitivities: &[Sensitivity]) -> String {
         ]);
     }
     format!(
-        "\nSensitivity of the load factor, strongest first\n{}",
+        "\nSensitivity of the {of}, strongest first\n{}",
         table.text()
     )
 }
