@@ -41,6 +41,14 @@ pub(crate) fn example_text(name: &str, file: &str) -> Result<&'static str> {
         .with_context(|| format!("{name}/{file} is not in this build"))
 }
 
+/// The bytes of a file of the example `name`.
+pub(crate) fn example_bytes(name: &str, file: &str) -> Result<&'static [u8]> {
+    let found = EXAMPLES.get_file(format!("{name}/{file}"));
+    found
+        .map(include_dir::File::contents)
+        .with_context(|| format!("{name}/{file} is not in this build"))
+}
+
 pub(crate) fn run(options: &New, quiet: bool) -> Result<Outcome> {
     let directory = &options.directory;
     files::fresh_folder(directory)?;

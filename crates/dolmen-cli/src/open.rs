@@ -33,14 +33,16 @@ pub(crate) struct OpenedRecord {
     pub(crate) faults: Vec<ChannelFault>,
 }
 
-/// Reads the record file of a survey but for the channels to be left out (they may hold anything, NaN too), looks for faulty
-/// channels, conditions.
+/// Reads the record file of a survey as [`record_of`] does.
 pub(crate) fn record(source: &RecordSource, project_file: &Path) -> Result<OpenedRecord> {
     let path = project_file.parent().unwrap_or(Path::new(".")).join(&source.file);
-    let shown = || path.display().to_string();
-    let mut record = read_record(&files::read(&path)?, &options(source).with_context(shown)?)
-        .with_context(shown)?
-        .record;
+    record_of(&files::read(&path)?, source).with_context(|| path.display().to_string())
+}
+
+/// A record from its bytes but for the channels to be left out (they may hold anything, NaN too); faulty channels looked
+/// for, conditioned.
+pub(crate) fn record_of(bytes: &[u8], source: &RecordSource) -> Result<OpenedRecord> {
+    let mut record = read_record(bytes, &options(source)?)?.record;
     let left_out: Vec<String> = source.channels.iter().filter(|c| c.leave_out).map(name).collect();
     let (channels, samples) = (record.channels().len() + left_out.len(), record.length());
     let sampling_rate_hz = record.sampling_rate_hz();
@@ -48,7 +50,7 @@ pub(crate) fn record(source: &RecordSource, project_file: &Path) -> Result<Opene
         record.note(Processing::LeftOut { channels: left_out });
     }
     let faults = inspect(&record);
-    let record = condition(record, &source.conditioning).with_context(shown)?;
+    let record = condition(record, &source.conditioning)?;
     Ok(OpenedRecord {
         record,
         channels,

@@ -1,15 +1,59 @@
 //! `dolmen validate` and `dolmen doctor`: is what this build computes right, and does it work here.
 
-use crate::{Outcome, files, new};
+use crate::{Outcome, files, new, open};
 use anyhow::{Context as _, Result, bail};
+use dolmen::modal::{Identify, Mode, identify};
 use dolmen::validation::{Case, cases};
 use dolmen_formats::project::parse_project;
 use dolmen_formats::text::validation_text;
 use serde_json::json;
 use std::time::Instant;
 
+/// Frequencies of Palisaden that its publication gives, Hz (Aloisio et al. 2020; the peer pyOMA-2 finds the same).
+const PALISADEN_HZ: [f64; 3] = [1.882, 2.421, 2.687];
+/// Half width of a 95 % interval, in standard deviations of a normal variable.
+const TWO_SIDED_95: f64 = 1.96;
+
+/// The record that the command carries, identified, beside what was published for the whole of it.
+fn palisaden() -> Result<Vec<Case>> {
+    let project = parse_project(new::example_text("palisaden", "project.toml")?, "palisaden")?;
+    let source = project
+        .surveys
+        .iter()
+        .find_map(|survey| survey.records.as_ref())
+        .context("palisaden has no record")?;
+    let opened = open::record_of(new::example_bytes("palisaden", &source.file)?, source)?;
+    let found = identify(&opened.record, &Identify::default())?;
+    let nearest = |published: f64| {
+        let distance = |mode: &&Mode| (mode.frequency_hz - published).abs();
+        found
+            .modes
+            .modes
+            .iter()
+            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+    };
+    let case = |(i, published): (usize, f64)| {
+        let mode = nearest(published).context("no mode was found")?;
+        Ok(Case {
+            source: "Aloisio et al. (2020)",
+            what: format!(
+                "Palisaden: frequency {} of ten minutes beside that of the whole record",
+                i + 1
+            ),
+            unit: "Hz",
+            published,
+            computed: mode.frequency_hz,
+            tolerance: TWO_SIDED_95 * mode.frequency_sd_hz.unwrap_or(0.0),
+            corrected: None,
+            note: "Palisaden: the tolerance is the 95 % interval that Dolmen states for ten minutes of record.",
+        })
+    };
+    PALISADEN_HZ.into_iter().enumerate().map(case).collect()
+}
+
 pub(crate) fn run(as_json: bool) -> Result<Outcome> {
-    let cases = cases()?;
+    let mut cases = cases()?;
+    cases.extend(palisaden()?);
     if as_json {
         let list: Vec<_> = cases.iter().map(case_json).collect();
         println!("{:#}", json!(list));

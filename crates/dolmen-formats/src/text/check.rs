@@ -473,8 +473,5 @@ fn sensitivity_text(answer: &Answer) -> String {
             cov,
         ]);
     }
-    format!(
-        "\nSensitivity of the {of}, strongest first\n{}",
-        table.text()
-    )
+    format!("\nSensitivity of the {of}, strongest first\n{}", table.text())
 }

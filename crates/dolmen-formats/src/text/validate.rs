@@ -28,12 +28,12 @@ pub fn validation_text(cases: &[Case]) -> String {
         }
         let _ = writeln!(
             out,
-            "| {} | {} | {} | {} | {:+.1e} | {} | {} |",
+            "| {} | {} | {} | {} | {} | {} | {} |",
             case.what,
             case.unit,
             number(case.published),
             number(case.computed),
-            case.difference(),
+            difference(case),
             case.corrected.map_or_else(String::new, number),
             if case.agrees() { "" } else { "**differs**" }
         );
@@ -53,6 +53,16 @@ pub fn validation_text(cases: &[Case]) -> String {
         }
     }
     out
+}
+
+/// Differences below this share of the number are rounding, which is not the same on every processor.
+const ROUNDING: f64 = 1e-9;
+
+fn difference(case: &Case) -> String {
+    if case.difference().abs() <= ROUNDING * case.published.abs() {
+        return "0".to_owned();
+    }
+    format!("{:+.1e}", case.difference())
 }
 
 /// Significant digits without trailing zeros.

@@ -349,7 +349,8 @@ fn refuses_cells_that_are_no_samples() {
     }
     // of the stamps as of the samples
     assert!(
-        refusal("time,x\n0,1\nlater,2\n").starts_with("line 3, column \"time\": the time stamp \"later\" is not")
+        refusal("time,x\n0,1\nlater,2\n")
+            .starts_with("line 3, column \"time\": the time stamp \"later\" is not")
     );
 }
 
