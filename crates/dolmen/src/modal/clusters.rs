@@ -59,9 +59,9 @@ pub struct Cluster {
     pub deviation: Option<PoleDeviation>,
     /// Orders that show it, ascending.
     pub orders: Vec<usize>,
-    /// Standard deviation of the frequency between the orders that know it best, Hz.
+    /// Standard deviation of the frequency between the orders that know it best, strays left out, Hz.
     pub frequency_spread_hz: f64,
-    /// Standard deviation of the damping ratio between the orders that know it best.
+    /// Standard deviation of the damping ratio between the orders that know it best, strays left out.
     pub damping_ratio_spread: f64,
     /// What became of it.
     pub fate: Fate,
@@ -106,12 +106,12 @@ pub fn clusters(
         } else {
             None
         };
-        let of = |value: fn(&Pole) -> f64| spread(best.iter().map(|pole| value(pole)));
+        let [frequency_spread_hz, damping_ratio_spread] = spreads(medoid, &best, deviation.as_ref());
         found.push(Cluster {
             medoid: medoid.clone(),
             orders: members.iter().map(|&i| poles[i].pole.order).collect(),
-            frequency_spread_hz: of(|p| p.frequency_hz),
-            damping_ratio_spread: of(|p| p.damping_ratio),
+            frequency_spread_hz,
+            damping_ratio_spread,
             fate: match &deviation {
                 None => Fate::FewOrders,
                 Some(d) if d.frequency_sd_hz > most_hz => Fate::Scattered,
@@ -221,6 +221,21 @@ fn one_an_order<'a>(near: &'a [Neighbour], poles: &[&JudgedPole], free: &[bool])
         }
     }
     members
+}
+
+/// Standard deviations of frequency, Hz, and damping ratio between the orders, strays left out: low orders that lump two
+/// modes into one lie many deviations off.
+fn spreads(medoid: &Pole, poles: &[&Pole], deviation: Option<&PoleDeviation>) -> [f64; 2] {
+    const STRAY: f64 = 4.0; // deviations: one in 16000 by chance
+    let near = |p: &Pole, d: &PoleDeviation| {
+        (p.frequency_hz - medoid.frequency_hz).abs() <= STRAY * d.frequency_sd_hz
+            && (p.damping_ratio - medoid.damping_ratio).abs() <= STRAY * d.damping_ratio_sd
+    };
+    let kept = poles.iter().filter(|p| deviation.is_none_or(|d| near(p, d)));
+    [
+        spread(kept.clone().map(|p| p.frequency_hz)),
+        spread(kept.map(|p| p.damping_ratio)),
+    ]
 }
 
 fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {

@@ -20,8 +20,8 @@ pub struct Criteria {
     pub phase_collinearity_least: f64,
     /// Largest mean phase deviation over a right angle, 0 to 1; default 0.45 (ours).
     pub phase_deviation_most: f64,
-    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 5 (ours: modes of the made
-    /// records reach 1 to 2, poles that fit noise 5 to 100).
+    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 8 (ours: modes of the made
+    /// records reach 1 to 2, entangled with a noise pole 5 to 8; poles that fit noise 10 to 100).
     pub deviation_over_floor_most: f64,
     /// Largest change of frequency to the order below, relative; default 0.01 (Peeters & De Roeck 1999).
     pub frequency_change_most: f64,
@@ -41,7 +41,7 @@ impl Default for Criteria {
             damping_ratio_most: 0.15,
             phase_collinearity_least: 0.4,
             phase_deviation_most: 0.45,
-            deviation_over_floor_most: 5.0,
+            deviation_over_floor_most: 8.0,
             frequency_change_most: 0.01,
             damping_change_most: 0.3,
             assurance_least: 0.95,
