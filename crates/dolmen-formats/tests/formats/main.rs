@@ -4,6 +4,7 @@
 mod corpus;
 mod csv_records;
 mod npy_records;
+mod palisaden;
 mod project;
 mod project_keys;
 mod project_values;

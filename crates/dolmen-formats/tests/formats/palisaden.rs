@@ -8,12 +8,10 @@
 //! PUBLISHED  1.882, 2.421, 2.687 Hz, from the whole 90 minutes.
 //! TOLERANCE  the 95 % interval that each mode states, ± 1.96 standard deviations.
 //! ```
-#![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
-
 use dolmen::modal::{Identify, identify};
 use dolmen_formats::records::{RecordOptions, read_npy};
 
-const RECORD: &[u8] = include_bytes!("../../../examples/palisaden/record.npy");
+const RECORD: &[u8] = include_bytes!("../../../../examples/palisaden/record.npy");
 const PUBLISHED_HZ: [f64; 3] = [1.882, 2.421, 2.687];
 
 #[test]
