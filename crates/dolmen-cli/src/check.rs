@@ -1,14 +1,17 @@
 //! `dolmen check`: is the file right, does it stand.
 
 use crate::cli::Check as Options;
-use crate::{Outcome, open};
+use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result};
 use dolmen::assess::{Sensitivity, check_chain, check_frame, elasticity, probability};
 use dolmen::numeric::Random;
 use dolmen::stability::{chain_limits, chain_stability, frame_stability};
-use dolmen_formats::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State, VariantAnswer};
+use dolmen_formats::answer::{
+    Answer, Check, DirectionCheck, FREQUENCY_RATIO_MOST, FrequencyContradiction, Sampled, SensitivityOf,
+    State, TiltCheck, VariantAnswer,
+};
 use dolmen_formats::json::check_json;
-use dolmen_formats::project::{Pick, Project, Quantity, Structure};
+use dolmen_formats::project::{ModeKind, Pick, Project, Quantity, Structure};
 use dolmen_formats::text::check_text;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -28,9 +31,9 @@ pub(crate) fn run(options: &Options, as_json: bool) -> Result<Outcome> {
     });
     let answer = answer(project, &file, sampling, options.sensitivity)?;
     if as_json {
-        println!("{:#}", check_json(&answer));
+        files::say(&format!("{:#}\n", check_json(&answer)))?;
     } else {
-        print!("{}", check_text(&answer));
+        files::say(&check_text(&answer))?;
     }
     Ok(if answer.falls() {
         Outcome::Falls
@@ -46,7 +49,10 @@ pub(crate) fn answer(
     sampling: Option<Sampling>,
     with_sensitivity: bool,
 ) -> Result<Answer> {
-    let state = state_of(&project, sampling)?;
+    let mut state = state_of(&project, sampling)?;
+    if let Some(state) = &mut state {
+        state.contradictions = contradictions(&project, &state.check);
+    }
     let mut variants = Vec::new();
     for variant in &project.variants {
         if let Some(state) = state_of(&variant.project, sampling)? {
@@ -57,7 +63,7 @@ pub(crate) fn answer(
             });
         }
     }
-    let known = state.as_ref().is_some_and(|state| state.load_factor().is_some());
+    let known = load_factor(&project, &mut Quantity::nominal)?.is_some();
     let sensitivity_of = if known {
         SensitivityOf::LoadFactor
     } else {
@@ -87,7 +93,70 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
         Some(sampling) => sampled(project, sampling)?,
         None => None,
     };
-    Ok(Some(State { check, sampled }))
+    let tilts = tilts(project, &check);
+    Ok(Some(State {
+        check,
+        tilts,
+        contradictions: Vec::new(),
+        sampled,
+    }))
+}
+
+/// The tilts of the last survey that states any, against the uplift limit of a chain's joints.
+fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
+    let Check::Chain(chain) = check else {
+        return Vec::new();
+    };
+    let Some(survey) = project
+        .surveys
+        .iter()
+        .rev()
+        .find(|survey| !survey.tilt.is_empty())
+    else {
+        return Vec::new();
+    };
+    let joints = chain.stability.iter().flat_map(|stability| &stability.joints);
+    let uplift_tilt = joints
+        .filter_map(|joint| joint.uplift_tilt_rad)
+        .min_by(f64::total_cmp);
+    let each = survey.tilt.iter().map(|(direction, tilt)| TiltCheck {
+        survey: survey.name.clone(),
+        direction: direction.clone(),
+        tilt: tilt.ratio,
+        uplift_tilt,
+    });
+    each.collect()
+}
+
+/// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.
+fn contradictions(project: &Project, check: &Check) -> Vec<FrequencyContradiction> {
+    let computed = |direction: &str| match check {
+        Check::Chain(chain) => chain.modes.first(),
+        Check::Frame(all) => all
+            .iter()
+            .find(|d| d.direction == direction)
+            .and_then(|d| d.check.modes.first()),
+    };
+    let mut found = Vec::new();
+    for survey in &project.surveys {
+        for (direction, modes) in &survey.modes {
+            let measured = modes
+                .iter()
+                .find(|mode| mode.kind == ModeKind::Translation && !mode.frequency.is_assumed());
+            if let (Some(measured), Some(computed)) = (measured, computed(direction)) {
+                let ratio = measured.frequency.value / computed.frequency_hz;
+                if ratio.ln().abs() > FREQUENCY_RATIO_MOST.ln() {
+                    found.push(FrequencyContradiction {
+                        survey: survey.name.clone(),
+                        direction: direction.clone(),
+                        measured_hz: measured.frequency.value,
+                        computed_hz: computed.frequency_hz,
+                    });
+                }
+            }
+        }
+    }
+    found
 }
 
 /// The check of a structure, each input with the value that `pick` chooses; `None` if nothing is modelled.
@@ -118,7 +187,7 @@ fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
 }
 
 /// The load factor, each input with the value that `pick` chooses: of a frame the smallest of its directions;
-/// `None` if no stiffness is known.
+/// `None` unless the stiffness is known in every direction.
 fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
     Ok(match &project.structure {
         Structure::Survey => None,
@@ -130,10 +199,11 @@ fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
             let frame = part.build(pick)?;
             let mut least: Option<f64> = None;
             for direction in &part.directions {
-                if let Some(stiffness) = part.stiffness_n_m(&direction.name, pick) {
-                    let factor = frame_stability(&frame, &stiffness)?.load_factor;
-                    least = Some(least.map_or(factor, |other| other.min(factor)));
-                }
+                let Some(stiffness) = part.stiffness_n_m(&direction.name, pick) else {
+                    return Ok(None); // a direction that is not known is not a direction that stands
+                };
+                let factor = frame_stability(&frame, &stiffness)?.load_factor;
+                least = Some(least.map_or(factor, |other| other.min(factor)));
             }
             least
         }

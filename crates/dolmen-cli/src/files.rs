@@ -64,6 +64,14 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     Ok(())
 }
 
+/// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
+pub(crate) fn say(text: &str) -> Result<()> {
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(fault) if fault.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        written => written.context("cannot write to standard output"),
+    }
+}
+
 /// Makes `path` a folder to be filled: refused if it holds anything, so that nothing is overwritten.
 pub(crate) fn fresh_folder(path: &Path) -> Result<()> {
     if path.exists() && !path.is_dir() {

@@ -4,9 +4,10 @@ use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::modal::{Identify, Modes, identify};
+use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
-    Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, chain_stiffness,
-    directional_modes, frame_stiffness,
+    Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, StiffnessSolution,
+    StiffnessSolutions, chain_stiffness, directional_modes, frame_stiffness,
 };
 use dolmen_formats::Language;
 use dolmen_formats::answer::{Answer, RecordAnswer, SensitivityOf, StiffnessAnswer, SurveyAnswer};
@@ -36,9 +37,9 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     };
     let json = identification_json(&answer);
     if as_json {
-        println!("{json:#}");
+        files::say(&format!("{json:#}\n"))?;
     } else {
-        print!("{}", identification_text(&answer));
+        files::say(&identification_text(&answer))?;
     }
     if let Some(folder) = &options.output {
         files::write(
@@ -177,7 +178,13 @@ fn from_record(
     direction: &str,
     vector: [f64; 3],
 ) -> Result<Vec<StiffnessAnswer>> {
-    let found = directional_modes(modes, vector);
+    let mut found = directional_modes(modes, vector);
+    let parts = match &project.structure {
+        Structure::Chain(part) => part.links.len(),
+        Structure::Frame(part) => part.storeys.len(),
+        Structure::Survey => return Ok(Vec::new()),
+    };
+    found.modes.truncate(parts); // a model of n parts has n modes: the lowest ones
     if found.modes.is_empty() {
         return Ok(Vec::new());
     }
@@ -198,7 +205,7 @@ fn stiffness_of(
     notes: &[String],
 ) -> Result<Vec<StiffnessAnswer>> {
     let pick = &mut Quantity::nominal;
-    let answer = |convention, mut solutions: dolmen::structure::StiffnessSolutions| {
+    let answer = |convention, mut solutions: StiffnessSolutions, load_factors| {
         solutions.notes.extend(notes.iter().cloned());
         StiffnessAnswer {
             direction: direction.to_owned(),
@@ -206,26 +213,27 @@ fn stiffness_of(
             frequencies_hz: modes.iter().map(|mode| mode.frequency_hz).collect(),
             with_shapes: modes.iter().any(|mode| !mode.shape.is_empty()),
             solutions,
+            load_factors,
         }
     };
     match &project.structure {
         Structure::Survey => Ok(Vec::new()),
         Structure::Chain(part) => {
             let chain: Chain = part.build(pick)?;
-            Ok(vec![answer(
-                None,
-                chain_stiffness(&chain, modes, &ChainStiffness::default())?,
-            )])
+            let found = chain_stiffness(&chain, modes, &ChainStiffness::default())?;
+            let of = |s: &StiffnessSolution| Ok(chain_stability(&chain, &s.stiffness)?.load_factor);
+            let load_factors = found.solutions.iter().map(of).collect::<Result<_>>()?;
+            Ok(vec![answer(None, found, load_factors)])
         }
         Structure::Frame(part) => {
             let built = part.build(pick)?;
             let mut answers = Vec::new();
             for convention in [Convention::Drift, Convention::Grounded] {
                 let frame = Frame::new(built.storeys().to_vec(), convention)?;
-                answers.push(answer(
-                    Some(convention),
-                    frame_stiffness(&frame, modes, &FrameStiffness::default())?,
-                ));
+                let found = frame_stiffness(&frame, modes, &FrameStiffness::default())?;
+                let of = |s: &StiffnessSolution| Ok(frame_stability(&frame, &s.stiffness)?.load_factor);
+                let load_factors = found.solutions.iter().map(of).collect::<Result<_>>()?;
+                answers.push(answer(Some(convention), found, load_factors));
             }
             Ok(answers)
         }

@@ -45,6 +45,14 @@ pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {
     });
     let mut answers = Vec::new();
     for path in &options.projects {
+        if files::project_file(path)?.canonicalize().ok() == options.output.canonicalize().ok()
+            && options.output.exists()
+        {
+            anyhow::bail!(
+                "{} is the project file itself: write the report elsewhere",
+                options.output.display()
+            );
+        }
         answers.push(whole(path, sampling, quiet)?);
     }
     let page = html(

@@ -1,7 +1,7 @@
 //! What helps to use the command: explanations, completions, manual pages, and how errors are shown.
 
-use crate::Outcome;
 use crate::cli::Cli;
+use crate::{Outcome, files};
 use anyhow::{Context as _, Result, bail};
 use clap::CommandFactory as _;
 use dolmen_formats::explain::{EXPLANATIONS, explain as look_up, nearest_code};
@@ -73,7 +73,7 @@ pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
 }
 
 pub(crate) fn schema() -> Result<Outcome> {
-    println!("{:#}", json_schema());
+    files::say(&format!("{:#}\n", json_schema()))?;
     Ok(Outcome::Stands)
 }
 

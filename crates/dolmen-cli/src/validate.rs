@@ -56,9 +56,9 @@ pub(crate) fn run(as_json: bool) -> Result<Outcome> {
     cases.extend(palisaden()?);
     if as_json {
         let list: Vec<_> = cases.iter().map(case_json).collect();
-        println!("{:#}", json!(list));
+        files::say(&format!("{:#}\n", json!(list)))?;
     } else {
-        print!("{}", validation_text(&cases));
+        files::say(&validation_text(&cases))?;
     }
     let wrong = cases.iter().filter(|case| !case.agrees()).count();
     if wrong > 0 {

@@ -41,8 +41,51 @@ pub enum SensitivityOf {
 pub struct State {
     /// The check of the structure.
     pub check: Check,
+    /// Measured tilt against the tilt at which a joint reaches its uplift limit, of the last survey that states one.
+    pub tilts: Vec<TiltCheck>,
+    /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
+    pub contradictions: Vec<FrequencyContradiction>,
     /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
     pub sampled: Option<Sampled>,
+}
+
+/// Ratio of a measured first frequency to the model's (or the other way round) from which the stiffness of the model is
+/// not that of the structure measured: 10 %, a fifth in stiffness. Chosen here.
+pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
+
+/// A measured tilt against overturning, which a load factor does not see: a linear joint does not open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TiltCheck {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the tilt, "x".
+    pub direction: String,
+    /// Horizontal / vertical.
+    pub tilt: f64,
+    /// Least tilt of all joints at which one reaches its uplift limit N b/2; `None` without bed widths or stiffness.
+    pub uplift_tilt: Option<f64>,
+}
+
+impl TiltCheck {
+    /// Unstable if the tilt has reached the uplift limit, marginal within [`Verdict::MARGINAL_BELOW`] of it.
+    pub fn verdict(&self) -> Verdict {
+        self.uplift_tilt.map_or(Verdict::Unknown, |limit| {
+            Verdict::of_load_factor(limit / self.tilt.abs())
+        })
+    }
+}
+
+/// A measured frequency that the model does not have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrequencyContradiction {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the mode.
+    pub direction: String,
+    /// Lowest measured frequency of translation, Hz.
+    pub measured_hz: f64,
+    /// Lowest frequency of the model, Hz.
+    pub computed_hz: f64,
 }
 
 /// The check, by kind of structure.
@@ -128,6 +171,8 @@ pub struct StiffnessAnswer {
     pub with_shapes: bool,
     /// Every solution.
     pub solutions: StiffnessSolutions,
+    /// Load factor λ with each solution, in the same order.
+    pub load_factors: Vec<f64>,
 }
 
 impl State {
@@ -144,6 +189,17 @@ impl State {
 
     /// The worst verdict of the structure.
     pub fn verdict(&self) -> Verdict {
+        // a tilt that cannot be checked is said beside the verdict, and does not change it
+        let tilts = self
+            .tilts
+            .iter()
+            .map(TiltCheck::verdict)
+            .filter(|verdict| *verdict != Verdict::Unknown);
+        worst(tilts.chain([self.stability_verdict()]))
+    }
+
+    /// The verdict on the load factor alone.
+    pub fn stability_verdict(&self) -> Verdict {
         match &self.check {
             Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
             Check::Frame(directions) => {

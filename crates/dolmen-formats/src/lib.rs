@@ -12,3 +12,8 @@ pub mod report;
 pub mod text;
 
 pub use language::Language;
+
+/// The listings of the book are compiled and run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/library.md")]
+pub struct LibraryPage;

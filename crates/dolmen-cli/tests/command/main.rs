@@ -4,4 +4,5 @@
 mod answers;
 mod docs;
 mod layout;
+mod safety;
 mod verbs;

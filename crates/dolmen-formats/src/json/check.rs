@@ -54,6 +54,13 @@ fn state(state: &State) -> Value {
     json!({
         "verdict": state.verdict().word(),
         "check": check,
+        "tilts": state.tilts.iter().map(|t| json!({
+            "survey": t.survey, "direction": t.direction, "tilt": t.tilt, "uplift_tilt": t.uplift_tilt,
+            "verdict": t.verdict().word(),
+        })).collect::<Vec<_>>(),
+        "contradictions": state.contradictions.iter().map(|c| json!({
+            "survey": c.survey, "direction": c.direction, "measured_hz": c.measured_hz, "computed_hz": c.computed_hz,
+        })).collect::<Vec<_>>(),
         "sampled": state.sampled.as_ref().map(sampled),
     })
 }

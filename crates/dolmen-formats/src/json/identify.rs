@@ -92,6 +92,7 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
             Choice::Underdetermined => "underdetermined",
             Choice::Impossible => "impossible",
         },
+        "load_factors": answer.load_factors,
         "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
         "visibility": found.visibility.as_ref().map(visibility),
         "starts": found.starts,

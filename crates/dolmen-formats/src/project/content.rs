@@ -64,7 +64,7 @@ pub struct Warning {
     pub kind: WarningKind,
     /// Line in the file, from 1.
     pub line: usize,
-    /// Where in the file: "links[2].weight".
+    /// Where in the file: `links[2].weight`.
     pub path: String,
     /// A sentence for the reader.
     pub message: String,
@@ -125,7 +125,7 @@ impl Project {
         all
     }
 
-    /// The input at a path, "links[1].weight".
+    /// The input at a path, `links[1].weight`.
     pub fn input(&self, path: &str) -> Option<&Quantity> {
         self.inputs().into_iter().find(|quantity| quantity.path == path)
     }

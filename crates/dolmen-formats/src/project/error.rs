@@ -11,7 +11,7 @@ pub struct Problem {
     pub line: usize,
     /// Column in characters, from 1.
     pub column: usize,
-    /// Where in the file: "links[2].centroid"; "" for the file as a whole.
+    /// Where in the file: `links[2].centroid`; "" for the file as a whole.
     pub path: String,
     /// What is wrong, with the value.
     pub message: String,

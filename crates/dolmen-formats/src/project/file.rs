@@ -32,7 +32,7 @@ pub(super) struct FileRaw {
     /// Acceleration of gravity that turns weights into masses, m/s² unless units.acceleration says otherwise;
     /// 9.80665 if not given.
     pub(super) gravity: Option<At<QuantityRaw>>,
-    /// Paths of values that look like unit slips but are right: ["links[5].weight"].
+    /// Paths of values that look like unit slips but are right, as `["links[5].weight"]`.
     pub(super) allow: Option<Vec<At<String>>>,
     /// kind = "chain": the links, lowest first.
     pub(super) links: Option<At<Vec<At<LinkRaw>>>>,

@@ -43,7 +43,7 @@ pub struct Quantity {
     pub cov_source: Option<Evidence>,
     /// Anything the author added.
     pub note: Option<String>,
-    /// Where it stands in the file, parts counted from 1: "links[1].weight".
+    /// Where it stands in the file, parts counted from 1: `links[1].weight`.
     pub path: String,
     /// As written, with the unit that applied: "38.95 kN".
     pub written: String,

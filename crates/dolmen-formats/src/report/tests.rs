@@ -74,6 +74,7 @@ fn gate() -> Answer {
             starts: 1,
             notes: vec![],
         },
+        load_factors: vec![32.2, 182.7],
     };
     let checks = part.directions.iter().map(|d| DirectionCheck {
         direction: d.name.clone(),
@@ -93,7 +94,12 @@ fn answer(project: Project, check: Check) -> Answer {
     Answer {
         file: "dolmen.toml".into(),
         project,
-        state: Some(State { check, sampled: None }),
+        state: Some(State {
+            check,
+            tilts: vec![],
+            contradictions: vec![],
+            sampled: None,
+        }),
         variants: vec![],
         sensitivities: vec![],
         sensitivity_of: Default::default(),

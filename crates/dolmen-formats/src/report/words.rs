@@ -67,7 +67,7 @@ pub(super) fn unit_text(unit: &str) -> String {
     unit.replace(' ', "·")
 }
 
-/// "links[1].weight" in words, "link 1, weight"; a path that is not known stays as it is.
+/// `links[1].weight` in words, "link 1, weight"; a path that is not known stays as it is.
 pub(super) fn path_words(path: &str, language: Language) -> String {
     if let Some(words) = survey_words(path, language) {
         return words;
@@ -81,7 +81,7 @@ pub(super) fn path_words(path: &str, language: Language) -> String {
     format!("{part} {quantity}")
 }
 
-/// "survey.2009.frequencies.x[1]" and "survey.2009.modes.x[1].frequency".
+/// `survey.2009.frequencies.x[1]` and `survey.2009.modes.x[1].frequency`.
 fn survey_words(path: &str, language: Language) -> Option<String> {
     let rest = path.strip_prefix("survey.")?;
     let (place, damping) = match rest.strip_suffix(".frequency") {

@@ -2,8 +2,9 @@
 
 use super::Table;
 use super::project::{heading_text, warnings_text};
-use crate::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
-use crate::number::{percent, prefix};
+use super::versions::{comparison, sampled_text, sensitivity_text};
+use crate::answer::{Answer, Check, DirectionCheck, State, TiltCheck};
+use crate::number::{beside_one, percent, prefix};
 use crate::project::{Project, Structure};
 use dolmen::assess::{CentroidEffect, FrameCheck};
 use dolmen::stability::{ChainLimits, ChainStability, FrameStability, Verdict};
@@ -12,8 +13,8 @@ use std::fmt::Write as _;
 
 /// Digits of a stiffness in the table of limits: as many as the theory is known to.
 const LIMIT_DECIMALS: usize = 4;
-/// Elasticities below this are not listed: less than a hundredth of a per cent for one per cent of input.
-const ELASTICITY_SHOWN_LEAST: f64 = 5e-5;
+/// Factors nearer to 1 than this are 1.
+const ROUNDING: f64 = 1e-9;
 
 /// The whole check of a project and its variants.
 pub fn check_text(answer: &Answer) -> String {
@@ -32,6 +33,12 @@ pub fn check_text(answer: &Answer) -> String {
             out += &limits_of(&variant.state);
         }
         out += &stiffness_of(&variant.state);
+        let own = answer.project.variants.iter().find(|v| v.name == variant.name);
+        for warning in own.iter().flat_map(|v| &v.project.warnings) {
+            if !answer.project.warnings.contains(warning) {
+                let _ = writeln!(out, "  note: line {}: {}", warning.line, warning.message);
+            }
+        }
     }
     if !answer.variants.is_empty() {
         out += &comparison(answer);
@@ -72,17 +79,71 @@ fn same_limits(one: &State, other: &State) -> bool {
 
 fn verdict_line(state: &State) -> String {
     let verdict = state.verdict();
-    let why = match (verdict, state.load_factor()) {
+    let why = match (state.stability_verdict(), state.load_factor()) {
+        (_, Some(f64::INFINITY)) => {
+            "no axial force is given, so P-delta says nothing of stability".to_owned()
+        }
         (Verdict::Unknown, Some(_)) => {
             "the stiffness is not known in every direction [joints-unknown]".to_owned()
         }
         (Verdict::Unknown, None) => {
             "the stiffness is not known; the limits below say what it must be [joints-unknown]".to_owned()
         }
-        (_, Some(factor)) => format!("load factor {factor:.4}: {} [load-factor]", threshold(verdict)),
+        (own, Some(factor)) => {
+            format!(
+                "load factor {}: {} [load-factor]",
+                beside_one(factor, 5),
+                threshold(own)
+            )
+        }
         (_, None) => String::new(),
     };
-    format!("\nVERDICT {}: {why}\n", verdict.word())
+    let mut out = format!("\nVERDICT {}: {why}\n", verdict.word());
+    for tilt in &state.tilts {
+        out += &tilt_line(tilt);
+    }
+    for c in &state.contradictions {
+        let _ = writeln!(
+            out,
+            "CONTRADICTION: survey {} measured {:.4} Hz in direction {}, this model has {:.4} Hz: its stiffness or mass is \
+             not that of the\n  structure that was measured, and the verdict is on the model",
+            c.survey, c.measured_hz, c.direction, c.computed_hz
+        );
+    }
+    out
+}
+
+/// What a measured tilt means for overturning, which the load factor does not see.
+fn tilt_line(tilt: &TiltCheck) -> String {
+    let measured = format!(
+        "measured tilt 1/{:.0} ({}, survey {})",
+        1.0 / tilt.tilt.abs(),
+        tilt.direction,
+        tilt.survey
+    );
+    match (tilt.uplift_tilt, tilt.verdict()) {
+        (None, _) => {
+            format!("  {measured}: not checked against overturning (needs joint stiffness and bed_width)\n")
+        }
+        (Some(limit), Verdict::Unstable) => {
+            format!(
+                "  {measured}: OVERTURNS, a bed is on its edge at 1/{:.0}\n",
+                1.0 / limit
+            )
+        }
+        (Some(limit), verdict) => {
+            let opens = if 3.0 * tilt.tilt.abs() >= limit {
+                "; beds have begun to open (a third of it)"
+            } else {
+                ""
+            };
+            format!(
+                "  {measured}: {}, a bed is on its edge at 1/{:.0}{opens}\n",
+                verdict.word(),
+                1.0 / limit
+            )
+        }
+    }
 }
 
 fn threshold(verdict: Verdict) -> String {
@@ -182,9 +243,15 @@ fn chain_limits_text(limits: &ChainLimits) -> String {
 
 /// The sentence that the published criterion is unsafe, with its factors.
 fn unsafe_text(limits: &ChainLimits) -> String {
+    if limits
+        .published_critical_factor
+        .is_some_and(|factor| factor <= 1.0 + ROUNDING)
+    {
+        return "\nOf a single link the published k_cr is the exact limit.\n".to_owned();
+    }
     let by = match limits.published_critical_factor {
         Some(factor) => format!("by a factor of {factor:.6}"),
-        None => "by any factor".to_owned(),
+        None => "whatever it is multiplied with".to_owned(),
     };
     let mut out = format!(
         "\nUNSAFE: the published criterion k_cr (Choi 2021, eqs 38-42) is too low {by} [unsafe-criterion].\n  \
@@ -272,12 +339,12 @@ fn centroids_text(effects: &[CentroidEffect], limits: &ChainLimits, names: &[&st
 }
 
 fn chain_stability_text(stability: &ChainStability) -> String {
-    let given: Vec<f64> = stability
+    let softest = stability
         .joints
         .iter()
         .map(|joint| joint.stiffness_n_m_rad)
-        .collect();
-    let unit = prefix(&given, "N·m/rad");
+        .fold(f64::INFINITY, f64::min);
+    let unit = prefix(&[softest], "N·m/rad"); // the softest joint keeps its digits
     let some = |x: Option<f64>, decimals: usize| x.map_or("-".to_owned(), |x| format!("{x:.decimals$}"));
     let mut table = Table::new(
         &["joint", "k", "k,min", "margin k/k,min", "uplift tilt", "lean"],
@@ -344,12 +411,12 @@ fn frame_limits_text(check: &FrameCheck) -> String {
 }
 
 fn frame_stability_text(stability: &FrameStability) -> String {
-    let given: Vec<f64> = stability
+    let softest = stability
         .storeys
         .iter()
         .map(|storey| storey.stiffness_n_m)
-        .collect();
-    let unit = prefix(&given, "N/m");
+        .fold(f64::INFINITY, f64::min);
+    let unit = prefix(&[softest], "N/m");
     let mut table = Table::new(&["storey", "k", "k,min", "margin k/k,min"], 1);
     for (i, storey) in stability.storeys.iter().enumerate() {
         let some = |x: Option<f64>| x.map_or("-".to_owned(), |x| format!("{x:.3}"));
@@ -391,87 +458,4 @@ fn modes_text(modes: &[NaturalMode], points: &str) -> String {
         table.row(vec![(i + 1).to_string(), frequency, shape.join(" ")]);
     }
     format!("\nNatural modes\n{}", table.text())
-}
-
-fn sampled_text(sampled: &Sampled) -> String {
-    let p = sampled.unstable;
-    let plain = |share: f64| percent(share, 3).replace('\u{202f}', " ");
-    let at = |share: f64| {
-        let last = sampled.load_factors.len().saturating_sub(1);
-        sampled
-            .load_factors
-            .get((share * last as f64).round() as usize)
-            .copied()
-            .unwrap_or(f64::NAN)
-    };
-    format!(
-        "\nProbability that it falls: {} ({:.0} % interval {} to {}; {} of {} samples, seed {}) [probability]\n  \
-         {} inputs drawn; load factor 5 % / 50 % / 95 %: {:.3} / {:.3} / {:.3}\n",
-        plain(p.estimate),
-        100.0 * p.confidence,
-        plain(p.lower),
-        plain(p.upper),
-        p.count,
-        p.samples,
-        p.seed,
-        sampled.inputs.len(),
-        at(0.05),
-        at(0.5),
-        at(0.95)
-    )
-}
-
-fn comparison(answer: &Answer) -> String {
-    let mut table = Table::new(
-        &["version", "verdict", "load factor", "f1, Hz", "P(falls), 95 %"],
-        2,
-    );
-    let own = answer.state.iter().map(|state| ("as it is", state));
-    let others = answer
-        .variants
-        .iter()
-        .map(|variant| (variant.name.as_str(), &variant.state));
-    for (name, state) in own.chain(others) {
-        let first = match &state.check {
-            Check::Chain(check) => check.modes.first(),
-            Check::Frame(directions) => directions.iter().find_map(|d| d.check.modes.first()),
-        };
-        let dash = || "-".to_owned();
-        table.row(vec![
-            name.to_owned(),
-            state.verdict().word().to_owned(),
-            state.load_factor().map_or_else(dash, |x| format!("{x:.4}")),
-            first.map_or_else(dash, |mode| format!("{:.4}", mode.frequency_hz)),
-            state
-                .sampled
-                .as_ref()
-                .map_or_else(dash, |s| format!("{:.4}", s.unstable.estimate)),
-        ]);
-    }
-    format!("\nSide by side\n{}", table.text())
-}
-
-fn sensitivity_text(answer: &Answer) -> String {
-    let sensitivities = &answer.sensitivities;
-    let of = match answer.sensitivity_of {
-        SensitivityOf::LoadFactor => "load factor",
-        SensitivityOf::EqualJoints => "stiffness that equal joints need",
-    };
-    if sensitivities.is_empty() {
-        return String::new();
-    }
-    let mut table = Table::new(&["input", "value, SI", "% of it per % of input", "cov"], 1);
-    for s in sensitivities
-        .iter()
-        .filter(|s| s.elasticity.abs() >= ELASTICITY_SHOWN_LEAST)
-    {
-        let cov = s.cov.map_or("-".to_owned(), |cov| format!("{cov}"));
-        table.row(vec![
-            s.input.clone(),
-            format!("{:.6}", s.value),
-            format!("{:+.4}", s.elasticity),
-            cov,
-        ]);
-    }
-    format!("\nSensitivity of the {of}, strongest first\n{}", table.text())
 }

@@ -3,13 +3,16 @@
 use super::Table;
 use super::project::{convention_words, heading_text, warnings_text};
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
-use crate::number::prefix;
+use crate::number::{beside_one, prefix, trimmed};
 use dolmen::modal::Modes;
+use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, StiffnessSolution, Visibility};
 use std::fmt::Write as _;
 
 /// Half width of a 95 % interval, in standard deviations of a normal variable.
 const TWO_SIDED_95: f64 = 1.96;
+/// Significant digits of a frequency that went in.
+const FREQUENCY_DIGITS: usize = 5;
 /// Solutions printed in full; the rest are counted.
 const SOLUTIONS_SHOWN: usize = 24;
 
@@ -157,7 +160,11 @@ fn channel_shapes_text(modes: &Modes) -> String {
 }
 
 fn data_text(stiffness: &StiffnessAnswer) -> String {
-    let frequencies: Vec<String> = stiffness.frequencies_hz.iter().map(f64::to_string).collect();
+    let frequencies: Vec<String> = stiffness
+        .frequencies_hz
+        .iter()
+        .map(|f| trimmed(*f, FREQUENCY_DIGITS))
+        .collect();
     let shapes = if stiffness.with_shapes {
         "with measured shapes"
     } else {
@@ -195,7 +202,7 @@ fn stiffness_text(stiffness: &StiffnessAnswer) -> String {
         let parts = found.solutions[0].stiffness.len();
         let mut heads: Vec<String> = vec!["solution".into()];
         heads.extend((1..=parts).map(|i| format!("k{i}")));
-        heads.extend(["misfit".into(), "stands".into()]);
+        heads.extend(["misfit".into(), "load factor".into(), "verdict".into()]);
         let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
         let mut table = Table::new(&heads, 1);
         for (i, solution) in found.solutions.iter().take(SOLUTIONS_SHOWN).enumerate() {
@@ -207,7 +214,13 @@ fn stiffness_text(stiffness: &StiffnessAnswer) -> String {
                     .map(|k| format!("{:.4}", k * unit.factor)),
             );
             cells.push(format!("{:.1e}", solution.misfit));
-            cells.push(if solution.stands { "yes" } else { "no" }.into());
+            let factor = stiffness.load_factors.get(i).copied().unwrap_or(f64::NAN);
+            cells.push(beside_one(factor, 4));
+            let verdict = match found.choice {
+                Choice::Underdetermined => Verdict::Unknown, // one member of a family
+                _ => Verdict::of_load_factor(factor),
+            };
+            cells.push(verdict.word().into());
             table.row(cells);
             if let Some(sd) = &solution.stiffness_sd {
                 let mut cells = vec!["  ± 95 %".to_owned()];

@@ -5,6 +5,7 @@ mod identify;
 mod project;
 mod table;
 mod validate;
+mod versions;
 
 pub use check::check_text;
 pub use identify::identification_text;

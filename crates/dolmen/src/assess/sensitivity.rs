@@ -20,7 +20,7 @@ pub struct CentroidEffect {
 /// Sensitivity of a result to one input: d ln(result) / d ln(input), by central difference.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Sensitivity {
-    /// Path of the input in the project file, "links[1].weight".
+    /// Path of the input in the project file, `links[1].weight`.
     pub input: String,
     /// Value of the input, SI.
     pub value: f64,

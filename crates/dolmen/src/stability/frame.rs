@@ -9,7 +9,7 @@
 
 use super::{StabilityError, Verdict};
 use crate::structure::{Convention, Frame};
-use dolmen_linalg::{LinalgError, Matrix, generalized_symmetric_eigen, solve};
+use dolmen_linalg::{LinalgError, Matrix, cholesky, generalized_symmetric_eigen, solve};
 
 /// One storey of a frame with known stiffness.
 #[derive(Clone, Debug, PartialEq)]
@@ -99,6 +99,11 @@ pub fn frame_stability(frame: &Frame, stiffness_n_m: &[f64]) -> Result<FrameStab
 
 /// λ with its shape; λ = 0 if the springs alone do not hold the frame.
 fn load_factor(elastic: &Matrix, geometric: &Matrix) -> Result<(f64, Vec<f64>), StabilityError> {
+    match cholesky(elastic) {
+        Ok(_) => {}
+        Err(LinalgError::NotPositiveDefinite { .. }) => return Ok((0.0, Vec::new())),
+        Err(fault) => return Err(fault.into()),
+    }
     if geometric.as_slice().iter().all(|&x| x == 0.0) {
         return Ok((f64::INFINITY, Vec::new()));
     }

@@ -18,9 +18,10 @@ impl Verdict {
     /// frequencies is uncertain by twice their error, and stone joints lose stiffness as they open.
     pub const MARGINAL_BELOW: f64 = 1.5;
 
-    /// The verdict on a load factor λ (factor on gravity at which it falls).
+    /// The verdict on a load factor λ (factor on gravity at which it falls). Infinite, because no gravity load is given,
+    /// says nothing: unknown.
     pub fn of_load_factor(load_factor: f64) -> Self {
-        if load_factor.is_nan() {
+        if load_factor.is_nan() || load_factor == f64::INFINITY {
             Verdict::Unknown
         } else if load_factor <= 1.0 {
             Verdict::Unstable

@@ -31,7 +31,7 @@ pub type ChainStiffness = StiffnessSearch;
 /// and up to all 5! = 120 if the upper joints are the stiffer ones.
 ///
 /// With fewer data than joints, the solution given is the one whose stiffnesses are nearest to a common multiple of
-/// M_i (least squares of ln k); `choice` is [`Choice::Underdetermined`] and the notes say what stays free.
+/// M_i (least squares of ln k); `choice` is [`Choice::Underdetermined`](crate::structure::Choice) and the notes say what stays free.
 ///
 /// # Input
 /// * `modes` -- the **lowest** modes of one direction, ascending, none left out between them. Displacements are those
