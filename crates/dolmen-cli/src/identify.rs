@@ -6,7 +6,7 @@ use anyhow::{Context as _, Result, bail};
 use dolmen::modal::{Identify, Modes, identify};
 use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
-    Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, StiffnessSolution,
+    Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, StiffnessNote, StiffnessSolution,
     StiffnessSolutions, chain_stiffness, directional_modes, frame_stiffness,
 };
 use dolmen_formats::Language;
@@ -117,16 +117,13 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
     })
 }
 
-/// Sentences on the modes of a direction that twist: reported, but kept out of the fit.
-fn twisting(survey: &Survey, direction: &str) -> Vec<String> {
+/// The modes of a direction that twist: reported, but kept out of the fit.
+fn twisting(survey: &Survey, direction: &str) -> Vec<StiffnessNote> {
     let modes = survey.modes.get(direction).into_iter().flatten();
     let twisting = modes.filter(|mode| mode.kind == ModeKind::Torsion);
     twisting
-        .map(|mode| {
-            format!(
-                "The mode at {} Hz twists in plan and is kept out of the fit.",
-                mode.frequency.value
-            )
+        .map(|mode| StiffnessNote::Twists {
+            frequency_hz: mode.frequency.value,
         })
         .collect()
 }
@@ -188,12 +185,11 @@ fn from_record(
     if found.modes.is_empty() {
         return Ok(Vec::new());
     }
-    let mut notes: Vec<String> = found.left_out.iter().map(ToString::to_string).collect();
-    notes.push(format!(
-        "The {} modes used are taken as the lowest of direction {direction}, none missed between them: if one was, every stiffness \
-         is wrong.",
-        found.modes.len()
-    ));
+    let mut notes: Vec<StiffnessNote> = found.left_out.into_iter().map(StiffnessNote::LeftOut).collect();
+    notes.push(StiffnessNote::TakenAsLowest {
+        modes: found.modes.len(),
+        direction: direction.to_owned(),
+    });
     stiffness_of(project, direction, &found.modes, &notes)
 }
 
@@ -202,7 +198,7 @@ fn stiffness_of(
     project: &Project,
     direction: &str,
     modes: &[MeasuredMode],
-    notes: &[String],
+    notes: &[StiffnessNote],
 ) -> Result<Vec<StiffnessAnswer>> {
     let pick = &mut Quantity::nominal;
     let answer = |convention, mut solutions: StiffnessSolutions, load_factors| {

@@ -134,7 +134,7 @@ fn frame(check: &FrameCheck) -> Value {
         "level_load_ratios": check.level_load_ratios,
         "stability": check.stability.as_ref().map(frame_stability),
         "modes": modes(&check.modes),
-        "notes": check.notes,
+        "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
 

@@ -96,7 +96,7 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
         "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
         "visibility": found.visibility.as_ref().map(visibility),
         "starts": found.starts,
-        "notes": found.notes,
+        "notes": found.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }
 

@@ -2,6 +2,7 @@
 
 use super::chain_findings::load_factor_words;
 use super::findings::{Finding, Tone};
+use super::notes::frame_note_words;
 use super::table::{Cell, figure, table};
 use super::words::convention_word;
 use crate::Language;
@@ -53,7 +54,7 @@ pub(super) fn findings(directions: &[DirectionCheck], language: Language) -> Vec
             ));
         }
         for note in &direction.check.notes {
-            let finding = Finding::new(Tone::Warn, note.clone());
+            let finding = Finding::new(Tone::Warn, frame_note_words(note, language));
             // A slip in the loads is the same in every direction.
             if !all.contains(&finding) {
                 all.push(finding);

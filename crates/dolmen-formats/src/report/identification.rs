@@ -1,6 +1,7 @@
 //! What was found from measured vibration: stiffness with all its solutions, and what the sensors cannot see.
 
 use super::findings::{Finding, Tone};
+use super::notes::stiffness_note_words;
 use super::table::{Cell, figure, table};
 use super::words::{convention_word, listed};
 use crate::Language;
@@ -76,7 +77,8 @@ fn choice(answer: &StiffnessAnswer, language: Language) -> Finding {
             )
         }
         Choice::Impossible => {
-            let why = answer.solutions.notes.join(" ");
+            let why: Vec<String> = answer.solutions.notes.iter().map(|note| stiffness_note_words(note, language)).collect();
+            let why = why.join(" ");
             Finding::new(
                 Tone::Bad,
                 head + &language.pick(
@@ -106,7 +108,7 @@ pub(super) fn section(project: &Project, all: &[SurveyAnswer], language: Languag
                     (solutions(project, answer, &measured, language))
                 }
                 @if let Some(visibility) = &answer.solutions.visibility { (seen(visibility, language)) }
-                @for note in &answer.solutions.notes { p.note { (language.pick("", "비고(영문): ")) (note) } }
+                @for note in &answer.solutions.notes { p.note { (stiffness_note_words(note, language)) } }
             }
         }
     }

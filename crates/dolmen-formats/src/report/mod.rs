@@ -8,6 +8,7 @@ mod frame;
 mod given;
 mod identification;
 mod modal;
+mod notes;
 mod page;
 mod samples;
 mod style;

@@ -227,6 +227,17 @@ fn note_words(note: &Note, language: Language) -> String {
                 all.join(", ")
             )
         }
+        Note::FewBlocks { time_blocks } => format!(
+            "기록이 짧아 표준편차를 시간 블록 {time_blocks}개에서 산정하였으며, 표준편차 자체의 정확도는 ± {:.0}\u{202f}%이다.",
+            100.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt()
+        ),
+        Note::Tones { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{}에 구조물로 보기에는 폭이 너무 좁은 스펙트럼 선이 있다. 기계 진동이다.",
+                all.join(", ")
+            )
+        }
         Note::Channel(fault) => format!("{} 그대로 사용하였다.", fault_words(fault, language)),
         Note::FewCycles {
             frequency_hz,
@@ -243,13 +254,34 @@ fn note_words(note: &Note, language: Language) -> String {
 
 fn fault_words(fault: &ChannelFault, language: Language) -> String {
     let korean = match fault {
-        ChannelFault::Constant { .. } => "신호 없음",
-        ChannelFault::Faint { .. } => "신호가 지나치게 약하거나 단위가 다름",
-        ChannelFault::Clipped { .. } => "측정 범위 초과(클리핑)",
-        ChannelFault::Duplicated { .. } => "중복 채널",
-        _ => "이상",
+        ChannelFault::Constant { channel, value } => format!(
+            "채널 \"{channel}\": 신호 없음. 모든 표본이 {value}이다. 제외하고 케이블을 점검해야 한다."
+        ),
+        ChannelFault::Faint {
+            channel,
+            deviation,
+            typical,
+        } => format!(
+            "채널 \"{channel}\": 신호가 없거나 단위가 다르다. 표준편차가 {deviation:.3e}이나 같은 종류 채널의 중앙값은 {typical:.3e}이다. 제외하거나 단위를 바로잡아야 한다."
+        ),
+        ChannelFault::Clipped {
+            channel,
+            value,
+            samples,
+            first_s,
+        } => format!(
+            "채널 \"{channel}\": 측정 범위 초과(클리핑). 표본 {samples}개가 정확히 {value}에 머물며 처음은 {first_s}\u{202f}s이다. 범위 안의 구간만 쓰거나 채널을 제외해야 한다."
+        ),
+        ChannelFault::Duplicated {
+            channel,
+            other,
+            factor,
+        } => format!(
+            "채널 \"{channel}\"과(와) \"{other}\"의 신호가 같다(배율 {factor:.6}). 한 케이블이 두 입력에 연결되었거나 같은 열이 중복되었으므로 하나를 제외해야 한다."
+        ),
+        other => other.to_string(),
     };
-    language.pick(sentence(&fault.to_string()), format!("{korean} [{fault}]"))
+    language.pick(sentence(&fault.to_string()), korean)
 }
 
 /// With a capital at the start and a full stop.

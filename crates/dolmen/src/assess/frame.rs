@@ -3,12 +3,44 @@
 use super::AssessError;
 use crate::stability::{FrameStability, frame_stability};
 use crate::structure::{Frame, NaturalMode};
+use std::fmt;
 
 /// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
 const GRAVITY_M_S2: f64 = 9.806_65;
 /// A level whose load is outside this many times the weight of its mass is pointed out: our choice. Roof masses are
 /// lumped from drawings to some 10 %; axial forces summed twice give 2 in a frame of two equal storeys.
 const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
+
+/// What looks like a slip in the loads of a frame. Printed, it is an English sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum FrameNote {
+    /// No storey carries an axial force.
+    NoAxialForce,
+    /// A level adds a load that its mass does not explain.
+    LevelLoad {
+        /// The level, from 1.
+        level: usize,
+        /// Load that it adds over the weight of its mass.
+        ratio: f64,
+    },
+}
+
+impl fmt::Display for FrameNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            FrameNote::NoAxialForce => f.write_str(
+                "No axial force is given: P-delta is left out, and nothing can be said of stability.",
+            ),
+            FrameNote::LevelLoad { level, ratio } => write!(
+                f,
+                "Level {level} loads its storey with {ratio:.2} times the weight of its mass. If the axial forces given \
+                 already hold the levels above, give them as storey forces, not as level loads: summed twice they \
+                 overstate P-delta."
+            ),
+        }
+    }
+}
 
 /// All that can be said of a frame at once.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,8 +53,8 @@ pub struct FrameCheck {
     pub stability: Option<FrameStability>,
     /// Natural modes; empty if the stiffness is not known.
     pub modes: Vec<NaturalMode>,
-    /// Sentences for the reader: what looks like a slip in the input.
-    pub notes: Vec<String>,
+    /// What looks like a slip in the input.
+    pub notes: Vec<FrameNote>,
 }
 
 /// Stability and natural modes of a frame; without stiffness, what its loads alone say.
@@ -58,23 +90,14 @@ pub fn check_frame(frame: &Frame, stiffness_n_m: Option<&[f64]>) -> Result<Frame
     })
 }
 
-fn load_notes(frame: &Frame, ratios: &[f64]) -> Vec<String> {
+fn load_notes(frame: &Frame, ratios: &[f64]) -> Vec<FrameNote> {
     if frame.storeys().iter().all(|s| s.axial_n == 0.0) {
-        return vec![
-            "No axial force is given: P-delta is left out, and nothing can be said of stability.".into(),
-        ];
+        return vec![FrameNote::NoAxialForce];
     }
     let unlikely = ratios.iter().enumerate();
     let unlikely = unlikely.filter(|(_, ratio)| !LOAD_RATIO_PLAUSIBLE.contains(*ratio));
     unlikely
-        .map(|(i, ratio)| {
-            format!(
-                "Level {} loads its storey with {ratio:.2} times the weight of its mass. If the axial forces given \
-                 already hold the levels above, give them as storey forces, not as level loads: summed twice they \
-                 overstate P-delta.",
-                i + 1
-            )
-        })
+        .map(|(i, &ratio)| FrameNote::LevelLoad { level: i + 1, ratio })
         .collect()
 }
 
@@ -101,7 +124,9 @@ mod tests {
         let check = check_frame(&gate([summed[0], summed[1]]), None).unwrap();
         assert_eq!(check.notes.len(), 1);
         assert!(
-            check.notes[0].starts_with("Level 1 loads its storey with 2.08 times"),
+            check.notes[0]
+                .to_string()
+                .starts_with("Level 1 loads its storey with 2.08 times"),
             "{}",
             check.notes[0]
         );
@@ -111,7 +136,7 @@ mod tests {
     fn holds_without_stiffness_only_loads_are_reported() {
         let check = check_frame(&gate([0.0, 0.0]), None).unwrap();
         assert_eq!((check.stability, check.modes.len()), (None, 0));
-        assert!(check.notes[0].starts_with("No axial force is given"));
+        assert_eq!(check.notes, [FrameNote::NoAxialForce]);
     }
 
     #[test]

@@ -8,6 +8,6 @@ mod sensitivity;
 
 pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
 pub use error::AssessError;
-pub use frame::{FrameCheck, check_frame};
+pub use frame::{FrameCheck, FrameNote, check_frame};
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};

@@ -41,13 +41,18 @@ pub enum LeftOut {
     },
 }
 
+impl LeftOut {
+    /// Share of a mode's squared components that must lie along the direction.
+    pub const SHARE_LEAST: f64 = SHARE_LEAST;
+}
+
 impl std::fmt::Display for LeftOut {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             LeftOut::OtherDirection { frequency_hz, share } => write!(
                 f,
-                "the mode at {frequency_hz:.3} Hz is left out: only {:.0} % of its motion is in this direction, {:.0} % \
-                 are needed",
+                "The mode at {frequency_hz:.3} Hz is left out: only {:.0} % of its motion is in this direction, {:.0} % \
+                 are needed.",
                 100.0 * share,
                 100.0 * SHARE_LEAST
             ),
@@ -57,8 +62,8 @@ impl std::fmt::Display for LeftOut {
                 difference,
             } => write!(
                 f,
-                "the mode at {frequency_hz:.3} Hz is left out: at {height_m:.2} m its sensors differ by {:.0} % of the \
-                 largest, so it twists",
+                "The mode at {frequency_hz:.3} Hz is left out: at {height_m:.2} m its sensors differ by {:.0} % of the \
+                 largest, so it twists.",
                 100.0 * difference
             ),
         }

@@ -1,6 +1,6 @@
 //! Stiffness from measured modes: what goes in and what comes out, the same for chains and frames.
 
-use super::{NaturalMode, StructureError};
+use super::{NaturalMode, StiffnessNote, StructureError};
 
 /// Lateral displacement of one point in a measured mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -93,8 +93,8 @@ pub struct StiffnessSolutions {
     pub visibility: Option<Visibility>,
     /// Starting points tried (1 for a closed form).
     pub starts: usize,
-    /// Sentences for the reader: why no solution exists, what was left out.
-    pub notes: Vec<String>,
+    /// What the reader must know: why no solution exists, what was left out, what was assumed.
+    pub notes: Vec<StiffnessNote>,
 }
 
 /// Refuses modes that cannot be those of a structure of `most` parts.

@@ -7,6 +7,7 @@ mod frame;
 mod identification;
 mod inverse;
 mod natural;
+mod stiffness_note;
 mod tapered_cantilever;
 
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
@@ -21,4 +22,5 @@ pub use identification::{
 };
 pub use inverse::{FrequencyRoots, StiffnessSearch};
 pub use natural::NaturalMode;
+pub use stiffness_note::{Misfit, OfSpring, Proportion, Spring, StiffnessNote, Thoroughness};
 pub use tapered_cantilever::{Section, TaperedCantilever};

@@ -170,7 +170,11 @@ fn holds_five_frequencies_leave_at_least_16_stiffnesses() {
         found.solutions.iter().filter(|s| is_true(&s.stiffness)).count(),
         1
     );
-    assert!(found.notes[0].starts_with("40 sets of joint stiffness explain the data equally well"));
+    assert!(
+        found.notes[0]
+            .to_string()
+            .starts_with("40 sets of joint stiffness explain the data equally well")
+    );
     assert_eq!(identify(&chain, &modes), found, "same input, same bits");
 }
 
@@ -202,7 +206,7 @@ fn holds_two_frequencies_for_five_springs_are_an_honest_answer() {
     assert_eq!(found.solutions[0].stiffness_sd, None);
     assert_eq!(found.visibility.as_ref().unwrap().free_directions, 3);
     assert_eq!(
-        found.notes[0],
+        found.notes[0].to_string(),
         "2 frequencies give 2 independent data for 5 joint stiffnesses: they cannot be determined. The set shown fits \
          the data and is the nearest to stiffness in proportion to the weight moment above each joint, an assumption \
          and not a measurement. Measure more modes, or shapes at several heights."
@@ -211,7 +215,7 @@ fn holds_two_frequencies_for_five_springs_are_an_honest_answer() {
         found
             .notes
             .iter()
-            .filter(|note| note.starts_with("Free: changes of ln k"))
+            .filter(|note| note.to_string().starts_with("Free: changes of ln k"))
             .count(),
         3
     );
@@ -224,7 +228,11 @@ fn holds_sensors_on_the_lowest_link_alone_add_nothing() {
     let found = identify(&chain, &measured(&chain, &k, 1, &[0.5, 1.0, 1.5, 2.0, 2.5, 3.0]));
     assert_eq!(found.choice, Choice::Underdetermined);
     assert_eq!(found.visibility.unwrap().free_directions, 4);
-    assert!(found.notes[0].starts_with("1 frequency with shape points gives 1 independent datum"));
+    assert!(
+        found.notes[0]
+            .to_string()
+            .starts_with("1 frequency with shape points gives 1 independent datum")
+    );
 }
 
 #[test]
@@ -243,7 +251,7 @@ fn holds_a_nearly_rigid_joint_is_not_seen() {
         found
             .notes
             .iter()
-            .any(|note| note.starts_with("The sensors hardly see joint 3:")),
+            .any(|note| note.to_string().starts_with("The sensors hardly see joint 3:")),
         "{:?}",
         found.notes
     );
@@ -357,12 +365,10 @@ fn exact_the_side_support_is_part_of_the_model() {
     let k = twice_the_least(&chain);
     let found = identify(&chain, &measured(&chain, &k, 2, &tops(&chain)));
     assert_stiffness(&found.solutions[0].stiffness, &k, 1e-8);
-    assert!(
-        found
-            .notes
-            .iter()
-            .any(|note| note.starts_with("The side support is part of the model"))
-    );
+    assert!(found.notes.iter().any(|note| {
+        note.to_string()
+            .starts_with("The side support is part of the model")
+    }));
 }
 
 #[test]
@@ -381,7 +387,7 @@ fn holds_frequencies_no_chain_has_are_said_to_be_impossible() {
         found
             .notes
             .iter()
-            .any(|note| note.starts_with("No joint stiffness was found, from"))
+            .any(|note| note.to_string().starts_with("No joint stiffness was found, from"))
     );
 }
 

@@ -171,7 +171,7 @@ fn exact_two_storeys_on_drift_need_frequencies_far_enough_apart() {
     let none = found(&gate, &[frequency(1.1, 0.0), frequency(2.0, 0.0)]);
     assert_eq!((none.choice, none.solutions.len()), (Choice::Impossible, 0));
     assert!(
-        none.notes[0].starts_with(
+        none.notes[0].to_string().starts_with(
             "No stiffness gives these two frequencies: their ratio r = f2/f1 is 1.8182, so r + 1/r is 2.3682, but two \
              storeys on springs between them need r + 1/r ≥ 2√(1 + m2/m1) = 2.8864, a ratio of 2.4837 at least."
         ),
@@ -190,7 +190,7 @@ fn exact_two_grounded_storeys_need_frequencies_apart_by_their_coupling() {
     let none = stiffness_from_frequencies(&gate, &[1.0, second(apart * (1.0 - 1e-9))]).unwrap();
     assert!(none.stiffness.is_empty());
     assert!(
-        none.notes[0].contains("ω2² − ω1² is 2.6520 (rad/s)²"),
+        none.notes[0].to_string().contains("ω2² − ω1² is 2.6520 (rad/s)²"),
         "{}",
         none.notes[0]
     );
@@ -300,7 +300,9 @@ fn holds_one_frequency_of_the_strong_axis_is_an_honest_answer() {
     assert_eq!(found.solutions[0].stiffness_sd, None);
     assert!((found.solutions[0].modes[0].frequency_hz / paper::STRONG_HZ - 1.0).abs() < 1e-9);
     assert!(
-        found.notes[0].starts_with("1 frequency gives 1 independent datum for 2 storey stiffnesses: "),
+        found.notes[0]
+            .to_string()
+            .starts_with("1 frequency gives 1 independent datum for 2 storey stiffnesses: "),
         "{}",
         found.notes[0]
     );

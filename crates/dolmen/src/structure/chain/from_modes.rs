@@ -10,7 +10,9 @@ use super::Chain;
 use crate::structure::inverse::{
     FrequencyRoots, SpringModel, Sprung, StiffnessSearch, roots_by_continuation, stiffness_from_modes,
 };
-use crate::structure::{MeasuredMode, NaturalMode, StiffnessSolutions, StructureError};
+use crate::structure::{
+    MeasuredMode, NaturalMode, Proportion, Spring, StiffnessNote, StiffnessSolutions, StructureError,
+};
 use dolmen_linalg::Matrix;
 
 /// How the stiffness of joints is sought.
@@ -84,9 +86,8 @@ pub fn chain_stiffness(
 const JOINTS_FOLLOWED_MOST: usize = 5;
 
 impl Sprung for Chain {
-    const KIND: &'static str = "chain";
     const PARTS: &'static str = "links";
-    const SPRING: &'static str = "joint";
+    const SPRING: Spring = Spring::Joint;
 
     fn model(&self) -> Result<SpringModel, StructureError> {
         let n = self.links().len();
@@ -112,8 +113,8 @@ impl Sprung for Chain {
         self.necessary_n_m_rad()
     }
 
-    fn proportion_words(&self) -> &'static str {
-        "the weight moment above each joint"
+    fn proportion_to(&self) -> Proportion {
+        Proportion::WeightMoment
     }
 
     fn natural_modes_with(&self, stiffness: &[f64]) -> Result<Vec<NaturalMode>, StructureError> {
@@ -131,21 +132,16 @@ impl Sprung for Chain {
         Ok(Some(roots_by_continuation(&self.model()?, &lambda)?))
     }
 
-    fn assumptions(&self) -> Vec<String> {
+    fn assumptions(&self) -> Vec<StiffnessNote> {
         let mut notes = Vec::new();
         if self.assumes_thin_rods() {
-            notes.push(
-                "Moments of inertia that were not given are those of thin rods, which are low: stiffness comes out low \
-                 too."
-                    .to_string(),
-            );
+            notes.push(StiffnessNote::ThinRods);
         }
         if let Some(support) = self.side_support() {
             notes.push(if support.acts_linearly() {
-                "The side support is part of the model, its stiffness taken as given.".to_string()
+                StiffnessNote::SideSupportTaken
             } else {
-                "The side support has a gap and is left out: the chain is taken not to touch it while it vibrates."
-                    .to_string()
+                StiffnessNote::SideSupportWithGap
             });
         }
         notes

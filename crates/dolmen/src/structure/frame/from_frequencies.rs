@@ -11,8 +11,8 @@
 //! | u, v | `u` | (k1 − g1 − g2)/m1 and (k2 − g2)/m2 (grounded) | (rad/s)² |
 
 use super::storeys::{Convention, Frame};
-use crate::structure::StructureError;
 use crate::structure::inverse::{FrequencyRoots, Sprung, roots_by_continuation};
+use crate::structure::{StiffnessNote, StructureError};
 
 /// Most storeys for which every root is found: n! paths are followed, 720 of them for six.
 pub(crate) const STOREYS_EXHAUSTIVE_MOST: usize = 6;
@@ -142,15 +142,10 @@ fn two_storeys_drift(frame: &Frame, lambda: &[f64]) -> FrequencyRoots {
     let mut notes = Vec::new();
     if kappas.is_empty() {
         let ratio = (lambda[1] / lambda[0]).sqrt();
-        let needed = (1.0 + m2 / m1).sqrt();
-        notes.push(format!(
-            "No stiffness gives these two frequencies: their ratio r = f2/f1 is {ratio:.4}, so r + 1/r is {:.4}, but two \
-             storeys on springs between them need r + 1/r ≥ 2√(1 + m2/m1) = {:.4}, a ratio of {:.4} at least. Check the \
-             masses, and whether both modes move in this direction without twisting.",
-            ratio + 1.0 / ratio,
-            2.0 * needed,
-            needed + (m2 / m1).sqrt()
-        ));
+        notes.push(StiffnessNote::RatioBelowLeast {
+            ratio,
+            ratio_least: (1.0 + m2 / m1).sqrt() + (m2 / m1).sqrt(),
+        });
     }
     let stiffness = |kappa2: f64| {
         let kappa1 = product * m1 * m2 / kappa2;
@@ -172,12 +167,10 @@ fn two_storeys_grounded(frame: &Frame, lambda: &[f64]) -> FrequencyRoots {
     let us = quadratic(sum, product + coupling * coupling);
     let mut notes = Vec::new();
     if us.is_empty() {
-        notes.push(format!(
-            "No stiffness gives these two frequencies: ω2² − ω1² is {:.4} (rad/s)², but two storeys on grounded springs \
-             whose P-delta joins them need 2 (N2/l2)/√(m1 m2) = {:.4} at least.",
-            lambda[1] - lambda[0],
-            2.0 * coupling
-        ));
+        notes.push(StiffnessNote::DifferenceBelowLeast {
+            difference_rad2_s2: lambda[1] - lambda[0],
+            difference_least_rad2_s2: 2.0 * coupling,
+        });
     }
     let stiffness = |u: f64| {
         vec![

@@ -9,7 +9,9 @@
 use super::from_frequencies::{STOREYS_EXHAUSTIVE_MOST, stiffness_from_frequencies};
 use super::storeys::{Convention, Frame};
 use crate::structure::inverse::{FrequencyRoots, SpringModel, Sprung, StiffnessSearch, stiffness_from_modes};
-use crate::structure::{MeasuredMode, NaturalMode, StiffnessSolutions, StructureError};
+use crate::structure::{
+    MeasuredMode, NaturalMode, Proportion, Spring, StiffnessNote, StiffnessSolutions, StructureError,
+};
 use dolmen_linalg::Matrix;
 
 /// How the stiffness of storeys is sought.
@@ -71,9 +73,8 @@ pub fn frame_stiffness(
 }
 
 impl Sprung for Frame {
-    const KIND: &'static str = "frame";
     const PARTS: &'static str = "storeys";
-    const SPRING: &'static str = "storey";
+    const SPRING: Spring = Spring::Storey;
 
     fn model(&self) -> Result<SpringModel, StructureError> {
         let n = self.storeys().len();
@@ -137,12 +138,10 @@ impl Sprung for Frame {
         proportion
     }
 
-    fn proportion_words(&self) -> &'static str {
+    fn proportion_to(&self) -> Proportion {
         match self.convention() {
-            Convention::Drift => {
-                "the mass moment above each storey over its height (a nearly straight first shape)"
-            }
-            Convention::Grounded => "the mass above each storey",
+            Convention::Drift => Proportion::MassMomentOverHeight,
+            Convention::Grounded => Proportion::MassAbove,
         }
     }
 
@@ -157,15 +156,13 @@ impl Sprung for Frame {
         Ok(Some(stiffness_from_frequencies(self, frequencies_hz)?))
     }
 
-    fn assumptions(&self) -> Vec<String> {
+    fn assumptions(&self) -> Vec<StiffnessNote> {
         let mut notes = Vec::new();
         if self.storeys().iter().all(|storey| storey.axial_n == 0.0) {
-            notes.push(
-                "No axial force is given: P-delta is left out, so stiffness comes out low.".to_string(),
-            );
+            notes.push(StiffnessNote::NoAxialForce);
         }
         if !self.ties().is_empty() {
-            notes.push("The ties are part of the model, their stiffness taken as given.".to_string());
+            notes.push(StiffnessNote::TiesTaken);
         }
         notes
     }

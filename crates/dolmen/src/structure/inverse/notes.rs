@@ -1,22 +1,25 @@
-//! Sentences for the reader of an identification.
+//! What the reader of an identification must know.
 
 use super::Sprung;
 use super::options::Weighting;
 use super::search::{Count, EXACT, Search, rank};
-use crate::structure::{Choice, Visibility};
+use crate::structure::{Choice, Misfit, OfSpring, Spring, StiffnessNote, Thoroughness, Visibility};
 use dolmen_linalg::Svd;
 
 /// A spring whose direction the data determine by less than this share is named as not seen.
 const SEEN_LEAST: f64 = 0.5;
-/// Components of a free direction below this are left out of the sentence.
+/// Components of a free direction below this are left out of the note.
 const COMPONENT_LEAST: f64 = 0.05;
 
-pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, choice: Choice) -> Vec<String> {
-    let (kind, spring) = (S::KIND, S::SPRING);
-    let mut notes = Vec::new();
-    let parts = search.parts();
+pub(super) fn of_solutions<S: Sprung>(
+    search: &Search<'_, S>,
+    count: &Count,
+    choice: Choice,
+) -> Vec<StiffnessNote> {
+    let spring = S::SPRING;
+    let springs = search.parts();
     let modes = search.modes.len();
-    let shapes = search.modes.iter().filter(|mode| mode.shape.len() >= 2).count();
+    let with_shapes = search.modes.iter().any(|mode| mode.shape.len() >= 2);
     let Count {
         starts,
         solutions,
@@ -26,159 +29,124 @@ pub(super) fn of_solutions<S: Sprung>(search: &Search<'_, S>, count: &Count, cho
         ref roots,
     } = *count;
     let complete = roots.as_ref().is_some_and(|roots| roots.complete);
-    let how_found = match roots {
-        Some(roots) if roots.complete => format!(
-            "all {} solutions in complex numbers were followed, so there is no other",
-            roots.solutions_complex
-        ),
-        _ => format!("found from {starts} starts; there may be more"),
-    };
+    let mut notes = Vec::new();
     if let Some(roots) = roots {
         notes.extend(roots.notes.iter().cloned());
     }
     match choice {
         Choice::Impossible if complete => {}
         Choice::Impossible => notes.push(match nearest {
-            Some(misfit) => format!(
-                "No {spring} stiffness was found, from {starts} starts, that explains the {modes} modes: the nearest is off by {}. Check that they are the lowest \
-                 modes of one direction with none left out between them, and the masses.",
-                off(search.weighting, misfit)
-            ),
-            None => format!("No {spring} stiffness was found at which the {kind} stands."),
+            Some(nearest) => StiffnessNote::NoneExplains {
+                spring,
+                starts,
+                modes,
+                misfit: misfit(search.weighting, nearest),
+            },
+            None => StiffnessNote::NoneStands { spring },
         }),
-        Choice::Underdetermined if search.independent >= parts => notes.push(format!(
-            "The best fit leaves some {spring} stiffness free: beyond some value, more of it changes no datum. The set \
-             shown is one of many that fit as well."
-        )),
-        Choice::Underdetermined => notes.push(format!(
-            "{modes} {}{} {} {} independent {} for {parts} {spring} stiffnesses: they cannot be determined. The set \
-             shown fits the data and is the nearest to stiffness in proportion to {}, an assumption and not \
-             a measurement. Measure more modes, or shapes at several heights.",
-            if modes == 1 { "frequency" } else { "frequencies" },
-            if shapes > 0 { " with shape points" } else { "" },
-            if modes == 1 { "gives" } else { "give" },
-            search.independent,
-            if search.independent == 1 { "datum" } else { "data" },
-            search.structure.proportion_words()
-        )),
-        Choice::Indistinguishable => notes.push(format!(
-            "{as_good} sets of {spring} stiffness explain the data equally well and all stand ({how_found}). {} cannot \
-             tell them apart: {}.",
-            if shapes == 0 { "Frequencies alone" } else { "These data" },
-            if shapes == 0 {
-                format!("measure the shapes too, best with a sensor near each {spring}")
-            } else {
-                "measure the shapes at more heights or in more modes".to_string()
-            }
-        )),
-        Choice::One if shapes == 0 && parts > 1 && !complete => notes.push(format!(
-            "Only one set of {spring} stiffness was found from {starts} starts, but frequencies alone often have several: \
-             this is no proof."
-        )),
+        Choice::Underdetermined if search.independent >= springs => {
+            notes.push(StiffnessNote::FitLeavesFree { spring });
+        }
+        Choice::Underdetermined => notes.push(StiffnessNote::TooFewData {
+            spring,
+            springs,
+            frequencies: modes,
+            with_shapes,
+            independent: search.independent,
+            proportion: search.structure.proportion_to(),
+        }),
+        Choice::Indistinguishable => notes.push(StiffnessNote::SeveralExplain {
+            spring,
+            sets: as_good,
+            thoroughness: match roots {
+                Some(roots) if roots.complete => Thoroughness::All {
+                    solutions_complex: roots.solutions_complex,
+                },
+                _ => Thoroughness::Searched { starts },
+            },
+            with_shapes,
+        }),
+        Choice::One if !with_shapes && springs > 1 && !complete => {
+            notes.push(StiffnessNote::OneWithoutProof { spring, starts });
+        }
         Choice::One => {}
     }
     if odd {
-        notes.push(format!(
-            "Their number is odd, but as many frequencies as {spring}s have an even number of solutions: at least one \
-             more exists and was not found. Raise starts."
-        ));
+        notes.push(StiffnessNote::OddCount { spring });
     }
-    if solutions > search.options.solutions_most {
-        notes.push(format!(
-            "{solutions} solutions were found; the first {} are listed.",
-            search.options.solutions_most
-        ));
+    let listed = search.options.solutions_most;
+    if solutions > listed {
+        notes.push(StiffnessNote::ListCut {
+            found: solutions,
+            listed,
+        });
     }
-    for (j, mode) in search.modes.iter().enumerate() {
-        if mode.shape.len() == 1 {
-            notes.push(format!(
-                "Mode {} has one shape point: its scale is free, so it says nothing and is left out.",
-                j + 1
-            ));
-        }
-    }
+    let points = search.modes.iter().map(|mode| mode.shape.len()).enumerate();
+    notes.extend(
+        points
+            .filter(|(_, points)| *points == 1)
+            .map(|(j, _)| StiffnessNote::OneShapePoint { mode: j + 1 }),
+    );
     if search.weighting == Weighting::PartlyAssumed {
-        notes.push(format!(
-            "Data without a standard deviation were given {} % of a frequency and {} % of the largest displacement of a \
-             mode, an assumption.",
-            100.0 * search.options.frequency_sd_assumed,
-            100.0 * search.options.shape_sd_assumed
-        ));
+        notes.push(StiffnessNote::DeviationsAssumed {
+            frequency: search.options.frequency_sd_assumed,
+            shape: search.options.shape_sd_assumed,
+        });
     }
     let explained = matches!(choice, Choice::One | Choice::Indistinguishable);
-    if let (Weighting::Relative, Some(misfit)) = (search.weighting, nearest)
+    if let (Weighting::Relative, Some(nearest)) = (search.weighting, nearest)
         && explained
-        && misfit >= EXACT
+        && nearest >= EXACT
     {
-        notes.push(format!(
-            "The best set is off by {}; without standard deviations of the modes no interval can be given.",
-            off(search.weighting, misfit)
-        ));
+        notes.push(StiffnessNote::NoInterval {
+            misfit: misfit(search.weighting, nearest),
+        });
     }
     notes.extend(search.structure.assumptions());
     notes
 }
 
-fn off(weighting: Weighting, misfit: f64) -> String {
+fn misfit(weighting: Weighting, misfit: f64) -> Misfit {
     match weighting {
-        Weighting::Relative => format!("{:.2} % (root mean square)", 100.0 * misfit),
-        _ => format!("{misfit:.1} standard deviations (root mean square)"),
+        Weighting::Relative => Misfit::Relative(misfit),
+        _ => Misfit::Deviations(misfit),
     }
 }
 
 /// What can change without any datum changing.
-pub(super) fn of_free_directions(spring: &str, jacobian: &Svd, choice: Choice) -> Vec<String> {
+pub(super) fn of_free_directions(spring: Spring, jacobian: &Svd, choice: Choice) -> Vec<StiffnessNote> {
     if choice != Choice::Underdetermined {
         return Vec::new();
     }
     let n = jacobian.v.rows();
     (rank(&jacobian.s)..n)
-        .map(|direction| {
-            let parts: Vec<String> = (0..n)
-                .filter(|&i| jacobian.v[(i, direction)].abs() >= COMPONENT_LEAST)
-                .map(|i| format!("{spring} {} {:+.2}", i + 1, jacobian.v[(i, direction)]))
-                .collect();
-            format!(
-                "Free: changes of ln k in the proportions {} leave all data unchanged (to first order).",
-                parts.join(", ")
-            )
+        .map(|direction| StiffnessNote::FreeDirection {
+            spring,
+            components: (0..n)
+                .map(|i| OfSpring {
+                    number: i + 1,
+                    value: jacobian.v[(i, direction)],
+                })
+                .filter(|component| component.value.abs() >= COMPONENT_LEAST)
+                .collect(),
         })
         .collect()
 }
 
-pub(super) fn of_unseen(spring: &str, visibility: &Visibility) -> Option<String> {
-    let unseen = visibility
-        .seen
-        .iter()
-        .enumerate()
-        .filter(|(_, seen)| **seen < SEEN_LEAST);
-    let unseen: Vec<String> = unseen.map(|(i, _)| (i + 1).to_string()).collect();
-    if unseen.is_empty() {
-        return None;
-    }
-    Some(format!(
-        "The sensors hardly see {spring}{} {}: the data would barely change with {} stiffness.",
-        if unseen.len() == 1 { "" } else { "s" },
-        unseen.join(", "),
-        if unseen.len() == 1 { "its" } else { "their" }
-    ))
+pub(super) fn of_unseen(spring: Spring, visibility: &Visibility) -> Option<StiffnessNote> {
+    let seen = visibility.seen.iter().enumerate();
+    let unseen = seen.filter(|(_, seen)| **seen < SEEN_LEAST);
+    let numbers: Vec<usize> = unseen.map(|(i, _)| i + 1).collect();
+    (!numbers.is_empty()).then_some(StiffnessNote::Unseen { spring, numbers })
 }
 
 /// Springs whose interval is too wide to be linear.
-pub(super) fn of_wide_intervals(spring: &str, relative_sd: &[f64]) -> Option<String> {
+pub(super) fn of_wide_intervals(spring: Spring, relative_sd: &[f64]) -> Option<StiffnessNote> {
     const LINEAR_MOST: f64 = 0.3; // beyond it ln k and k differ by more than a seventh
-    let wide = relative_sd
+    let each = relative_sd
         .iter()
         .enumerate()
-        .filter(|(_, sd)| **sd > LINEAR_MOST);
-    let each: Vec<String> = wide
-        .map(|(i, sd)| format!("{spring} {} by {:.0} %", i + 1, 100.0 * sd))
-        .collect();
-    if each.is_empty() {
-        return None;
-    }
-    Some(format!(
-        "The data determine some stiffnesses only to an order of magnitude (standard deviation of {}).",
-        each.join(", ")
-    ))
+        .map(|(i, &value)| OfSpring { number: i + 1, value });
+    let relative_sd: Vec<OfSpring> = each.filter(|each| each.value > LINEAR_MOST).collect();
+    (!relative_sd.is_empty()).then_some(StiffnessNote::WideIntervals { spring, relative_sd })
 }

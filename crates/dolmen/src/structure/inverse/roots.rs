@@ -3,7 +3,7 @@
 use super::SpringModel;
 use super::continuation::{Pencil, continue_all};
 use super::newton::stiffness_by_newton;
-use crate::structure::StructureError;
+use crate::structure::{StiffnessNote, StructureError};
 use dolmen_linalg::{Matrix, solve};
 
 /// Two roots whose every stiffness agrees to this are one: √ε, as close as a double root can be resolved.
@@ -21,8 +21,8 @@ pub struct FrequencyRoots {
     pub solutions_complex: usize,
     /// Whether all of them were reached. If not, real roots may be missing.
     pub complete: bool,
-    /// Why there is no root, or fewer than looked for; in a sentence with its numbers.
-    pub notes: Vec<String>,
+    /// Why there is no root, or fewer than looked for, with the numbers.
+    pub notes: Vec<StiffnessNote>,
 }
 
 /// All complex solutions, then the real ones among them, each made exact and verified.
@@ -60,16 +60,12 @@ pub(crate) fn roots_by_continuation(
     let (separated, expected) = (found.solutions.len(), found.expected);
     let mut notes = Vec::new();
     if separated < expected {
-        notes.push(format!(
-            "Only {separated} of {expected} solutions in complex numbers were separated: some nearly coincide. A real \
-             one may be missing beside those given."
-        ));
+        notes.push(StiffnessNote::NotAllSeparated { separated, expected });
     } else if stiffness.is_empty() {
-        notes.push(format!(
-            "No stiffness gives these {} frequencies: none of the {expected} solutions in complex numbers is real and \
-             positive. Check the masses, and whether every mode moves in this direction without twisting.",
-            lambda.len()
-        ));
+        notes.push(StiffnessNote::NoneReal {
+            frequencies: lambda.len(),
+            solutions_complex: expected,
+        });
     }
     Ok(FrequencyRoots {
         stiffness,

@@ -6,7 +6,7 @@
 //! | b_i | `springs` | spring i sees b_iᵀ φ of a shape φ |
 
 use super::FrequencyRoots;
-use crate::structure::{NaturalMode, StructureError};
+use crate::structure::{NaturalMode, Proportion, Spring, StiffnessNote, StructureError};
 use dolmen_linalg::{Matrix, SymmetricEigen, generalized_symmetric_eigen};
 
 /// Matrices of a structure whose stiffness is a known rest and one unknown spring a part.
@@ -48,12 +48,10 @@ impl SpringModel {
 
 /// A structure of springs to be found, with its words.
 pub(crate) trait Sprung {
-    /// "chain", "frame".
-    const KIND: &'static str;
     /// "links", "storeys".
     const PARTS: &'static str;
-    /// What has a stiffness: "joint", "storey".
-    const SPRING: &'static str;
+    /// What has a stiffness.
+    const SPRING: Spring;
 
     fn model(&self) -> Result<SpringModel, StructureError>;
 
@@ -64,13 +62,13 @@ pub(crate) trait Sprung {
     fn proportion(&self) -> Vec<f64>;
 
     /// What [`Sprung::proportion`] is in proportion to.
-    fn proportion_words(&self) -> &'static str;
+    fn proportion_to(&self) -> Proportion;
 
     fn natural_modes_with(&self, stiffness: &[f64]) -> Result<Vec<NaturalMode>, StructureError>;
 
     /// Every stiffness with exactly these frequencies, one a part; `None` where that would take too long.
     fn roots(&self, frequencies_hz: &[f64]) -> Result<Option<FrequencyRoots>, StructureError>;
 
-    /// Sentences on what the model takes for granted.
-    fn assumptions(&self) -> Vec<String>;
+    /// What the model takes for granted.
+    fn assumptions(&self) -> Vec<StiffnessNote>;
 }

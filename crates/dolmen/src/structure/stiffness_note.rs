@@ -1,0 +1,549 @@
+//! What a reader of an identification must know beside its numbers.
+
+use super::LeftOut;
+use std::fmt;
+
+/// What has a stiffness that is sought.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Spring {
+    /// The rotational spring of a joint of a chain.
+    Joint,
+    /// The lateral spring of a storey of a frame.
+    Storey,
+}
+
+impl fmt::Display for Spring {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Spring::Joint => "joint",
+            Spring::Storey => "storey",
+        })
+    }
+}
+
+/// What the stiffnesses are taken in proportion to where the data leave them free: an assumption.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Proportion {
+    /// The weight moment above each joint of a chain.
+    WeightMoment,
+    /// The mass moment above each storey over its height: a nearly straight first shape.
+    MassMomentOverHeight,
+    /// The mass above each storey.
+    MassAbove,
+}
+
+impl fmt::Display for Proportion {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Proportion::WeightMoment => "the weight moment above each joint",
+            Proportion::MassMomentOverHeight => {
+                "the mass moment above each storey over its height (a nearly straight first shape)"
+            }
+            Proportion::MassAbove => "the mass above each storey",
+        })
+    }
+}
+
+/// How far a set of stiffnesses is from the data, root mean square.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Misfit {
+    /// As a share of the data, which carry no standard deviation.
+    Relative(f64),
+    /// In standard deviations of the data.
+    Deviations(f64),
+}
+
+impl fmt::Display for Misfit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Misfit::Relative(share) => write!(f, "{:.2} % (root mean square)", 100.0 * share),
+            Misfit::Deviations(count) => write!(f, "{count:.1} standard deviations (root mean square)"),
+        }
+    }
+}
+
+/// How thoroughly solutions were looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Thoroughness {
+    /// All solutions in complex numbers were followed: there is no other.
+    All {
+        /// How many they are.
+        solutions_complex: usize,
+    },
+    /// Searched from starting points: there may be more.
+    Searched {
+        /// Starting points tried.
+        starts: usize,
+    },
+}
+
+impl fmt::Display for Thoroughness {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Thoroughness::All { solutions_complex } => write!(
+                f,
+                "all {solutions_complex} solutions in complex numbers were followed, so there is no other"
+            ),
+            Thoroughness::Searched { starts } => {
+                write!(
+                    f,
+                    "found from {}; there may be more",
+                    counted(*starts, "start", "starts")
+                )
+            }
+        }
+    }
+}
+
+/// A number that belongs to one spring.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OfSpring {
+    /// The joint or storey, from 1, lowest first.
+    pub number: usize,
+    /// What the note says of it.
+    pub value: f64,
+}
+
+/// One thing to know beside the stiffnesses found. Printed, it is an English sentence.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StiffnessNote {
+    /// Two storeys on springs between them cannot have frequencies this close.
+    RatioBelowLeast {
+        /// f2/f1 as measured.
+        ratio: f64,
+        /// f2/f1 at least, √(1 + m2/m1) + √(m2/m1).
+        ratio_least: f64,
+    },
+    /// Two grounded storeys that P-delta joins cannot have frequencies this close.
+    DifferenceBelowLeast {
+        /// ω2² − ω1² as measured, rad²/s².
+        difference_rad2_s2: f64,
+        /// 2 (N2/l2)/√(m1 m2), rad²/s².
+        difference_least_rad2_s2: f64,
+    },
+    /// None of the solutions in complex numbers is real and positive.
+    NoneReal {
+        /// Frequencies given.
+        frequencies: usize,
+        /// Solutions in complex numbers.
+        solutions_complex: usize,
+    },
+    /// Some solutions in complex numbers nearly coincide: a real one may be missing.
+    NotAllSeparated {
+        /// Separated.
+        separated: usize,
+        /// Expected.
+        expected: usize,
+    },
+    /// The search ended off the data.
+    NoneExplains {
+        /// What has the stiffness.
+        spring: Spring,
+        /// Starting points tried.
+        starts: usize,
+        /// Modes given.
+        modes: usize,
+        /// The nearest set.
+        misfit: Misfit,
+    },
+    /// At no stiffness found does the structure stand.
+    NoneStands {
+        /// What has the stiffness.
+        spring: Spring,
+    },
+    /// There are data enough, but some stiffness does not touch them.
+    FitLeavesFree {
+        /// What has the stiffness.
+        spring: Spring,
+    },
+    /// There are fewer independent data than stiffnesses.
+    TooFewData {
+        /// What has the stiffness.
+        spring: Spring,
+        /// Stiffnesses sought.
+        springs: usize,
+        /// Frequencies given.
+        frequencies: usize,
+        /// Whether points of their shapes are among the data.
+        with_shapes: bool,
+        /// Independent data.
+        independent: usize,
+        /// What fills the gap.
+        proportion: Proportion,
+    },
+    /// Several sets explain the data equally well.
+    SeveralExplain {
+        /// What has the stiffness.
+        spring: Spring,
+        /// How many.
+        sets: usize,
+        /// How they were looked for.
+        thoroughness: Thoroughness,
+        /// Whether points of shapes are among the data.
+        with_shapes: bool,
+    },
+    /// One set was found, but others were not ruled out.
+    OneWithoutProof {
+        /// What has the stiffness.
+        spring: Spring,
+        /// Starting points tried.
+        starts: usize,
+    },
+    /// Solutions come in pairs, and one is without its other.
+    OddCount {
+        /// What has the stiffness.
+        spring: Spring,
+    },
+    /// Not all solutions are listed.
+    ListCut {
+        /// Found.
+        found: usize,
+        /// Listed.
+        listed: usize,
+    },
+    /// One point of a shape says nothing, as its scale is free.
+    OneShapePoint {
+        /// The mode, from 1.
+        mode: usize,
+    },
+    /// Data without a standard deviation were given one.
+    DeviationsAssumed {
+        /// Of a frequency, as a share of it.
+        frequency: f64,
+        /// Of a shape, as a share of the largest displacement of the mode.
+        shape: f64,
+    },
+    /// Without standard deviations no interval can be given.
+    NoInterval {
+        /// The best set.
+        misfit: Misfit,
+    },
+    /// A change of the stiffnesses that leaves all data as they are.
+    FreeDirection {
+        /// What has the stiffness.
+        spring: Spring,
+        /// Change of ln k, of those that take part.
+        components: Vec<OfSpring>,
+    },
+    /// Some stiffnesses are determined only to an order of magnitude.
+    WideIntervals {
+        /// What has the stiffness.
+        spring: Spring,
+        /// Standard deviation of ln k of each.
+        relative_sd: Vec<OfSpring>,
+    },
+    /// Some stiffnesses barely change the data.
+    Unseen {
+        /// What has the stiffness.
+        spring: Spring,
+        /// Which, from 1.
+        numbers: Vec<usize>,
+    },
+    /// Moments of inertia of a chain not given.
+    ThinRods,
+    /// A side support that acts linearly is part of the model.
+    SideSupportTaken,
+    /// A side support with a gap is left out.
+    SideSupportWithGap,
+    /// No axial force is given for a frame.
+    NoAxialForce,
+    /// Ties are part of the model of a frame.
+    TiesTaken,
+    /// A mode of the record is no mode of the direction.
+    LeftOut(LeftOut),
+    /// A mode that the user calls torsional is kept out.
+    Twists {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+    },
+    /// The modes used are taken as the lowest of their direction.
+    TakenAsLowest {
+        /// How many.
+        modes: usize,
+        /// Name of the direction.
+        direction: String,
+    },
+}
+
+impl fmt::Display for StiffnessNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::RatioBelowLeast { ratio, ratio_least } => write!(
+                f,
+                "No stiffness gives these two frequencies: their ratio r = f2/f1 is {ratio:.4}, so r + 1/r is {:.4}, but \
+                 two storeys on springs between them need r + 1/r ≥ 2√(1 + m2/m1) = {:.4}, a ratio of {ratio_least:.4} at \
+                 least. Check the masses, and whether both modes move in this direction without twisting.",
+                ratio + 1.0 / ratio,
+                ratio_least + 1.0 / ratio_least
+            ),
+            Self::DifferenceBelowLeast {
+                difference_rad2_s2,
+                difference_least_rad2_s2,
+            } => write!(
+                f,
+                "No stiffness gives these two frequencies: ω2² − ω1² is {difference_rad2_s2:.4} (rad/s)², but two storeys \
+                 on grounded springs whose P-delta joins them need 2 (N2/l2)/√(m1 m2) = {difference_least_rad2_s2:.4} at \
+                 least."
+            ),
+            Self::NoneReal {
+                frequencies,
+                solutions_complex,
+            } => write!(
+                f,
+                "No stiffness gives {}: none of the solutions in complex numbers ({solutions_complex}) is real and \
+                 positive. Check the masses, and whether every mode moves in this direction without twisting.",
+                match frequencies {
+                    1 => "this frequency".to_string(),
+                    n => format!("these {n} frequencies"),
+                }
+            ),
+            Self::NotAllSeparated { separated, expected } => write!(
+                f,
+                "Only {separated} of {expected} solutions in complex numbers were separated: some nearly coincide. A real \
+                 one may be missing beside those given."
+            ),
+            Self::NoneExplains {
+                spring,
+                starts,
+                modes,
+                misfit,
+            } => none_explains(f, *spring, *starts, *modes, *misfit),
+            Self::NoneStands { spring } => write!(
+                f,
+                "No {spring} stiffness was found at which the {} stands.",
+                match spring {
+                    Spring::Joint => "chain",
+                    Spring::Storey => "frame",
+                }
+            ),
+            Self::FitLeavesFree { spring } => write!(
+                f,
+                "The best fit leaves some {spring} stiffness free: beyond some value, more of it changes no datum. The \
+                 set shown is one of many that fit as well."
+            ),
+            Self::TooFewData {
+                spring,
+                springs,
+                frequencies,
+                with_shapes,
+                independent,
+                proportion,
+            } => write!(
+                f,
+                "{}{} {} {} for {}: they cannot be determined. The set shown fits the data and is the nearest to \
+                 stiffness in proportion to {proportion}, an assumption and not a measurement. Measure more modes, or \
+                 shapes at several heights.",
+                counted(*frequencies, "frequency", "frequencies"),
+                if *with_shapes { " with shape points" } else { "" },
+                if *frequencies == 1 { "gives" } else { "give" },
+                counted(*independent, "independent datum", "independent data"),
+                format_args!("{springs} {spring} stiffnesses"),
+            ),
+            Self::SeveralExplain {
+                spring,
+                sets,
+                thoroughness,
+                with_shapes,
+            } => {
+                write!(
+                    f,
+                    "{sets} sets of {spring} stiffness explain the data equally well and all stand ({thoroughness}). "
+                )?;
+                if *with_shapes {
+                    f.write_str(
+                        "These data cannot tell them apart: measure the shapes at more heights or in more modes.",
+                    )
+                } else {
+                    write!(
+                        f,
+                        "Frequencies alone cannot tell them apart: measure the shapes too, best with a sensor near each \
+                         {spring}."
+                    )
+                }
+            }
+            Self::OneWithoutProof { spring, starts } => write!(
+                f,
+                "Only one set of {spring} stiffness was found from {}, but frequencies alone often have several: this is \
+                 no proof.",
+                counted(*starts, "start", "starts")
+            ),
+            Self::OddCount { spring } => write!(
+                f,
+                "Their number is odd, but as many frequencies as {spring}s have an even number of solutions: at least one \
+                 more exists and was not found. Raise starts."
+            ),
+            Self::ListCut { found, listed: 1 } => {
+                write!(f, "{found} solutions were found; the first is listed.")
+            }
+            Self::ListCut { found, listed } => {
+                write!(f, "{found} solutions were found; the first {listed} are listed.")
+            }
+            Self::OneShapePoint { mode } => write!(
+                f,
+                "Mode {mode} has one shape point: its scale is free, so it says nothing and is left out."
+            ),
+            Self::DeviationsAssumed { frequency, shape } => write!(
+                f,
+                "Data without a standard deviation were given {} % of a frequency and {} % of the largest displacement of \
+                 a mode, an assumption.",
+                100.0 * frequency,
+                100.0 * shape
+            ),
+            Self::NoInterval { misfit } => write!(
+                f,
+                "The best set is off by {misfit}; without standard deviations of the modes no interval can be given."
+            ),
+            Self::FreeDirection { spring, components } => {
+                f.write_str("Free: changes of ln k in the proportions ")?;
+                each(f, components, |f, c| write!(f, "{spring} {} {:+.2}", c.number, c.value))?;
+                f.write_str(" leave all data unchanged (to first order).")
+            }
+            Self::WideIntervals { spring, relative_sd } => {
+                f.write_str(
+                    "The data determine some stiffnesses only to an order of magnitude (standard deviation of ",
+                )?;
+                each(f, relative_sd, |f, c| {
+                    write!(f, "{spring} {} by {:.0} %", c.number, 100.0 * c.value)
+                })?;
+                f.write_str(").")
+            }
+            Self::Unseen { spring, numbers } => {
+                let one = numbers.len() == 1;
+                write!(f, "The sensors hardly see {spring}{} ", if one { "" } else { "s" })?;
+                each(f, numbers, |f, number| write!(f, "{number}"))?;
+                let whose = if one { "its" } else { "their" };
+                write!(f, ": the data would barely change with {whose} stiffness.")
+            }
+            Self::ThinRods => f.write_str(
+                "Moments of inertia that were not given are those of thin rods, which are low: stiffness comes out low \
+                 too.",
+            ),
+            Self::SideSupportTaken => {
+                f.write_str("The side support is part of the model, its stiffness taken as given.")
+            }
+            Self::SideSupportWithGap => f.write_str(
+                "The side support has a gap and is left out: the chain is taken not to touch it while it vibrates.",
+            ),
+            Self::NoAxialForce => {
+                f.write_str("No axial force is given: P-delta is left out, so stiffness comes out low.")
+            }
+            Self::TiesTaken => f.write_str("The ties are part of the model, their stiffness taken as given."),
+            Self::LeftOut(why) => write!(f, "{why}"),
+            Self::Twists { frequency_hz } => write!(
+                f,
+                "The mode at {frequency_hz} Hz twists in plan and is kept out of the fit."
+            ),
+            Self::TakenAsLowest { modes: 1, direction } => write!(
+                f,
+                "The one mode used is taken as the lowest of direction {direction}: if one below it was missed, every \
+                 stiffness is wrong."
+            ),
+            Self::TakenAsLowest { modes, direction } => write!(
+                f,
+                "The {modes} modes used are taken as the lowest of direction {direction}, none missed between them: if \
+                 one was, every stiffness is wrong."
+            ),
+        }
+    }
+}
+
+fn none_explains(
+    f: &mut fmt::Formatter<'_>,
+    spring: Spring,
+    starts: usize,
+    modes: usize,
+    misfit: Misfit,
+) -> fmt::Result {
+    let from = counted(starts, "start", "starts");
+    let (explained, check) = match modes {
+        1 => ("mode".to_string(), "it is the lowest mode of its direction"),
+        n => (
+            format!("{n} modes"),
+            "they are the lowest modes of one direction with none left out between them",
+        ),
+    };
+    write!(
+        f,
+        "No {spring} stiffness was found, from {from}, that explains the {explained}: the nearest is off by {misfit}. \
+         Check that {check}, and the masses."
+    )
+}
+
+/// "1 start", "5 starts".
+fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// Items with commas between them.
+fn each<T>(
+    f: &mut fmt::Formatter<'_>,
+    items: &[T],
+    write_one: impl Fn(&mut fmt::Formatter<'_>, &T) -> fmt::Result,
+) -> fmt::Result {
+    for (i, item) in items.iter().enumerate() {
+        if i > 0 {
+            f.write_str(", ")?;
+        }
+        write_one(f, item)?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_one_is_said_in_the_singular() {
+        let spring = Spring::Joint;
+        let misfit = Misfit::Relative(0.01);
+        for (note, sentence) in [
+            (
+                StiffnessNote::NoneReal {
+                    frequencies: 1,
+                    solutions_complex: 1,
+                },
+                "No stiffness gives this frequency: none of the solutions in complex numbers (1) is real",
+            ),
+            (
+                StiffnessNote::NoneExplains {
+                    spring,
+                    starts: 1,
+                    modes: 1,
+                    misfit,
+                },
+                "No joint stiffness was found, from 1 start, that explains the mode: the nearest is off by 1.00 % (root \
+                 mean square). Check that it is the lowest mode of its direction, and the masses.",
+            ),
+            (
+                StiffnessNote::TooFewData {
+                    spring,
+                    springs: 5,
+                    frequencies: 1,
+                    with_shapes: false,
+                    independent: 1,
+                    proportion: Proportion::WeightMoment,
+                },
+                "1 frequency gives 1 independent datum for 5 joint stiffnesses: they cannot be determined.",
+            ),
+            (
+                StiffnessNote::Unseen {
+                    spring,
+                    numbers: vec![3],
+                },
+                "The sensors hardly see joint 3: the data would barely change with its stiffness.",
+            ),
+            (
+                StiffnessNote::TakenAsLowest {
+                    modes: 1,
+                    direction: "x".into(),
+                },
+                "The one mode used is taken as the lowest of direction x: ",
+            ),
+        ] {
+            let said = note.to_string();
+            assert!(said.starts_with(sentence), "{said}");
+        }
+    }
+}
