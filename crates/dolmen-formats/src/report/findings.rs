@@ -1,7 +1,7 @@
 //! The findings in plain words, made from the values: what was not computed is called unknown.
 
 use super::given::assumptions;
-use super::{chain_findings, frame, identification, modal, samples, variants};
+use super::{chain_findings, frame, identification, measured, modal, samples, variants};
 use crate::Language;
 use crate::answer::{Answer, Check};
 use crate::project::{Cap, Structure};
@@ -53,6 +53,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
             Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
         }
+        all.extend(measured::findings(state, language));
         all.extend(samples::findings(state.sampled.as_ref(), language));
     }
     all.extend(variants::findings(answer, language));

@@ -7,7 +7,7 @@ use super::words::{convention_word, listed};
 use crate::Language;
 use crate::answer::{StiffnessAnswer, SurveyAnswer};
 use crate::figures::{letter, measured_modes, solution_shapes};
-use crate::number::{self, prefix, significant};
+use crate::number::{self, beside_one, prefix, significant};
 use crate::project::{Project, Structure};
 use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
 use maud::{Markup, html};
@@ -153,17 +153,22 @@ fn solutions(
     let (count, sum) = logarithms.fold((0.0, 0.0), |(n, s), l| (n + 1.0, s + l));
     let unit = prefix(&[if count > 0.0 { f64::exp(sum / count) } else { 0.0 }], unit_si);
     let count = shown.iter().map(|s| s.stiffness.len()).max().unwrap_or(0);
-    let mut head = vec![
-        language.pick("Solution", "해").to_string(),
-        language.pick("stands", "안정 여부").to_string(),
-    ];
+    let mut head = vec![language.pick("Solution", "해").to_string(), "λ".to_string()];
     head.extend((1..=count).map(|i| format!("k{} {part} {i} ({})", number::subscript(i), unit.unit)));
     head.push(language.pick("misfit", "오차").into());
     head.push(language.pick("frequencies (Hz)", "고유진동수 (Hz)").into());
     let rows: Vec<Vec<Cell>> = shown
         .iter()
         .enumerate()
-        .map(|(i, s)| solution_row(i, s, &unit, answer.solutions.choice, language))
+        .map(|(i, s)| {
+            solution_row(
+                i,
+                s,
+                answer.load_factors.get(i).copied(),
+                &unit,
+                answer.solutions.choice,
+            )
+        })
         .collect();
     let total = answer.solutions.solutions.len();
     let starts = answer.solutions.starts;
@@ -187,15 +192,15 @@ fn digits_of(choice: Choice) -> usize {
 fn solution_row(
     index: usize,
     solution: &StiffnessSolution,
+    load_factor: Option<f64>,
     unit: &number::Prefixed,
     choice: Choice,
-    language: Language,
 ) -> Vec<Cell> {
     let digits = digits_of(choice);
-    let stands = if solution.stands {
-        language.pick("stands", "안정").into()
-    } else {
-        Cell::bad(language.pick("falls", "전도"))
+    let stands = match load_factor {
+        Some(factor) if factor <= 1.0 => Cell::bad(beside_one(factor, 4)),
+        Some(factor) => beside_one(factor, 4).into(),
+        None => "–".into(),
     };
     let mut row: Vec<Cell> = vec![letter(index).into(), stands];
     for (i, k) in solution.stiffness.iter().enumerate() {

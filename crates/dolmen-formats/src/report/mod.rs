@@ -7,6 +7,7 @@ mod findings;
 mod frame;
 mod given;
 mod identification;
+mod measured;
 mod modal;
 mod notes;
 mod page;

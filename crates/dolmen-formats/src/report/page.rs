@@ -116,6 +116,9 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
     let verdict = state.verdict();
     let sentence = match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
         Some(load_factor) => format!("λ = {}.", beside_one(load_factor, 4)),
+        None if state.load_factor() == Some(f64::INFINITY) => language
+            .pick("No gravity load is given.", "축력이 주어지지 않음.")
+            .into(),
         None => language
             .pick("Stiffness is not given.", "강성이 주어지지 않음.")
             .into(),
