@@ -58,6 +58,13 @@ fn choice(answer: &StiffnessAnswer, language: Language) -> Finding {
                 format!("고유진동수 {modes}개{with_shapes}를 설명하는 해는 하나이다."),
             ),
         ),
+        Choice::Indistinguishable if answer.solutions.solutions.len() == 1 => Finding::new(
+            Tone::Warn,
+            head + language.pick(
+                "two solutions meet here and cannot be told apart without a measured shape; none is preferred here.",
+                "두 해가 여기서 만나므로 계측 모드형상 없이는 구별할 수 없으며, 여기서는 어느 것도 택하지 않는다.",
+            ),
+        ),
         Choice::Indistinguishable => Finding::new(
             Tone::Warn,
             head + &language.pick(

@@ -122,7 +122,9 @@ fn korean(note: &StiffnessNote) -> String {
         } => {
             let how = match thoroughness {
                 Thoroughness::All { solutions_complex } => {
-                    format!("복소수 해 {solutions_complex}개를 모두 추적하였으므로 다른 해는 없다")
+                    format!(
+                        "복소수 해 {solutions_complex}개를 모두 추적하였으므로 정확히 이 고유진동수에 대해서는 다른 해가 없다"
+                    )
                 }
                 Thoroughness::Searched { starts } => {
                     format!("시작점 {starts}개에서 찾았으며 다른 해가 더 있을 수 있다")
@@ -181,6 +183,21 @@ fn korean(note: &StiffnessNote) -> String {
             let all: Vec<String> = numbers.iter().map(|n| numbered(*spring, *n)).collect();
             format!(
                 "센서로 거의 파악되지 않는 강성: {}. 이 강성이 변해도 자료는 거의 변하지 않는다.",
+                all.join(", ")
+            )
+        }
+        StiffnessNote::SolutionsMeet { spring } => format!(
+            "중근 부근이다. {} 조합 두 개가 여기서 만나거나 고유진동수의 산포만으로 서로 바뀔 만큼 가까우므로 선형 구간은 존재하지 않는다. 모드형상을 계측해야 한다.",
+            spring_word(*spring)
+        ),
+        StiffnessNote::ShapeOff { mode, difference } => format!(
+            "표준편차 없이 주어진 {mode}차 모드형상의 오차는 최대 변위의 {:.1} %까지 이른다.",
+            100.0 * difference
+        ),
+        StiffnessNote::RangeIncomplete { solutions } => {
+            let all: Vec<String> = solutions.iter().map(|n| n.to_string()).collect();
+            format!(
+                "해 {}의 범위는 완전하지 않다. 그 범위 안의 일부 고유진동수에서는 해가 없다.",
                 all.join(", ")
             )
         }
@@ -315,6 +332,14 @@ mod tests {
             StiffnessNote::Unseen {
                 spring,
                 numbers: vec![3],
+            },
+            StiffnessNote::SolutionsMeet { spring },
+            StiffnessNote::ShapeOff {
+                mode: 1,
+                difference: 0.05,
+            },
+            StiffnessNote::RangeIncomplete {
+                solutions: vec![1, 2],
             },
             StiffnessNote::ThinRods,
             StiffnessNote::SideSupportTaken,

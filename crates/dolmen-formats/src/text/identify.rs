@@ -300,6 +300,10 @@ fn shapes_text(solutions: &[StiffnessSolution]) -> String {
 fn choice_text(choice: Choice, solutions: usize) -> String {
     match choice {
         Choice::One => "The data choose this solution.".to_owned(),
+        Choice::Indistinguishable if solutions == 1 => {
+            "Two solutions meet here: no choice is made without a measured shape [indistinguishable]."
+                .to_owned()
+        }
         Choice::Indistinguishable => format!(
             "All {solutions} explain the frequencies equally well: no choice is made without a measured shape \
              [indistinguishable]."

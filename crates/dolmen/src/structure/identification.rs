@@ -43,15 +43,16 @@ pub struct StiffnessRange {
 pub struct StiffnessSolution {
     /// Stiffness of each joint (N m/rad) or storey (N/m), lowest first.
     pub stiffness: Vec<f64>,
-    /// Standard deviation of each, same unit, from the modes' own; `None` if the modes carry none or the
-    /// stiffness is not determined.
+    /// Standard deviation of each, same unit, from the modes' own; `None` if the modes carry none, the
+    /// stiffness is not determined, or a deviation exceeds 100 %, where no linear interval exists.
     pub stiffness_sd: Option<Vec<f64>>,
     /// Range of each while every frequency moves by √3 of its standard deviation, the half-width of a rounding that has
-    /// it (±0.05 Hz has 0.0289); `None` with `stiffness_sd`, or where it was not computed.
+    /// it (±0.05 Hz has 0.0289); `None` if the modes carry none, or where it was not computed.
     pub stiffness_range: Option<StiffnessRange>,
     /// All natural modes of the structure with this stiffness, by frequency.
     pub modes: Vec<NaturalMode>,
-    /// Root of the weighted mean square of (computed − measured)/sd over all data; relative differences where sd is 0.
+    /// Root of the weighted mean square of (computed − measured)/sd over all data, sd assumed where none is
+    /// given; relative differences of frequencies alone without sd.
     pub misfit: f64,
     /// Whether the structure stands with this stiffness (smallest ω² positive).
     pub stands: bool,
@@ -60,9 +61,10 @@ pub struct StiffnessSolution {
 /// What the data allow to say about which solution is the true one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
-    /// One solution explains the data, the others do not.
+    /// One solution explains the data. Any other found has a misfit that is not accepted, or (data with standard
+    /// deviations, given or assumed) a chi-squared beyond the best by more than 10.83, 99.9 % of one degree of freedom.
     One,
-    /// Several solutions explain the data equally well: shapes are needed to choose.
+    /// The data do not choose among several solutions, or two that meet in the one listed: shapes are needed.
     Indistinguishable,
     /// Fewer data than unknowns: the solutions are points of a continuous family.
     Underdetermined,
@@ -71,7 +73,7 @@ pub enum Choice {
 }
 
 /// Which stiffnesses the sensors see: singular values of the Jacobian d(data)/d(ln k), data in units of their sd
-/// (relative where sd is 0).
+/// (given or assumed; relative for frequencies alone without sd).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Visibility {
     /// Singular values, descending; as many as unknowns (zeros where there are fewer data).

@@ -65,7 +65,7 @@ impl fmt::Display for Misfit {
 /// How thoroughly solutions were looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Thoroughness {
-    /// All solutions in complex numbers were followed: there is no other.
+    /// All solutions in complex numbers were followed: for exactly these frequencies there is no other.
     All {
         /// How many they are.
         solutions_complex: usize,
@@ -82,7 +82,8 @@ impl fmt::Display for Thoroughness {
         match self {
             Thoroughness::All { solutions_complex } => write!(
                 f,
-                "all {solutions_complex} solutions in complex numbers were followed, so there is no other"
+                "all {solutions_complex} solutions in complex numbers were followed, so for exactly these frequencies \
+                 there is no other"
             ),
             Thoroughness::Searched { starts } => {
                 write!(
@@ -239,6 +240,23 @@ pub enum StiffnessNote {
         spring: Spring,
         /// Which, from 1.
         numbers: Vec<usize>,
+    },
+    /// Two solutions meet, or so nearly that the frequencies' scatter moves one into the other.
+    SolutionsMeet {
+        /// What has the stiffness.
+        spring: Spring,
+    },
+    /// A shape without standard deviations is not quite reproduced.
+    ShapeOff {
+        /// The mode, from 1.
+        mode: usize,
+        /// Largest difference of a point, as a share of the largest displacement of the mode.
+        difference: f64,
+    },
+    /// A solution vanishes somewhere within its stated range of frequencies.
+    RangeIncomplete {
+        /// The solutions, from 1 as listed.
+        solutions: Vec<usize>,
     },
     /// Moments of inertia of a chain not given.
     ThinRods,
@@ -414,6 +432,25 @@ impl fmt::Display for StiffnessNote {
                 each(f, numbers, |f, number| write!(f, "{number}"))?;
                 let whose = if one { "its" } else { "their" };
                 write!(f, ": the data would barely change with {whose} stiffness.")
+            }
+            Self::SolutionsMeet { spring } => write!(
+                f,
+                "Next to a double root: two sets of {spring} stiffness meet here, or so nearly that the scatter of the \
+                 frequencies moves one into the other. No linear interval exists. Measure a shape."
+            ),
+            Self::ShapeOff { mode, difference } => write!(
+                f,
+                "The shape of mode {mode}, given without standard deviations, is off by up to {:.1} % of its largest \
+                 displacement.",
+                100.0 * difference
+            ),
+            Self::RangeIncomplete { solutions } => {
+                let one = solutions.len() == 1;
+                write!(f, "The range of solution{} ", if one { "" } else { "s" })?;
+                each(f, solutions, |f, number| write!(f, "{number}"))?;
+                f.write_str(
+                    " is incomplete: not everywhere within that range do these frequencies have a solution.",
+                )
             }
             Self::ThinRods => f.write_str(
                 "Moments of inertia that were not given are those of thin rods, which are low: stiffness comes out low \

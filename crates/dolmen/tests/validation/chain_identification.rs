@@ -472,3 +472,19 @@ fn refuses_bad_modes_and_says_which() {
         "starts is 0, but must be at least 1"
     );
 }
+
+#[test]
+fn holds_a_top_centred_on_its_joint_does_not_stop_the_search() {
+    // nothing above it turns the top joint: its share of the weight moments is 0
+    let link = |centroid_m: f64| Link {
+        mass_kg: 1000.0,
+        length_m: 2.0,
+        centroid_m,
+        inertia: Inertia::ThinRod,
+        bed_width_m: None,
+    };
+    let chain = Chain::new(vec![link(1.0), link(0.0)], 9.81).unwrap();
+    let modes = measured(&chain, &[2e5, 1e5], 1, &[]);
+    let found = identify(&chain, &modes);
+    assert_eq!(found.choice, Choice::Underdetermined, "{:?}", found.notes);
+}

@@ -374,3 +374,115 @@ fn published_cases_agree_within_their_tolerance() {
         );
     }
 }
+
+/// Two equal storeys without axial force whose k1 is twice k2, where both roots meet at 1.92602 and 4.64981 Hz.
+fn double_root() -> Frame {
+    let storey = Storey {
+        mass_kg: 200e3,
+        height_m: 4.0,
+        axial_n: 0.0,
+    };
+    Frame::new(vec![storey; 2], Convention::Drift).unwrap()
+}
+
+fn says(found: &StiffnessSolutions, words: &str) -> bool {
+    found.notes.iter().any(|note| note.to_string().contains(words))
+}
+
+#[test]
+fn holds_one_is_never_said_beside_another_accepted_solution() {
+    let gate = heunginjimun_gate(Convention::Drift).unwrap();
+    let first = |ratio: f64, sd: f64| {
+        let mut first = with_shape(frequency(1.1, 0.01), &[(5.84, ratio), (13.53, 1.0)], sd);
+        first.shape[1].displacement_sd = 0.0;
+        first
+    };
+    let vague = found(&gate, &[first(0.19, 0.3), frequency(4.2, 0.01)]);
+    assert_eq!(vague.solutions.len(), 2);
+    assert_eq!(vague.choice, Choice::Indistinguishable);
+    let sharp = found(&gate, &[first(0.19, 0.1), frequency(4.2, 0.01)]);
+    assert_eq!((sharp.choice, sharp.solutions.len()), (Choice::One, 1));
+}
+
+#[test]
+fn holds_a_shape_five_per_cent_off_is_no_impossibility() {
+    let gate = heunginjimun_gate(Convention::Drift).unwrap();
+    let first = with_shape(frequency(1.1, 0.0), &[(5.84, 0.843 - 0.05), (13.53, 1.0)], 0.0);
+    let found = found(&gate, &[first, frequency(4.2, 0.0)]);
+    assert_eq!((found.choice, found.solutions.len()), (Choice::One, 1));
+    assert!((found.solutions[0].stiffness[0] / (32.65 * MN) - 1.0).abs() < 0.05);
+    assert_eq!(found.solutions[0].stiffness_sd, None, "none was measured");
+    assert!(
+        says(&found, "The shape of mode 1, given without standard deviations"),
+        "{:?}",
+        found.notes
+    );
+}
+
+#[test]
+fn holds_rounded_frequencies_of_a_double_root_have_a_solution() {
+    for sd in [0.0, 0.003] {
+        let found = found(&double_root(), &[frequency(1.93, sd), frequency(4.65, sd)]);
+        assert_eq!(found.choice, Choice::Indistinguishable, "{:?}", found.notes);
+        assert_eq!(found.solutions.len(), 1);
+        let k = &found.solutions[0].stiffness;
+        assert!((k[0] / k[1] / 2.0 - 1.0).abs() < 0.1, "{k:?}");
+        assert_eq!(found.solutions[0].stiffness_sd, None);
+        assert!(says(&found, "Next to a double root"), "{:?}", found.notes);
+    }
+}
+
+#[test]
+fn holds_no_interval_is_stated_where_two_solutions_meet() {
+    let modes = double_root().natural_modes(&[100.0 * MN, 50.0 * MN]).unwrap();
+    for sd in [0.0, 0.01] {
+        let exact: Vec<_> = modes
+            .iter()
+            .map(|mode| frequency(mode.frequency_hz, sd))
+            .collect();
+        let found = found(&double_root(), &exact);
+        assert_eq!(found.choice, Choice::Indistinguishable);
+        assert!(
+            found
+                .solutions
+                .iter()
+                .all(|solution| solution.stiffness_sd.is_none())
+        );
+        assert!(
+            says(&found, "No linear interval exists. Measure a shape."),
+            "{:?}",
+            found.notes
+        );
+    }
+}
+
+#[test]
+fn holds_a_solution_that_vanishes_within_its_range_is_said() {
+    let gate = heunginjimun_gate(Convention::Drift).unwrap();
+    let sd = paper::ROUNDING_HZ / 3.0_f64.sqrt();
+    let near = found(&gate, &[1.7, 4.25].map(|f| frequency(f, sd)));
+    let words = "not everywhere within that range do these frequencies have a solution";
+    assert!(says(&near, words), "{:?}", near.notes);
+    assert!(!says(
+        &found(&gate, &paper::WEAK_HZ.map(|f| frequency(f, sd))),
+        words
+    ));
+}
+
+#[test]
+fn holds_there_is_no_other_only_for_exactly_these_frequencies() {
+    let gate = heunginjimun_gate(Convention::Drift).unwrap();
+    let found = found(&gate, &paper::WEAK_HZ.map(|f| frequency(f, 0.0)));
+    assert!(
+        says(&found, "so for exactly these frequencies there is no other"),
+        "{:?}",
+        found.notes
+    );
+}
+
+#[test]
+fn holds_a_split_left_free_does_not_hide_its_storeys() {
+    let gate = heunginjimun_gate(Convention::Drift).unwrap();
+    let one = found(&gate, &[frequency(paper::STRONG_HZ, 0.029)]);
+    assert!(!says(&one, "hardly see"), "{:?}", one.notes);
+}

@@ -79,6 +79,25 @@ impl ModalFit {
         self.targets.len() + shapes.map(|shape| shape.measured.len() - 1).sum::<usize>()
     }
 
+    /// Largest difference of the shape of each mode, relative to its largest displacement; `None` for a mode without.
+    pub(super) fn shapes_off(&self, x: &[f64]) -> Vec<Option<f64>> {
+        let Some(at) = self.residuals(x) else {
+            return vec![None; self.targets.len()];
+        };
+        let mut rows = at.residual.iter();
+        let each = self.targets.iter().map(|target| {
+            rows.next(); // the frequency
+            let shape = target.shape.as_ref()?;
+            let (mut difference, mut largest) = (0.0_f64, 0.0_f64);
+            for ((w, sd), r) in shape.measured.iter().zip(&shape.sd).zip(rows.by_ref()) {
+                difference = difference.max((r * sd).abs());
+                largest = largest.max((w * sd).abs());
+            }
+            Some(difference / largest)
+        });
+        each.collect()
+    }
+
     /// ω² of all modes, ascending.
     pub(super) fn omega_squared(&self, x: &[f64]) -> Option<Vec<f64>> {
         Some(symmetric_eigen(&self.reduced_stiffness(x)).ok()?.values)

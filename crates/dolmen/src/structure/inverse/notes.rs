@@ -3,7 +3,9 @@
 use super::Sprung;
 use super::options::Weighting;
 use super::search::{Count, EXACT, Search, rank};
-use crate::structure::{Choice, Misfit, OfSpring, Spring, StiffnessNote, Thoroughness, Visibility};
+use crate::structure::{
+    Choice, Misfit, OfSpring, Spring, StiffnessNote, StiffnessSolution, Thoroughness, Visibility,
+};
 use dolmen_linalg::Svd;
 
 /// A spring whose direction the data determine by less than this share is named as not seen.
@@ -55,6 +57,7 @@ pub(super) fn of_solutions<S: Sprung>(
             independent: search.independent,
             proportion: search.structure.proportion_to(),
         }),
+        Choice::Indistinguishable if as_good < 2 => {} // two that meet: said below
         Choice::Indistinguishable => notes.push(StiffnessNote::SeveralExplain {
             spring,
             sets: as_good,
@@ -87,14 +90,14 @@ pub(super) fn of_solutions<S: Sprung>(
             .filter(|(_, points)| *points == 1)
             .map(|(j, _)| StiffnessNote::OneShapePoint { mode: j + 1 }),
     );
-    if search.weighting == Weighting::PartlyAssumed {
+    if matches!(search.weighting, Weighting::PartlyAssumed | Weighting::Assumed) {
         notes.push(StiffnessNote::DeviationsAssumed {
             frequency: search.options.frequency_sd_assumed,
             shape: search.options.shape_sd_assumed,
         });
     }
     let explained = matches!(choice, Choice::One | Choice::Indistinguishable);
-    if let (Weighting::Relative, Some(nearest)) = (search.weighting, nearest)
+    if let (Weighting::Relative | Weighting::Assumed, Some(nearest)) = (search.weighting, nearest)
         && explained
         && nearest >= EXACT
     {
@@ -133,10 +136,40 @@ pub(super) fn of_free_directions(spring: Spring, jacobian: &Svd, choice: Choice)
         .collect()
 }
 
-pub(super) fn of_unseen(spring: Spring, visibility: &Visibility) -> Option<StiffnessNote> {
-    let seen = visibility.seen.iter().enumerate();
-    let unseen = seen.filter(|(_, seen)| **seen < SEEN_LEAST);
-    let numbers: Vec<usize> = unseen.map(|(i, _)| i + 1).collect();
+/// Shapes without standard deviations, by how much they are off.
+pub(super) fn of_shapes<S: Sprung>(search: &Search<'_, S>, x: &[f64]) -> Vec<StiffnessNote> {
+    let modes = search.modes.iter().zip(search.fit.shapes_off(x)).enumerate();
+    modes
+        .filter_map(|(j, (mode, off))| {
+            let given = mode.shape.iter().any(|point| point.displacement_sd > 0.0);
+            let difference = off.filter(|&off| !given && off >= EXACT)?;
+            Some(StiffnessNote::ShapeOff {
+                mode: j + 1,
+                difference,
+            })
+        })
+        .collect()
+}
+
+pub(super) fn of_ranges(solutions: &[StiffnessSolution]) -> Option<StiffnessNote> {
+    let each = solutions.iter().enumerate();
+    let incomplete = each.filter(|(_, solution)| {
+        let range = solution.stiffness_range.as_ref();
+        range.is_some_and(|range| !range.exists_throughout)
+    });
+    let solutions: Vec<usize> = incomplete.map(|(i, _)| i + 1).collect();
+    (!solutions.is_empty()).then_some(StiffnessNote::RangeIncomplete { solutions })
+}
+
+/// Springs not determined whose own stiffness barely changes the data; where it is the split between several that stays
+/// free, each of them is seen.
+pub(super) fn of_unseen(
+    spring: Spring,
+    visibility: &Visibility,
+    barely_felt: &[usize],
+) -> Option<StiffnessNote> {
+    let unseen = barely_felt.iter().filter(|i| visibility.seen[**i] < SEEN_LEAST);
+    let numbers: Vec<usize> = unseen.map(|i| i + 1).collect();
     (!numbers.is_empty()).then_some(StiffnessNote::Unseen { spring, numbers })
 }
 

@@ -12,16 +12,17 @@ pub struct StiffnessSearch {
     pub starts: usize,
     /// Most solutions listed; how many more were found is noted. Default 64, our choice.
     pub solutions_most: usize,
-    /// Largest misfit of a solution where the modes carry standard deviations, in those. Default 2, our choice.
+    /// Largest misfit of a solution where the modes carry standard deviations or shapes, in standard deviations, given or
+    /// assumed. Default 2, our choice.
     pub misfit_most: f64,
-    /// Largest misfit where they carry none, relative. Default 0.01, our choice: frequencies of monuments repeat to
+    /// Largest misfit of frequencies alone where they carry none, relative. Default 0.01, our choice: frequencies of monuments repeat to
     /// about that between seasons.
     pub difference_most: f64,
-    /// Relative standard deviation taken for a frequency without one when other data have theirs. Default 0.005, our
+    /// Relative standard deviation taken for a frequency without one beside shapes or data that have theirs. Default 0.005, our
     /// choice.
     pub frequency_sd_assumed: f64,
-    /// Standard deviation taken for a shape point without one when other data have theirs, relative to the largest
-    /// displacement of the mode. Default 0.02, our choice.
+    /// Standard deviation taken for a shape point without one, relative to the largest displacement of the mode. Default
+    /// 0.05, our choice: shapes of the field scatter by about that.
     pub shape_sd_assumed: f64,
 }
 
@@ -33,7 +34,7 @@ impl Default for StiffnessSearch {
             misfit_most: 2.0,
             difference_most: 0.01,
             frequency_sd_assumed: 0.005,
-            shape_sd_assumed: 0.02,
+            shape_sd_assumed: 0.05,
         }
     }
 }
@@ -65,8 +66,10 @@ impl StiffnessSearch {
 /// Whether the data are weighted by standard deviations.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Weighting {
-    /// None has one: relative differences.
+    /// Frequencies alone, none with one: relative differences.
     Relative,
+    /// None has one, but shapes are given: all get an assumed one.
+    Assumed,
     /// All have.
     Given,
     /// Some have; the others get an assumed one.
@@ -77,17 +80,16 @@ impl Weighting {
     pub(super) fn of(modes: &[MeasuredMode]) -> Self {
         let all = modes.iter().flat_map(|mode| {
             // one point without scatter among others with it is where the scale was taken
-            let shape = mode
-                .shape
-                .iter()
-                .map(|point| point.displacement_sd)
-                .reduce(f64::max);
+            let points = mode.shape.iter().filter(|_| mode.shape.len() >= 2);
+            let shape = points.map(|point| point.displacement_sd).reduce(f64::max);
             shape.into_iter().chain([mode.frequency_sd_hz])
         });
         let (given, count) = all.fold((0, 0), |(given, count), sd| {
             (given + usize::from(sd > 0.0), count + 1)
         });
+        let shapes = modes.iter().any(|mode| mode.shape.len() >= 2);
         match given {
+            0 if shapes => Weighting::Assumed,
             0 => Weighting::Relative,
             given if given == count => Weighting::Given,
             _ => Weighting::PartlyAssumed,

@@ -13,7 +13,8 @@ use super::{FrequencyRoots, SpringModel, Sprung, StiffnessSearch, notes};
 use crate::numeric::{LeastSquaresFit, levenberg_marquardt};
 use crate::structure::identification::check_modes;
 use crate::structure::{
-    Choice, MeasuredMode, StiffnessRange, StiffnessSolution, StiffnessSolutions, StructureError, Visibility,
+    Choice, MeasuredMode, StiffnessNote, StiffnessRange, StiffnessSolution, StiffnessSolutions,
+    StructureError, Visibility,
 };
 use dolmen_linalg::{Matrix, svd};
 
@@ -34,11 +35,19 @@ const BATCHES_MOST: usize = 5;
 const RANGED_PARTS_MOST: usize = 4;
 /// Singular values below this share of the largest are 0.
 const RANK_LEAST: f64 = 1e-8;
-/// Difference of chi-squared below which two fits cannot be told apart: 95 % of one degree of freedom.
-const CHI_SQUARED_95: f64 = 3.841_458_8;
+/// Chi-squared beyond that of the best fit at which another is dropped: 99.9 % of one degree of freedom.
+const CHI_SQUARED_999: f64 = 10.827_566;
+/// Two ends of the search beside a double root nearer than this in every ln k are one: the valley there is flat, and
+/// descents stop all along it.
+const SAME_VALLEY: f64 = 0.1;
+/// Relative standard deviation above which a linear interval says nothing: it would reach below 0.
+const LINEAR_SD_MOST: f64 = 1.0;
+/// Share of the proportion's largest at which each is floored: a joint that carries nothing has a stiffness all the same.
+const PROPORTION_LEAST: f64 = 1e-3;
 /// Change of data that counts as seen if they carry no sd, relative: frequencies of the field scatter by half a per
 /// cent. With sd the bound is one sd.
 const SEEN_RELATIVE: f64 = 0.005;
+
 /// One minimum.
 pub(super) struct Found {
     x: Vec<f64>,
@@ -134,7 +143,12 @@ impl<S: Sprung> Search<'_, S> {
     /// Logarithm of the first guess, scaled so that the frequencies fit best on average.
     fn prior(&self) -> Vec<f64> {
         let proportion = self.structure.proportion();
-        self.scaled(proportion.iter().map(|k| k.max(f64::MIN_POSITIVE).ln()).collect())
+        let largest = proportion.iter().fold(0.0_f64, |most, &k| most.max(k));
+        let share = |k: &f64| match largest > 0.0 {
+            true => (k / largest).max(PROPORTION_LEAST),
+            false => 1.0,
+        };
+        self.scaled(proportion.iter().map(|k| share(k).ln()).collect())
     }
 
     /// All solutions: followed from a solved case where that is possible, else from many starts.
@@ -155,12 +169,16 @@ impl<S: Sprung> Search<'_, S> {
             self.descend(start, ITERATIONS_MOST, &mut all);
         }
         let complete = roots.as_ref().is_some_and(|roots| roots.complete);
-        let settled =
-            only_frequencies && complete && (!all.is_empty() || self.weighting == Weighting::Relative);
-        if settled {
+        // without a root the frequencies may still lie within their scatter of a double one
+        let beside_roots = only_frequencies && complete && all.is_empty();
+        if only_frequencies && complete && !beside_roots {
             tried += roots.as_ref().map_or(0, |roots| roots.solutions_complex);
         } else {
-            tried += self.descend_from_scattered(prior, only_frequencies, &mut all);
+            let starts = match only_frequencies && !beside_roots {
+                true => self.options.starts,
+                false => self.options.starts / STARTS_WITH_SHAPES,
+            };
+            tried += self.descend_from_scattered(prior, starts, &mut all);
         }
         self.sort(&mut all);
         let mut nearest = all.first().map(|found| found.misfit);
@@ -172,10 +190,16 @@ impl<S: Sprung> Search<'_, S> {
         }
         self.sort(&mut finished);
         nearest = finished.first().map(|found| found.misfit).or(nearest);
-        let exact = nearest.is_some_and(|misfit| misfit < EXACT) && self.weighting == Weighting::Relative;
+        // where no datum has a deviation, what is reproduced exactly stands before any near miss
+        let none_given = matches!(self.weighting, Weighting::Relative | Weighting::Assumed);
+        let exact = nearest.is_some_and(|misfit| misfit < EXACT) && none_given;
         finished.extend(beyond);
         if exact {
             finished.retain(|found| found.misfit < EXACT);
+        }
+        self.drop_the_excluded(&mut finished);
+        if beside_roots {
+            one_a_valley(&mut finished);
         }
         let choice = self.choose(&finished)?;
         if choice == Choice::Underdetermined {
@@ -185,7 +209,7 @@ impl<S: Sprung> Search<'_, S> {
         let count = Count {
             starts: tried,
             solutions: finished.len(),
-            as_good: self.as_good(&finished),
+            as_good: finished.len(),
             nearest,
             odd: only_frequencies && !complete && exact && !even,
             roots: roots.filter(|_| only_frequencies),
@@ -194,12 +218,8 @@ impl<S: Sprung> Search<'_, S> {
     }
 
     /// Minima from a scatter of starts; how many starts were tried.
-    fn descend_from_scattered(&self, prior: &[f64], only_frequencies: bool, all: &mut Vec<Found>) -> usize {
-        let starts = if only_frequencies {
-            self.options.starts
-        } else {
-            self.options.starts / STARTS_WITH_SHAPES
-        };
+    fn descend_from_scattered(&self, prior: &[f64], starts: usize, all: &mut Vec<Found>) -> usize {
+        let only_frequencies = self.fit.data() == self.modes.len();
         let mut tried = 0;
         for batch in 0..BATCHES_MOST {
             for start in scattered_starts(prior, batch * starts, starts.max(1)) {
@@ -240,36 +260,64 @@ impl<S: Sprung> Search<'_, S> {
         let Some(best) = all.first() else {
             return Ok(Choice::Impossible);
         };
-        let n = best.x.len();
-        if rank(&singular_values(&best.jacobian)?) < n {
+        if self.meets_another(best)? {
+            return Ok(Choice::Indistinguishable);
+        }
+        if rank(&singular_values(&best.jacobian)?) < best.x.len() {
             return Ok(Choice::Underdetermined);
         }
-        Ok(if self.as_good(all) > 1 {
-            Choice::Indistinguishable
-        } else {
-            Choice::One
+        Ok(match all.len() {
+            1 => Choice::One,
+            _ => Choice::Indistinguishable,
         })
     }
 
-    fn as_good(&self, all: &[Found]) -> usize {
-        let best = all.first();
-        best.map_or(0, |best| {
-            all.iter().filter(|found| self.as_good_as(found, best)).count()
-        })
+    /// With standard deviations, given or assumed, leaves out fits that are too much worse than the best.
+    fn drop_the_excluded(&self, all: &mut Vec<Found>) {
+        let Some(best) = all.first().map(|best| rounded(best.misfit)) else {
+            return;
+        };
+        if self.weighting != Weighting::Relative {
+            let data = self.fit.data() as f64;
+            all.retain(|found| data * (found.misfit.powi(2) - best.powi(2)) <= CHI_SQUARED_999);
+        }
     }
 
-    /// Whether the data cannot tell a fit from the best one. Without standard deviations the misfit of the best fit
-    /// says how uncertain the data are, if there are data to spare; if not, any accepted fit may be the true one.
-    fn as_good_as(&self, found: &Found, best: &Found) -> bool {
-        let data = self.fit.data() as f64;
-        let spare = data - found.x.len() as f64;
-        let worse = rounded(found.misfit).powi(2) - rounded(best.misfit).powi(2);
+    /// Whether another solution meets this one here, or so nearly that the scatter of the frequencies moves one into the
+    /// other: as many frequencies as springs, yet some combination of seen springs that they leave free.
+    fn meets_another(&self, found: &Found) -> Result<bool, StructureError> {
+        let n = found.x.len();
+        if n < 2 || self.modes.len() != n || self.fit.data() != n {
+            return Ok(false);
+        }
+        let scatter = match self.weighting {
+            Weighting::Relative => self.options.frequency_sd_assumed,
+            _ => 1.0,
+        };
+        let linear = |sd: &Vec<f64>| sd.iter().all(|sd| scatter * sd <= LINEAR_SD_MOST);
+        if self.relative_sd(found)?.as_ref().is_some_and(linear) {
+            return Ok(false);
+        }
+        let weakest = svd(&tall(&found.jacobian))?.v;
+        let unseen = self.unseen_springs(found);
+        let share: f64 = unseen.iter().map(|&i| weakest[(i, n - 1)].powi(2)).sum();
+        Ok(share < 0.5) // else it is one spring, too stiff to be seen
+    }
+
+    /// Springs that change no datum by what counts as seen while their stiffness changes e-fold.
+    fn unseen_springs(&self, found: &Found) -> Vec<usize> {
+        let j = &found.jacobian;
+        let column = |i: usize| j.column(i).iter().map(|d| d * d).sum::<f64>().sqrt();
+        (0..found.x.len())
+            .filter(|&i| column(i) < self.seen_bound())
+            .collect()
+    }
+
+    /// Change of the data that counts as seen, in units of the residuals.
+    fn seen_bound(&self) -> f64 {
         match self.weighting {
-            Weighting::Relative if spare > 0.0 => {
-                worse <= CHI_SQUARED_95 / spare * rounded(best.misfit).powi(2)
-            }
-            Weighting::Relative => true,
-            _ => data * worse <= CHI_SQUARED_95,
+            Weighting::Relative => SEEN_RELATIVE,
+            _ => 1.0,
         }
     }
 
@@ -318,21 +366,35 @@ impl<S: Sprung> Search<'_, S> {
                 choice,
             ));
         }
-        if let (Some(best), true) = (all.first(), self.interval_stated(choice)) {
+        all.truncate(self.options.solutions_most);
+        let mut meets = false;
+        for found in &all {
+            meets |= choice != Choice::Underdetermined && self.meets_another(found)?;
+        }
+        if meets {
+            notes.push(StiffnessNote::SolutionsMeet { spring: S::SPRING });
+        }
+        if let (Some(best), true) = (all.first(), self.interval_stated(choice) && !meets) {
             let relative_sd = self.relative_sd(best)?;
             notes.extend(relative_sd.and_then(|sd| notes::of_wide_intervals(S::SPRING, &sd)));
         }
-        if let Some(visibility) = &visibility {
-            notes.extend(notes::of_unseen(S::SPRING, visibility));
+        if let (Some(best), Some(visibility)) = (all.first(), &visibility) {
+            notes.extend(notes::of_shapes(self, &best.x));
+            notes.extend(notes::of_unseen(
+                S::SPRING,
+                visibility,
+                &self.unseen_springs(best),
+            ));
         }
-        all.truncate(self.options.solutions_most);
         let ranged = count.roots.is_some()
             && self.weighting == Weighting::Given
             && self.parts() <= RANGED_PARTS_MOST
             && all.iter().all(|found| found.misfit < EXACT);
         let solutions = all.iter().map(|found| self.solution(found, choice, ranged));
+        let solutions: Vec<StiffnessSolution> = solutions.collect::<Result<_, _>>()?;
+        notes.extend(notes::of_ranges(&solutions));
         Ok(StiffnessSolutions {
-            solutions: solutions.collect::<Result<_, _>>()?,
+            solutions,
             choice,
             visibility,
             starts,
@@ -342,7 +404,8 @@ impl<S: Sprung> Search<'_, S> {
 
     /// Whether the modes carry standard deviations and determine the stiffness.
     fn interval_stated(&self, choice: Choice) -> bool {
-        self.weighting != Weighting::Relative && choice != Choice::Underdetermined
+        matches!(self.weighting, Weighting::Given | Weighting::PartlyAssumed)
+            && choice != Choice::Underdetermined
     }
 
     fn solution(
@@ -353,7 +416,9 @@ impl<S: Sprung> Search<'_, S> {
     ) -> Result<StiffnessSolution, StructureError> {
         let stiffness: Vec<f64> = found.x.iter().map(|x| x.exp()).collect();
         let relative_sd = match self.interval_stated(choice) {
-            true => self.relative_sd(found)?,
+            true => self
+                .relative_sd(found)?
+                .filter(|sd| sd.iter().all(|sd| *sd <= LINEAR_SD_MOST)),
             false => None,
         };
         let modes = self.structure.natural_modes_with(&stiffness)?;
@@ -399,10 +464,7 @@ impl<S: Sprung> Search<'_, S> {
     fn visibility(&self, found: &Found) -> Result<Visibility, StructureError> {
         let n = found.x.len();
         let f = svd(&tall(&found.jacobian))?;
-        let bound = match self.weighting {
-            Weighting::Relative => SEEN_RELATIVE,
-            _ => 1.0,
-        };
+        let bound = self.seen_bound();
         let share = |s: f64| s * s / (s * s + bound * bound);
         let seen = |i: usize| (0..n).map(|j| f.v[(i, j)].powi(2) * share(f.s[j])).sum::<f64>();
         Ok(Visibility {
@@ -416,6 +478,21 @@ impl<S: Sprung> Search<'_, S> {
 /// Misfit with rounding taken away, so that exact solutions rank as equal.
 fn rounded(misfit: f64) -> f64 {
     if misfit < EXACT { 0.0 } else { misfit }
+}
+
+/// Keeps the best of those that lie in one flat valley.
+fn one_a_valley(all: &mut Vec<Found>) {
+    let mut kept: Vec<Found> = Vec::new();
+    for found in all.drain(..) {
+        let near = |other: &Found| {
+            let pairs = other.x.iter().zip(&found.x);
+            pairs.into_iter().all(|(a, b)| (a - b).abs() < SAME_VALLEY)
+        };
+        if !kept.iter().any(near) {
+            kept.push(found);
+        }
+    }
+    *all = kept;
 }
 
 /// The Jacobian with rows of zeros added until it is at least square: all right singular vectors then exist.
