@@ -7,6 +7,7 @@ mod frame;
 mod identification;
 mod inverse;
 mod natural;
+pub mod stack;
 mod stiffness_note;
 mod tapered_cantilever;
 

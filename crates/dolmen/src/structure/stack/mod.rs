@@ -1,0 +1,15 @@
+//! Stacks of stone: blocks, the joints between them, and what ties and holds them.
+
+mod beds;
+mod error;
+mod material;
+mod overlap;
+mod polygon;
+mod solid;
+mod stack_of_blocks;
+
+pub use error::StackError;
+pub use material::JointMaterial;
+pub use polygon::{Polygon, PolygonMoments};
+pub use solid::{Placement, Solid};
+pub use stack_of_blocks::{BED_GAP_M, Block, Body, Joint, SideSupport, Stack, Tie};

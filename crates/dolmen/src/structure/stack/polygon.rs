@@ -1,0 +1,218 @@
+//! Convex polygons in a plane: clipping, area, centroid, second moments.
+
+/// A convex polygon, counterclockwise: coordinates in a joint's own plane, m.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Polygon {
+    /// Its corners, m, counterclockwise.
+    pub corners_m: Vec<[f64; 2]>,
+}
+
+/// Area, centroid and second moments of area about the centroid.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PolygonMoments {
+    /// Area, m².
+    pub area_m2: f64,
+    /// Centroid, m.
+    pub centroid_m: [f64; 2],
+    /// ∫x², ∫y², ∫xy about the centroid, m⁴.
+    pub second_m4: [f64; 3],
+}
+
+fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+impl Polygon {
+    /// Area, centroid and second moments; all zero for fewer than three corners.
+    pub fn moments(&self) -> PolygonMoments {
+        let corners = &self.corners_m;
+        let mut moments = PolygonMoments {
+            area_m2: 0.0,
+            centroid_m: corners.first().copied().unwrap_or_default(),
+            second_m4: [0.0; 3],
+        };
+        if corners.len() < 3 {
+            return moments;
+        }
+        // triangles from the first corner: of each, ∫x² = A/6 (a² + ab + b²) about that corner
+        let origin = corners[0];
+        let (mut area, mut first, mut second) = (0.0, [0.0; 2], [0.0; 3]);
+        for pair in corners[1..].windows(2) {
+            let (a, b) = (minus(pair[0], origin), minus(pair[1], origin));
+            let triangle = 0.5 * cross(a, b);
+            area += triangle;
+            for axis in 0..2 {
+                first[axis] += triangle * (a[axis] + b[axis]) / 3.0;
+                second[axis] += triangle / 6.0 * (a[axis] * a[axis] + a[axis] * b[axis] + b[axis] * b[axis]);
+            }
+            second[2] +=
+                triangle / 12.0 * (2.0 * a[0] * a[1] + a[0] * b[1] + b[0] * a[1] + 2.0 * b[0] * b[1]);
+        }
+        if area <= 0.0 {
+            return moments;
+        }
+        let mean = [first[0] / area, first[1] / area];
+        moments.area_m2 = area;
+        moments.centroid_m = [origin[0] + mean[0], origin[1] + mean[1]];
+        moments.second_m4 = [
+            second[0] - area * mean[0] * mean[0],
+            second[1] - area * mean[1] * mean[1],
+            second[2] - area * mean[0] * mean[1],
+        ];
+        moments
+    }
+
+    /// The part of this polygon that lies within `other`; empty if none does.
+    pub fn clipped(&self, other: &Polygon) -> Polygon {
+        let mut corners = self.corners_m.clone();
+        let edges = other.corners_m.iter().zip(other.corners_m.iter().cycle().skip(1));
+        for (&start, &end) in edges {
+            let along = minus(end, start);
+            corners = keep_left(&corners, start, along);
+        }
+        Polygon { corners_m: corners }.cleaned()
+    }
+
+    /// Without corners that repeat or lie on the line between their neighbours, to 1e-9 of its size.
+    pub fn cleaned(self) -> Polygon {
+        let size = self.size_m();
+        let near = 1e-9 * size; // rounding of coordinates, and no stone is cut finer
+        let mut corners: Vec<[f64; 2]> = Vec::with_capacity(self.corners_m.len());
+        for corner in self.corners_m {
+            let repeats = |other: &[f64; 2]| (corner[0] - other[0]).hypot(corner[1] - other[1]) <= near;
+            if !corners.last().is_some_and(repeats) {
+                corners.push(corner);
+            }
+        }
+        while corners.len() > 1 {
+            let (first, last) = (corners[0], corners[corners.len() - 1]);
+            if (first[0] - last[0]).hypot(first[1] - last[1]) > near {
+                break;
+            }
+            corners.pop();
+        }
+        let n = corners.len();
+        let straight = |i: usize| {
+            let (before, at, after) = (corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]);
+            let chord = minus(after, before);
+            cross(minus(at, before), chord).abs() <= near * chord[0].hypot(chord[1])
+        };
+        let corners_m: Vec<[f64; 2]> = (0..n).filter(|&i| !straight(i)).map(|i| corners[i]).collect();
+        if corners_m.len() < 3 {
+            return Polygon::default();
+        }
+        Polygon { corners_m }
+    }
+
+    /// Largest extent along an axis, m.
+    pub fn size_m(&self) -> f64 {
+        let extent = |axis: usize| {
+            let values = self.corners_m.iter().map(|corner| corner[axis]);
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), v| {
+                (low.min(v), high.max(v))
+            });
+            (high - low).max(0.0)
+        };
+        extent(0).max(extent(1))
+    }
+
+    /// Distance from an inner point to the edge along a direction, m; negative if the point lies outside and the
+    /// edge behind it.
+    ///
+    /// ```text
+    /// min over edges with n·d > 0 of  n·(corner − point) / n·d,   n the outward normal, d the direction (unit)
+    /// ```
+    pub fn reach_m(&self, point_m: [f64; 2], direction: [f64; 2]) -> f64 {
+        let mut reach = f64::INFINITY;
+        let edges = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
+        for (&start, &end) in edges {
+            let along = minus(end, start);
+            let outward = [along[1], -along[0]];
+            let toward = outward[0] * direction[0] + outward[1] * direction[1];
+            if toward > 1e-12 * along[0].hypot(along[1]) {
+                let from = minus(start, point_m);
+                reach = reach.min((outward[0] * from[0] + outward[1] * from[1]) / toward);
+            }
+        }
+        reach
+    }
+
+    /// How far a point lies inside the nearest edge, m; negative outside.
+    pub fn depth_m(&self, point_m: [f64; 2]) -> f64 {
+        let mut depth = f64::INFINITY;
+        let edges = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
+        for (&start, &end) in edges {
+            let along = minus(end, start);
+            depth = depth.min(cross(along, minus(point_m, start)) / along[0].hypot(along[1]));
+        }
+        depth
+    }
+}
+
+/// The part of a convex polygon to the left of a line.
+fn keep_left(corners: &[[f64; 2]], start: [f64; 2], along: [f64; 2]) -> Vec<[f64; 2]> {
+    let mut kept = Vec::with_capacity(corners.len() + 1);
+    for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+        let (side_a, side_b) = (cross(along, minus(a, start)), cross(along, minus(b, start)));
+        if side_a >= 0.0 {
+            kept.push(a);
+        }
+        if (side_a > 0.0 && side_b < 0.0) || (side_a < 0.0 && side_b > 0.0) {
+            let t = side_a / (side_a - side_b);
+            kept.push([a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])]);
+        }
+    }
+    kept
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn rectangle(low: [f64; 2], high: [f64; 2]) -> Polygon {
+        Polygon {
+            corners_m: vec![low, [high[0], low[1]], high, [low[0], high[1]]],
+        }
+    }
+
+    #[test]
+    fn exact_moments_of_a_rectangle_and_a_triangle() {
+        let m = rectangle([1.0, 2.0], [4.0, 4.0]).moments();
+        assert!((m.area_m2 - 6.0).abs() < 1e-14);
+        assert!((m.centroid_m[0] - 2.5).abs() < 1e-14 && (m.centroid_m[1] - 3.0).abs() < 1e-14);
+        let exact = [2.0 * 27.0 / 12.0, 3.0 * 8.0 / 12.0, 0.0];
+        for (computed, exact) in m.second_m4.iter().zip(exact) {
+            assert!((computed - exact).abs() < 1e-13);
+        }
+        // right triangle with legs 1: ∫x² = 1/36, ∫xy = −1/72 about its centroid
+        let triangle = Polygon {
+            corners_m: vec![[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]],
+        };
+        let m = triangle.moments();
+        assert!((m.second_m4[0] - 1.0 / 36.0).abs() < 1e-15 && (m.second_m4[2] + 1.0 / 72.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn exact_clip_of_crossed_rectangles() {
+        let cross = rectangle([-3.0, -1.0], [3.0, 1.0]).clipped(&rectangle([-1.0, -3.0], [1.0, 3.0]));
+        assert!((cross.moments().area_m2 - 4.0).abs() < 1e-14);
+        assert_eq!(cross.corners_m.len(), 4);
+        let apart = rectangle([0.0, 0.0], [1.0, 1.0]).clipped(&rectangle([2.0, 0.0], [3.0, 1.0]));
+        assert!(apart.corners_m.is_empty());
+        let same = rectangle([0.0, 0.0], [1.0, 1.0]);
+        assert_eq!(same.clipped(&same).corners_m.len(), 4);
+    }
+
+    #[test]
+    fn exact_reach_to_the_edge() {
+        let square = rectangle([-1.0, -1.0], [1.0, 1.0]);
+        let diagonal = [0.5_f64.sqrt(), 0.5_f64.sqrt()];
+        assert!((square.reach_m([0.0, 0.0], diagonal) - 2.0_f64.sqrt()).abs() < 1e-14);
+        assert!((square.reach_m([1.12, 0.0], [1.0, 0.0]) + 0.12).abs() < 1e-14);
+        assert!((square.depth_m([0.75, 0.0]) - 0.25).abs() < 1e-15);
+    }
+}

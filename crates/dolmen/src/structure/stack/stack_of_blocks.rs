@@ -1,0 +1,392 @@
+//! The stack: blocks that touch in joints, checked once.
+
+use super::beds::bed;
+use super::overlap::overlap_depth;
+use super::{JointMaterial, Polygon, Solid, StackError};
+use glam::DVec3;
+
+/// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Chosen here. What is left of a
+/// gap or wedge counts as bedded (mortar, shims): contact begins as drawn.
+pub const BED_GAP_M: f64 = 0.005;
+
+/// A joint carries weight if its normal rises at least this much, as sine: also the steep joints of an arch. Chosen here.
+const RISE_LEAST: f64 = 0.05;
+
+/// One stone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Block {
+    /// Name, unique in its stack.
+    pub name: String,
+    /// Its shape where it stands: x right, y away, z up from the ground, m.
+    pub solid: Solid,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+impl Block {
+    /// Mass, kg.
+    pub fn mass_kg(&self) -> f64 {
+        self.density_kg_m3 * self.solid.volume_m3()
+    }
+}
+
+/// What a joint or tie connects.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Body {
+    /// The ground: the plane z = 0 and all below.
+    Ground,
+    /// A block by its index.
+    Block(usize),
+}
+
+/// Where two bodies touch: a flat patch with a frame of its own.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Joint {
+    /// The lower body, which the patch's plane belongs to.
+    pub lower: Body,
+    /// The upper block.
+    pub upper: usize,
+    /// Centroid of the patch, m.
+    pub origin_m: [f64; 3],
+    /// Unit vectors of its frame: two in the plane, then the normal, from the lower to the upper body.
+    pub axes: [[f64; 3]; 3],
+    /// The patch in its own plane, about the origin, m.
+    pub patch: Polygon,
+    /// Friction, bond, springs, damping.
+    pub material: JointMaterial,
+}
+
+/// A dowel or clamp: a small spring between two bodies with a strength.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tie {
+    /// One body.
+    pub lower: Body,
+    /// The other.
+    pub upper: usize,
+    /// Where it crosses the joint, m.
+    pub position_m: [f64; 3],
+    /// Its axis: a vertical dowel [0, 0, 1]; need not be of unit length.
+    pub axis: [f64; 3],
+    /// Stiffness along the axis, N/m; 0 for a dowel that can slip out.
+    pub axial_stiffness_n_m: f64,
+    /// Stiffness across the axis, N/m.
+    pub shear_stiffness_n_m: f64,
+    /// Tension at which it breaks, N.
+    pub tension_strength_n: f64,
+    /// Shear at which it breaks, N.
+    pub shear_strength_n: f64,
+}
+
+/// Something beside a block that it meets after a gap: unilateral, without friction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SideSupport {
+    /// The block.
+    pub block: usize,
+    /// Point of the block that meets it, m, where the block stands at rest.
+    pub position_m: [f64; 3],
+    /// Direction in which the block must move to meet it; need not be of unit length.
+    pub direction: [f64; 3],
+    /// How far it must move, m.
+    pub gap_m: f64,
+    /// Stiffness once met, N/m.
+    pub stiffness_n_m: f64,
+}
+
+/// Blocks on the ground, touching in joints; only valid ones exist.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stack {
+    blocks: Vec<Block>,
+    joints: Vec<Joint>,
+    ties: Vec<Tie>,
+    side_supports: Vec<SideSupport>,
+    gravity_m_s2: f64,
+}
+
+impl Stack {
+    /// Finds the joints between blocks that stand where they stand, and refuses what cannot be.
+    ///
+    /// # Errors
+    /// [`StackError`] for no blocks, names that repeat, density, gravity or material out of range, blocks that overlap by
+    /// more than [`BED_GAP_M`], and blocks that no joint carries.
+    ///
+    /// # Limits
+    /// Contact is of convex hulls: a hollow or re-entrant stone must be given as several. Two bodies share one joint, of
+    /// the pair of faces with the largest common patch. Faces up to 5° from parallel count as bedded.
+    ///
+    /// # Example
+    /// ```
+    /// use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
+    /// let stone = |name: &str, z: f64| -> Result<Block, Box<dyn std::error::Error>> {
+    ///     let place = Placement { position_m: [0.0, 0.0, z], ..Placement::default() };
+    ///     Ok(Block { name: name.into(), solid: Solid::cuboid(0.3, 0.2, 0.1)?.placed(&place), density_kg_m3: 2600.0 })
+    /// };
+    /// let stack = Stack::new(vec![stone("lower", 0.0)?, stone("upper", 0.1)?], JointMaterial::default(), 9.81)?;
+    /// assert_eq!(stack.joints().len(), 2);
+    /// assert!((stack.joints()[1].patch.moments().area_m2 - 0.06).abs() < 1e-12);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(blocks: Vec<Block>, material: JointMaterial, gravity_m_s2: f64) -> Result<Self, StackError> {
+        let material = material.checked()?;
+        check_values(&blocks, gravity_m_s2)?;
+        let mut joints = Vec::new();
+        for (upper, block) in blocks.iter().enumerate() {
+            if let Some(bed) = bed(None, &block.solid) {
+                joints.push(bed.joint(Body::Ground, upper, material));
+            } else {
+                let sunk = -block.solid.bounds_m()[0][2];
+                if sunk > BED_GAP_M {
+                    return Err(overlap(&block.name, "the ground", sunk));
+                }
+            }
+            for (lower, other) in blocks.iter().enumerate().take(upper) {
+                if apart(&block.solid, &other.solid) {
+                    continue;
+                }
+                if let Some(bed) = bed(Some(&other.solid), &block.solid) {
+                    joints.push(if bed.rises() > -RISE_LEAST {
+                        bed.joint(Body::Block(lower), upper, material)
+                    } else {
+                        bed.turned().joint(Body::Block(upper), lower, material)
+                    });
+                } else {
+                    let depth = overlap_depth(&other.solid, &block.solid);
+                    if depth > BED_GAP_M {
+                        return Err(overlap(&block.name, &other.name, depth));
+                    }
+                }
+            }
+        }
+        joints.sort_by_key(|joint| (joint.upper, joint.lower));
+        let stack = Stack {
+            blocks,
+            joints,
+            ties: Vec::new(),
+            side_supports: Vec::new(),
+            gravity_m_s2,
+        };
+        stack.check_carried()?;
+        Ok(stack)
+    }
+
+    /// The same stack with another material in one joint.
+    ///
+    /// # Errors
+    /// [`StackError::NoJoint`], or [`StackError::Material`] for a value out of its range.
+    pub fn with_material(mut self, joint: usize, material: JointMaterial) -> Result<Self, StackError> {
+        let count = self.joints.len();
+        let slot = self.joints.get_mut(joint);
+        slot.ok_or(StackError::NoJoint { given: joint, count })?.material = material.checked()?;
+        Ok(self)
+    }
+
+    /// The same stack with a dowel or clamp.
+    ///
+    /// # Errors
+    /// [`StackError`] for a block that is not there or a value out of its range.
+    pub fn with_tie(mut self, tie: Tie) -> Result<Self, StackError> {
+        if let Body::Block(lower) = tie.lower {
+            self.check_block(lower)?;
+        }
+        self.check_block(tie.upper)?;
+        check_direction("axis of a tie", tie.axis)?;
+        check_finite("position_m of a tie", tie.position_m)?;
+        let not_negative = [
+            ("axial_stiffness_n_m", tie.axial_stiffness_n_m),
+            ("shear_stiffness_n_m", tie.shear_stiffness_n_m),
+            ("tension_strength_n", tie.tension_strength_n),
+            ("shear_strength_n", tie.shear_strength_n),
+        ];
+        for (quantity, given) in not_negative {
+            // an infinite strength is one that never breaks
+            if given.is_nan() || given < 0.0 || (quantity.ends_with("_n_m") && given.is_infinite()) {
+                return Err(StackError::Dimension {
+                    quantity,
+                    given,
+                    allowed: "0 or a positive number",
+                });
+            }
+        }
+        self.ties.push(tie);
+        Ok(self)
+    }
+
+    /// The same stack with something beside a block.
+    ///
+    /// # Errors
+    /// [`StackError`] for a block that is not there or a value out of its range.
+    pub fn with_side_support(mut self, support: SideSupport) -> Result<Self, StackError> {
+        self.check_block(support.block)?;
+        check_direction("direction of a side support", support.direction)?;
+        check_finite("position_m of a side support", support.position_m)?;
+        for (quantity, given) in [("gap_m", support.gap_m), ("stiffness_n_m", support.stiffness_n_m)] {
+            if !(given >= 0.0 && given.is_finite()) {
+                return Err(StackError::Dimension {
+                    quantity,
+                    given,
+                    allowed: "0 or a positive number",
+                });
+            }
+        }
+        self.side_supports.push(support);
+        Ok(self)
+    }
+
+    /// The blocks, in the order given.
+    pub fn blocks(&self) -> &[Block] {
+        &self.blocks
+    }
+
+    /// The joints, ordered by upper block, then by lower body with the ground first.
+    pub fn joints(&self) -> &[Joint] {
+        &self.joints
+    }
+
+    /// Dowels and clamps.
+    pub fn ties(&self) -> &[Tie] {
+        &self.ties
+    }
+
+    /// What stands beside blocks.
+    pub fn side_supports(&self) -> &[SideSupport] {
+        &self.side_supports
+    }
+
+    /// Acceleration of gravity, m/s².
+    pub fn gravity_m_s2(&self) -> f64 {
+        self.gravity_m_s2
+    }
+
+    /// Name of a body: of the block, or "ground".
+    pub fn name(&self, body: Body) -> &str {
+        match body {
+            Body::Ground => "ground",
+            Body::Block(block) => self.blocks.get(block).map_or("", |block| &block.name),
+        }
+    }
+
+    /// Height of its highest corner, m.
+    pub fn height_m(&self) -> f64 {
+        let tops = self.blocks.iter().map(|block| block.solid.bounds_m()[1][2]);
+        tops.fold(0.0, f64::max)
+    }
+
+    /// Mass of all blocks, kg.
+    pub fn mass_kg(&self) -> f64 {
+        self.blocks.iter().map(Block::mass_kg).sum()
+    }
+
+    fn check_block(&self, given: usize) -> Result<(), StackError> {
+        let last = self.blocks.len() - 1;
+        if given > last {
+            return Err(StackError::NoBlock { given, last });
+        }
+        Ok(())
+    }
+
+    /// Every block must reach the ground through joints that rise.
+    fn check_carried(&self) -> Result<(), StackError> {
+        let mut carried = vec![false; self.blocks.len()];
+        loop {
+            let mut changed = false;
+            for joint in &self.joints {
+                let lower = match joint.lower {
+                    Body::Ground => true,
+                    Body::Block(block) => carried[block],
+                };
+                if lower && joint.axes[2][2] >= RISE_LEAST && !carried[joint.upper] {
+                    carried[joint.upper] = true;
+                    changed = true;
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+        let Some(block) = carried.iter().position(|carried| !carried) else {
+            return Ok(());
+        };
+        let bounds = self.blocks[block].solid.bounds_m();
+        let mut nearest = ("the ground".to_owned(), bounds[0][2]);
+        for other in self
+            .blocks
+            .iter()
+            .filter(|other| other.name != self.blocks[block].name)
+        {
+            let below = other.solid.bounds_m();
+            let under =
+                (0..2).all(|axis| below[0][axis] < bounds[1][axis] && bounds[0][axis] < below[1][axis]);
+            let gap = bounds[0][2] - below[1][2];
+            if under && gap > 0.0 && gap < nearest.1 {
+                nearest = (other.name.clone(), gap);
+            }
+        }
+        Err(StackError::Floating {
+            block: self.blocks[block].name.clone(),
+            nearest: nearest.0,
+            gap_m: nearest.1,
+            allowed_m: BED_GAP_M,
+        })
+    }
+}
+
+fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
+    StackError::Overlap {
+        first: first.to_owned(),
+        second: second.to_owned(),
+        depth_m,
+        allowed_m: BED_GAP_M,
+    }
+}
+
+/// Whether the bounding boxes of two solids are farther apart than a bed's gap.
+fn apart(a: &Solid, b: &Solid) -> bool {
+    let (a, b) = (a.bounds_m(), b.bounds_m());
+    (0..3).any(|axis| a[0][axis] > b[1][axis] + BED_GAP_M || b[0][axis] > a[1][axis] + BED_GAP_M)
+}
+
+fn check_direction(quantity: &'static str, given: [f64; 3]) -> Result<(), StackError> {
+    let vector = DVec3::from(given);
+    if vector.is_finite() && vector.length() > 0.0 {
+        return Ok(());
+    }
+    Err(StackError::Direction { quantity, given })
+}
+
+fn check_finite(quantity: &'static str, given: [f64; 3]) -> Result<(), StackError> {
+    if given.iter().all(|value| value.is_finite()) {
+        return Ok(());
+    }
+    Err(StackError::Position { quantity, given })
+}
+
+fn check_values(blocks: &[Block], gravity_m_s2: f64) -> Result<(), StackError> {
+    if blocks.is_empty() {
+        return Err(StackError::Empty);
+    }
+    let not_positive = |part: &str, quantity, given: f64| {
+        Err(StackError::NotPositive {
+            part: part.to_owned(),
+            quantity,
+            given,
+        })
+    };
+    if !(gravity_m_s2 > 0.0 && gravity_m_s2.is_finite()) {
+        return not_positive("the stack", "gravity_m_s2", gravity_m_s2);
+    }
+    let mut names = std::collections::BTreeSet::new();
+    for block in blocks {
+        if !names.insert(&block.name) {
+            return Err(StackError::Name {
+                name: block.name.clone(),
+            });
+        }
+        if !(block.density_kg_m3 > 0.0 && block.density_kg_m3.is_finite()) {
+            return not_positive(
+                &format!("block '{}'", block.name),
+                "density_kg_m3",
+                block.density_kg_m3,
+            );
+        }
+    }
+    Ok(())
+}
