@@ -179,4 +179,34 @@ pub enum SignalError {
         /// Samples of the record.
         most: usize,
     },
+    /// The time step of a ground motion is out of range.
+    #[error("time_step_s is {given}, but must be {least} to {most}: is it in seconds?")]
+    TimeStep {
+        /// The value given, s.
+        given: f64,
+        /// The shortest allowed, s.
+        least: f64,
+        /// The longest allowed, s.
+        most: f64,
+    },
+    /// A number is out of its range.
+    #[error("{argument} is {given}, but must be {allowed}")]
+    Argument {
+        /// The argument.
+        argument: &'static str,
+        /// Its value.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A component that does not move is to be scaled to a peak.
+    #[error(
+        "the {component} component peaks at {peak_m_s2} m/s², so no factor scales it: name a component that moves"
+    )]
+    NoMotion {
+        /// The component.
+        component: &'static str,
+        /// Its peak, m/s².
+        peak_m_s2: f64,
+    },
 }

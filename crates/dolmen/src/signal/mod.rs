@@ -1,4 +1,4 @@
-//! Vibration records: what was measured, where, and what has been done to it since.
+//! Vibration records and ground motions: what was measured, where, and what has been done to it since.
 
 mod cut;
 mod decimate;
@@ -6,6 +6,7 @@ mod detrend;
 mod error;
 mod faults;
 mod filter;
+mod ground_motion;
 mod leave_out;
 mod record;
 mod sections;
@@ -17,6 +18,7 @@ pub use detrend::{Trend, detrend};
 pub use error::SignalError;
 pub use faults::{ChannelFault, inspect};
 pub use filter::{band_pass, low_pass};
+pub use ground_motion::{Component, GroundMotion};
 pub use leave_out::leave_out;
 pub use record::{Channel, Processing, Quantity, Record};
 pub use spectra::{CrossSpectra, Welch, cross_spectra};

@@ -87,6 +87,21 @@ pub enum Processing {
         /// Order of one pass.
         order: usize,
     },
+    /// All samples multiplied by one factor.
+    Scaled {
+        /// The factor.
+        factor: f64,
+    },
+    /// Brought to zero at both ends by half a cosine.
+    Tapered {
+        /// Length of each taper, s.
+        each_end_s: f64,
+    },
+    /// The horizontal components turned about the vertical.
+    Rotated {
+        /// From x towards y, rad.
+        angle_rad: f64,
+    },
     /// Anti-alias filtered, then each `factor`-th sample kept.
     Decimate {
         /// Samples before / samples after.
@@ -123,6 +138,13 @@ impl std::fmt::Display for Processing {
                 )
             }
             Processing::Decimate { factor } => write!(f, "decimated by {factor}"),
+            Processing::Scaled { factor } => write!(f, "scaled by {factor}"),
+            Processing::Tapered { each_end_s } => {
+                write!(f, "tapered by half a cosine, {each_end_s} s at each end")
+            }
+            Processing::Rotated { angle_rad } => {
+                write!(f, "turned by {:.6}° from x towards y", angle_rad.to_degrees())
+            }
         }
     }
 }
