@@ -1,3 +1,5 @@
+use crate::numeric::NumericError;
+
 /// Why a record cannot be made or conditioned. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -209,4 +211,19 @@ pub enum SignalError {
         /// Its peak, m/s².
         peak_m_s2: f64,
     },
+    /// A period is out of what the time step of the motion can tell.
+    #[error(
+        "a period of {given} s is refused: a motion with this time step tells of {least_s} to {most_s} s"
+    )]
+    Period {
+        /// The period given, s.
+        given: f64,
+        /// The shortest allowed, s.
+        least_s: f64,
+        /// The longest allowed, s.
+        most_s: f64,
+    },
+    /// A number is refused.
+    #[error(transparent)]
+    Numeric(#[from] NumericError),
 }

@@ -9,6 +9,7 @@ mod filter;
 mod ground_motion;
 mod leave_out;
 mod record;
+mod response_spectrum;
 mod sections;
 mod spectra;
 
@@ -21,4 +22,5 @@ pub use filter::{band_pass, low_pass};
 pub use ground_motion::{Component, GroundMotion};
 pub use leave_out::leave_out;
 pub use record::{Channel, Processing, Quantity, Record};
+pub use response_spectrum::{SpectralOrdinate, response_spectrum};
 pub use spectra::{CrossSpectra, Welch, cross_spectra};

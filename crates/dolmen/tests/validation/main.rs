@@ -6,6 +6,7 @@ mod chain_laws;
 mod choi_2021;
 mod columns;
 mod draws;
+mod el_centro;
 mod frame_laws;
 mod made_records;
 mod park_min_2010;

@@ -1,0 +1,375 @@
+//! Response spectra: the largest displacement of a linear oscillator on moving ground, exact between the samples too.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | T, ω | `period_s`, `omega` | undamped period, 2π/T | s, rad/s |
+//! | ζ | `damping_ratio`, `zeta` | damping ratio | – |
+//! | ω_D | `omega_d` | ω √(1 − ζ²) | rad/s |
+//! | h | `h` | time step of the motion | s |
+//! | u, v | `u`, `v` | displacement and velocity relative to the ground | m, m/s |
+//! | S_d | `displacement_m` | largest \|u\| | m |
+//! | a, s | `a`, `s` | acceleration of the ground at the start of a step, its slope | m/s², m/s³ |
+
+use super::{Component, GroundMotion, SignalError};
+use crate::numeric::{Bracketing, bracketed_root};
+use std::f64::consts::{PI, TAU};
+
+/// Largest damping ratio: above it an oscillator hardly swings, and the closed form divides by √(1 − ζ²). Chosen here.
+const DAMPING_MOST: f64 = 0.9;
+/// Shortest and longest period, in time steps of the motion: below, one step holds more than 20 swings that the record
+/// cannot tell of; above, the closed form loses digits (see Limits). Chosen here.
+const PERIOD_LEAST_STEPS: f64 = 0.05;
+const PERIOD_MOST_STEPS: f64 = 2e4;
+/// A peak is located to this part of a time step; the displacement there errs by its square. Chosen here.
+const PEAK_WIDTH: f64 = 1e-9;
+
+/// The response of one oscillator.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectralOrdinate {
+    /// Undamped period T, s.
+    pub period_s: f64,
+    /// Damping ratio ζ.
+    pub damping_ratio: f64,
+    /// Largest absolute displacement relative to the ground, m: S_d, the true peak.
+    pub displacement_m: f64,
+    /// When it is reached, s. Past the end of the motion if the oscillator swings on to a larger peak.
+    pub at_s: f64,
+    /// Largest absolute displacement at the samples alone, m: what programs and books print that look nowhere else.
+    pub displacement_at_samples_m: f64,
+}
+
+impl SpectralOrdinate {
+    /// Pseudo-velocity ω S_d, m/s.
+    pub fn pseudo_velocity_m_s(&self) -> f64 {
+        TAU / self.period_s * self.displacement_m
+    }
+
+    /// Pseudo-acceleration ω² S_d, m/s²: times the mass, the largest force in the spring.
+    pub fn pseudo_acceleration_m_s2(&self) -> f64 {
+        (TAU / self.period_s).powi(2) * self.displacement_m
+    }
+}
+
+/// The largest displacement of linear oscillators of given periods and one damping ratio under one component of a motion.
+///
+/// ```text
+/// ü + 2ζω u̇ + ω² u = −a(t)        u = u̇ = 0 at the first sample
+/// within a step     u = A + B τ + e^(−ζωτ) (C cos ω_D τ + D sin ω_D τ)
+///                   B = −s/ω²     A = −(a + 2ζωB)/ω²     C = u_0 − A     D = (v_0 − B + ζωC)/ω_D
+/// ```
+/// The ground acceleration is the straight line between samples, so that u is exact, not stepped. The velocity is monotone
+/// between the zeros of its own rate, which are known in closed form; each of its changes of sign is located there. After
+/// the last sample the ground stands and the first swing is followed to its peak.
+///
+/// # Errors
+/// [`SignalError::Argument`] for a damping ratio outside 0 … 0.9; [`SignalError::Period`] for a period outside 0.05 … 20 000
+/// time steps.
+///
+/// # Limits
+/// The base line of the motion is taken as given: an offset of the record shows at long periods. Digits lost in the closed
+/// form put S_d of El Centro 1940 off by 7e-9 of itself at T = 400 s = 20 000 steps, by 5e-11 at 100 s, below 1e-13 at 1 ms.
+///
+/// 100 periods of its 1560 samples take 13 ms on one core.
+///
+/// # Source
+/// Nigam, Jennings (1969) Bull. Seism. Soc. Am. 59(2):909-922, eqs 2-8. Differs from the source: the peak is looked for between the
+/// samples and after the end, too. For El Centro 1940, T = 0.1 s, ζ = 5 %, the samples alone fall 6.4 % short.
+///
+/// # Example
+/// ```
+/// use dolmen::signal::{Component, GroundMotion, response_spectrum};
+/// // constant acceleration: u swings to twice the static a/ω²
+/// let step = GroundMotion::new("step", 0.01, vec![(Component::X, vec![2.0; 200])])?;
+/// let spectrum = response_spectrum(&step, Component::X, &[0.73], 0.0)?;
+/// assert!((spectrum[0].pseudo_acceleration_m_s2() - 4.0).abs() < 1e-12);
+/// # Ok::<(), dolmen::signal::SignalError>(())
+/// ```
+pub fn response_spectrum(
+    motion: &GroundMotion,
+    component: Component,
+    periods_s: &[f64],
+    damping_ratio: f64,
+) -> Result<Vec<SpectralOrdinate>, SignalError> {
+    if !(0.0..=DAMPING_MOST).contains(&damping_ratio) {
+        return Err(SignalError::Argument {
+            argument: "damping_ratio",
+            given: damping_ratio,
+            allowed: "0 to 0.9: is it in percent?",
+        });
+    }
+    let h = motion.time_step_s();
+    let (least_s, most_s) = (PERIOD_LEAST_STEPS * h, PERIOD_MOST_STEPS * h);
+    if let Some(&given) = periods_s.iter().find(|t| !(least_s..=most_s).contains(*t)) {
+        return Err(SignalError::Period {
+            given,
+            least_s,
+            most_s,
+        });
+    }
+    let samples = motion.acceleration_m_s2(component);
+    periods_s
+        .iter()
+        .map(|&period_s| ordinate(samples, h, period_s, damping_ratio))
+        .collect()
+}
+
+/// An oscillator and what one step of the motion does to it.
+struct Oscillator {
+    zeta_omega: f64,
+    omega_d: f64,
+    omega_squared: f64,
+}
+
+/// The solution within one step: A, B, C, D of the closed form.
+struct Step {
+    mean: f64,
+    slope: f64,
+    cos: f64,
+    sin: f64,
+}
+
+impl Oscillator {
+    fn new(period_s: f64, zeta: f64) -> Self {
+        let omega = TAU / period_s;
+        Oscillator {
+            zeta_omega: zeta * omega,
+            omega_d: omega * (1.0 - zeta * zeta).sqrt(),
+            omega_squared: omega * omega,
+        }
+    }
+
+    /// From displacement and velocity at its start, and the acceleration of the ground there and its slope.
+    fn step(&self, u: f64, v: f64, a: f64, s: f64) -> Step {
+        let slope = -s / self.omega_squared;
+        let mean = -(a + 2.0 * self.zeta_omega * slope) / self.omega_squared;
+        let cos = u - mean;
+        Step {
+            mean,
+            slope,
+            cos,
+            sin: (v - slope + self.zeta_omega * cos) / self.omega_d,
+        }
+    }
+
+    /// e^(−ζωτ) cos ω_D τ and e^(−ζωτ) sin ω_D τ.
+    fn swing(&self, tau: f64) -> [f64; 2] {
+        let decay = (-self.zeta_omega * tau).exp();
+        let (sin, cos) = (self.omega_d * tau).sin_cos();
+        [decay * cos, decay * sin]
+    }
+
+    /// Cosine and sine part of the rate of e^(−ζωτ) (c cos ω_D τ + s sin ω_D τ).
+    fn rate(&self, [c, s]: [f64; 2]) -> [f64; 2] {
+        [
+            self.omega_d * s - self.zeta_omega * c,
+            -self.omega_d * c - self.zeta_omega * s,
+        ]
+    }
+
+    fn displacement(&self, step: &Step, tau: f64, [c, s]: [f64; 2]) -> f64 {
+        step.mean + step.slope * tau + step.cos * c + step.sin * s
+    }
+
+    fn velocity(&self, step: &Step, [c, s]: [f64; 2]) -> f64 {
+        let [cos, sin] = self.rate([step.cos, step.sin]);
+        step.slope + cos * c + sin * s
+    }
+}
+
+/// The largest |u| so far, and when.
+#[derive(Default)]
+struct Peak {
+    size: f64,
+    at_s: f64,
+}
+
+impl Peak {
+    fn offer(&mut self, u: f64, at_s: f64) {
+        if u.abs() > self.size {
+            *self = Peak { size: u.abs(), at_s };
+        }
+    }
+}
+
+fn ordinate(samples: &[f64], h: f64, period_s: f64, zeta: f64) -> Result<SpectralOrdinate, SignalError> {
+    let oscillator = Oscillator::new(period_s, zeta);
+    let swing = oscillator.swing(h);
+    let mut peak = Peak::default();
+    let mut at_samples = 0.0_f64;
+    let (mut u, mut v) = (0.0, 0.0);
+    for (i, pair) in samples.windows(2).enumerate() {
+        let step = oscillator.step(u, v, pair[0], (pair[1] - pair[0]) / h);
+        let end = oscillator.displacement(&step, h, swing);
+        let end_v = oscillator.velocity(&step, swing);
+        let start_s = i as f64 * h;
+        // no displacement within the step exceeds this, since |v̇| is within that of its swing
+        let [cos, sin] = oscillator.rate(oscillator.rate([step.cos, step.sin]));
+        let speed = v.abs().max(end_v.abs()) + h * cos.hypot(sin);
+        if u.abs().max(end.abs()) + 0.5 * h * speed > peak.size {
+            within(&oscillator, &step, h, start_s, &mut peak)?;
+            peak.offer(end, start_s + h);
+        }
+        (u, v) = (end, end_v);
+        at_samples = at_samples.max(u.abs());
+    }
+    // the ground stands: a free swing peaks within half a damped period, and every later peak is lower
+    let free = oscillator.step(u, v, 0.0, 0.0);
+    let end_s = (samples.len() - 1) as f64 * h;
+    within(&oscillator, &free, PI / oscillator.omega_d, end_s, &mut peak)?;
+    Ok(SpectralOrdinate {
+        period_s,
+        damping_ratio: zeta,
+        displacement_m: peak.size,
+        at_s: peak.at_s,
+        displacement_at_samples_m: at_samples,
+    })
+}
+
+/// Offers every extreme of u within a step of the given length: the changes of sign of v, which is monotone between the zeros
+/// of v̇ = e^(−ζωτ) (R cos ω_D τ + S sin ω_D τ).
+fn within(
+    oscillator: &Oscillator,
+    step: &Step,
+    length: f64,
+    start_s: f64,
+    peak: &mut Peak,
+) -> Result<(), SignalError> {
+    let velocity = |tau: f64| oscillator.velocity(step, oscillator.swing(tau));
+    let [r, s] = oscillator.rate(oscillator.rate([step.cos, step.sin]));
+    let half_swing = PI / oscillator.omega_d;
+    let first = f64::atan2(-r, s).rem_euclid(PI) / oscillator.omega_d;
+    let bracketing = Bracketing {
+        width_most: PEAK_WIDTH * length,
+        ..Default::default()
+    };
+    let (mut from, mut at_from) = (0.0, velocity(0.0));
+    let mut turn = 0.0;
+    while from < length {
+        let to = length.min(first + turn * half_swing);
+        turn += 1.0;
+        if to <= from {
+            continue;
+        }
+        let at_to = velocity(to);
+        if at_from.signum() != at_to.signum() {
+            let tau = bracketed_root(velocity, from, to, &bracketing)?;
+            let u = oscillator.displacement(step, tau, oscillator.swing(tau));
+            peak.offer(u, start_s + tau);
+        }
+        (from, at_from) = (to, at_to);
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    fn motion(time_step_s: f64, samples: Vec<f64>) -> GroundMotion {
+        GroundMotion::new("test", time_step_s, vec![(Component::X, samples)]).unwrap()
+    }
+
+    fn one(motion: &GroundMotion, period_s: f64, damping_ratio: f64) -> SpectralOrdinate {
+        response_spectrum(motion, Component::X, &[period_s], damping_ratio).unwrap()[0]
+    }
+
+    #[test]
+    fn exact_a_ramp() {
+        // u = −s/ω³ (ωτ − sin ωτ): monotone, so the peak under a ramp is at its end or in the free swing after it
+        let (s, period_s, h) = (3.0, 0.8, 0.1);
+        let omega = TAU / period_s;
+        let ramp = motion(h, (0..=8).map(|i| s * h * f64::from(i)).collect());
+        let end = one(&ramp, period_s, 0.0);
+        // after one whole period: u = −sT/ω², v = 0
+        assert!((end.displacement_m - s * period_s / omega.powi(2)).abs() < 1e-14);
+        assert!((end.displacement_at_samples_m - end.displacement_m).abs() < 1e-14);
+    }
+
+    #[test]
+    fn exact_the_peak_of_a_damped_step_lies_between_samples() {
+        let (period_s, zeta, h) = (0.5, 0.05, 0.07);
+        let held = one(&motion(h, vec![-1.0; 40]), period_s, zeta);
+        let decay = (-PI * zeta / (1.0_f64 - zeta * zeta).sqrt()).exp();
+        let omega = TAU / period_s;
+        assert!((held.displacement_m * omega.powi(2) - (1.0 + decay)).abs() < 1e-14);
+        assert!((held.at_s - PI / (omega * (1.0 - zeta * zeta).sqrt())).abs() < 1e-9);
+        assert!(held.displacement_at_samples_m < held.displacement_m);
+    }
+
+    #[test]
+    fn exact_a_swing_after_the_end() {
+        // a pulse of one step, half a period of rest is not in the record: u peaks at its impulse over ω, nearly
+        let (h, period_s) = (1e-3, 2.0);
+        let kick = one(&motion(h, vec![0.0, 5.0, 0.0]), period_s, 0.0);
+        let omega = TAU / period_s;
+        assert!((kick.displacement_m / (5.0 * h / omega) - 1.0).abs() < 1e-5);
+        assert!((kick.at_s - (h + period_s / 4.0)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn holds_long_periods_show_the_displacement_of_the_ground() {
+        let (h, f) = (0.01, 1.0);
+        let sine = (0..=100).map(|i| (TAU * f * h * f64::from(i)).sin()).collect();
+        let far = one(&motion(h, sine), PERIOD_MOST_STEPS * h, 0.0);
+        // t/(2πf) − sin(2πft)/(2πf)² at t = 1/f; chords of the sine take 3e-4 of it, the spring (ω/f)²/6 = 2e-4
+        let ground = 1.0 / (TAU * f * f);
+        assert!(
+            (far.displacement_at_samples_m / ground - 1.0).abs() < 6e-4,
+            "{far:?}"
+        );
+    }
+
+    #[test]
+    fn holds_stiff_oscillators_follow_the_ground() {
+        let h = 0.01;
+        let sine: Vec<f64> = (0..=200).map(|i| 3.0 * (0.1 * f64::from(i)).sin()).collect();
+        let stiff = one(&motion(h, sine), 0.06 * h, 0.05);
+        assert!((stiff.pseudo_acceleration_m_s2() / 3.0 - 1.0).abs() < 1e-3);
+    }
+
+    proptest! {
+        #[test]
+        fn holds_a_finer_step_of_the_same_motion_changes_nothing(
+            samples in prop::collection::vec(-5.0..5.0, 3..30),
+            period_s in 0.004..5.0,
+            zeta in 0.0..0.5,
+        ) {
+            let h = 0.05;
+            let coarse = motion(h, samples.clone());
+            let fine: Vec<f64> = (0..=8 * (samples.len() - 1))
+                .map(|i| {
+                    let (k, part) = (i / 8, (i % 8) as f64 / 8.0);
+                    let next = samples[(k + 1).min(samples.len() - 1)];
+                    samples[k] + part * (next - samples[k])
+                })
+                .collect();
+            let (coarse, fine) = (one(&coarse, period_s, zeta), one(&motion(h / 8.0, fine), period_s, zeta));
+            prop_assert!((coarse.displacement_m / fine.displacement_m - 1.0).abs() < 1e-9);
+            prop_assert!(fine.displacement_at_samples_m <= coarse.displacement_m * (1.0 + 1e-9));
+        }
+    }
+
+    #[test]
+    fn refuses_percent_and_periods_out_of_range() {
+        let still = motion(0.01, vec![0.0; 5]);
+        let say = |periods: &[f64], zeta: f64| {
+            response_spectrum(&still, Component::X, periods, zeta)
+                .unwrap_err()
+                .to_string()
+        };
+        for zeta in [5.0, -0.01, f64::NAN] {
+            let wanted = format!("damping_ratio is {zeta}, but must be 0 to 0.9: is it in percent?");
+            assert_eq!(say(&[1.0], zeta), wanted);
+        }
+        for period in [0.0, -1.0, 1e-4, 201.0, f64::NAN, f64::INFINITY] {
+            assert_eq!(
+                say(&[1.0, period], 0.05),
+                format!(
+                    "a period of {period} s is refused: a motion with this time step tells of 0.0005 to 200 s"
+                )
+            );
+        }
+        assert_eq!(one(&still, 1.0, 0.05).displacement_m, 0.0);
+    }
+}
