@@ -1,6 +1,7 @@
 use crate::assess::AssessError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
+use crate::structure::stack::StackError;
 
 /// Why a case could not be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -9,6 +10,9 @@ pub enum ValidationError {
     /// A structure of a source was refused.
     #[error(transparent)]
     Structure(#[from] StructureError),
+    /// A stack of a source was refused.
+    #[error(transparent)]
+    Stack(#[from] StackError),
     /// Its stability could not be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),

@@ -6,8 +6,10 @@ mod choi_2021;
 mod columns;
 mod error;
 mod park_min_2010;
+mod stacks;
 
 pub use case::{Case, cases};
 pub use choi_2021::naju_flagpole;
 pub use error::ValidationError;
 pub use park_min_2010::{heunginjimun_gate, heunginjimun_gate_as_printed};
+pub use stacks::{p10, p20};

@@ -23,6 +23,32 @@ pub enum StackError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A prism with too few or too many sides.
+    #[error("a prism of {given} sides: it must have 3 to {most}; more than that is a drum")]
+    Sides {
+        /// The number given.
+        given: u32,
+        /// The most there may be.
+        most: u32,
+    },
+    /// An opening that is not inside.
+    #[error(
+        "an opening must lie inside its stone and leave some of it, but its corner {corner:?} lies {beyond_m:.4} m outside: check its size and place"
+    )]
+    Opening {
+        /// The corner that lies farthest out, m.
+        corner: [f64; 3],
+        /// How far, m.
+        beyond_m: f64,
+    },
+    /// Two openings in the same place.
+    #[error(
+        "two openings of a stone overlap by {depth_m:.4} m, and what they share would be taken out twice: move or join them"
+    )]
+    Openings {
+        /// Least distance by which one must move to be free of the other, m.
+        depth_m: f64,
+    },
     /// A density or gravity out of its range.
     #[error("{part}: {quantity} is {given}, but must be a positive number")]
     NotPositive {

@@ -3,8 +3,10 @@
 mod beds;
 mod error;
 mod material;
+mod opening;
 mod overlap;
 mod polygon;
+mod shapes;
 mod solid;
 mod stack_of_blocks;
 

@@ -11,6 +11,8 @@ pub struct Solid {
     volume_m3: f64,
     centroid_m: [f64; 3],
     second_m5: [[f64; 3]; 3],
+    /// What was taken out of it, already missing in volume, centroid and second moments.
+    pub(super) openings: Vec<Solid>,
 }
 
 /// Where a solid goes: turned about the origin of its own coordinates, then shifted.
@@ -32,7 +34,7 @@ impl Placement {
     }
 }
 
-fn positive(quantity: &'static str, given: f64) -> Result<f64, StackError> {
+pub(super) fn positive(quantity: &'static str, given: f64) -> Result<f64, StackError> {
     if given > 0.0 && given.is_finite() {
         Ok(given)
     } else {
@@ -95,6 +97,7 @@ impl Solid {
             volume_m3: moments.0,
             centroid_m: moments.1.into(),
             second_m5: moments.2.transpose().to_cols_array_2d(),
+            openings: Vec::new(),
         }
     }
 
@@ -146,6 +149,7 @@ impl Solid {
             volume_m3: self.volume_m3,
             centroid_m: place(&self.centroid_m),
             second_m5: (rotation * second * rotation.transpose()).to_cols_array_2d(),
+            openings: self.openings.iter().map(|o| o.moved(rotation, shift)).collect(),
         }
     }
 
