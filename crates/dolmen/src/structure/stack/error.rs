@@ -49,6 +49,132 @@ pub enum StackError {
         /// Least distance by which one must move to be free of the other, m.
         depth_m: f64,
     },
+    /// Too few points for a solid.
+    #[error("a convex solid needs at least 4 points, but {given} points are given")]
+    Points {
+        /// How many there are.
+        given: usize,
+    },
+    /// Points without a thickness.
+    #[error(
+        "the points are flat: within {allowed_m:.6} m they lie in a plane or on a line {size_m} m long, and a stone needs a thickness"
+    )]
+    Flat {
+        /// Largest extent, m.
+        size_m: f64,
+        /// Thickness below which they are flat, m.
+        allowed_m: f64,
+    },
+    /// A triangle names a vertex that is not there.
+    #[error(
+        "triangle {triangle} of the mesh names vertex {given}, but there are {vertices}, numbered from 0"
+    )]
+    MeshIndex {
+        /// The triangle, from 0.
+        triangle: usize,
+        /// The vertex it names.
+        given: usize,
+        /// How many there are.
+        vertices: usize,
+    },
+    /// A triangle with two corners in one place.
+    #[error(
+        "triangle {triangle} of the mesh has two corners in one place, near {at_m:?} (vertices {corners:?}): take such triangles out"
+    )]
+    MeshTriangle {
+        /// The triangle, from 0.
+        triangle: usize,
+        /// Its vertices.
+        corners: [usize; 3],
+        /// One of them, m.
+        at_m: [f64; 3],
+    },
+    /// An edge whose triangles do not bound a body.
+    #[error(
+        "{fault}: the edge from vertex {from} {} to vertex {to} {} belongs to {triangles} triangle{} instead of 2, the first of {count} such edge{}: {remedy}",
+        place(*from_m), place(*to_m), plural(*triangles), plural(*count)
+    )]
+    MeshEdge {
+        /// What is wrong there.
+        fault: &'static str,
+        /// First vertex of the edge.
+        from: usize,
+        /// Where it lies, m.
+        from_m: [f64; 3],
+        /// Second vertex of the edge.
+        to: usize,
+        /// Where it lies, m.
+        to_m: [f64; 3],
+        /// How many triangles share the edge.
+        triangles: usize,
+        /// How many edges have this fault.
+        count: usize,
+        /// What to do.
+        remedy: &'static str,
+    },
+    /// Two neighbours of a mesh that disagree about the outside.
+    #[error(
+        "two triangles of the mesh disagree about its outside: both run from vertex {from} {} to vertex {to} {}, the first of {count} such edge{}: make the orientation of the triangles agree",
+        place(*from_m), place(*to_m), plural(*count)
+    )]
+    MeshTurned {
+        /// First vertex of the edge.
+        from: usize,
+        /// Where it lies, m.
+        from_m: [f64; 3],
+        /// Second vertex of the edge.
+        to: usize,
+        /// Where it lies, m.
+        to_m: [f64; 3],
+        /// How many edges have this fault.
+        count: usize,
+    },
+    /// A mesh of several bodies.
+    #[error(
+        "the mesh is in {count} pieces, of {largest} triangles down to {smallest}: keep one, or give each as a stone of its own"
+    )]
+    MeshPieces {
+        /// How many pieces.
+        count: usize,
+        /// Triangles of the largest.
+        largest: usize,
+        /// Triangles of the smallest.
+        smallest: usize,
+    },
+    /// A mesh turned inside out.
+    #[error("the mesh is inverted: its volume is {volume_m3:.6} m³; turn all its triangles round")]
+    MeshInverted {
+        /// Its volume, m³.
+        volume_m3: f64,
+    },
+    /// A mesh that holds more than its hull.
+    #[error(
+        "the mesh passes through itself: it holds {volume_m3:.6} m³, more than its convex hull of {hull_volume_m3:.6} m³; repair it"
+    )]
+    MeshOverfull {
+        /// Its volume, m³.
+        volume_m3: f64,
+        /// That of its hull, m³.
+        hull_volume_m3: f64,
+    },
+    /// A cut that leaves nothing.
+    #[error(
+        "nothing is left of the stone behind the plane through {point_m:?} with normal {normal:?}: move the plane or turn its normal round"
+    )]
+    CutAway {
+        /// A point of the plane, m.
+        point_m: [f64; 3],
+        /// Its normal, away from what should stay.
+        normal: [f64; 3],
+    },
+    /// An opening that the surface of a mesh passes through, or that lies in the open.
+    #[error(
+        "the opening is not inside the stone: {area_m2:.6} m² of the surface of its mesh lie within the opening"
+    )]
+    OpeningInMesh {
+        /// Area of the mesh within it, m².
+        area_m2: f64,
+    },
     /// A density or gravity out of its range.
     #[error("{part}: {quantity} is {given}, but must be a positive number")]
     NotPositive {
@@ -129,4 +255,13 @@ pub enum StackError {
         /// The value given, m.
         given: [f64; 3],
     },
+}
+
+fn place(at: [f64; 3]) -> String {
+    let [x, y, z] = at;
+    format!("({x}, {y}, {z})")
+}
+
+fn plural(count: usize) -> &'static str {
+    if count == 1 { "" } else { "s" }
 }

@@ -1,8 +1,11 @@
 //! Stacks of stone: blocks, the joints between them, and what ties and holds them.
 
 mod beds;
+mod cut;
 mod error;
+mod hull;
 mod material;
+mod mesh;
 mod opening;
 mod overlap;
 mod polygon;

@@ -1,8 +1,10 @@
 //! Openings: niches and hollows that take mass away and leave contact as it is.
 
+use super::cut::clipped;
 use super::overlap::overlap_depth;
 use super::{Solid, StackError};
 use glam::{DMat3, DVec3};
+use std::f64::consts::TAU;
 
 /// How far an opening may stick out, relative to the solid's size: rounding of coordinates. Chosen here.
 const STICKS_OUT: f64 = 1e-9;
@@ -16,7 +18,8 @@ impl Solid {
     ///
     /// # Errors
     /// [`StackError::Opening`] unless its corners lie in the convex hull of the solid and what is left has mass;
-    /// [`StackError::Openings`] if it shares space with an earlier opening.
+    /// [`StackError::Openings`] if it shares space with an earlier opening, [`StackError::OpeningInMesh`] if it reaches out
+    /// of the mesh of the solid.
     ///
     /// # Limits
     /// Contact stays that of the whole: an opening that reaches a bed does not shrink it. Cut such a stone into several.
@@ -59,17 +62,58 @@ impl Solid {
                 return Err(StackError::Openings { depth_m });
             }
         }
+        self.check_mesh(opening, STICKS_OUT * size)?;
+        self.without(opening).ok_or(refused)
+    }
+
+    /// No triangle of a mesh may lie in the opening, and the opening must not lie in the open.
+    fn check_mesh(&self, opening: &Solid, near: f64) -> Result<(), StackError> {
+        if self.mesh.is_empty() {
+            return Ok(());
+        }
+        let mut area_m2 = 0.0;
+        for triangle in &self.mesh {
+            let mut part = triangle.to_vec();
+            for face in 0..opening.faces().len() {
+                let normal = opening.normal(face);
+                let on = DVec3::from(opening.vertices_m()[opening.faces()[face][0]]);
+                part = clipped(&part, &|v| normal.dot(v - on) + near);
+            }
+            let fan = (2..part.len()).map(|i| (part[i - 1] - part[0]).cross(part[i] - part[0]));
+            area_m2 += 0.5 * fan.sum::<DVec3>().length();
+        }
+        let seen = solid_angle(&self.mesh, DVec3::from(opening.centroid_m()));
+        if area_m2 > near * near || seen < TAU {
+            return Err(StackError::OpeningInMesh { area_m2 });
+        }
+        Ok(())
+    }
+
+    /// The solid without the mass of an opening that is known to be inside; `None` if nothing is left.
+    pub(super) fn without(&self, opening: &Solid) -> Option<Self> {
         let volume = self.volume_m3() - opening.volume_m3();
         if volume <= STICKS_OUT * self.volume_m3() {
-            return Err(refused);
+            return None;
         }
         let (c1, c2) = (DVec3::from(self.centroid_m()), DVec3::from(opening.centroid_m()));
         let centroid = (c1 * self.volume_m3() - c2 * opening.volume_m3()) / volume;
         let second = about(self, c1 - centroid) - about(opening, c2 - centroid);
         let mut hollow = self.clone().with_moments(volume, centroid, second);
         hollow.openings.push(opening.clone());
-        Ok(hollow)
+        Some(hollow)
     }
+}
+
+/// Solid angle under which a point sees a closed surface from inside: 4π, or 0 from outside. Van Oosterom & Strackee (1983).
+fn solid_angle(triangles: &[[DVec3; 3]], from: DVec3) -> f64 {
+    let of = |triangle: &[DVec3; 3]| {
+        let [a, b, c] = triangle.map(|v| v - from);
+        let [la, lb, lc] = [a, b, c].map(DVec3::length);
+        2.0 * a
+            .dot(b.cross(c))
+            .atan2(la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb)
+    };
+    triangles.iter().map(of).sum()
 }
 
 /// ∫ x xᵀ dV of a solid whose centroid lies at d.

@@ -13,6 +13,8 @@ pub struct Solid {
     second_m5: [[f64; 3]; 3],
     /// What was taken out of it, already missing in volume, centroid and second moments.
     pub(super) openings: Vec<Solid>,
+    /// The surface of its stone where that is not its hull: triangles, outward; empty otherwise.
+    pub(super) mesh: Vec<[DVec3; 3]>,
 }
 
 /// Where a solid goes: turned about the origin of its own coordinates, then shifted.
@@ -85,20 +87,30 @@ impl Solid {
     /// A solid bounded by these faces, counterclockwise seen from outside, which the caller knows to be closed, convex
     /// and outward.
     pub(super) fn of_faces(vertices_m: Vec<[f64; 3]>, faces: Vec<Vec<usize>>) -> Self {
-        let at = |i: usize| DVec3::from(vertices_m[i]);
-        let triangles = faces.iter().flat_map(|face| {
+        let near = vertices_m.first().copied().unwrap_or_default();
+        let mut solid = Solid {
+            vertices_m,
+            faces,
+            volume_m3: 0.0,
+            centroid_m: near,
+            second_m5: [[0.0; 3]; 3],
+            openings: Vec::new(),
+            mesh: Vec::new(),
+        };
+        let (volume, centroid, second) = moments_of(solid.hull_triangles().into_iter(), DVec3::from(near));
+        (solid.volume_m3, solid.centroid_m) = (volume, centroid.into());
+        solid.second_m5 = second.to_cols_array_2d();
+        solid
+    }
+
+    /// Triangles of its hull, outward.
+    pub(super) fn hull_triangles(&self) -> Vec<[DVec3; 3]> {
+        let at = |i: usize| DVec3::from(self.vertices_m[i]);
+        let triangles = self.faces.iter().flat_map(|face| {
             let fan = (1..face.len() - 1).map(move |k| [face[0], face[k], face[k + 1]]);
             fan.map(|t| t.map(at))
         });
-        let moments = moments_of(triangles, at(0));
-        Solid {
-            vertices_m,
-            faces,
-            volume_m3: moments.0,
-            centroid_m: moments.1.into(),
-            second_m5: moments.2.transpose().to_cols_array_2d(),
-            openings: Vec::new(),
-        }
+        triangles.collect()
     }
 
     /// Corners of the convex hull, m.
@@ -150,6 +162,11 @@ impl Solid {
             centroid_m: place(&self.centroid_m),
             second_m5: (rotation * second * rotation.transpose()).to_cols_array_2d(),
             openings: self.openings.iter().map(|o| o.moved(rotation, shift)).collect(),
+            mesh: self
+                .mesh
+                .iter()
+                .map(|t| t.map(|v| rotation * v + shift))
+                .collect(),
         }
     }
 
