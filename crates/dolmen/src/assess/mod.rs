@@ -1,6 +1,7 @@
 //! From results to answers: whole checks, sensitivities, probabilities.
 
 mod chain;
+pub mod demand;
 mod error;
 mod frame;
 mod probability;

@@ -1,0 +1,149 @@
+//! Eurocode 8: EN 1998-1:2004, elastic horizontal spectra of recommended parameters.
+
+use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, within};
+use super::{DesignSpectrum, VerticalRatio};
+use crate::assess::AssessError;
+
+/// S, T_B, T_C and T_D, s, of ground A to E; type 1, type 2.
+const PARAMETERS: [[[f64; 4]; 5]; 2] = [
+    [
+        [1.0, 0.15, 0.4, 2.0],
+        [1.2, 0.15, 0.5, 2.0],
+        [1.15, 0.2, 0.6, 2.0],
+        [1.35, 0.2, 0.8, 2.0],
+        [1.4, 0.15, 0.5, 2.0],
+    ],
+    [
+        [1.0, 0.05, 0.25, 1.2],
+        [1.35, 0.05, 0.25, 1.2],
+        [1.5, 0.1, 0.25, 1.2],
+        [1.8, 0.1, 0.3, 1.2],
+        [1.6, 0.05, 0.25, 1.2],
+    ],
+];
+/// Plateau over S a_g.
+const PLATEAU: f64 = 2.5;
+/// Vertical over horizontal ground acceleration of type 1 and 2; from memory of the code, not held against it.
+const VERTICAL: [f64; 2] = [0.9, 0.45];
+/// Largest a_g taken, g: more is a mistaken unit. Chosen here.
+const GROUND_MOST_G: f64 = 2.0;
+
+/// Type of the spectrum.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EurocodeType {
+    /// Earthquakes above surface-wave magnitude 5.5 govern.
+    One,
+    /// They do not.
+    Two,
+}
+
+/// Ground type.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EurocodeGround {
+    /// Rock.
+    A,
+    /// Very dense sand, gravel, very stiff clay.
+    B,
+    /// Dense sand, gravel, stiff clay.
+    C,
+    /// Loose soil.
+    D,
+    /// Some metres of C or D on rock.
+    E,
+}
+
+/// Elastic horizontal spectrum of Eurocode 8 for a design ground acceleration on rock, a_g, in g.
+///
+/// ```text
+/// A_0 = S a_g    A_p = 2.5 S a_g    η = √(10/(5 + ξ)) ≥ 0.55, ξ in percent    beyond T_D: η A_p T_C T_D/T²
+/// ```
+///
+/// # Errors
+/// [`AssessError::Numeric`] for a_g outside 0 … 2 g.
+///
+/// # Limits
+/// Recommended parameters; a national annex may change them. T is used beyond 4 s, where the code refers to its annex A. η and
+/// the vertical ratio (0.9 for type 1, 0.45 for type 2) have not been held against the text of the code.
+///
+/// # Source
+/// EN 1998-1:2004, 3.2.2.2, tables 3.2 and 3.3.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::demand::{EurocodeGround, EurocodeType, eurocode_8};
+/// let spectrum = eurocode_8(0.2, EurocodeType::One, EurocodeGround::C)?;
+/// assert!((spectrum.acceleration_m_s2(0.4, 0.05)? / 9.80665 - 2.5 * 1.15 * 0.2).abs() < 1e-12);
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn eurocode_8(
+    ground_acceleration_g: f64,
+    spectrum: EurocodeType,
+    ground: EurocodeGround,
+) -> Result<DesignSpectrum, AssessError> {
+    let a_g = within(
+        "ground_acceleration_g",
+        ground_acceleration_g,
+        [f64::MIN_POSITIVE, GROUND_MOST_G],
+        "above 0 and at most 2: is it in g?",
+    )?;
+    let [soil, rise_s, plateau_s, displacement_s] = PARAMETERS[spectrum as usize][ground as usize];
+    let ground_m_s2 = STANDARD_GRAVITY_M_S2 * soil * a_g;
+    Ok(DesignSpectrum {
+        source: format!("EN 1998-1:2004, a_g = {a_g} g, type {spectrum:?}, ground {ground:?}"),
+        vertical: Some(VerticalRatio {
+            ratio: VERTICAL[spectrum as usize],
+            verified: false,
+        }),
+        shape: Shape::Branches(Branches {
+            ground_m_s2,
+            plateau_m_s2: PLATEAU * ground_m_s2,
+            rise_s,
+            plateau_s,
+            displacement_s,
+            damping: DampingFactor::Eurocode,
+        }),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn published_every_branch_of_type_one_b_and_type_two_d() {
+        let cases = [
+            (EurocodeType::One, EurocodeGround::B, [1.2, 0.15, 0.5, 2.0]),
+            (EurocodeType::Two, EurocodeGround::D, [1.8, 0.1, 0.3, 1.2]),
+        ];
+        for (kind, ground, [s, tb, tc, td]) in cases {
+            let spectrum = eurocode_8(0.1, kind, ground).unwrap();
+            let at =
+                |t, zeta| spectrum.acceleration_m_s2(t, zeta).unwrap() / (0.1 * s * STANDARD_GRAVITY_M_S2);
+            let wanted = [
+                (0.0, 1.0),
+                (0.5 * tb, 1.75),
+                (tb, 2.5),
+                (tc, 2.5),
+                (td, 2.5 * tc / td),
+                (2.0 * td, 2.5 * tc * td / (4.0 * td * td)),
+            ];
+            for (t, wanted) in wanted {
+                assert!(
+                    (at(t, 0.05) - wanted).abs() < 1e-12,
+                    "{kind:?} {t}: {}",
+                    at(t, 0.05)
+                );
+            }
+            assert!((at(tc, 0.02) - 2.5 * (10.0_f64 / 7.0).sqrt()).abs() < 1e-12);
+            assert!((at(tc, 0.3) - 2.5 * 0.55).abs() < 1e-12);
+            assert!((at(0.0, 0.02) - 1.0).abs() < 1e-15);
+        }
+    }
+
+    #[test]
+    fn refuses_accelerations_in_another_unit() {
+        for a_g in [0.0, -0.1, 2.5, f64::NAN] {
+            assert!(eurocode_8(a_g, EurocodeType::One, EurocodeGround::A).is_err());
+        }
+    }
+}

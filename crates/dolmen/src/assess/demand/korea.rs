@@ -1,0 +1,260 @@
+//! Korea: KDS 17 10 00 (2018), general seismic design; the two numbers of KDS 41 17 00 (2019), buildings.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | Z, I | `zone`, `return_period_years` | zone factor, risk factor of the return period | g, – |
+//! | S | `effective_acceleration_g` | Z I, on rock | g |
+//! | F_a, F_v | `amplification` | of short and of 1 s periods by the soil | – |
+
+use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, within};
+use super::{DesignSpectrum, VerticalRatio};
+use crate::assess::AssessError;
+
+/// Return periods, years, with their risk factor I. That of 4800 years is not verified, see [`kds_17_effective_acceleration_g`].
+const RISK_FACTORS: [(u32, f64); 7] = [
+    (50, 0.40),
+    (100, 0.57),
+    (200, 0.73),
+    (500, 1.0),
+    (1000, 1.4),
+    (2400, 2.0),
+    (4800, 2.6),
+];
+/// S, g, of the three columns of the soil table.
+const COLUMNS_G: [f64; 3] = [0.1, 0.2, 0.3];
+/// F_a and F_v of S1 to S5.
+const AMPLIFICATION: [[[f64; 3]; 2]; 5] = [
+    [[1.12, 1.12, 1.12], [0.84, 0.84, 0.84]],
+    [[1.4, 1.4, 1.3], [1.5, 1.4, 1.3]],
+    [[1.7, 1.5, 1.3], [1.7, 1.6, 1.5]],
+    [[1.6, 1.4, 1.2], [2.2, 2.0, 1.8]],
+    [[1.8, 1.3, 1.3], [3.0, 2.7, 2.4]],
+];
+/// Plateau over S F_a.
+const PLATEAU: f64 = 2.5;
+/// T_0 over T_s, and T_L, s.
+const RISE: f64 = 0.2;
+const DISPLACEMENT_S: f64 = 3.0;
+/// Vertical over horizontal peak; from memory of the code, not held against it.
+const VERTICAL: VerticalRatio = VerticalRatio {
+    ratio: 0.77,
+    verified: false,
+};
+
+/// Seismic zone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KoreanZone {
+    /// Z = 0.11 g.
+    I,
+    /// Z = 0.07 g.
+    II,
+}
+
+/// Site class by soil.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum KoreanSite {
+    /// Rock.
+    S1,
+    /// Shallow and stiff.
+    S2,
+    /// Shallow and soft.
+    S3,
+    /// Deep and stiff.
+    S4,
+    /// Deep and soft.
+    S5,
+    /// Needs a study of the site: refused.
+    S6,
+}
+
+/// The two numbers that KDS 41 17 00 designs buildings with.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Kds41 {
+    /// S_DS, g: short periods.
+    pub short_period_g: f64,
+    /// S_D1, g: 1 s.
+    pub one_second_g: f64,
+}
+
+/// Effective ground acceleration on rock, S = Z I, in g.
+///
+/// # Errors
+/// [`AssessError::ReturnPeriod`] unless 50, 100, 200, 500, 1000, 2400 or 4800 years.
+///
+/// # Limits
+/// The factor 2.6 of 4800 years has not been held against the text of the code.
+///
+/// # Source
+/// KDS 17 10 00:2018, zone and risk factors.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::demand::{KoreanZone, kds_17_effective_acceleration_g};
+/// assert_eq!(kds_17_effective_acceleration_g(KoreanZone::I, 2400)?, 0.22);
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn kds_17_effective_acceleration_g(
+    zone: KoreanZone,
+    return_period_years: u32,
+) -> Result<f64, AssessError> {
+    let z = match zone {
+        KoreanZone::I => 0.11,
+        KoreanZone::II => 0.07,
+    };
+    let found = RISK_FACTORS
+        .iter()
+        .find(|(years, _)| *years == return_period_years);
+    found
+        .map(|(_, factor)| z * factor)
+        .ok_or(AssessError::ReturnPeriod {
+            given: return_period_years,
+        })
+}
+
+/// F_a and F_v, straight between the columns of S; as in the first below it.
+fn amplification(site: KoreanSite, effective_acceleration_g: f64) -> Result<[f64; 2], AssessError> {
+    let s = within(
+        "effective_acceleration_g",
+        effective_acceleration_g,
+        [f64::MIN_POSITIVE, COLUMNS_G[2]],
+        "above 0 and at most 0.3, where the table of soils ends: is it in g?",
+    )?;
+    let row = AMPLIFICATION
+        .get(site as usize)
+        .ok_or(AssessError::SiteSpecific)?;
+    let column = usize::from(s > COLUMNS_G[1]);
+    let part = ((s - COLUMNS_G[column]) / (COLUMNS_G[column + 1] - COLUMNS_G[column])).max(0.0);
+    Ok(row.map(|f| f[column] + part * (f[column + 1] - f[column])))
+}
+
+/// Design spectrum of KDS 17 10 00 for an effective ground acceleration S, in g, and a site class.
+///
+/// ```text
+/// S1          A_0 = S        A_p = 2.8 S          T_s = 0.3 s
+/// S2 … S5     A_0 = F_a S    A_p = 2.5 F_a S      T_s = F_v/(2.5 F_a)        T_0 = 0.2 T_s    T_L = 3 s
+/// η = (6.42/(1.42 + ξ))^0.48, ξ in percent
+/// ```
+/// F_a and F_v are interpolated in S, not in Z.
+///
+/// # Errors
+/// [`AssessError::SiteSpecific`] for S6; [`AssessError::Numeric`] for S outside 0 … 0.3 g.
+///
+/// # Limits
+/// The vertical ratio 0.77, and that η runs straight from 1 at T = 0 to its value at T_0, have not been held against the text
+/// of the code.
+///
+/// # Source
+/// KDS 17 10 00:2018.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::demand::{KoreanSite, kds_17};
+/// let spectrum = kds_17(0.22, KoreanSite::S4)?;
+/// assert!((spectrum.acceleration_m_s2(0.3, 0.05)? / 9.80665 - 2.5 * 1.36 * 0.22).abs() < 1e-12);
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn kds_17(effective_acceleration_g: f64, site: KoreanSite) -> Result<DesignSpectrum, AssessError> {
+    let [fa, fv] = amplification(site, effective_acceleration_g)?;
+    let s = STANDARD_GRAVITY_M_S2 * effective_acceleration_g;
+    let plateau_s = fv / (PLATEAU * fa);
+    Ok(DesignSpectrum {
+        source: format!("KDS 17 10 00:2018, S = {effective_acceleration_g} g, {site:?}"),
+        vertical: Some(VERTICAL),
+        shape: Shape::Branches(Branches {
+            ground_m_s2: if site == KoreanSite::S1 { s } else { fa * s },
+            plateau_m_s2: PLATEAU * fa * s,
+            rise_s: RISE * plateau_s,
+            plateau_s,
+            displacement_s: DISPLACEMENT_S,
+            damping: DampingFactor::Korea,
+        }),
+    })
+}
+
+/// S_DS = ⅔ · 2.5 S F_a and S_D1 = ⅔ S F_v, in g, with S of 2400 years.
+///
+/// # Errors
+/// As [`kds_17`].
+///
+/// # Source
+/// KDS 41 17 00:2019.
+pub fn kds_41(effective_acceleration_g: f64, site: KoreanSite) -> Result<Kds41, AssessError> {
+    let [fa, fv] = amplification(site, effective_acceleration_g)?;
+    Ok(Kds41 {
+        short_period_g: PLATEAU * effective_acceleration_g * fa * 2.0 / 3.0,
+        one_second_g: effective_acceleration_g * fv * 2.0 / 3.0,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const G: f64 = STANDARD_GRAVITY_M_S2;
+
+    #[test]
+    fn published_s4_of_zone_one_in_2400_years() {
+        let s = kds_17_effective_acceleration_g(KoreanZone::I, 2400).unwrap();
+        let [fa, fv] = amplification(KoreanSite::S4, s).unwrap();
+        assert!(
+            (fa - 1.36).abs() < 1e-12 && (fv - 1.96).abs() < 1e-12,
+            "{fa} {fv}"
+        );
+        let design = kds_41(s, KoreanSite::S4).unwrap();
+        assert!((design.short_period_g - 0.498667).abs() < 0.5e-6);
+        assert!((design.one_second_g - 0.287467).abs() < 0.5e-6);
+        let spectrum = kds_17(s, KoreanSite::S4).unwrap();
+        let at = |t| spectrum.acceleration_m_s2(t, 0.05).unwrap() / G;
+        let (plateau, ts) = (2.5 * 1.36 * 0.22, 0.57647);
+        assert!((spectrum.ground_acceleration_m_s2().unwrap() / G - 1.36 * 0.22).abs() < 1e-12);
+        assert!((at(ts) - plateau).abs() < 1e-12 && at(ts + 1e-4) < plateau);
+        assert!((at(0.2 * ts) / plateau - 1.0).abs() < 1e-4);
+        assert!((at(1.0) - 1.96 * 0.22).abs() < 1e-12);
+        assert!((at(6.0) - 1.96 * 0.22 * 3.0 / 36.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn published_rock_and_damping() {
+        let rock = kds_17(0.11, KoreanSite::S1).unwrap();
+        let at = |t, zeta| rock.acceleration_m_s2(t, zeta).unwrap() / (0.11 * G);
+        for (t, wanted) in [
+            (0.0, 1.0),
+            (0.03, 1.9),
+            (0.06, 2.8),
+            (0.3, 2.8),
+            (0.6, 1.4),
+            (3.0, 0.28),
+            (6.0, 0.07),
+        ] {
+            assert!((at(t, 0.05) - wanted).abs() < 1e-12, "{t}: {}", at(t, 0.05));
+        }
+        assert!((at(0.2, 0.02) / 2.8 - (6.42_f64 / 3.42).powf(0.48)).abs() < 1e-12);
+        assert_eq!(at(0.0, 0.02), 1.0);
+    }
+
+    #[test]
+    fn published_factors_below_and_between_the_columns() {
+        let of = |site, s| amplification(site, s).unwrap();
+        assert_eq!(of(KoreanSite::S5, 0.028), [1.8, 3.0]);
+        assert_eq!(of(KoreanSite::S3, 0.2), [1.5, 1.6]);
+        let [fa, fv] = of(KoreanSite::S5, 0.154);
+        assert!((fa - 1.53).abs() < 1e-12 && (fv - 2.838).abs() < 1e-12);
+        assert_eq!(of(KoreanSite::S2, 0.3), [1.3, 1.3]);
+    }
+
+    #[test]
+    fn refuses_s6_percent_and_other_return_periods() {
+        let say = |refused: Result<DesignSpectrum, AssessError>| refused.unwrap_err().to_string();
+        assert!(say(kds_17(0.11, KoreanSite::S6)).contains("site-specific"));
+        for s in [0.0, -0.1, 0.31, 11.0, f64::NAN] {
+            assert!(say(kds_17(s, KoreanSite::S2)).contains("at most 0.3"));
+        }
+        let years = kds_17_effective_acceleration_g(KoreanZone::II, 475)
+            .unwrap_err()
+            .to_string();
+        assert_eq!(
+            years,
+            "return_period_years is 475, but the code has 50, 100, 200, 500, 1000, 2400 and 4800: take the next longer"
+        );
+    }
+}

@@ -1,0 +1,250 @@
+//! A design spectrum: what any code, or a table, says an oscillator must bear.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | A_0 | `ground_m_s2` | effective acceleration of the ground, soil included | m/s² |
+//! | A_p | `plateau_m_s2` | plateau at ζ = 5 % | m/s² |
+//! | T_0, T_s, T_L | `rise_s`, `plateau_s`, `displacement_s` | ends of rise, plateau and 1/T branch | s |
+//! | η | `damping_factor` | plateau at ζ over that at 5 % | – |
+
+use crate::assess::AssessError;
+use crate::numeric::NumericError;
+
+/// Standard gravity, m/s² (CGPM 1901): codes count in g.
+pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
+/// Damping ratios that the factors of codes are for. Chosen here.
+const DAMPING_LEAST: f64 = 0.005;
+const DAMPING_MOST: f64 = 0.3;
+
+/// Peak of the vertical ground acceleration over that of the horizontal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct VerticalRatio {
+    /// The ratio.
+    pub ratio: f64,
+    /// Whether it was held against the text of the code. Where not, results that rest on it must say so.
+    pub verified: bool,
+}
+
+/// A design spectrum of acceleration.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignSpectrum {
+    /// The code with its year, or what the table is called.
+    pub source: String,
+    /// Vertical over horizontal; `None` if the source gives none.
+    pub vertical: Option<VerticalRatio>,
+    pub(super) shape: Shape,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Shape {
+    Branches(Branches),
+    /// Periods, s, rising, and accelerations, m/s², at one damping ratio.
+    Table {
+        points: Vec<[f64; 2]>,
+        damping_ratio: f64,
+    },
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Branches {
+    pub(super) ground_m_s2: f64,
+    pub(super) plateau_m_s2: f64,
+    pub(super) rise_s: f64,
+    pub(super) plateau_s: f64,
+    pub(super) displacement_s: f64,
+    pub(super) damping: DampingFactor,
+}
+
+/// How a code changes the plateau with damping.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum DampingFactor {
+    /// (6.42/(1.42 + ξ))^0.48, and between 1 at T = 0 and this at T_0 the factor is a straight line.
+    Korea,
+    /// √(10/(5 + ξ)) ≥ 0.55, and between T = 0 and T_B the spectrum is a straight line.
+    Eurocode,
+}
+
+impl DampingFactor {
+    fn at(self, damping_ratio: f64) -> f64 {
+        let percent = 100.0 * damping_ratio;
+        match self {
+            DampingFactor::Korea => (6.42 / (1.42 + percent)).powf(0.48),
+            DampingFactor::Eurocode => (10.0 / (5.0 + percent)).sqrt().max(0.55),
+        }
+    }
+}
+
+/// A number that must lie in a range, both ends allowed.
+pub(super) fn within(
+    quantity: &'static str,
+    given: f64,
+    [least, most]: [f64; 2],
+    allowed: &'static str,
+) -> Result<f64, AssessError> {
+    if given >= least && given <= most {
+        Ok(given)
+    } else {
+        Err(NumericError::Range {
+            quantity,
+            given,
+            allowed,
+        }
+        .into())
+    }
+}
+
+impl DesignSpectrum {
+    /// A spectrum from a table of periods, s, and accelerations, m/s², that hold for one damping ratio. Straight between points.
+    ///
+    /// # Errors
+    /// [`AssessError::SpectrumTable`] below two points, or where a period does not rise or a number is negative or not finite;
+    /// [`AssessError::Numeric`] for the damping ratio.
+    pub fn table(
+        source: impl Into<String>,
+        points: Vec<[f64; 2]>,
+        damping_ratio: f64,
+    ) -> Result<Self, AssessError> {
+        checked_damping(damping_ratio)?;
+        let rises = |i: usize| i == 0 || points[i][0] > points[i - 1][0];
+        let good = |i: usize| points[i].iter().all(|v| *v >= 0.0 && v.is_finite()) && rises(i);
+        if let Some(odd) = (0..points.len().max(2)).find(|i| *i >= points.len() || !good(*i)) {
+            return Err(AssessError::SpectrumTable { row: odd + 1 });
+        }
+        Ok(DesignSpectrum {
+            source: source.into(),
+            vertical: None,
+            shape: Shape::Table {
+                points,
+                damping_ratio,
+            },
+        })
+    }
+
+    /// Effective peak acceleration of the ground, m/s², soil included: the spectrum at T = 0. `None` for a table that does
+    /// not begin there.
+    pub fn ground_acceleration_m_s2(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Branches(branches) => Some(branches.ground_m_s2),
+            Shape::Table { points, .. } => (points[0][0] == 0.0).then_some(points[0][1]),
+        }
+    }
+
+    /// Spectral acceleration, m/s², at a period and a damping ratio.
+    ///
+    /// ```text
+    /// T ≤ T_0    A_0 → η A_p        T_0 … T_s    η A_p        T_s … T_L    η A_p T_s/T        beyond    η A_p T_s T_L/T²
+    /// ```
+    ///
+    /// # Errors
+    /// [`AssessError::Numeric`] for a negative period or a damping ratio outside 0.005 … 0.3; for a table
+    /// [`AssessError::OutsideTable`] and [`AssessError::TableDamping`].
+    pub fn acceleration_m_s2(&self, period_s: f64, damping_ratio: f64) -> Result<f64, AssessError> {
+        within("period_s", period_s, [0.0, f64::MAX], "0 or a positive number")?;
+        checked_damping(damping_ratio)?;
+        match &self.shape {
+            Shape::Branches(branches) => Ok(branches.at(period_s, damping_ratio)),
+            Shape::Table {
+                points,
+                damping_ratio: of_table,
+            } => {
+                if damping_ratio != *of_table {
+                    return Err(AssessError::TableDamping {
+                        given: damping_ratio,
+                        of_table: *of_table,
+                    });
+                }
+                interpolated(points, period_s)
+            }
+        }
+    }
+}
+
+fn checked_damping(damping_ratio: f64) -> Result<f64, AssessError> {
+    let range = [DAMPING_LEAST, DAMPING_MOST];
+    within(
+        "damping_ratio",
+        damping_ratio,
+        range,
+        "0.005 to 0.3: is it in percent?",
+    )
+}
+
+fn interpolated(points: &[[f64; 2]], period_s: f64) -> Result<f64, AssessError> {
+    let found = points
+        .windows(2)
+        .find(|pair| (pair[0][0]..=pair[1][0]).contains(&period_s));
+    match found {
+        Some([[t0, a0], [t1, a1]]) => Ok(a0 + (a1 - a0) * (period_s - t0) / (t1 - t0)),
+        _ => Err(AssessError::OutsideTable {
+            period_s,
+            least_s: points[0][0],
+            most_s: points[points.len() - 1][0],
+        }),
+    }
+}
+
+impl Branches {
+    fn at(&self, period_s: f64, damping_ratio: f64) -> f64 {
+        let factor = self.damping.at(damping_ratio);
+        let plateau = factor * self.plateau_m_s2;
+        if period_s < self.rise_s {
+            let part = period_s / self.rise_s;
+            let line = |to: f64| self.ground_m_s2 + part * (to - self.ground_m_s2);
+            match self.damping {
+                DampingFactor::Korea => line(self.plateau_m_s2) * (1.0 + part * (factor - 1.0)),
+                DampingFactor::Eurocode => line(plateau),
+            }
+        } else if period_s <= self.plateau_s {
+            plateau
+        } else {
+            let beyond = (self.displacement_s / period_s).min(1.0);
+            plateau * self.plateau_s / period_s * beyond
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_a_table_is_straight_between_its_points() {
+        let points = vec![[0.0, 2.0], [0.1, 5.0], [1.0, 0.5]];
+        let table = DesignSpectrum::table("site study", points, 0.05).unwrap();
+        assert_eq!(table.ground_acceleration_m_s2(), Some(2.0));
+        assert_eq!(table.acceleration_m_s2(0.05, 0.05).unwrap(), 3.5);
+        assert!((table.acceleration_m_s2(0.55, 0.05).unwrap() - 2.75).abs() < 1e-14);
+        assert_eq!(table.acceleration_m_s2(1.0, 0.05).unwrap(), 0.5);
+        let say = |t, z| table.acceleration_m_s2(t, z).unwrap_err().to_string();
+        assert_eq!(
+            say(1.1, 0.05),
+            "a period of 1.1 s is outside the table, 0 to 1 s: extend it"
+        );
+        assert!(say(0.5, 0.02).contains("damping_ratio is 0.02, but the table holds for 0.05"));
+    }
+
+    #[test]
+    fn refuses_tables_and_numbers_that_make_no_sense() {
+        let say = |points: Vec<[f64; 2]>| DesignSpectrum::table("t", points, 0.05).unwrap_err().to_string();
+        let wanted = |row| {
+            format!(
+                "row {row} of the spectrum is missing or refused: give 2 or more rows of period_s, rising, and \
+             acceleration_m_s2, none negative"
+            )
+        };
+        assert_eq!(say(vec![]), wanted(1));
+        assert_eq!(say(vec![[0.0, 1.0]]), wanted(2));
+        assert_eq!(say(vec![[0.0, 1.0], [0.1, -1.0]]), wanted(2));
+        assert_eq!(say(vec![[0.1, 1.0], [0.1, 1.0]]), wanted(2));
+        assert_eq!(say(vec![[f64::NAN, 1.0], [0.1, 1.0]]), wanted(1));
+        let table = DesignSpectrum::table("t", vec![[0.0, 1.0], [1.0, 1.0]], 0.05).unwrap();
+        assert!(
+            table.acceleration_m_s2(f64::NAN, 0.05).is_err() && table.acceleration_m_s2(-1.0, 0.05).is_err()
+        );
+        let percent = table.acceleration_m_s2(0.5, 5.0).unwrap_err().to_string();
+        assert_eq!(
+            percent,
+            "damping_ratio is 5, but must be 0.005 to 0.3: is it in percent?"
+        );
+    }
+}
