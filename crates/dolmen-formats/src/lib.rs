@@ -5,6 +5,7 @@ pub mod explain;
 pub mod figures;
 pub mod json;
 mod language;
+pub mod motions;
 pub mod number;
 pub mod project;
 pub mod records;

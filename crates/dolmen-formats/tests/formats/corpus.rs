@@ -1,6 +1,7 @@
 //! Every file that fuzzing kept is read again: a record or an error, never a panic.
 
-use dolmen_formats::records::{RecordOptions, read_csv, read_npy};
+use dolmen_formats::motions::{MotionOptions, read_component};
+use dolmen_formats::records::{Column, RecordOptions, Unit, read_csv, read_npy};
 use std::path::Path;
 
 /// Hands each file of a corpus on; returns how many there were.
@@ -34,6 +35,24 @@ fn holds_csv() {
 fn holds_npy() {
     let files = replay("npy", |bytes| {
         let _ = read_npy(bytes, &at_100_hz());
+    });
+    assert!(files >= 10, "{files} files");
+}
+
+#[test]
+fn holds_motions() {
+    let files = replay("motion", |bytes| {
+        let _ = read_component(bytes, &MotionOptions::default());
+        for column in [None, Some(Column::Number(0)), Some(Column::Number(2))] {
+            let told = MotionOptions {
+                unit: Some(Unit::Gal),
+                time_step_s: Some(0.01),
+                plausible_peak_m_s2: 0.0..=f64::MAX,
+                column,
+                ..Default::default()
+            };
+            let _ = read_component(bytes, &told);
+        }
     });
     assert!(files >= 10, "{files} files");
 }

@@ -1,0 +1,46 @@
+//! What the reader of a motion is told about its files.
+
+use crate::records::{Column, Unit};
+use std::ops::RangeInclusive;
+
+/// Standard gravity, m/s² (CGPM 1901).
+pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
+
+/// What is known of the files. Everything left at its default is found out from them, or refused.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionOptions {
+    /// Unit of the numbers, one of acceleration. `None`: as the file says; refused if it does not. A unit that contradicts the
+    /// file is refused.
+    pub unit: Option<Unit>,
+    /// Between samples, s. `None`: as the file says; refused if it does not.
+    pub time_step_s: Option<f64>,
+    /// The column of accelerations in a text of several. `None`: the only one beside the time.
+    pub column: Option<Column>,
+    /// Peaks of one component that an earthquake can have, m/s²; others are refused as a mistaken unit. Default 0.001 g to
+    /// 5 g, chosen here: below nothing is felt, and above nothing was recorded on the ground.
+    pub plausible_peak_m_s2: RangeInclusive<f64>,
+    /// What to do where the components are not equally long. Default: refuse.
+    pub lengths: Lengths,
+}
+
+impl Default for MotionOptions {
+    fn default() -> Self {
+        MotionOptions {
+            unit: None,
+            time_step_s: None,
+            column: None,
+            plausible_peak_m_s2: 0.001 * STANDARD_GRAVITY_M_S2..=5.0 * STANDARD_GRAVITY_M_S2,
+            lengths: Lengths::Same,
+        }
+    }
+}
+
+/// What to do where the files of the components are not equally long.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Lengths {
+    /// Refuse them.
+    #[default]
+    Same,
+    /// Keep of each as much as the shortest has, from the first sample; the history says so. All must begin at one time.
+    Shortest,
+}

@@ -1,0 +1,97 @@
+//! Text in columns: time and acceleration, or acceleration alone with a step that is told.
+
+use super::read::{MotionFormat, Raw};
+use super::{MotionError, MotionOptions};
+use crate::records::{
+    Column, Header, Layout, Pick, Reading, RecordError, RecordOptions, TimeColumn, Unit, read_csv,
+};
+use dolmen::signal::Channel;
+
+/// Names that the reader of records gives to columns without any.
+const UNNAMED: [&str; 2] = ["ch1", "ch2"];
+
+/// The samples as the file prints them.
+pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Raw, MotionError> {
+    let reading = read_columns(bytes, options)?;
+    let Layout::Csv(layout) = &reading.layout else {
+        return Err(RecordError::Empty.into()); // the reader of CSV gives no other layout
+    };
+    let channels = reading.record.channels();
+    if channels.len() != 1 {
+        let names = channels.iter().map(|channel| channel.name.clone()).collect();
+        return Err(MotionError::Columns { names });
+    }
+    let column = match &options.column {
+        Some(Column::Number(number)) => layout
+            .columns
+            .get(number.saturating_sub(1))
+            .cloned()
+            .unwrap_or_default(),
+        _ => channels[0].name.clone(),
+    };
+    Ok(Raw {
+        format: MotionFormat::Text,
+        title: String::new(),
+        samples: reading.record.samples(0).to_vec(),
+        time_step_s: options
+            .time_step_s
+            .unwrap_or(1.0 / reading.record.sampling_rate_hz()),
+        unit: unit_in_name(&column)?,
+    })
+}
+
+fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, RecordError> {
+    let pick = options.column.as_ref().map(|column| Pick {
+        channel: Channel::named(match column {
+            Column::Named(name) => name.clone(),
+            Column::Number(number) => format!("column {number}"),
+        }),
+        column: column.clone(),
+    });
+    let mut told = RecordOptions {
+        sampling_rate_hz: options.time_step_s.map(|step| 1.0 / step),
+        picks: pick.into_iter().collect(),
+        header: Header::Detect,
+        ..Default::default()
+    };
+    let refused = match read_csv(bytes, &told) {
+        Err(refused) => refused,
+        reading => return reading,
+    };
+    let unnamed_stamps = match &refused {
+        RecordError::NoRate { names } => *names == UNNAMED,
+        RecordError::LooksLikeTime { column, .. } => column == UNNAMED[0],
+        _ => false,
+    };
+    if unnamed_stamps {
+        told.time = TimeColumn::At(Column::Number(1));
+        read_csv(bytes, &told)
+    } else {
+        Err(refused)
+    }
+}
+
+/// The unit that the name of a column ends in: "acceleration_m_s2", "acc (g)", "a [cm/s2]".
+fn unit_in_name(name: &str) -> Result<Option<Unit>, MotionError> {
+    let bracketed = name
+        .trim_end()
+        .strip_suffix([')', ']'])
+        .and_then(|rest| rest.rsplit_once(['(', '[']));
+    let found = match bracketed {
+        Some((_, unit)) => Unit::parse(unit).ok(),
+        None => {
+            let lower = name.to_lowercase();
+            let endings = [
+                ("_mm_s2", Unit::MillimetrePerSecondSquared),
+                ("_cm_s2", Unit::Gal),
+                ("_m_s2", Unit::MetrePerSecondSquared),
+                ("_gal", Unit::Gal),
+                ("_mg", Unit::MilliGravity),
+                ("_g", Unit::Gravity),
+            ];
+            let ending = endings.iter().find(|(ending, _)| lower.ends_with(ending));
+            ending.map(|(_, unit)| *unit)
+        }
+    };
+    Ok(found.filter(|unit| *unit != Unit::Unknown))
+}
