@@ -1,4 +1,4 @@
-use super::{ValidationError, choi_2021, columns, park_min_2010};
+use super::{ValidationError, choi_2021, columns, park_min_2010, rigid_blocks};
 
 /// One number of a source beside ours.
 #[derive(Clone, Debug, PartialEq)]
@@ -45,6 +45,11 @@ impl Case {
 /// # Ok::<(), dolmen::validation::ValidationError>(())
 /// ```
 pub fn cases() -> Result<Vec<Case>, ValidationError> {
-    let sources = [choi_2021::cases()?, columns::cases()?, park_min_2010::cases()?];
+    let sources = [
+        choi_2021::cases()?,
+        columns::cases()?,
+        park_min_2010::cases()?,
+        rigid_blocks::cases(),
+    ];
     Ok(sources.into_iter().flatten().collect())
 }

@@ -6,6 +6,7 @@ mod choi_2021;
 mod columns;
 mod error;
 mod park_min_2010;
+mod rigid_blocks;
 mod stacks;
 
 pub use case::{Case, cases};

@@ -11,3 +11,4 @@ mod frame_laws;
 mod made_records;
 mod park_min_2010;
 mod pyoma2;
+mod rocking_and_sliding;
