@@ -3,13 +3,14 @@
 //! Each chapter hands on one type and knows only the chapters before it:
 //!
 //! ```text
-//! signal::Record → modal::Modes → structure::{Chain, Frame} → stability → assess
+//! signal::Record → modal::Modes → structure::{Chain, Frame, stack::Stack} → stability → blocks → assess
 //! ```
 //!
 //! Everything here is a pure function of its arguments, in SI units: no file, clock, print or log. The crate
 //! `dolmen-formats` turns bytes into these values and back; the command `dolmen` opens the files.
 
 pub mod assess;
+pub mod blocks;
 pub mod known;
 pub mod modal;
 pub mod numeric;

@@ -6,13 +6,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The chapters of the science crate: each may import itself and those before it.
-const CHAPTERS: [&str; 8] = [
+const CHAPTERS: [&str; 9] = [
     "known",
     "numeric",
     "signal",
     "modal",
     "structure",
     "stability",
+    "blocks",
     "assess",
     "validation",
 ];

@@ -17,7 +17,7 @@ pub struct JointMaterial {
     pub normal_stiffness_pa_m: f64,
     /// Shear stiffness per area, Pa/m. Default 4e8 (the same).
     pub shear_stiffness_pa_m: f64,
-    /// Dashpots of the springs, as a fraction of the critical damping of the two stones on this joint alone; 0 to 1.
+    /// Dashpots of the springs, as a fraction of the critical damping of the two stones on this joint alone; 0 to 20.
     /// Default 0.3. It does not set restitution: rocking loses most of its energy whatever it is.
     pub damping_ratio: f64,
 }
@@ -83,8 +83,8 @@ impl JointMaterial {
                 "at most friction_static",
             );
         }
-        if !(0.0..=1.0).contains(&self.damping_ratio) {
-            return refuse("damping_ratio", self.damping_ratio, "between 0 and 1");
+        if !(0.0..=20.0).contains(&self.damping_ratio) {
+            return refuse("damping_ratio", self.damping_ratio, "between 0 and 20");
         }
         Ok(self)
     }

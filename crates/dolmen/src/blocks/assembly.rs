@@ -1,0 +1,315 @@
+//! The bodies of a stack with all that acts between them.
+//!
+//! A pair of bodies is looked at again only when it has moved far enough to matter: one with a patch when S has shifted or
+//! turned on P, one without when its bodies have together gone its *slack*, the way to their first possible contact.
+
+use super::bodies::{RigidBody, bodies_of};
+use super::contact_points::ContactRule;
+use super::faces::{Hull, Outline, Side, patch_along, patch_of_joint, separation, take_over};
+use super::links::{Link, Prop};
+use super::patch::{Law, Patch, Wrench};
+use crate::structure::stack::{Body, JointMaterial, Stack};
+use glam::DVec3;
+
+/// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius. Chosen here:
+/// the edge about which a block rocks is as exact.
+const CLIP_AGAIN: f64 = 5e-4;
+/// Turn between two faces from which others may carry, as sine. Chosen here.
+const LOOK_AGAIN: f64 = 0.03;
+/// Other faces must lie this much farther apart than the present ones to take over, in parts of the smaller body's radius:
+/// no flicker between equals. Chosen here.
+const FACE_FAVOUR: f64 = 0.002;
+/// Gap at which two bodies get a patch, in parts of the smaller body's radius: nearer than they can come unseen. Chosen here.
+const NEAR: f64 = 2e-3;
+/// Gap at which they lose it again, in parts of the smaller body's radius. Chosen here.
+const FAR: f64 = 2e-2;
+
+/// Index of a body in [`Assembly::bodies`].
+pub(super) fn index_of(body: Body) -> usize {
+    match body {
+        Body::Ground => 0,
+        Body::Block(block) => block + 1,
+    }
+}
+
+/// Two bodies that may touch.
+#[derive(Clone, Debug)]
+struct Pair {
+    first: usize,
+    second: usize,
+    material: JointMaterial,
+    contact: Option<(Patch, Outline)>,
+    /// Radius of the smaller body, m.
+    size: f64,
+    /// Way that both bodies together may go before they can touch, m; infinite with a patch.
+    slack: f64,
+}
+
+/// All bodies, contacts, ties and supports.
+#[derive(Clone, Debug)]
+pub(super) struct Assembly {
+    pub(super) bodies: Vec<RigidBody>,
+    pub(super) gravity: f64,
+    hulls: Vec<Option<Hull>>,
+    pairs: Vec<Pair>,
+    /// Pairs with a patch, ascending.
+    active: Vec<usize>,
+    links: Vec<Link>,
+    props: Vec<Prop>,
+    rule: ContactRule,
+    /// Least slack of all pairs at the last look, m.
+    slack: f64,
+    /// Active pairs that have shifted or turned too far.
+    stale: Vec<usize>,
+    /// Energy that clipping again took from the springs, J.
+    clip_loss: f64,
+}
+
+/// Forces on bodies at one time, and what was lost in the step.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Forces {
+    pub(super) force: Vec<DVec3>,
+    pub(super) torque: Vec<DVec3>,
+    pub(super) friction_loss: f64,
+}
+
+impl Assembly {
+    /// The stack as drawn.
+    pub(super) fn of(stack: &Stack, rule: ContactRule) -> Self {
+        let bodies = bodies_of(stack);
+        let hulls: Vec<Option<Hull>> = std::iter::once(None)
+            .chain(stack.blocks().iter().map(|block| Some(Hull::of(&block.solid))))
+            .collect();
+        let mut pairs = Vec::new();
+        for second in 1..bodies.len() {
+            for first in 0..second {
+                let of_pair = stack.joints().iter().find(|joint| {
+                    let ends = (index_of(joint.lower), joint.upper + 1);
+                    ends == (first, second) || ends == (second, first)
+                });
+                let carried = || stack.joints().iter().find(|joint| joint.upper + 1 == second);
+                let mut material = of_pair
+                    .or_else(carried)
+                    .map_or_else(JointMaterial::default, |j| j.material);
+                if of_pair.is_none() {
+                    (material.cohesion_pa, material.tension_pa) = (0.0, 0.0); // nothing bonds what meets by accident
+                }
+                let contact = of_pair.and_then(|joint| {
+                    let side = |index: usize| side(&hulls, &bodies, index);
+                    patch_of_joint(joint, side(index_of(joint.lower)), side(joint.upper + 1), rule)
+                });
+                let (a, b) = (bodies[first].radius, bodies[second].radius);
+                pairs.push(Pair {
+                    first,
+                    second,
+                    material,
+                    size: if first == 0 { b } else { a.min(b) },
+                    slack: if contact.is_some() { f64::INFINITY } else { 0.0 },
+                    contact,
+                });
+            }
+        }
+        let mut assembly = Assembly {
+            links: stack.ties().iter().map(Link::of).collect(),
+            props: stack.side_supports().iter().map(Prop::of).collect(),
+            bodies,
+            gravity: stack.gravity_m_s2(),
+            hulls,
+            pairs,
+            active: Vec::new(),
+            rule,
+            slack: 0.0,
+            stale: Vec::new(),
+            clip_loss: 0.0,
+        };
+        assembly.list_active();
+        assembly
+    }
+
+    fn list_active(&mut self) {
+        let active = (0..self.pairs.len()).filter(|&pair| self.pairs[pair].contact.is_some());
+        self.active = active.collect();
+    }
+
+    /// The patches that now are.
+    pub(super) fn patches(&self) -> impl Iterator<Item = &Patch> {
+        let contacts = self
+            .active
+            .iter()
+            .filter_map(|&pair| self.pairs[pair].contact.as_ref());
+        contacts.map(|(patch, _)| patch)
+    }
+
+    pub(super) fn links(&self) -> &[Link] {
+        &self.links
+    }
+
+    pub(super) fn props(&self) -> &[Prop] {
+        &self.props
+    }
+
+    /// All forces but gravity and inertia at the bodies' present places, over a step of `h` seconds (0: at rest).
+    pub(super) fn forces(&mut self, h: f64, forces: &mut Forces) {
+        let count = self.bodies.len();
+        forces.force.clear();
+        forces.force.resize(count, DVec3::ZERO);
+        forces.torque.clear();
+        forces.torque.resize(count, DVec3::ZERO);
+        let mut friction_loss = 0.0;
+        for &pair in &self.active {
+            let Pair { contact, size, .. } = &mut self.pairs[pair];
+            let Some((patch, outline)) = contact else {
+                continue;
+            };
+            let motion = patch.motion(&self.bodies);
+            if outline.has_drifted(&motion, CLIP_AGAIN * *size, LOOK_AGAIN) {
+                self.stale.push(pair);
+            }
+            let twist = patch.twist(&self.bodies, &motion);
+            let Wrench {
+                force,
+                torque,
+                friction_loss: rubbed,
+            } = patch.press(&motion, &twist, h);
+            friction_loss += rubbed;
+            let (force, torque) = (motion.to_ground * force, motion.to_ground * torque);
+            let (p, s) = (patch.plane_body, patch.point_body);
+            forces.force[s] += force;
+            forces.torque[s] += torque + (motion.origin - self.bodies[s].position).cross(force);
+            forces.force[p] -= force;
+            forces.torque[p] -= torque + (motion.origin - self.bodies[p].position).cross(force);
+        }
+        for link in &mut self.links {
+            friction_loss += link.pull(&self.bodies, forces);
+        }
+        for prop in &self.props {
+            prop.push(&self.bodies, forces);
+        }
+        forces.friction_loss = friction_loss;
+    }
+
+    /// Energy in all springs, J.
+    pub(super) fn stored(&self) -> f64 {
+        let patches = self
+            .patches()
+            .map(|patch| patch.stored(&patch.motion(&self.bodies)));
+        let links = self.links.iter().map(|link| link.stored(&self.bodies));
+        let props = self.props.iter().map(|prop| prop.stored(&self.bodies));
+        patches.sum::<f64>() + links.sum::<f64>() + props.sum::<f64>()
+    }
+
+    /// Energy that clipping again has taken from the springs so far, J; negative if it gave some.
+    pub(super) fn clip_loss(&self) -> f64 {
+        self.clip_loss
+    }
+
+    /// Looks again at pairs that have moved too far. Call it every step.
+    pub(super) fn look(&mut self) {
+        let mut changed = false;
+        let stale = std::mem::take(&mut self.stale);
+        for &pair in &stale {
+            changed |= self.look_at(pair);
+        }
+        self.stale = stale;
+        self.stale.clear();
+        let farthest = self.bodies.iter().map(|body| body.travel).fold(0.0, f64::max);
+        if 2.0 * farthest >= self.slack {
+            let mut least = f64::INFINITY;
+            for pair in 0..self.pairs.len() {
+                let Pair { first, second, .. } = self.pairs[pair];
+                self.pairs[pair].slack -= self.bodies[first].travel + self.bodies[second].travel;
+                if self.pairs[pair].slack <= 0.0 {
+                    changed |= self.look_at(pair);
+                }
+                least = least.min(self.pairs[pair].slack);
+            }
+            for body in &mut self.bodies {
+                body.travel = 0.0;
+            }
+            self.slack = least;
+        } else if changed {
+            self.slack = 0.0; // a pair that lost its patch counts again from the next step on
+        }
+        if changed {
+            self.list_active();
+        }
+    }
+
+    /// Brings the patch of a pair up to date; true if one came or went.
+    fn look_at(&mut self, index: usize) -> bool {
+        let pair = &mut self.pairs[index];
+        let first = side(&self.hulls, &self.bodies, pair.first);
+        let second = side(&self.hulls, &self.bodies, pair.second);
+        let size = pair.size;
+        if let Some((patch, outline)) = &mut pair.contact {
+            let motion = patch.motion(&self.bodies);
+            let before = patch.stored(&motion);
+            if outline.lean(&motion) < LOOK_AGAIN && !outline.of_edges() {
+                outline.clip(patch, &motion, self.rule);
+                self.clip_loss += before - patch.stored(&motion);
+                if !patch.points.is_empty() {
+                    return false;
+                }
+            }
+            let best = separation(first, second);
+            if best.distance > FAR * size {
+                pair.contact = None;
+                self.clip_loss += before;
+                pair.slack = best.distance - NEAR * size;
+                return true;
+            }
+            if outline.still_serves(&best, first, second, FACE_FAVOUR * size) {
+                outline.clip(patch, &motion, self.rule);
+                self.clip_loss += before - patch.stored(&motion);
+            } else if let Some((mut next, mut edge)) = patch_along(first, second, &best, patch.law) {
+                let motion = next.motion(&self.bodies);
+                edge.clip(&mut next, &motion, self.rule);
+                take_over(&mut next, &motion, patch, &patch.motion(&self.bodies));
+                self.clip_loss += before - next.stored(&motion);
+                pair.contact = Some((next, edge));
+            }
+            return false;
+        }
+        let best = separation(first, second);
+        if best.distance > NEAR * size {
+            pair.slack = best.distance - 0.5 * NEAR * size;
+            return false;
+        }
+        let area = second.hull.map_or(size * size, Hull::largest_face);
+        let inverse_mass = first.body.inverse_mass + second.body.inverse_mass;
+        let law = Law::of(&pair.material, area, inverse_mass);
+        if let Some((mut patch, mut outline)) = patch_along(first, second, &best, law) {
+            let motion = patch.motion(&self.bodies);
+            outline.clip(&mut patch, &motion, self.rule);
+            self.clip_loss -= patch.stored(&motion);
+            pair.contact = Some((patch, outline));
+            pair.slack = f64::INFINITY;
+            return true;
+        }
+        false
+    }
+
+    /// Largest stiffness that any contact a block may come to have could give, over its mass: N/m/kg.
+    pub(super) fn stiffest(&self) -> f64 {
+        let of_pair = |pair: &Pair| {
+            let k = pair
+                .material
+                .normal_stiffness_pa_m
+                .max(pair.material.shear_stiffness_pa_m);
+            let of_body = |index: usize| {
+                let area = self.hulls[index].as_ref().map_or(0.0, Hull::largest_face);
+                k * area * self.bodies[index].inverse_mass
+            };
+            of_body(pair.first).max(of_body(pair.second))
+        };
+        self.pairs.iter().map(of_pair).fold(0.0, f64::max)
+    }
+}
+
+fn side<'a>(hulls: &'a [Option<Hull>], bodies: &'a [RigidBody], index: usize) -> Side<'a> {
+    Side {
+        index,
+        hull: hulls[index].as_ref(),
+        body: &bodies[index],
+    }
+}

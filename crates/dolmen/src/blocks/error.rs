@@ -1,0 +1,48 @@
+//! Why a stack cannot be simulated.
+
+use crate::structure::stack::StackError;
+use dolmen_linalg::LinalgError;
+
+/// Why a simulation cannot start. How one that ran ended is a status in its result.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BlocksError {
+    /// An option out of its range.
+    #[error("{option} is {given}, but must be {allowed}")]
+    Option {
+        /// Its name.
+        option: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// The step asked for is longer than the springs allow.
+    #[error(
+        "time_step_s is {given:.3e}, but the stiffest joint allows at most {most:.3e}: lower it, leave it out, or lower the joints' stiffness"
+    )]
+    StepTooLarge {
+        /// The step given, s.
+        given: f64,
+        /// The largest stable step, s.
+        most: f64,
+    },
+    /// The stack finds no rest under its own weight.
+    #[error(
+        "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'. `dolmen check` says which joint cannot carry it"
+    )]
+    NoRest {
+        /// Newton iterations done.
+        iterations: usize,
+        /// Largest force left over, as a part of the stack's weight.
+        residual: f64,
+        /// The block on which it acts.
+        block: String,
+    },
+    /// The stack cannot be.
+    #[error(transparent)]
+    Stack(#[from] StackError),
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] LinalgError),
+}

@@ -1,0 +1,144 @@
+//! What a simulation gives: how it ended, and everything needed to draw, to doubt and to repeat it.
+
+/// How a run ended.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Outcome {
+    /// No joint opened by more than [`StackHistory::UPLIFT_LEAST_M`], and no stone fell.
+    Stood,
+    /// A joint opened, but every stone stayed up.
+    Uplifted {
+        /// The joint that opened first, as an index of the stack's joints.
+        joint: usize,
+        /// When, s.
+        at_s: f64,
+    },
+    /// A stone fell: its centroid dropped by more than a quarter of its smallest dimension.
+    Fell {
+        /// The first, as an index of the stack's blocks.
+        block: usize,
+        /// When, s.
+        at_s: f64,
+    },
+    /// The caller stopped it.
+    Stopped {
+        /// When, s.
+        at_s: f64,
+    },
+    /// Numbers ran out of range: a fault of this program or an absurd input. Nothing of the run can be used.
+    Diverged {
+        /// When, s.
+        at_s: f64,
+    },
+}
+
+/// Where a block is, against where it was drawn: a point drawn at x₀ is now at c + R (x₀ − c₀).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// c: its centroid, in the frame of the ground, m.
+    pub centroid_m: [f64; 3],
+    /// R as a unit quaternion, scalar first.
+    pub rotation: [f64; 4],
+}
+
+/// One joint at the times of the history.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct JointHistory {
+    /// Largest gap at a corner of the patch as drawn, m; 0 while closed.
+    pub opening_m: Vec<f64>,
+    /// Shift of the upper stone on the lower along the joint's first two axes, at its middle, from the settled state, m.
+    pub slip_m: Vec<[f64; 2]>,
+    /// Turn of the upper stone on the lower about the joint's normal, from the settled state, rad.
+    pub yaw_rad: Vec<f64>,
+    /// Largest opening at any step looked at, m.
+    pub peak_opening_m: f64,
+    /// Largest shift, m.
+    pub peak_slip_m: f64,
+    /// Largest turn, rad.
+    pub peak_yaw_rad: f64,
+}
+
+impl JointHistory {
+    /// Shift at the end, m.
+    pub fn residual_slip_m(&self) -> f64 {
+        self.slip_m.last().map_or(0.0, |slip| slip[0].hypot(slip[1]))
+    }
+
+    /// Turn at the end, rad.
+    pub fn residual_yaw_rad(&self) -> f64 {
+        self.yaw_rad.last().copied().unwrap_or(0.0)
+    }
+}
+
+/// The balance of energy at one time, all from the start, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Energy {
+    /// Of motion, in the frame of the ground.
+    pub kinetic_j: f64,
+    /// Of height.
+    pub potential_j: f64,
+    /// In springs, bonds and ties.
+    pub stored_j: f64,
+    /// Work of the shaking: of the inertia forces in the frame of the ground.
+    pub input_j: f64,
+    /// Taken by friction and by what broke.
+    pub friction_j: f64,
+    /// Taken by dashpots: what contacts took in all, less friction.
+    pub damping_j: f64,
+}
+
+/// A simulated motion of a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackHistory {
+    /// How it ended.
+    pub outcome: Outcome,
+    /// Times of the samples, s.
+    pub time_s: Vec<f64>,
+    /// Number of blocks, the row length of `poses`.
+    pub blocks: usize,
+    /// Where each block is: samples × blocks, row by row.
+    pub poses: Vec<Pose>,
+    /// One history a joint of the stack.
+    pub joints: Vec<JointHistory>,
+    /// Balance of energy at the samples; the first is the start and counts as zero but for motion.
+    pub energy: Vec<Energy>,
+    /// Largest energy that contacts gave back beyond what they had stored, between any two samples, J.
+    pub energy_made_j: f64,
+    /// Indices of ties that broke.
+    pub broken_ties: Vec<usize>,
+    /// The step taken, s.
+    pub time_step_s: f64,
+    /// The longest stable step, s.
+    pub longest_step_s: f64,
+    /// Steps taken.
+    pub steps: usize,
+    /// Contact points of all joints at the start.
+    pub contact_points: usize,
+    /// Settlement of the highest block's centroid under its own weight, before the start, m.
+    pub settlement_m: f64,
+}
+
+impl StackHistory {
+    /// Opening of a joint from which it counts as uplifted, m: a tenth of a millimetre. Chosen here.
+    pub const UPLIFT_LEAST_M: f64 = 1e-4;
+
+    /// Pose of a block at a sample.
+    pub fn pose(&self, sample: usize, block: usize) -> Pose {
+        self.poses[sample * self.blocks + block]
+    }
+
+    /// Energy made by contacts over the work put in (shaking and start), –; 0 if none was put in.
+    pub fn energy_made_ratio(&self) -> f64 {
+        let start = self.energy.first().map_or(0.0, |e| e.kinetic_j + e.potential_j);
+        let input = self
+            .energy
+            .iter()
+            .map(|e| e.input_j.abs())
+            .fold(start.abs(), f64::max);
+        if input > 0.0 {
+            self.energy_made_j / input
+        } else {
+            0.0
+        }
+    }
+}

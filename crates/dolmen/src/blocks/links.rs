@@ -1,0 +1,117 @@
+//! Dowels, clamps and side supports.
+
+use super::assembly::{Forces, index_of};
+use super::bodies::RigidBody;
+use crate::structure::stack::{SideSupport, Tie};
+use glam::DVec3;
+
+/// A dowel or clamp between a point of one body and the point of another that was drawn in the same place.
+#[derive(Clone, Debug)]
+pub(super) struct Link {
+    pub(super) lower: usize,
+    pub(super) upper: usize,
+    pub(super) drawn: DVec3,
+    /// In the axes as drawn.
+    pub(super) axis: DVec3,
+    pub(super) axial_stiffness: f64,
+    pub(super) shear_stiffness: f64,
+    tension_strength: f64,
+    shear_strength: f64,
+    pub(super) broken: bool,
+}
+
+impl Link {
+    pub(super) fn of(tie: &Tie) -> Self {
+        Link {
+            lower: index_of(tie.lower),
+            upper: tie.upper + 1,
+            drawn: tie.position_m.into(),
+            axis: DVec3::from(tie.axis).normalize(),
+            axial_stiffness: tie.axial_stiffness_n_m,
+            shear_stiffness: tie.shear_stiffness_n_m,
+            tension_strength: tie.tension_strength_n,
+            shear_strength: tie.shear_strength_n,
+            broken: false,
+        }
+    }
+
+    /// Stretch of the upper point against the lower, in the lower body's axes: along the axis (tension only), across it.
+    fn stretch(&self, bodies: &[RigidBody]) -> (f64, DVec3) {
+        let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
+        let apart = lower.rotation.transpose() * (upper.now(self.drawn) - lower.now(self.drawn));
+        let along = apart.dot(self.axis);
+        (along.max(0.0), apart - self.axis * along)
+    }
+
+    /// Adds its force; returns the energy lost if it breaks now, J.
+    pub(super) fn pull(&mut self, bodies: &[RigidBody], forces: &mut Forces) -> f64 {
+        if self.broken {
+            return 0.0;
+        }
+        let (along, across) = self.stretch(bodies);
+        let tension = self.axial_stiffness * along;
+        let shear = across * self.shear_stiffness;
+        if tension > self.tension_strength || shear.length() > self.shear_strength {
+            self.broken = true;
+            return 0.5 * (tension * along + shear.dot(across));
+        }
+        let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
+        let force = lower.rotation * -(self.axis * tension + shear);
+        let at = upper.now(self.drawn);
+        forces.force[self.upper] += force;
+        forces.torque[self.upper] += (at - upper.position).cross(force);
+        forces.force[self.lower] -= force;
+        forces.torque[self.lower] -= (at - lower.position).cross(force);
+        0.0
+    }
+
+    /// Energy in it, J.
+    pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
+        if self.broken {
+            return 0.0;
+        }
+        let (along, across) = self.stretch(bodies);
+        0.5 * (self.axial_stiffness * along * along + self.shear_stiffness * across.length_squared())
+    }
+}
+
+/// Something beside a block that it meets after a gap.
+#[derive(Clone, Debug)]
+pub(super) struct Prop {
+    pub(super) body: usize,
+    pub(super) drawn: DVec3,
+    pub(super) direction: DVec3,
+    gap: f64,
+    pub(super) stiffness: f64,
+}
+
+impl Prop {
+    pub(super) fn of(support: &SideSupport) -> Self {
+        Prop {
+            body: support.block + 1,
+            drawn: support.position_m.into(),
+            direction: DVec3::from(support.direction).normalize(),
+            gap: support.gap_m,
+            stiffness: support.stiffness_n_m,
+        }
+    }
+
+    /// How far the block has run into it, m; 0 before it meets it.
+    fn depth(&self, bodies: &[RigidBody]) -> f64 {
+        let moved = bodies[self.body].now(self.drawn) - self.drawn;
+        (moved.dot(self.direction) - self.gap).max(0.0)
+    }
+
+    pub(super) fn push(&self, bodies: &[RigidBody], forces: &mut Forces) {
+        let force = self.direction * (-self.stiffness * self.depth(bodies));
+        let body = &bodies[self.body];
+        forces.force[self.body] += force;
+        forces.torque[self.body] += (body.now(self.drawn) - body.position).cross(force);
+    }
+
+    /// Energy in it, J.
+    pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
+        let depth = self.depth(bodies);
+        0.5 * self.stiffness * depth * depth
+    }
+}

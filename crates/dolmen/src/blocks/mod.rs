@@ -1,0 +1,21 @@
+//! Stacks in motion: blocks that rock, slide, twist and jump on contact springs.
+
+mod assembly;
+mod bodies;
+mod contact_points;
+mod error;
+mod faces;
+mod frequencies;
+mod history;
+mod links;
+mod matrices;
+mod observe;
+mod patch;
+mod rest;
+mod springs;
+
+pub use contact_points::{ContactPoint, ContactRule, contact_points};
+pub use error::BlocksError;
+pub use frequencies::{StackMode, stack_modes};
+pub use history::{Energy, JointHistory, Outcome, Pose, StackHistory};
+pub use springs::{AfterFall, Springs, Start, simulate_springs};

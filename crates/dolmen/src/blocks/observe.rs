@@ -1,0 +1,289 @@
+//! Looks at a run now and then: samples, peaks, energies, falls.
+
+use super::assembly::{Assembly, Forces, index_of};
+use super::bodies::RigidBody;
+use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
+use super::patch::LANES;
+use super::springs::{AfterFall, Springs};
+use crate::structure::stack::{Joint, Stack};
+use glam::{DMat3, DVec3};
+
+/// Time between looks for peaks and falls, s: peaks are flat, and no stone falls faster. Chosen here.
+const LOOK_STEP_S: f64 = 5e-3;
+/// Drop of a stone that counts as a fall, in parts of its smallest dimension. Chosen here.
+const DROP: f64 = 0.25;
+
+/// A joint seen by its two bodies.
+#[derive(Clone, Debug)]
+struct Watch {
+    lower: usize,
+    upper: usize,
+    origin: DVec3,
+    axes: DMat3,
+    corners: Vec<DVec3>,
+    /// Slip and yaw after settlement.
+    settled: [f64; 3],
+}
+
+/// How the upper body lies on the lower: largest gap at a corner, shift, turn.
+#[derive(Clone, Copy, Debug)]
+struct Seen {
+    opening: f64,
+    slip: [f64; 2],
+    yaw: f64,
+}
+
+impl Watch {
+    fn of(joint: &Joint, bodies: &[RigidBody]) -> Self {
+        let axes = DMat3::from_cols_array_2d(&joint.axes);
+        let origin = DVec3::from(joint.origin_m);
+        let corners = joint.patch.corners_m.iter();
+        let mut watch = Watch {
+            lower: index_of(joint.lower),
+            upper: joint.upper + 1,
+            origin,
+            axes,
+            corners: corners
+                .map(|c| origin + axes.x_axis * c[0] + axes.y_axis * c[1])
+                .collect(),
+            settled: [0.0; 3],
+        };
+        let seen = watch.see(bodies);
+        watch.settled = [seen.slip[0], seen.slip[1], seen.yaw];
+        watch
+    }
+
+    fn see(&self, bodies: &[RigidBody]) -> Seen {
+        let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
+        let from_ground = self.axes.transpose() * lower.rotation.transpose();
+        let shift = |drawn: DVec3| from_ground * (upper.now(drawn) - lower.now(drawn));
+        let opening = self
+            .corners
+            .iter()
+            .map(|corner| shift(*corner).z)
+            .fold(0.0, f64::max);
+        let middle = shift(self.origin);
+        let turn = from_ground * upper.rotation * self.axes;
+        let yaw = (turn.x_axis.y - turn.y_axis.x).atan2(turn.x_axis.x + turn.y_axis.y);
+        Seen {
+            opening,
+            slip: [middle.x - self.settled[0], middle.y - self.settled[1]],
+            yaw: yaw - self.settled[2],
+        }
+    }
+}
+
+/// Gathers a [`StackHistory`].
+pub(super) struct Observer {
+    watches: Vec<Watch>,
+    settled: Vec<DVec3>,
+    drops: Vec<f64>,
+    look_every: usize,
+    sample_every: usize,
+    outcome: Option<Outcome>,
+    input: f64,
+    contact: f64,
+    friction: f64,
+    first_potential: f64,
+    first_stored: f64,
+    /// Largest of energy lost in contacts so far, against which making is measured.
+    most_lost: f64,
+    history: StackHistory,
+}
+
+impl Observer {
+    /// Watches the settled stack.
+    pub(super) fn new(stack: &Stack, assembly: &Assembly, options: &Springs, h: f64) -> Self {
+        let look_every = ((LOOK_STEP_S.min(options.output_step_s) / h) as usize).max(1);
+        let sample_every =
+            ((options.output_step_s / (look_every as f64 * h)).round() as usize).max(1) * look_every;
+        let smallest = |block: &crate::structure::stack::Block| {
+            let [low, high] = block.solid.bounds_m();
+            (0..3)
+                .map(|axis| high[axis] - low[axis])
+                .fold(f64::INFINITY, f64::min)
+        };
+        let highest = (1..assembly.bodies.len())
+            .max_by(|&a, &b| assembly.bodies[a].drawn.z.total_cmp(&assembly.bodies[b].drawn.z))
+            .map_or(0.0, |index| {
+                assembly.bodies[index].drawn.z - assembly.bodies[index].position.z
+            });
+        let points = assembly.patches().flat_map(|patch| &patch.points);
+        let contact_points = points
+            .map(|group| (0..LANES).filter(|&lane| group.area[lane] > 0.0).count())
+            .sum();
+        Observer {
+            watches: stack
+                .joints()
+                .iter()
+                .map(|joint| Watch::of(joint, &assembly.bodies))
+                .collect(),
+            settled: assembly.bodies.iter().map(|body| body.position).collect(),
+            drops: stack
+                .blocks()
+                .iter()
+                .map(|block| DROP * smallest(block))
+                .collect(),
+            look_every,
+            sample_every,
+            outcome: None,
+            input: 0.0,
+            contact: 0.0,
+            friction: 0.0,
+            first_potential: potential(assembly),
+            first_stored: assembly.stored(),
+            most_lost: 0.0,
+            history: StackHistory {
+                outcome: Outcome::Stood,
+                time_s: Vec::new(),
+                blocks: stack.blocks().len(),
+                poses: Vec::new(),
+                joints: vec![JointHistory::default(); stack.joints().len()],
+                energy: Vec::new(),
+                energy_made_j: 0.0,
+                broken_ties: Vec::new(),
+                time_step_s: h,
+                longest_step_s: h,
+                steps: 0,
+                contact_points,
+                settlement_m: highest,
+            },
+        }
+    }
+
+    pub(super) fn wants(&self, step: usize) -> bool {
+        step.is_multiple_of(self.look_every)
+    }
+
+    /// Adds what a step put in, what its contacts did, and what friction took, J.
+    pub(super) fn count(&mut self, input: f64, contact: f64, forces: &Forces) {
+        self.input += input;
+        self.contact += contact;
+        self.friction += forces.friction_loss;
+        self.history.steps += 1;
+    }
+
+    /// Looks at time t: places of t, velocities of t − h/2 (at the start those of 0) with the accelerations that carry them
+    /// on over a kick.
+    pub(super) fn look(
+        &mut self,
+        assembly: &Assembly,
+        acceleration: &[DVec3],
+        forces: &Forces,
+        shaking: DVec3,
+        [time_s, kick]: [f64; 2],
+    ) {
+        let sampled = self.history.steps.is_multiple_of(self.sample_every);
+        for (watch, joint) in self.watches.iter().zip(&mut self.history.joints) {
+            let seen = watch.see(&assembly.bodies);
+            joint.peak_opening_m = joint.peak_opening_m.max(seen.opening);
+            joint.peak_slip_m = joint.peak_slip_m.max(seen.slip[0].hypot(seen.slip[1]));
+            joint.peak_yaw_rad = joint.peak_yaw_rad.max(seen.yaw.abs());
+            if sampled {
+                joint.opening_m.push(seen.opening);
+                joint.slip_m.push(seen.slip);
+                joint.yaw_rad.push(seen.yaw);
+            }
+        }
+        self.judge(assembly, time_s);
+        if !sampled {
+            return;
+        }
+        self.history.time_s.push(time_s);
+        // the work of the step that is under way up to t: at the start none is
+        let started = self.history.steps > 0;
+        let half = if started { 0.5 * kick } else { 0.0 };
+        let (mut kinetic, mut input, mut contact) = (0.0, self.input, self.contact);
+        for (index, body) in assembly.bodies.iter().enumerate().skip(1) {
+            let q = body.turn;
+            self.history.poses.push(Pose {
+                centroid_m: body.position.into(),
+                rotation: [q.w, q.x, q.y, q.z],
+            });
+            let ahead = 2.0 * half;
+            let next = body.velocity + acceleration[index] * ahead;
+            let turning = body.momentum + forces.torque[index] * ahead;
+            kinetic += body.mass * body.velocity.dot(next) + body.spin.dot(turning);
+            input -= half * body.mass * shaking.dot(body.velocity);
+            contact += half * (forces.force[index].dot(body.velocity) + forces.torque[index].dot(body.spin));
+        }
+        let stored = assembly.stored() - self.first_stored;
+        let lost = -contact - stored;
+        self.most_lost = self.most_lost.max(lost);
+        self.history.energy_made_j = self.history.energy_made_j.max(self.most_lost - lost);
+        let friction = self.friction + assembly.clip_loss();
+        self.history.energy.push(Energy {
+            kinetic_j: 0.5 * kinetic,
+            potential_j: potential(assembly) - self.first_potential,
+            stored_j: stored,
+            input_j: input,
+            friction_j: friction,
+            damping_j: lost - friction,
+        });
+    }
+
+    fn judge(&mut self, assembly: &Assembly, at_s: f64) {
+        if matches!(
+            self.outcome,
+            Some(Outcome::Fell { .. } | Outcome::Diverged { .. })
+        ) {
+            return;
+        }
+        for (block, drop) in self.drops.iter().enumerate() {
+            let place = assembly.bodies[block + 1].position;
+            if !place.is_finite() {
+                self.outcome = Some(Outcome::Diverged { at_s });
+                return;
+            }
+            if self.settled[block + 1].z - place.z > *drop {
+                self.outcome = Some(Outcome::Fell { block, at_s });
+                return;
+            }
+        }
+        if self.outcome.is_none() {
+            let opened = self
+                .history
+                .joints
+                .iter()
+                .position(|joint| joint.peak_opening_m > StackHistory::UPLIFT_LEAST_M);
+            self.outcome = opened.map(|joint| Outcome::Uplifted { joint, at_s });
+        }
+    }
+
+    /// Whether the run is over before its time.
+    pub(super) fn ended(&self, after_fall: AfterFall) -> bool {
+        match self.outcome {
+            Some(Outcome::Diverged { .. }) => true,
+            Some(Outcome::Fell { .. }) => after_fall == AfterFall::Stop,
+            _ => false,
+        }
+    }
+
+    pub(super) fn stop(&mut self, at_s: f64) {
+        self.outcome = Some(Outcome::Stopped { at_s });
+    }
+
+    /// The history; `steps` are the one taken and the longest stable one, s.
+    pub(super) fn finish(self, assembly: &Assembly, steps: [f64; 2]) -> StackHistory {
+        let links = assembly.links().iter().enumerate();
+        let broken_ties = links
+            .filter(|(_, link)| link.broken)
+            .map(|(index, _)| index)
+            .collect();
+        StackHistory {
+            outcome: self.outcome.unwrap_or(Outcome::Stood),
+            time_step_s: steps[0],
+            longest_step_s: steps[1],
+            broken_ties,
+            ..self.history
+        }
+    }
+}
+
+/// Σ m g z, J.
+fn potential(assembly: &Assembly) -> f64 {
+    let bodies = assembly.bodies.iter().skip(1);
+    bodies
+        .map(|body| body.mass * assembly.gravity * body.position.z)
+        .sum()
+}

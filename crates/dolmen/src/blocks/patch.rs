@@ -1,0 +1,328 @@
+//! The springs law on the points of one contact patch.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | P, S | `plane_body`, `point_body` | the body whose plane is met, the body whose points meet it | – |
+//! | y = A s + b | `Motion` | place of point s in the frame of P's plane, normal last | m |
+//! | w, Ω | `twist` | velocity of S against P at the frame's origin, and its spin, in that frame | m/s, rad/s |
+//! | a | `area` | area a point stands for | m² |
+//! | k_n, k_s | `normal_stiffness`, `shear_stiffness` | springs per area | Pa/m |
+//! | c_n, c_s | `normal_damping`, `shear_damping` | dashpots per area | Pa s/m |
+//! | u | `y − anchor` | stretch of the shear spring | m |
+//! | μ | `friction` | coefficient now: static until a point slips, kinetic while it does | – |
+
+use super::bodies::RigidBody;
+use crate::structure::stack::JointMaterial;
+use glam::{DMat3, DVec3};
+use wide::f64x4;
+
+/// Points worked on together, so that the compiler uses vector instructions.
+pub(super) const LANES: usize = 4;
+/// Against division by zero in a still contact, m: far below any penetration. Chosen here.
+const TINY: f64 = 1e-300;
+
+/// Four points with their memory.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Points {
+    pub(super) x: [f64; LANES],
+    pub(super) y: [f64; LANES],
+    pub(super) area: [f64; LANES],
+    /// 1 / (a k_s), 0 where there is no area.
+    pub(super) give: [f64; LANES],
+    pub(super) anchor_x: [f64; LANES],
+    pub(super) anchor_y: [f64; LANES],
+    pub(super) friction: [f64; LANES],
+    /// 1 while the bond holds, 0 after it broke or where there is none.
+    pub(super) bond: [f64; LANES],
+}
+
+/// Springs and friction of a patch.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Law {
+    pub(super) normal_stiffness: f64,
+    pub(super) shear_stiffness: f64,
+    pub(super) normal_damping: f64,
+    pub(super) shear_damping: f64,
+    pub(super) friction_static: f64,
+    pub(super) friction_kinetic: f64,
+    pub(super) cohesion: f64,
+    pub(super) tension: f64,
+}
+
+impl Law {
+    /// The law of a joint: dashpots from the damping ratio of the two bodies on its springs alone.
+    ///
+    /// ```text
+    /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S)
+    /// ```
+    pub(super) fn of(material: &JointMaterial, area: f64, inverse_mass: f64) -> Self {
+        let damping =
+            |stiffness: f64| 2.0 * material.damping_ratio * (stiffness / (area * inverse_mass)).sqrt();
+        Law {
+            normal_stiffness: material.normal_stiffness_pa_m,
+            shear_stiffness: material.shear_stiffness_pa_m,
+            normal_damping: damping(material.normal_stiffness_pa_m),
+            shear_damping: damping(material.shear_stiffness_pa_m),
+            friction_static: material.friction_static,
+            friction_kinetic: material.friction_kinetic,
+            cohesion: material.cohesion_pa,
+            tension: material.tension_pa,
+        }
+    }
+
+    fn bonds(&self) -> bool {
+        self.cohesion > 0.0 || self.tension > 0.0
+    }
+}
+
+/// A plane of one body and points of another that meet it.
+#[derive(Clone, Debug)]
+pub(super) struct Patch {
+    pub(super) plane_body: usize,
+    pub(super) point_body: usize,
+    /// Origin of the plane's frame in P, from its centroid, in the axes as drawn.
+    pub(super) plane_origin: DVec3,
+    /// Frame of the plane in P: two axes in it, then the normal out of P.
+    pub(super) plane_axes: DMat3,
+    /// Origin of the points' frame in S, from its centroid, in the axes as drawn.
+    pub(super) point_origin: DVec3,
+    /// Frame of the points in S: they lie in its first two axes.
+    pub(super) point_axes: DMat3,
+    pub(super) law: Law,
+    pub(super) points: Vec<Points>,
+}
+
+/// Where the points' frame is in the plane's frame, and how it moves.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion {
+    /// From the frame of the plane to the ground's.
+    pub(super) to_ground: DMat3,
+    /// Origin of the plane's frame.
+    pub(super) origin: DVec3,
+    /// y = along_x s_x + along_y s_y + shift.
+    pub(super) along_x: DVec3,
+    pub(super) along_y: DVec3,
+    pub(super) shift: DVec3,
+}
+
+/// Relative velocity at the origin of the plane's frame and relative spin, in that frame.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Twist {
+    pub(super) velocity: DVec3,
+    pub(super) spin: DVec3,
+}
+
+/// What a patch does to S, in the plane's frame about its origin; P gets the opposite.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Wrench {
+    pub(super) force: DVec3,
+    pub(super) torque: DVec3,
+    /// Energy that friction and breaking bonds took in the step, J.
+    pub(super) friction_loss: f64,
+}
+
+impl Motion {
+    /// Where a point of S now is in the plane's frame.
+    pub(super) fn at(&self, x: f64, y: f64) -> DVec3 {
+        self.along_x * x + self.along_y * y + self.shift
+    }
+}
+
+impl Patch {
+    /// Where S now is in the frame of P's plane.
+    pub(super) fn motion(&self, bodies: &[RigidBody]) -> Motion {
+        self.motion_between(&bodies[self.plane_body], &bodies[self.point_body])
+    }
+
+    /// The same, of the two bodies themselves.
+    pub(super) fn motion_between(&self, p: &RigidBody, s: &RigidBody) -> Motion {
+        let to_ground = p.rotation * self.plane_axes;
+        let origin = p.position + p.rotation * self.plane_origin;
+        let from_ground = to_ground.transpose();
+        Motion {
+            to_ground,
+            origin,
+            along_x: from_ground * (s.rotation * self.point_axes.x_axis),
+            along_y: from_ground * (s.rotation * self.point_axes.y_axis),
+            shift: from_ground * (s.position + s.rotation * self.point_origin - origin),
+        }
+    }
+
+    /// How S moves against P.
+    pub(super) fn twist(&self, bodies: &[RigidBody], motion: &Motion) -> Twist {
+        let (p, s) = (&bodies[self.plane_body], &bodies[self.point_body]);
+        let of_s = s.velocity + s.spin.cross(motion.origin - s.position);
+        let of_p = p.velocity + p.spin.cross(motion.origin - p.position);
+        let from_ground = motion.to_ground.transpose();
+        Twist {
+            velocity: from_ground * (of_s - of_p),
+            spin: from_ground * (s.spin - p.spin),
+        }
+    }
+
+    /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
+    pub(super) fn press(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
+        if self.law.bonds() {
+            press::<true>(&mut self.points, &self.law, motion, twist, h)
+        } else {
+            press::<false>(&mut self.points, &self.law, motion, twist, h)
+        }
+    }
+
+    /// Energy stored in the springs, J.
+    pub(super) fn stored(&self, motion: &Motion) -> f64 {
+        let mut energy = 0.0;
+        for group in &self.points {
+            for lane in 0..LANES {
+                let at = motion.at(group.x[lane], group.y[lane]);
+                let (ux, uy) = (at.x - group.anchor_x[lane], at.y - group.anchor_y[lane]);
+                let shear = self.law.shear_stiffness * (ux * ux + uy * uy);
+                let normal = self.law.normal_stiffness * at.z * at.z;
+                if at.z < 0.0 || group.bond[lane] > 0.0 {
+                    energy += 0.5 * group.area[lane] * (normal + shear);
+                }
+            }
+        }
+        energy
+    }
+
+    /// Sets every anchor to where its point now is: the shear springs without stretch.
+    pub(super) fn unstretch(&mut self, motion: &Motion) {
+        for group in &mut self.points {
+            for lane in 0..LANES {
+                let at = motion.at(group.x[lane], group.y[lane]);
+                group.anchor_x[lane] = at.x;
+                group.anchor_y[lane] = at.y;
+            }
+        }
+    }
+}
+
+/// The law, point by point.
+///
+/// ```text
+/// penetration   δ = −y_z (0 as drawn),   its mean over the step while it moves at v: δ̄ = ∫ max(δ + v τ, 0) dτ / h, and the
+///               part of the step in contact, φ: the moment of impact is found inside the step
+/// pressure      N = a (k_n δ̄ + φ c_n v), not below 0, or −a × tension while bonded
+/// spring        E = a k_s u in contact, cut to the disc |E| ≤ μN (+ a × cohesion while bonded); where it is cut its anchor
+///               moves, and what the spring loses is the work of friction
+/// shear         T = −(E + a c_s v_t), cut to the same disc
+/// ```
+fn press<const BOND: bool>(
+    points: &mut [Points],
+    law: &Law,
+    motion: &Motion,
+    twist: &Twist,
+    h: f64,
+) -> Wrench {
+    let all = f64x4::splat;
+    let (ax, ay, az) = (
+        all(motion.along_x.x),
+        all(motion.along_x.y),
+        all(motion.along_x.z),
+    );
+    let (bx, by, bz) = (
+        all(motion.along_y.x),
+        all(motion.along_y.y),
+        all(motion.along_y.z),
+    );
+    let (cx, cy, cz) = (all(motion.shift.x), all(motion.shift.y), all(motion.shift.z));
+    let (wx, wy, wz) = (
+        all(twist.velocity.x),
+        all(twist.velocity.y),
+        all(twist.velocity.z),
+    );
+    let (ox, oy, oz) = (all(twist.spin.x), all(twist.spin.y), all(twist.spin.z));
+    let (kn, cn) = (all(law.normal_stiffness), all(law.normal_damping));
+    let (ks, cs) = (all(law.shear_stiffness), all(law.shear_damping));
+    let (zero, one, tiny, half_step) = (f64x4::ZERO, f64x4::ONE, all(TINY), all(0.5 * h));
+    let mut sums = [f64x4::ZERO; 7];
+    for group in points {
+        let (sx, sy, area) = (f64x4::new(group.x), f64x4::new(group.y), f64x4::new(group.area));
+        let x = ax * sx + bx * sy + cx;
+        let y = ay * sx + by * sy + cy;
+        let z = az * sx + bz * sy + cz;
+        let closing = -(wz + (ox * y - oy * x));
+        let (depth, half) = (-z, closing.abs() * half_step);
+        if !BOND && !(depth + half).simd_gt(zero).any() {
+            (group.anchor_x, group.anchor_y) = (x.to_array(), y.to_array()); // all open
+            continue;
+        }
+        let into = (depth + half).fast_max(zero).fast_min(half + half);
+        let per_way = one / (half + half + tiny);
+        let mut mean = into * into * per_way * all(0.5) + (depth - half).fast_max(zero);
+        let mut part = depth.simd_ge(half).select(one, into * per_way);
+        let mut touches = part.simd_gt(zero);
+        let bond = f64x4::new(group.bond);
+        let mut holds = zero;
+        if BOND {
+            let bonded = bond.simd_gt(zero);
+            mean = bonded.select(depth, mean);
+            part = bonded.select(one, part);
+            touches |= bonded;
+            holds = bonded & (kn * depth).simd_ge(all(-law.tension));
+        }
+        let spring = kn * mean;
+        let pressed = spring + part * cn * closing;
+        let mut pressure = pressed.fast_max(zero);
+        if BOND {
+            let lost = bond.simd_gt(zero) & !holds;
+            pressure = holds.select(pressed.fast_max(all(-law.tension)), pressure);
+            pressure = lost.select(zero, pressure);
+        }
+        let normal = area * pressure;
+
+        let vx = wx + (oy * z - oz * y);
+        let vy = wy + (oz * x - ox * z);
+        let (before_x, before_y) = (f64x4::new(group.anchor_x), f64x4::new(group.anchor_y));
+        let stiff = touches & (area * ks);
+        let (ex, ey) = (stiff * (x - before_x), stiff * (y - before_y));
+        let mut limit = f64x4::new(group.friction) * normal.fast_max(zero);
+        if BOND {
+            limit += holds & (area * all(law.cohesion));
+        }
+        let square = limit * limit;
+        let size = ex * ex + ey * ey;
+        let slips = size.simd_gt(square);
+        let keep = slips.select(limit / size.sqrt(), one);
+        let (fx, fy) = (ex * keep, ey * keep);
+        let give = f64x4::new(group.give);
+        let moves = slips | !touches;
+        let anchor_x = moves.select(x - fx * give, before_x);
+        let anchor_y = moves.select(y - fy * give, before_y);
+        let rubbed = (ex + fx) * (anchor_x - before_x) + (ey + fy) * (anchor_y - before_y);
+        let drag = touches & (area * cs);
+        let (tx, ty) = (fx + drag * vx, fy + drag * vy);
+        let size = tx * tx + ty * ty;
+        let keep = size.simd_gt(square).select(limit / size.sqrt(), one);
+        let (tx, ty) = (tx * keep, ty * keep);
+
+        (group.anchor_x, group.anchor_y) = (anchor_x.to_array(), anchor_y.to_array());
+        group.friction = slips
+            .select(all(law.friction_kinetic), all(law.friction_static))
+            .to_array();
+        if BOND {
+            let stays = holds & !slips;
+            let broken = bond.simd_gt(zero) & !stays;
+            group.bond = (stays & one).to_array();
+            sums[6] += broken & z.simd_gt(zero) & (area * kn * z * z);
+        }
+        sums[0] -= tx;
+        sums[1] -= ty;
+        sums[2] += normal;
+        sums[3] += y * normal + z * ty;
+        sums[4] -= z * tx + x * normal;
+        sums[5] += y * tx - x * ty;
+        sums[6] += rubbed;
+    }
+    // always in this order: the same bits on every machine
+    let [fx, fy, fz, mx, my, mz, rubbed] = sums.map(|lanes| {
+        let [a, b, c, d] = lanes.to_array();
+        (a + b) + (c + d)
+    });
+    Wrench {
+        force: DVec3::new(fx, fy, fz),
+        torque: DVec3::new(mx, my, mz),
+        friction_loss: 0.5 * rubbed,
+    }
+}
