@@ -11,4 +11,62 @@ pub enum StabilityError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+    /// An option or load out of its range.
+    #[error("{option} is {given}, but must be {allowed}")]
+    Option {
+        /// Its name.
+        option: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// Vertical acceleration that leaves no weight.
+    #[error(
+        "vertical_acceleration_m_s2 is {given}, but must be above −{gravity_m_s2}: at and below that nothing has weight \
+         and no joint holds"
+    )]
+    VerticalAcceleration {
+        /// The value given, m/s², positive up.
+        given: f64,
+        /// Gravity of the stack, m/s².
+        gravity_m_s2: f64,
+    },
+    /// A direction in the plane without length.
+    #[error("{quantity} is {given:?}, but must be two finite numbers, not both 0")]
+    Direction {
+        /// Which direction.
+        quantity: &'static str,
+        /// The value given.
+        given: [f64; 2],
+    },
+    /// There is no such block.
+    #[error("{quantity} name block {given}, but the stack has {count}, from 0")]
+    Block {
+        /// What names it.
+        quantity: &'static str,
+        /// The index given.
+        given: usize,
+        /// How many blocks there are.
+        count: usize,
+    },
+    /// The pressure in a joint was not found.
+    #[error("the pressure in a joint was not found to better than {residual:e} in {iterations} steps")]
+    Pressure {
+        /// Largest relative error of force and moments.
+        residual: f64,
+        /// Steps taken.
+        iterations: usize,
+    },
+    /// The linear programme of a limit analysis was not solved.
+    #[error("the linear programme of the limit analysis was not solved: {reason}")]
+    LinearProgramme {
+        /// What the solver says.
+        reason: String,
+    },
+    /// Forces in the joints do not follow from equilibrium alone.
+    #[error(
+        "the forces in the joints do not follow from equilibrium alone: a block rests on several joints, or stands beside          another; give a stack in which each block rests on one"
+    )]
+    Indeterminate,
 }

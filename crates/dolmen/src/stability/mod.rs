@@ -5,6 +5,7 @@ mod chain_limits;
 mod chain_stability;
 mod error;
 mod frame;
+pub mod stack;
 mod verdict;
 
 pub use chain::{ChainLimits, ChainStability, JointStability};

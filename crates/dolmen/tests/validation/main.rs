@@ -12,3 +12,4 @@ mod made_records;
 mod park_min_2010;
 mod pyoma2;
 mod rocking_and_sliding;
+mod stack_limits;

@@ -1,0 +1,160 @@
+//! Which parts of a stack can move off the rest: cuts through joints of one plane.
+
+use crate::structure::stack::{BED_GAP_M, Body, Joint, Stack};
+use glam::DVec3;
+
+/// A joint carries if its normal rises more than this, as sine (about 6°); a steeper one only stands beside. Chosen here:
+/// 5° is what the bed of a leaning upright face may show.
+const CARRIES_LEAST: f64 = 0.1;
+/// Cosine of the largest angle between joints of one plane, 1°. Chosen here.
+const PARALLEL: f64 = 0.999_847_7;
+
+/// A part of the stack that can tip or slide off the rest as one body.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cut {
+    /// The blocks above, ascending.
+    pub blocks: Vec<usize>,
+    /// The joints that carry them, all in one plane, ascending.
+    pub joints: Vec<usize>,
+    /// Joints of an upright plane between them and blocks below: they are left out of the balance.
+    pub beside: Vec<usize>,
+}
+
+/// All cuts of a stack.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Cuts {
+    /// Lowest joint first.
+    pub cuts: Vec<Cut>,
+    /// Blocks that would move together but rest on joints of different planes: only a limit analysis can judge them.
+    pub not_planar: Vec<Vec<usize>>,
+    /// Whether every block rests on one joint and none stands beside it: then equilibrium alone gives the force in each
+    /// joint, and the cuts leave nothing out.
+    pub statically_determinate: bool,
+}
+
+/// The cuts of a stack.
+///
+/// ```text
+/// carried(A) = A and all blocks that stand on A, on what stands on A, …
+/// cuts: connected parts of carried({upper block of j}) for each joint j that carries,
+///       and of carried({upper blocks of all joints in the plane of j}); each once
+/// kept if all joints between the part and the blocks below lie in one plane (1°, 5 mm)
+/// ```
+///
+/// # Limits
+/// In a stack where each block rests on one other these are all cuts there are. Where stones share their load
+/// (a storey of several, an arch) other mechanisms exist, and every cut is then an upper bound of the true limit.
+pub fn cuts(stack: &Stack) -> Cuts {
+    let joints = stack.joints();
+    let carrying: Vec<usize> = (0..joints.len())
+        .filter(|&joint| carries(&joints[joint]))
+        .collect();
+    let mut found = Cuts {
+        cuts: Vec::new(),
+        not_planar: Vec::new(),
+        statically_determinate: carrying.len() == joints.len() && joints.len() == stack.blocks().len(),
+    };
+    let mut parts: Vec<Vec<usize>> = Vec::new();
+    for &joint in &carrying {
+        let level = carrying
+            .iter()
+            .filter(|&&other| same_plane(&joints[joint], &joints[other]));
+        let together: Vec<usize> = level.map(|&other| joints[other].upper).collect();
+        for start in [vec![joints[joint].upper], together] {
+            for part in connected(stack, &carried(stack, start)) {
+                if !parts.contains(&part) {
+                    parts.push(part);
+                }
+            }
+        }
+    }
+    for blocks in parts {
+        let mut cut = Cut {
+            blocks,
+            joints: Vec::new(),
+            beside: Vec::new(),
+        };
+        for (index, joint) in joints.iter().enumerate() {
+            let above = cut.blocks.contains(&joint.upper);
+            let below = !matches!(joint.lower, Body::Block(block) if cut.blocks.contains(&block));
+            if carries(joint) && above && below {
+                cut.joints.push(index);
+            } else if !carries(joint) && above == below {
+                cut.beside.push(index);
+            }
+        }
+        let planar = cut
+            .joints
+            .iter()
+            .all(|&joint| same_plane(&joints[cut.joints[0]], &joints[joint]));
+        if planar {
+            found.cuts.push(cut);
+        } else {
+            found.not_planar.push(cut.blocks);
+        }
+    }
+    let height = |cut: &Cut| joints[cut.joints[0]].origin_m[2];
+    found.cuts.sort_by(|a, b| {
+        height(a)
+            .total_cmp(&height(b))
+            .then(b.blocks.len().cmp(&a.blocks.len()))
+    });
+    found
+}
+
+pub(super) fn carries(joint: &Joint) -> bool {
+    joint.axes[2][2] > CARRIES_LEAST
+}
+
+fn same_plane(a: &Joint, b: &Joint) -> bool {
+    let (normal, other) = (DVec3::from(a.axes[2]), DVec3::from(b.axes[2]));
+    let between = DVec3::from(b.origin_m) - DVec3::from(a.origin_m);
+    normal.dot(other) >= PARALLEL && normal.dot(between).abs() <= BED_GAP_M
+}
+
+/// These blocks and all that stands on them, ascending.
+pub(super) fn carried(stack: &Stack, start: Vec<usize>) -> Vec<usize> {
+    let mut above = vec![false; stack.blocks().len()];
+    let mut next = start;
+    while let Some(block) = next.pop() {
+        if std::mem::replace(&mut above[block], true) {
+            continue;
+        }
+        let on_it = stack.joints().iter();
+        next.extend(
+            on_it
+                .filter(|joint| carries(joint) && joint.lower == Body::Block(block))
+                .map(|joint| joint.upper),
+        );
+    }
+    (0..above.len()).filter(|&block| above[block]).collect()
+}
+
+/// Parts of these blocks that joints hold together, each ascending.
+fn connected(stack: &Stack, blocks: &[usize]) -> Vec<Vec<usize>> {
+    let mut left = blocks.to_vec();
+    let mut parts = Vec::new();
+    while let Some(first) = left.pop() {
+        let mut part = vec![first];
+        let mut next = vec![first];
+        while let Some(block) = next.pop() {
+            for joint in stack.joints().iter().filter(|joint| carries(joint)) {
+                let Body::Block(lower) = joint.lower else { continue };
+                let other = match block {
+                    _ if lower == block => joint.upper,
+                    _ if joint.upper == block => lower,
+                    _ => continue,
+                };
+                if let Some(at) = left.iter().position(|&candidate| candidate == other) {
+                    left.swap_remove(at);
+                    part.push(other);
+                    next.push(other);
+                }
+            }
+        }
+        part.sort_unstable();
+        parts.push(part);
+    }
+    parts.sort();
+    parts
+}

@@ -1,0 +1,34 @@
+//! Stacks of stone: where and at what horizontal acceleration a joint opens or slides, thrust line, pressure.
+
+mod contact;
+mod cuts;
+mod demand;
+mod half_plane;
+mod limit_analysis;
+mod limit_states;
+mod loads;
+mod part;
+mod pressure;
+mod rocking;
+mod stack_limits;
+mod standing;
+mod thrust_line;
+mod toe;
+#[cfg(test)]
+mod towers;
+
+pub use cuts::{Cut, Cuts, cuts};
+pub use demand::{
+    Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
+};
+pub use limit_analysis::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, limit_analysis};
+pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates, Threshold};
+pub use loads::{PointForce, StackLoads, Wind};
+pub use pressure::{JointPressure, no_tension_pressure};
+pub use rocking::{
+    PeriodCaveat, PeriodOfThumb, RockingBlock, period_of_thumb, published_critical_slenderness_2a,
+    published_critical_slenderness_3, published_rocking_frequency_hz, rocking_blocks,
+};
+pub use stack_limits::{StackLimits, stack_limits};
+pub use standing::Standing;
+pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};

@@ -1,0 +1,457 @@
+//! Limit states of a stack: at what horizontal acceleration each joint opens and slides.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | p, t | `pivot`, `axis` | a point of the line that a part turns about, unit vector along it | m, – |
+//! | n | `normal` | normal of the joint, upwards | – |
+//! | m, c | `mass`, `centroid` | of the part above | kg, m |
+//! | F, M | `force`, `moment` | weight (1 + a_z/g) and static loads on it, about the origin | N, N m |
+//! | x | – | horizontal acceleration of the inertia forces m x | m/s² |
+//! | μ, C | `mu`, `cohesion` | least friction of the joints, cohesion × area | –, N |
+//! | σ_c | `compressive_strength_pa` | strength of the stone in the toe | Pa |
+//! | K | `soil_rocking_stiffness_n_m_rad` | moment over rotation of the base on its soil | N m/rad |
+
+use super::cuts::cuts;
+use super::loads::{Load, together};
+use super::part::{Soil, limits_of};
+use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLoads, Standing, Threshold};
+use crate::stability::{StabilityError, Verdict};
+use crate::structure::stack::Stack;
+
+/// What the limits depend on besides the stack.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct StackLimits {
+    /// What acts before any horizontal shaking. Default nothing.
+    pub loads: StackLoads,
+    /// Compressive strength of the stone, Pa: moves the line that a part turns about inwards. Default `None`: infinite.
+    pub compressive_strength_pa: Option<f64>,
+    /// Moment over rotation of the whole base on its soil, N m/rad, the same in all directions. Default `None`: rigid.
+    pub soil_rocking_stiffness_n_m_rad: Option<f64>,
+}
+
+/// At what horizontal acceleration each part of a stack begins to rock or slide, and which begins first.
+///
+/// ```text
+/// rocking about the line (p, t):   x · m (t × (c − p))_h  ≤  −t · (M − p × F)
+///     horizontal joint, weight only:  a/g = tan α = distance of the plumb line from the edge / height of the centroid
+///     soonest along (t × (c − p))_h, so the least over all directions is the least over the edges
+/// sliding, all unit v in the plane: x · m (v + μ n)_h ≤ μ N + C − v · F,  N = −F · n
+///     tilted by β, weight only: a/g = tan(φ − β)
+/// strength:   the line lies at the centroid of the outermost strip of area N/σ_c, in every direction
+/// soil:       the base turns by θ = (W h a/g + M_s) / (K − W h); every part then feels a + g θ, so with M_s = 0
+///             a = a_rigid (1 − W h / K)        W, h weight and height of centroid of the whole stack
+/// ```
+///
+/// # Errors
+/// [`StabilityError`] for loads and options out of their range.
+///
+/// # Limits
+/// Uplift and sliding are each found alone: a part that twists while it slides, or opens while it slides, needs
+/// a limit analysis. In a stack that is not statically determinate every threshold is an upper
+/// bound, three times too high on a beam across two pillars, and nothing is said to govern. Stones beside a part neither hold nor push it; side supports are left out. The tensile strength of a joint is
+/// left out, its cohesion acts in sliding only. Of joints with different friction the least counts. With ties: each at
+/// its strength, although a brittle one may break before the next is pulled.
+///
+/// # Source
+/// Housner (1963) for the single block; Kim, Koo & Hong (2018), eqs 9 and 16 and section 3.4.
+/// Differs from the source: offsets, tilt, direction, vertical motion, strength and soil are in it.
+///
+/// # Example
+/// ```
+/// use dolmen::stability::stack::{stack_limits, StackLimits};
+/// use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack};
+/// let block = Block { name: "stone".into(), solid: Solid::cuboid(0.4, 0.4, 2.0)?, density_kg_m3: 2600.0 };
+/// let stack = Stack::new(vec![block], JointMaterial::default(), 9.81)?;
+/// let limits = stack_limits(&stack, &StackLimits::default())?;
+/// assert!((limits.uplift.ok_or("falls")?.threshold.acceleration_g - 0.2).abs() < 1e-12);
+/// assert!((limits.sliding.ok_or("falls")?.threshold.acceleration_g - 0.6).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitStates, StabilityError> {
+    for (option, given) in [
+        ("compressive_strength_pa", options.compressive_strength_pa),
+        (
+            "soil_rocking_stiffness_n_m_rad",
+            options.soil_rocking_stiffness_n_m_rad,
+        ),
+    ] {
+        if let Some(given) = given
+            && !(given > 0.0 && given.is_finite())
+        {
+            return Err(StabilityError::Option {
+                option,
+                given,
+                allowed: "a positive number, or left out",
+            });
+        }
+    }
+    let loads = options.loads.on_blocks(stack)?;
+    let all: Vec<usize> = (0..stack.blocks().len()).collect();
+    let soil = soil(stack, &together(&loads, &all), options);
+    let found = cuts(stack);
+    let cut_limits = found
+        .cuts
+        .into_iter()
+        .map(|cut| limits_of(stack, cut, &loads, options, &soil))
+        .collect();
+    let mut states = StackLimitStates {
+        cuts: cut_limits,
+        standing: soil.standing.clone(),
+        gravity_margin: None,
+        verdict: Verdict::Unknown,
+        uplift: None,
+        sliding: None,
+        governing: None,
+        governing_with_ties: None,
+        soil_factor: soil.factor,
+        soil_offset_m_s2: soil.offset,
+        not_planar: found.not_planar,
+        statically_determinate: found.statically_determinate,
+    };
+    summarise(&mut states);
+    Ok(states)
+}
+
+fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {
+    let mut soil = Soil {
+        factor: 1.0,
+        offset: [0.0; 2],
+        standing: Standing::Stands,
+    };
+    let Some(stiffness) = options.soil_rocking_stiffness_n_m_rad else {
+        return soil;
+    };
+    let effective = stack.gravity_m_s2() + options.loads.vertical_acceleration_m_s2;
+    let falling = whole.mass * effective * whole.centroid().z;
+    soil.factor = 1.0 - falling / stiffness;
+    if soil.factor <= 0.0 {
+        soil.standing = Standing::SoilTurns {
+            stiffness_n_m_rad: stiffness,
+            least_n_m_rad: falling,
+        };
+        return soil;
+    }
+    // a moment about y tips towards x, one about −x towards y
+    let turn = effective / (stiffness - falling);
+    soil.offset = [whole.static_moment.y * turn, -whole.static_moment.x * turn];
+    soil
+}
+
+/// The worst and the soonest of all cuts.
+fn summarise(states: &mut StackLimitStates) {
+    for cut in &states.cuts {
+        let least = states.gravity_margin.unwrap_or(f64::INFINITY);
+        // the worst cut that falls names the fault
+        if !cut.standing.stands() && (states.standing.stands() || cut.gravity_margin < least) {
+            states.standing = cut.standing.clone();
+        }
+        states.gravity_margin = Some(least.min(cut.gravity_margin));
+    }
+    if !states.standing.stands() {
+        states.verdict = Verdict::Unstable;
+        return;
+    }
+    states.uplift = soonest(&states.cuts, LimitKind::Uplift, |cut| cut.uplift);
+    states.sliding = soonest(&states.cuts, LimitKind::Sliding, |cut| cut.sliding);
+    if !states.statically_determinate {
+        return;
+    }
+    states.verdict = states
+        .gravity_margin
+        .map_or(Verdict::Unknown, Verdict::of_gravity_margin);
+    states.governing = sooner(states.uplift, states.sliding);
+    states.governing_with_ties = sooner(
+        soonest(&states.cuts, LimitKind::Uplift, |cut| cut.uplift_with_ties),
+        soonest(&states.cuts, LimitKind::Sliding, |cut| cut.sliding_with_ties),
+    );
+}
+
+fn soonest(
+    cuts: &[CutLimits],
+    kind: LimitKind,
+    of: impl Fn(&CutLimits) -> Option<Threshold>,
+) -> Option<Governing> {
+    let all = cuts
+        .iter()
+        .enumerate()
+        .filter_map(|(cut, limits)| of(limits).map(|threshold| Governing { kind, cut, threshold }));
+    all.reduce(|best, other| {
+        if other.threshold.acceleration_m_s2 < best.threshold.acceleration_m_s2 {
+            other
+        } else {
+            best
+        }
+    })
+}
+
+/// Uplift where both come at once.
+fn sooner(uplift: Option<Governing>, sliding: Option<Governing>) -> Option<Governing> {
+    match (uplift, sliding) {
+        (Some(uplift), Some(sliding)) => Some(
+            if sliding.threshold.acceleration_m_s2 < uplift.threshold.acceleration_m_s2 {
+                sliding
+            } else {
+                uplift
+            },
+        ),
+        (uplift, sliding) => uplift.or(sliding),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::toe::toe;
+    use super::super::towers::{P10, leaning, p20, shifted, tower};
+    use super::super::{PointForce, Wind};
+    use super::*;
+    use crate::structure::stack::Body;
+    use crate::structure::stack::{JointMaterial, Tie};
+
+    fn limits(stack: &Stack) -> StackLimitStates {
+        stack_limits(stack, &StackLimits::default()).unwrap()
+    }
+
+    /// First uplift, over g.
+    fn uplift(stack: &Stack, options: &StackLimits) -> f64 {
+        let states = stack_limits(stack, options).unwrap();
+        states.uplift.unwrap().threshold.acceleration_g
+    }
+
+    #[test]
+    fn exact_towers_of_ten_and_twenty_stones() {
+        // tan α of every sub-stack by hand: weights and heights of boxes
+        for (sizes, known) in [(P10.to_vec(), 0.324), (p20(), 0.251)] {
+            let states = limits(&tower(&sizes, 0.6));
+            let mut least = (f64::INFINITY, 0);
+            for from in 0..sizes.len() {
+                let (mut weight, mut moment, mut z) = (0.0, 0.0, 0.0);
+                for &(width, height) in &sizes[from..] {
+                    weight += width * width * height;
+                    moment += width * width * height * (z + 0.5 * height);
+                    z += height;
+                }
+                let below = if from == 0 {
+                    f64::INFINITY
+                } else {
+                    sizes[from - 1].0
+                };
+                let tan_alpha = 0.5 * sizes[from].0.min(below) * weight / moment;
+                let found = states.cuts[from].uplift.unwrap().acceleration_g;
+                assert!((found - tan_alpha).abs() < 1e-12, "{from}: {found} {tan_alpha}");
+                if tan_alpha < least.0 {
+                    least = (tan_alpha, from);
+                }
+            }
+            let first = states.uplift.unwrap();
+            assert!((least.0 - known).abs() < 5e-4, "{}", least.0);
+            assert_eq!(first.cut, least.1);
+            assert_eq!(states.governing, Some(first));
+            assert!((states.sliding.unwrap().threshold.acceleration_g - 0.6).abs() < 1e-12);
+            assert_eq!(states.verdict, Verdict::Stable);
+            assert!(states.statically_determinate && states.gravity_margin.unwrap() > 0.999_999);
+        }
+    }
+
+    #[test]
+    fn exact_sliding_governs_smooth_stone() {
+        let governing = limits(&tower(&P10, 0.3)).governing.unwrap();
+        assert_eq!(governing.kind, LimitKind::Sliding);
+        assert!((governing.threshold.acceleration_g - 0.3).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_offset_lowers_one_direction_only() {
+        let states = limits(&shifted(&[(1.0, 0.5), (1.0, 1.0)], &[0.0, 0.1], 0.9));
+        // upper stone on .9 × 1 of the lower: .4 to the edge of the lower, .5 in y, height .5
+        let upper = &states.cuts[1];
+        assert!((upper.uplift.unwrap().acceleration_g - 0.8).abs() < 1e-12);
+        assert!((upper.uplift.unwrap().direction[0] - 1.0).abs() < 1e-12);
+        let along = |direction| upper.uplift_in_m_s2(direction).unwrap().unwrap() / 9.81;
+        assert!((along([-1.0, 0.0]) - 1.0).abs() < 1e-12);
+        assert!((along([0.0, 2.0]) - 1.0).abs() < 1e-12);
+        assert!((along([1.0, 1.0]) - 0.8 * 2.0_f64.sqrt()).abs() < 1e-12);
+        assert!((upper.gravity_margin - 0.4 / 0.45).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_tilted_joint() {
+        let (slope, mu) = (0.01_f64, 0.3_f64);
+        let upper = &limits(&leaning(slope, mu)).cuts[1];
+        let beta = slope.atan();
+        let tan_alpha = (0.2_f64 / 0.5).atan();
+        assert!((upper.uplift.unwrap().acceleration_g - (tan_alpha - beta).tan()).abs() < 1e-12);
+        assert!((upper.uplift.unwrap().direction[0] - 1.0).abs() < 1e-12);
+        let sliding = upper.sliding.unwrap();
+        assert!((sliding.acceleration_g - (mu.atan() - beta).tan()).abs() < 1e-9);
+        assert!((sliding.direction[0] - 1.0).abs() < 1e-4, "{sliding:?}");
+        assert!((upper.gravity_margin - (1.0 - slope / mu)).abs() < 1e-9);
+    }
+
+    #[test]
+    fn exact_loads_lower_the_threshold() {
+        let block = tower(&[(0.4, 2.0)], 0.6);
+        let loads = |loads: StackLoads| StackLimits {
+            loads,
+            ..StackLimits::default()
+        };
+        let vertical = loads(StackLoads {
+            vertical_acceleration_m_s2: -0.25 * 9.81,
+            ..StackLoads::default()
+        });
+        assert!((uplift(&block, &vertical) - 0.15).abs() < 1e-12);
+        let states = stack_limits(&block, &vertical).unwrap();
+        assert!((states.sliding.unwrap().threshold.acceleration_g - 0.45).abs() < 1e-12);
+        let lateral = loads(StackLoads {
+            lateral_m_s2: [0.05 * 9.81, 0.0],
+            ..StackLoads::default()
+        });
+        assert!((uplift(&block, &lateral) - 0.15).abs() < 1e-12);
+        let sliding = stack_limits(&block, &lateral).unwrap().sliding.unwrap().threshold;
+        assert!((sliding.acceleration_g - 0.55).abs() < 1e-12);
+        let weight = 0.32 * 2600.0 * 9.81;
+        // a push of .04 W at the top: moment .08 W m of the .2 W m that hold it, m h = 1
+        let push = loads(StackLoads {
+            forces: vec![PointForce {
+                block: 0,
+                position_m: Some([0.2, 0.0, 2.0]),
+                force_n: [0.04 * weight, 0.0, 0.0],
+            }],
+            ..StackLoads::default()
+        });
+        assert!((uplift(&block, &push) - 0.12).abs() < 1e-12);
+        // wind on .8 m² at half height, askew: the projected width is .4 √2
+        let wind = loads(StackLoads {
+            wind: Some(Wind {
+                pressure_pa: 1000.0,
+                direction: [3.0, 0.0],
+            }),
+            ..StackLoads::default()
+        });
+        assert!((uplift(&block, &wind) - (0.2 - 800.0 / weight)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_strength_moves_the_line_in() {
+        // N = .32 × 2600 × 9.81 = 8161.92 N over .4 m: strip N / (σ .4) = 20.4048 mm at 1 MPa, pivot half of it inside
+        let block = tower(&[(0.4, 2.0)], 0.6);
+        let options = StackLimits {
+            compressive_strength_pa: Some(1e6),
+            ..StackLimits::default()
+        };
+        let inside = 0.32 * 2600.0 * 9.81 / 1e6 / 0.4 / 2.0;
+        assert!((uplift(&block, &options) - (0.2 - inside)).abs() < 1e-9);
+        // in any direction never above the exact one, and close to it
+        let states = stack_limits(&block, &options).unwrap();
+        let contact = &states.cuts[0].contact;
+        let area = 0.32 * 2600.0 * 9.81 / 1e6;
+        let around = |k: i32| (f64::from(k).to_radians().cos(), f64::from(k).to_radians().sin());
+        for k in (0..90).step_by(3) {
+            let (x, y) = around(k);
+            let exact = (-89..179).filter_map(|at| {
+                let (nu_x, nu_y) = around(at);
+                let pivot = toe(std::slice::from_ref(contact), [nu_x, nu_y], area).unwrap();
+                let toward = nu_x * x + nu_y * y;
+                (toward > 0.01).then(|| (pivot[0] * nu_x + pivot[1] * nu_y) / toward)
+            });
+            let exact = exact.fold(f64::INFINITY, f64::min);
+            let found = states.cuts[0].uplift_in_m_s2([x, y]).unwrap().unwrap() / 9.81;
+            assert!(
+                found < exact + 1e-9 && found > 0.99 * exact,
+                "{k} {found} {exact}"
+            );
+        }
+        let weak = StackLimits {
+            compressive_strength_pa: Some(5e4),
+            ..StackLimits::default()
+        };
+        let states = stack_limits(&block, &weak).unwrap();
+        assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
+        assert!(
+            states
+                .standing
+                .to_string()
+                .starts_with("above the ground the stone crushes")
+        );
+    }
+
+    #[test]
+    fn exact_soil_lowers_every_threshold() {
+        let block = tower(&[(0.4, 2.0)], 0.6);
+        let fall = 0.32 * 2600.0 * 9.81; // W h, h = 1
+        let on = |stiffness: f64| StackLimits {
+            soil_rocking_stiffness_n_m_rad: Some(stiffness),
+            ..StackLimits::default()
+        };
+        assert!((uplift(&block, &on(10.0 * fall)) - 0.18).abs() < 1e-12);
+        let states = stack_limits(&block, &on(0.9 * fall)).unwrap();
+        assert_eq!((states.governing, states.verdict), (None, Verdict::Unstable));
+        // a static lateral load of .05 g turns the base by .05 / 9, which costs .05 / 9 and the tenth
+        let mut both = on(10.0 * fall);
+        both.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
+        assert!((uplift(&block, &both) - 0.9 * (0.15 - 0.05 / 9.0)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_ties_and_cohesion_hold() {
+        let weight = 0.32 * 2600.0 * 9.81;
+        let material = JointMaterial {
+            cohesion_pa: 0.1 * weight / 0.16,
+            ..JointMaterial::default()
+        };
+        let tie = Tie {
+            lower: Body::Ground,
+            upper: 0,
+            position_m: [0.0; 3],
+            axis: [0.0, 0.0, 1.0],
+            axial_stiffness_n_m: 1e8,
+            shear_stiffness_n_m: 1e8,
+            tension_strength_n: 0.5 * weight,
+            shear_strength_n: 0.2 * weight,
+        };
+        let stack = tower(&[(0.4, 2.0)], 0.6)
+            .with_material(0, material)
+            .unwrap()
+            .with_tie(tie)
+            .unwrap();
+        let cut = &limits(&stack).cuts[0];
+        assert!((cut.uplift.unwrap().acceleration_g - 0.2).abs() < 1e-12);
+        assert!((cut.uplift_with_ties.unwrap().acceleration_g - 0.3).abs() < 1e-12);
+        assert!((cut.sliding.unwrap().acceleration_g - 0.7).abs() < 1e-12);
+        assert!((cut.sliding_with_ties.unwrap().acceleration_g - 0.9).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_a_stack_that_does_not_stand_says_where_and_gives_no_number() {
+        let states = limits(&shifted(&[(1.0, 0.5), (1.0, 0.5)], &[0.0, 0.62], 0.6));
+        assert_eq!(
+            states.standing.to_string(),
+            "above 'body 1' the resultant leaves the joint by 0.12 m"
+        );
+        assert_eq!(states.verdict, Verdict::Unstable);
+        assert_eq!(
+            (states.uplift, states.sliding, states.governing),
+            (None, None, None)
+        );
+        assert_eq!(states.cuts[1].uplift_in_m_s2([1.0, 0.0]).unwrap(), None);
+        let leaning = limits(&leaning(0.01, 0.005));
+        assert!(
+            leaning.standing.to_string().contains("slides the joint"),
+            "{}",
+            leaning.standing
+        );
+    }
+
+    #[test]
+    fn refuses_no_weight_and_wrong_options() {
+        let block = tower(&[(0.4, 2.0)], 0.6);
+        let mut options = StackLimits::default();
+        options.loads.vertical_acceleration_m_s2 = -9.81;
+        let fault = stack_limits(&block, &options).unwrap_err();
+        assert!(fault.to_string().contains("must be above −9.81"));
+        let options = StackLimits {
+            compressive_strength_pa: Some(f64::NAN),
+            ..StackLimits::default()
+        };
+        assert!(stack_limits(&block, &options).is_err());
+    }
+}

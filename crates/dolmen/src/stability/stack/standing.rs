@@ -1,0 +1,132 @@
+//! Whether a stack stands without shaking, in words.
+
+use crate::stability::Verdict;
+use std::fmt;
+
+/// Whether what is above a joint stands without shaking. `Display` says it as a sentence.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Standing {
+    /// It stands.
+    Stands,
+    /// The resultant of weight and static loads leaves the joint: it tips.
+    Leaves {
+        /// The bodies below, as words.
+        above: String,
+        /// By how much, m.
+        distance_m: f64,
+    },
+    /// Weight and static loads shear the joint more than it can bear: it slides.
+    Slides {
+        /// The bodies below, as words.
+        above: String,
+        /// Shear, N.
+        shear_n: f64,
+        /// What friction and cohesion bear, N.
+        resistance_n: f64,
+    },
+    /// Nothing presses the joint together.
+    Lifts {
+        /// The bodies below, as words.
+        above: String,
+        /// Pull, N.
+        pull_n: f64,
+    },
+    /// The resultant lies where the stone under it crushes.
+    Crushes {
+        /// The bodies below, as words.
+        above: String,
+        /// How far beyond the line that the strength allows, m.
+        distance_m: f64,
+    },
+    /// Evenly spread over the whole joint the force is more than the stone bears.
+    Overloaded {
+        /// The bodies below, as words.
+        above: String,
+        /// Force over area, Pa.
+        pressure_pa: f64,
+        /// Compressive strength, Pa.
+        strength_pa: f64,
+    },
+    /// The soil turns away under the stack.
+    SoilTurns {
+        /// Its rocking stiffness, N m/rad.
+        stiffness_n_m_rad: f64,
+        /// What the stack needs to stand at all: weight × height of its centroid, N m/rad.
+        least_n_m_rad: f64,
+    },
+}
+
+impl Standing {
+    /// Whether it stands.
+    pub fn stands(&self) -> bool {
+        *self == Standing::Stands
+    }
+}
+
+impl fmt::Display for Standing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Standing::Stands => write!(f, "it stands under its own weight and static loads"),
+            Standing::Leaves { above, distance_m } => {
+                write!(
+                    f,
+                    "above {above} the resultant leaves the joint by {distance_m:.2} m"
+                )
+            }
+            Standing::Slides {
+                above,
+                shear_n,
+                resistance_n,
+            } => write!(
+                f,
+                "above {above} a shear of {shear_n:.0} N slides the joint, which bears {resistance_n:.0} N"
+            ),
+            Standing::Lifts { above, pull_n } => {
+                write!(f, "above {above} static loads lift the blocks with {pull_n:.0} N")
+            }
+            Standing::Crushes { above, distance_m } => write!(
+                f,
+                "above {above} the stone crushes: the resultant lies {distance_m:.2} m beyond where its strength can \
+                 bear it"
+            ),
+            Standing::Overloaded {
+                above,
+                pressure_pa,
+                strength_pa,
+            } => write!(
+                f,
+                "above {above} the stone crushes: {pressure_pa:.3e} Pa over the whole joint, and its strength is \
+                 {strength_pa:.3e} Pa"
+            ),
+            Standing::SoilTurns {
+                stiffness_n_m_rad,
+                least_n_m_rad,
+            } => write!(
+                f,
+                "the soil turns away under the stack: its rocking stiffness is {stiffness_n_m_rad:.3e} N m/rad, and \
+                 weight times height of the centroid is {least_n_m_rad:.3e}"
+            ),
+        }
+    }
+}
+
+impl Verdict {
+    /// Margin below which a standing stack is "marginal", our choice: at one third of the way from the edge to the
+    /// middle a rectangular joint carries on half of its width, the other half gapes.
+    pub const MARGINAL_BELOW_MARGIN: f64 = 1.0 / 3.0;
+
+    /// The verdict on a stack without shaking by its least margin: what is left of the way from the middle of a joint to
+    /// its edge, or of its friction. 0 or less: unstable.
+    pub fn of_gravity_margin(gravity_margin: f64) -> Self {
+        if gravity_margin.is_nan() {
+            Verdict::Unknown
+        } else if gravity_margin <= 0.0 {
+            Verdict::Unstable
+        } else if gravity_margin < Self::MARGINAL_BELOW_MARGIN {
+            Verdict::Marginal
+        } else {
+            Verdict::Stable
+        }
+    }
+}
