@@ -5,6 +5,7 @@ pub mod explain;
 pub mod figures;
 pub mod json;
 mod language;
+pub mod meshes;
 pub mod motions;
 pub mod number;
 pub mod project;

@@ -1,5 +1,7 @@
 //! Every file that fuzzing kept is read again: a record or an error, never a panic.
 
+use dolmen::structure::stack::Solid;
+use dolmen_formats::meshes::{read_mesh, read_obj, read_ply, read_stl};
 use dolmen_formats::motions::{MotionOptions, read_component};
 use dolmen_formats::records::{Column, RecordOptions, Unit, read_csv, read_npy};
 use std::path::Path;
@@ -35,6 +37,23 @@ fn holds_csv() {
 fn holds_npy() {
     let files = replay("npy", |bytes| {
         let _ = read_npy(bytes, &at_100_hz());
+    });
+    assert!(files >= 10, "{files} files");
+}
+
+#[test]
+fn holds_mesh() {
+    let files = replay("mesh", |bytes| {
+        let _ = (read_obj(bytes), read_ply(bytes), read_stl(bytes));
+        if let Ok(mesh) = read_mesh(bytes) {
+            assert!(
+                mesh.triangles
+                    .iter()
+                    .flatten()
+                    .all(|&corner| corner < mesh.vertices.len())
+            );
+            let _ = Solid::mesh(&mesh.vertices, &mesh.triangles);
+        }
     });
     assert!(files >= 10, "{files} files");
 }

@@ -1,0 +1,115 @@
+//! Wavefront OBJ: vertices and faces; all else (normals, textures, groups, lines) is passed over.
+
+use super::read::{number, words};
+use super::{Mesh, MeshError};
+
+/// A mesh from the bytes of an OBJ file; all its objects together.
+///
+/// Faces may count vertices from the first (1, 2, …) or back from the last (−1, −2, …); a line may go on after a `\`.
+///
+/// # Errors
+/// [`MeshError`] with the line.
+pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
+    let mut mesh = Mesh::default();
+    let mut lines = bytes.split(|&b| b == b'\n').enumerate();
+    while let Some((at, line)) = lines.next() {
+        let number_of_line = at + 1;
+        let mut joined = line.trim_ascii_end().to_vec();
+        while joined.last() == Some(&b'\\') {
+            joined.pop();
+            joined.push(b' ');
+            match lines.next() {
+                Some((_, next)) => joined.extend_from_slice(next.trim_ascii_end()),
+                None => break,
+            }
+        }
+        let content = joined.split(|&b| b == b'#').next().unwrap_or_default();
+        let mut words = words(content);
+        match words.next() {
+            Some(b"v") => mesh.vertices.push(vertex(words, number_of_line)?),
+            Some(b"f") => {
+                let vertices = mesh.vertices.len();
+                let corners = words.map(|word| corner(word, vertices, number_of_line));
+                let corners: Vec<usize> = corners.collect::<Result<_, _>>()?;
+                if corners.len() < 3 {
+                    let what = "a face has fewer than 3 vertices";
+                    return Err(MeshError::Line {
+                        line: number_of_line,
+                        what,
+                    });
+                }
+                mesh.push_polygon(&corners);
+            }
+            _ => {}
+        }
+    }
+    mesh.checked()
+}
+
+fn vertex<'a>(words: impl Iterator<Item = &'a [u8]>, line: usize) -> Result<[f64; 3], MeshError> {
+    // a weight or a colour may follow the place
+    let place: Vec<f64> = words
+        .take(3)
+        .map(|word| number(word, line))
+        .collect::<Result<_, _>>()?;
+    <[f64; 3]>::try_from(place).map_err(|_| MeshError::Line {
+        line,
+        what: "a vertex needs three coordinates",
+    })
+}
+
+/// `7`, `7/1`, `7//3`, `7/1/3` or `-1`.
+fn corner(word: &[u8], vertices: usize, line: usize) -> Result<usize, MeshError> {
+    let first = word.split(|&b| b == b'/').next().unwrap_or_default();
+    let text = String::from_utf8_lossy(first);
+    let given: i64 = text.parse().map_err(|_| MeshError::Number {
+        line,
+        text: text.chars().take(40).collect(),
+    })?;
+    let index = match given {
+        1.. => usize::try_from(given - 1).ok(),
+        _ => usize::try_from(given.unsigned_abs())
+            .ok()
+            .and_then(|back| vertices.checked_sub(back)),
+    };
+    index.filter(|&index| index < vertices).ok_or(MeshError::Vertex {
+        line,
+        given,
+        vertices,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_faces_of_every_spelling() {
+        let text = b"# a pyramid\nmtllib x.mtl\no stone\nv 0 0 0\r\nv 1 0 0 1.0\nv 1 1 0 .5 .5 .5\nv 0 1 0\nv 5e-1 .5 1\n\
+                     vn 0 0 1\nvt 0 0\nf 4/1/1 3/1/1 2//1 1/1\nf -1 \\\n -5 -4 # base to tip\nl 1 2\n";
+        let mesh = read_obj(text).unwrap();
+        assert_eq!(mesh.vertices.len(), 5);
+        assert_eq!(mesh.triangles, [[3, 2, 1], [3, 1, 0], [4, 0, 1]]);
+    }
+
+    #[test]
+    fn refuses_with_the_line() {
+        let says = |text: &str| read_obj(text.as_bytes()).unwrap_err().to_string();
+        assert_eq!(says("v 0 0 0\nv 0 0 x\n"), "line 2: \"x\" is not a finite number");
+        assert_eq!(
+            says("v 0 0 0\nv 0 0\n"),
+            "line 2: a vertex needs three coordinates"
+        );
+        assert_eq!(
+            says("v 0 0 0\nf 1 2 1\n"),
+            "line 2: a face names vertex 2, but there are 1"
+        );
+        assert_eq!(
+            says("v 0 0 0\nf 0 1 1\n"),
+            "line 2: a face names vertex 0, but there are 1"
+        );
+        assert_eq!(says("v 0 0 nan\n"), "line 1: \"nan\" is not a finite number");
+        assert!(says("v 0 0 0\n").contains("1 vertices but no faces"));
+        assert!(says("v 0 0 0\nf 1 -9223372036854775808 1\n").starts_with("line 2: a face names vertex"));
+    }
+}
