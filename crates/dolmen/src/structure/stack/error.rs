@@ -175,6 +175,18 @@ pub enum StackError {
         /// Area of the mesh within it, m².
         area_m2: f64,
     },
+    /// Factors of a pagoda that cannot be together.
+    #[error(
+        "{quantity} is {given:.4}, but with the other factors of this pagoda its limit is {allowed:.4}: change it or them"
+    )]
+    Pagoda {
+        /// Which factor.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+        /// The bound that it crosses.
+        allowed: f64,
+    },
     /// A density or gravity out of its range.
     #[error("{part}: {quantity} is {given}, but must be a positive number")]
     NotPositive {

@@ -8,6 +8,7 @@ mod material;
 mod mesh;
 mod opening;
 mod overlap;
+mod pagoda;
 mod polygon;
 mod shapes;
 mod solid;
@@ -15,6 +16,7 @@ mod stack_of_blocks;
 
 pub use error::StackError;
 pub use material::JointMaterial;
+pub use pagoda::{Pagoda, PagodaFactors, PagodaSlenderness, pagoda};
 pub use polygon::{Polygon, PolygonMoments};
 pub use solid::{Placement, Solid};
 pub use stack_of_blocks::{BED_GAP_M, Block, Body, Joint, SideSupport, Stack, Tie};
