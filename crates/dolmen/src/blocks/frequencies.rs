@@ -3,7 +3,7 @@
 use super::assembly::Assembly;
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
-use super::matrices::{Part, contact_matrix, mass_matrix};
+use super::matrices::{Closed, Part, contact_matrix, mass_matrix};
 use super::rest::settle;
 use crate::structure::stack::Stack;
 use dolmen_linalg::generalized_symmetric_eigen;
@@ -36,8 +36,10 @@ pub struct StackMode {
 pub fn stack_modes(stack: &Stack, contact_rule: ContactRule) -> Result<Vec<StackMode>, BlocksError> {
     let mut assembly = Assembly::of(stack, contact_rule);
     settle(&mut assembly, stack)?;
-    let eigen =
-        generalized_symmetric_eigen(&contact_matrix(&assembly, Part::Springs), &mass_matrix(&assembly))?;
+    let eigen = generalized_symmetric_eigen(
+        &contact_matrix(&assembly, Part::Springs, Closed::Pressed),
+        &mass_matrix(&assembly),
+    )?;
     let modes = eigen.values.iter().enumerate().map(|(mode, value)| {
         let column = eigen.vectors.column(mode);
         let largest = column

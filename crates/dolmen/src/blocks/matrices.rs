@@ -7,6 +7,8 @@ use super::patch::LANES;
 use dolmen_linalg::Matrix;
 use glam::{DMat3, DVec3};
 
+/// Part of the friction from which a point counts as slipping: one that slipped holds all of it but for rounding.
+const SLIPPING: f64 = 1.0 - 1e-9;
 /// Steps of the power iteration: the largest frequency need only be known to a per cent.
 const POWER_STEPS: usize = 80;
 
@@ -17,6 +19,15 @@ pub(super) enum Part {
     Springs,
     /// Their dashpots.
     Dashpots,
+}
+
+/// Which points count as closed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Closed {
+    /// All that touch, stuck: as drawn.
+    Touching,
+    /// Those that are pressed; of those that slip only the normal springs.
+    Pressed,
 }
 
 /// A 3 × 3 stiffness between points at `arm` from each body's centroid, added to K.
@@ -50,7 +61,7 @@ fn add_spring(matrix: &mut Matrix, ends: [(usize, DVec3); 2], stiffness: &DMat3)
 }
 
 /// Stiffness or damping of everything in contact, [6n × 6n].
-pub(super) fn contact_matrix(assembly: &Assembly, part: Part) -> Matrix {
+pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) -> Matrix {
     let bodies = &assembly.bodies;
     let size = 6 * (bodies.len() - 1);
     let mut matrix = Matrix::zeros(size, size);
@@ -61,13 +72,26 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part) -> Matrix {
             Part::Springs => (patch.law.normal_stiffness, patch.law.shear_stiffness),
             Part::Dashpots => (patch.law.normal_damping, patch.law.shear_damping),
         };
-        let per_area = axes * DMat3::from_diagonal(DVec3::new(shear, shear, normal)) * axes.transpose();
+        let per_area =
+            |shear: f64| axes * DMat3::from_diagonal(DVec3::new(shear, shear, normal)) * axes.transpose();
+        let (stuck, slipping) = (per_area(shear), per_area(0.0));
         for group in &patch.points {
             for lane in 0..LANES {
                 let at = motion.at(group.x[lane], group.y[lane]);
-                if group.area[lane] <= 0.0 || (at.z > 0.0 && group.bond[lane] <= 0.0) {
+                let bonded = group.bond[lane] > 0.0;
+                let open = match closed {
+                    Closed::Touching => at.z > 0.0,
+                    Closed::Pressed => at.z >= 0.0,
+                };
+                if group.area[lane] <= 0.0 || (open && !bonded) {
                     continue;
                 }
+                let stretch = (at.x - group.anchor_x[lane]).hypot(at.y - group.anchor_y[lane]);
+                let limit = group.friction[lane] * patch.law.normal_stiffness * -at.z;
+                let slips = closed == Closed::Pressed
+                    && !bonded
+                    && patch.law.shear_stiffness * stretch > SLIPPING * limit;
+                let per_area = if slips { slipping } else { stuck };
                 let place = motion.origin + axes * at;
                 let end = |body: usize| (body, place - bodies[body].position);
                 let ends = [end(patch.plane_body), end(patch.point_body)];
@@ -123,11 +147,14 @@ pub(super) fn mass_matrix(assembly: &Assembly) -> Matrix {
 ///
 /// At least what any one face of any block would allow if it lay on another: as it falls.
 pub(super) fn longest_step(assembly: &Assembly) -> f64 {
-    let mut springs = contact_matrix(assembly, Part::Springs);
+    let mut springs = contact_matrix(assembly, Part::Springs, Closed::Touching);
     add_props(assembly, &mut springs);
     // a block between two others is held on both sides
     let square = largest(assembly, &springs).max(2.0 * assembly.stiffest());
-    let damping = largest(assembly, &contact_matrix(assembly, Part::Dashpots));
+    let damping = largest(
+        assembly,
+        &contact_matrix(assembly, Part::Dashpots, Closed::Touching),
+    );
     ((damping * damping + 4.0 * square).sqrt() - damping) / square
 }
 
