@@ -308,6 +308,7 @@ fn faces_patch(
         point_axes,
         law,
         points: Vec::new(),
+        touching: law.area,
     };
     let outline = Outline {
         axis: separation.axis,
@@ -345,6 +346,7 @@ fn edges_patch(
         point_axes: points.body.rotation.transpose() * axes,
         law,
         points: Vec::new(),
+        touching: law.area,
     };
     let radius = plane.body.radius.min(points.body.radius);
     let point = ContactPoint {
@@ -604,6 +606,7 @@ pub(super) fn patch_of_joint(
         })
     };
     let inverse_mass = plane.body.inverse_mass + points.body.inverse_mass;
+    let law = Law::of(&joint.material, joint.patch.moments().area_m2, inverse_mass);
     let mut patch = Patch {
         plane_body: plane.index,
         point_body: points.index,
@@ -611,8 +614,9 @@ pub(super) fn patch_of_joint(
         plane_axes: axes,
         point_origin: origin - points.body.drawn,
         point_axes: axes,
-        law: Law::of(&joint.material, joint.patch.moments().area_m2, inverse_mass),
+        law,
         points: Vec::new(),
+        touching: law.area,
     };
     let motion = patch.motion_between(plane.body, points.body);
     // bodies are ordered with the ground first, then by index

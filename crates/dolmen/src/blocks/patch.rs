@@ -47,13 +47,15 @@ pub(super) struct Law {
     pub(super) friction_kinetic: f64,
     pub(super) cohesion: f64,
     pub(super) tension: f64,
+    /// Area at which the dashpots are as above; where less touches they are stronger a area, m².
+    pub(super) area: f64,
 }
 
 impl Law {
-    /// The law of a joint: dashpots from the damping ratio of the two bodies on its springs alone.
+    /// The law of a joint: dashpots from the damping ratio of the two bodies on the springs that touch.
     ///
     /// ```text
-    /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S)
+    /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S),   A what touches: the same ζ for a face, an edge, a corner
     /// ```
     pub(super) fn of(material: &JointMaterial, area: f64, inverse_mass: f64) -> Self {
         let damping =
@@ -67,6 +69,7 @@ impl Law {
             friction_kinetic: material.friction_kinetic,
             cohesion: material.cohesion_pa,
             tension: material.tension_pa,
+            area,
         }
     }
 
@@ -90,6 +93,8 @@ pub(super) struct Patch {
     pub(super) point_axes: DMat3,
     pub(super) law: Law,
     pub(super) points: Vec<Points>,
+    /// Area that touched when something last did, m².
+    pub(super) touching: f64,
 }
 
 /// Where the points' frame is in the plane's frame, and how it moves.
@@ -162,11 +167,18 @@ impl Patch {
 
     /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
     pub(super) fn press(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
-        if self.law.bonds() {
-            press::<true>(&mut self.points, &self.law, motion, twist, h)
-        } else {
-            press::<false>(&mut self.points, &self.law, motion, twist, h)
+        let mut law = self.law;
+        let stronger = (law.area / self.touching).sqrt();
+        law.normal_damping *= stronger;
+        law.shear_damping *= stronger;
+        let (wrench, touching) = match law.bonds() {
+            true => press::<true>(&mut self.points, &law, motion, twist, h),
+            false => press::<false>(&mut self.points, &law, motion, twist, h),
+        };
+        if touching > 0.0 {
+            self.touching = touching;
         }
+        wrench
     }
 
     /// Energy stored in the springs, J.
@@ -214,7 +226,7 @@ fn press<const BOND: bool>(
     motion: &Motion,
     twist: &Twist,
     h: f64,
-) -> Wrench {
+) -> (Wrench, f64) {
     let all = f64x4::splat;
     let (ax, ay, az) = (
         all(motion.along_x.x),
@@ -236,7 +248,7 @@ fn press<const BOND: bool>(
     let (kn, cn) = (all(law.normal_stiffness), all(law.normal_damping));
     let (ks, cs) = (all(law.shear_stiffness), all(law.shear_damping));
     let (zero, one, tiny, half_step) = (f64x4::ZERO, f64x4::ONE, all(TINY), all(0.5 * h));
-    let mut sums = [f64x4::ZERO; 7];
+    let mut sums = [f64x4::ZERO; 8];
     for group in points {
         let (sx, sy, area) = (f64x4::new(group.x), f64x4::new(group.y), f64x4::new(group.area));
         let x = ax * sx + bx * sy + cx;
@@ -314,15 +326,17 @@ fn press<const BOND: bool>(
         sums[4] -= z * tx + x * normal;
         sums[5] += y * tx - x * ty;
         sums[6] += rubbed;
+        sums[7] += touches & area;
     }
     // always in this order: the same bits on every machine
-    let [fx, fy, fz, mx, my, mz, rubbed] = sums.map(|lanes| {
+    let [fx, fy, fz, mx, my, mz, rubbed, touching] = sums.map(|lanes| {
         let [a, b, c, d] = lanes.to_array();
         (a + b) + (c + d)
     });
-    Wrench {
+    let wrench = Wrench {
         force: DVec3::new(fx, fy, fz),
         torque: DVec3::new(mx, my, mz),
         friction_loss: 0.5 * rubbed,
-    }
+    };
+    (wrench, touching)
 }
