@@ -183,7 +183,7 @@ impl Assembly {
             friction_loss += link.pull(&self.bodies, forces);
         }
         for prop in &self.props {
-            prop.push(&self.bodies, forces);
+            prop.push(&self.bodies, forces, h);
         }
         forces.friction_loss = friction_loss;
     }

@@ -96,22 +96,31 @@ impl Prop {
         }
     }
 
-    /// How far the block has run into it, m; 0 before it meets it.
-    fn depth(&self, bodies: &[RigidBody]) -> f64 {
-        let moved = bodies[self.body].now(self.drawn) - self.drawn;
-        (moved.dot(self.direction) - self.gap).max(0.0)
-    }
-
-    pub(super) fn push(&self, bodies: &[RigidBody], forces: &mut Forces) {
-        let force = self.direction * (-self.stiffness * self.depth(bodies));
+    /// Adds its force, the mean over a step of `h` seconds as in a contact.
+    pub(super) fn push(&self, bodies: &[RigidBody], forces: &mut Forces, h: f64) {
         let body = &bodies[self.body];
+        let at = body.now(self.drawn);
+        let depth = (at - self.drawn).dot(self.direction) - self.gap;
+        let closing = (body.velocity + body.spin.cross(at - body.position)).dot(self.direction);
+        let half = 0.5 * h * closing.abs();
+        if depth <= -half {
+            return;
+        }
+        let into = (depth + half).min(2.0 * half);
+        let mean = if half > 0.0 {
+            into * into / (4.0 * half)
+        } else {
+            0.0
+        } + (depth - half).max(0.0);
+        let force = self.direction * (-self.stiffness * mean);
         forces.force[self.body] += force;
-        forces.torque[self.body] += (body.now(self.drawn) - body.position).cross(force);
+        forces.torque[self.body] += (at - body.position).cross(force);
     }
 
     /// Energy in it, J.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
-        let depth = self.depth(bodies);
+        let moved = bodies[self.body].now(self.drawn) - self.drawn;
+        let depth = (moved.dot(self.direction) - self.gap).max(0.0);
         0.5 * self.stiffness * depth * depth
     }
 }

@@ -2,6 +2,7 @@
 
 mod assembly;
 mod bodies;
+mod calibrate;
 mod contact_points;
 mod error;
 mod faces;
@@ -14,6 +15,7 @@ mod patch;
 mod rest;
 mod springs;
 
+pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};
 pub use error::BlocksError;
 pub use frequencies::{StackMode, stack_modes};

@@ -13,3 +13,5 @@ mod park_min_2010;
 mod pyoma2;
 mod rocking_and_sliding;
 mod stack_limits;
+mod stack_motion;
+mod stack_rocking;

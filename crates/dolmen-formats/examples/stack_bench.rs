@@ -1,0 +1,92 @@
+//! P10 through El Centro, both horizontal components, for bench/stack: CPU seconds of the stepping loop.
+//!
+//! `stack_bench MOTION180.AT2 MOTION270.AT2 [PEAK_G]`: prints one line a contact rule.
+#![allow(
+    clippy::print_stdout,
+    clippy::unwrap_used,
+    reason = "a measurement that fails loudly"
+)]
+
+use dolmen::blocks::{ContactRule, Springs, simulate_springs};
+use dolmen::signal::{Component, GroundMotion};
+use dolmen::structure::stack::JointMaterial;
+
+const GRAVITY_M_S2: f64 = 9.81;
+
+/// Seconds that this process has computed.
+fn cpu_s() -> f64 {
+    let text = std::fs::read_to_string("/proc/self/schedstat").unwrap_or_default();
+    let nanoseconds = text
+        .split_whitespace()
+        .next()
+        .and_then(|word| word.parse::<f64>().ok());
+    nanoseconds.unwrap_or(f64::NAN) * 1e-9
+}
+
+/// Step and samples of an AT2 file, in g.
+fn at2(path: &str) -> (f64, Vec<f64>) {
+    let text = std::fs::read_to_string(path).unwrap();
+    let header = text.lines().nth(3).unwrap();
+    let step = header
+        .split("DT=")
+        .nth(1)
+        .unwrap()
+        .split_whitespace()
+        .next()
+        .unwrap();
+    let samples = text.lines().skip(4).flat_map(str::split_whitespace);
+    (
+        step.parse().unwrap(),
+        samples.map(|word| word.parse().unwrap()).collect(),
+    )
+}
+
+fn main() {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let peak_g = arguments.get(2).map_or(0.3, |word| word.parse().unwrap());
+    let ((step_s, x), (_, y)) = (at2(&arguments[0]), at2(&arguments[1]));
+    let peak = x.iter().fold(0.0_f64, |most, a| most.max(a.abs()));
+    let scaled = |series: &[f64]| -> Vec<f64> {
+        let length = x.len().min(y.len());
+        series[..length]
+            .iter()
+            .map(|a| a / peak * peak_g * GRAVITY_M_S2)
+            .collect()
+    };
+    let series = vec![(Component::X, scaled(&x)), (Component::Y, scaled(&y))];
+    let motion = GroundMotion::new("El Centro", step_s, series).unwrap();
+    let motion = motion.keep_first(30.0).unwrap().tapered(0.1).unwrap();
+    let stack = dolmen::validation::p10(JointMaterial::default(), GRAVITY_M_S2).unwrap();
+    for (name, contact_rule) in [
+        ("dolmen_4_points", ContactRule::Corners),
+        ("dolmen_16_points", ContactRule::Four),
+    ] {
+        let options = Springs {
+            contact_rule,
+            duration_s: Some(30.0),
+            output_step_s: 0.02,
+            ..Springs::default()
+        };
+        let before = cpu_s();
+        let history = simulate_springs(&stack, Some(&motion), &options, &mut |_| true).unwrap();
+        let loop_cpu_s = cpu_s() - before;
+        let top = stack.blocks().len() - 1;
+        let start = history.pose(0, top).centroid_m;
+        let away = |sample: usize| {
+            let now = history.pose(sample, top).centroid_m;
+            (now[0] - start[0]).hypot(now[1] - start[1]) * 1e3
+        };
+        let samples = 0..history.time_s.len();
+        let peak_mm = samples.map(away).fold(0.0, f64::max);
+        let residual_mm = away(history.time_s.len() - 1);
+        let joint_mm = history
+            .joints
+            .iter()
+            .map(|joint| joint.residual_slip_m())
+            .fold(0.0, f64::max)
+            * 1e3;
+        println!(
+            "{name} loop_cpu_s={loop_cpu_s:.4} peak_mm={peak_mm:.3} residual_mm={residual_mm:.3} joint_mm={joint_mm:.3}"
+        );
+    }
+}

@@ -1,0 +1,108 @@
+//! Springs of a stack from its measured frequencies.
+
+use super::contact_points::ContactRule;
+use super::error::BlocksError;
+use super::frequencies::stack_modes;
+use crate::structure::stack::Stack;
+
+/// One measured frequency and that of the springs found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MatchedFrequency {
+    /// Measured, Hz.
+    pub measured_hz: f64,
+    /// Of the same mode with the springs found, Hz.
+    pub computed_hz: f64,
+}
+
+/// A stack with springs that fit measured frequencies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpringCalibration {
+    /// The stack with all its springs multiplied by `factor`.
+    pub stack: Stack,
+    /// What the stiffness of every joint was multiplied by.
+    pub factor: f64,
+    /// The frequencies, in the order given.
+    pub frequencies: Vec<MatchedFrequency>,
+}
+
+/// Multiplies the springs of all joints by one factor, so that a stack has the frequencies measured.
+///
+/// `measured` holds pairs of a mode (0 the lowest) and its frequency. With several, the factor is the one with the least
+/// sum of squares of the logarithms; what each is off is in the result.
+///
+/// ```text
+/// ω² ∝ k where the same points touch:   ln factor = mean of 2 ln(measured / computed)
+/// ```
+///
+/// # Errors
+/// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds
+/// no rest.
+///
+/// # Limits
+/// One factor for all: one frequency says nothing of how stiffness is spread over the joints, nor of k_s / k_n, which
+/// stays as it is. Measured frequencies are of small motion: springs found from them are those of closed joints.
+///
+/// # Example
+/// ```
+/// use dolmen::blocks::{ContactRule, calibrate_springs, stack_modes};
+/// use dolmen::structure::stack::JointMaterial;
+/// let stack = dolmen::validation::p10(JointMaterial::default(), 9.81)?;
+/// let found = calibrate_springs(&stack, ContactRule::Four, &[(0, 6.0)])?;
+/// let first = &stack_modes(&found.stack, ContactRule::Four)?[0];
+/// assert!((first.frequency_hz - 6.0).abs() < 1e-6);
+/// assert!((found.factor - (6.0_f64 / 4.7043).powi(2)).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn calibrate_springs(
+    stack: &Stack,
+    contact_rule: ContactRule,
+    measured: &[(usize, f64)],
+) -> Result<SpringCalibration, BlocksError> {
+    let refuse = |option, given, allowed| {
+        Err(BlocksError::Option {
+            option,
+            given,
+            allowed,
+        })
+    };
+    if measured.is_empty() {
+        return refuse("number of measured frequencies", 0.0, "at least 1");
+    }
+    let modes = stack_modes(stack, contact_rule)?;
+    let mut sum = 0.0;
+    for &(mode, frequency_hz) in measured {
+        if !(frequency_hz > 0.0 && frequency_hz.is_finite()) {
+            return refuse("frequency_hz", frequency_hz, "a positive number");
+        }
+        match modes.get(mode) {
+            Some(computed) if computed.frequency_hz > 0.0 => {
+                sum += 2.0 * (frequency_hz / computed.frequency_hz).ln()
+            }
+            _ => {
+                return refuse(
+                    "mode",
+                    mode as f64,
+                    "one of the stack's modes, six a block, 0 the lowest",
+                );
+            }
+        }
+    }
+    let factor = (sum / measured.len() as f64).exp();
+    let mut scaled = stack.clone();
+    for joint in 0..stack.joints().len() {
+        let mut material = stack.joints()[joint].material;
+        material.normal_stiffness_pa_m *= factor;
+        material.shear_stiffness_pa_m *= factor;
+        scaled = scaled.with_material(joint, material)?;
+    }
+    let modes = stack_modes(&scaled, contact_rule)?;
+    let frequencies = measured.iter().map(|&(mode, measured_hz)| MatchedFrequency {
+        measured_hz,
+        computed_hz: modes[mode].frequency_hz,
+    });
+    Ok(SpringCalibration {
+        factor,
+        frequencies: frequencies.collect(),
+        stack: scaled,
+    })
+}

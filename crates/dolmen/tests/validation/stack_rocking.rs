@@ -1,0 +1,153 @@
+// SOURCE     Housner (1963) Bull. Seism. Soc. Am. 53(2):403-417, solved exactly in known/rocking.rs and known/overturning.rs.
+// GOAL       The springs engine rocks one block as the nonlinear equation does, to the twentieth impact, and overturns it at
+//            the same amplitude of a pulse.
+// PARAMETERS block 0.4 × 1.0 × 2.0 m, released at α/2; corners only, k_n 1e10 Pa/m, damping ratio 1: these stand for
+//            Housner's r, who has the block strike along its edge. Friction 5: it does not slide.
+// PUBLISHED  p 2.686005, r 0.942308, T/4 0.490864 s; pulses: the nonlinear row of known/overturning.rs.
+// TOLERANCE  T/4 and first impacts 0.5 %, impact 20 and amplitudes 2 %, overturning 2 %: the springs yield under an edge.
+
+use dolmen::blocks::{ContactRule, Outcome, Springs, StackHistory, Start, simulate_springs};
+use dolmen::known::overturning::{Equation, Pulse, first_overturning};
+use dolmen::known::rocking::{
+    amplitude_rad, frequency_parameter_rad_s, impact_times_s, quarter_period_s, slenderness_rad,
+    velocity_ratio,
+};
+use dolmen::signal::{Component, GroundMotion};
+use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack};
+
+const HALF_WIDTH_M: f64 = 0.2;
+const HALF_HEIGHT_M: f64 = 1.0;
+const GRAVITY_M_S2: f64 = 9.81;
+
+fn block() -> Stack {
+    let material = JointMaterial {
+        normal_stiffness_pa_m: 1e10,
+        shear_stiffness_pa_m: 4e9,
+        damping_ratio: 1.0,
+        ..JointMaterial::with_friction(5.0)
+    };
+    let stone = Block {
+        name: "stone".into(),
+        solid: Solid::cuboid(2.0 * HALF_WIDTH_M, 1.0, 2.0 * HALF_HEIGHT_M).unwrap(),
+        density_kg_m3: 2600.0,
+    };
+    Stack::new(vec![stone], material, GRAVITY_M_S2).unwrap()
+}
+
+fn options(duration_s: f64) -> Springs {
+    Springs {
+        contact_rule: ContactRule::Corners,
+        duration_s: Some(duration_s),
+        output_step_s: 1e-3,
+        ..Springs::default()
+    }
+}
+
+/// Turn about y at each sample, rad.
+fn tilts(history: &StackHistory) -> Vec<f64> {
+    let samples = 0..history.time_s.len();
+    samples
+        .map(|sample| {
+            let [w, _, y, _] = history.pose(sample, 0).rotation;
+            2.0 * y.atan2(w)
+        })
+        .collect()
+}
+
+#[test]
+fn agrees_free_rocking_to_the_twentieth_impact() {
+    let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
+    let p = frequency_parameter_rad_s(HALF_WIDTH_M, HALF_HEIGHT_M, GRAVITY_M_S2);
+    let (r, released) = (velocity_ratio(alpha), 0.5 * alpha);
+    let mut options = options(10.0);
+    options.starts = vec![Start {
+        pivot_m: [HALF_WIDTH_M, 0.0, 0.0],
+        turn_rad: [0.0, released, 0.0],
+        ..Start::of(0)
+    }];
+    let history = simulate_springs(&block(), None, &options, &mut |_| true).unwrap();
+    let tilts = tilts(&history);
+    let (mut impacts, mut peaks, mut peak) = (Vec::new(), Vec::new(), 0.0_f64);
+    for (sample, pair) in tilts.windows(2).enumerate() {
+        peak = peak.max(pair[0].abs());
+        if pair[0] * pair[1] < 0.0 {
+            let part = pair[0] / (pair[0] - pair[1]);
+            let [from, to] = [history.time_s[sample], history.time_s[sample + 1]];
+            impacts.push(from + part * (to - from));
+            peaks.push(peak);
+            peak = 0.0;
+        }
+    }
+    let near = |what: &str, computed: f64, exact: f64, part: f64| {
+        let off = computed / exact - 1.0;
+        assert!(
+            off.abs() < part,
+            "{what}: {computed} against {exact}, {:.3} %",
+            100.0 * off
+        );
+    };
+    near("T/4", impacts[0], quarter_period_s(alpha, p, released), 1e-4);
+    let exact = impact_times_s(alpha, p, r, released, 20);
+    for impact in 1..6 {
+        near("first impacts", impacts[impact], exact[impact], 0.005);
+    }
+    near("impact 20", impacts[19], exact[19], 0.005);
+    for (impacts, part) in [(1, 0.005), (5, 0.01), (20, 0.02)] {
+        let exact = amplitude_rad(alpha, r, released, impacts);
+        near("amplitude", peaks[impacts as usize], exact, part);
+    }
+    assert!(
+        history.energy_made_ratio() < 1e-3,
+        "{}",
+        history.energy_made_ratio()
+    );
+}
+
+/// Base acceleration of a pulse of a/(α g) = `amplitude`, at rest after it.
+fn pulse(shape: Pulse, q: f64, amplitude: f64) -> GroundMotion {
+    const STEP_S: f64 = 5e-4;
+    let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
+    let omega = q * frequency_parameter_rad_s(HALF_WIDTH_M, HALF_HEIGHT_M, GRAVITY_M_S2);
+    let (end, wave): (f64, fn(f64) -> f64) = match shape {
+        Pulse::HalfSine => (std::f64::consts::PI, f64::sin),
+        Pulse::Sine => (std::f64::consts::TAU, f64::sin),
+        Pulse::Cosine => (std::f64::consts::TAU, f64::cos),
+    };
+    let samples = (end / omega / STEP_S) as usize;
+    let acceleration =
+        (0..=samples).map(|i| amplitude * alpha * GRAVITY_M_S2 * wave(omega * i as f64 * STEP_S));
+    GroundMotion::new("pulse", STEP_S, vec![(Component::X, acceleration.collect())]).unwrap()
+}
+
+/// Whether the block falls without having struck its other edge.
+fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
+    let options = Springs {
+        duration_s: Some(4.0),
+        ..options(4.0)
+    };
+    let motion = pulse(shape, q, amplitude);
+    let history = simulate_springs(&block(), Some(&motion), &options, &mut |_| true).unwrap();
+    let first = tilts(&history).into_iter().find(|tilt| tilt.abs() > 0.01);
+    let struck = tilts(&history)
+        .into_iter()
+        .any(|tilt| tilt * first.unwrap_or(0.0) < -1e-4);
+    matches!(history.outcome, Outcome::Fell { block: 0, .. }) && !struck
+}
+
+#[test]
+fn agrees_overturning_by_pulses() {
+    let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
+    for shape in [Pulse::HalfSine, Pulse::Sine, Pulse::Cosine] {
+        for q in [1.0, 2.0, 3.0, 4.0] {
+            let exact = first_overturning(shape, q, Equation::Exact, alpha, None).unwrap();
+            assert!(
+                falls_at_once(shape, q, 1.02 * exact),
+                "{shape:?} {q}: stands at 1.02 × {exact}"
+            );
+            assert!(
+                !falls_at_once(shape, q, 0.98 * exact),
+                "{shape:?} {q}: falls at .98 × {exact}"
+            );
+        }
+    }
+}
