@@ -199,12 +199,12 @@ fn agrees_sliding_and_spinning_end_together() {
     let history = run(&stack, None, &options);
     let joint = &history.joints[0];
     // speed and spin between samples; the last before it is at rest, at a fiftieth of the first speed
-    let ratios = (1..history.time_s.len()).filter_map(|i| {
+    let mut ratios = (1..history.time_s.len()).filter_map(|i| {
         let slid = joint.slip_m[i][0] - joint.slip_m[i - 1][0];
         let time = history.time_s[i] - history.time_s[i - 1];
         (slid / time > 0.02).then(|| slid / (0.2 * (joint.yaw_rad[i] - joint.yaw_rad[i - 1])))
     });
-    let last = ratios.last().unwrap();
+    let last = ratios.next_back().unwrap();
     assert!((last - disc_final_speed_ratio()).abs() < 0.02, "{last}");
 }
 
