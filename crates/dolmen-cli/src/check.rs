@@ -2,13 +2,15 @@
 
 use crate::cli::Check as Options;
 use crate::{Outcome, files, open};
-use anyhow::{Context as _, Result};
-use dolmen::assess::{Sensitivity, check_chain, check_frame, elasticity, probability};
+use anyhow::{Context as _, Result, bail};
+use dolmen::assess::{
+    Sensitivity, StackCheckOptions, check_chain, check_frame, check_stack, elasticity, probability,
+};
 use dolmen::numeric::Random;
 use dolmen::stability::{chain_limits, chain_stability, frame_stability};
 use dolmen_formats::answer::{
     Answer, Check, DirectionCheck, FREQUENCY_RATIO_MOST, FrequencyContradiction, Sampled, SensitivityOf,
-    State, TiltCheck, VariantAnswer,
+    StackAnswer, State, TiltCheck, VariantAnswer,
 };
 use dolmen_formats::json::check_json;
 use dolmen_formats::project::{ModeKind, Pick, Project, Quantity, Structure};
@@ -29,6 +31,11 @@ pub(crate) fn run(options: &Options, as_json: bool) -> Result<Outcome> {
         samples: samples as usize,
         seed: options.seed,
     });
+    if sampling.is_some() && matches!(project.structure, Structure::Stack(_)) {
+        bail!(
+            "--samples cannot draw for a stack yet: its verdict is without shaking; take --sensitivity for what moves it"
+        );
+    }
     let answer = answer(project, &file, sampling, options.sensitivity)?;
     if as_json {
         files::say(&format!("{:#}\n", check_json(&answer)))?;
@@ -64,10 +71,10 @@ pub(crate) fn answer(
         }
     }
     let known = load_factor(&project, &mut Quantity::nominal)?.is_some();
-    let sensitivity_of = if known {
-        SensitivityOf::LoadFactor
-    } else {
-        SensitivityOf::EqualJoints
+    let sensitivity_of = match project.structure {
+        Structure::Stack(_) => SensitivityOf::FirstMotion,
+        _ if known => SensitivityOf::LoadFactor,
+        _ => SensitivityOf::EqualJoints,
     };
     let sensitivities = match with_sensitivity {
         true => sensitivities(&project, sensitivity_of)?,
@@ -102,11 +109,8 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
     }))
 }
 
-/// The tilts of the last survey that states any, against the uplift limit of a chain's joints.
+/// The tilts of the last survey that states any, against the uplift limit of the joints of a chain or stack.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
-    let Check::Chain(chain) = check else {
-        return Vec::new();
-    };
     let Some(survey) = project
         .surveys
         .iter()
@@ -115,10 +119,21 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     else {
         return Vec::new();
     };
-    let joints = chain.stability.iter().flat_map(|stability| &stability.joints);
-    let uplift_tilt = joints
-        .filter_map(|joint| joint.uplift_tilt_rad)
-        .min_by(f64::total_cmp);
+    let uplift_tilt = match check {
+        Check::Chain(chain) => {
+            let joints = chain.stability.iter().flat_map(|stability| &stability.joints);
+            joints
+                .filter_map(|joint| joint.uplift_tilt_rad)
+                .min_by(f64::total_cmp)
+        }
+        // to lean by a slope is to be pulled sideways by that share of the weight
+        Check::Stack(stack) => stack
+            .check
+            .limits
+            .uplift
+            .map(|first| first.threshold.acceleration_g),
+        Check::Frame(_) => return Vec::new(),
+    };
     let each = survey.tilt.iter().map(|(direction, tilt)| TiltCheck {
         survey: survey.name.clone(),
         direction: direction.clone(),
@@ -136,6 +151,7 @@ fn contradictions(project: &Project, check: &Check) -> Vec<FrequencyContradictio
             .iter()
             .find(|d| d.direction == direction)
             .and_then(|d| d.check.modes.first()),
+        Check::Stack(_) => None,
     };
     let mut found = Vec::new();
     for survey in &project.surveys {
@@ -183,6 +199,11 @@ fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
             }
             Some(Check::Frame(checks))
         }
+        Structure::Stack(part) => {
+            let stack = part.build(pick)?;
+            let check = check_stack(&stack, &StackCheckOptions::default())?;
+            Some(Check::Stack(Box::new(StackAnswer { stack, check })))
+        }
     })
 }
 
@@ -190,7 +211,7 @@ fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
 /// `None` unless the stiffness is known in every direction.
 fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
     Ok(match &project.structure {
-        Structure::Survey => None,
+        Structure::Survey | Structure::Stack(_) => None,
         Structure::Chain(part) => match part.stiffness_n_m_rad(pick) {
             Some(stiffness) => Some(chain_stability(&part.build(pick)?, &stiffness)?.load_factor),
             None => None,
@@ -257,7 +278,11 @@ fn sensitive(project: &Project, of: SensitivityOf, pick: Pick<'_>) -> Result<Opt
         (SensitivityOf::EqualJoints, Structure::Chain(part)) => {
             Ok(Some(chain_limits(&part.build(pick)?)?.equal_joints_n_m_rad))
         }
-        (SensitivityOf::EqualJoints, _) => Ok(None),
+        (SensitivityOf::FirstMotion, Structure::Stack(part)) => {
+            let check = check_stack(&part.build(pick)?, &StackCheckOptions::default())?;
+            Ok(check.capacity.map(|first| first.acceleration_m_s2))
+        }
+        (SensitivityOf::EqualJoints | SensitivityOf::FirstMotion, _) => Ok(None),
     }
 }
 

@@ -71,6 +71,8 @@ pub(crate) enum Kind {
     Flagpole,
     /// Timber gate: a frame of rigid storeys
     Gate,
+    /// Stone pagoda: a stack of blocks
+    Pagoda,
     /// Measured only: vibration records without a model
     Survey,
 }

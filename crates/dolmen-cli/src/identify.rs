@@ -179,7 +179,7 @@ fn from_record(
     let parts = match &project.structure {
         Structure::Chain(part) => part.links.len(),
         Structure::Frame(part) => part.storeys.len(),
-        Structure::Survey => return Ok(Vec::new()),
+        Structure::Stack(_) | Structure::Survey => return Ok(Vec::new()),
     };
     found.modes.truncate(parts); // a model of n parts has n modes: the lowest ones
     if found.modes.is_empty() {
@@ -213,7 +213,7 @@ fn stiffness_of(
         }
     };
     match &project.structure {
-        Structure::Survey => Ok(Vec::new()),
+        Structure::Stack(_) | Structure::Survey => Ok(Vec::new()),
         Structure::Chain(part) => {
             let chain: Chain = part.build(pick)?;
             let found = chain_stiffness(&chain, modes, &ChainStiffness::default())?;

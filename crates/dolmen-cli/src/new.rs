@@ -17,6 +17,7 @@ fn example_of(kind: Kind) -> &'static str {
     match kind {
         Kind::Flagpole => "naju_flagpole",
         Kind::Gate => "heunginjimun_gate",
+        Kind::Pagoda => "three_storey_pagoda",
         Kind::Survey => "palisaden",
     }
 }
@@ -60,13 +61,14 @@ pub(crate) fn run(options: &New, quiet: bool) -> Result<Outcome> {
             example_of(options.kind)
         );
         println!("Next: put your own numbers in it (its README.md says what each means), then");
-        let verb = if options.kind == Kind::Flagpole {
-            "check"
-        } else {
-            "identify"
+        let verb = match options.kind {
+            Kind::Flagpole | Kind::Pagoda => "check",
+            Kind::Gate | Kind::Survey => "identify",
         };
         println!("    dolmen {verb} {shown}");
-        println!("    dolmen report {shown} -o {shown}/report.html");
+        if options.kind != Kind::Pagoda {
+            println!("    dolmen report {shown} -o {shown}/report.html");
+        }
     }
     Ok(Outcome::Stands)
 }

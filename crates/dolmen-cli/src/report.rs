@@ -3,10 +3,11 @@
 use crate::check::{self, Sampling};
 use crate::cli::{Demo, Language as Chosen, Report};
 use crate::{Outcome, files, identify, new, open};
-use anyhow::Result;
+use anyhow::{Result, bail};
 use dolmen::structure::{Choice, Convention};
 use dolmen_formats::Language;
 use dolmen_formats::answer::Answer;
+use dolmen_formats::project::Structure;
 use dolmen_formats::report::{Imprint, html};
 use std::path::{Path, PathBuf};
 
@@ -32,6 +33,13 @@ fn imprint(date: Option<String>) -> Imprint {
 /// Everything that can be said of one project: its check, with samples and sensitivities, and its surveys.
 fn whole(path: &Path, sampling: Option<Sampling>, quiet: bool) -> Result<Answer> {
     let open::Opened { project, file } = open::project(path)?;
+    if matches!(project.structure, Structure::Stack(_)) {
+        bail!(
+            "{}: a report on a stack cannot be made yet; `dolmen check {}` prints its limits",
+            file.display(),
+            path.display()
+        );
+    }
     let surveys = identify::surveys(&project, &file, None, quiet)?;
     let mut answer = check::answer(project, &file, sampling, true)?;
     answer.surveys = surveys;
@@ -48,7 +56,7 @@ pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {
         if files::project_file(path)?.canonicalize().ok() == options.output.canonicalize().ok()
             && options.output.exists()
         {
-            anyhow::bail!(
+            bail!(
                 "{} is the project file itself: write the report elsewhere",
                 options.output.display()
             );

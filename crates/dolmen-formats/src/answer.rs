@@ -1,10 +1,11 @@
 //! Everything that was computed for one project: what the command fills, and text, JSON and report print.
 
 use crate::project::{Names, Project};
-use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity};
+use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::modal::ModalAnalysis;
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
+use dolmen::structure::stack::Stack;
 use dolmen::structure::{Convention, StiffnessSolutions};
 
 /// One project with its answers. What was not asked for, or cannot be computed, is empty or `None`.
@@ -34,6 +35,8 @@ pub enum SensitivityOf {
     LoadFactor,
     /// Stiffness that equal joints of a chain need: its own is not known.
     EqualJoints,
+    /// Horizontal acceleration at which a stack begins to move.
+    FirstMotion,
 }
 
 /// Whether one version of a structure stands.
@@ -95,6 +98,17 @@ pub enum Check {
     Chain(Box<ChainCheck>),
     /// A frame, one check a direction.
     Frame(Vec<DirectionCheck>),
+    /// A stack of blocks.
+    Stack(Box<StackAnswer>),
+}
+
+/// A stack and its check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackAnswer {
+    /// The stack as the file gives it.
+    pub stack: Stack,
+    /// Does it stand, and at what horizontal acceleration does it begin to move.
+    pub check: StackCheck,
 }
 
 /// A frame in one direction.
@@ -176,7 +190,7 @@ pub struct StiffnessAnswer {
 }
 
 impl State {
-    /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known.
+    /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known, and of a stack.
     pub fn load_factor(&self) -> Option<f64> {
         match &self.check {
             Check::Chain(check) => check.stability.as_ref().map(|s| s.load_factor),
@@ -184,6 +198,7 @@ impl State {
                 let known = directions.iter().filter_map(|d| d.check.stability.as_ref());
                 known.map(|s| s.load_factor).min_by(f64::total_cmp)
             }
+            Check::Stack(_) => None,
         }
     }
 
@@ -198,7 +213,7 @@ impl State {
         worst(tilts.chain([self.stability_verdict()]))
     }
 
-    /// The verdict on the load factor alone.
+    /// The verdict on the load factor alone, of a stack on its least margin without shaking.
     pub fn stability_verdict(&self) -> Verdict {
         match &self.check {
             Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
@@ -207,6 +222,7 @@ impl State {
                     |d: &DirectionCheck| d.check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
                 worst(directions.iter().map(of))
             }
+            Check::Stack(answer) => answer.check.verdict,
         }
     }
 }

@@ -62,6 +62,24 @@ damping ratio no better than sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014). Ten minutes 
 and ± 12 %. Only a longer record lowers it.",
     },
     Explanation {
+        code: "first-motion",
+        title: "The acceleration at which a stack begins to move",
+        text: "\
+The least horizontal acceleration of the ground, steady and in any direction, at which what stands on some joint tips over an
+edge (rocks) or exceeds the friction of the joint (slides). Below it a stack of rigid stones moves with the ground. It is not
+the acceleration of collapse: a stack that begins to rock mostly comes to rest again, the larger the stones the more so. A
+vertical acceleration a_z of the ground scales it by 1 + a_z/g.",
+    },
+    Explanation {
+        code: "gravity-margin",
+        title: "How far the weight of a stack is from the edge of its joints",
+        text: "\
+Without any shaking: of the way from the middle of a joint to its edge, the share that is left where the plumb line of all
+that stands on it crosses it; or of its friction, where that is less. 1 is centred, 0 falls. Verdicts: stable (at least 1/3),
+marginal (less), unstable (0 or less). The threshold 1/3 is Dolmen's choice: there a rectangular joint carries on half of its
+width, and the other half gapes.",
+    },
+    Explanation {
         code: "indistinguishable",
         title: "Several stiffnesses explain the measured frequencies equally well",
         text: "\
@@ -75,6 +93,15 @@ different heights, recorded together) usually chooses. Dolmen does not choose wi
         text: "\
 Weights and lengths give the least stiffness that each joint needs, not the stiffness it has. Measure vibration and run
 `dolmen identify`, or write assumed values with `source = \"assumed\"` and a `cov`.",
+    },
+    Explanation {
+        code: "limit-analysis",
+        title: "Several stones move together",
+        text: "\
+Where several stones carry one (posts and walls under a slab, an arch), equilibrium alone does not say how much each of them
+bears, and the joints one by one give an upper bound. A linear programme then looks for any forces in the joints (pressure, friction
+within its cone) that balance the stack; the largest acceleration at which there are some is its limit. It is found in 16
+directions: between them it may be at most 2 % lower.",
     },
     Explanation {
         code: "load-factor",

@@ -5,4 +5,5 @@ mod answers;
 mod docs;
 mod layout;
 mod safety;
+mod stacks;
 mod verbs;

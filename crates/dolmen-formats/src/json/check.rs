@@ -1,5 +1,6 @@
 //! `dolmen check` as JSON.
 
+use super::stack::stack;
 use crate::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
 use crate::project::Project;
 use dolmen::assess::{CentroidEffect, ChainCheck, FrameCheck, Probability, Sensitivity};
@@ -20,6 +21,7 @@ pub fn check_json(answer: &Answer) -> Value {
         "sensitivity_of": match answer.sensitivity_of {
             SensitivityOf::LoadFactor => "load_factor",
             SensitivityOf::EqualJoints => "equal_joints_n_m_rad",
+            SensitivityOf::FirstMotion => "first_motion_m_s2",
         },
         "sensitivities": answer.sensitivities.iter().map(sensitivity).collect::<Vec<_>>(),
     })
@@ -50,6 +52,7 @@ fn state(state: &State) -> Value {
     let check = match &state.check {
         Check::Chain(check) => json!({ "chain": chain(check) }),
         Check::Frame(directions) => json!({ "frame": directions.iter().map(direction).collect::<Vec<_>>() }),
+        Check::Stack(check) => json!({ "stack": stack(check) }),
     };
     json!({
         "verdict": state.verdict().word(),

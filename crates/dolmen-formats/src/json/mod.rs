@@ -2,6 +2,7 @@
 
 mod check;
 mod identify;
+mod stack;
 
 pub use check::check_json;
 pub use identify::identification_json;

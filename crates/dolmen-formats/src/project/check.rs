@@ -12,7 +12,7 @@ use toml::de::{DeTable, DeValue};
 
 /// Similarity (Jaro–Winkler, 1 is equal) from which a known key is offered for an unknown one, our choice: "lenght"
 /// and "length" have 0.96, "weight" and "height" 0.89, "stifness" and "stiffness" 0.98, "tilt" and "title" 0.85.
-const SIMILARITY_LEAST: f64 = 0.8;
+pub(super) const SIMILARITY_LEAST: f64 = 0.8;
 
 /// Longest value that a message repeats, in characters.
 const ECHO_MOST: usize = 48;
@@ -240,13 +240,14 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             }
             if path.is_empty() {
                 fault = fault.at_top();
-                fault = match name {
-                    "schema" => {
-                        fault.help("write schema = 1 as the first line: it is the version of the file format")
-                    }
-                    "kind" => fault.help("write kind = \"chain\", \"frame\" or \"survey\" near the top"),
-                    _ => fault,
-                };
+                fault =
+                    match name {
+                        "schema" => fault
+                            .help("write schema = 1 as the first line: it is the version of the file format"),
+                        "kind" => fault
+                            .help("write kind = \"chain\", \"frame\", \"stack\" or \"survey\" near the top"),
+                        _ => fault,
+                    };
             }
             self.faults.push(fault);
         }

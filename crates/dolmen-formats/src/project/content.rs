@@ -3,6 +3,7 @@
 use super::chain::ChainPart;
 use super::frame::FramePart;
 use super::quantity::Quantity;
+use super::stack::StackPart;
 use super::survey::Survey;
 
 /// A name in one or both languages; at least one is given.
@@ -35,6 +36,8 @@ pub enum Structure {
     Chain(ChainPart),
     /// `kind = "frame"`: rigid storeys on lateral springs.
     Frame(FramePart),
+    /// `kind = "stack"`: blocks of stone on each other.
+    Stack(Box<StackPart>),
     /// `kind = "survey"`: measured but not modelled.
     Survey,
 }
@@ -51,6 +54,8 @@ pub enum WarningKind {
     ThinRod,
     /// Axial forces not given, taken from the masses.
     AxialFromMasses,
+    /// Values of the joints of a stack that are not given: Dolmen's own are taken.
+    JointDefaults,
     /// A probable slip that `allow` lets pass.
     Allowed,
     /// An entry of `allow` that nothing needed.
@@ -120,6 +125,7 @@ impl Project {
         match &self.structure {
             Structure::Chain(chain) => chain.inputs(&mut all),
             Structure::Frame(frame) => frame.inputs(&mut all),
+            Structure::Stack(stack) => stack.inputs(&mut all),
             Structure::Survey => {}
         }
         all

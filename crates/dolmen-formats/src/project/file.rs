@@ -3,6 +3,7 @@
 //! the schema finds it.
 
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
+use super::file_stack::{BedRaw, BlockRaw, ContactRaw, SideSupportRaw, TieRaw};
 use super::file_survey::SurveyRaw;
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
@@ -50,6 +51,18 @@ pub(super) struct FileRaw {
     pub(super) convention: Option<At<ConventionRaw>>,
     /// kind = "frame": directions by name; each is a frame of its own with the same storeys.
     pub(super) direction: Option<BTreeMap<String, At<DirectionRaw>>>,
+    /// kind = "stack": the blocks, lowest first.
+    pub(super) blocks: Option<At<Vec<At<BlockRaw>>>>,
+    /// kind = "stack": density of the blocks that have none of their own.
+    pub(super) density: Option<At<QuantityRaw>>,
+    /// kind = "stack": what acts in every joint that does not say it itself.
+    pub(super) joint: Option<At<BedRaw>>,
+    /// kind = "stack": joints that differ, by the names of the two blocks that meet in them.
+    pub(super) contacts: Option<Vec<At<ContactRaw>>>,
+    /// kind = "stack": dowels and clamps.
+    pub(super) ties: Option<Vec<At<TieRaw>>>,
+    /// kind = "stack": what stands beside blocks and holds them.
+    pub(super) side_supports: Option<Vec<At<SideSupportRaw>>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
 }
@@ -62,6 +75,8 @@ pub(super) enum KindRaw {
     Chain,
     /// Rigid storeys on lateral springs with P-delta: gate, pavilion.
     Frame,
+    /// Blocks of stone on each other: pagoda, cairn, wall, column of drums.
+    Stack,
     /// Measured but not modelled: records and modes only.
     Survey,
 }
@@ -87,13 +102,14 @@ pub(super) enum NamesRaw {
 #[derive(Debug, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct UnitsRaw {
-    /// Length, height, centroid, breadth, bed_width, position; default "m".
+    /// Every length, width, height and position; default "m".
     pub(super) length: Option<At<String>>,
     /// weight, axial_force; default "N".
     pub(super) force: Option<At<String>>,
     /// mass; default "kg".
     pub(super) mass: Option<At<String>>,
-    /// stiffness of joints (default "N*m/rad") or of storeys (default "N/m").
+    /// stiffness of joints (default "N*m/rad"), of storeys (default "N/m") or per area of
+    /// joints of a stack (default "Pa/m").
     pub(super) stiffness: Option<At<String>>,
     /// damping of joints; default "N*m*s/rad".
     pub(super) damping: Option<At<String>>,
@@ -103,6 +119,10 @@ pub(super) struct UnitsRaw {
     pub(super) frequency: Option<At<String>>,
     /// gravity; default "m/s2".
     pub(super) acceleration: Option<At<String>>,
+    /// density; default "kg/m3".
+    pub(super) density: Option<At<String>>,
+    /// cohesion, tension; default "Pa".
+    pub(super) stress: Option<At<String>>,
 }
 
 /// One rigid link.

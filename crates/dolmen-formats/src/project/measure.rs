@@ -15,6 +15,11 @@ pub(super) enum Measure {
     Frequency,
     Acceleration,
     Ratio,
+    Density,
+    Stress,
+    BedStiffness,
+    Angle,
+    Tilt,
 }
 
 impl Measure {
@@ -29,7 +34,10 @@ impl Measure {
             Measure::Inertia => Dimension::INERTIA,
             Measure::Frequency => Dimension::FREQUENCY,
             Measure::Acceleration => Dimension::ACCELERATION,
-            Measure::Ratio => Dimension::RATIO,
+            Measure::Ratio | Measure::Angle | Measure::Tilt => Dimension::RATIO,
+            Measure::Density => Dimension::DENSITY,
+            Measure::Stress => Dimension::STRESS,
+            Measure::BedStiffness => Dimension::STRESS_PER_LENGTH,
         }
     }
 
@@ -45,7 +53,11 @@ impl Measure {
             Measure::Inertia => "kg m2",
             Measure::Frequency => "Hz",
             Measure::Acceleration => "m/s2",
-            Measure::Ratio => "",
+            Measure::Ratio | Measure::Tilt => "",
+            Measure::Density => "kg/m3",
+            Measure::Stress => "Pa",
+            Measure::BedStiffness => "Pa/m",
+            Measure::Angle => "rad",
         }
     }
 
@@ -62,6 +74,11 @@ impl Measure {
             Measure::Frequency => "Hz",
             Measure::Acceleration => "m/s2",
             Measure::Ratio => "%, or none",
+            Measure::Density => "kg/m3 or t/m3",
+            Measure::Stress => "kPa or MPa",
+            Measure::BedStiffness => "GPa/m",
+            Measure::Angle => "deg",
+            Measure::Tilt => "mm/m or deg, or \"1/200\"",
         }
     }
 }

@@ -6,13 +6,16 @@ mod content;
 mod error;
 mod file;
 mod file_number;
+mod file_stack;
 mod file_survey;
 mod frame;
 mod measure;
 mod merge;
 mod quantity;
 mod read;
+mod read_block;
 mod read_records;
+mod read_stack;
 mod read_structure;
 mod read_survey;
 mod reader;
@@ -21,6 +24,9 @@ mod schema;
 mod slips;
 mod slips_chain;
 mod slips_frame;
+mod slips_stack;
+mod stack;
+mod stack_build;
 mod survey;
 mod units;
 
@@ -34,4 +40,8 @@ pub use records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
 pub use schema::json_schema;
+pub use stack::{
+    BedPart, BlockPart, ContactPart, OpeningPart, ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
+};
+pub use stack_build::StackFault;
 pub use survey::{ModeKind, Survey, SurveyMode, Tilt};

@@ -8,6 +8,7 @@ use super::file_number::At;
 use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::quantity::Quantity;
+use super::read_stack::stack;
 use super::read_structure::{chain, frame};
 use super::read_survey::surveys;
 use super::reader::{Reader, names};
@@ -24,6 +25,9 @@ use toml::de::{DeTable, DeValue};
 
 /// Keys that hold for the whole file: a variant cannot change them.
 const KEYS_OF_THE_FILE: [&str; 4] = ["schema", "kind", "units", "variant"];
+
+/// Paths that one warning names, our choice: more are counted.
+const PATHS_LISTED: usize = 12;
 
 /// Reads a project file. `file` is its name, for messages only.
 ///
@@ -246,6 +250,9 @@ fn of_raw(
             }
             frame(&mut reader, &raw, gravity_m_s2, &surveyed).map(Structure::Frame)
         }
+        Some(KindRaw::Stack) => {
+            stack(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Stack(Box::new(part)))
+        }
         Some(KindRaw::Survey) => Some(Structure::Survey),
         None => None,
     };
@@ -284,6 +291,13 @@ fn buildable(reader: &mut Reader, structure: Option<&Structure>) {
     let (built, path) = match structure {
         Some(Structure::Chain(chain)) => (chain.build(&mut Quantity::nominal).map(|_| ()), "links"),
         Some(Structure::Frame(frame)) => (frame.build(&mut Quantity::nominal).map(|_| ()), "storeys"),
+        Some(Structure::Stack(stack)) => {
+            if let Err(why) = stack.build(&mut Quantity::nominal) {
+                let path = why.path();
+                reader.fault(Fault::new(reader.place(path), path, why.to_string()));
+            }
+            return;
+        }
         Some(Structure::Survey) | None => return,
     };
     if let Err(why) = built {
@@ -328,7 +342,13 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
         ),
     ] {
         if let Some(first) = paths.first() {
-            let message = format!("{} inputs are {what}: {}", paths.len(), paths.join(", "));
+            let listed = match paths.get(..PATHS_LISTED) {
+                Some(some) if paths.len() > PATHS_LISTED + 1 => {
+                    format!("{} and {} more", some.join(", "), paths.len() - PATHS_LISTED)
+                }
+                _ => paths.join(", "),
+            };
+            let message = format!("{} inputs are {what}: {listed}", paths.len());
             reader.warn(WarningKind::Assumed, first, message);
         }
     }
@@ -421,11 +441,12 @@ fn title<'i>(
 }
 
 impl Project {
-    /// "chain", "frame" or "survey".
+    /// "chain", "frame", "stack" or "survey".
     pub fn kind(&self) -> &'static str {
         kind_word(match &self.structure {
             Structure::Chain(_) => KindRaw::Chain,
             Structure::Frame(_) => KindRaw::Frame,
+            Structure::Stack(_) => KindRaw::Stack,
             Structure::Survey => KindRaw::Survey,
         })
     }

@@ -84,7 +84,7 @@ fn position(reader: &mut Reader, raw: &At<Vec<At<QuantityRaw>>>, path: &str) -> 
     Some(position_m)
 }
 
-fn way(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<[f64; 3]> {
+pub(super) fn way(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<[f64; 3]> {
     let vector = match &raw.value {
         WayRaw::Axis(axis) => {
             let (sign, letter) = match axis.strip_prefix('-') {

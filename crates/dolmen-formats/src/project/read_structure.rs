@@ -128,7 +128,7 @@ fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPa
 }
 
 /// Reports an empty or too long list; whether it can be read.
-fn countable<T>(reader: &mut Reader, list: &At<Vec<T>>, path: &str) -> bool {
+pub(super) fn countable<T>(reader: &mut Reader, list: &At<Vec<T>>, path: &str) -> bool {
     let count = list.value.len();
     if (1..=PARTS_MOST).contains(&count) {
         return true;
@@ -264,7 +264,7 @@ fn warn_of_rods(reader: &mut Reader, links: &[LinkPart]) {
     }
 }
 
-fn missing(reader: &mut Reader, key: &str, message: &str, help: &str) {
+pub(super) fn missing(reader: &mut Reader, key: &str, message: &str, help: &str) {
     if !reader.is_reported(key) {
         reader.fault(Fault::new(0..0, key, message).at_top().help(help));
     }

@@ -212,7 +212,7 @@ fn tilt(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<Tilt> {
     }
 }
 
-fn tilt_ratio(text: &str) -> Option<f64> {
+pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
     let (number, rest) = split_number(text)?;
     let ratio = match rest.strip_prefix('/') {
         Some(below) => match split_number(below)? {

@@ -6,6 +6,7 @@ use super::file::{KindRaw, NamesRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
+use super::read_survey::tilt_ratio;
 use super::units::{Dimension, Unit, UnitError, parse_unit, split_number};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
@@ -46,6 +47,7 @@ impl Reader {
         };
         let stiffness = match kind {
             KindRaw::Frame => Measure::StoreyStiffness,
+            KindRaw::Stack => Measure::BedStiffness,
             KindRaw::Chain | KindRaw::Survey => Measure::JointStiffness,
         };
         for (name, measure, written) in [
@@ -57,6 +59,8 @@ impl Reader {
             ("inertia", Measure::Inertia, &units.inertia),
             ("frequency", Measure::Frequency, &units.frequency),
             ("acceleration", Measure::Acceleration, &units.acceleration),
+            ("density", Measure::Density, &units.density),
+            ("stress", Measure::Stress, &units.stress),
         ] {
             let Some(written) = written else { continue };
             let path = format!("units.{name}");
@@ -229,6 +233,16 @@ impl Reader {
         let (value, unit_text, unit_span) = match raw {
             NumberRaw::Number(value) => match unit {
                 Some(unit) => (*value, unit.value.as_str(), &unit.span),
+                None if measure == Measure::Angle && *value != 0.0 => {
+                    let given = short(*value);
+                    let fault = Fault::new(span.clone(), path, format!("{path} = {given} has no unit"));
+                    self.fault(
+                        fault
+                            .allowed("must be an angle with its unit")
+                            .help(format!("write \"{given} deg\" or \"{given} rad\"")),
+                    );
+                    return None;
+                }
                 None => {
                     let (text, factor) = self.bare_unit(measure);
                     let written = with_unit(&short(*value), text);
@@ -239,6 +253,22 @@ impl Reader {
                     });
                 }
             },
+            NumberRaw::Text(text) if measure == Measure::Tilt => {
+                let Some(value) = tilt_ratio(text) else {
+                    let fault = Fault::new(span.clone(), path, format!("{path} = \"{text}\" is not a tilt"));
+                    self.fault(
+                        fault.allowed(
+                            "must be a ratio, or text such as \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
+                        ),
+                    );
+                    return None;
+                };
+                return Some(Number {
+                    value,
+                    factor: 1.0,
+                    written: text.trim().to_owned(),
+                });
+            }
             NumberRaw::Text(text) => {
                 let allowed = format!(
                     "must be a number, or text with a unit such as {}",
@@ -355,6 +385,16 @@ impl Reader {
                 }
                 (None, None) => None,
             };
+            if quantity.cov.is_some_and(|cov| cov > 0.0) && quantity.value <= 0.0 {
+                let message = format!("{path} = {} has a scatter", quantity.written);
+                let fault = Fault::new(raw.span.clone(), path, message);
+                self.fault(
+                    fault
+                        .allowed("must be above 0 to have one")
+                        .help("a number with a cov or sd stands for a lognormal variable, which is positive"),
+                );
+                return None;
+            }
             if quantity.cov.is_some() {
                 quantity.cov_source = table.cov_source.map(evidence).or(quantity.source);
             }

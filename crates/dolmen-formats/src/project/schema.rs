@@ -46,6 +46,10 @@ pub(super) fn resolved(schema: &'static Value) -> &'static Value {
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     ("chain", &["links", "joints", "cap"]),
     ("frame", &["storeys", "axial", "convention", "direction"]),
+    (
+        "stack",
+        &["blocks", "density", "joint", "contacts", "ties", "side_supports"],
+    ),
 ];
 
 /// The word of a kind.
@@ -53,6 +57,7 @@ pub(super) fn kind_word(kind: KindRaw) -> &'static str {
     match kind {
         KindRaw::Chain => "chain",
         KindRaw::Frame => "frame",
+        KindRaw::Stack => "stack",
         KindRaw::Survey => "survey",
     }
 }

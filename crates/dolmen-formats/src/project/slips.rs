@@ -22,6 +22,7 @@ use super::quantity::Quantity;
 use super::reader::{Reader, short};
 use super::slips_chain::judge_chain;
 use super::slips_frame::judge_frame;
+use super::slips_stack::judge_stack;
 use super::survey::Survey;
 
 /// Measured frequency, Hz.
@@ -54,6 +55,7 @@ pub(super) fn judge(
     match structure {
         Some(Structure::Chain(chain)) => judge_chain(reader, chain),
         Some(Structure::Frame(frame)) => judge_frame(reader, frame),
+        Some(Structure::Stack(stack)) => judge_stack(reader, stack),
         Some(Structure::Survey) | None => {}
     }
     for survey in surveys {

@@ -200,7 +200,7 @@ fn judge_joints(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
 }
 
 /// Median of all values but one; `None` if there is no other.
-fn median_of_others(values: &[f64], but: usize) -> Option<f64> {
+pub(super) fn median_of_others(values: &[f64], but: usize) -> Option<f64> {
     let others = values.iter().enumerate().filter(|(i, _)| *i != but);
     let mut others: Vec<f64> = others.map(|(_, value)| *value).collect();
     others.sort_by(f64::total_cmp);
@@ -213,7 +213,7 @@ fn median_of_others(values: &[f64], but: usize) -> Option<f64> {
 
 /// Values that are `most` times above or below the median of the others. Of two values only one can be the odd one:
 /// that further from `usual`.
-fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
+pub(super) fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
     let odd = |i: usize| {
         median_of_others(values, i).is_some_and(|median| {
             let ratio = values[i] / median;
@@ -229,7 +229,7 @@ fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
 }
 
 /// "388 × the link below" or "1/388 of the link above".
-fn beside_neighbour(parts: &[&Quantity], i: usize, part: &str) -> String {
+pub(super) fn beside_neighbour(parts: &[&Quantity], i: usize, part: &str) -> String {
     let (other, place) = match i.checked_sub(1).and_then(|below| parts.get(below)) {
         Some(below) => (*below, "below"),
         None => match parts.get(i + 1) {

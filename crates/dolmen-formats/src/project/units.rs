@@ -30,6 +30,9 @@ impl Dimension {
     pub(super) const INERTIA: Dimension = dimension(2, 1, 0);
     pub(super) const VELOCITY: Dimension = dimension(1, 0, -1);
     pub(super) const ACCELERATION: Dimension = dimension(1, 0, -2);
+    pub(super) const DENSITY: Dimension = dimension(-3, 1, 0);
+    pub(super) const STRESS: Dimension = dimension(-1, 1, -2);
+    pub(super) const STRESS_PER_LENGTH: Dimension = dimension(-2, 1, -2);
 
     fn times(self, other: Dimension, power: i32) -> Option<Dimension> {
         let sum = |a: i32, b: i32| a.checked_add(b.checked_mul(power)?);
@@ -61,11 +64,9 @@ impl fmt::Display for Dimension {
                 kilogram: 0,
                 second: 1,
             } => "a time",
-            Dimension {
-                metre: -3,
-                kilogram: 1,
-                second: 0,
-            } => "a density",
+            Dimension::DENSITY => "a density",
+            Dimension::STRESS => "a stress",
+            Dimension::STRESS_PER_LENGTH => "a stress per length (stiffness of a joint per area)",
             Dimension {
                 metre,
                 kilogram,
@@ -94,6 +95,10 @@ const SYMBOLS: &[(&str, f64, Dimension)] = &[
     ("N", 1.0, Dimension::FORCE),
     ("kN", 1e3, Dimension::FORCE),
     ("MN", 1e6, Dimension::FORCE),
+    ("Pa", 1.0, Dimension::STRESS),
+    ("kPa", 1e3, Dimension::STRESS),
+    ("MPa", 1e6, Dimension::STRESS),
+    ("GPa", 1e9, Dimension::STRESS),
     ("kgf", STANDARD_GRAVITY_M_S2, Dimension::FORCE),
     ("tf", 1e3 * STANDARD_GRAVITY_M_S2, Dimension::FORCE),
     ("Nm", 1.0, Dimension::MOMENT),

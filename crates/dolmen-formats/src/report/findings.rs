@@ -52,6 +52,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         match &state.check {
             Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
+            Check::Stack(_) => {}
         }
         all.extend(measured::findings(state, language));
         all.extend(samples::findings(state.sampled.as_ref(), language));

@@ -95,6 +95,7 @@ fn warning_words(warning: &Warning, language: Language) -> String {
         WarningKind::Assumed => "가정한 값이 있다",
         WarningKind::ThinRod => "관성모멘트가 주어지지 않아 가는 봉으로 보았다",
         WarningKind::AxialFromMasses => "축력이 주어지지 않아 질량으로부터 구하였다",
+        WarningKind::JointDefaults => "접합면 물성 일부가 주어지지 않아 기본값으로 가정하였다",
         WarningKind::Allowed => "의심스러운 값을 allow 항목에 따라 허용하였다",
         WarningKind::AllowedInVain => "allow 항목 중 쓰이지 않은 것이 있다",
     };

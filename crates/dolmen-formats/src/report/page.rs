@@ -80,6 +80,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             "Stability of a frame of rigid storeys",
             "강체 층 골조 모델의 안정성 검토",
         ),
+        Structure::Stack(_) => language.pick("A stack of blocks", "적층 석조 블록"),
         Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
     };
     markup! {
@@ -177,6 +178,10 @@ fn method(answer: &Answer, language: Language) -> Markup {
                 "검토 범위 밖: 마찰과 강한 진동에서의 마찰 저하, 지진과 바람, 목재의 강도와 부후. 상시진동으로 얻은 강성은 극히 작은 진폭의 값이며 진폭이 커지면 감소한다.",
             ),
         ],
+        Structure::Stack(_) => vec![language.pick(
+            "Rigid blocks on joints without tension. The limits of its joints are not on this page.",
+            "인장에 저항하지 않는 접합면 위의 강체 블록. 접합면별 한계는 이 보고서에 싣지 않았다.",
+        )],
         Structure::Survey => vec![language.pick(
             "Only what was measured is reported; no model was made, so that nothing is said about stability.",
             "계측 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",

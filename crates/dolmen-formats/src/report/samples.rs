@@ -75,6 +75,7 @@ pub(super) fn sections(answer: &Answer, language: Language) -> Markup {
 fn sensitivity_table(sensitivities: &[Sensitivity], of: SensitivityOf, language: Language) -> Markup {
     let result = match of {
         SensitivityOf::LoadFactor => "λ",
+        SensitivityOf::FirstMotion => language.pick("acceleration of first motion", "최초 거동 가속도"),
         SensitivityOf::EqualJoints => language.pick("equal joint stiffness needed", "균등 접합부 필요 강성"),
     };
     let head = [

@@ -168,6 +168,7 @@ fn rows(state: &State, name: &str) -> Vec<Row> {
                 }
             })
             .collect(),
+        Check::Stack(_) => Vec::new(),
     }
 }
 

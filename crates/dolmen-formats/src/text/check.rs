@@ -2,6 +2,7 @@
 
 use super::Table;
 use super::project::{heading_text, warnings_text};
+use super::stack::{stack_text, stack_verdict};
 use super::versions::{comparison, sampled_text, sensitivity_text};
 use crate::answer::{Answer, Check, DirectionCheck, State, TiltCheck};
 use crate::number::{beside_one, percent, prefix};
@@ -73,6 +74,7 @@ fn same_limits(one: &State, other: &State) -> bool {
             let (a, b): (Vec<_>, Vec<_>) = (loads(a), loads(b));
             a == b
         }
+        (Check::Stack(a), Check::Stack(b)) => a == b,
         _ => false,
     }
 }
@@ -80,6 +82,10 @@ fn same_limits(one: &State, other: &State) -> bool {
 fn verdict_line(state: &State) -> String {
     let verdict = state.verdict();
     let why = match (state.stability_verdict(), state.load_factor()) {
+        (_, None) if matches!(state.check, Check::Stack(_)) => match &state.check {
+            Check::Stack(answer) => stack_verdict(answer),
+            Check::Chain(_) | Check::Frame(_) => String::new(),
+        },
         (_, Some(f64::INFINITY)) => {
             "no axial force is given, so P-delta says nothing of stability".to_owned()
         }
@@ -162,6 +168,7 @@ fn limits_of(state: &State) -> String {
         Check::Frame(directions) => directions
             .first()
             .map_or_else(String::new, |d| frame_limits_text(&d.check)),
+        Check::Stack(answer) => stack_text(answer),
     }
 }
 
@@ -187,6 +194,7 @@ fn stiffness_of(state: &State) -> String {
                 }
             }
         }
+        Check::Stack(_) => {}
     }
     if let Some(sampled) = &state.sampled {
         out += &sampled_text(sampled);

@@ -3,6 +3,7 @@
 mod check;
 mod identify;
 mod project;
+mod stack;
 mod table;
 mod validate;
 mod versions;

@@ -2,6 +2,7 @@
 
 use crate::project::{Axial, Pick, Project, Quantity, Structure};
 use dolmen::structure::Convention;
+use dolmen::structure::stack::Body;
 use std::fmt::Write as _;
 
 /// Name, file, kind and size of what was read.
@@ -49,6 +50,19 @@ fn size(project: &Project) -> String {
             let (n, mass) = (frame.storeys.len(), mass / 1e3);
             format!("frame of {n} storeys, {height:.2} m high, {mass:.1} t, {axial}")
         }
+        Structure::Stack(part) => match part.build(pick) {
+            Ok(stack) => {
+                let (blocks, joints) = (stack.blocks().len(), stack.joints().len());
+                let (height, mass) = (stack.height_m(), stack.mass_kg() / 1e3);
+                let on_ground = stack.joints().iter().filter(|joint| joint.lower == Body::Ground);
+                let feet = on_ground.count();
+                format!(
+                    "stack of {blocks} blocks, {height:.3} m high, {mass:.2} t, {joints} joints ({feet} on the ground), g \
+                     {gravity} m/s2"
+                )
+            }
+            Err(fault) => format!("stack that cannot be: {fault}"),
+        },
         Structure::Survey => "measured, not modelled".to_owned(),
     }
 }

@@ -1,6 +1,7 @@
 //! Scatter, sensitivity and versions side by side, as text.
 
 use super::Table;
+use super::stack::stack_comparison;
 use crate::answer::{Answer, Check, Sampled, SensitivityOf};
 use crate::number::percent;
 use dolmen::structure::NaturalMode;
@@ -37,6 +38,9 @@ pub(super) fn sampled_text(sampled: &Sampled) -> String {
 }
 
 pub(super) fn comparison(answer: &Answer) -> String {
+    if matches!(answer.state.as_ref().map(|s| &s.check), Some(Check::Stack(_))) {
+        return stack_comparison(answer);
+    }
     let mut table = Table::new(
         &["version", "verdict", "load factor", "f1, Hz", "P(falls), 95 %"],
         2,
@@ -50,6 +54,7 @@ pub(super) fn comparison(answer: &Answer) -> String {
         let first = match &state.check {
             Check::Chain(check) => check.modes.first(),
             Check::Frame(directions) => directions.iter().find_map(|d| d.check.modes.first()),
+            Check::Stack(_) => None,
         };
         let dash = || "-".to_owned();
         table.row(vec![
@@ -79,6 +84,7 @@ pub(super) fn sensitivity_text(answer: &Answer) -> String {
     let of = match answer.sensitivity_of {
         SensitivityOf::LoadFactor => "load factor",
         SensitivityOf::EqualJoints => "stiffness that equal joints need",
+        SensitivityOf::FirstMotion => "acceleration at which it begins to move",
     };
     if sensitivities.is_empty() {
         return String::new();

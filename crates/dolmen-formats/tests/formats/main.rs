@@ -8,4 +8,5 @@ mod npy_records;
 mod palisaden;
 mod project;
 mod project_keys;
+mod project_stack;
 mod project_values;

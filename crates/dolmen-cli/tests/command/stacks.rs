@@ -1,0 +1,136 @@
+// SOURCE     The shipped stacks; Kim, Koo & Hong (2018), eqs 9 and 16.
+// GOAL       What a user reads of a stack is what the science computed, quickly, and the exit status follows the verdict.
+// TOLERANCE  none: printed digits. Time: 30 ms of processor time for the whole process, the mean of ten.
+
+use super::verbs::Scratch;
+use std::fs;
+use std::process::Command;
+
+#[test]
+fn exact_p10_rocks_at_its_known_threshold_and_slides_first_where_it_is_smooth() {
+    let scratch = Scratch::with_examples("p10");
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    // above block 4: half of 1.1 m over the height of the centroid of what stands on it
+    assert!(
+        answer
+            .stdout
+            .contains("FIRST MOTION at 0.324 g horizontal: what stands on 'block 4' rocks"),
+        "{}",
+        answer.stdout
+    );
+    let json = scratch.dolmen("check examples/p10 --json");
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    let of = |state: &serde_json::Value| {
+        let first = &state["check"]["stack"]["governing"];
+        (
+            first["kind"].clone(),
+            first["threshold"]["acceleration_g"].as_f64().unwrap(),
+        )
+    };
+    let (kind, at_g) = of(&value["state"]);
+    // the ten blocks by hand: weights 2.88 … of blocks 5 to 10 over their height
+    let blocks = [
+        (1.1, 1.1),
+        (1.9, 0.5),
+        (1.0, 0.45),
+        (1.65, 0.45),
+        (0.85, 0.40),
+        (1.4, 0.40),
+    ];
+    let (mut base, mut volume, mut moment) = (0.0, 0.0, 0.0);
+    for (width, height) in blocks {
+        let own: f64 = width * width * height;
+        volume += own;
+        moment += own * (base + 0.5 * height);
+        base += height;
+    }
+    assert_eq!(kind, "uplift");
+    assert!((at_g - 0.55 * volume / moment).abs() < 1e-12, "{at_g}");
+    let (kind, at_g) = of(&value["variants"][0]["state"]);
+    assert_eq!((kind.as_str(), (at_g * 1e9).round()), (Some("sliding"), 0.3e9));
+}
+
+/// Processor time of the children of a shell, s, from the second line of its `times`: "0m0.020s 0m0.010s".
+fn children_s(times: &str) -> f64 {
+    let line = times.lines().nth(1).unwrap();
+    let seconds = |word: &str| {
+        let (minutes, seconds) = word.trim_end_matches('s').split_once('m').unwrap();
+        60.0 * minutes.parse::<f64>().unwrap() + seconds.parse::<f64>().unwrap()
+    };
+    line.split_whitespace().map(seconds).sum()
+}
+
+#[test]
+fn holds_a_pagoda_is_checked_within_30_ms_of_processor_time() {
+    let scratch = Scratch::with_examples("fast");
+    for example in ["three_storey_pagoda", "p10", "piled_blocks"] {
+        let project = scratch.path().join(format!("examples/{example}/project.toml"));
+        let text = fs::read_to_string(&project).unwrap();
+        let one_version = text.split("[variant.").next().unwrap();
+        fs::write(&project, one_version).unwrap();
+        let script = format!(
+            "for i in 1 2 3 4 5 6 7 8 9 10; do dolmen check examples/{example} > out.txt || exit 1; done; times"
+        );
+        let ten_s = || {
+            let output = Command::new("sh")
+                .args(["-c", &script])
+                .current_dir(scratch.path())
+                .env("PATH", scratch.path_with_dolmen())
+                .output()
+                .unwrap();
+            assert!(output.status.success());
+            children_s(&String::from_utf8_lossy(&output.stdout))
+        };
+        let best_s = (0..3).map(|_| ten_s()).fold(f64::INFINITY, f64::min);
+        assert!(best_s / 10.0 < 0.030, "{example}: {best_s} s for ten");
+    }
+}
+
+#[test]
+fn refuses_a_stack_that_overhangs_with_status_1_and_says_where() {
+    let scratch = Scratch::with_examples("overhang");
+    let project = scratch.path().join("examples/p10/project.toml");
+    let text = fs::read_to_string(&project).unwrap();
+    let text = text.replace(
+        "{ name = \"block 6\", width = 1.9,",
+        "{ name = \"block 6\", offset = [0.7, 0], width = 1.9,",
+    );
+    fs::write(&project, text).unwrap();
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    assert!(
+        answer
+            .stdout
+            .contains("VERDICT unstable: above 'block 5' the resultant leaves the joint by 0.15 m"),
+        "{}",
+        answer.stdout
+    );
+}
+
+#[test]
+fn refuses_samples_and_reports_that_are_not_there_yet() {
+    let scratch = Scratch::with_examples("not_yet");
+    for words in ["check examples/p10 --samples 10", "report examples/p10"] {
+        let answer = scratch.dolmen(words);
+        assert_eq!(answer.status, 2, "{words}: {}", answer.stdout);
+        assert!(answer.stderr.contains("stack"), "{}", answer.stderr);
+    }
+}
+
+#[test]
+fn holds_a_new_pagoda_can_be_checked_at_once_and_its_variants_stand_side_by_side() {
+    let scratch = Scratch::new("new_pagoda");
+    let made = scratch.dolmen("new pagoda tower");
+    assert_eq!(made.status, 0, "{}", made.stderr);
+    let answer = scratch.dolmen("check tower --sensitivity");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    for said in [
+        "Side by side",
+        "displaced",
+        "smooth",
+        "Sensitivity of the acceleration at which it begins to move",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+}
