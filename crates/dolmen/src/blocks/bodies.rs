@@ -12,7 +12,7 @@ use crate::structure::stack::Stack;
 use glam::{DMat3, DQuat, DVec3};
 
 /// Turn a step below which the axes at its start serve for all of it, rad: the error is its square. Chosen here.
-const SMALL_TURN: f64 = 1e-6;
+const SMALL_TURN: f64 = 1e-5;
 
 /// One rigid body.
 #[derive(Clone, Debug)]
@@ -72,6 +72,7 @@ impl RigidBody {
 
     /// Kick then drift of one leapfrog step: velocities from t − h/2 to t + h/2 (`kick` = h; h/2 at the start, from t),
     /// places from t to t + h.
+    #[inline]
     pub(super) fn step(&mut self, acceleration: DVec3, torque: DVec3, kick: f64, h: f64) {
         self.velocity += acceleration * kick;
         self.momentum += torque * kick;
@@ -98,6 +99,7 @@ impl RigidBody {
 }
 
 /// Quaternion of a rotation vector; the series serves below .05 rad, where its error is below 1e-16.
+#[inline]
 fn rotation_of(vector: DVec3) -> DQuat {
     let square = vector.length_squared();
     if square > 2.5e-3 {

@@ -135,11 +135,13 @@ impl Motion {
 
 impl Patch {
     /// Where S now is in the frame of P's plane.
+    #[inline]
     pub(super) fn motion(&self, bodies: &[RigidBody]) -> Motion {
         self.motion_between(&bodies[self.plane_body], &bodies[self.point_body])
     }
 
     /// The same, of the two bodies themselves.
+    #[inline]
     pub(super) fn motion_between(&self, p: &RigidBody, s: &RigidBody) -> Motion {
         let to_ground = p.rotation * self.plane_axes;
         let origin = p.position + p.rotation * self.plane_origin;
@@ -154,6 +156,7 @@ impl Patch {
     }
 
     /// How S moves against P.
+    #[inline]
     pub(super) fn twist(&self, bodies: &[RigidBody], motion: &Motion) -> Twist {
         let (p, s) = (&bodies[self.plane_body], &bodies[self.point_body]);
         let of_s = s.velocity + s.spin.cross(motion.origin - s.position);
@@ -166,6 +169,7 @@ impl Patch {
     }
 
     /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
+    #[inline]
     pub(super) fn press(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
         let mut law = self.law;
         let stronger = (law.area / self.touching).sqrt();
