@@ -5,8 +5,10 @@
 
 use super::bodies::{RigidBody, bodies_of};
 use super::contact_points::ContactRule;
-use super::faces::{Hull, Outline, Side, patch_along, patch_of_joint, separation, take_over};
+use super::faces::{patch_along, patch_of_joint};
+use super::hulls::{Hull, Side, separation};
 use super::links::{Link, Prop};
+use super::outline::{Outline, take_over};
 use super::patch::{Law, Patch, Wrench};
 use crate::structure::stack::{Body, JointMaterial, Stack};
 use glam::DVec3;

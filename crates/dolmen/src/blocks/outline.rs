@@ -1,0 +1,221 @@
+//! The outlines of a patch: it is clipped again when S has shifted on P, and its points keep their memory.
+
+use super::contact_points::{ContactPoint, ContactRule, contact_points};
+use super::hulls::{Axis, Separation, Side, counterclockwise};
+use super::patch::{LANES, Law, Motion, Patch, Points};
+use crate::structure::stack::Polygon;
+use glam::DVec3;
+
+/// Another face of S must be this much more opposite to P's to take over, as cosine. Chosen here.
+const OPPOSITE_FAVOUR: f64 = 0.02;
+/// A patch that lacks less than this part of S's face is all of it: rounding. Chosen here.
+const WHOLE: f64 = 1e-9;
+
+/// The outlines of a patch, to clip it again.
+#[derive(Clone, Debug)]
+pub(super) struct Outline {
+    /// The axis along which it was found.
+    pub(super) axis: Axis,
+    /// Index of S's face.
+    pub(super) opposite: usize,
+    /// Face of S in the frame of its points; empty where two edges cross.
+    pub(super) points_face: Polygon,
+    /// Face of P in the frame of its plane; empty for the ground, which has no edge.
+    pub(super) plane_face: Polygon,
+    /// Its extent, m.
+    pub(super) size: f64,
+    /// Whether the patch is all of S's face.
+    pub(super) whole: bool,
+    /// Place and turn of S on P when it was clipped.
+    pub(super) clipped_at: Motion,
+}
+
+/// Points in groups of [`LANES`], padded with points of no area.
+pub(super) fn grouped(points: &[ContactPoint], law: &Law) -> Vec<Points> {
+    let bond = if law.cohesion > 0.0 || law.tension > 0.0 {
+        1.0
+    } else {
+        0.0
+    };
+    let groups = points.chunks(LANES).map(|chunk| {
+        let mut group = Points {
+            friction: [law.friction_static; LANES],
+            bond: [bond; LANES],
+            ..Points::default()
+        };
+        for (lane, point) in chunk.iter().enumerate() {
+            (group.x[lane], group.y[lane]) = (point.place_m[0], point.place_m[1]);
+            group.area[lane] = point.area_m2;
+            group.give[lane] = 1.0 / (point.area_m2 * law.shear_stiffness);
+        }
+        group
+    });
+    groups.collect()
+}
+
+impl Outline {
+    /// Whether two edges cross here.
+    pub(super) fn of_edges(&self) -> bool {
+        self.points_face.corners_m.is_empty()
+    }
+
+    /// Whether the points' frame has shifted on the plane by more than `shift` m since the patch was clipped, or its normal
+    /// has turned by more than `lean`, as sine.
+    pub(super) fn has_drifted(&self, motion: &Motion, shift: f64, lean: f64) -> bool {
+        let (now, then) = (motion, &self.clipped_at);
+        let moved = (now.shift - then.shift).abs();
+        let turned = (now.along_x.y - then.along_x.y).abs() * self.size;
+        let leaned = (now.along_x.z - then.along_x.z)
+            .abs()
+            .max((now.along_y.z - then.along_y.z).abs());
+        moved.x.max(moved.y) + turned > shift || leaned > lean
+    }
+
+    /// Sine of the angle between the two faces, about.
+    pub(super) fn lean(&self, motion: &Motion) -> f64 {
+        motion.along_x.z.hypot(motion.along_y.z)
+    }
+
+    /// Whether the present faces are as good as the best axis, but for less than `favour`, m.
+    pub(super) fn still_serves(
+        &self,
+        best: &Separation,
+        first: Side<'_>,
+        second: Side<'_>,
+        favour: f64,
+    ) -> bool {
+        let (distance, plane, points, face) = match self.axis {
+            Axis::FaceOfFirst(face) => (first.distance_to(face, &second), first, second, face),
+            Axis::FaceOfSecond(face) => (second.distance_to(face, &first), second, first, face),
+            Axis::Edges(..) => return false,
+        };
+        if best.distance > distance + favour {
+            return false;
+        }
+        let Some(hull) = points.hull else {
+            return false;
+        };
+        let down = points.inward(-plane.outward(face));
+        let now = hull.facing(down);
+        hull.normals[now].dot(down) <= hull.normals[self.opposite].dot(down) + OPPOSITE_FAVOUR
+    }
+
+    /// Clips the patch where its bodies now are. Keeps its points if it was and is the whole face of S; else new points
+    /// take over the stretch and bond of the nearest old one.
+    pub(super) fn clip(&mut self, patch: &mut Patch, motion: &Motion, rule: ContactRule) {
+        if self.of_edges() {
+            return;
+        }
+        self.clipped_at = *motion;
+        let seen = self.points_face.corners_m.iter().map(|&[x, y]| {
+            let at = motion.at(x, y);
+            [at.x, at.y]
+        });
+        let face = counterclockwise(seen.collect());
+        let (clipped, whole) = if self.plane_face.corners_m.is_empty() {
+            (face, true)
+        } else {
+            let clipped = face.clipped(&self.plane_face);
+            let whole = clipped.moments().area_m2 >= (1.0 - WHOLE) * face.moments().area_m2;
+            (clipped, whole)
+        };
+        if whole && self.whole && !patch.points.is_empty() {
+            return;
+        }
+        self.whole = whole;
+        let points = match whole {
+            true => contact_points(&self.points_face, rule),
+            false => self.lifted(contact_points(&clipped, rule), motion),
+        };
+        let memories = memories_of(patch, motion);
+        patch.points = grouped(&points, &patch.law);
+        inherit(patch, motion, &memories);
+    }
+
+    /// Points of the plane carried along its normal onto the face of S, in the frame of that face.
+    fn lifted(&self, points: Vec<ContactPoint>, motion: &Motion) -> Vec<ContactPoint> {
+        let (a, b) = (motion.along_x, motion.along_y);
+        let determinant = a.x * b.y - b.x * a.y;
+        let carried = points.into_iter().map(|point| {
+            let (x, y) = (
+                point.place_m[0] - motion.shift.x,
+                point.place_m[1] - motion.shift.y,
+            );
+            ContactPoint {
+                place_m: [
+                    (b.y * x - b.x * y) / determinant,
+                    (a.x * y - a.y * x) / determinant,
+                ],
+                area_m2: point.area_m2,
+            }
+        });
+        carried.collect()
+    }
+}
+
+/// What a point remembers, in the frame of the plane.
+#[derive(Clone, Copy, Debug)]
+struct Memory {
+    place: [f64; 2],
+    stretch: [f64; 2],
+    friction: f64,
+    bond: f64,
+}
+
+fn memories_of(patch: &Patch, motion: &Motion) -> Vec<Memory> {
+    let mut memories = Vec::with_capacity(LANES * patch.points.len());
+    for group in &patch.points {
+        for lane in (0..LANES).filter(|&lane| group.area[lane] > 0.0) {
+            let at = motion.at(group.x[lane], group.y[lane]);
+            memories.push(Memory {
+                place: [at.x, at.y],
+                stretch: [at.x - group.anchor_x[lane], at.y - group.anchor_y[lane]],
+                friction: group.friction[lane],
+                bond: group.bond[lane],
+            });
+        }
+    }
+    memories
+}
+
+/// Gives each point the memory of the nearest; none if there are none.
+fn inherit(patch: &mut Patch, motion: &Motion, memories: &[Memory]) {
+    patch.unstretch(motion);
+    for group in &mut patch.points {
+        for lane in 0..LANES {
+            let at = motion.at(group.x[lane], group.y[lane]);
+            let distance =
+                |memory: &Memory| (memory.place[0] - at.x).powi(2) + (memory.place[1] - at.y).powi(2);
+            let nearest = memories.iter().min_by(|a, b| distance(a).total_cmp(&distance(b)));
+            if let Some(memory) = nearest {
+                group.anchor_x[lane] = at.x - memory.stretch[0];
+                group.anchor_y[lane] = at.y - memory.stretch[1];
+                group.friction[lane] = memory.friction;
+                group.bond[lane] = memory.bond;
+            }
+        }
+    }
+}
+
+/// Carries the stretch of a patch over to another of the same two bodies.
+pub(super) fn take_over(patch: &mut Patch, motion: &Motion, old: &Patch, old_motion: &Motion) {
+    // stretch is of S against P: with the roles exchanged it is the opposite
+    let sign = if old.point_body == patch.point_body {
+        1.0
+    } else {
+        -1.0
+    };
+    let from_old = motion.to_ground.transpose() * old_motion.to_ground;
+    let shift = motion.to_ground.transpose() * (old_motion.origin - motion.origin);
+    let carried = memories_of(old, old_motion).into_iter().map(|memory| {
+        let place = from_old * DVec3::new(memory.place[0], memory.place[1], 0.0) + shift;
+        let stretch = from_old * DVec3::new(memory.stretch[0], memory.stretch[1], 0.0) * sign;
+        Memory {
+            place: [place.x, place.y],
+            stretch: [stretch.x, stretch.y],
+            ..memory
+        }
+    });
+    let carried: Vec<Memory> = carried.collect();
+    inherit(patch, motion, &carried);
+}
