@@ -1,7 +1,7 @@
 //! `dolmen check`: is the file right, does it stand.
 
 use crate::cli::Check as Options;
-use crate::{Outcome, files, open};
+use crate::{Outcome, files, open, stack_frequencies};
 use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{
     Sensitivity, StackCheckOptions, check_chain, check_frame, check_stack, elasticity, probability,
@@ -13,7 +13,7 @@ use dolmen_formats::answer::{
     StackAnswer, State, TiltCheck, VariantAnswer,
 };
 use dolmen_formats::json::check_json;
-use dolmen_formats::project::{ModeKind, Pick, Project, Quantity, Structure};
+use dolmen_formats::project::{ModeKind, Pick, Project, Quantity, Structure, SurveyMode};
 use dolmen_formats::text::check_text;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -59,6 +59,9 @@ pub(crate) fn answer(
     let mut state = state_of(&project, sampling)?;
     if let Some(state) = &mut state {
         state.contradictions = contradictions(&project, &state.check);
+        if let Check::Stack(stack) = &state.check {
+            state.spring_fits = stack_frequencies::fits(stack, &project.surveys)?;
+        }
     }
     let mut variants = Vec::new();
     for variant in &project.variants {
@@ -105,6 +108,7 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
         check,
         tilts,
         contradictions: Vec::new(),
+        spring_fits: Vec::new(),
         sampled,
     }))
 }
@@ -146,33 +150,43 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
 /// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.
 fn contradictions(project: &Project, check: &Check) -> Vec<FrequencyContradiction> {
     let computed = |direction: &str| match check {
-        Check::Chain(chain) => chain.modes.first(),
-        Check::Frame(all) => all
-            .iter()
-            .find(|d| d.direction == direction)
-            .and_then(|d| d.check.modes.first()),
-        Check::Stack(_) => None,
+        Check::Chain(chain) => chain.modes.first().map(|mode| mode.frequency_hz),
+        Check::Frame(all) => {
+            let own = all.iter().find(|d| d.direction == direction);
+            own.and_then(|d| d.check.modes.first())
+                .map(|mode| mode.frequency_hz)
+        }
+        Check::Stack(stack) => {
+            let known = stack.frequencies.as_ref();
+            known.and_then(|known| known.sway(direction)).map(|(_, hz)| hz)
+        }
     };
     let mut found = Vec::new();
     for survey in &project.surveys {
         for (direction, modes) in &survey.modes {
-            let measured = modes
-                .iter()
-                .find(|mode| mode.kind == ModeKind::Translation && !mode.frequency.is_assumed());
-            if let (Some(measured), Some(computed)) = (measured, computed(direction)) {
-                let ratio = measured.frequency.value / computed.frequency_hz;
+            let measured = lowest_measured(modes);
+            if let (Some(measured_hz), Some(computed_hz)) = (measured, computed(direction)) {
+                let ratio: f64 = measured_hz / computed_hz;
                 if ratio.ln().abs() > FREQUENCY_RATIO_MOST.ln() {
                     found.push(FrequencyContradiction {
                         survey: survey.name.clone(),
                         direction: direction.clone(),
-                        measured_hz: measured.frequency.value,
-                        computed_hz: computed.frequency_hz,
+                        measured_hz,
+                        computed_hz,
                     });
                 }
             }
         }
     }
     found
+}
+
+/// The lowest frequency of translation that was measured, Hz.
+pub(crate) fn lowest_measured(modes: &[SurveyMode]) -> Option<f64> {
+    let measured = modes
+        .iter()
+        .find(|mode| mode.kind == ModeKind::Translation && !mode.frequency.is_assumed());
+    measured.map(|mode| mode.frequency.value)
 }
 
 /// The check of a structure, each input with the value that `pick` chooses; `None` if nothing is modelled.
@@ -202,7 +216,12 @@ fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
         Structure::Stack(part) => {
             let stack = part.build(pick)?;
             let check = check_stack(&stack, &StackCheckOptions::default())?;
-            Some(Check::Stack(Box::new(StackAnswer { stack, check })))
+            let frequencies = stack_frequencies::of(&stack, &check);
+            Some(Check::Stack(Box::new(StackAnswer {
+                stack,
+                check,
+                frequencies,
+            })))
         }
     })
 }

@@ -7,6 +7,7 @@ mod identify;
 mod new;
 mod open;
 mod report;
+mod stack_frequencies;
 mod tools;
 mod validate;
 

@@ -2,6 +2,7 @@
 
 use crate::project::{Names, Project};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
+use dolmen::blocks::{MatchedFrequency, StackMode};
 use dolmen::modal::ModalAnalysis;
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
@@ -48,6 +49,8 @@ pub struct State {
     pub tilts: Vec<TiltCheck>,
     /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
     pub contradictions: Vec<FrequencyContradiction>,
+    /// What the springs of a stack must be multiplied by to have the frequencies that surveys measured.
+    pub spring_fits: Vec<SpringFit>,
     /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
     pub sampled: Option<Sampled>,
 }
@@ -109,6 +112,52 @@ pub struct StackAnswer {
     pub stack: Stack,
     /// Does it stand, and at what horizontal acceleration does it begin to move.
     pub check: StackCheck,
+    /// Natural frequencies on the springs of its joints; `None` if it does not stand.
+    pub frequencies: Option<StackFrequencies>,
+}
+
+/// Natural frequencies of a stack: those of the springs that the file gives or Dolmen assumes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StackFrequencies {
+    /// They are known.
+    Known {
+        /// The lowest [`MODES_SHOWN`].
+        lowest: Vec<StackMode>,
+        /// Which of all its modes is the first of swaying along x and along y, and its frequency, Hz.
+        sways: [Option<(usize, f64)>; 2],
+    },
+    /// Why they are not.
+    Refused(String),
+}
+
+/// How many natural frequencies of a stack are shown. Chosen here: swaying along both axes, and one more.
+pub const MODES_SHOWN: usize = 3;
+
+impl StackFrequencies {
+    /// The first mode of swaying along "x" or "y": its number among all modes, from 0, and its frequency, Hz.
+    pub fn sway(&self, direction: &str) -> Option<(usize, f64)> {
+        let StackFrequencies::Known { sways, .. } = self else {
+            return None;
+        };
+        match direction {
+            "x" => sways[0],
+            "y" => sways[1],
+            _ => None,
+        }
+    }
+}
+
+/// One factor on all springs of a stack, from one survey.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpringFit {
+    /// The survey.
+    pub survey: String,
+    /// What the stiffness of every joint must be multiplied by; `None` if nothing can be compared.
+    pub factor: Option<f64>,
+    /// By direction the lowest frequency measured, and that of the stack with the factor.
+    pub frequencies: Vec<(String, MatchedFrequency)>,
+    /// Directions with a measured frequency that are neither x nor y: not compared.
+    pub not_compared: Vec<String>,
 }
 
 /// A frame in one direction.

@@ -134,3 +134,54 @@ fn holds_a_new_pagoda_can_be_checked_at_once_and_its_variants_stand_side_by_side
         assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
     }
 }
+
+#[test]
+fn exact_measured_frequencies_contradict_the_springs_and_say_their_factor() {
+    let scratch = Scratch::with_examples("frequencies");
+    let project = scratch.path().join("examples/p10/project.toml");
+    let text = fs::read_to_string(&project).unwrap();
+    let survey = "[survey.2019]\nfrequencies = { x = [6.0], y = [5.9], weak = [3.0] }\n\n[variant.";
+    fs::write(&project, text.replace("[variant.", survey)).unwrap();
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    // ω² is proportional to k: (6.0 · 5.9)/4.7043², and both modes then have √(6.0 · 5.9)
+    let said = [
+        "CONTRADICTION: survey 2019 measured 6.0000 Hz in direction x, this model has 4.7043 Hz: its stiffness or mass is not \
+         that of the\n  structure that was measured, and the verdict is on the model\n",
+        "Natural frequencies on the springs of its joints\n",
+        "  They are those of the stiffness given or assumed, with every joint closed: no finding until a survey measures them.\n",
+        "  survey 2019: every joint 1.5996 × as stiff fits its frequencies best (x 6.000 Hz measured, 5.950 Hz then; y 5.900 Hz \
+         measured, 5.950 Hz then)\n",
+        "  note: survey 2019: frequencies in direction weak are not compared: a stack sways along x and y\n",
+    ];
+    for said in said {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let json = scratch.dolmen("check examples/p10 --json");
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    let sway_hz = value["state"]["check"]["stack"]["frequencies"]["sway_y_hz"]
+        .as_f64()
+        .unwrap();
+    let factor = value["state"]["spring_fits"][0]["factor"].as_f64().unwrap();
+    assert!((sway_hz - 4.7043).abs() < 5e-5, "{sway_hz}");
+    assert!(
+        (factor - 6.0 * 5.9 / (sway_hz * sway_hz)).abs() < 1e-6,
+        "{factor}"
+    );
+}
+
+#[test]
+fn holds_a_stack_that_falls_has_no_frequencies() {
+    let scratch = Scratch::with_examples("falls_without_frequencies");
+    let project = scratch.path().join("examples/p10/project.toml");
+    let text = fs::read_to_string(&project).unwrap();
+    let overhang = "name = \"block 6\", offset = [0.7, 0],";
+    fs::write(&project, text.replace("name = \"block 6\",", overhang)).unwrap();
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    assert!(
+        !answer.stdout.contains("Natural frequencies"),
+        "{}",
+        answer.stdout
+    );
+}

@@ -64,6 +64,12 @@ fn state(state: &State) -> Value {
         "contradictions": state.contradictions.iter().map(|c| json!({
             "survey": c.survey, "direction": c.direction, "measured_hz": c.measured_hz, "computed_hz": c.computed_hz,
         })).collect::<Vec<_>>(),
+        "spring_fits": state.spring_fits.iter().map(|fit| json!({
+            "survey": fit.survey, "factor": fit.factor, "not_compared": fit.not_compared,
+            "frequencies": fit.frequencies.iter().map(|(direction, found)| json!({
+                "direction": direction, "measured_hz": found.measured_hz, "computed_hz": found.computed_hz,
+            })).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
         "sampled": state.sampled.as_ref().map(sampled),
     })
 }

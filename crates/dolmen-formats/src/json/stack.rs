@@ -1,6 +1,6 @@
 //! The check of a stack, as JSON.
 
-use crate::answer::StackAnswer;
+use crate::answer::{StackAnswer, StackFrequencies};
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Threshold};
 use dolmen::structure::stack::{Body, Stack};
 use serde_json::{Value, json};
@@ -24,6 +24,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "gravity_margin": limits.gravity_margin,
         "verdict": check.verdict.word(),
         "capacity": check.capacity.as_ref().map(threshold),
+        "frequencies": answer.frequencies.as_ref().map(frequencies),
         "period_of_thumb_s": check.period_of_thumb.period_s,
         "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "uplift": limits.uplift.as_ref().map(governing),
@@ -34,6 +35,19 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "statically_determinate": limits.statically_determinate,
         "not_planar": limits.not_planar.iter().map(names).collect::<Vec<_>>(),
     })
+}
+
+fn frequencies(frequencies: &StackFrequencies) -> Value {
+    match frequencies {
+        StackFrequencies::Known { lowest, sways } => json!({
+            "modes": lowest.iter().map(|mode| json!({
+                "frequency_hz": mode.frequency_hz, "effective_mass_ratio": mode.effective_mass_ratio, "shape": mode.shape,
+            })).collect::<Vec<_>>(),
+            "sway_x_hz": sways[0].map(|(_, hz)| hz),
+            "sway_y_hz": sways[1].map(|(_, hz)| hz),
+        }),
+        StackFrequencies::Refused(why) => json!({ "refused": why }),
+    }
 }
 
 fn joints(stack: &Stack) -> Vec<Value> {

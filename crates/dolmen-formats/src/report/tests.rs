@@ -98,6 +98,7 @@ fn answer(project: Project, check: Check) -> Answer {
             check,
             tilts: vec![],
             contradictions: vec![],
+            spring_fits: vec![],
             sampled: None,
         }),
         variants: vec![],

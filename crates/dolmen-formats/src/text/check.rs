@@ -2,7 +2,7 @@
 
 use super::Table;
 use super::project::{heading_text, warnings_text};
-use super::stack::{stack_text, stack_verdict};
+use super::stack::{spring_fits_text, stack_text, stack_verdict};
 use super::versions::{comparison, sampled_text, sensitivity_text};
 use crate::answer::{Answer, Check, DirectionCheck, State, TiltCheck};
 use crate::number::{beside_one, percent, prefix};
@@ -53,6 +53,7 @@ pub fn check_text(answer: &Answer) -> String {
 fn state_text(state: &State, project: &Project) -> String {
     let mut out = verdict_line(state);
     out += &limits_of(state);
+    out += &spring_fits_text(&state.spring_fits);
     if let (Check::Chain(check), Structure::Chain(part)) = (&state.check, &project.structure) {
         let names: Vec<&str> = part
             .links

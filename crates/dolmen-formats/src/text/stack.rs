@@ -1,7 +1,7 @@
 //! The check of a stack, as text.
 
 use super::Table;
-use crate::answer::{Answer, Check, StackAnswer};
+use crate::answer::{Answer, Check, SpringFit, StackAnswer, StackFrequencies};
 use dolmen::assess::{StackCheck, StackNote};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, StackLimitStates, Threshold};
@@ -135,6 +135,66 @@ pub(super) fn stack_text(answer: &StackAnswer) -> String {
         "  first frequency by its height alone: {:.1} Hz, wrong by a factor of two for two of the eight pagodas it was fitted to",
         1.0 / thumb.period_s
     );
+    match &answer.frequencies {
+        Some(frequencies) => out + &frequencies_text(frequencies),
+        None => out,
+    }
+}
+
+fn frequencies_text(frequencies: &StackFrequencies) -> String {
+    let lowest = match frequencies {
+        StackFrequencies::Known { lowest, .. } => lowest,
+        StackFrequencies::Refused(why) => return format!("\nNatural frequencies are not known: {why}\n"),
+    };
+    let heads = ["mode", "f, Hz", "T, s", "mass along x, %", "y, %", "z, %"];
+    let mut table = Table::new(&heads, 1);
+    for (i, mode) in lowest.iter().enumerate() {
+        let mut cells = vec![
+            (i + 1).to_string(),
+            format!("{:.3}", mode.frequency_hz),
+            format!("{:.4}", 1.0 / mode.frequency_hz),
+        ];
+        cells.extend(
+            mode.effective_mass_ratio
+                .map(|ratio| format!("{:.1}", 100.0 * ratio)),
+        );
+        table.row(cells);
+    }
+    format!(
+        "\nNatural frequencies on the springs of its joints\n{}  They are those of the stiffness given or assumed, with every \
+         joint closed: no finding until a survey measures them.\n",
+        table.text()
+    )
+}
+
+/// What the springs must be to have the frequencies measured.
+pub(super) fn spring_fits_text(fits: &[SpringFit]) -> String {
+    let mut out = String::new();
+    for fit in fits {
+        if let Some(factor) = fit.factor {
+            let each = fit.frequencies.iter().map(|(direction, found)| {
+                format!(
+                    "{direction} {:.3} Hz measured, {:.3} Hz then",
+                    found.measured_hz, found.computed_hz
+                )
+            });
+            let each: Vec<String> = each.collect();
+            let _ = writeln!(
+                out,
+                "  survey {}: every joint {factor:.4} × as stiff fits its frequencies best ({})",
+                fit.survey,
+                each.join("; ")
+            );
+        }
+        if !fit.not_compared.is_empty() {
+            let _ = writeln!(
+                out,
+                "  note: survey {}: frequencies in direction {} are not compared: a stack sways along x and y",
+                fit.survey,
+                fit.not_compared.join(", ")
+            );
+        }
+    }
     out
 }
 

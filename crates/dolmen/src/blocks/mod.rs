@@ -20,6 +20,6 @@ mod springs;
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};
 pub use error::BlocksError;
-pub use frequencies::{StackMode, stack_modes};
+pub use frequencies::{StackMode, first_sway, stack_modes};
 pub use history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 pub use springs::{AfterFall, Springs, Start, simulate_springs};
