@@ -92,6 +92,7 @@ pub(crate) fn answer(
         sensitivities,
         sensitivity_of,
         surveys: Vec::new(),
+        simulation: None,
     })
 }
 

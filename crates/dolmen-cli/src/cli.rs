@@ -8,8 +8,8 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "dolmen", version, max_term_width = 110, propagate_version = true)]
 #[command(
-    after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\", 2 bad input, 3 a computation did \
-                        not converge.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
+    after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\" or a stone fell, 2 bad input, 3 a computation did \
+                        not converge or was stopped.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -30,6 +30,8 @@ pub(crate) enum Verb {
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
+    /// A stack under a ground motion: rocking, sliding, twisting, falling
+    Simulate(Simulate),
     /// One self-contained HTML page, in English or Korean
     Report(Report),
     /// The main job on the shipped examples, start to report
@@ -105,6 +107,92 @@ pub(crate) struct Identify {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Simulate {
+    /// Project file of a stack, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    #[command(flatten)]
+    pub(crate) motion: Motion,
+    /// Simulate this variant of the file instead of the structure as it is
+    #[arg(long, value_name = "NAME")]
+    pub(crate) variant: Option<String>,
+    /// Contact points of a joint: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
+    #[arg(long, value_enum, default_value_t = Points::P16)]
+    pub(crate) points: Points,
+    /// Time step, s; the longest stable one times .9 without it
+    #[arg(long, value_name = "S")]
+    pub(crate) step: Option<f64>,
+    /// Length of the run, s; the motion and 2 s more without it
+    #[arg(long, value_name = "S")]
+    pub(crate) duration: Option<f64>,
+    /// Time between samples of the histories, s
+    #[arg(long, value_name = "S", default_value_t = 0.01)]
+    pub(crate) output_step: f64,
+    /// Go on when a stone has fallen, for a film
+    #[arg(long)]
+    pub(crate) to_the_end: bool,
+    /// Write histories (CSV), result (JSON), figures (SVG), film (glTF) and exports into this folder
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// Language of the figures
+    #[arg(long, value_enum, default_value_t = Language::En)]
+    pub(crate) language: Language,
+}
+
+#[derive(Debug, Args)]
+#[command(next_help_heading = "Motion of the ground, for stacks")]
+pub(crate) struct Motion {
+    /// A motion that Dolmen carries with it, along x: el-centro-1940-ns
+    #[arg(long, value_name = "NAME", conflicts_with = "motion_file")]
+    pub(crate) motion: Option<String>,
+    /// Files of acceleration (AT2, CSV), one a component: x, y, z in this order, or named as in y=FILE
+    #[arg(long, value_name = "FILE", num_args = 1..=3)]
+    pub(crate) motion_file: Vec<String>,
+    /// Unit of the numbers in the files where they do not say it: g, gal, m/s2
+    #[arg(long, value_name = "UNIT", requires = "motion_file")]
+    pub(crate) unit: Option<String>,
+    /// Time between the samples of the files where they do not say it, s
+    #[arg(long, value_name = "S", requires = "motion_file")]
+    pub(crate) sample_step: Option<f64>,
+    /// Keep only the first seconds of the motion
+    #[arg(long, value_name = "S")]
+    pub(crate) keep_first: Option<f64>,
+    /// Bring the motion to zero within so many seconds at both ends
+    #[arg(long, value_name = "S")]
+    pub(crate) taper: Option<f64>,
+    /// Turn the motion by so many degrees from x towards y
+    #[arg(long, value_name = "DEG", allow_negative_numbers = true)]
+    pub(crate) turn: Option<f64>,
+    /// Multiply all components by this factor
+    #[arg(
+        long,
+        value_name = "FACTOR",
+        conflicts_with = "peak",
+        allow_negative_numbers = true
+    )]
+    pub(crate) scale: Option<f64>,
+    /// Multiply all components by the one factor that brings the largest horizontal peak to this: "0.3 g"
+    #[arg(long, value_name = "ACCELERATION")]
+    pub(crate) peak: Option<String>,
+}
+
+/// Contact points of a quadrilateral joint.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Points {
+    /// Corners only
+    #[value(name = "4")]
+    P4,
+    /// 3 × 3
+    #[value(name = "9")]
+    P9,
+    /// 4 × 4
+    #[value(name = "16")]
+    P16,
+    /// 6 × 6
+    #[value(name = "36")]
+    P36,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Report {
     /// Project files, or folders that hold project.toml: one report for all of them
     #[arg(required = true)]
@@ -121,6 +209,8 @@ pub(crate) struct Report {
     /// Seed of the samples
     #[arg(long, default_value_t = 1)]
     pub(crate) seed: u64,
+    #[command(flatten)]
+    pub(crate) motion: Motion,
     /// Date to print on the page, such as 2026-05-12; none without it
     #[arg(long)]
     pub(crate) date: Option<String>,

@@ -34,6 +34,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         sensitivities: Vec::new(),
         sensitivity_of: SensitivityOf::default(),
         surveys,
+        simulation: None,
     };
     let json = identification_json(&answer);
     if as_json {

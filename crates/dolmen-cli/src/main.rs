@@ -4,9 +4,11 @@ mod check;
 mod cli;
 mod files;
 mod identify;
+mod motion;
 mod new;
 mod open;
 mod report;
+mod simulate;
 mod stack_frequencies;
 mod tools;
 mod validate;
@@ -20,8 +22,10 @@ use std::process::ExitCode;
 enum Outcome {
     /// Nothing is unstable.
     Stands,
-    /// A verdict is "unstable" or "below demand".
+    /// A verdict is "unstable" or "below demand", or a stone fell.
     Falls,
+    /// A simulation was stopped or diverged: there is no verdict.
+    Unfinished,
 }
 
 fn main() -> ExitCode {
@@ -29,6 +33,7 @@ fn main() -> ExitCode {
     match run(&cli) {
         Ok(Outcome::Stands) => ExitCode::SUCCESS,
         Ok(Outcome::Falls) => ExitCode::from(1),
+        Ok(Outcome::Unfinished) => ExitCode::from(tools::NO_CONVERGENCE),
         Err(fault) => {
             tools::complain(&fault);
             ExitCode::from(tools::exit_status(&fault))
@@ -41,6 +46,7 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
         Verb::New(options) => new::run(options, cli.quiet),
         Verb::Check(options) => check::run(options, cli.json),
         Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
+        Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
         Verb::Report(options) => report::run(options, cli.quiet),
         Verb::Demo(options) => report::demo(options, cli.quiet),
         Verb::Schema => tools::schema(),

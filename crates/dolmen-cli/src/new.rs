@@ -66,9 +66,12 @@ pub(crate) fn run(options: &New, quiet: bool) -> Result<Outcome> {
             Kind::Gate | Kind::Survey => "identify",
         };
         println!("    dolmen {verb} {shown}");
-        if options.kind != Kind::Pagoda {
-            println!("    dolmen report {shown} -o {shown}/report.html");
-        }
+        let motion = if options.kind == Kind::Pagoda {
+            " --motion el-centro-1940-ns"
+        } else {
+            ""
+        };
+        println!("    dolmen report {shown}{motion} -o {shown}/report.html");
     }
     Ok(Outcome::Stands)
 }

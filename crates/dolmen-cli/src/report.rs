@@ -1,9 +1,10 @@
 //! `dolmen report` and `dolmen demo`: projects to one page.
 
 use crate::check::{self, Sampling};
-use crate::cli::{Demo, Language as Chosen, Report};
-use crate::{Outcome, files, identify, new, open};
+use crate::cli::{Demo, Language as Chosen, Motion, Report};
+use crate::{Outcome, files, identify, motion, new, open, simulate};
 use anyhow::{Result, bail};
+use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
 use dolmen_formats::Language;
 use dolmen_formats::answer::Answer;
@@ -30,19 +31,36 @@ fn imprint(date: Option<String>) -> Imprint {
     }
 }
 
-/// Everything that can be said of one project: its check, with samples and sensitivities, and its surveys.
-fn whole(path: &Path, sampling: Option<Sampling>, quiet: bool) -> Result<Answer> {
+/// Everything that can be said of one project: its check, with samples and sensitivities, its surveys, and a stack under the
+/// motion that was asked for.
+fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet: bool) -> Result<Answer> {
     let open::Opened { project, file } = open::project(path)?;
-    if matches!(project.structure, Structure::Stack(_)) {
+    if let (Structure::Chain(_) | Structure::Frame(_) | Structure::Survey, Some(options)) =
+        (&project.structure, motion)
+        && motion::is_given(options)
+    {
         bail!(
-            "{}: a report on a stack cannot be made yet; `dolmen check {}` prints its limits",
-            file.display(),
-            path.display()
+            "{}: only a stack can be simulated; leave the motion out",
+            file.display()
         );
     }
+    let is_stack = matches!(project.structure, Structure::Stack(_));
+    let sampling = sampling.filter(|_| !is_stack); // a stack's verdict is without shaking: nothing is drawn for it
     let surveys = identify::surveys(&project, &file, None, quiet)?;
     let mut answer = check::answer(project, &file, sampling, true)?;
     answer.surveys = surveys;
+    let stands = answer
+        .state
+        .as_ref()
+        .is_some_and(|state| state.verdict() != Verdict::Unstable);
+    if let (true, true, Some(options)) = (
+        is_stack,
+        stands,
+        motion.filter(|options| motion::is_given(options)),
+    ) {
+        let simulated = simulate::of_report(&answer.project, &file, motion::motion(options)?, quiet)?;
+        answer.simulation = Some(Box::new(simulated));
+    }
     Ok(answer)
 }
 
@@ -51,6 +69,11 @@ pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {
         samples: options.samples as usize,
         seed: options.seed,
     });
+    if !motion::is_given(&options.motion) && motion::is_changed(&options.motion) {
+        bail!(
+            "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file"
+        );
+    }
     let mut answers = Vec::new();
     for path in &options.projects {
         if files::project_file(path)?.canonicalize().ok() == options.output.canonicalize().ok()
@@ -61,7 +84,7 @@ pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {
                 options.output.display()
             );
         }
-        answers.push(whole(path, sampling, quiet)?);
+        answers.push(whole(path, sampling, Some(&options.motion), quiet)?);
     }
     let page = html(
         &answers,
@@ -89,7 +112,7 @@ pub(crate) fn demo(options: &Demo, quiet: bool) -> Result<Outcome> {
             samples: DEMO_SAMPLES,
             seed: DEMO_SEED,
         });
-        let answer = whole(&directory, sampling, quiet)?;
+        let answer = whole(&directory, sampling, None, quiet)?;
         if !quiet {
             println!("{}: {}", answer.project.name.english(), summary(&answer));
         }

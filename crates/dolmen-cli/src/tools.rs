@@ -4,14 +4,15 @@ use crate::cli::Cli;
 use crate::{Outcome, files};
 use anyhow::{Context as _, Result, bail};
 use clap::CommandFactory as _;
+use dolmen::blocks::BlocksError;
 use dolmen_formats::explain::{EXPLANATIONS, explain as look_up, nearest_code};
 use dolmen_formats::project::json_schema;
 use serde_json::json;
 use std::io::Write as _;
 use std::path::Path;
 
-/// Exit status of a computation that did not converge; bad input is [`BAD_INPUT`].
-const NO_CONVERGENCE: u8 = 3;
+/// Exit status of a computation that did not converge or come to its end; bad input is [`BAD_INPUT`].
+pub(crate) const NO_CONVERGENCE: u8 = 3;
 /// Exit status of bad input.
 const BAD_INPUT: u8 = 2;
 
@@ -26,7 +27,10 @@ pub(crate) fn complain(fault: &anyhow::Error) {
 
 /// The exit status that an error stands for.
 pub(crate) fn exit_status(fault: &anyhow::Error) -> u8 {
-    let diverged = |cause: &(dyn std::error::Error + 'static)| cause.to_string().contains("did not converge");
+    let diverged = |cause: &(dyn std::error::Error + 'static)| {
+        let no_rest = matches!(cause.downcast_ref(), Some(BlocksError::NoRest { .. }));
+        no_rest || cause.to_string().contains("did not converge")
+    };
     if fault.chain().any(diverged) {
         NO_CONVERGENCE
     } else {

@@ -1,6 +1,7 @@
 //! Everything that was computed for one project: what the command fills, and text, JSON and report print.
 
 use crate::project::{Names, Project};
+use crate::simulation::Simulation;
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
 use dolmen::modal::ModalAnalysis;
@@ -26,6 +27,8 @@ pub struct Answer {
     pub sensitivity_of: SensitivityOf,
     /// What was identified from each survey, in the order of the file.
     pub surveys: Vec<SurveyAnswer>,
+    /// The stack under a ground motion; `None` if none was asked for.
+    pub simulation: Option<Box<Simulation>>,
 }
 
 /// The result whose sensitivities are given.
@@ -288,8 +291,15 @@ fn worst(verdicts: impl Iterator<Item = Verdict>) -> Verdict {
 }
 
 impl Answer {
-    /// Whether any version of the structure is unstable: exit status 1.
+    /// Whether any version of the structure is unstable, or a stone fell in the simulation: exit status 1.
     pub fn falls(&self) -> bool {
+        if self
+            .simulation
+            .as_ref()
+            .is_some_and(|simulation| simulation.falls())
+        {
+            return true;
+        }
         let states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
         states
             .into_iter()

@@ -11,6 +11,7 @@ pub mod number;
 pub mod project;
 pub mod records;
 pub mod report;
+pub mod simulation;
 pub mod text;
 
 pub use language::Language;

@@ -5,5 +5,6 @@ mod answers;
 mod docs;
 mod layout;
 mod safety;
+mod simulations;
 mod stacks;
 mod verbs;

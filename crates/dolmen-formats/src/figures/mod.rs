@@ -10,6 +10,10 @@ mod modal;
 mod plot;
 mod scene;
 mod shapes;
+mod stack;
+mod stack_histories;
+mod stack_limits;
+mod stack_view;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
@@ -18,3 +22,7 @@ pub use identification::{Figure, identification};
 pub(crate) use identification::{letter, measured_modes, solution_shapes};
 pub use modal::{sensor_shapes, singular_values, stabilization};
 pub use shapes::{ShapePanel, mode_shapes};
+pub use stack::{stack_after, stack_view};
+pub use stack_histories::stack_histories;
+pub(crate) use stack_limits::above_words;
+pub use stack_limits::{stack_capacity, stack_governing};

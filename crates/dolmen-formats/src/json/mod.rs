@@ -2,7 +2,9 @@
 
 mod check;
 mod identify;
+mod simulation;
 mod stack;
 
 pub use check::check_json;
 pub use identify::identification_json;
+pub use simulation::simulation_json;

@@ -1,7 +1,7 @@
 //! The findings in plain words, made from the values: what was not computed is called unknown.
 
 use super::given::assumptions;
-use super::{chain_findings, frame, identification, measured, modal, samples, variants};
+use super::{chain_findings, frame, identification, measured, modal, samples, simulation, stack, variants};
 use crate::Language;
 use crate::answer::{Answer, Check};
 use crate::project::{Cap, Structure};
@@ -52,12 +52,15 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         match &state.check {
             Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
-            Check::Stack(_) => {}
+            Check::Stack(check) => all.extend(stack::findings(check, language)),
         }
         all.extend(measured::findings(state, language));
         all.extend(samples::findings(state.sampled.as_ref(), language));
     }
     all.extend(variants::findings(answer, language));
+    if let Some(simulated) = &answer.simulation {
+        all.extend(simulation::findings(simulated, language));
+    }
     for survey in &answer.surveys {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));

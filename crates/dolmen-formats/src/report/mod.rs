@@ -12,6 +12,8 @@ mod modal;
 mod notes;
 mod page;
 mod samples;
+mod simulation;
+mod stack;
 mod style;
 mod table;
 mod variants;

@@ -2,7 +2,7 @@
 
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
-use super::{chain, findings, frame, given, identification, modal, samples, variants};
+use super::{chain, findings, frame, given, identification, modal, samples, simulation, stack, variants};
 use crate::Language;
 use crate::answer::{Answer, Check, State};
 use crate::number::beside_one;
@@ -80,7 +80,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             "Stability of a frame of rigid storeys",
             "강체 층 골조 모델의 안정성 검토",
         ),
-        Structure::Stack(_) => language.pick("A stack of blocks", "적층 석조 블록"),
+        Structure::Stack(_) => language.pick("Stability of a stack of stones", "적층 석조물의 안정성 검토"),
         Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
     };
     markup! {
@@ -100,9 +100,11 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         @match (&project.structure, answer.state.as_ref().map(|s| &s.check)) {
             (Structure::Chain(part), Some(Check::Chain(check))) => (chain::sections(part, check, language)),
             (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
+            (Structure::Stack(_), Some(Check::Stack(check))) => (stack::sections(answer, check, language)),
             _ => {}
         }
-        (variants::section(answer, language))
+        @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) }
+        @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))
         @for survey in &answer.surveys {
             @if let Some(record) = &survey.records { (modal::section(&survey.name, record, language)) }
@@ -115,7 +117,11 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
 
 fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
     let verdict = state.verdict();
-    let sentence = match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
+    let stack = match &state.check {
+        Check::Stack(answer) => Some(answer),
+        _ => None,
+    };
+    let factor_words = || match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
         Some(load_factor) => format!("λ = {}.", beside_one(load_factor, 4)),
         None if state.load_factor() == Some(f64::INFINITY) => language
             .pick("No gravity load is given.", "축력이 주어지지 않음.")
@@ -124,6 +130,7 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
             .pick("Stiffness is not given.", "강성이 주어지지 않음.")
             .into(),
     };
+    let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer, language));
     // What a survey assumes touches stiffness from vibration, not this verdict.
     let structural = |q: &&Quantity| q.is_assumed() && !q.path.starts_with("survey.");
     let inputs = answer.project.inputs();
@@ -142,7 +149,7 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
                         format!("가정값 {assumed}개에 의존한다(결과 요약 참조)."),
                     )) }
                 }
-                p.scale { (thresholds(language)) }
+                p.scale { @if stack.is_some() { (stack::thresholds(language)) } @else { (thresholds(language)) } }
             }
         }
     }
@@ -178,10 +185,20 @@ fn method(answer: &Answer, language: Language) -> Markup {
                 "검토 범위 밖: 마찰과 강한 진동에서의 마찰 저하, 지진과 바람, 목재의 강도와 부후. 상시진동으로 얻은 강성은 극히 작은 진폭의 값이며 진폭이 커지면 감소한다.",
             ),
         ],
-        Structure::Stack(_) => vec![language.pick(
-            "Rigid blocks on joints without tension. The limits of its joints are not on this page.",
-            "인장에 저항하지 않는 접합면 위의 강체 블록. 접합면별 한계는 이 보고서에 싣지 않았다.",
-        )],
+        Structure::Stack(_) => vec![
+            language.pick(
+                "Rigid stones on joints that bear pressure and friction and, unless a bond is given, no tension. Every edge of every joint is tried for the acceleration at which what stands on it tips or slides; where stones share their load, a limit analysis decides.",
+                "부재는 강체이며 접합면은 압축과 마찰에만 저항하고, 부착이 주어지지 않으면 인장에 저항하지 않는다. 모든 접합면의 모든 모서리에 대하여 상부가 전도되거나 미끄러지는 가속도를 구하였다. 하중을 나누어 받는 부재가 있으면 한계해석으로 판정한다.",
+            ),
+            language.pick(
+                "Simulated earthquakes: the same stones on contact springs with Coulomb friction and dashpots, in three dimensions with large turns; the ground is a rigid plane.",
+                "지진응답 시뮬레이션: 동일한 부재를 쿨롱 마찰과 감쇠를 가진 접촉 스프링 위에 놓고 큰 회전을 포함하여 3차원으로 해석하였다. 지반은 강체 평면이다.",
+            ),
+            language.pick(
+                "Not covered: cracking and crushing of stone, settlement and softness of the ground under shaking, ageing. The thresholds are those of first motion, not of collapse.",
+                "검토 범위 밖: 석재의 균열과 압괴, 지진 중 지반의 침하와 변형, 노후. 한계 가속도는 최초 거동의 값이며 붕괴의 값이 아니다.",
+            ),
+        ],
         Structure::Survey => vec![language.pick(
             "Only what was measured is reported; no model was made, so that nothing is said about stability.",
             "계측 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",
@@ -196,6 +213,7 @@ fn method(answer: &Answer, language: Language) -> Markup {
 fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
     let chain = matches!(answer.project.structure, Structure::Chain(_));
     let frame = matches!(answer.project.structure, Structure::Frame(_));
+    let stack = matches!(answer.project.structure, Structure::Stack(_));
     markup! {
         h2 { (language.pick("Evidence and sources", "근거와 출처")) }
         ul {
@@ -207,6 +225,11 @@ fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             @if chain {
                 li { "최재성 (2021) 5개의 연결부를 가지는 역진자형 석조문화재의 동적 해석모델 및 안정성 연구 / Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of inverted pendulum type with 5 joints. "
                     (language.pick("The published criterion: eqs 38–43, Tables 1–3.", "발표된 기준: 식 38–43, 표 1–3.")) }
+            }
+            @if stack {
+                li { "Kim, N., Koo, I. Y. & Hong, S. G. (2018) Assessment factors for seismic performance of multi-block stone pagodas. "
+                    (language.pick("Rocking and sliding of joints: sec. 3, Figs 10 and 12; joint stiffness: Fig. 17.", "접합면의 로킹과 미끄러짐: 3절, 그림 10, 12; 접합면 강성: 그림 17.")) }
+                li { "Housner, G. W. (1963) The behavior of inverted pendulum structures during earthquakes. Bull. Seism. Soc. Am. 53(2):403–417." }
             }
             @if frame {
                 li { "박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction. "

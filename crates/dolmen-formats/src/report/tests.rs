@@ -105,6 +105,7 @@ fn answer(project: Project, check: Check) -> Answer {
         sensitivities: vec![],
         sensitivity_of: Default::default(),
         surveys: vec![],
+        simulation: None,
     }
 }
 
@@ -301,6 +302,7 @@ fn survey() -> Answer {
             }),
             stiffness: vec![],
         }],
+        simulation: None,
     }
 }
 

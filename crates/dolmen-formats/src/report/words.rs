@@ -72,6 +72,9 @@ pub(super) fn path_words(path: &str, language: Language) -> String {
     if let Some(words) = survey_words(path, language) {
         return words;
     }
+    if path == "density" {
+        return language.pick("density of the stones", "석재 밀도").to_string();
+    }
     let Some((part, quantity)) = path.rsplit_once('.') else {
         return path.to_string();
     };
@@ -107,12 +110,16 @@ fn survey_words(path: &str, language: Language) -> Option<String> {
 }
 
 fn part_words(part: &str, language: Language) -> Option<String> {
+    if part == "joint" {
+        return Some(language.pick("all joints:", "모든 접합면").to_string());
+    }
     let (kind, number) = part.split_once('[')?;
     let number = number.strip_suffix(']')?;
     let kind = match kind {
         "links" => language.pick("link", "부재"),
         "joints" => language.pick("joint", "연결부"),
         "storeys" => language.pick("storey", "층"),
+        "blocks" => language.pick("block", "블록"),
         _ => return None,
     };
     number
@@ -134,6 +141,21 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "damping" => language.pick("damping", "감쇠"),
         "height" => language.pick("height", "높이"),
         "axial_force" => language.pick("axial force", "축력"),
+        "width" => language.pick("width", "폭"),
+        "depth" => language.pick("depth", "깊이"),
+        "top_width" => language.pick("width at the top", "윗면 폭"),
+        "top_depth" => language.pick("depth at the top", "윗면 깊이"),
+        "diameter" => language.pick("diameter", "지름"),
+        "top_diameter" => language.pick("diameter at the top", "윗면 지름"),
+        "density" => language.pick("density", "밀도"),
+        "rotation" => language.pick("turn about the vertical", "수평 회전각"),
+        "friction" => language.pick("friction coefficient", "마찰계수"),
+        "friction_kinetic" => language.pick("kinetic friction coefficient", "운동마찰계수"),
+        "cohesion" => language.pick("cohesion", "점착력"),
+        "tension" => language.pick("tensile strength of the bond", "부착 인장강도"),
+        "normal_stiffness" => language.pick("normal stiffness", "수직 강성"),
+        "shear_stiffness" => language.pick("shear stiffness", "전단 강성"),
+        "damping_ratio" => language.pick("damping ratio", "감쇠비"),
         _ => return None,
     })
 }

@@ -3,6 +3,7 @@
 mod check;
 mod identify;
 mod project;
+mod simulation;
 mod stack;
 mod table;
 mod validate;
@@ -11,5 +12,6 @@ mod versions;
 pub use check::check_text;
 pub use identify::identification_text;
 pub use project::{heading_text, warnings_text};
+pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
 pub use table::Table;
 pub use validate::validation_text;

@@ -10,3 +10,4 @@ mod project;
 mod project_keys;
 mod project_stack;
 mod project_values;
+mod simulations;

@@ -306,7 +306,8 @@ fn press<const BOND: bool>(
         let moves = slips | !touches;
         let anchor_x = moves.select(x - fx * give, before_x);
         let anchor_y = moves.select(y - fy * give, before_y);
-        let rubbed = (ex + fx) * (anchor_x - before_x) + (ey + fy) * (anchor_y - before_y);
+        // twice the work of the force that is left: what the step overshot beyond it never acts on the stones
+        let rubbed = (fx + fx) * (anchor_x - before_x) + (fy + fy) * (anchor_y - before_y);
         let drag = touches & (area * cs);
         let (tx, ty) = (fx + drag * vx, fy + drag * vy);
         let size = tx * tx + ty * ty;

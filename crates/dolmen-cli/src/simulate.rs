@@ -1,0 +1,289 @@
+//! `dolmen simulate`: a stack under a ground motion.
+
+use crate::cli::{Language as Chosen, Points, Simulate as Options};
+use crate::{Outcome, files, motion, open};
+use anyhow::{Result, bail};
+use dolmen::blocks::{AfterFall, ContactRule, Pose, Springs, StackHistory, simulate_springs};
+use dolmen::signal::GroundMotion;
+use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
+use dolmen::structure::stack::Stack;
+use dolmen_formats::Language;
+use dolmen_formats::figures;
+use dolmen_formats::json::simulation_json;
+use dolmen_formats::meshes::{
+    BlockPose, SeriesFile, series_pvd, stack_3dec, stack_json, stack_obj, stack_vtu,
+};
+use dolmen_formats::project::{Project, Quantity, Structure};
+use dolmen_formats::simulation::{MotionAnswer, Simulation, energy_csv, joints_csv, poses_csv, stack_film};
+use dolmen_formats::text::{simulation_inputs_text, simulation_text};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::Path;
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Ctrl-C was pressed: the run ends at its next sample and keeps what is done.
+static STOP: AtomicBool = AtomicBool::new(false);
+/// The handler of Ctrl-C is set once a process.
+static HANDLER: OnceLock<bool> = OnceLock::new();
+/// Exit status of a process that Ctrl-C ends, as shells have it.
+const INTERRUPTED: i32 = 130;
+/// Time between the files of a series for ParaView, s: 20 a second. Chosen here.
+const PARAVIEW_STEP_S: f64 = 0.05;
+
+pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
+    let open::Opened { project, file } = open::project(&options.project)?;
+    let chosen = variant(&project, options.variant.as_deref())?;
+    let stack = stack_of(chosen)?;
+    let motion = motion::motion(&options.motion)?;
+    let shown = file.display().to_string();
+    if !as_json {
+        let inputs = simulation_inputs_text(chosen, &shown, options.variant.as_deref(), &motion);
+        files::say(&inputs)?;
+    }
+    let limits = stack_limits(&stack, &StackLimits::default())?;
+    if !limits.standing.stands() {
+        files::say(&unstable(&shown, &limits.standing.to_string(), as_json))?;
+        return Ok(Outcome::Falls);
+    }
+    let springs = springs(options);
+    let history = simulated(&stack, &motion.motion, &springs, quiet)?;
+    let simulation = Simulation {
+        file: shown,
+        name: chosen.name.clone(),
+        variant: options.variant.clone(),
+        stack,
+        motion,
+        options: springs,
+        history,
+    };
+    if as_json {
+        files::say(&format!("{:#}\n", simulation_json(&simulation)))?;
+    } else {
+        files::say(&simulation_text(&simulation))?;
+    }
+    if let Some(folder) = &options.output {
+        write(&simulation, &limits, folder, language(options.language))?;
+        if !quiet {
+            eprintln!("histories, figures, film and exports are in {}", folder.display());
+        }
+    }
+    Ok(match (simulation.falls(), simulation.is_whole()) {
+        (true, _) => Outcome::Falls,
+        (false, true) => Outcome::Stands,
+        (false, false) => Outcome::Unfinished,
+    })
+}
+
+/// The simulation that a report shows: the stack as it is, on springs as they are by default.
+pub(crate) fn of_report(
+    project: &Project,
+    file: &Path,
+    motion: MotionAnswer,
+    quiet: bool,
+) -> Result<Simulation> {
+    let (stack, springs) = (stack_of(project)?, Springs::default());
+    let history = simulated(&stack, &motion.motion, &springs, quiet)?;
+    Ok(Simulation {
+        file: file.display().to_string(),
+        name: project.name.clone(),
+        variant: None,
+        stack,
+        motion,
+        options: springs,
+        history,
+    })
+}
+
+/// What is said of a stack that falls by itself.
+fn unstable(file: &str, why: &str, as_json: bool) -> String {
+    if as_json {
+        let outcome = serde_json::json!({ "kind": "does_not_stand", "why": why });
+        format!("{:#}\n", serde_json::json!({ "file": file, "outcome": outcome }))
+    } else {
+        format!("\nDOES NOT STAND without any shaking, so that nothing was simulated: {why}\n")
+    }
+}
+
+fn language(chosen: Chosen) -> Language {
+    match chosen {
+        Chosen::En => Language::English,
+        Chosen::Ko => Language::Korean,
+    }
+}
+
+/// The project, or its variant of this name.
+fn variant<'p>(project: &'p Project, name: Option<&str>) -> Result<&'p Project> {
+    let Some(name) = name else {
+        return Ok(project);
+    };
+    match project.variants.iter().find(|variant| variant.name == name) {
+        Some(variant) => Ok(&variant.project),
+        None => {
+            let names: Vec<&str> = project.variants.iter().map(|v| v.name.as_str()).collect();
+            let known = if names.is_empty() {
+                "none".to_owned()
+            } else {
+                names.join(", ")
+            };
+            bail!("there is no variant \"{name}\": the file has {known}")
+        }
+    }
+}
+
+fn stack_of(project: &Project) -> Result<Stack> {
+    match &project.structure {
+        Structure::Stack(part) => Ok(part.build(&mut Quantity::nominal)?),
+        _ => bail!(
+            "only a stack can be simulated: the file has another kind; `dolmen check` says what holds it up"
+        ),
+    }
+}
+
+fn springs(options: &Options) -> Springs {
+    Springs {
+        contact_rule: match options.points {
+            Points::P4 => ContactRule::Corners,
+            Points::P9 => ContactRule::Three,
+            Points::P16 => ContactRule::Four,
+            Points::P36 => ContactRule::Six,
+        },
+        time_step_s: options.step,
+        duration_s: options.duration,
+        output_step_s: options.output_step,
+        after_fall: if options.to_the_end {
+            AfterFall::Continue
+        } else {
+            AfterFall::Stop
+        },
+        ..Springs::default()
+    }
+}
+
+/// The run itself, with its progress on a terminal; Ctrl-C ends it and keeps what is done, a second one ends the process.
+fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: bool) -> Result<StackHistory> {
+    HANDLER.get_or_init(|| {
+        let pressed = || {
+            if STOP.swap(true, Ordering::SeqCst) {
+                std::process::exit(INTERRUPTED);
+            }
+        };
+        ctrlc::set_handler(pressed).is_ok()
+    });
+    let whole_s = springs.duration_s.unwrap_or(motion.duration_s() + springs.rest_s);
+    let bar = if quiet {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::new((1e3 * whole_s) as u64)
+    };
+    if let Ok(style) = ProgressStyle::with_template("{bar:40} {msg} {eta} left; Ctrl-C keeps what is done") {
+        bar.set_style(style);
+    }
+    let mut progress = |time_s: f64| {
+        bar.set_position((1e3 * time_s) as u64);
+        bar.set_message(format!("{time_s:.1} of {whole_s:.1} s,"));
+        !STOP.load(Ordering::SeqCst)
+    };
+    let history = simulate_springs(stack, Some(motion), springs, &mut progress);
+    bar.finish_and_clear();
+    Ok(history?)
+}
+
+/// Everything of a simulation as files.
+fn write(
+    simulation: &Simulation,
+    limits: &StackLimitStates,
+    folder: &Path,
+    language: Language,
+) -> Result<()> {
+    let put = |name: &str, bytes: &[u8]| files::write(&folder.join(name), bytes);
+    put(
+        "simulation.json",
+        format!("{:#}\n", simulation_json(simulation)).as_bytes(),
+    )?;
+    put("joints.csv", joints_csv(simulation).as_bytes())?;
+    put("poses.csv", poses_csv(simulation).as_bytes())?;
+    put("energy.csv", energy_csv(simulation).as_bytes())?;
+    put("film.glb", &stack_film(simulation))?;
+    let stack = &simulation.stack;
+    put("stack.obj", stack_obj(stack).as_bytes())?;
+    put("stack.json", stack_json(stack).as_bytes())?;
+    put("stack.3ddat", stack_3dec(stack).as_bytes())?;
+    paraview(simulation, &put)?;
+    put("after.svg", figures::stack_after(simulation, language).as_bytes())?;
+    for figure in figures::stack_histories(simulation, language) {
+        put(&format!("{}.svg", figure.name), figure.svg.as_bytes())?;
+    }
+    let peak_g = simulation.peak_horizontal_g();
+    put(
+        "governing.svg",
+        figures::stack_governing(limits, Some(peak_g), language).as_bytes(),
+    )?;
+    put(
+        "capacity.svg",
+        figures::stack_capacity(limits, Some(peak_g), language).as_bytes(),
+    )
+}
+
+/// A series for ParaView, each [`PARAVIEW_STEP_S`].
+fn paraview(simulation: &Simulation, put: &dyn Fn(&str, &[u8]) -> Result<()>) -> Result<()> {
+    let mut series: Vec<SeriesFile> = Vec::new();
+    for (sample, &time_s) in simulation.history.time_s.iter().enumerate() {
+        let due = series
+            .last()
+            .is_none_or(|last| time_s - last.time_s >= PARAVIEW_STEP_S * (1.0 - 1e-6));
+        if !due && sample + 1 != simulation.samples() {
+            continue;
+        }
+        let poses: Vec<BlockPose> = simulation.poses(sample).iter().map(block_pose).collect();
+        let file = format!("paraview/{:05}.vtu", series.len());
+        put(&file, stack_vtu(&simulation.stack, &poses)?.as_bytes())?;
+        series.push(SeriesFile { time_s, file });
+    }
+    put("paraview.pvd", series_pvd(&series).as_bytes())
+}
+
+/// Rows of the rotation of a unit quaternion, scalar first.
+fn block_pose(pose: &Pose) -> BlockPose {
+    let [w, x, y, z] = pose.rotation;
+    let rotation = [
+        [
+            1.0 - 2.0 * (y * y + z * z),
+            2.0 * (x * y - w * z),
+            2.0 * (x * z + w * y),
+        ],
+        [
+            2.0 * (x * y + w * z),
+            1.0 - 2.0 * (x * x + z * z),
+            2.0 * (y * z - w * x),
+        ],
+        [
+            2.0 * (x * z - w * y),
+            2.0 * (y * z + w * x),
+            1.0 - 2.0 * (x * x + y * y),
+        ],
+    ];
+    BlockPose {
+        centroid_m: pose.centroid_m,
+        rotation,
+        velocity_m_s: None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_a_quarter_turn_about_z_takes_x_to_y() {
+        let half = 0.5_f64.sqrt();
+        let pose = block_pose(&Pose {
+            centroid_m: [0.0; 3],
+            rotation: [half, 0.0, 0.0, half],
+        });
+        let x: Vec<f64> = pose.rotation.iter().map(|row| row[0]).collect();
+        assert!(
+            x[0].abs() < 1e-15 && (x[1] - 1.0).abs() < 1e-15 && x[2] == 0.0,
+            "{x:?}"
+        );
+    }
+}

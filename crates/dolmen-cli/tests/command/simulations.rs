@@ -1,0 +1,191 @@
+// SOURCE     The shipped stacks and El Centro 1940 north-south.
+// GOAL       What a user reads of a simulation, the files it writes, and its exit status follow from what happened.
+// TOLERANCE  none: printed words. Histories against the peaks printed beside them: the sampling of the history.
+
+use super::verbs::{Scratch, root};
+use std::fs;
+
+const EL_CENTRO: &str = "--motion el-centro-1940-ns";
+
+#[test]
+fn holds_a_block_that_slides_stands_and_every_file_says_the_same() {
+    let scratch = Scratch::with_examples("slides");
+    let answer = scratch.dolmen(&format!(
+        "simulate examples/piled_blocks {EL_CENTRO} --peak 0.6g -o out"
+    ));
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    for said in [
+        "peak 0.3188 g as read, 0.6000 g",
+        "done to it: read from csv, unit g",
+        "STOOD: no joint opened",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    assert_eq!(
+        answer.stderr.lines().count(),
+        1,
+        "no progress but on a terminal: {}",
+        answer.stderr
+    );
+    let out = scratch.path().join("out");
+    let text = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text("simulation.json")).unwrap();
+    assert_eq!(json["outcome"]["kind"], "stood");
+    let joint = &json["joints"][0];
+    let (peak, left) = (
+        joint["peak_slip_m"].as_f64().unwrap(),
+        joint["residual_slip_m"].as_f64().unwrap(),
+    );
+    assert!(peak > 0.01 && left > 0.0 && left <= peak, "{joint}");
+    // it only slides: what the ground puts in, friction takes, but for what dashpots take as it sticks
+    let energy = |key: &str| json["energy"][key].as_f64().unwrap();
+    let share = energy("friction_j") / energy("input_j");
+    assert!((0.9..=1.0).contains(&share), "{share}: {}", json["energy"]);
+    let rows: Vec<Vec<f64>> = text("joints.csv")
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    let slip = |row: &Vec<f64>| row[2].hypot(row[3]);
+    let most = rows.iter().map(slip).fold(0.0, f64::max);
+    assert!((most / peak - 1.0).abs() < 1e-3 && most <= peak, "{most} {peak}");
+    assert!((slip(rows.last().unwrap()) - left).abs() < 1e-12);
+    for figure in [
+        "after.svg",
+        "ground.svg",
+        "top.svg",
+        "opening.svg",
+        "slip.svg",
+        "yaw.svg",
+        "governing.svg",
+        "capacity.svg",
+    ] {
+        assert!(text(figure).starts_with("<svg"), "{figure}");
+    }
+    assert_eq!(&fs::read(out.join("film.glb")).unwrap()[..4], b"glTF");
+    let series = text("paraview.pvd");
+    assert!(series.contains("paraview/00000.vtu") && out.join("paraview/00000.vtu").is_file());
+    assert!(text("stack.3ddat").contains("block create group") && text("stack.json").contains("vertices"));
+}
+
+#[test]
+fn holds_a_stack_that_falls_has_status_1_and_names_the_stone() {
+    let scratch = Scratch::with_examples("falls");
+    let words = format!("simulate examples/p10 {EL_CENTRO} --peak 4g --points 4");
+    let answer = scratch.dolmen(&words);
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    assert!(answer.stdout.contains("FELL: 'block "), "{}", answer.stdout);
+    let json = scratch.dolmen(&format!("{words} --json"));
+    assert_eq!(json.status, 1);
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(value["outcome"]["kind"], "fell");
+    assert!(value["outcome"]["at_s"].as_f64().unwrap() > 0.0);
+}
+
+#[test]
+fn holds_a_stack_that_does_not_stand_by_itself_has_status_1() {
+    let scratch = Scratch::with_examples("leans");
+    let project = scratch.path().join("examples/p10/project.toml");
+    let text = fs::read_to_string(&project).unwrap();
+    let text = text.replace(
+        "{ name = \"block 6\", width = 1.9,",
+        "{ name = \"block 6\", offset = [0.7, 0], width = 1.9,",
+    );
+    fs::write(&project, text).unwrap();
+    let answer = scratch.dolmen(&format!("simulate examples/p10 {EL_CENTRO}"));
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    let said = "DOES NOT STAND without any shaking, so that nothing was simulated: above 'block 5' the resultant leaves";
+    assert!(answer.stdout.contains(said), "{}", answer.stdout);
+}
+
+#[test]
+fn refuses_motions_and_options_that_cannot_be() {
+    let scratch = Scratch::with_examples("refused");
+    let record = root().join("data/el_centro_1940_ns/el_centro_1940_ns.csv");
+    // the same numbers as a file that says nothing of its unit, in cm/s2
+    let rows = fs::read_to_string(record).unwrap();
+    let in_gal: String = rows
+        .lines()
+        .skip(1)
+        .map(|line| {
+            let (t, a) = line.split_once(',').unwrap();
+            format!("{t},{}\n", a.parse::<f64>().unwrap() * 980.665)
+        })
+        .collect();
+    fs::write(
+        scratch.path().join("record.csv"),
+        format!("time_s,acceleration\n{in_gal}"),
+    )
+    .unwrap();
+    let cases = [
+        ("", "no motion is given"),
+        ("--motion el-centro", "known are el-centro-1940-ns"),
+        ("--motion-file record.csv", "unit"),
+        (
+            "--motion-file record.csv --unit g",
+            "is the unit cm/s2 or mm/s2 or mg instead of g?",
+        ),
+        (
+            "--motion-file x=record.csv x=record.csv --unit gal",
+            "given twice",
+        ),
+        ("--motion-file nothing.at2", "cannot read nothing.at2"),
+        ("--motion el-centro-1940-ns --peak 0.3", "has no unit"),
+        (
+            "--motion el-centro-1940-ns --step 0.1",
+            "time_step_s is 1.000e-1, but the stiffest joint allows at most",
+        ),
+        ("--motion el-centro-1940-ns --variant nine", "the file has smooth"),
+        ("--motion el-centro-1940-ns --keep-first 100", "--keep-first"),
+    ];
+    for (words, said) in cases {
+        let answer = scratch.dolmen(&format!("simulate examples/p10 {words}"));
+        assert_eq!(answer.status, 2, "{words}: {}{}", answer.stdout, answer.stderr);
+        assert!(answer.stderr.contains(said), "{words}: {}", answer.stderr);
+    }
+    let answer = scratch.dolmen(&format!("simulate examples/naju_flagpole {EL_CENTRO}"));
+    assert_eq!(answer.status, 2);
+    assert!(
+        answer.stderr.contains("only a stack can be simulated"),
+        "{}",
+        answer.stderr
+    );
+    let fits = "simulate examples/piled_blocks --motion-file record.csv --unit gal --duration 0.5";
+    let answer = scratch.dolmen(fits);
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(
+        answer.stdout.contains("peak 0.3188 g as read"),
+        "{}",
+        answer.stdout
+    );
+}
+
+#[test]
+fn holds_a_report_shows_the_limits_and_the_motion_in_both_languages() {
+    let scratch = Scratch::with_examples("report");
+    let words = "report examples/piled_blocks --motion el-centro-1940-ns --peak 0.6g -o page.html --language";
+    for (language, said) in [
+        (
+            "en",
+            [
+                "Limits of each joint",
+                "Simulated earthquake",
+                "it stood; no joint opened",
+                "Two high",
+            ],
+        ),
+        ("ko", ["접합면별 한계", "지진응답 시뮬레이션", "붕괴 없음", "2단"]),
+    ] {
+        let answer = scratch.dolmen(&format!("{words} {language}"));
+        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+        for said in said {
+            assert!(page.contains(said), "{language}: {said}");
+        }
+        assert!(
+            page.matches("<svg").count() >= 9,
+            "{}",
+            page.matches("<svg").count()
+        );
+    }
+}

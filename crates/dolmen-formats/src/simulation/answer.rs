@@ -1,0 +1,102 @@
+//! What `dolmen simulate` found, with what went in.
+
+use crate::project::Names;
+use dolmen::blocks::{Outcome, Pose, Springs, StackHistory};
+use dolmen::signal::{Component, GroundMotion};
+use dolmen::structure::stack::{Body, Stack};
+
+/// The motion of the base and where it came from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionAnswer {
+    /// The motion as it acts: read, then changed as its history says.
+    pub motion: GroundMotion,
+    /// The file of each component.
+    pub files: Vec<(Component, String)>,
+    /// Largest absolute acceleration of each component as read, m/s².
+    pub peaks_read_m_s2: Vec<(Component, f64)>,
+}
+
+/// A simulation and its inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Simulation {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The variant of the file; `None` for the structure as given.
+    pub variant: Option<String>,
+    /// The stack.
+    pub stack: Stack,
+    /// The motion of its base.
+    pub motion: MotionAnswer,
+    /// Options of the run.
+    pub options: Springs,
+    /// What happened.
+    pub history: StackHistory,
+}
+
+impl Simulation {
+    /// Largest horizontal acceleration of the ground, of x and y taken together, in g of the stack.
+    pub fn peak_horizontal_g(&self) -> f64 {
+        let motion = &self.motion.motion;
+        let [x, y] = [Component::X, Component::Y].map(|component| motion.acceleration_m_s2(component));
+        let both = x.iter().zip(y).map(|(x, y)| x.hypot(*y));
+        both.fold(0.0, f64::max) / self.stack.gravity_m_s2()
+    }
+
+    /// Whether a stone fell: exit status 1.
+    pub fn falls(&self) -> bool {
+        matches!(self.history.outcome, Outcome::Fell { .. })
+    }
+
+    /// Whether the run came to its end, by standing or by falling.
+    pub fn is_whole(&self) -> bool {
+        !matches!(
+            self.history.outcome,
+            Outcome::Stopped { .. } | Outcome::Diverged { .. }
+        )
+    }
+
+    /// Names of the two bodies of a joint, the upper first.
+    pub fn joint_names(&self, joint: usize) -> [&str; 2] {
+        match self.stack.joints().get(joint) {
+            Some(joint) => [
+                self.stack.name(Body::Block(joint.upper)),
+                self.stack.name(joint.lower),
+            ],
+            None => ["", ""],
+        }
+    }
+
+    /// Number of samples of the history.
+    pub fn samples(&self) -> usize {
+        self.history.time_s.len()
+    }
+
+    /// Poses of all blocks at a sample; the first sample is the stack at rest. Empty beyond the last.
+    pub fn poses(&self, sample: usize) -> &[Pose] {
+        let blocks = self.history.blocks;
+        let poses = &self.history.poses;
+        poses.get(sample * blocks..(sample + 1) * blocks).unwrap_or(&[])
+    }
+
+    /// The block whose centroid is drawn highest.
+    pub fn highest_block(&self) -> usize {
+        let heights = self
+            .stack
+            .blocks()
+            .iter()
+            .map(|block| block.solid.centroid_m()[2]);
+        let highest = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        highest.map_or(0, |(block, _)| block)
+    }
+
+    /// Displacement of a block's centroid from the stack at rest, in the frame of the ground, m: one a sample.
+    pub fn displacement_m(&self, block: usize) -> Vec<[f64; 3]> {
+        let at = |sample: usize| self.poses(sample).get(block).map_or([0.0; 3], |p| p.centroid_m);
+        let rest = at(0);
+        let each = (0..self.samples()).map(at);
+        each.map(|now| std::array::from_fn(|axis| now[axis] - rest[axis]))
+            .collect()
+    }
+}

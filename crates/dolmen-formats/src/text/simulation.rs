@@ -1,0 +1,227 @@
+//! A simulated motion of a stack, as text.
+
+use super::{Table, heading_text, warnings_text};
+use crate::project::Project;
+use crate::simulation::{MotionAnswer, Simulation};
+use dolmen::blocks::{ContactRule, Outcome, StackHistory};
+use dolmen::signal::Component;
+use std::fmt::Write as _;
+
+/// Standard gravity, m/s² (CGPM 1901): the g that peaks are printed in.
+const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
+/// Share of the work put in that contacts may make before it is called a fault: that of the engine's own tests.
+const ENERGY_MADE_MOST: f64 = 1e-3;
+
+/// Contact points along one side of a quadrilateral joint.
+pub fn points_a_side(rule: ContactRule) -> usize {
+    match rule {
+        ContactRule::Corners => 2,
+        ContactRule::Three => 3,
+        ContactRule::Four => 4,
+        ContactRule::Six => 6,
+    }
+}
+
+/// What went in, before the run: the project, the motion and what was done to it.
+pub fn simulation_inputs_text(
+    project: &Project,
+    file: &str,
+    variant: Option<&str>,
+    motion: &MotionAnswer,
+) -> String {
+    let mut out = heading_text(project, file);
+    if let Some(variant) = variant {
+        let _ = writeln!(out, "  variant {variant}");
+    }
+    out += &motion_text(motion);
+    out + &warnings_text(project)
+}
+
+fn motion_text(answer: &MotionAnswer) -> String {
+    let motion = &answer.motion;
+    let mut out = format!(
+        "Motion {}: {} samples every {} s ({} Hz), {:.2} s\n",
+        motion.name(),
+        motion.length(),
+        motion.time_step_s(),
+        crate::number::trimmed(1.0 / motion.time_step_s(), 6),
+        motion.duration_s()
+    );
+    let in_g = |a: f64| a / STANDARD_GRAVITY_M_S2;
+    for component in Component::ALL.into_iter().filter(|c| motion.has(*c)) {
+        let of = |(named, _): &&(Component, String)| *named == component;
+        let _ = write!(out, "  {component}: ");
+        if let Some((_, file)) = answer.files.iter().find(of) {
+            let _ = write!(out, "{file}, ");
+        }
+        if let Some((_, read)) = answer.peaks_read_m_s2.iter().find(|(c, _)| *c == component) {
+            let _ = write!(out, "peak {:.4} g as read, ", in_g(*read));
+        }
+        let peak = motion.component_peak_m_s2(component);
+        let _ = writeln!(out, "{:.4} g ({peak:.4} m/s2) as it acts", in_g(peak));
+    }
+    let steps: Vec<String> = motion.history().iter().map(ToString::to_string).collect();
+    let _ = writeln!(out, "  done to it: {}", steps.join("; "));
+    out
+}
+
+/// What came out: how it ended, each joint, the balance of energy.
+pub fn simulation_text(simulation: &Simulation) -> String {
+    let history = &simulation.history;
+    let mut out = format!("\n{}\n", outcome_text(simulation));
+    out += &joints_text(simulation);
+    out += &top_text(simulation);
+    out += &energy_text(history);
+    out += &run_text(simulation);
+    out
+}
+
+/// How it ended, in one sentence that begins with a fixed word.
+pub fn outcome_text(simulation: &Simulation) -> String {
+    let history = &simulation.history;
+    let least_mm = 1e3 * StackHistory::UPLIFT_LEAST_M;
+    match history.outcome {
+        Outcome::Stood => format!("STOOD: no joint opened by more than {least_mm} mm"),
+        Outcome::Uplifted { joint, at_s } => {
+            let [upper, lower] = simulation.joint_names(joint);
+            format!(
+                "UPLIFTED: every stone stayed up, but joints opened, first '{upper}' on '{lower}' by more than {least_mm} mm at \
+                 {at_s:.2} s"
+            )
+        }
+        Outcome::Fell { block, at_s } => {
+            let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
+            format!("FELL: '{name}' came down, first of all, at {at_s:.2} s")
+        }
+        Outcome::Stopped { at_s } => {
+            format!(
+                "STOPPED at {at_s:.2} s before its end: what follows is of the part that was done, and no verdict"
+            )
+        }
+        Outcome::Diverged { at_s } => {
+            format!(
+                "DIVERGED at {at_s:.4} s: nothing of this run can be used. Lower the step, and report the input"
+            )
+        }
+        _ => "UNKNOWN end".to_owned(),
+    }
+}
+
+fn joints_text(simulation: &Simulation) -> String {
+    let heads = [
+        "stone",
+        "on",
+        "opening, mm",
+        "slip, mm",
+        "yaw, mrad",
+        "left: slip, mm",
+        "yaw, mrad",
+    ];
+    let mut table = Table::new(&heads, 2);
+    for (number, joint) in simulation.history.joints.iter().enumerate() {
+        let [upper, lower] = simulation.joint_names(number);
+        let (slip, yaw) = (joint.residual_slip_m(), joint.residual_yaw_rad());
+        let mut cells = vec![upper.to_owned(), lower.to_owned()];
+        let values = [
+            joint.peak_opening_m,
+            joint.peak_slip_m,
+            joint.peak_yaw_rad,
+            slip,
+            yaw,
+        ];
+        cells.extend(values.map(|value| thousandths(1e3 * value)));
+        table.row(cells);
+    }
+    format!(
+        "Peaks of each joint, and what is left at the end\n{}",
+        table.text()
+    )
+}
+
+/// A number of millimetres or milliradians to a thousandth.
+fn thousandths(value: f64) -> String {
+    let text = format!("{value:.3}");
+    if text == "-0.000" {
+        "0.000".to_owned()
+    } else {
+        text
+    }
+}
+
+fn top_text(simulation: &Simulation) -> String {
+    let block = simulation.highest_block();
+    let moved = simulation.displacement_m(block);
+    let far = |d: &[f64; 3]| d[0].hypot(d[1]);
+    let peak = moved.iter().map(far).fold(0.0, f64::max);
+    let left = moved.last().map_or(0.0, far);
+    let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
+    format!(
+        "  The highest stone, '{name}', moved by up to {} mm against the ground, {} mm at the end\n",
+        thousandths(1e3 * peak),
+        thousandths(1e3 * left)
+    )
+}
+
+fn energy_text(history: &StackHistory) -> String {
+    let end = history.energy.last().copied().unwrap_or_default();
+    let start = history.energy.first().copied().unwrap_or_default();
+    let kept = end.kinetic_j - start.kinetic_j + end.potential_j - start.potential_j + end.stored_j;
+    let gap = end.input_j - kept - end.friction_j - end.damping_j;
+    let scale = history.energy.iter().map(|e| e.input_j.abs()).fold(0.0, f64::max);
+    let share = |value: f64| if scale > 0.0 { 100.0 * value / scale } else { 0.0 };
+    let mut out = format!(
+        "Energy, J: put in {:.3e} = moving {:.3e} + raised {:.3e} + in springs {:.3e} + friction {:.3e} + dashpots {:.3e}; \
+         left over {:.1e} %\n",
+        end.input_j,
+        end.kinetic_j - start.kinetic_j,
+        end.potential_j - start.potential_j,
+        end.stored_j,
+        end.friction_j,
+        end.damping_j,
+        share(gap)
+    );
+    let made = history.energy_made_ratio();
+    let _ = writeln!(
+        out,
+        "  made by contacts: {:.1e} % of the most put in",
+        100.0 * made
+    );
+    if made > ENERGY_MADE_MOST {
+        let _ = writeln!(
+            out,
+            "  warning: that is more than {} %: do not use this run, try half the step",
+            100.0 * ENERGY_MADE_MOST
+        );
+    }
+    out
+}
+
+fn run_text(simulation: &Simulation) -> String {
+    let history = &simulation.history;
+    let side = points_a_side(simulation.options.contact_rule);
+    let mut out = format!(
+        "Run: {} steps of {:.3e} s (longest stable {:.3e} s) for {:.2} s; {} contact points ({side} × {side} a joint)\n",
+        history.steps,
+        history.time_step_s,
+        history.longest_step_s,
+        history.time_s.last().copied().unwrap_or_default(),
+        history.contact_points
+    );
+    let _ = writeln!(
+        out,
+        "  settled before it by {:.4} mm at the highest stone",
+        1e3 * history.settlement_m
+    );
+    if !history.broken_ties.is_empty() {
+        let ties: Vec<String> = history
+            .broken_ties
+            .iter()
+            .map(|tie| format!("{}", tie + 1))
+            .collect();
+        let _ = writeln!(out, "  broken ties: {}", ties.join(", "));
+    }
+    if matches!(history.outcome, Outcome::Uplifted { .. } | Outcome::Fell { .. }) {
+        out += "  note: a stack that rocks is sensitive to every input: one run is one case, not a probability\n";
+    }
+    out
+}
