@@ -263,10 +263,16 @@ impl Assembly {
             if outline.still_serves(&best, first, second, FACE_FAVOUR * size) {
                 outline.clip(patch, &motion, self.rule);
                 self.clip_loss += before - patch.stored(&motion);
-            } else if let Some((mut next, mut edge)) = patch_along(first, second, &best, patch.law) {
+            } else if let Some((mut next, mut edge)) = patch_along(first, second, &best, patch.law.dry()) {
+                let deepest = patch.deepest(&motion);
                 let motion = next.motion(&self.bodies);
                 edge.clip(&mut next, &motion, self.rule);
+                next.hold_back(&motion, deepest);
+                let motion = next.motion(&self.bodies);
                 take_over(&mut next, &motion, patch, &patch.motion(&self.bodies));
+                if next.stored(&motion) > before {
+                    next.unstretch(&motion); // other faces must not hold more than these did
+                }
                 self.clip_loss += before - next.stored(&motion);
                 pair.contact = Some((next, edge));
             }
@@ -279,10 +285,14 @@ impl Assembly {
         }
         let area = second.hull.map_or(size * size, Hull::largest_face);
         let inverse_mass = first.body.inverse_mass + second.body.inverse_mass;
-        let law = Law::of(&pair.material, area, inverse_mass);
+        let law = Law::of(&pair.material, area, inverse_mass).dry();
         if let Some((mut patch, mut outline)) = patch_along(first, second, &best, law) {
             let motion = patch.motion(&self.bodies);
             outline.clip(&mut patch, &motion, self.rule);
+            // what already overlaps, as drawn or unseen, is not pushed apart
+            patch.hold_back(&motion, 0.0);
+            let motion = patch.motion(&self.bodies);
+            patch.unstretch(&motion);
             self.clip_loss -= patch.stored(&motion);
             pair.contact = Some((patch, outline));
             pair.slack = f64::INFINITY;

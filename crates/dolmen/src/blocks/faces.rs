@@ -62,7 +62,6 @@ fn faces_patch(
         point_axes,
         law,
         points: Vec::new(),
-        touching: law.area,
     };
     let outline = Outline {
         axis: separation.axis,
@@ -100,7 +99,6 @@ fn edges_patch(
         point_axes: points.body.rotation.transpose() * axes,
         law,
         points: Vec::new(),
-        touching: law.area,
     };
     let radius = plane.body.radius.min(points.body.radius);
     let point = ContactPoint {
@@ -180,7 +178,6 @@ pub(super) fn patch_of_joint(
         point_axes: axes,
         law,
         points: Vec::new(),
-        touching: law.area,
     };
     let motion = patch.motion_between(plane.body, points.body);
     // bodies are ordered with the ground first, then by index

@@ -1,5 +1,8 @@
 //! What a simulation gives: how it ended, and everything needed to draw, to doubt and to repeat it.
 
+/// Energy that counts as none, J: rounding. Chosen here.
+const MADE_OF_NOTHING_J: f64 = 1e-6;
+
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -13,7 +16,8 @@ pub enum Outcome {
         /// When, s.
         at_s: f64,
     },
-    /// A stone fell: its centroid dropped by more than a quarter of its smallest dimension.
+    /// A stone fell: its centroid dropped by more than a quarter of its smallest dimension, or it turned over by more than
+    /// 45°.
     Fell {
         /// The first, as an index of the stack's blocks.
         block: usize,
@@ -25,7 +29,8 @@ pub enum Outcome {
         /// When, s.
         at_s: f64,
     },
-    /// Numbers ran out of range: a fault of this program or an absurd input. Nothing of the run can be used.
+    /// Numbers ran out of range, or contacts made more than a hundredth of the work put in, however short the step: nothing of
+    /// the run can be used.
     Diverged {
         /// When, s.
         at_s: f64,
@@ -44,7 +49,7 @@ pub struct Pose {
 /// One joint at the times of the history.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct JointHistory {
-    /// Largest gap at a corner of the patch as drawn, m; 0 while closed.
+    /// Largest gap at a corner of the patch as drawn, beyond that at rest, m; 0 while closed.
     pub opening_m: Vec<f64>,
     /// Shift of the upper stone on the lower along the joint's first two axes, at its middle, from the settled state, m.
     pub slip_m: Vec<[f64; 2]>,
@@ -83,8 +88,10 @@ pub struct Energy {
     pub input_j: f64,
     /// Taken by friction and by what broke.
     pub friction_j: f64,
-    /// Taken by dashpots: what contacts took in all, less friction.
+    /// Taken by dashpots: what contacts took in all, less the others.
     pub damping_j: f64,
+    /// Taken by clipping patches again and by changes of faces; negative if they gave some.
+    pub clipping_j: f64,
 }
 
 /// A simulated motion of a stack.
@@ -127,7 +134,7 @@ impl StackHistory {
         self.poses[sample * self.blocks + block]
     }
 
-    /// Energy made by contacts over the work put in (shaking and start), –; 0 if none was put in.
+    /// Energy made by contacts over the work put in (shaking and start), –; infinite if some was made and none put in.
     pub fn energy_made_ratio(&self) -> f64 {
         let start = self.energy.first().map_or(0.0, |e| e.kinetic_j + e.potential_j);
         let input = self
@@ -137,6 +144,8 @@ impl StackHistory {
             .fold(start.abs(), f64::max);
         if input > 0.0 {
             self.energy_made_j / input
+        } else if self.energy_made_j > MADE_OF_NOTHING_J {
+            f64::INFINITY
         } else {
             0.0
         }

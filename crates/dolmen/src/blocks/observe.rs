@@ -10,6 +10,8 @@ use glam::{DMat3, DVec3};
 
 /// Time between looks for peaks and falls, s: peaks are flat, and no stone falls faster. Chosen here.
 const LOOK_STEP_S: f64 = 5e-3;
+/// Cosine of the turn that counts as a fall, 45°. Chosen here.
+const UPRIGHT_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Drop of a stone that counts as a fall, in parts of its smallest dimension. Chosen here.
 const DROP: f64 = 0.25;
 
@@ -23,6 +25,8 @@ struct Watch {
     corners: Vec<DVec3>,
     /// Slip and yaw after settlement.
     settled: [f64; 3],
+    /// Largest gap at a corner after settlement, m.
+    settled_opening: f64,
 }
 
 /// How the upper body lies on the lower: largest gap at a corner, shift, turn.
@@ -47,9 +51,11 @@ impl Watch {
                 .map(|c| origin + axes.x_axis * c[0] + axes.y_axis * c[1])
                 .collect(),
             settled: [0.0; 3],
+            settled_opening: 0.0,
         };
         let seen = watch.see(bodies);
         watch.settled = [seen.slip[0], seen.slip[1], seen.yaw];
+        watch.settled_opening = seen.opening;
         watch
     }
 
@@ -66,7 +72,7 @@ impl Watch {
         let turn = from_ground * upper.rotation * self.axes;
         let yaw = (turn.x_axis.y - turn.y_axis.x).atan2(turn.x_axis.x + turn.y_axis.y);
         Seen {
-            opening,
+            opening: (opening - self.settled_opening).max(0.0),
             slip: [middle.x - self.settled[0], middle.y - self.settled[1]],
             yaw: yaw - self.settled[2],
         }
@@ -211,14 +217,15 @@ impl Observer {
         let lost = -contact - stored;
         self.most_lost = self.most_lost.max(lost);
         self.history.energy_made_j = self.history.energy_made_j.max(self.most_lost - lost);
-        let friction = self.friction + assembly.clip_loss();
+        let clipping = assembly.clip_loss();
         self.history.energy.push(Energy {
             kinetic_j: 0.5 * kinetic,
             potential_j: potential(assembly) - self.first_potential,
             stored_j: stored,
             input_j: input,
-            friction_j: friction,
-            damping_j: lost - friction,
+            friction_j: self.friction,
+            damping_j: lost - self.friction - clipping,
+            clipping_j: clipping,
         });
     }
 
@@ -235,7 +242,8 @@ impl Observer {
                 self.outcome = Some(Outcome::Diverged { at_s });
                 return;
             }
-            if self.settled[block + 1].z - place.z > *drop {
+            let upright = assembly.bodies[block + 1].rotation.z_axis.z;
+            if self.settled[block + 1].z - place.z > *drop || upright < UPRIGHT_LEAST {
                 self.outcome = Some(Outcome::Fell { block, at_s });
                 return;
             }
@@ -260,7 +268,9 @@ impl Observer {
     }
 
     pub(super) fn stop(&mut self, at_s: f64) {
-        self.outcome = Some(Outcome::Stopped { at_s });
+        if !matches!(self.outcome, Some(Outcome::Fell { .. })) {
+            self.outcome = Some(Outcome::Stopped { at_s });
+        }
     }
 
     /// The history; `steps` are the one taken and the longest stable one, s.

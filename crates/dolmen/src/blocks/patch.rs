@@ -47,15 +47,13 @@ pub(super) struct Law {
     pub(super) friction_kinetic: f64,
     pub(super) cohesion: f64,
     pub(super) tension: f64,
-    /// Area at which the dashpots are as above; where less touches they are stronger a area, m².
-    pub(super) area: f64,
 }
 
 impl Law {
-    /// The law of a joint: dashpots from the damping ratio of the two bodies on the springs that touch.
+    /// The law of a joint: dashpots from the damping ratio of the two bodies on its springs alone.
     ///
     /// ```text
-    /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S),   A what touches: the same ζ for a face, an edge, a corner
+    /// c = 2 ζ √(k A m) / A,   m = 1 / (1/m_P + 1/m_S)
     /// ```
     pub(super) fn of(material: &JointMaterial, area: f64, inverse_mass: f64) -> Self {
         let damping =
@@ -69,7 +67,15 @@ impl Law {
             friction_kinetic: material.friction_kinetic,
             cohesion: material.cohesion_pa,
             tension: material.tension_pa,
-            area,
+        }
+    }
+
+    /// The same without bond: one that broke, or never was, does not come with new faces.
+    pub(super) fn dry(self) -> Self {
+        Law {
+            cohesion: 0.0,
+            tension: 0.0,
+            ..self
         }
     }
 
@@ -93,8 +99,6 @@ pub(super) struct Patch {
     pub(super) point_axes: DMat3,
     pub(super) law: Law,
     pub(super) points: Vec<Points>,
-    /// Area that touched when something last did, m².
-    pub(super) touching: f64,
 }
 
 /// Where the points' frame is in the plane's frame, and how it moves.
@@ -171,18 +175,10 @@ impl Patch {
     /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
     #[inline]
     pub(super) fn press(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
-        let mut law = self.law;
-        let stronger = (law.area / self.touching).sqrt();
-        law.normal_damping *= stronger;
-        law.shear_damping *= stronger;
-        let (wrench, touching) = match law.bonds() {
-            true => press::<true>(&mut self.points, &law, motion, twist, h),
-            false => press::<false>(&mut self.points, &law, motion, twist, h),
-        };
-        if touching > 0.0 {
-            self.touching = touching;
+        match self.law.bonds() {
+            true => press::<true>(&mut self.points, &self.law, motion, twist, h),
+            false => press::<false>(&mut self.points, &self.law, motion, twist, h),
         }
-        wrench
     }
 
     /// Energy stored in the springs, J.
@@ -200,6 +196,25 @@ impl Patch {
             }
         }
         energy
+    }
+
+    /// Deepest penetration of a point, m; 0 if none touches.
+    pub(super) fn deepest(&self, motion: &Motion) -> f64 {
+        let mut deepest = 0.0_f64;
+        for group in &self.points {
+            for lane in (0..LANES).filter(|&lane| group.area[lane] > 0.0) {
+                deepest = deepest.max(-motion.at(group.x[lane], group.y[lane]).z);
+            }
+        }
+        deepest
+    }
+
+    /// Moves the plane back into its body until no point lies deeper than `most`, m.
+    pub(super) fn hold_back(&mut self, motion: &Motion, most: f64) {
+        let excess = self.deepest(motion) - most;
+        if excess > 0.0 {
+            self.plane_origin -= self.plane_axes.z_axis * excess;
+        }
     }
 
     /// Sets every anchor to where its point now is: the shear springs without stretch.
@@ -230,7 +245,7 @@ fn press<const BOND: bool>(
     motion: &Motion,
     twist: &Twist,
     h: f64,
-) -> (Wrench, f64) {
+) -> Wrench {
     let all = f64x4::splat;
     let (ax, ay, az) = (
         all(motion.along_x.x),
@@ -252,7 +267,7 @@ fn press<const BOND: bool>(
     let (kn, cn) = (all(law.normal_stiffness), all(law.normal_damping));
     let (ks, cs) = (all(law.shear_stiffness), all(law.shear_damping));
     let (zero, one, tiny, half_step) = (f64x4::ZERO, f64x4::ONE, all(TINY), all(0.5 * h));
-    let mut sums = [f64x4::ZERO; 8];
+    let mut sums = [f64x4::ZERO; 7];
     for group in points {
         let (sx, sy, area) = (f64x4::new(group.x), f64x4::new(group.y), f64x4::new(group.area));
         let x = ax * sx + bx * sy + cx;
@@ -306,8 +321,8 @@ fn press<const BOND: bool>(
         let moves = slips | !touches;
         let anchor_x = moves.select(x - fx * give, before_x);
         let anchor_y = moves.select(y - fy * give, before_y);
-        // twice the work of the force that is left: what the step overshot beyond it never acts on the stones
-        let rubbed = (fx + fx) * (anchor_x - before_x) + (fy + fy) * (anchor_y - before_y);
+        // the work of the force that is left: what the step overshot beyond it never acts on the stones
+        let rubbed = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
         let drag = touches & (area * cs);
         let (tx, ty) = (fx + drag * vx, fy + drag * vy);
         let size = tx * tx + ty * ty;
@@ -322,7 +337,7 @@ fn press<const BOND: bool>(
             let stays = holds & !slips;
             let broken = bond.simd_gt(zero) & !stays;
             group.bond = (stays & one).to_array();
-            sums[6] += broken & z.simd_gt(zero) & (area * kn * z * z);
+            sums[6] += broken & z.simd_gt(zero) & (all(0.5) * area * kn * z * z);
         }
         sums[0] -= tx;
         sums[1] -= ty;
@@ -331,17 +346,15 @@ fn press<const BOND: bool>(
         sums[4] -= z * tx + x * normal;
         sums[5] += y * tx - x * ty;
         sums[6] += rubbed;
-        sums[7] += touches & area;
     }
     // always in this order: the same bits on every machine
-    let [fx, fy, fz, mx, my, mz, rubbed, touching] = sums.map(|lanes| {
+    let [fx, fy, fz, mx, my, mz, rubbed] = sums.map(|lanes| {
         let [a, b, c, d] = lanes.to_array();
         (a + b) + (c + d)
     });
-    let wrench = Wrench {
+    Wrench {
         force: DVec3::new(fx, fy, fz),
         torque: DVec3::new(mx, my, mz),
-        friction_loss: 0.5 * rubbed,
-    };
-    (wrench, touching)
+        friction_loss: rubbed,
+    }
 }

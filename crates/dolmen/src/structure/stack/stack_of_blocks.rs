@@ -65,7 +65,8 @@ pub struct Tie {
     pub upper: usize,
     /// Where it crosses the joint, m.
     pub position_m: [f64; 3],
-    /// Its axis: a vertical dowel [0, 0, 1]; need not be of unit length.
+    /// Its axis: a vertical dowel [0, 0, 1]; need not be of unit length, and is taken to point from the lower body to the
+    /// upper one.
     pub axis: [f64; 3],
     /// Stiffness along the axis, N/m; 0 for a dowel that can slip out.
     pub axial_stiffness_n_m: f64,
@@ -206,8 +207,26 @@ impl Stack {
                 });
             }
         }
-        self.ties.push(tie);
+        self.ties.push(self.oriented(tie));
         Ok(self)
+    }
+
+    /// The tie with its axis from the lower body to the upper.
+    fn oriented(&self, tie: Tie) -> Tie {
+        let upper = DVec3::from(self.blocks[tie.upper].solid.centroid_m());
+        let lower = match tie.lower {
+            Body::Ground => DVec3::from(tie.position_m) - DVec3::Z,
+            Body::Block(block) => DVec3::from(self.blocks[block].solid.centroid_m()),
+        };
+        let sign = if DVec3::from(tie.axis).dot(upper - lower) < 0.0 {
+            -1.0
+        } else {
+            1.0
+        };
+        Tie {
+            axis: tie.axis.map(|component| sign * component),
+            ..tie
+        }
     }
 
     /// The same stack with something beside a block.
