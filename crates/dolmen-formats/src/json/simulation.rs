@@ -104,7 +104,7 @@ fn energy(simulation: &Simulation) -> Value {
     let end = history.energy.last().copied().unwrap_or_default();
     json!({
         "input_j": end.input_j, "kinetic_j": end.kinetic_j, "potential_j": end.potential_j, "stored_j": end.stored_j,
-        "friction_j": end.friction_j, "damping_j": end.damping_j,
+        "friction_j": end.friction_j, "damping_j": end.damping_j, "clipping_j": end.clipping_j,
         "made_j": history.energy_made_j, "made_ratio": history.energy_made_ratio(),
     })
 }

@@ -63,13 +63,14 @@ pub fn poses_csv(simulation: &Simulation) -> String {
 
 /// The balance of energy in time, J.
 pub fn energy_csv(simulation: &Simulation) -> String {
-    let mut out = String::from("time_s,kinetic_j,potential_j,stored_j,input_j,friction_j,damping_j\n");
+    let mut out =
+        String::from("time_s,kinetic_j,potential_j,stored_j,input_j,friction_j,damping_j,clipping_j\n");
     let history = &simulation.history;
     for (time_s, e) in history.time_s.iter().zip(&history.energy) {
         let _ = writeln!(
             out,
-            "{time_s},{:e},{:e},{:e},{:e},{:e},{:e}",
-            e.kinetic_j, e.potential_j, e.stored_j, e.input_j, e.friction_j, e.damping_j
+            "{time_s},{:e},{:e},{:e},{:e},{:e},{:e},{:e}",
+            e.kinetic_j, e.potential_j, e.stored_j, e.input_j, e.friction_j, e.damping_j, e.clipping_j
         );
     }
     out

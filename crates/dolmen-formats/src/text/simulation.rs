@@ -166,7 +166,7 @@ fn energy_text(history: &StackHistory) -> String {
     let end = history.energy.last().copied().unwrap_or_default();
     let start = history.energy.first().copied().unwrap_or_default();
     let kept = end.kinetic_j - start.kinetic_j + end.potential_j - start.potential_j + end.stored_j;
-    let gap = end.input_j - kept - end.friction_j - end.damping_j;
+    let gap = end.input_j - kept - end.friction_j - end.damping_j - end.clipping_j;
     let scale = history.energy.iter().map(|e| e.input_j.abs()).fold(0.0, f64::max);
     let share = |value: f64| if scale > 0.0 { 100.0 * value / scale } else { 0.0 };
     let mut out = format!(
