@@ -5,10 +5,12 @@ mod error;
 mod levenberg_marquardt;
 mod random;
 mod roots;
+mod simplex;
 mod statistics;
 
 pub use error::NumericError;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
+pub(crate) use simplex::{Reach, SparseColumn, reach};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};

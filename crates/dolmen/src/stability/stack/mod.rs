@@ -5,6 +5,7 @@ mod cuts;
 mod demand;
 mod half_plane;
 mod limit_analysis;
+mod limit_pieces;
 mod limit_states;
 mod loads;
 mod part;
