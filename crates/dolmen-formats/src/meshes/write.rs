@@ -76,7 +76,7 @@ pub fn stack_obj(stack: &Stack) -> String {
     text
 }
 
-/// A stack as JSON, as programs for assemblies of blocks read it: name, vertices [m], faces (counterclockwise seen from
+/// A stack as JSON, as programs for assemblies of blocks read it: name, vertices (m), faces (counterclockwise seen from
 /// outside, from 0) and density [kg/m³] of each block.
 pub fn stack_json(stack: &Stack) -> String {
     let block = |block: &Block| {

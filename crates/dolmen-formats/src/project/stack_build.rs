@@ -16,7 +16,7 @@ pub enum StackFault {
     /// A stone, or where it stands.
     #[error("{path}: {why}")]
     Part {
-        /// Where in the file: "blocks[2]".
+        /// Where in the file: `blocks[2]`.
         path: String,
         /// What the science says.
         why: Box<StackError>,
@@ -27,7 +27,7 @@ pub enum StackFault {
          be level with it to 5°"
     )]
     Apart {
-        /// Where in the file: "blocks[2]".
+        /// Where in the file: `blocks[2]`.
         path: String,
         /// The upper block.
         upper: String,
