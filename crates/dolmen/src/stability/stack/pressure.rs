@@ -21,7 +21,7 @@ pub struct JointPressure {
     pub contact_share: f64,
     /// The parts in contact, one a patch, empty where a patch gapes.
     pub contact: Vec<Polygon>,
-    /// Pressure is plane[0] + plane[1] x + plane[2] y where that is positive, Pa and Pa/m.
+    /// Pressure is `plane[0] + plane[1] x + plane[2] y` where that is positive, Pa and Pa/m.
     pub plane: [f64; 3],
     /// Steps of the iteration.
     pub iterations: usize,
