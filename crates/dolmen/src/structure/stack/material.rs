@@ -17,8 +17,8 @@ pub struct JointMaterial {
     pub normal_stiffness_pa_m: f64,
     /// Shear stiffness per area, Pa/m. Default 4e8 (the same).
     pub shear_stiffness_pa_m: f64,
-    /// Dashpots of the springs, as a fraction of the critical damping of the two stones on whatever of the joint touches;
-    /// 0 to 20. Default 0.3, chosen here. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
+    /// Dashpots of the springs, as a fraction of the critical damping of the two stones on the springs of the
+    /// whole joint; 0 to 20. Default 0.3, chosen here. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
     pub damping_ratio: f64,
 }
 
