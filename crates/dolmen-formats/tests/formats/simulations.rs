@@ -131,7 +131,7 @@ fn holds_tables_have_a_row_a_sample_and_names_cannot_break_them() {
     for (table, columns) in [
         (joints_csv(&simulation), 1 + 4 * 2),
         (poses_csv(&simulation), 1 + 7 * 2),
-        (energy_csv(&simulation), 7),
+        (energy_csv(&simulation), 8),
     ] {
         let mut reader = csv::Reader::from_reader(table.as_bytes());
         assert_eq!(reader.headers().unwrap().len(), columns);
