@@ -11,6 +11,7 @@
 
 pub mod assess;
 pub mod blocks;
+pub mod dynamics;
 pub mod known;
 pub mod modal;
 pub mod numeric;

@@ -6,13 +6,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The chapters of the science crate: each may import itself and those before it.
-const CHAPTERS: [&str; 9] = [
+const CHAPTERS: [&str; 10] = [
     "known",
     "numeric",
     "signal",
     "modal",
     "structure",
     "stability",
+    "dynamics",
     "blocks",
     "assess",
     "validation",

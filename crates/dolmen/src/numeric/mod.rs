@@ -1,5 +1,6 @@
 //! Mathematics that knows nothing of structures: roots, statistics, seeded random numbers, Fourier transforms.
 
+mod crossing;
 mod elementary;
 mod error;
 mod levenberg_marquardt;
@@ -8,6 +9,7 @@ mod roots;
 mod simplex;
 mod statistics;
 
+pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial};
 pub use error::NumericError;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub use random::Random;

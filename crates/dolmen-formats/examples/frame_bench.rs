@@ -1,0 +1,84 @@
+//! Frames with dry friction through El Centro 1940 NS: the loop's CPU time and what it found, one line a case, for bench/frame.
+
+#![allow(clippy::print_stdout, reason = "a measurement")]
+
+use dolmen::dynamics::{
+    FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, ViscousDamping, simulate_frame,
+};
+use dolmen::structure::{Convention, Frame, Storey};
+
+/// Processor seconds of this thread, as the kernel counts them.
+fn cpu_s() -> f64 {
+    let stat = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let nanoseconds = stat.split(' ').next().and_then(|n| n.parse::<f64>().ok());
+    nanoseconds.unwrap_or(f64::NAN) * 1e-9
+}
+
+fn storeys(masses_kg: &[f64]) -> Vec<Storey> {
+    let storey = |&mass_kg: &f64| Storey {
+        mass_kg,
+        height_m: 100.0,
+        axial_n: 0.0,
+    };
+    masses_kg.iter().map(storey).collect()
+}
+
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let text = std::fs::read_to_string("data/el_centro_1940_ns/el_centro_1940_ns.csv")?;
+    let mut values = Vec::new();
+    for line in text.lines().skip(1) {
+        let (_, value) = line.split_once(',').ok_or("a line without a comma")?;
+        values.push(9.81 * value.parse::<f64>()?);
+    }
+    let load = FrameLoad::of_ground(TimeFunction::Sampled {
+        time_step_s: 0.02,
+        values,
+    });
+    let gate = FrictionFrame::new(
+        Frame::new(storeys(&[290e3, 314e3]), Convention::Drift)?,
+        vec![184_170_010.214_826_73, 16_447_964.437_896_422],
+        [5919e3, 3077e3]
+            .map(|n| StoreyFriction::coulomb(0.03 * n))
+            .to_vec(),
+    )?;
+    let n = 20;
+    let tower = FrictionFrame::new(
+        Frame::new(storeys(&vec![200e3; n]), Convention::Drift)?,
+        (0..n).map(|i| 3e8 - 1e7 * i as f64).collect(),
+        (0..n)
+            .map(|i| StoreyFriction::coulomb(0.01 * 9.81 * 200e3 * (n - i) as f64))
+            .collect(),
+    )?;
+    let damped = tower.clone().with_damping(ViscousDamping::Rayleigh {
+        mass_per_s: 0.05,
+        stiffness_s: 0.002,
+    })?;
+    let options = FrameRun {
+        duration_s: Some(40.0),
+        ..FrameRun::default()
+    };
+    for (name, frame) in [
+        ("two_storeys", gate),
+        ("twenty_storeys", tower),
+        ("twenty_damped", damped),
+    ] {
+        let mut least = f64::INFINITY;
+        let mut line = String::new();
+        for _ in 0..5 {
+            let before = cpu_s();
+            let history = simulate_frame(&frame, &load, &options, &mut |_| true)?;
+            least = least.min(cpu_s() - before);
+            let roof = history.displacement_peaks.last().ok_or("no storeys")?;
+            line = format!(
+                "peak_mm={:.6} residual_mm={:.8} events={} steps={} energy_left={:.1e}",
+                1e3 * roof.value_m.abs(),
+                1e3 * history.residual_m.last().ok_or("no storeys")?,
+                history.events,
+                history.steps,
+                history.energy_left_over_ratio()
+            );
+        }
+        println!("{name} loop_cpu_s={least:.5} {line}");
+    }
+    Ok(())
+}

@@ -1,0 +1,329 @@
+//! What is kept of a frame's motion: samples, true peaks, slips and energy.
+
+use super::frame_friction::StoreyFriction;
+use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip};
+use super::frame_series::{Model, Series, Slider, State};
+use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
+
+/// Events closer than this count once, s.
+const ONE_EVENT_S: f64 = 1e-9;
+/// Speed of everything below which a frame is at rest, m/s: what a century turns into a third of a millimetre.
+const REST_M_S: f64 = 1e-13;
+/// Nodes and weights of Gauss and Legendre on [0, 1], 8 points: exact for polynomials of degree 15.
+const GAUSS: [(f64, f64); 4] = [
+    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
+    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
+    (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
+    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
+];
+
+pub(super) struct Recorder {
+    history: FrameHistory,
+    output_step_s: f64,
+    samples: usize,
+    energy: FrameEnergy,
+    /// Per storey: where and when the slip under way began.
+    slipping: Vec<Option<(f64, f64)>>,
+    last_event_s: f64,
+}
+
+/// Coefficients of one level, or of one storey's drift.
+fn row(series: &Series, upper: usize, lower: Option<usize>, c: &mut [f64; COEFFICIENTS_MOST]) {
+    for (k, c) in c[..series.orders].iter_mut().enumerate() {
+        let below = lower.map_or(0.0, |j| series.y[k * series.n + j]);
+        *c = series.y[k * series.n + upper] - below;
+    }
+}
+
+impl Recorder {
+    pub(super) fn new(model: &Model, state: &State, output_step_s: f64, duration_s: f64) -> Self {
+        let n = model.levels();
+        // a sample a little past the end by rounding is the end
+        let samples = (duration_s / output_step_s * (1.0 + 1e-12)).floor() as usize + 1;
+        let rows = || vec![Vec::with_capacity(samples); n];
+        let energy = FrameEnergy {
+            kinetic_j: model.kinetic_j(state),
+            stored_j: model.stored_j(state),
+            input_j: model.kinetic_j(state) + model.stored_j(state),
+            ..FrameEnergy::default()
+        };
+        let mut recorder = Recorder {
+            history: FrameHistory {
+                outcome: FrameOutcome::Finished,
+                time_s: Vec::with_capacity(samples),
+                displacement_m: rows(),
+                velocity_m_s: rows(),
+                acceleration_m_s2: rows(),
+                friction_force_n: rows(),
+                displacement_peaks: vec![FramePeak::default(); n],
+                drift_peaks: vec![FramePeak::default(); n],
+                slips: Vec::new(),
+                residual_m: Vec::new(),
+                at_rest: false,
+                events: 0,
+                steps: 0,
+                energy: Vec::with_capacity(samples),
+            },
+            output_step_s,
+            samples,
+            energy,
+            slipping: vec![None; n],
+            last_event_s: f64::NEG_INFINITY,
+        };
+        let absent = vec![Slider::Absent; n];
+        recorder.follow_slips(model, state, &absent, 0.0);
+        recorder
+    }
+
+    /// Takes up the motion of one series from `begin_s` to σ.
+    pub(super) fn stretch(
+        &mut self,
+        model: &Model,
+        state: &State,
+        series: &Series,
+        begin_s: f64,
+        sigma: f64,
+    ) {
+        self.history.steps += 1;
+        let end_s = begin_s + sigma * series.h;
+        let before = self.energy;
+        let mut c = [0.0; COEFFICIENTS_MOST];
+        for i in 0..series.n {
+            row(series, i, None, &mut c);
+            extend(
+                &mut self.history.displacement_peaks[i],
+                &c[..series.orders],
+                begin_s,
+                series.h,
+                sigma,
+            );
+            row(series, i, i.checked_sub(1), &mut c);
+            extend(
+                &mut self.history.drift_peaks[i],
+                &c[..series.orders],
+                begin_s,
+                series.h,
+                sigma,
+            );
+        }
+        while self.history.time_s.len() < self.samples {
+            let t = self.history.time_s.len() as f64 * self.output_step_s;
+            // the last sample may lie past the end by rounding
+            if t > end_s * (1.0 + 1e-12) {
+                break;
+            }
+            self.sample(model, state, series, begin_s, t);
+        }
+        self.energy = before;
+        self.add_work(model, state, series, sigma);
+    }
+
+    fn sample(&mut self, model: &Model, state: &State, series: &Series, begin_s: f64, t: f64) {
+        let sigma = ((t - begin_s) / series.h).clamp(0.0, 1.0);
+        let now = at(series, sigma, state);
+        let history = &mut self.history;
+        history.time_s.push(t);
+        let ground = polynomial(&series.ground[..series.ground_orders], sigma);
+        for i in 0..series.n {
+            let mut acceleration = 0.0;
+            for k in (2..series.orders).rev() {
+                acceleration = acceleration * sigma + (k * (k - 1)) as f64 * series.y[k * series.n + i];
+            }
+            history.displacement_m[i].push(now.y[i]);
+            history.velocity_m_s[i].push(now.v[i]);
+            history.acceleration_m_s2[i].push(acceleration / (series.h * series.h) + ground);
+            let force = match (model.friction[i], now.slider[i]) {
+                (StoreyFriction::Coulomb { .. }, Slider::Stuck) => (0..series.orders - 2)
+                    .rev()
+                    .fold(0.0, |sum, k| sum * sigma + series.held[k * series.n + i]),
+                (StoreyFriction::Coulomb { kinetic_force_n, .. }, Slider::Slipping(sign)) => {
+                    sign * kinetic_force_n
+                }
+                _ => model.jenkins_force(i, &now),
+            };
+            history.friction_force_n[i].push(force);
+            let drift = now.y[i] - i.checked_sub(1).map_or(0.0, |j| now.y[j]);
+            let peak = &mut history.displacement_peaks[i];
+            peak.at_samples_m = peak.at_samples_m.max(now.y[i].abs());
+            let peak = &mut history.drift_peaks[i];
+            peak.at_samples_m = peak.at_samples_m.max(drift.abs());
+        }
+        let kept = self.energy;
+        self.add_work(model, state, series, sigma);
+        self.energy.kinetic_j = model.kinetic_j(&now);
+        self.energy.stored_j = model.stored_j(&now);
+        self.history.energy.push(self.energy);
+        self.energy = kept;
+    }
+
+    /// Adds work put in and taken from the start of the series to σ.
+    fn add_work(&mut self, model: &Model, state: &State, series: &Series, sigma: f64) {
+        let n = series.n;
+        // ∫ p dy with both polynomials in σ
+        let work = |p: &[f64], y: &dyn Fn(usize) -> f64| -> f64 {
+            let mut sum = 0.0;
+            for j in 1..series.orders {
+                let slope = j as f64 * y(j);
+                if slope == 0.0 {
+                    continue;
+                }
+                for (k, p) in p.iter().enumerate() {
+                    sum += p * slope * sigma.powi((j + k) as i32) / (j + k) as f64;
+                }
+            }
+            sum
+        };
+        if series.ground_orders > 0 {
+            let momentum = |j: usize| -> f64 {
+                let row = &series.y[j * n..(j + 1) * n];
+                row.iter().zip(&model.mass_kg).map(|(y, m)| y * m).sum()
+            };
+            self.energy.input_j -= work(&series.ground[..series.ground_orders], &momentum);
+        }
+        for (i, force) in series.forces.iter().enumerate() {
+            self.energy.input_j += work(&force[..series.force_orders], &|j| series.y[j * n + i]);
+        }
+        for i in 0..n {
+            if let (
+                StoreyFriction::Coulomb { kinetic_force_n, .. }
+                | StoreyFriction::Jenkins { kinetic_force_n, .. },
+                Slider::Slipping(_),
+            ) = (model.friction[i], state.slider[i])
+            {
+                let mut c = [0.0; COEFFICIENTS_MOST];
+                row(series, i, model.below[i], &mut c);
+                c[0] = 0.0;
+                self.energy.friction_j += kinetic_force_n * polynomial(&c[..series.orders], sigma).abs();
+            }
+        }
+        if model.damped() {
+            let mut taken = 0.0;
+            for (node, weight) in GAUSS {
+                for node in [node, -node] {
+                    let now = at(series, 0.5 * sigma * (1.0 + node), state);
+                    taken += 0.5 * weight * model.damping_power(&now.v);
+                }
+            }
+            self.energy.damping_j += taken * sigma * series.h;
+        }
+    }
+
+    /// A Jenkins slider jumps from its static to its kinetic force.
+    pub(super) fn jump(&mut self, model: &Model, storey: usize) {
+        if let StoreyFriction::Jenkins {
+            stuck_stiffness_n_m,
+            static_force_n,
+            kinetic_force_n,
+        } = model.friction[storey]
+        {
+            let squares = static_force_n * static_force_n - kinetic_force_n * kinetic_force_n;
+            self.energy.friction_j += 0.5 * squares / stuck_stiffness_n_m;
+        }
+    }
+
+    /// Takes note of sliders that changed.
+    pub(super) fn changed(&mut self, model: &Model, state: &State, before: &[Slider], at_s: f64) {
+        if state.slider == before {
+            return;
+        }
+        if at_s - self.last_event_s > ONE_EVENT_S {
+            self.history.events += 1;
+        }
+        self.last_event_s = at_s;
+        self.follow_slips(model, state, before, at_s);
+    }
+
+    fn follow_slips(&mut self, model: &Model, state: &State, before: &[Slider], at_s: f64) {
+        for (storey, before) in before.iter().enumerate() {
+            if state.slider[storey] == *before {
+                continue;
+            }
+            let place = model.across(storey, &state.y);
+            if let Some((from_s, from)) = self.slipping[storey].take() {
+                self.history.slips.push(Slip {
+                    storey,
+                    from_s,
+                    to_s: at_s,
+                    slip_m: place - from,
+                });
+            }
+            if matches!(state.slider[storey], Slider::Slipping(_)) {
+                self.slipping[storey] = Some((at_s, place));
+            }
+        }
+    }
+
+    pub(super) fn finish(
+        mut self,
+        model: &Model,
+        state: &State,
+        at_s: f64,
+        outcome: FrameOutcome,
+    ) -> FrameHistory {
+        let absent = vec![Slider::Absent; model.levels()];
+        let before = state.slider.clone();
+        let ended = State {
+            slider: absent,
+            ..state.clone()
+        };
+        self.follow_slips(model, &ended, &before, at_s);
+        let mut history = self.history;
+        history.outcome = outcome;
+        history.residual_m.clone_from(&state.y);
+        history.at_rest = state.v.iter().all(|v| v.abs() <= REST_M_S);
+        history
+    }
+}
+
+/// The state at σ of a series.
+fn at(series: &Series, sigma: f64, state: &State) -> State {
+    let mut now = state.clone();
+    for i in 0..series.n {
+        let (mut y, mut v) = (0.0, 0.0);
+        for k in (1..series.orders).rev() {
+            let c = series.y[k * series.n + i];
+            y = y * sigma + c;
+            v = v * sigma + k as f64 * c;
+        }
+        now.y[i] = y * sigma + series.y[i];
+        now.v[i] = v / series.h;
+    }
+    now
+}
+
+/// Takes the largest absolute value of a polynomial on [0, σ] into a peak.
+fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
+    let most: f64 = c.iter().map(|x| x.abs()).sum();
+    if most <= peak.value_m.abs() {
+        return;
+    }
+    let mut consider = |at: f64| {
+        let value = polynomial(c, at);
+        if value.abs() > peak.value_m.abs() {
+            peak.value_m = value;
+            peak.at_s = begin_s + at * h;
+        }
+    };
+    consider(0.0);
+    consider(sigma);
+    // turning points: the velocity crosses zero downwards, then upwards, in turns
+    let mut velocity = [0.0; COEFFICIENTS_MOST];
+    let velocity = &mut velocity[..c.len() - 1];
+    for (k, v) in velocity.iter_mut().enumerate() {
+        *v = (k + 1) as f64 * c[k + 1];
+    }
+    let mut from = 0.0;
+    for _ in 0..4 {
+        if polynomial(velocity, from) < 0.0 {
+            velocity.iter_mut().for_each(|v| *v = -*v);
+        }
+        match first_descent(velocity, from) {
+            Some(at) if at <= sigma => {
+                consider(at);
+                from = at;
+                velocity.iter_mut().for_each(|v| *v = -*v);
+            }
+            _ => break,
+        }
+    }
+}

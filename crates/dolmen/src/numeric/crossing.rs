@@ -1,0 +1,199 @@
+//! Where a polynomial first turns negative: no crossing is passed over, however short.
+
+/// Most coefficients a polynomial may have here.
+pub(crate) const COEFFICIENTS_MOST: usize = 40;
+/// Halvings of [0, 1] before an interval counts as a point: 2⁻⁵² is the resolution of numbers near 1.
+const HALVINGS_MOST: u32 = 52;
+
+/// The first σ in [`from`, 1] at which p(σ) = Σ c_k σᵏ goes below zero; `None` if it stays at or above zero.
+///
+/// A zero that is only touched is none. If p is negative at `from` already, that is `from`.
+///
+/// On an interval, p lies within the hull of its coefficients in the basis of Bernstein. An interval where all of them are
+/// positive has no crossing; one where they change sign once has exactly one, which is located by bisection and secants;
+/// others are halved. So a pair of crossings close to each other is found too, down to what the digits of p tell.
+///
+/// # Source
+/// Farouki, R. T. (2012) The Bernstein polynomial basis: a centennial retrospective. Comput. Aided Geom. Des. 29:379-419, §§ 3, 5.
+pub(crate) fn first_descent(c: &[f64], from: f64) -> Option<f64> {
+    // the sign of p beside σ = 0 is that of its first coefficient
+    let c = if from == 0.0 {
+        &c[c.iter().take_while(|x| **x == 0.0).count()..]
+    } else {
+        c
+    };
+    let (&first, rest) = c.split_first()?;
+    // what most calls end with: nothing can bring p down to zero
+    if first > rest.iter().map(|x| x.abs()).sum::<f64>() {
+        return None;
+    }
+    let mut bernstein = [0.0; COEFFICIENTS_MOST];
+    let b = &mut bernstein[..c.len()];
+    to_bernstein(c, b);
+    if from > 0.0 {
+        let mut left = [0.0; COEFFICIENTS_MOST];
+        split(b, from, &mut left[..c.len()]);
+    }
+    descend(c, b, from, 1.0, HALVINGS_MOST)
+}
+
+/// b_j = Σ_{k ≤ j} C(j, k)/C(d, k) c_k on [0, 1], by differences: no binomials are formed.
+fn to_bernstein(c: &[f64], b: &mut [f64]) {
+    let degree = c.len() - 1;
+    // c_k / C(d, k)
+    let mut binomial = 1.0;
+    for (k, (b, c)) in b.iter_mut().zip(c).enumerate() {
+        *b = c / binomial;
+        binomial *= (degree - k) as f64 / (k + 1) as f64;
+    }
+    for row in 1..=degree {
+        for j in (row..=degree).rev() {
+            b[j] += b[j - 1];
+        }
+    }
+}
+
+/// De Casteljau: `b` becomes the coefficients right of `at` (in parts of its interval), `left` those left of it.
+fn split(b: &mut [f64], at: f64, left: &mut [f64]) {
+    let n = b.len();
+    for (row, left) in left.iter_mut().enumerate() {
+        *left = b[0];
+        for j in 0..n - 1 - row {
+            b[j] += at * (b[j + 1] - b[j]);
+        }
+    }
+}
+
+fn descend(c: &[f64], b: &[f64], low: f64, high: f64, halvings: u32) -> Option<f64> {
+    if b[0] < 0.0 {
+        return Some(low);
+    }
+    let mut changes = 0;
+    let mut positive = true;
+    for &x in b {
+        if x != 0.0 && (x > 0.0) != positive {
+            positive = !positive;
+            changes += 1;
+        }
+    }
+    match changes {
+        0 => return None,
+        // one sign change, from above to below: one crossing
+        1 => return Some(locate(c, low, high)),
+        _ => {}
+    }
+    if halvings == 0 {
+        return Some(low);
+    }
+    let mut right = [0.0; COEFFICIENTS_MOST];
+    let mut left = [0.0; COEFFICIENTS_MOST];
+    let (right, left) = (&mut right[..b.len()], &mut left[..b.len()]);
+    right.copy_from_slice(b);
+    split(right, 0.5, left);
+    let middle = 0.5 * (low + high);
+    descend(c, left, low, middle, halvings - 1).or_else(|| descend(c, right, middle, high, halvings - 1))
+}
+
+/// The crossing in [low, high], of which there is one: the Illinois method with bisection, to neighbouring numbers.
+fn locate(c: &[f64], mut low: f64, mut high: f64) -> f64 {
+    let (mut at_low, mut at_high) = (polynomial(c, low), polynomial(c, high));
+    // a zero at the low end, or rounding there: the coefficients say that p rises from it first
+    at_low = at_low.max(f64::MIN_POSITIVE);
+    if at_high >= 0.0 {
+        return high;
+    }
+    let mut side = 0;
+    for round in 0..200 {
+        let width = high - low;
+        if width <= f64::EPSILON * high {
+            break;
+        }
+        let mut x = (low * at_high - high * at_low) / (at_high - at_low);
+        if round % 8 == 7 || !(x > low && x < high) {
+            x = 0.5 * (low + high);
+            if x <= low || x >= high {
+                break;
+            }
+        }
+        let y = polynomial(c, x);
+        if y == 0.0 {
+            return x;
+        }
+        if y > 0.0 {
+            (low, at_low) = (x, y);
+            if side == 1 {
+                at_high *= 0.5;
+            }
+            side = 1;
+        } else {
+            (high, at_high) = (x, y);
+            if side == -1 {
+                at_low *= 0.5;
+            }
+            side = -1;
+        }
+    }
+    high
+}
+
+/// Σ c_k σᵏ.
+pub(crate) fn polynomial(c: &[f64], sigma: f64) -> f64 {
+    c.iter().rev().fold(0.0, |sum, &c| sum * sigma + c)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Coefficients of a product of (1 − σ/root), times its sign.
+    fn from_roots(roots: &[f64]) -> Vec<f64> {
+        let mut c = vec![1.0];
+        for root in roots {
+            let mut next = vec![0.0; c.len() + 1];
+            for (k, x) in c.iter().enumerate() {
+                next[k] += x;
+                next[k + 1] -= x / root;
+            }
+            c = next;
+        }
+        c
+    }
+
+    #[test]
+    fn exact_first_of_several_roots() {
+        let near = |c: &[f64], from, wanted: f64| {
+            let found = first_descent(c, from).unwrap();
+            assert!((found - wanted).abs() < 1e-13, "{found} for {wanted}");
+        };
+        near(&from_roots(&[0.3]), 0.0, 0.3);
+        near(&from_roots(&[0.8, 0.3, 2.0]), 0.0, 0.3);
+        // two crossings a thousandth apart, both at ends of one sign
+        let pair = from_roots(&[0.4, 0.401]);
+        assert!(polynomial(&pair, 0.0) > 0.0 && polynomial(&pair, 1.0) > 0.0);
+        assert!((first_descent(&pair, 0.0).unwrap() - 0.4).abs() < 1e-11);
+        // past the first dip the next descent is that of the third root
+        near(&from_roots(&[0.2, 0.5, 0.7]), 0.5 + 1e-9, 0.7);
+        assert_eq!(first_descent(&from_roots(&[0.2, 0.5, 1.7]), 0.5 + 1e-9), None);
+        // a high degree
+        let mut c = from_roots(&[0.9, 1.1, 1.2, -0.5, 3.0, -2.0, 5.0, 1.05, -1.0, -7.0, 2.2, 1.6]);
+        c.resize(20, 0.0);
+        assert!((first_descent(&c, 0.0).unwrap() - 0.9).abs() < 1e-11);
+    }
+
+    #[test]
+    fn exact_none_and_touching() {
+        assert_eq!(first_descent(&[1.0, -0.999], 0.0), None);
+        assert_eq!(first_descent(&from_roots(&[1.5, -2.0]), 0.0), None);
+        assert_eq!(first_descent(&[0.0, 1.0, -0.5], 0.0), None);
+        // zero at the start, then down at once
+        assert_eq!(first_descent(&[0.0, -1.0], 0.0), Some(0.0));
+        // (σ − ½)² touches zero exactly in binary
+        assert_eq!(first_descent(&[0.25, -1.0, 1.0], 0.0), None);
+        // up first, then down
+        assert!((first_descent(&[0.0, 1.0, -2.0], 0.0).unwrap() - 0.5).abs() < 1e-15);
+        assert!((first_descent(&[0.0, 1.0, -4.0], 0.0).unwrap() - 0.25).abs() < 1e-15);
+        assert!((first_descent(&[0.0, 0.0, 1.0, -4.0], 0.0).unwrap() - 0.25).abs() < 1e-15);
+        // negative already
+        assert_eq!(first_descent(&[-1e-3, 1.0], 0.0), Some(0.0));
+    }
+}
