@@ -2,8 +2,10 @@
 
 mod error;
 mod excitation;
+mod frame_events;
 mod frame_friction;
 mod frame_history;
+mod frame_law;
 mod frame_motion;
 mod frame_record;
 mod frame_series;

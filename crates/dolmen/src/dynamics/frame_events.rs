@@ -1,0 +1,264 @@
+//! Steps of a frame from one event to the next: which slider changes first, and when.
+
+use super::DynamicsError;
+use super::excitation::FrameLoad;
+use super::frame_friction::{FrictionFrame, StoreyFriction};
+use super::frame_motion::FrameRun;
+use super::frame_record::Recorder;
+use super::frame_series::{Model, Series, Slider, State};
+use crate::numeric::{COEFFICIENTS_MOST, first_descent};
+
+/// Changes of sliders closer than this are one event, s: what the problem asks its events to be located to.
+pub(super) const TOGETHER_S: f64 = 1e-12;
+
+/// A change of a slider within a step.
+#[derive(Clone, Copy)]
+pub(super) struct Event {
+    pub(super) sigma: f64,
+    pub(super) storey: usize,
+    pub(super) change: Change,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+/// What happens to a slider.
+pub(super) enum Change {
+    /// Its force has reached the static one, in this direction.
+    Goes(f64),
+    /// It has come to a stop.
+    Stops,
+}
+
+/// A frame on its way.
+pub(super) struct Motion<'a> {
+    pub(super) model: Model,
+    pub(super) load: &'a FrameLoad,
+    pub(super) state: State,
+    pub(super) series: Series,
+    pub(super) at_s: f64,
+    /// How many first coefficients of what each slider waits for are zero, after an event: there they hold rounding.
+    pub(super) zeros: Vec<usize>,
+    /// Sliders may have to change before the next step; what they did before, if so.
+    pub(super) unsettled: Option<Vec<Slider>>,
+    /// Below this a force or a rate of it is rounding, N: it grows with the orders that are looked at.
+    pub(super) rounding_n: f64,
+    /// Sliders that go at any price: their static force was reached and is above the kinetic one.
+    pub(super) gone: Vec<usize>,
+    pub(super) events: Vec<Event>,
+    pub(super) pile: usize,
+    pub(super) pile_at_s: f64,
+}
+
+impl<'a> Motion<'a> {
+    pub(super) fn start(
+        frame: &FrictionFrame,
+        load: &'a FrameLoad,
+        options: &FrameRun,
+    ) -> Result<Self, DynamicsError> {
+        let model = Model::of(frame)?;
+        let n = model.levels();
+        let given = |values: &Vec<f64>| {
+            if values.is_empty() {
+                vec![0.0; n]
+            } else {
+                values.clone()
+            }
+        };
+        let mut state = State {
+            y: given(&options.start_displacement_m),
+            v: given(&options.start_velocity_m_s),
+            slider: vec![Slider::Absent; n],
+            offset_m: vec![0.0; n],
+        };
+        for i in 0..n {
+            let (across, speed) = (model.across(i, &state.y), model.across(i, &state.v));
+            state.slider[i] = match model.friction[i] {
+                StoreyFriction::None => Slider::Absent,
+                StoreyFriction::Coulomb { .. } if speed != 0.0 => Slider::Slipping(speed.signum()),
+                StoreyFriction::Coulomb { .. } => Slider::Stuck,
+                StoreyFriction::Jenkins {
+                    stuck_stiffness_n_m,
+                    static_force_n,
+                    kinetic_force_n,
+                } => {
+                    // a start beyond its force finds the slider slipped so far
+                    if stuck_stiffness_n_m * across.abs() > static_force_n {
+                        state.offset_m[i] = across - across.signum() * kinetic_force_n / stuck_stiffness_n_m;
+                    }
+                    Slider::Stuck
+                }
+            };
+        }
+        let mut motion = Motion {
+            series: Series::new(n),
+            model,
+            load,
+            state,
+            at_s: 0.0,
+            zeros: vec![0; n],
+            unsettled: None,
+            rounding_n: 0.0,
+            gone: Vec::new(),
+            events: Vec::new(),
+            pile: 0,
+            pile_at_s: f64::NEG_INFINITY,
+        };
+        motion.unsettled = Some(motion.state.slider.clone());
+        Ok(motion)
+    }
+
+    /// Goes on by h at most, to the next event; `end_s` is where the series of the load ends.
+    pub(super) fn step(
+        &mut self,
+        mut h: f64,
+        end_s: f64,
+        recorder: &mut Recorder,
+    ) -> Result<(), DynamicsError> {
+        if let Some(before) = self.unsettled.take() {
+            self.find_state(h)?;
+            recorder.changed(&self.model, &self.state, &before, self.at_s);
+        }
+        loop {
+            self.series.act(self.load, self.at_s, h);
+            self.series.join(&self.model, &self.state);
+            if self.series.expand(&self.model, &self.state) {
+                break;
+            }
+            h *= 0.5;
+        }
+        let sigma = self.first_events(h);
+        let begin_s = self.at_s;
+        let ends = self.events.is_empty() && end_s - (begin_s + h) <= TOGETHER_S;
+        self.at_s = if ends { end_s } else { begin_s + sigma * h };
+        recorder.stretch(&self.model, &self.state, &self.series, begin_s, sigma);
+        self.advance(sigma);
+        if sigma * h > TOGETHER_S {
+            self.zeros.fill(0);
+        }
+        if !self.events.is_empty() {
+            self.change(recorder)?;
+        }
+        Ok(())
+    }
+
+    /// Puts the first event and those together with it into `events`; returns where the step ends.
+    fn first_events(&mut self, h: f64) -> f64 {
+        self.events.clear();
+        let mut first = 1.0_f64;
+        let together = TOGETHER_S / h;
+        for storey in 0..self.model.levels() {
+            let Some(event) = self.event_of(storey) else {
+                continue;
+            };
+            if event.sigma <= first + together {
+                first = first.min(event.sigma);
+                self.events.push(event);
+            }
+        }
+        self.events.retain(|event| event.sigma <= first + together);
+        self.events
+            .iter()
+            .fold(first, |last, event| last.max(event.sigma))
+    }
+
+    /// First change of one slider within the step.
+    fn event_of(&self, storey: usize) -> Option<Event> {
+        let zeros = self.zeros[storey];
+        let s = &self.series;
+        let at = |rows: &[f64], k: usize| {
+            let below = self.model.below[storey].map_or(0.0, |j| rows[k * s.n + j]);
+            rows[k * s.n + storey] - below
+        };
+        let mut c = [0.0; COEFFICIENTS_MOST];
+        match (self.model.friction[storey], self.state.slider[storey]) {
+            (_, Slider::Slipping(sign)) => {
+                let orders = s.orders - 1;
+                for (k, c) in c[..orders].iter_mut().enumerate() {
+                    *c = sign * (k + 1) as f64 * at(&s.y, k + 1);
+                }
+                settle(&mut c[..orders], zeros);
+                let sigma = first_descent(&c[..orders], 0.0)?;
+                Some(Event {
+                    sigma,
+                    storey,
+                    change: Change::Stops,
+                })
+            }
+            (StoreyFriction::Coulomb { static_force_n, .. }, Slider::Stuck) => {
+                let orders = s.orders - 2;
+                for (k, c) in c[..orders].iter_mut().enumerate() {
+                    *c = s.held[k * s.n + storey];
+                }
+                goes(storey, &c[..orders], static_force_n, zeros)
+            }
+            (
+                StoreyFriction::Jenkins {
+                    stuck_stiffness_n_m,
+                    static_force_n,
+                    ..
+                },
+                Slider::Stuck,
+            ) => {
+                for (k, c) in c[..s.orders].iter_mut().enumerate() {
+                    *c = stuck_stiffness_n_m * at(&s.y, k);
+                }
+                c[0] -= stuck_stiffness_n_m * self.state.offset_m[storey];
+                goes(storey, &c[..s.orders], static_force_n, zeros)
+            }
+            (StoreyFriction::None, _) | (_, Slider::Absent) => None,
+        }
+    }
+
+    /// The state at σ of the step.
+    fn advance(&mut self, sigma: f64) {
+        let s = &self.series;
+        for i in 0..s.n {
+            let (mut y, mut v) = (0.0, 0.0);
+            for k in (1..s.orders).rev() {
+                let c = s.y[k * s.n + i];
+                y = y * sigma + c;
+                v = v * sigma + k as f64 * c;
+            }
+            self.state.y[i] = y * sigma + s.y[i];
+            self.state.v[i] = v / s.h;
+        }
+        self.series.share_velocity(&self.model, &mut self.state);
+    }
+}
+
+/// First time at which a force, given by its coefficients, reaches the static one in either direction.
+fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Option<Event> {
+    let rest: f64 = force[1..].iter().map(|c| c.abs()).sum();
+    if force[0].abs() + rest < static_force_n {
+        return None;
+    }
+    let mut first: Option<Event> = None;
+    for sign in [1.0, -1.0] {
+        let mut c = [0.0; COEFFICIENTS_MOST];
+        let c = &mut c[..force.len()];
+        for (c, force) in c.iter_mut().zip(force) {
+            *c = -sign * force;
+        }
+        c[0] += static_force_n;
+        // the limit it is at, not the other
+        if c[0] < 0.5 * static_force_n {
+            settle(c, zeros);
+        }
+        if let Some(sigma) = first_descent(c, 0.0)
+            && first.is_none_or(|event| sigma < event.sigma)
+        {
+            first = Some(Event {
+                sigma,
+                storey,
+                change: Change::Goes(sign),
+            });
+        }
+    }
+    first
+}
+
+/// Takes away what rounding has left where a slider that has just changed starts at a zero, so that the first true coefficient
+/// decides.
+fn settle(c: &mut [f64], zeros: usize) {
+    let zeros = zeros.min(c.len());
+    c[..zeros].fill(0.0);
+}

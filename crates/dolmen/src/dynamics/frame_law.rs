@@ -1,0 +1,233 @@
+//! What the sliders of a frame do after an event: Coulomb's law for all of them together.
+
+use super::DynamicsError;
+use super::frame_events::{Change, Event, Motion};
+use super::frame_friction::StoreyFriction;
+use super::frame_record::Recorder;
+use super::frame_series::Slider;
+
+/// Events closer than this count as a pile, s.
+const PILE_S: f64 = 1e-9;
+/// Part of the largest force below which a force at an event, or a rate of it over the step, is rounding: some thousand
+/// times that of one number, for what the balance of twenty levels sums up.
+const ROUNDING: f64 = 1e-12;
+/// Rates that are looked at where a force is just at its limit: the deepest case known, springs that a slip begins to stretch, is
+/// decided by the third rate for each storey up.
+const DECIDING_ORDERS: usize = 24;
+
+impl Motion<'_> {
+    /// Changes the sliders of `events` and finds what the others do then.
+    pub(super) fn change(&mut self, recorder: &mut Recorder) -> Result<(), DynamicsError> {
+        if self.at_s - self.pile_at_s > PILE_S {
+            (self.pile, self.pile_at_s) = (0, self.at_s);
+        }
+        self.pile += 1;
+        if self.pile > 50 + 10 * self.model.levels() {
+            return Err(DynamicsError::TooManyEvents {
+                at_s: self.at_s,
+                events: self.pile,
+            });
+        }
+        let before = self.state.slider.clone();
+        for &Event { storey, change, .. } in &self.events {
+            match (self.model.friction[storey], change) {
+                (StoreyFriction::Jenkins { .. }, Change::Goes(sign)) => {
+                    self.state.slider[storey] = Slider::Slipping(sign);
+                    recorder.jump(&self.model, storey);
+                }
+                (
+                    StoreyFriction::Jenkins {
+                        stuck_stiffness_n_m,
+                        static_force_n,
+                        kinetic_force_n,
+                    },
+                    Change::Stops,
+                ) => {
+                    if let Slider::Slipping(sign) = self.state.slider[storey] {
+                        let across = self.model.across(storey, &self.state.y);
+                        self.state.offset_m[storey] = across - sign * kinetic_force_n / stuck_stiffness_n_m;
+                    }
+                    self.state.slider[storey] = Slider::Stuck;
+                    if static_force_n == kinetic_force_n {
+                        // its force is at the limit, and the rate of it is that of the drift: none
+                        self.zeros[storey] = 2;
+                    }
+                }
+                (
+                    StoreyFriction::Coulomb {
+                        static_force_n,
+                        kinetic_force_n,
+                    },
+                    Change::Goes(sign),
+                ) if static_force_n > kinetic_force_n => {
+                    self.state.slider[storey] = Slider::Slipping(sign);
+                    self.gone.push(storey);
+                }
+                // whether it goes on, holds, or turns is found from the balance of all
+                _ => self.state.slider[storey] = Slider::Stuck,
+            }
+        }
+        self.series.join(&self.model, &self.state);
+        self.series.share_velocity(&self.model, &mut self.state);
+        self.unsettled = Some(before);
+        Ok(())
+    }
+
+    /// Finds which Coulomb sliders that stand still hold and which go: those that cannot hold are let go, the worst first, until
+    /// all agree with the law.
+    ///
+    /// With equal static and kinetic forces the accelerations are the minimum of a strictly convex function, so that the state is
+    /// one. Where a force is just at its limit, the first of its rates that is not zero decides, order by order: storeys that
+    /// carry their own weight times one coefficient reach their limits all at once.
+    pub(super) fn find_state(&mut self, h: f64) -> Result<(), DynamicsError> {
+        self.series.act(self.load, self.at_s, h);
+        self.series.begin(&self.state);
+        self.rounding_n = 0.0;
+        let mut open = self.let_go()?;
+        for order in 1..DECIDING_ORDERS {
+            if open.is_empty() {
+                break;
+            }
+            self.decide(&mut open, order)?;
+        }
+        for (storey, _) in open {
+            self.state.slider[storey] = Slider::Stuck;
+            self.zeros[storey] = DECIDING_ORDERS;
+        }
+        self.gone.clear();
+        Ok(())
+    }
+
+    /// Order 0: forces against their limits. Returns the sliders that are just at theirs, with the direction of going.
+    fn let_go(&mut self) -> Result<Vec<(usize, f64)>, DynamicsError> {
+        let n = self.model.levels();
+        let mut going = self.gone.clone();
+        for _ in 0..tries_most(n) {
+            self.series.join(&self.model, &self.state);
+            self.series.next(&self.model, &self.state, 0);
+            self.measure_rounding(0);
+            let mut open = Vec::new();
+            let mut worst = Worst::default();
+            for i in 0..n {
+                let StoreyFriction::Coulomb {
+                    static_force_n,
+                    kinetic_force_n,
+                } = self.model.friction[i]
+                else {
+                    continue;
+                };
+                match self.state.slider[i] {
+                    Slider::Stuck => {
+                        self.zeros[i] = 0;
+                        let held = self.series.held[i];
+                        let over = held.abs() - static_force_n;
+                        if over > self.rounding_n {
+                            worst.consider(over / held.abs(), i, Slider::Slipping(held.signum()));
+                        } else if over >= -self.rounding_n && static_force_n == kinetic_force_n {
+                            open.push((i, held.signum()));
+                        }
+                    }
+                    Slider::Slipping(sign) if going.contains(&i) => {
+                        let inertia = sign * self.series.inertia(&self.model, i, 0);
+                        if inertia > self.rounding_n || self.gone.contains(&i) {
+                            self.zeros[i] = 1;
+                        } else if inertia < -self.rounding_n {
+                            // driven back: it would have held
+                            worst.consider(-inertia / kinetic_force_n.max(-inertia), i, Slider::Stuck);
+                        } else {
+                            open.push((i, sign));
+                        }
+                    }
+                    _ => {}
+                }
+            }
+            let Some((storey, to)) = worst.found() else {
+                return Ok(open);
+            };
+            self.state.slider[storey] = to;
+            match to {
+                Slider::Stuck => going.retain(|i| *i != storey),
+                _ => going.push(storey),
+            }
+        }
+        Err(self.no_state())
+    }
+
+    /// Order k: rates of the forces that are just at their limits. Keeps in `open` those that this order does not decide.
+    fn decide(&mut self, open: &mut Vec<(usize, f64)>, k: usize) -> Result<(), DynamicsError> {
+        for &(i, _) in open.iter() {
+            self.state.slider[i] = Slider::Stuck;
+        }
+        for _ in 0..tries_most(open.len()) {
+            self.series.join(&self.model, &self.state);
+            self.series.next(&self.model, &self.state, k);
+            self.measure_rounding(k);
+            let rounding = self.rounding_n;
+            let mut worst = Worst::default();
+            let mut left = Vec::new();
+            for &(i, sign) in open.iter() {
+                match self.state.slider[i] {
+                    Slider::Stuck => {
+                        let rate = sign * self.series.held[k * self.series.n + i];
+                        if rate > rounding {
+                            worst.consider(rate, i, Slider::Slipping(sign));
+                        } else if rate < -rounding {
+                            self.zeros[i] = k;
+                        } else {
+                            left.push((i, sign));
+                        }
+                    }
+                    _ => {
+                        let inertia = sign * self.series.inertia(&self.model, i, k);
+                        if inertia < -rounding {
+                            worst.consider(-inertia, i, Slider::Stuck);
+                        } else if inertia > rounding {
+                            self.zeros[i] = k + 1;
+                        } else {
+                            left.push((i, sign));
+                        }
+                    }
+                }
+            }
+            let Some((storey, to)) = worst.found() else {
+                *open = left;
+                return Ok(());
+            };
+            self.state.slider[storey] = to;
+        }
+        Err(self.no_state())
+    }
+
+    /// An error of one order stays in all that follow: the springs of a step pass it on undiminished.
+    fn measure_rounding(&mut self, k: usize) {
+        let scale = self.series.force_scale(&self.model, &self.state, k);
+        self.rounding_n = self.rounding_n.max(ROUNDING * scale);
+    }
+
+    fn no_state(&self) -> DynamicsError {
+        DynamicsError::NoState {
+            at_s: self.at_s,
+            tried: tries_most(self.model.levels()),
+        }
+    }
+}
+
+fn tries_most(sliders: usize) -> usize {
+    20 + 10 * sliders
+}
+
+/// The slider furthest from the law, and what it should do.
+#[derive(Default)]
+struct Worst(Option<(f64, usize, Slider)>);
+
+impl Worst {
+    fn consider(&mut self, excess: f64, storey: usize, to: Slider) {
+        if self.0.is_none_or(|(most, ..)| excess > most) {
+            self.0 = Some((excess, storey, to));
+        }
+    }
+
+    fn found(self) -> Option<(usize, Slider)> {
+        self.0.map(|(_, storey, to)| (storey, to))
+    }
+}
