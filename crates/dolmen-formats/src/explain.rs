@@ -99,9 +99,9 @@ Weights and lengths give the least stiffness that each joint needs, not the stif
         title: "Several stones move together",
         text: "\
 Where several stones carry one (posts and walls under a slab, an arch), equilibrium alone does not say how much each of them
-bears, and the joints one by one give an upper bound. A linear programme then looks for any forces in the joints (pressure, friction
-within its cone) that balance the stack; the largest acceleration at which there are some is its limit. It is found in 16
-directions: between them it may be at most 2 % lower.",
+bears, and the joints one by one give an upper bound. A conic programme then looks for any forces in the joints (pressure, friction
+within its cone) that balance the stack; the least acceleration, of all directions, at which there are none is its limit. Where
+friction decides it may be known to 2 % only: a note then gives both ends.",
     },
     Explanation {
         code: "load-factor",

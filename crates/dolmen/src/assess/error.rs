@@ -1,6 +1,7 @@
 use crate::numeric::NumericError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
+use crate::structure::stack::StackError;
 
 /// Why a structure cannot be assessed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -12,6 +13,9 @@ pub enum AssessError {
     /// Stability cannot be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),
+    /// A stack that cannot be.
+    #[error(transparent)]
+    Stack(#[from] StackError),
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

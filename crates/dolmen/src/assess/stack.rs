@@ -1,35 +1,22 @@
 //! A whole check of a stack of stones: whether it stands, at what acceleration it begins to move, what is asked of it.
 
 use super::AssessError;
+use crate::stability::Verdict;
 use crate::stability::stack::{
-    DemandComparison, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, PeriodOfThumb, RockingBlock,
-    StackDemand, StackLimitStates, StackLimits, Threshold, compare_with_demand, limit_analysis,
-    period_of_thumb, rocking_blocks, stack_limits,
+    DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, PeriodOfThumb,
+    RockingBlock, Shaking, StackDemand, StackLimitStates, StackLimits, Threshold, compare_with_demand,
+    limit_analysis, period_of_thumb, rocking_blocks, stack_limits,
 };
-use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Stack;
-use std::f64::consts::TAU;
 use std::fmt;
 
 /// What a check of a stack looks at.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct StackCheckOptions {
     /// Loads, strength and soil.
     pub limits: StackLimits,
     /// What an earthquake asks for. Default `None`.
     pub demand: Option<StackDemand>,
-    /// Directions of the limit analysis where equilibrium alone does not give the forces, 1 to 360. Default 16, chosen here.
-    pub directions: usize,
-}
-
-impl Default for StackCheckOptions {
-    fn default() -> Self {
-        StackCheckOptions {
-            limits: StackLimits::default(),
-            demand: None,
-            directions: 16,
-        }
-    }
 }
 
 /// What a check of a stack found.
@@ -38,8 +25,8 @@ pub struct StackCheck {
     /// Joint by joint.
     pub limits: StackLimitStates,
     /// The check by limit analysis: in the direction that governs, and where equilibrium alone does not give the forces in
-    /// many. Empty if the stack does not stand.
-    pub analyses: Vec<LimitAnalysisResult>,
+    /// all. `None` if the stack does not stand.
+    pub analysis: Option<LimitAnalysisResult>,
     /// Least acceleration at which it begins to move, of both; `None` if it does not stand.
     pub capacity: Option<Threshold>,
     /// stable, marginal, unstable without shaking.
@@ -67,12 +54,28 @@ pub enum StackNote {
         /// Acceleration of the limit analysis, over gravity.
         analysis_g: f64,
     },
+    /// The limit analysis, which decides, found the least acceleration of all directions between two numbers only.
+    AnalysisBetween {
+        /// Balanced in every direction, over gravity.
+        at_least_g: f64,
+        /// Not balanced in one, over gravity.
+        analysis_g: f64,
+    },
     /// The joints one by one find it standing, the limit analysis does not.
     AnalysisFalls,
     /// The limit analysis knows no compressive strength, so of the stack that shares its load this is an upper bound.
     StrengthNotInAnalysis,
     /// Side supports are left out.
     SideSupportsLeftOut,
+    /// Cohesion counts in full in every joint at once, although a bond breaks brittle and one by one.
+    CohesionCounted,
+    /// The tensile strength of joints is left out.
+    TensionLeftOut,
+    /// Friction of moving joints is less than of resting ones.
+    KineticLess {
+        /// Acceleration at which it would slide with the kinetic friction, over gravity.
+        slides_at_g: f64,
+    },
     /// Ties are left out of the capacity; the thresholds with ties stand beside it.
     TiesLeftOut,
     /// The demand lacks the spectrum at the first period.
@@ -97,6 +100,14 @@ impl fmt::Display for StackNote {
             StackNote::AnalysisLower { analysis_g, .. } => {
                 write!(f, "only the limit analysis gives a limit: {analysis_g:.3} g")
             }
+            StackNote::AnalysisBetween {
+                at_least_g,
+                analysis_g,
+            } => write!(
+                f,
+                "the limit analysis found balance in every direction up to {at_least_g:.3} g, and none at {analysis_g:.3} g in one: \
+                 use the lower"
+            ),
             StackNote::AnalysisFalls => write!(
                 f,
                 "joint by joint it seems to stand, but no forces in the joints balance its weight and static loads"
@@ -106,10 +117,28 @@ impl fmt::Display for StackNote {
                 "the limit analysis knows no compressive strength: with stones that share their load the capacity is an \
                  upper bound"
             ),
-            StackNote::SideSupportsLeftOut => write!(f, "side supports are left out"),
+            StackNote::SideSupportsLeftOut => write!(
+                f,
+                "side supports are left out of all thresholds; what they hold is not counted, which is on the safe side"
+            ),
+            StackNote::CohesionCounted => write!(
+                f,
+                "cohesion counts against sliding in full in every joint at once; a bond breaks brittle and one joint after the \
+                 other, so this is on the unsafe side"
+            ),
+            StackNote::TensionLeftOut => write!(
+                f,
+                "the tensile strength of joints is left out of all thresholds, which is on the safe side"
+            ),
+            StackNote::KineticLess { slides_at_g } => write!(
+                f,
+                "sliding is found with the static friction; a joint that moves once has the kinetic one, and with that in every \
+                 joint sliding begins at {slides_at_g:.3} g"
+            ),
             StackNote::TiesLeftOut => write!(
                 f,
-                "ties are left out of the capacity; thresholds with ties at their strength stand beside it"
+                "ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand \
+                 beside it"
             ),
             StackNote::PeriodUnknown => write!(
                 f,
@@ -119,9 +148,10 @@ impl fmt::Display for StackNote {
     }
 }
 
-/// By how much the limit analysis may be lower before it is said: what 16 edges of a friction pyramid lose is 1.9 %, what the
-/// solver loses 1e-9. Chosen here.
-const LOWER: f64 = 0.02;
+/// By how much the limit analysis may be lower before it is said; what the solver loses is 1e-8. Chosen here.
+const LOWER: f64 = 1e-4;
+/// By how much both bounds of the limit analysis may differ before it is said: three digits are printed. Chosen here.
+const BETWEEN: f64 = 1e-3;
 
 /// Checks a stack: whether it stands, what moves first and at what acceleration, against a demand.
 ///
@@ -129,9 +159,8 @@ const LOWER: f64 = 0.02;
 /// [`AssessError`] for options out of their range.
 ///
 /// # Limits
-/// Those of [`stack_limits`] and [`limit_analysis`]. The capacity is the onset of rocking or sliding, not collapse. It is dry:
-/// ties are left out. Where stones share their load, directions between those analysed are not looked at: with 16, a limit that
-/// follows a straight line in the plane of accelerations is at most 2 % too high.
+/// Those of [`stack_limits`] and [`limit_analysis`]. The capacity is the onset of rocking or sliding, not collapse. Ties are
+/// left out of it, cohesion counts against sliding.
 ///
 /// # Example
 /// ```
@@ -145,17 +174,10 @@ const LOWER: f64 = 0.02;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCheck, AssessError> {
-    if !(1..=360).contains(&options.directions) {
-        return Err(AssessError::Stability(StabilityError::Option {
-            option: "directions",
-            given: options.directions as f64,
-            allowed: "1 to 360",
-        }));
-    }
     let limits = stack_limits(stack, &options.limits)?;
     let mut check = StackCheck {
         verdict: limits.verdict,
-        analyses: Vec::new(),
+        analysis: None,
         capacity: None,
         rocking: None,
         period_of_thumb: period_of_thumb(stack.height_m())?,
@@ -164,6 +186,7 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         limits,
     };
     note_what_is_left_out(stack, options, &mut check);
+    note_kinetic_friction(stack, options, &mut check)?;
     if check.limits.standing.stands() {
         analyse(stack, options, &mut check)?;
     }
@@ -193,6 +216,13 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
             check.notes.push(StackNote::StrengthNotInAnalysis);
         }
     }
+    let joints = stack.joints();
+    if joints.iter().any(|joint| joint.material.cohesion_pa > 0.0) {
+        check.notes.push(StackNote::CohesionCounted);
+    }
+    if joints.iter().any(|joint| joint.material.tension_pa > 0.0) {
+        check.notes.push(StackNote::TensionLeftOut);
+    }
     if !stack.side_supports().is_empty() {
         check.notes.push(StackNote::SideSupportsLeftOut);
     }
@@ -204,54 +234,73 @@ fn note_what_is_left_out(stack: &Stack, options: &StackCheckOptions, check: &mut
     }
 }
 
+/// Sliding anew with every static friction replaced by the kinetic one, where that is less.
+fn note_kinetic_friction(
+    stack: &Stack,
+    options: &StackCheckOptions,
+    check: &mut StackCheck,
+) -> Result<(), AssessError> {
+    let mut moving = stack.clone();
+    let mut less = false;
+    for (index, joint) in stack.joints().iter().enumerate() {
+        let mut material = joint.material;
+        less |= material.friction_kinetic < material.friction_static;
+        material.friction_static = material.friction_kinetic;
+        moving = moving.with_material(index, material)?;
+    }
+    if less && check.limits.sliding.is_some() {
+        let sliding = stack_limits(&moving, &options.limits)?.sliding;
+        check.notes.push(StackNote::KineticLess {
+            slides_at_g: sliding.map_or(0.0, |sliding| sliding.threshold.acceleration_g),
+        });
+    }
+    Ok(())
+}
+
 /// The limit analysis beside the joints one by one; the lesser is the capacity.
 fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -> Result<(), AssessError> {
     let both = [check.limits.uplift, check.limits.sliding].into_iter().flatten();
     let governing = both
         .map(|governing| governing.threshold)
         .min_by(|a, b| a.acceleration_m_s2.total_cmp(&b.acceleration_m_s2));
-    let mut directions: Vec<[f64; 2]> = governing.iter().map(|threshold| threshold.direction).collect();
-    if !check.limits.statically_determinate {
-        directions.extend((0..options.directions).map(|k| {
-            let angle = TAU * k as f64 / options.directions as f64;
-            [angle.cos(), angle.sin()]
-        }));
-    }
+    let shaking = match governing {
+        Some(threshold) if check.limits.statically_determinate => Shaking::Along(threshold.direction),
+        _ => Shaking::AnyWay,
+    };
     // the soil's rotation under static loads acts as one more lateral load, its rotation with the shaking as a factor
     let mut loads = options.limits.loads.clone();
     for (lateral, offset) in loads.lateral_m_s2.iter_mut().zip(check.limits.soil_offset_m_s2) {
         *lateral += offset;
     }
+    let analysis = limit_analysis(
+        stack,
+        &LimitAnalysis {
+            loads,
+            shaking,
+            holding: Holding::Cohesion,
+        },
+    )?;
+    let status = analysis.status;
+    let at_least_g = analysis.at_least_g * check.limits.soil_factor;
+    check.analysis = Some(analysis);
     let mut least = governing;
-    for direction in directions {
-        let analysis = limit_analysis(
-            stack,
-            &LimitAnalysis {
-                loads: loads.clone(),
-                direction,
-                ..LimitAnalysis::default()
-            },
-        )?;
-        let status = analysis.status;
-        check.analyses.push(analysis);
-        match status {
-            LimitAnalysisStatus::Limited(threshold) => {
-                let found = Threshold {
-                    acceleration_m_s2: threshold.acceleration_m_s2 * check.limits.soil_factor,
-                    acceleration_g: threshold.acceleration_g * check.limits.soil_factor,
-                    direction,
-                };
-                if least.is_none_or(|least| found.acceleration_m_s2 < least.acceleration_m_s2) {
-                    least = Some(found);
-                }
+    match status {
+        LimitAnalysisStatus::Limited(threshold) => {
+            let found = Threshold {
+                acceleration_m_s2: threshold.acceleration_m_s2 * check.limits.soil_factor,
+                acceleration_g: threshold.acceleration_g * check.limits.soil_factor,
+                direction: threshold.direction,
+            };
+            if least.is_none_or(|least| found.acceleration_m_s2 < least.acceleration_m_s2) {
+                least = Some(found);
             }
-            LimitAnalysisStatus::DoesNotStand => {
-                check.verdict = Verdict::Unstable;
-                check.notes.push(StackNote::AnalysisFalls);
-                return Ok(());
-            }
-            LimitAnalysisStatus::Unlimited => {}
         }
+        LimitAnalysisStatus::DoesNotStand => {
+            check.verdict = Verdict::Unstable;
+            check.notes.push(StackNote::AnalysisFalls);
+            return Ok(());
+        }
+        LimitAnalysisStatus::Unlimited => {}
     }
     if let Some(least) = least
         && governing.is_none_or(|joints| least.acceleration_m_s2 < (1.0 - LOWER) * joints.acceleration_m_s2)
@@ -261,8 +310,16 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
             analysis_g: least.acceleration_g,
         });
     }
+    if let Some(least) = least
+        && at_least_g < (1.0 - BETWEEN) * least.acceleration_g
+    {
+        check.notes.push(StackNote::AnalysisBetween {
+            at_least_g,
+            analysis_g: least.acceleration_g,
+        });
+    }
     check.capacity = least;
-    // every direction found forces that balance the weight: it stands
+    // forces were found that balance the weight: it stands
     check.verdict = check
         .limits
         .gravity_margin
@@ -309,7 +366,7 @@ mod tests {
         let check = check_stack(&stack, &options).unwrap();
         assert_eq!(check.demand.unwrap().verdict, DemandVerdict::Near);
         assert!((check.rocking.unwrap().frequency_parameter_rad_s - 2.686_005).abs() < 5e-7);
-        assert!(check.notes.is_empty() && check.analyses.len() == 1);
+        assert!(check.notes.is_empty() && check.analysis.is_some());
     }
 
     #[test]
@@ -319,7 +376,7 @@ mod tests {
         options.limits.soil_rocking_stiffness_n_m_rad = Some(10.0 * 0.32 * 2600.0 * 9.81);
         options.limits.loads.lateral_m_s2 = [0.05 * 9.81, 0.0];
         let check = check_stack(&stack, &options).unwrap();
-        let LimitAnalysisStatus::Limited(analysis) = check.analyses[0].status else {
+        let LimitAnalysisStatus::Limited(analysis) = check.analysis.unwrap().status else {
             panic!("no limit")
         };
         let exact = 0.9 * (0.15 - 0.05 / 9.0);
@@ -355,6 +412,33 @@ mod tests {
     }
 
     #[test]
+    fn exact_notes_on_bond_and_kinetic_friction() {
+        let weight = 0.32 * 2600.0 * 9.81;
+        let material = JointMaterial {
+            friction_kinetic: 0.5,
+            cohesion_pa: 0.1 * weight / 0.16,
+            tension_pa: 1e3,
+            ..JointMaterial::default()
+        };
+        let stack = boxes(&[([0.4, 0.4, 0.5], [0.0; 3])], 0.6);
+        let dry = check_stack(&stack, &StackCheckOptions::default()).unwrap();
+        assert!(dry.notes.is_empty());
+        // weight a quarter of that of 2 m: cohesion adds .4, so it slides at 1.0 and rocks at .8
+        let stack = stack.with_material(0, material).unwrap();
+        let check = check_stack(&stack, &StackCheckOptions::default()).unwrap();
+        assert!((check.capacity.unwrap().acceleration_g - 0.8).abs() < 1e-8);
+        let [
+            StackNote::CohesionCounted,
+            StackNote::TensionLeftOut,
+            StackNote::KineticLess { slides_at_g },
+        ] = check.notes[..]
+        else {
+            panic!("{:?}", check.notes)
+        };
+        assert!((slides_at_g - 0.9).abs() < 1e-9, "{slides_at_g}");
+    }
+
+    #[test]
     fn exact_a_stack_that_falls_has_no_capacity() {
         let stack = boxes(
             &[([1.0, 1.0, 0.5], [0.0; 3]), ([1.0, 1.0, 0.5], [0.62, 0.0, 0.5])],
@@ -370,6 +454,6 @@ mod tests {
         let check = check_stack(&stack, &options).unwrap();
         assert_eq!((check.verdict, check.capacity), (Verdict::Unstable, None));
         assert_eq!(check.demand.unwrap().verdict, DemandVerdict::Below);
-        assert!(check.analyses.is_empty());
+        assert!(check.analysis.is_none());
     }
 }

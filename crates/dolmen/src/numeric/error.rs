@@ -60,10 +60,4 @@ pub enum NumericError {
         /// Evaluations allowed.
         most: usize,
     },
-    /// A linear programme did not end.
-    #[error("the linear programme did not end within {most} steps")]
-    Steps {
-        /// Steps allowed.
-        most: usize,
-    },
 }

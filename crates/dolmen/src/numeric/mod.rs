@@ -6,7 +6,6 @@ mod error;
 mod levenberg_marquardt;
 mod random;
 mod roots;
-mod simplex;
 mod statistics;
 
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial};
@@ -14,5 +13,4 @@ pub use error::NumericError;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
-pub(crate) use simplex::{Reach, SparseColumn, reach};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};

@@ -58,9 +58,9 @@ pub enum StabilityError {
         /// Steps taken.
         iterations: usize,
     },
-    /// The linear programme of a limit analysis was not solved.
-    #[error("the linear programme of the limit analysis was not solved: {reason}")]
-    LinearProgramme {
+    /// The conic programme of a limit analysis was not solved.
+    #[error("the conic programme of the limit analysis was not solved: {reason}")]
+    ConicProgramme {
         /// What the solver says.
         reason: String,
     },

@@ -1,28 +1,38 @@
-//! The balance of a stack in pieces that know nothing of each other: a linear programme each.
-//!
-//! | symbol | code | meaning | unit |
-//! |:--|:--|:--|:--|
-//! | t | `most` | horizontal acceleration over gravity | – |
-//! | x | – | shares of the forces, each over the weight on its block | – |
+//! The balance of a stack in pieces that know nothing of each other.
 
 use super::cuts::{carried, carries};
+use super::limit_programme::{Column, Programme, Push, Within};
+use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
-use crate::numeric::{Reach, SparseColumn, reach};
 use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Stack};
 use glam::DVec3;
 
 /// Coefficients (of order 1) below this are rounding and left out. Chosen here.
 const ROUNDING: f64 = 1e-13;
+/// Places and loads that differ by less, over size and weight, are the same. Chosen here: it moves a limit no more.
+const SAME: f64 = 1e-9;
 
-/// One unknown: a force on a block and its opposite on what is below.
-pub(super) struct Force {
+/// What a joint or tie can do at one point: forces on a block, their opposites on what is below.
+#[derive(Clone, Copy)]
+pub(super) struct Act {
     /// Which link it acts in: a joint, or after all joints a tie.
     pub(super) link: usize,
     pub(super) at: DVec3,
-    pub(super) way: DVec3,
-    /// A bound on the sum of all forces that name the same one, N.
-    pub(super) bound: Option<(usize, f64)>,
+    /// First the normal of a joint or the axis of a tie, along which it pushes its block; then across.
+    pub(super) axes: [DVec3; 3],
+    pub(super) law: Law,
+}
+
+/// What it can do.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Law {
+    /// Push along the first axis; across it the friction coefficient times as much.
+    Friction(f64),
+    /// Any force across the first axis up to this, N.
+    Shear(f64),
+    /// Pull against the first axis up to this, N.
+    Pull(f64),
 }
 
 /// Two bodies that push, rub or pull.
@@ -51,21 +61,32 @@ struct Balance {
     weight: f64,
 }
 
-/// Blocks and forces that depend on each other, as a linear programme.
-#[derive(Default)]
+/// Blocks and forces that depend on each other.
 pub(super) struct Piece {
-    columns: Vec<SparseColumn>,
-    right: Vec<f64>,
-    along: Vec<f64>,
+    at_rest: Vec<f64>,
+    shaking: [Vec<f64>; 2],
+    pushes: Vec<Push>,
+    symmetries: Vec<Symmetry>,
 }
 
-/// How far one piece can be balanced.
-pub(super) struct Balanced {
-    pub(super) stands: bool,
-    /// Largest acceleration over gravity; may be infinite.
-    pub(super) most: f64,
-    /// Largest balance or bound missed, over weight and size, with and without that acceleration.
-    pub(super) residual: f64,
+impl Piece {
+    pub(super) fn equations(&self) -> usize {
+        self.at_rest.len()
+    }
+
+    /// Turns and mirrors in plan that leave what it can bear as it is.
+    pub(super) fn symmetries(&self) -> &[Symmetry] {
+        &self.symmetries
+    }
+
+    pub(super) fn programme(&self, within: Within) -> Result<Programme, StabilityError> {
+        Programme::new(
+            &self.at_rest,
+            [&self.shaking[0], &self.shaking[1]],
+            &self.pushes,
+            within,
+        )
+    }
 }
 
 /// A stack in pieces.
@@ -76,13 +97,7 @@ pub(super) struct Balanced {
 /// ```
 ///
 /// Together they say the same as the balance of every block.
-pub(super) fn pieces(
-    stack: &Stack,
-    loads: &[Load],
-    forces: &[Force],
-    direction: [f64; 2],
-    ties: bool,
-) -> Vec<Piece> {
+pub(super) fn pieces(stack: &Stack, loads: &[Load], acts: &[Act], ties: bool) -> Vec<Piece> {
     let mut links: Vec<Link> = stack
         .joints()
         .iter()
@@ -137,7 +152,6 @@ pub(super) fn pieces(
         })
         .collect();
     let scale = Scale {
-        way: DVec3::new(direction[0], direction[1], 0.0),
         gravity,
         length: stack.height_m(),
     };
@@ -147,52 +161,118 @@ pub(super) fn pieces(
             let within: Vec<usize> = (0..loads.len())
                 .filter(|&block| piece_of[block] == piece)
                 .collect();
-            let mut made = Piece::default();
-            for &block in &within {
-                made.balance(&balances[block], &scale);
-            }
             let row_of = |block: usize| within.binary_search(&block).ok().map(|at| 6 * at);
-            let mut bounds = Vec::new();
-            for force in forces {
-                let ends = ends(force.link);
+            let mut own = Vec::new();
+            let mut pushes = Vec::new();
+            for act in acts {
+                let ends = ends(act.link);
                 let Some(&(first, _)) = ends.first().filter(|end| piece_of[end.0] == piece) else {
                     continue;
                 };
                 let unit = balances[first].weight;
-                let mut column = SparseColumn::new();
-                for (block, sign) in ends {
-                    if let Some(row) = row_of(block) {
-                        let balance = &balances[block];
-                        let push = force.way * (sign * unit);
-                        let six = scale.six(balance, push, force.at.cross(push));
-                        let parts = six
-                            .into_iter()
-                            .enumerate()
-                            .filter(|(_, part)| part.abs() > ROUNDING);
-                        column.extend(parts.map(|(at, part)| (row + at, part)));
+                let column = |way: DVec3| -> Column {
+                    let mut column = Column::new();
+                    for &(block, sign) in &ends {
+                        if let Some(row) = row_of(block) {
+                            let push = way * (sign * unit);
+                            let six = scale.six(&balances[block], push, act.at.cross(push));
+                            let parts = six.into_iter().enumerate();
+                            let parts = parts.filter(|(_, part)| part.abs() > ROUNDING);
+                            column.extend(parts.map(|(at, part)| (row + at, part)));
+                        }
                     }
-                }
-                if let Some((bound, most_n)) = force.bound {
-                    let row = bounds
-                        .iter()
-                        .position(|&other| other == bound)
-                        .unwrap_or_else(|| {
-                            bounds.push(bound);
-                            bounds.len() - 1
-                        });
-                    let row = 6 * within.len() + row;
-                    if row == made.right.len() {
-                        made.right.push(most_n / unit);
-                        made.along.push(0.0);
-                        made.columns.push(vec![(row, 1.0)]);
+                    column
+                };
+                let [normal, first_way, second_way] = act.axes;
+                pushes.push(match act.law {
+                    Law::Friction(0.0) => Push::Normal(column(normal)),
+                    Law::Friction(mu) => {
+                        Push::Cone([column(normal), column(first_way * mu), column(second_way * mu)])
                     }
-                    column.push((row, 1.0));
+                    Law::Shear(strength) => {
+                        Push::Disc([column(first_way), column(second_way)], strength / unit)
+                    }
+                    Law::Pull(strength) => Push::Pull(column(-normal), strength / unit),
+                });
+                own.push((act, ends));
+            }
+            let balances: Vec<&Balance> = within.iter().map(|&block| &balances[block]).collect();
+            let mut made = Piece {
+                at_rest: Vec::new(),
+                shaking: [Vec::new(), Vec::new()],
+                symmetries: symmetries(&within, &balances, &own, &scale),
+                pushes,
+            };
+            for balance in balances {
+                let load = &balance.load;
+                made.at_rest.extend(scale.six(balance, load.force, load.moment));
+                for (axis, shaking) in [DVec3::X, DVec3::Y].into_iter().zip(&mut made.shaking) {
+                    let force = axis * (load.mass * scale.gravity);
+                    shaking.extend(scale.six(balance, force, load.centroid().cross(force)));
                 }
-                made.columns.push(column);
             }
             made
         })
         .collect()
+}
+
+/// Blocks that an act takes part in the balance of, with its sign on each.
+type Ends = Vec<(usize, f64)>;
+
+/// The mirrors in plan that map a piece onto itself, and what they make of each other.
+fn symmetries(
+    blocks: &[usize],
+    balances: &[&Balance],
+    acts: &[(&Act, Ends)],
+    scale: &Scale,
+) -> Vec<Symmetry> {
+    let mirrors = [
+        [[-1.0, 0.0], [0.0, 1.0]],
+        [[1.0, 0.0], [0.0, -1.0]],
+        [[0.0, 1.0], [1.0, 0.0]],
+    ];
+    let loads: Vec<Load> = balances.iter().map(|balance| balance.load).collect();
+    let middle = together(&loads, &(0..loads.len()).collect::<Vec<_>>()).centroid();
+    let holds = |mirror: &Symmetry| {
+        let way = |vector: DVec3| {
+            let [x, y] = turned(mirror, [vector.x, vector.y]);
+            DVec3::new(x, y, vector.z)
+        };
+        let place = |point: DVec3| middle + way(point - middle);
+        let near = |a: DVec3, b: DVec3, unit: f64| (a - b).abs().max_element() <= SAME * unit;
+        // where each block goes; moments are mirrored with the opposite sign
+        let mut image = Vec::with_capacity(balances.len());
+        for from in balances {
+            let own = |balance: &Balance| balance.load.moment - balance.about.cross(balance.load.force);
+            let to = balances.iter().position(|to| {
+                near(place(from.about), to.about, scale.length)
+                    && near(place(from.load.centroid()), to.load.centroid(), scale.length)
+                    && (from.load.mass - to.load.mass).abs() <= SAME * from.load.mass
+                    && (from.weight - to.weight).abs() <= SAME * from.weight
+                    && near(way(from.load.force), to.load.force, from.weight)
+                    && near(-way(own(from)), own(to), from.weight * scale.length)
+            });
+            match to {
+                Some(to) => image.push(blocks[to]),
+                None => return false,
+            }
+        }
+        let image = |block: usize| blocks.binary_search(&block).ok().map(|at| image[at]);
+        acts.iter().all(|(from, from_ends)| {
+            acts.iter().any(|(to, to_ends)| {
+                let same_ends = from_ends.len() == to_ends.len()
+                    && from_ends
+                        .iter()
+                        .zip(to_ends)
+                        .all(|(a, b)| a.1 == b.1 && image(a.0) == Some(b.0));
+                same_ends
+                    && from.law == to.law
+                    && near(place(from.at), to.at, scale.length)
+                    && near(way(from.axes[0]), to.axes[0], 1.0)
+            })
+        })
+    };
+    group(&mirrors.into_iter().filter(holds).collect::<Vec<_>>())
 }
 
 /// The joint under a block, if nothing else links what the block carries to the rest.
@@ -207,7 +287,6 @@ fn alone(stack: &Stack, links: &[Link], block: usize, group: &[usize]) -> Option
 
 /// Makes forces and moments of order 1.
 struct Scale {
-    way: DVec3,
     gravity: f64,
     length: f64,
 }
@@ -218,74 +297,5 @@ impl Scale {
         let moment = (moment - balance.about.cross(force)) / (balance.weight * self.length);
         let force = force / balance.weight;
         [force.x, force.y, force.z, moment.x, moment.y, moment.z]
-    }
-}
-
-impl Piece {
-    /// Adds six equations.
-    fn balance(&mut self, balance: &Balance, scale: &Scale) {
-        let load = &balance.load;
-        let shaking = scale.way * (load.mass * scale.gravity);
-        let at_rest = scale.six(balance, load.force, load.moment);
-        let along = scale.six(balance, shaking, load.centroid().cross(shaking));
-        self.right.extend(at_rest.map(|part| -part));
-        self.along.extend(along.map(|part| -part));
-    }
-
-    /// Unknowns: forces, slack of bounds, the acceleration.
-    pub(super) fn variables(&self) -> usize {
-        self.columns.len() + 1
-    }
-
-    pub(super) fn equations(&self) -> usize {
-        self.right.len()
-    }
-
-    /// The largest acceleration for which it can be balanced, if it can without any.
-    pub(super) fn solve(&self) -> Result<Balanced, StabilityError> {
-        let reached = reach(&self.columns, &self.right, &self.along).map_err(|fault| {
-            StabilityError::LinearProgramme {
-                reason: fault.to_string(),
-            }
-        })?;
-        Ok(match reached {
-            Reach::To {
-                most,
-                at_start,
-                at_most,
-            } => Balanced {
-                stands: true,
-                most,
-                residual: self.residual(0.0, &at_start).max(self.residual(most, &at_most)),
-            },
-            Reach::Endless { at_start } => Balanced {
-                stands: true,
-                most: f64::INFINITY,
-                residual: self.residual(0.0, &at_start),
-            },
-            Reach::Nowhere { .. } => Balanced {
-                stands: false,
-                most: 0.0,
-                residual: 0.0,
-            },
-        })
-    }
-
-    /// Largest balance or bound missed, or pull of a joint.
-    fn residual(&self, most: f64, shares: &[f64]) -> f64 {
-        let mut left: Vec<f64> = self
-            .right
-            .iter()
-            .zip(&self.along)
-            .map(|(right, along)| right + most * along)
-            .collect();
-        let mut residual = 0.0_f64;
-        for (column, &share) in self.columns.iter().zip(shares) {
-            residual = residual.max(-share);
-            for &(row, value) in column {
-                left[row] -= value * share;
-            }
-        }
-        left.into_iter().fold(residual, |most, left| most.max(left.abs()))
     }
 }

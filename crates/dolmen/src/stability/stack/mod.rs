@@ -6,6 +6,8 @@ mod demand;
 mod half_plane;
 mod limit_analysis;
 mod limit_pieces;
+mod limit_programme;
+mod limit_region;
 mod limit_states;
 mod loads;
 mod part;
@@ -22,7 +24,9 @@ pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
-pub use limit_analysis::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, limit_analysis};
+pub use limit_analysis::{
+    Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, limit_analysis,
+};
 pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates, Threshold};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use pressure::{JointPressure, no_tension_pressure};

@@ -95,13 +95,20 @@ impl Polygon {
             }
             corners.pop();
         }
-        let n = corners.len();
-        let straight = |i: usize| {
+        // one at a time: of two that nearly coincide each lies on the line past the other
+        let mut i = 0;
+        while i < corners.len() && corners.len() > 2 {
+            let n = corners.len();
             let (before, at, after) = (corners[(i + n - 1) % n], corners[i], corners[(i + 1) % n]);
             let chord = minus(after, before);
-            cross(minus(at, before), chord).abs() <= near * chord[0].hypot(chord[1])
-        };
-        let corners_m: Vec<[f64; 2]> = (0..n).filter(|&i| !straight(i)).map(|i| corners[i]).collect();
+            if cross(minus(at, before), chord).abs() <= near * chord[0].hypot(chord[1]) {
+                corners.remove(i);
+                i = i.saturating_sub(1);
+            } else {
+                i += 1;
+            }
+        }
+        let corners_m = corners;
         if corners_m.len() < 3 {
             return Polygon::default();
         }

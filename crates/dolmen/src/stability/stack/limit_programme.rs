@@ -1,0 +1,346 @@
+//! One piece of a stack as a programme over cones: what its joints can balance.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | a | `acceleration` | horizontal acceleration of the inertia forces over gravity | – |
+//! | ν | `towards` | unit vector: the acceleration is to reach far along it | – |
+//! | f | `z` | forces at the corners of joints, each in Coulomb's cone, and in ties | over weight |
+//! | v | `x` | velocities and spins of the blocks: a mechanism | – |
+//! | A_most | `ACCELERATION_MOST` | where the search ends | – |
+
+use crate::stability::StabilityError;
+use clarabel::algebra::CscMatrix;
+use clarabel::solver::{DefaultSettings, DefaultSolver, IPSolver, SolverStatus, SupportedConeT};
+
+/// Acceleration over gravity beyond which it is called unlimited. Chosen here: no ground moves so.
+pub(super) const ACCELERATION_MOST: f64 = 10.0;
+/// What the solver is asked for, over the weight. Chosen here: a step or two more than its own 1e-8 takes.
+const SOUGHT: f64 = 1e-10;
+/// What an answer may miss: balance of forces, cones, difference of both bounds, over the weight. Chosen here; 1e-9 is usual.
+const MISSED_MOST: f64 = 1e-6;
+/// Coefficients (of order 1) below this are rounding and left out. Chosen here.
+const ROUNDING: f64 = 1e-13;
+
+/// What a joint or tie can do at one point: columns of the balance, one an unknown component of force.
+pub(super) enum Push {
+    /// Coulomb's cone |f₁, f₂| ≤ f₀: columns of the normal and of μ times the two directions of the plane.
+    Cone([Column; 3]),
+    /// Pushes only.
+    Normal(Column),
+    /// Any direction of a plane up to a strength (over the weight); may be infinite.
+    Disc([Column; 2], f64),
+    /// Pulls only, up to a strength (over the weight); may be infinite.
+    Pull(Column, f64),
+}
+
+/// Row and value.
+pub(super) type Column = Vec<(usize, f64)>;
+
+/// Which accelerations are looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Within {
+    /// All of the horizontal plane.
+    Plane,
+    /// Multiples of one direction.
+    Line([f64; 2]),
+}
+
+/// What one solution says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Answer {
+    /// The farthest acceleration along `towards` that forces balance.
+    Reaches(Support),
+    /// No forces balance any acceleration.
+    Falls,
+}
+
+/// The farthest point of the balanced accelerations in a direction, with its evidence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Support {
+    /// The point itself, which forces balance: a lower bound.
+    pub(super) point: [f64; 2],
+    /// How far along the direction a mechanism lets any point be: an upper bound.
+    pub(super) bound: f64,
+    /// Largest balance or cone missed by forces or mechanism, and the difference of both bounds.
+    pub(super) missed: f64,
+}
+
+/// A conic programme, ready for any direction.
+///
+/// ```text
+/// forces      maximise ν·a over f, a:   Σ G f + load + a·m = 0,  f in its cones,  |a| ≤ A_most
+/// mechanism   minimise −load·v + Σ strength·|slip| + A_most |ν − m·v| over v:  Gᵀ v in the dual cones
+/// ```
+///
+/// Both are solved at once; that both ends meet is the certificate.
+pub(super) struct Programme {
+    solver: DefaultSolver<f64>,
+    matrix: CscMatrix<f64>,
+    costs: Vec<f64>,
+    right: Vec<f64>,
+    cones: Vec<SupportedConeT<f64>>,
+    within: Within,
+}
+
+impl Programme {
+    /// From loads at rest [rows], what an acceleration of 1 g along x and along y adds to them [rows] and the pushes.
+    pub(super) fn new(
+        at_rest: &[f64],
+        shaking: [&[f64]; 2],
+        pushes: &[Push],
+        within: Within,
+    ) -> Result<Self, StabilityError> {
+        let rows = at_rest.len();
+        let mut build = Build {
+            columns: vec![Vec::new(); rows + 1],
+            costs: at_rest
+                .iter()
+                .map(|load| -load)
+                .chain([ACCELERATION_MOST])
+                .collect(),
+            cones: Vec::new(),
+            next: 0,
+        };
+        let add = |ways: &[[f64; 2]], build: &mut Build| {
+            build.columns[rows].push((build.next, -1.0));
+            build.next += 1;
+            for way in ways {
+                for (row, (x, y)) in shaking[0].iter().zip(shaking[1]).enumerate() {
+                    let value = way[0] * x + way[1] * y;
+                    if value.abs() > ROUNDING {
+                        build.columns[row].push((build.next, -value));
+                    }
+                }
+                build.next += 1;
+            }
+            build.cones.push(SupportedConeT::SecondOrderConeT(ways.len() + 1));
+        };
+        match within {
+            Within::Plane => add(&[[1.0, 0.0], [0.0, 1.0]], &mut build),
+            Within::Line(way) => add(&[way], &mut build),
+        }
+        for push in pushes {
+            build.push(push);
+        }
+        let right = vec![0.0; build.next];
+        let matrix = build.matrix();
+        let settings = DefaultSettings {
+            verbose: false,
+            presolve_enable: false,
+            tol_gap_abs: SOUGHT,
+            tol_gap_rel: SOUGHT,
+            tol_feas: SOUGHT,
+            ..DefaultSettings::default()
+        };
+        let none = CscMatrix::zeros((matrix.n, matrix.n));
+        let solver = DefaultSolver::new(&none, &build.costs, &matrix, &right, &build.cones, settings);
+        Ok(Programme {
+            solver,
+            matrix,
+            costs: build.costs,
+            right,
+            cones: build.cones,
+            within,
+        })
+    }
+
+    /// Unknown forces and accelerations.
+    pub(super) fn unknowns(&self) -> usize {
+        self.right.len()
+    }
+
+    /// Equations of balance.
+    pub(super) fn equations(&self) -> usize {
+        self.costs.len() - 1
+    }
+
+    /// How far along ν the balanced accelerations reach.
+    pub(super) fn support(&mut self, towards: [f64; 2]) -> Result<Answer, StabilityError> {
+        match self.within {
+            Within::Plane => self.right[1..3].copy_from_slice(&towards.map(|part| -part)),
+            Within::Line(way) => self.right[1] = -(way[0] * towards[0] + way[1] * towards[1]),
+        }
+        let updated = self.solver.update_b(&self.right);
+        updated.map_err(|fault| refused(&fault.to_string()))?;
+        self.solver.solve();
+        let solution = &self.solver.solution;
+        if matches!(
+            solution.status,
+            SolverStatus::DualInfeasible | SolverStatus::AlmostDualInfeasible
+        ) {
+            return self.falls();
+        }
+        let (x, z) = (&solution.x, &solution.z);
+        let point = match self.within {
+            Within::Plane => [z[1], z[2]],
+            Within::Line(way) => [z[1] * way[0], z[1] * way[1]],
+        };
+        let reached = point[0] * towards[0] + point[1] * towards[1];
+        let bound = dot(&self.costs, x);
+        let size = x.iter().fold(1.0_f64, |most, value| most.max(value.abs()));
+        let missed = (self.balance_missed(z).max(self.outside(z, 0.0)))
+            .max(self.outside(&self.slips(x, 1.0), 1.0) / size)
+            .max((bound - reached).abs());
+        // `max` passes over NaN
+        let numbers = x.iter().chain(z).all(|value| value.is_finite());
+        if missed > MISSED_MOST || !numbers {
+            return Err(refused(&format!(
+                "{:?} after {} steps, its forces and its mechanism miss each other or the balance by {missed:e} of the weight",
+                solution.status, solution.iterations
+            )));
+        }
+        Ok(Answer::Reaches(Support { point, bound, missed }))
+    }
+
+    /// A mechanism that gains energy whatever the acceleration: checked, then believed.
+    fn falls(&self) -> Result<Answer, StabilityError> {
+        let x = &self.solver.solution.x;
+        let gains = -dot(&self.costs, x);
+        let outside = self.outside(&self.slips(x, 0.0), 1.0);
+        if gains > 0.0 && outside <= MISSED_MOST * gains {
+            return Ok(Answer::Falls);
+        }
+        Err(refused(&format!(
+            "a mechanism that falls is outside the joints by {outside:e}, and gains {gains:e}"
+        )))
+    }
+
+    /// share·b − A x: openings and slips of a mechanism.
+    fn slips(&self, x: &[f64], share: f64) -> Vec<f64> {
+        let mut slips: Vec<f64> = self.right.iter().map(|right| share * right).collect();
+        for (column, value) in x.iter().enumerate() {
+            for at in self.matrix.colptr[column]..self.matrix.colptr[column + 1] {
+                slips[self.matrix.rowval[at]] -= self.matrix.nzval[at] * value;
+            }
+        }
+        slips
+    }
+
+    /// Largest |Aᵀ z + q|: what is left of the balance.
+    fn balance_missed(&self, z: &[f64]) -> f64 {
+        let mut most = 0.0_f64;
+        for (column, cost) in self.costs.iter().enumerate() {
+            let entries = self.matrix.colptr[column]..self.matrix.colptr[column + 1];
+            let sum: f64 = entries
+                .map(|at| self.matrix.nzval[at] * z[self.matrix.rowval[at]])
+                .sum();
+            most = most.max((sum + cost).abs());
+        }
+        most
+    }
+
+    /// How far outside the cones a vector lies. Every cone is its own dual, but that of no slip (`fixed`: 1 for slips, 0 for
+    /// forces, of which any will do).
+    fn outside(&self, vector: &[f64], fixed: f64) -> f64 {
+        let (mut most, mut row) = (0.0_f64, 0);
+        for cone in &self.cones {
+            let length = match cone {
+                SupportedConeT::SecondOrderConeT(length) => {
+                    let across = vector[row + 1..row + length].iter().map(|part| part * part);
+                    most = most.max(across.sum::<f64>().sqrt() - vector[row]);
+                    *length
+                }
+                SupportedConeT::NonnegativeConeT(length) => {
+                    for part in &vector[row..row + length] {
+                        most = most.max(-part);
+                    }
+                    *length
+                }
+                SupportedConeT::ZeroConeT(length) => {
+                    for part in &vector[row..row + length] {
+                        most = most.max(fixed * part.abs());
+                    }
+                    *length
+                }
+                _ => 0,
+            };
+            row += length;
+        }
+        most
+    }
+}
+
+/// The programme while it grows.
+struct Build {
+    columns: Vec<Column>,
+    costs: Vec<f64>,
+    cones: Vec<SupportedConeT<f64>>,
+    next: usize,
+}
+
+impl Build {
+    fn push(&mut self, push: &Push) {
+        match push {
+            Push::Cone(parts) => {
+                for part in parts {
+                    self.row(part);
+                }
+                self.cones.push(SupportedConeT::SecondOrderConeT(3));
+            }
+            Push::Normal(part) => {
+                self.row(part);
+                self.cones.push(SupportedConeT::NonnegativeConeT(1));
+            }
+            Push::Disc(parts, strength) => {
+                if strength.is_finite() {
+                    self.bounded(*strength);
+                }
+                for part in parts {
+                    self.row(part);
+                }
+                self.cones.push(if strength.is_finite() {
+                    SupportedConeT::SecondOrderConeT(3)
+                } else {
+                    SupportedConeT::ZeroConeT(2)
+                });
+            }
+            Push::Pull(part, strength) => {
+                if strength.is_finite() {
+                    self.bounded(*strength);
+                    let variable = self.columns.len() - 1;
+                    self.columns[variable].push((self.next, -1.0));
+                }
+                self.row(part);
+                let rows = if strength.is_finite() { 2 } else { 1 };
+                self.cones.push(SupportedConeT::NonnegativeConeT(rows));
+            }
+        }
+    }
+
+    /// A row for one component of force.
+    fn row(&mut self, part: &Column) {
+        for &(row, value) in part {
+            self.columns[row].push((self.next, -value));
+        }
+        self.next += 1;
+    }
+
+    /// A row and a variable, the slip, that costs its strength.
+    fn bounded(&mut self, strength: f64) {
+        self.costs.push(strength);
+        self.columns.push(vec![(self.next, -1.0)]);
+        self.next += 1;
+    }
+
+    fn matrix(&self) -> CscMatrix<f64> {
+        let (mut starts, mut rows, mut values) = (vec![0], Vec::new(), Vec::new());
+        for column in &self.columns {
+            for &(row, value) in column {
+                rows.push(row);
+                values.push(value);
+            }
+            starts.push(rows.len());
+        }
+        CscMatrix::new(self.next, self.columns.len(), starts, rows, values)
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+fn refused(reason: &str) -> StabilityError {
+    StabilityError::ConicProgramme {
+        reason: reason.to_owned(),
+    }
+}
