@@ -1,4 +1,4 @@
-use super::{ValidationError, choi_2021, columns, park_min_2010, rigid_blocks};
+use super::{ValidationError, choi_2021, columns, kim_koo_hong_2018, park_min_2010, rigid_blocks};
 
 /// One number of a source beside ours.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,6 +49,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         choi_2021::cases()?,
         columns::cases()?,
         park_min_2010::cases()?,
+        kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
     ];
     Ok(sources.into_iter().flatten().collect())

@@ -1,4 +1,5 @@
 use crate::assess::AssessError;
+use crate::blocks::BlocksError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
 use crate::structure::stack::StackError;
@@ -16,6 +17,9 @@ pub enum ValidationError {
     /// Its stability could not be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),
+    /// Its frequencies could not be computed.
+    #[error(transparent)]
+    Blocks(#[from] BlocksError),
     /// It could not be assessed.
     #[error(transparent)]
     Assess(#[from] AssessError),

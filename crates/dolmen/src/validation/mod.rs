@@ -5,6 +5,7 @@ mod case;
 mod choi_2021;
 mod columns;
 mod error;
+mod kim_koo_hong_2018;
 mod park_min_2010;
 mod rigid_blocks;
 mod stacks;

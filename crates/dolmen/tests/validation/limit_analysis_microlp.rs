@@ -198,3 +198,24 @@ fn agrees_with_microlp_0_7_on_a_wall_in_running_bond() {
         );
     }
 }
+
+#[test]
+fn exact_a_wall_tips_as_one() {
+    // 60 blocks in running bond, .4 thick and 1.8 m high: across it B/H
+    let mut boxes = Vec::new();
+    for course in 0..6 {
+        let shift = if course % 2 == 0 { 0.0 } else { 0.2 };
+        for k in 0..10 {
+            boxes.push((
+                [0.6, 0.4, 0.3],
+                [0.6 * f64::from(k) + shift, 0.0, 0.3 * f64::from(course)],
+            ));
+        }
+    }
+    let wall = stack(&boxes, 0.6);
+    let (at_least, found) = by_cones(&wall, Shaking::AnyWay).unwrap();
+    assert!(
+        (found - 0.4 / 1.8).abs() < 1e-7 && (at_least - found).abs() < 1e-6,
+        "{at_least} {found}"
+    );
+}

@@ -11,6 +11,8 @@ use std::f64::consts::TAU;
 
 /// Directions between two neighbouring edges in which a toe of finite strength is found. Chosen here: 5.6° on a square.
 const TOES: usize = 16;
+/// What still counts as on the edge, over the size of the contact. Chosen here: rounding of coordinates.
+const ON_EDGE: f64 = 1e-9;
 /// Directions in which sliding is looked for before it is refined. Chosen here.
 const SLIDES: usize = 72;
 
@@ -243,16 +245,21 @@ impl Part<'_> {
             });
         }
         limits.gravity_margin = margin;
-        if limits.depth_m <= 0.0 {
+        // on the edge itself it does not stand, whichever way rounding goes
+        let edge = ON_EDGE * self.contact.hull.size_m();
+        if limits.depth_m <= edge {
             limits.standing = Standing::Leaves {
                 above: limits.above.clone(),
-                distance_m: -limits.depth_m,
+                distance_m: (-limits.depth_m).max(0.0),
             };
-        } else if inside <= 0.0 {
+        } else if inside <= edge {
             limits.standing = Standing::Crushes {
                 above: limits.above.clone(),
-                distance_m: -inside,
+                distance_m: (-inside).max(0.0),
             };
+        }
+        if !limits.standing.stands() {
+            limits.gravity_margin = limits.gravity_margin.min(0.0);
         }
         limits.tipping = tangents.clone();
         if strength.is_some() {

@@ -442,6 +442,25 @@ mod tests {
     }
 
     #[test]
+    fn exact_a_stone_with_its_weight_on_the_edge_does_not_stand() {
+        // half over: rounding may put the centroid on either side of the edge
+        for shift in [0.5, 0.5 - 1e-12, 0.5 + 1e-12] {
+            let states = limits(&shifted(&[(1.0, 0.5), (1.0, 0.5)], &[0.0, shift], 0.6));
+            assert_eq!(
+                (states.verdict, states.uplift),
+                (Verdict::Unstable, None),
+                "{shift}"
+            );
+            assert!(states.gravity_margin.unwrap() <= 0.0);
+        }
+        assert!(
+            limits(&shifted(&[(1.0, 0.5), (1.0, 0.5)], &[0.0, 0.499], 0.6))
+                .uplift
+                .is_some()
+        );
+    }
+
+    #[test]
     fn refuses_no_weight_and_wrong_options() {
         let block = tower(&[(0.4, 2.0)], 0.6);
         let mut options = StackLimits::default();

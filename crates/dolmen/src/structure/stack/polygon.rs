@@ -215,6 +215,27 @@ mod tests {
     }
 
     #[test]
+    fn exact_corners_that_nearly_coincide_keep_one() {
+        // 3e-9 apart on a square of 1: each lies on the line past the other
+        let square = Polygon {
+            corners_m: vec![[0.0, 0.0], [1.0, -1.5e-9], [1.0, 1.5e-9], [1.0, 1.0], [0.0, 1.0]],
+        };
+        let near_corner = square.cleaned();
+        assert_eq!(near_corner.corners_m.len(), 4);
+        assert!((near_corner.moments().area_m2 - 1.0).abs() < 1e-8);
+        let diamond = Polygon {
+            corners_m: vec![
+                [0.0, -1.0],
+                [1.0, -1.5e-9],
+                [1.0, 1.5e-9],
+                [0.0, 1.0],
+                [-1.0, 0.0],
+            ],
+        };
+        assert!((diamond.cleaned().moments().area_m2 - 2.0).abs() < 1e-8);
+    }
+
+    #[test]
     fn exact_reach_to_the_edge() {
         let square = rectangle([-1.0, -1.0], [1.0, 1.0]);
         let diagonal = [0.5_f64.sqrt(), 0.5_f64.sqrt()];
