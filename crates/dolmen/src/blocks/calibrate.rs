@@ -5,6 +5,11 @@ use super::error::BlocksError;
 use super::frequencies::stack_modes;
 use crate::structure::stack::Stack;
 
+/// Correction of the factor, as a logarithm, from which the springs are found. Chosen here: far below what is measured.
+const FOUND: f64 = 1e-12;
+/// Most rounds: each leaves about 1e-4 of the correction of the one before.
+const ROUNDS: usize = 10;
+
 /// One measured frequency and that of the springs found.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct MatchedFrequency {
@@ -34,6 +39,9 @@ pub struct SpringCalibration {
 /// ω² ∝ k where the same points touch:   ln factor = mean of 2 ln(measured / computed)
 /// ```
 ///
+/// Stiffer springs settle less, so that the stones lie a little higher and ω²/k changes (by 1e-4 for a pagoda that settles 0.65
+/// mm of 6.5 m): the rule is applied again with the springs found until nothing is left to correct.
+///
 /// # Errors
 /// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds
 /// no rest.
@@ -50,8 +58,8 @@ pub struct SpringCalibration {
 /// let drawn = stack_modes(&stack, ContactRule::Four)?[0].frequency_hz;
 /// let found = calibrate_springs(&stack, ContactRule::Four, &[(0, 6.0)])?;
 /// let first = &stack_modes(&found.stack, ContactRule::Four)?[0];
-/// assert!((first.frequency_hz - 6.0).abs() < 1e-3); // stiffer springs settle less: the stack lies a little differently
-/// assert!((found.factor - (6.0 / drawn).powi(2)).abs() < 1e-9);
+/// assert!((first.frequency_hz - 6.0).abs() < 1e-9);
+/// assert!((found.factor / (6.0 / drawn).powi(2) - 1.0).abs() < 1e-4); // it settles less than the stack as drawn
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn calibrate_springs(
@@ -69,34 +77,35 @@ pub fn calibrate_springs(
     if measured.is_empty() {
         return refuse("number of measured frequencies", 0.0, "at least 1");
     }
-    let modes = stack_modes(stack, contact_rule)?;
-    let mut sum = 0.0;
+    let mut modes = stack_modes(stack, contact_rule)?;
     for &(mode, frequency_hz) in measured {
         if !(frequency_hz > 0.0 && frequency_hz.is_finite()) {
             return refuse("frequency_hz", frequency_hz, "a positive number");
         }
-        match modes.get(mode) {
-            Some(computed) if computed.frequency_hz > 0.0 => {
-                sum += 2.0 * (frequency_hz / computed.frequency_hz).ln()
-            }
-            _ => {
-                return refuse(
-                    "mode",
-                    mode as f64,
-                    "one of the stack's modes, six a block, 0 the lowest",
-                );
-            }
+        if modes
+            .get(mode)
+            .is_none_or(|computed| computed.frequency_hz <= 0.0)
+        {
+            return refuse(
+                "mode",
+                mode as f64,
+                "one of the stack's modes, six a block, 0 the lowest",
+            );
         }
     }
-    let factor = (sum / measured.len() as f64).exp();
-    let mut scaled = stack.clone();
-    for joint in 0..stack.joints().len() {
-        let mut material = stack.joints()[joint].material;
-        material.normal_stiffness_pa_m *= factor;
-        material.shear_stiffness_pa_m *= factor;
-        scaled = scaled.with_material(joint, material)?;
+    let (mut factor, mut scaled) = (1.0, stack.clone());
+    for _ in 0..ROUNDS {
+        let logarithms = measured
+            .iter()
+            .map(|&(mode, frequency_hz)| 2.0 * (frequency_hz / modes[mode].frequency_hz).ln());
+        let correction = logarithms.sum::<f64>() / measured.len() as f64;
+        factor *= correction.exp();
+        scaled = multiplied(stack, factor)?;
+        modes = stack_modes(&scaled, contact_rule)?;
+        if correction.abs() < FOUND {
+            break;
+        }
     }
-    let modes = stack_modes(&scaled, contact_rule)?;
     let frequencies = measured.iter().map(|&(mode, measured_hz)| MatchedFrequency {
         measured_hz,
         computed_hz: modes[mode].frequency_hz,
@@ -106,4 +115,16 @@ pub fn calibrate_springs(
         frequencies: frequencies.collect(),
         stack: scaled,
     })
+}
+
+/// The stack with the springs of all joints multiplied.
+fn multiplied(stack: &Stack, factor: f64) -> Result<Stack, BlocksError> {
+    let mut scaled = stack.clone();
+    for joint in 0..stack.joints().len() {
+        let mut material = stack.joints()[joint].material;
+        material.normal_stiffness_pa_m *= factor;
+        material.shear_stiffness_pa_m *= factor;
+        scaled = scaled.with_material(joint, material)?;
+    }
+    Ok(scaled)
 }

@@ -84,8 +84,9 @@ pub(super) struct Observer {
     watches: Vec<Watch>,
     settled: Vec<DVec3>,
     drops: Vec<f64>,
-    look_every: usize,
     sample_every: usize,
+    /// Looks from one sample to the next, at most as many as steps.
+    looks: usize,
     outcome: Option<Outcome>,
     input: f64,
     contact: f64,
@@ -100,9 +101,8 @@ pub(super) struct Observer {
 impl Observer {
     /// Watches the settled stack.
     pub(super) fn new(stack: &Stack, assembly: &Assembly, options: &Springs, h: f64) -> Self {
-        let look_every = ((LOOK_STEP_S.min(options.output_step_s) / h) as usize).max(1);
-        let sample_every =
-            ((options.output_step_s / (look_every as f64 * h)).round() as usize).max(1) * look_every;
+        let sample_every = ((options.output_step_s / h).round() as usize).max(1);
+        let looks = whole_at_least(options.output_step_s / LOOK_STEP_S).min(sample_every);
         let smallest = |block: &crate::structure::stack::Block| {
             let [low, high] = block.solid.bounds_m();
             (0..3)
@@ -130,8 +130,8 @@ impl Observer {
                 .iter()
                 .map(|block| DROP * smallest(block))
                 .collect(),
-            look_every,
             sample_every,
+            looks,
             outcome: None,
             input: 0.0,
             contact: 0.0,
@@ -158,7 +158,8 @@ impl Observer {
     }
 
     pub(super) fn wants(&self, step: usize) -> bool {
-        step.is_multiple_of(self.look_every)
+        // spread over the steps of a sample as evenly as whole steps allow; the sample itself is one
+        step * self.looks % self.sample_every < self.looks
     }
 
     /// Adds what a step put in, what its contacts did, and what friction took, J.
@@ -288,6 +289,12 @@ impl Observer {
             ..self.history
         }
     }
+}
+
+/// The least whole number that is not less, but for rounding; at least 1.
+pub(super) fn whole_at_least(number: f64) -> usize {
+    const ROUNDING: f64 = 1e-9;
+    ((number * (1.0 - ROUNDING)).ceil() as usize).max(1)
 }
 
 /// Σ m g z, J.

@@ -8,14 +8,14 @@ use super::contact_points::ContactRule;
 use super::error::BlocksError;
 use super::history::{Outcome, StackHistory};
 use super::matrices::longest_step;
-use super::observe::Observer;
+use super::observe::{Observer, whole_at_least};
 use super::rest::settle;
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::DVec3;
 
 /// Part of the longest stable step that is taken: friction and impacts are not in the linear bound. Chosen here, from the
-/// errors in docs/stack.md.
+/// errors in docs/stack-engine.md.
 const STEP_PART: f64 = 0.9;
 
 /// Energy made by contacts, over the work put in, from which a run is done again at half the step. Chosen here.
@@ -70,14 +70,15 @@ pub enum AfterFall {
 pub struct Springs {
     /// Points of a joint. Default 4 × 4.
     pub contact_rule: ContactRule,
-    /// Time step, s; `None`, the default, for .9 of the longest stable one, halved up to three times where contacts would
-    /// make more than a thousandth of the work put in.
+    /// Time step, s; `None`, the default, for .9 of the longest stable one, shortened so that samples are whole steps apart,
+    /// and halved up to three times where contacts would make more than a thousandth of the work put in.
     pub time_step_s: Option<f64>,
     /// Length of the run, s; `None`, the default, for the motion and `rest_s` more.
     pub duration_s: Option<f64>,
     /// Time after the motion in which the stack comes to rest, s. Default 2.
     pub rest_s: f64,
-    /// Time between samples of the history, s. Default 0.01.
+    /// Time between samples of the history, s; with a `time_step_s` that does not divide it, the nearest whole number of
+    /// steps. Default 0.01.
     pub output_step_s: f64,
     /// What to do when a stone has fallen. Default: stop.
     pub after_fall: AfterFall,
@@ -138,8 +139,8 @@ impl Springs {
 /// finds no rest under its own weight.
 ///
 /// # Limits
-/// Stones are rigid; contact is of convex hulls. Impacts are found inside the step, and errors fall with its square; the
-/// numbers are in docs/stack.md. A stack that rocks far is chaotic: one run says little, a set of runs more.
+/// Stones are rigid; contact is of convex hulls. Impacts are found inside the step, errors at them fall in proportion to it; the
+/// numbers are in docs/stack-engine.md. A stack that rocks far is chaotic: one run says little, a set of runs more.
 ///
 /// # Source
 /// Cundall, P. A. (1988) Int. J. Rock Mech. 25:107-116, the distinct element method with rigid blocks. Differs from the
@@ -171,9 +172,10 @@ pub fn simulate_springs(
     if let Some(given) = options.time_step_s.filter(|given| *given > longest) {
         return Err(BlocksError::StepTooLarge { given, most: longest });
     }
-    let mut h = options
-        .time_step_s
-        .unwrap_or((STEP_PART * longest).min(options.output_step_s));
+    // a whole number of steps a sample
+    let mut h = options.time_step_s.unwrap_or(
+        options.output_step_s / whole_at_least(options.output_step_s / (STEP_PART * longest)) as f64,
+    );
     for halvings in 0..=HALVINGS_MOST {
         let mut history = run(stack, &assembly, motion, options, [h, longest], progress)?;
         let made = history.energy_made_ratio();
@@ -209,7 +211,7 @@ fn run(
     }
     let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
     let duration_s = options.duration_s.unwrap_or(shaken_s + options.rest_s);
-    let steps = (duration_s / h).ceil() as usize;
+    let steps = whole_at_least(duration_s / h);
     let gravity = DVec3::new(0.0, 0.0, -assembly.gravity);
     let mut forces = Forces::default();
     let mut acceleration = vec![DVec3::ZERO; assembly.bodies.len()];
