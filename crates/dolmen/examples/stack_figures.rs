@@ -4,7 +4,8 @@
 #![allow(
     clippy::print_stdout,
     clippy::unwrap_used,
-    reason = "a measurement that fails loudly"
+    clippy::disallowed_methods,
+    reason = "a measurement that fails loudly and reads its own processor time"
 )]
 
 use dolmen::blocks::{

@@ -64,7 +64,15 @@ fn outcome(simulation: &Simulation) -> Value {
             let [upper, lower] = simulation.joint_names(joint);
             json!({ "kind": "uplifted", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
-        Outcome::Fell { block, at_s } => json!({ "kind": "fell", "block": name(block), "at_s": at_s }),
+        Outcome::Slid {
+            block,
+            slip_m,
+            margin_ratio,
+        } => json!({ "kind": "slid", "block": name(block), "slip_m": slip_m, "margin_ratio": margin_ratio }),
+        Outcome::Fell { block, joint, at_s } => {
+            let [upper, lower] = simulation.joint_names(joint);
+            json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
+        }
         Outcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
         Outcome::Diverged { at_s } => json!({ "kind": "diverged", "at_s": at_s }),
         _ => json!({ "kind": "unknown" }),

@@ -28,7 +28,7 @@ pub(super) fn findings(simulation: &Simulation, language: Language) -> Vec<Findi
     );
     let tone = match simulation.history.outcome {
         Outcome::Stood => Tone::Good,
-        Outcome::Uplifted { .. } => Tone::Warn,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
         Outcome::Fell { .. } => Tone::Bad,
         _ => Tone::Unknown,
     };
@@ -47,9 +47,24 @@ fn ending(simulation: &Simulation, language: Language) -> String {
             let lower = if lower == "ground" { "지반" } else { lower };
             format!("붕괴 없음. 접합면이 벌어졌으며 {at_s:.2}초에 ‘{lower}’ 위의 ‘{upper}’에서 시작되었다.")
         }
-        Outcome::Fell { block, at_s } => {
+        Outcome::Slid {
+            block,
+            slip_m,
+            margin_ratio,
+        } => {
             let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
-            format!("붕괴. ‘{name}’이(가) {at_s:.2}초에 가장 먼저 떨어졌다.")
+            let (slip_mm, left) = (1e3 * slip_m, 100.0 * margin_ratio);
+            format!(
+                "붕괴 없음. 그러나 ‘{name}’이(가) 제자리에서 {slip_mm:.1} mm 미끄러졌으며, 무게중심선에서 지지면 가장자리까지의 거리가 처음의 {left:.0}%만 남았다."
+            )
+        }
+        Outcome::Fell { block, joint, at_s } => {
+            let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
+            let [upper, lower] = simulation.joint_names(joint);
+            let lower = if lower == "ground" { "지반" } else { lower };
+            format!(
+                "붕괴. ‘{name}’이(가) {at_s:.2}초에 가장 먼저 떨어졌다. 이때 ‘{lower}’ 위의 ‘{upper}’이(가) 가장 크게 벌어지거나 미끄러졌다."
+            )
         }
         Outcome::Stopped { at_s } => format!("{at_s:.2}초에 해석이 중단되어 판정하지 않는다."),
         _ => "해석이 발산하여 결과를 사용할 수 없다.".to_owned(),
@@ -64,6 +79,7 @@ fn english(simulation: &Simulation) -> String {
     let word = match simulation.history.outcome {
         Outcome::Stood => "it stood; ",
         Outcome::Uplifted { .. } => "it rocked and stood; ",
+        Outcome::Slid { .. } => "it slid and stood; ",
         Outcome::Fell { .. } => "it fell; ",
         Outcome::Stopped { .. } => "the run was stopped; ",
         _ => "the run diverged; ",

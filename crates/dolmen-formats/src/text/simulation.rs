@@ -89,9 +89,25 @@ pub fn outcome_text(simulation: &Simulation) -> String {
                  {at_s:.2} s"
             )
         }
-        Outcome::Fell { block, at_s } => {
+        Outcome::Slid {
+            block,
+            slip_m,
+            margin_ratio,
+        } => {
             let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
-            format!("FELL: '{name}' came down, first of all, at {at_s:.2} s")
+            format!(
+                "SLID: no stone fell, but '{name}' lies {:.1} mm from its place; from its plumb line to the edge that carries it \
+                 {:.0} % of the way at rest is left",
+                1e3 * slip_m,
+                100.0 * margin_ratio
+            )
+        }
+        Outcome::Fell { block, joint, at_s } => {
+            let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
+            let [upper, lower] = simulation.joint_names(joint);
+            format!(
+                "FELL: '{name}' came down, first of all, at {at_s:.2} s; by then '{upper}' on '{lower}' had opened or slipped farthest"
+            )
         }
         Outcome::Stopped { at_s } => {
             format!(
@@ -220,7 +236,10 @@ fn run_text(simulation: &Simulation) -> String {
             .collect();
         let _ = writeln!(out, "  broken ties: {}", ties.join(", "));
     }
-    if matches!(history.outcome, Outcome::Uplifted { .. } | Outcome::Fell { .. }) {
+    if matches!(
+        history.outcome,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } | Outcome::Fell { .. }
+    ) {
         out += "  note: a stack that rocks is sensitive to every input: one run is one case, not a probability\n";
     }
     out

@@ -150,7 +150,24 @@ fn holds_every_end_has_its_word_and_its_kind() {
             "UPLIFTED: ",
             "uplifted",
         ),
-        (Outcome::Fell { block: 1, at_s: 0.2 }, "FELL: 'upper", "fell"),
+        (
+            Outcome::Slid {
+                block: 1,
+                slip_m: 0.0834,
+                margin_ratio: 0.4,
+            },
+            "SLID: no stone fell, but 'upper' lies 83.4 mm from its place; from its plumb line to the edge that carries it 40 %",
+            "slid",
+        ),
+        (
+            Outcome::Fell {
+                block: 1,
+                joint: 0,
+                at_s: 0.2,
+            },
+            "FELL: 'upper' came down, first of all, at 0.20 s; by then 'lower' on 'ground' had opened",
+            "fell",
+        ),
         (Outcome::Stopped { at_s: 0.2 }, "STOPPED at 0.20 s", "stopped"),
         (
             Outcome::Diverged { at_s: 0.2 },

@@ -9,7 +9,7 @@ use super::faces::{patch_along, patch_of_joint};
 use super::hulls::{Hull, Side, separation};
 use super::links::{Link, Prop};
 use super::outline::{Outline, take_over};
-use super::patch::{Law, Patch, Wrench};
+use super::patch::{Law, Patch, Stored, Wrench};
 use crate::structure::stack::{Body, JointMaterial, Stack};
 use glam::DVec3;
 
@@ -194,7 +194,7 @@ impl Assembly {
     pub(super) fn stored(&self) -> f64 {
         let patches = self
             .patches()
-            .map(|patch| patch.stored(&patch.motion(&self.bodies)));
+            .map(|patch| patch.stored(&patch.motion(&self.bodies)).sum());
         let links = self.links.iter().map(|link| link.stored(&self.bodies));
         let props = self.props.iter().map(|prop| prop.stored(&self.bodies));
         patches.sum::<f64>() + links.sum::<f64>() + props.sum::<f64>()
@@ -248,7 +248,7 @@ impl Assembly {
             let before = patch.stored(&motion);
             if outline.lean(&motion) < LOOK_AGAIN && !outline.of_edges() {
                 outline.clip(patch, &motion, self.rule);
-                self.clip_loss += before - patch.stored(&motion);
+                self.clip_loss += before.sum() - patch.stored(&motion).sum();
                 if !patch.points.is_empty() {
                     return false;
                 }
@@ -256,24 +256,20 @@ impl Assembly {
             let best = separation(first, second);
             if best.distance > FAR * size {
                 pair.contact = None;
-                self.clip_loss += before;
+                self.clip_loss += before.sum();
                 pair.slack = best.distance - NEAR * size;
                 return true;
             }
             if outline.still_serves(&best, first, second, FACE_FAVOUR * size) {
                 outline.clip(patch, &motion, self.rule);
-                self.clip_loss += before - patch.stored(&motion);
+                self.clip_loss += before.sum() - patch.stored(&motion).sum();
             } else if let Some((mut next, mut edge)) = patch_along(first, second, &best, patch.law.dry()) {
-                let deepest = patch.deepest(&motion);
+                let old_motion = motion;
                 let motion = next.motion(&self.bodies);
                 edge.clip(&mut next, &motion, self.rule);
-                next.hold_back(&motion, deepest);
-                let motion = next.motion(&self.bodies);
-                take_over(&mut next, &motion, patch, &patch.motion(&self.bodies));
-                if next.stored(&motion) > before {
-                    next.unstretch(&motion); // other faces must not hold more than these did
-                }
-                self.clip_loss += before - next.stored(&motion);
+                take_over(&mut next, &motion, patch, &old_motion);
+                next.hold_at_most(&motion, before); // other faces must not hold more than these did
+                self.clip_loss += before.sum() - next.stored(&motion).sum();
                 pair.contact = Some((next, edge));
             }
             return false;
@@ -289,11 +285,9 @@ impl Assembly {
         if let Some((mut patch, mut outline)) = patch_along(first, second, &best, law) {
             let motion = patch.motion(&self.bodies);
             outline.clip(&mut patch, &motion, self.rule);
-            // what already overlaps, as drawn or unseen, is not pushed apart
-            patch.hold_back(&motion, 0.0);
-            let motion = patch.motion(&self.bodies);
             patch.unstretch(&motion);
-            self.clip_loss -= patch.stored(&motion);
+            // what already overlaps, as drawn or unseen, is not pushed apart
+            patch.hold_at_most(&motion, Stored::default());
             pair.contact = Some((patch, outline));
             pair.slack = f64::INFINITY;
             return true;

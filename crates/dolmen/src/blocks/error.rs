@@ -39,6 +39,16 @@ pub enum BlocksError {
         /// The block on which it acts.
         block: String,
     },
+    /// The stack would topple at a touch: its springs are softer than its weight allows.
+    #[error(
+        "at rest the stack topples on its springs under its own weight, '{block}' farthest: normal_stiffness_pa_m and shear_stiffness_pa_m of all joints together must be at least {factor:.3} times what they are. Raise them, or calibrate them with a measured frequency"
+    )]
+    Topples {
+        /// The factor on the springs of all joints from which it would stand; above 1.
+        factor: f64,
+        /// The block that moves farthest as it topples.
+        block: String,
+    },
     /// The stack cannot be.
     #[error(transparent)]
     Stack(#[from] StackError),

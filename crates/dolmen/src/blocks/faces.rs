@@ -62,6 +62,7 @@ fn faces_patch(
         point_axes,
         law,
         points: Vec::new(),
+        holds: false,
     };
     let outline = Outline {
         axis: separation.axis,
@@ -99,6 +100,7 @@ fn edges_patch(
         point_axes: points.body.rotation.transpose() * axes,
         law,
         points: Vec::new(),
+        holds: false,
     };
     let radius = plane.body.radius.min(points.body.radius);
     let point = ContactPoint {
@@ -178,6 +180,7 @@ pub(super) fn patch_of_joint(
         point_axes: axes,
         law,
         points: Vec::new(),
+        holds: false,
     };
     let motion = patch.motion_between(plane.body, points.body);
     // bodies are ordered with the ground first, then by index

@@ -16,11 +16,25 @@ pub enum Outcome {
         /// When, s.
         at_s: f64,
     },
+    /// No stone fell, but one lies on the brink at the end: it slid by more than half the width of its bed, or less than half is
+    /// left of the way from its plumb line to the edge of what carries it.
+    Slid {
+        /// The one with the least left, as an index of the stack's blocks.
+        block: usize,
+        /// How far it lies from where it lay at rest on what carries it, m.
+        slip_m: f64,
+        /// What is left of the way from the plumb line of its centroid to the edge of what carries it, over that at rest, –;
+        /// negative where the plumb line passes beside it.
+        margin_ratio: f64,
+    },
     /// A stone fell: its centroid dropped by more than a quarter of its smallest dimension, or it turned over by more than
     /// 45°.
     Fell {
         /// The first, as an index of the stack's blocks.
         block: usize,
+        /// The joint that gave way, as an index of the stack's joints: at that time it had opened or slipped farthest. The
+        /// stone that comes down first may be another than the one that lost its hold.
+        joint: usize,
         /// When, s.
         at_s: f64,
     },

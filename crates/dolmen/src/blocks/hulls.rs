@@ -10,6 +10,9 @@ const EDGE_FAVOUR: f64 = 0.01;
 /// Sine of the angle below which two edges count as parallel. Chosen here.
 const EDGES_PARALLEL: f64 = 0.05;
 
+/// Distance below which two places are one, in parts of the larger body: rounding. Chosen here.
+const SAME_PLACE: f64 = 1e-9;
+
 /// Convex hull of a body: corners from its centroid in the axes as drawn, faces, their outward normals.
 #[derive(Clone, Debug)]
 pub(super) struct Hull {
@@ -170,6 +173,7 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
     }
     let between = second.body.position - first.body.position;
     let favour = EDGE_FAVOUR * first.body.radius.min(second.body.radius);
+    let same = SAME_PLACE * first.body.radius.max(second.body.radius);
     for edge_1 in &hull_1.edges {
         let along_1 = corners_1[edge_1[1]] - corners_1[edge_1[0]];
         for edge_2 in &hull_2.edges {
@@ -180,13 +184,14 @@ pub(super) fn separation(first: Side<'_>, second: Side<'_>) -> Separation {
                 continue; // a face's axis says the same
             }
             let axis = across * (across.dot(between).signum() / length);
-            let highest_1 = -lowest(&corners_1, -axis);
-            offer(
-                lowest(&corners_2, axis) - highest_1,
-                axis,
-                Axis::Edges(*edge_1, *edge_2),
-                favour,
-            );
+            let (highest_1, lowest_2) = (-lowest(&corners_1, -axis), lowest(&corners_2, axis));
+            // of edges that are parallel, those that face the other body
+            if corners_1[edge_1[0]].dot(axis) < highest_1 - same
+                || corners_2[edge_2[0]].dot(axis) > lowest_2 + same
+            {
+                continue;
+            }
+            offer(lowest_2 - highest_1, axis, Axis::Edges(*edge_1, *edge_2), favour);
         }
     }
     best
@@ -226,5 +231,59 @@ impl Side<'_> {
     /// A direction of the ground's frame in this body's axes.
     pub(super) fn inward(&self, direction: DVec3) -> DVec3 {
         self.body.rotation.transpose() * direction
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bodies::bodies_of;
+    use super::*;
+    use crate::structure::stack::{Block, JointMaterial, Placement, Stack};
+
+    #[test]
+    fn exact_edges_that_cross_are_those_that_face_each_other() {
+        let cube = |name: &str, z: f64| Block {
+            name: name.into(),
+            solid: Solid::cuboid(0.2, 0.2, 0.2).unwrap().placed(&Placement {
+                position_m: [0.0, 0.0, z],
+                ..Placement::default()
+            }),
+            density_kg_m3: 2600.0,
+        };
+        let stack = Stack::new(
+            vec![cube("low", 0.0), cube("high", 0.2)],
+            JointMaterial::default(),
+            9.81,
+        )
+        .unwrap();
+        let mut bodies = bodies_of(&stack);
+        let quarter = std::f64::consts::FRAC_PI_4;
+        bodies[1].turn_by(DVec3::X * quarter); // an edge along x on top
+        bodies[2].turn_by(DVec3::Y * quarter); // an edge along y beneath
+        for gap in [0.01, -0.01] {
+            bodies[2].position =
+                bodies[1].position + DVec3::new(0.02, 0.03, 2.0 * 0.1 * 2.0_f64.sqrt() + gap);
+            let hulls: Vec<Hull> = stack
+                .blocks()
+                .iter()
+                .map(|block| Hull::of(&block.solid))
+                .collect();
+            let side = |index: usize| Side {
+                index,
+                hull: Some(&hulls[index - 1]),
+                body: &bodies[index],
+            };
+            let found = separation(side(1), side(2));
+            assert!((found.distance - gap).abs() < 1e-12, "{found:?}");
+            let Axis::Edges(low, high) = found.axis else {
+                panic!("{found:?}")
+            };
+            for (index, edge, height) in [(1, low, 0.1), (2, high, -0.1)] {
+                for corner in edge {
+                    let at = bodies[index].rotation * hulls[index - 1].corners[corner];
+                    assert!((at.z - height * 2.0_f64.sqrt()).abs() < 1e-12, "{index}: {at}");
+                }
+            }
+        }
     }
 }

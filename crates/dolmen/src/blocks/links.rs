@@ -49,20 +49,26 @@ impl Link {
             return 0.0;
         }
         let (along, across) = self.stretch(bodies);
-        let tension = self.axial_stiffness * along;
-        let shear = across * self.shear_stiffness;
+        let (tension, shear) = (self.axial_stiffness * along, across * self.shear_stiffness);
         if tension > self.tension_strength || shear.length() > self.shear_strength {
             self.broken = true;
             return 0.5 * (tension * along + shear.dot(across));
         }
         let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
-        let force = lower.rotation * -(self.axis * tension + shear);
-        let at = upper.now(self.drawn);
+        let (force, at) = self.force(bodies);
         forces.force[self.upper] += force;
         forces.torque[self.upper] += (at - upper.position).cross(force);
         forces.force[self.lower] -= force;
         forces.torque[self.lower] -= (at - lower.position).cross(force);
         0.0
+    }
+
+    /// Force on the upper body, and where it acts on both, in the ground's axes; as long as it is not broken.
+    pub(super) fn force(&self, bodies: &[RigidBody]) -> (DVec3, DVec3) {
+        let (along, across) = self.stretch(bodies);
+        let pull = self.axis * (self.axial_stiffness * along) + across * self.shear_stiffness;
+        let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
+        (lower.rotation * -pull, upper.now(self.drawn))
     }
 
     /// Energy in it, J.
@@ -96,6 +102,12 @@ impl Prop {
         }
     }
 
+    /// How deep its body has met it, m; 0 before.
+    pub(super) fn depth(&self, body: &RigidBody) -> f64 {
+        let moved = body.now(self.drawn) - self.drawn;
+        (moved.dot(self.direction) - self.gap).max(0.0)
+    }
+
     /// Adds its force, the mean over a step of `h` seconds as in a contact.
     pub(super) fn push(&self, bodies: &[RigidBody], forces: &mut Forces, h: f64) {
         let body = &bodies[self.body];
@@ -119,8 +131,7 @@ impl Prop {
 
     /// Energy in it, J.
     pub(super) fn stored(&self, bodies: &[RigidBody]) -> f64 {
-        let moved = bodies[self.body].now(self.drawn) - self.drawn;
-        let depth = (moved.dot(self.direction) - self.gap).max(0.0);
+        let depth = self.depth(&bodies[self.body]);
         0.5 * self.stiffness * depth * depth
     }
 }

@@ -3,6 +3,7 @@
 //! Degrees of freedom: of each block the displacement of its centroid [m] and its turn [rad] about it, in the ground's axes.
 
 use super::assembly::Assembly;
+use super::links::Prop;
 use super::patch::LANES;
 use dolmen_linalg::Matrix;
 use glam::{DMat3, DVec3};
@@ -28,6 +29,8 @@ pub(super) enum Closed {
     Touching,
     /// Those that are pressed; of those that slip only the normal springs.
     Pressed,
+    /// Those that are pressed, all stuck.
+    Stuck,
 }
 
 /// A 3 × 3 stiffness between points at `arm` from each body's centroid, added to K.
@@ -77,11 +80,11 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
         let (stuck, slipping) = (per_area(shear), per_area(0.0));
         for group in &patch.points {
             for lane in 0..LANES {
-                let at = motion.at(group.x[lane], group.y[lane]);
+                let at = patch.place(group, lane, &motion);
                 let bonded = group.bond[lane] > 0.0;
                 let open = match closed {
                     Closed::Touching => at.z > 0.0,
-                    Closed::Pressed => at.z >= 0.0,
+                    Closed::Pressed | Closed::Stuck => at.z >= 0.0,
                 };
                 if group.area[lane] <= 0.0 || (open && !bonded) {
                     continue;
@@ -115,11 +118,24 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
 /// Adds the side supports as if all were met: for the stable step.
 pub(super) fn add_props(assembly: &Assembly, matrix: &mut Matrix) {
     for prop in assembly.props() {
-        let d = prop.direction;
-        let outer = DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness;
-        let body = &assembly.bodies[prop.body];
-        let arm = body.now(prop.drawn) - body.position;
-        add_spring(matrix, [(0, DVec3::ZERO), (prop.body, arm)], &outer);
+        add_prop(assembly, prop, matrix);
+    }
+}
+
+fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut Matrix) {
+    let d = prop.direction;
+    let outer = DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness;
+    let body = &assembly.bodies[prop.body];
+    let arm = body.now(prop.drawn) - body.position;
+    add_spring(matrix, [(0, DVec3::ZERO), (prop.body, arm)], &outer);
+}
+
+/// Adds the side supports that are pressed.
+pub(super) fn add_pressed_props(assembly: &Assembly, matrix: &mut Matrix) {
+    for prop in assembly.props() {
+        if prop.depth(&assembly.bodies[prop.body]) > 0.0 {
+            add_prop(assembly, prop, matrix);
+        }
     }
 }
 

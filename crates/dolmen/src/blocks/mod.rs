@@ -16,6 +16,8 @@ mod outline;
 mod patch;
 mod rest;
 mod springs;
+mod standing;
+mod support;
 
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};

@@ -5,6 +5,7 @@ use super::bodies::RigidBody;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
 use super::springs::{AfterFall, Springs};
+use super::support::plumb_margin;
 use crate::structure::stack::{Joint, Stack};
 use glam::{DMat3, DVec3};
 
@@ -12,6 +13,9 @@ use glam::{DMat3, DVec3};
 const LOOK_STEP_S: f64 = 5e-3;
 /// Cosine of the turn that counts as a fall, 45°. Chosen here.
 const UPRIGHT_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Part of its bed's width by which a stone must slide to lie on the brink, and part of its plumb line's way to the edge below
+/// which it does. Chosen here: half of what keeps it from tipping is gone.
+const BRINK: f64 = 0.5;
 /// Drop of a stone that counts as a fall, in parts of its smallest dimension. Chosen here.
 const DROP: f64 = 0.25;
 
@@ -59,6 +63,16 @@ impl Watch {
         watch
     }
 
+    /// Width of the patch as drawn along a direction in its plane, m.
+    fn width_along(&self, direction: [f64; 2]) -> f64 {
+        let along = (self.axes.x_axis * direction[0] + self.axes.y_axis * direction[1]).normalize_or_zero();
+        let places = self.corners.iter().map(|corner| corner.dot(along));
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+            (low.min(place), high.max(place))
+        });
+        high - low
+    }
+
     fn see(&self, bodies: &[RigidBody]) -> Seen {
         let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
         let from_ground = self.axes.transpose() * lower.rotation.transpose();
@@ -84,6 +98,8 @@ pub(super) struct Observer {
     watches: Vec<Watch>,
     settled: Vec<DVec3>,
     drops: Vec<f64>,
+    /// Of each block, how far inside what carries it its plumb line lies at rest, m.
+    margins: Vec<Option<f64>>,
     sample_every: usize,
     /// Looks from one sample to the next, at most as many as steps.
     looks: usize,
@@ -132,6 +148,9 @@ impl Observer {
                 .collect(),
             sample_every,
             looks,
+            margins: (1..assembly.bodies.len())
+                .map(|body| plumb_margin(assembly, body))
+                .collect(),
             outcome: None,
             input: 0.0,
             contact: 0.0,
@@ -245,7 +264,8 @@ impl Observer {
             }
             let upright = assembly.bodies[block + 1].rotation.z_axis.z;
             if self.settled[block + 1].z - place.z > *drop || upright < UPRIGHT_LEAST {
-                self.outcome = Some(Outcome::Fell { block, at_s });
+                let joint = self.gave_way(&assembly.bodies);
+                self.outcome = Some(Outcome::Fell { block, joint, at_s });
                 return;
             }
         }
@@ -257,6 +277,44 @@ impl Observer {
                 .position(|joint| joint.peak_opening_m > StackHistory::UPLIFT_LEAST_M);
             self.outcome = opened.map(|joint| Outcome::Uplifted { joint, at_s });
         }
+    }
+
+    /// The joint that has opened or slipped farthest; the lowest of equals.
+    fn gave_way(&self, bodies: &[RigidBody]) -> usize {
+        let (mut farthest, mut joint) = (f64::NEG_INFINITY, 0);
+        for (index, watch) in self.watches.iter().enumerate() {
+            let seen = watch.see(bodies);
+            let moved = seen.opening.max(seen.slip[0].hypot(seen.slip[1]));
+            if moved > farthest {
+                (farthest, joint) = (moved, index);
+            }
+        }
+        joint
+    }
+
+    /// The stone on the brink, if there is one: that with the least left.
+    fn on_the_brink(&self, assembly: &Assembly) -> Option<Outcome> {
+        let (mut least, mut found) = (f64::INFINITY, None);
+        for (block, rest) in self.margins.iter().enumerate() {
+            let rest = rest.filter(|margin| *margin > 0.0);
+            let now = plumb_margin(assembly, block + 1);
+            let margin_ratio = now.zip(rest).map_or(1.0, |(now, rest)| now / rest);
+            let (mut slip_m, mut far) = (0.0_f64, false);
+            for watch in self.watches.iter().filter(|watch| watch.upper == block + 1) {
+                let [x, y] = watch.see(&assembly.bodies).slip;
+                slip_m = slip_m.max(x.hypot(y));
+                far |= x.hypot(y) > BRINK * watch.width_along([x, y]);
+            }
+            if (far || margin_ratio < BRINK) && margin_ratio < least {
+                least = margin_ratio;
+                found = Some(Outcome::Slid {
+                    block,
+                    slip_m,
+                    margin_ratio,
+                });
+            }
+        }
+        found
     }
 
     /// Whether the run is over before its time.
@@ -281,8 +339,12 @@ impl Observer {
             .filter(|(_, link)| link.broken)
             .map(|(index, _)| index)
             .collect();
+        let outcome = match self.outcome {
+            None | Some(Outcome::Uplifted { .. }) => self.on_the_brink(assembly).or(self.outcome.clone()),
+            _ => self.outcome.clone(),
+        };
         StackHistory {
-            outcome: self.outcome.unwrap_or(Outcome::Stood),
+            outcome: outcome.unwrap_or(Outcome::Stood),
             time_step_s: steps[0],
             longest_step_s: steps[1],
             broken_ties,

@@ -128,8 +128,12 @@ impl Outline {
             false => self.lifted(contact_points(&clipped, rule), motion),
         };
         let memories = memories_of(patch, motion);
+        let before = patch.stored(motion);
         patch.points = grouped(&points, &patch.law);
         inherit(patch, motion, &memories);
+        if !memories.is_empty() {
+            patch.hold_at_most(motion, before);
+        }
     }
 
     /// Points of the plane carried along its normal onto the face of S, in the frame of that face.

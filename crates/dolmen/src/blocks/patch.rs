@@ -13,7 +13,7 @@
 
 use super::bodies::RigidBody;
 use crate::structure::stack::JointMaterial;
-use glam::{DMat3, DVec3};
+use glam::{DMat3, DVec2, DVec3};
 use wide::f64x4;
 
 /// Points worked on together, so that the compiler uses vector instructions.
@@ -31,6 +31,9 @@ pub(super) struct Points {
     pub(super) give: [f64; LANES],
     pub(super) anchor_x: [f64; LANES],
     pub(super) anchor_y: [f64; LANES],
+    /// Depth at which a point carries nothing yet, m; 0 but for points that took over while their faces overlapped, until they
+    /// open.
+    pub(super) held: [f64; LANES],
     pub(super) friction: [f64; LANES],
     /// 1 while the bond holds, 0 after it broke or where there is none.
     pub(super) bond: [f64; LANES],
@@ -99,6 +102,21 @@ pub(super) struct Patch {
     pub(super) point_axes: DMat3,
     pub(super) law: Law,
     pub(super) points: Vec<Points>,
+    /// Whether any point is held.
+    pub(super) holds: bool,
+}
+
+/// Energy in the springs of a patch, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Stored {
+    pub(super) normal: f64,
+    pub(super) shear: f64,
+}
+
+impl Stored {
+    pub(super) fn sum(self) -> f64 {
+        self.normal + self.shear
+    }
 }
 
 /// Where the points' frame is in the plane's frame, and how it moves.
@@ -175,45 +193,91 @@ impl Patch {
     /// Forces of the springs, friction and dashpots over a step of `h` seconds; remembers what slipped and broke.
     #[inline]
     pub(super) fn press(&mut self, motion: &Motion, twist: &Twist, h: f64) -> Wrench {
-        match self.law.bonds() {
-            true => press::<true>(&mut self.points, &self.law, motion, twist, h),
-            false => press::<false>(&mut self.points, &self.law, motion, twist, h),
+        if self.holds {
+            self.let_go(motion);
+        }
+        let (points, law) = (&mut self.points, &self.law);
+        match (law.bonds(), self.holds) {
+            (true, true) => press::<true, true>(points, law, motion, twist, h),
+            (true, false) => press::<true, false>(points, law, motion, twist, h),
+            (false, true) => press::<false, true>(points, law, motion, twist, h),
+            (false, false) => press::<false, false>(points, law, motion, twist, h),
         }
     }
 
-    /// Energy stored in the springs, J.
-    pub(super) fn stored(&self, motion: &Motion) -> f64 {
-        let mut energy = 0.0;
+    /// Where a point now is in the plane's frame, with its depth as its spring feels it.
+    pub(super) fn place(&self, group: &Points, lane: usize, motion: &Motion) -> DVec3 {
+        motion.at(group.x[lane], group.y[lane]) + DVec3::Z * group.held[lane]
+    }
+
+    /// Energy stored in the springs.
+    pub(super) fn stored(&self, motion: &Motion) -> Stored {
+        let mut stored = Stored::default();
         for group in &self.points {
             for lane in 0..LANES {
-                let at = motion.at(group.x[lane], group.y[lane]);
+                let at = self.place(group, lane, motion);
                 let (ux, uy) = (at.x - group.anchor_x[lane], at.y - group.anchor_y[lane]);
-                let shear = self.law.shear_stiffness * (ux * ux + uy * uy);
-                let normal = self.law.normal_stiffness * at.z * at.z;
                 if at.z < 0.0 || group.bond[lane] > 0.0 {
-                    energy += 0.5 * group.area[lane] * (normal + shear);
+                    stored.normal += 0.5 * group.area[lane] * self.law.normal_stiffness * at.z * at.z;
+                    stored.shear += 0.5 * group.area[lane] * self.law.shear_stiffness * (ux * ux + uy * uy);
                 }
             }
         }
-        energy
+        stored
     }
 
-    /// Deepest penetration of a point, m; 0 if none touches.
-    pub(super) fn deepest(&self, motion: &Motion) -> f64 {
-        let mut deepest = 0.0_f64;
-        for group in &self.points {
-            for lane in (0..LANES).filter(|&lane| group.area[lane] > 0.0) {
-                deepest = deepest.max(-motion.at(group.x[lane], group.y[lane]).z);
+    /// Force of one point on S at rest, in the plane's frame, N; `at` is its place.
+    pub(super) fn force_at_rest(&self, group: &Points, lane: usize, at: DVec3) -> DVec3 {
+        let bonded = group.bond[lane] > 0.0;
+        if at.z >= 0.0 && !bonded {
+            return DVec3::ZERO;
+        }
+        let area = group.area[lane];
+        let normal = area * self.law.normal_stiffness * -at.z;
+        let stretch = DVec2::new(at.x - group.anchor_x[lane], at.y - group.anchor_y[lane]);
+        let hold = if bonded { area * self.law.cohesion } else { 0.0 };
+        let shear = stretch * (area * self.law.shear_stiffness);
+        let shear = shear.clamp_length_max(group.friction[lane] * normal.max(0.0) + hold);
+        DVec3::new(-shear.x, -shear.y, normal)
+    }
+
+    /// Lets new points hold at most what others held: depths and stretches are scaled down where they would hold more. What a
+    /// point lies deeper it keeps without force until it opens, as a fault of its place would.
+    ///
+    /// ```text
+    /// held = (1 − f) δ,   f² = normal energy allowed / that at depth δ;   the stretch likewise
+    /// ```
+    pub(super) fn hold_at_most(&mut self, motion: &Motion, most: Stored) {
+        for group in &mut self.points {
+            group.held = [0.0; LANES];
+        }
+        self.holds = false;
+        let now = self.stored(motion);
+        let part = |most: f64, now: f64| if now > most { (most / now).sqrt() } else { 1.0 };
+        let (deep, stretched) = (part(most.normal, now.normal), part(most.shear, now.shear));
+        for group in &mut self.points {
+            for lane in 0..LANES {
+                let at = motion.at(group.x[lane], group.y[lane]);
+                if deep < 1.0 && at.z < 0.0 && group.bond[lane] == 0.0 {
+                    group.held[lane] = (deep - 1.0) * at.z;
+                    self.holds = true;
+                }
+                group.anchor_x[lane] = at.x + stretched * (group.anchor_x[lane] - at.x);
+                group.anchor_y[lane] = at.y + stretched * (group.anchor_y[lane] - at.y);
             }
         }
-        deepest
     }
 
-    /// Moves the plane back into its body until no point lies deeper than `most`, m.
-    pub(super) fn hold_back(&mut self, motion: &Motion, most: f64) {
-        let excess = self.deepest(motion) - most;
-        if excess > 0.0 {
-            self.plane_origin -= self.plane_axes.z_axis * excess;
+    /// Points that have opened are held no more.
+    fn let_go(&mut self, motion: &Motion) {
+        self.holds = false;
+        for group in &mut self.points {
+            for lane in 0..LANES {
+                if motion.at(group.x[lane], group.y[lane]).z >= 0.0 {
+                    group.held[lane] = 0.0;
+                }
+                self.holds |= group.held[lane] > 0.0;
+            }
         }
     }
 
@@ -239,7 +303,7 @@ impl Patch {
 ///               moves, and what the spring loses is the work of friction
 /// shear         T = −(E + a c_s v_t), cut to the same disc
 /// ```
-fn press<const BOND: bool>(
+fn press<const BOND: bool, const HELD: bool>(
     points: &mut [Points],
     law: &Law,
     motion: &Motion,
@@ -274,7 +338,8 @@ fn press<const BOND: bool>(
         let y = ay * sx + by * sy + cy;
         let z = az * sx + bz * sy + cz;
         let closing = -(wz + (ox * y - oy * x));
-        let (depth, half) = (-z, closing.abs() * half_step);
+        let depth = if HELD { -(z + f64x4::new(group.held)) } else { -z };
+        let half = closing.abs() * half_step;
         if !BOND && !(depth + half).simd_gt(zero).any() {
             (group.anchor_x, group.anchor_y) = (x.to_array(), y.to_array()); // all open
             continue;

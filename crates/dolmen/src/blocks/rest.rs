@@ -3,6 +3,7 @@
 use super::assembly::{Assembly, Forces};
 use super::error::BlocksError;
 use super::matrices::{Closed, Part, contact_matrix, longest_step};
+use super::standing::check_standing;
 use crate::structure::stack::{Body, Stack};
 use dolmen_linalg::{Matrix, solve};
 use glam::DVec3;
@@ -58,7 +59,8 @@ fn left(assembly: &mut Assembly, forces: &mut Forces) -> Left {
 /// Moves the bodies of an assembly to where gravity and springs balance.
 ///
 /// # Errors
-/// [`BlocksError::NoRest`] if there is no such place near: the stack does not stand, or slides.
+/// [`BlocksError::NoRest`] if there is no such place near: the stack does not stand, or slides;
+/// [`BlocksError::Topples`] if there is one from which any touch would topple it.
 pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), BlocksError> {
     let mut forces = Forces::default();
     let h = 0.5 * longest_step(assembly);
@@ -72,7 +74,7 @@ pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), Block
         for _ in 0..NEWTON_STEPS {
             let left = left(assembly, &mut forces);
             if left.largest < LEFT_MOST || (left.largest < LEFT_ROUNDING && left.largest > 0.5 * least) {
-                return Ok(());
+                return check_standing(assembly, stack);
             }
             if !left.largest.is_finite() || left.largest > 1e3 {
                 break; // it flies apart

@@ -14,6 +14,7 @@ mod made_records;
 mod park_min_2010;
 mod pyoma2;
 mod rocking_and_sliding;
+mod stack_contacts;
 mod stack_limits;
 mod stack_motion;
 mod stack_rocking;
