@@ -156,7 +156,7 @@ fn holds_every_end_has_its_word_and_its_kind() {
                 slip_m: 0.0834,
                 margin_ratio: 0.4,
             },
-            "SLID: no stone fell, but 'upper' lies 83.4 mm from its place; from its plumb line to the edge that carries it 40 %",
+            "SLID: no stone fell, but 'upper, \"odd\" <one>' lies 83.4 mm from its place; from its plumb line to the edge that carries it 40 %",
             "slid",
         ),
         (
@@ -165,7 +165,7 @@ fn holds_every_end_has_its_word_and_its_kind() {
                 joint: 0,
                 at_s: 0.2,
             },
-            "FELL: 'upper' came down, first of all, at 0.20 s; by then 'lower' on 'ground' had opened",
+            "FELL: 'upper, \"odd\" <one>' came down, first of all, at 0.20 s; by then '",
             "fell",
         ),
         (Outcome::Stopped { at_s: 0.2 }, "STOPPED at 0.20 s", "stopped"),
