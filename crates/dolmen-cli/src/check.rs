@@ -1,7 +1,7 @@
 //! `dolmen check`: is the file right, does it stand.
 
 use crate::cli::Check as Options;
-use crate::{Outcome, files, open, stack_frequencies};
+use crate::{Outcome, demand, files, open, stack_frequencies};
 use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{
     Sensitivity, StackCheckOptions, check_chain, check_frame, check_stack, elasticity, probability,
@@ -70,6 +70,7 @@ pub(crate) fn answer(
                 name: variant.name.clone(),
                 title: variant.title.clone(),
                 state,
+                simulation: None,
             });
         }
     }
@@ -106,6 +107,7 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
     };
     let tilts = tilts(project, &check);
     Ok(Some(State {
+        demand: demand::of(project, &check)?,
         check,
         tilts,
         contradictions: Vec::new(),

@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "dolmen", version, max_term_width = 110, propagate_version = true)]
 #[command(
-    after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\" or a stone fell, 2 bad input, 3 a computation did \
+    after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\" or \"below demand\", or a stone fell, 2 bad input, 3 a computation did \
                         not converge or was stopped.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
 )]
 pub(crate) struct Cli {
@@ -141,7 +141,7 @@ pub(crate) struct Simulate {
 #[derive(Debug, Args)]
 #[command(next_help_heading = "Motion of the ground, for stacks")]
 pub(crate) struct Motion {
-    /// A motion that Dolmen carries with it, along x: el-centro-1940-ns
+    /// A motion of the project file ([motion.NAME]), or one that Dolmen carries with it, along x: el-centro-1940-ns
     #[arg(long, value_name = "NAME", conflicts_with = "motion_file")]
     pub(crate) motion: Option<String>,
     /// Files of acceleration (AT2, CSV), one a component: x, y, z in this order, or named as in y=FILE

@@ -2,6 +2,7 @@
 
 mod check;
 mod cli;
+mod demand;
 mod files;
 mod identify;
 mod motion;

@@ -5,9 +5,10 @@ use crate::files;
 use anyhow::{Context as _, Result, bail};
 use dolmen::signal::{Component, GroundMotion, Quantity};
 use dolmen_formats::motions::{MotionOptions, read_motion};
+use dolmen_formats::project::{MotionPart, MotionSize, MotionSource, Project};
 use dolmen_formats::records::Unit;
 use dolmen_formats::simulation::MotionAnswer;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// The motions that the command carries with it: name, file as it is called in `data/`, and its bytes.
 const CARRIED: [(&str, &str, &[u8]); 1] = [(
@@ -27,31 +28,107 @@ pub(crate) fn is_changed(options: &Options) -> bool {
     numbers.iter().any(Option::is_some) || options.peak.is_some()
 }
 
-/// The motion that was asked for, ready to act.
-pub(crate) fn motion(options: &Options) -> Result<MotionAnswer> {
-    let mut answer = match &options.motion {
-        Some(name) => carried(name)?,
-        None if options.motion_file.is_empty() => bail!(
-            "no motion is given: name files with --motion-file, or take --motion {}",
-            names()
-        ),
-        None => from_files(options)?,
+/// What is to be read and done: the file's words, with what was typed in their place.
+struct Wanted {
+    from: From,
+    unit: Option<String>,
+    sample_step_s: Option<f64>,
+    keep_first_s: Option<f64>,
+    taper_s: Option<f64>,
+    turn_rad: Option<f64>,
+    size: Option<MotionSize>,
+    /// Where complaints about what the project file says belong.
+    part: Option<String>,
+}
+
+enum From {
+    Carried(String),
+    /// Component, the file as it was named, where it is.
+    Files(Vec<(Component, String, PathBuf)>),
+}
+
+/// The motion that was asked for, ready to act: of the project file, carried along, or from files. What is typed goes before
+/// what the project file says.
+pub(crate) fn motion(options: &Options, project: &Project, file: &Path) -> Result<MotionAnswer> {
+    let wanted = wanted(options, project, file)?;
+    let mut answer = match &wanted.from {
+        From::Carried(name) => carried(name)?,
+        From::Files(files) => from_files(files, &wanted)?,
     };
-    answer.motion = changed(answer.motion, options)?;
+    answer.motion = changed(answer.motion, &wanted)?;
     Ok(answer)
 }
 
-fn names() -> String {
-    CARRIED.map(|(name, ..)| name).join(", ")
+fn wanted(options: &Options, project: &Project, file: &Path) -> Result<Wanted> {
+    let part = match &options.motion {
+        Some(name) => project.motions.iter().find(|part| part.name == *name),
+        None => None,
+    };
+    let from = match (&options.motion, part) {
+        (_, Some(part)) => match &part.from {
+            MotionSource::BuiltIn(name) => From::Carried(name.clone()),
+            MotionSource::Files(files) => {
+                let folder = file.parent().unwrap_or(Path::new("."));
+                let each = files
+                    .iter()
+                    .map(|(component, name)| (*component, name.clone(), folder.join(name)));
+                From::Files(each.collect())
+            }
+        },
+        (Some(name), None) if is_carried(name) => From::Carried(name.clone()),
+        (Some(name), None) => bail!(
+            "there is no motion \"{name}\": known are {}; other motions come from files with --motion-file, or stand in the \
+             project file as [motion.{name}]",
+            names(project)
+        ),
+        (None, _) if options.motion_file.is_empty() => bail!(
+            "no motion is given: name files with --motion-file, or take --motion {}",
+            names(project)
+        ),
+        (None, _) => From::Files(typed_files(options)?),
+    };
+    let typed_size = match (options.scale, &options.peak) {
+        (Some(factor), _) => Some(MotionSize::Scale(factor)),
+        (None, Some(peak)) => Some(MotionSize::Peak(acceleration_m_s2(peak).context("--peak")?)),
+        (None, None) => None,
+    };
+    let of = |read: fn(&MotionPart) -> Option<f64>| part.and_then(read);
+    Ok(Wanted {
+        from,
+        unit: options.unit.clone().or_else(|| part?.unit.clone()),
+        sample_step_s: options.sample_step.or_else(|| of(|part| part.sample_step_s)),
+        keep_first_s: options.keep_first.or_else(|| of(|part| part.keep_first_s)),
+        taper_s: options.taper.or_else(|| of(|part| part.taper_s)),
+        turn_rad: options
+            .turn
+            .map(f64::to_radians)
+            .or_else(|| of(|part| part.turn_rad)),
+        size: typed_size.or_else(|| part?.size),
+        part: part.map(|part| format!("motion.{}", part.name)),
+    })
+}
+
+/// The motions there are: those of the project file, then those carried along.
+fn names(project: &Project) -> String {
+    let own = project.motions.iter().map(|part| part.name.as_str());
+    own.chain(CARRIED.map(|(name, ..)| name))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn find(name: &str) -> Option<(&'static str, &'static str, &'static [u8])> {
+    let same = |known: &str| known == name || known.replace('-', "_") == name;
+    CARRIED.into_iter().find(|(known, ..)| same(known))
+}
+
+fn is_carried(name: &str) -> bool {
+    find(name).is_some()
 }
 
 fn carried(name: &str) -> Result<MotionAnswer> {
-    let same = |known: &str| known == name || known.replace('-', "_") == name;
-    let Some((name, file, bytes)) = CARRIED.into_iter().find(|(known, ..)| same(known)) else {
-        bail!(
-            "there is no motion \"{name}\": known are {}; other motions come from files with --motion-file",
-            names()
-        );
+    let Some((name, file, bytes)) = find(name) else {
+        let known = CARRIED.map(|(known, ..)| known).join(", ");
+        bail!("there is no built-in motion \"{name}\": known are {known}");
     };
     let motion = read_motion(name, &[(Component::X, bytes)], &MotionOptions::default())?;
     Ok(of_files(motion, vec![(Component::X, file.to_owned())]))
@@ -68,76 +145,108 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
     }
 }
 
-fn from_files(options: &Options) -> Result<MotionAnswer> {
-    let mut named: Vec<(Component, String)> = Vec::new();
+/// The files of the command line, each with its component.
+fn typed_files(options: &Options) -> Result<Vec<(Component, String, PathBuf)>> {
+    let mut named: Vec<(Component, String, PathBuf)> = Vec::new();
     for (position, text) in options.motion_file.iter().enumerate() {
         let split = text.split_once('=').and_then(|(before, file)| {
             let component = Component::ALL.into_iter().find(|c| c.name() == before)?;
             Some((component, file))
         });
         let (component, file) = split.unwrap_or((Component::ALL[position.min(2)], text));
-        if named.iter().any(|(other, _)| *other == component) {
+        if named.iter().any(|(other, ..)| *other == component) {
             bail!(
                 "--motion-file: the {component} component is given twice; name each as in {component}=FILE"
             );
         }
-        named.push((component, file.to_owned()));
+        named.push((component, file.to_owned(), PathBuf::from(file)));
     }
+    Ok(named)
+}
+
+fn from_files(named: &[(Component, String, PathBuf)], wanted: &Wanted) -> Result<MotionAnswer> {
     let read = MotionOptions {
-        unit: match &options.unit {
+        unit: match &wanted.unit {
             Some(unit) => Some(Unit::parse(unit)?),
             None => None,
         },
-        time_step_s: options.sample_step,
+        time_step_s: wanted.sample_step_s,
         ..MotionOptions::default()
     };
+    let place = |file: &str| match &wanted.part {
+        Some(part) => format!("{part}.files: {file}"),
+        None => file.to_owned(),
+    };
     let mut bytes = Vec::new();
-    for (component, file) in &named {
-        bytes.push((*component, files::read(Path::new(file))?));
+    for (component, name, path) in named {
+        let read = files::read(path);
+        bytes.push((
+            *component,
+            match &wanted.part {
+                Some(_) => read.with_context(|| place(name))?,
+                None => read?,
+            },
+        ));
     }
     let parts: Vec<(Component, &[u8])> = bytes.iter().map(|(c, b)| (*c, b.as_slice())).collect();
+    let stem = |path: &Path| path.file_stem().map(|s| s.to_string_lossy().into_owned());
     let stems: Vec<String> = named
         .iter()
-        .map(|(_, file)| {
-            Path::new(file)
-                .file_stem()
-                .map(|s| s.to_string_lossy().into_owned())
-        })
-        .map(Option::unwrap_or_default)
+        .map(|(.., path)| stem(path).unwrap_or_default())
         .collect();
-    let files: Vec<&str> = named.iter().map(|(_, file)| file.as_str()).collect();
-    let motion = read_motion(&stems.join(" + "), &parts, &read).with_context(|| files.join(", "))?;
-    Ok(of_files(motion, named))
+    let files: Vec<&str> = named.iter().map(|(_, name, _)| name.as_str()).collect();
+    let motion = read_motion(&stems.join(" + "), &parts, &read).with_context(|| place(&files.join(", ")))?;
+    let files = named
+        .iter()
+        .map(|(component, name, _)| (*component, name.clone()));
+    Ok(of_files(motion, files.collect()))
 }
 
 /// Cut, tapered, turned, scaled, in this order.
-fn changed(mut motion: GroundMotion, options: &Options) -> Result<GroundMotion> {
-    if let Some(seconds) = options.keep_first {
-        motion = motion.keep_first(seconds).context("--keep-first")?;
+fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion> {
+    let place = |flag: &'static str, key: &str| match &wanted.part {
+        Some(part) => format!("{flag}, {part}.{key}"),
+        None => flag.to_owned(),
+    };
+    if let Some(seconds) = wanted.keep_first_s {
+        motion = motion
+            .keep_first(seconds)
+            .with_context(|| place("--keep-first", "keep_first_s"))?;
     }
-    if let Some(seconds) = options.taper {
-        motion = motion.tapered(seconds).context("--taper")?;
+    if let Some(seconds) = wanted.taper_s {
+        motion = motion
+            .tapered(seconds)
+            .with_context(|| place("--taper", "taper_s"))?;
     }
-    if let Some(degrees) = options.turn {
-        motion = motion.rotated(degrees.to_radians()).context("--turn")?;
+    if let Some(angle_rad) = wanted.turn_rad {
+        motion = motion
+            .rotated(angle_rad)
+            .with_context(|| place("--turn", "turn"))?;
     }
-    if let Some(factor) = options.scale {
-        motion = motion.scaled(factor).context("--scale")?;
-    }
-    if let Some(peak) = &options.peak {
-        let wanted = acceleration_m_s2(peak).context("--peak")?;
-        let horizontal = [Component::X, Component::Y];
-        let largest = horizontal
-            .into_iter()
-            .max_by(|a, b| {
-                let of = |c: &Component| motion.component_peak_m_s2(*c);
-                of(a).total_cmp(&of(b)).then(b.name().cmp(a.name()))
-            })
-            .filter(|c| motion.component_peak_m_s2(*c) > 0.0)
-            .unwrap_or(Component::Z);
-        motion = motion.scaled_to_peak(largest, wanted).context("--peak")?;
+    match wanted.size {
+        Some(MotionSize::Scale(factor)) => {
+            motion = motion.scaled(factor).with_context(|| place("--scale", "scale"))?;
+        }
+        Some(MotionSize::Peak(wanted_m_s2)) => {
+            let largest = largest_component(&motion);
+            let scaled = motion.scaled_to_peak(largest, wanted_m_s2);
+            motion = scaled.with_context(|| place("--peak", "peak"))?;
+        }
+        None => {}
     }
     Ok(motion)
+}
+
+/// The horizontal component of the larger peak; the vertical one if there is no other.
+fn largest_component(motion: &GroundMotion) -> Component {
+    let horizontal = [Component::X, Component::Y];
+    let largest = horizontal.into_iter().max_by(|a, b| {
+        let of = |c: &Component| motion.component_peak_m_s2(*c);
+        of(a).total_cmp(&of(b)).then(b.name().cmp(a.name()))
+    });
+    largest
+        .filter(|c| motion.component_peak_m_s2(*c) > 0.0)
+        .unwrap_or(Component::Z)
 }
 
 /// "0.3 g", "2.94 m/s2", "294 gal" as m/s².

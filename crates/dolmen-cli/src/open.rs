@@ -6,7 +6,9 @@ use dolmen::signal::{
     Channel, ChannelFault, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
     inspect, low_pass,
 };
-use dolmen_formats::project::{ChannelSource, Column, Conditioning, Project, RecordSource, parse_project};
+use dolmen_formats::project::{
+    ChannelSource, Column, Conditioning, Files, Project, RecordSource, parse_project_with,
+};
 use dolmen_formats::records::{self, Delimiter, Pick, RecordOptions, TimeColumn, Unit, read_record};
 use std::path::{Path, PathBuf};
 
@@ -20,7 +22,10 @@ pub(crate) struct Opened {
 pub(crate) fn project(path: &Path) -> Result<Opened> {
     let file = files::project_file(path)?;
     let text = files::read_text(&file)?;
-    let project = parse_project(&text, &file.display().to_string())?;
+    let folder = file.parent().unwrap_or(Path::new(".")).to_owned();
+    let others =
+        Files::from_loader(move |name| files::read(&folder.join(name)).map_err(|why| format!("{why:#}")));
+    let project = parse_project_with(&text, &file.display().to_string(), &others)?;
     Ok(Opened { project, file })
 }
 

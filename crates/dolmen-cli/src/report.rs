@@ -8,8 +8,9 @@ use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
 use dolmen_formats::Language;
 use dolmen_formats::answer::Answer;
-use dolmen_formats::project::Structure;
+use dolmen_formats::project::{Project, Structure};
 use dolmen_formats::report::{Imprint, html};
+use dolmen_formats::simulation::Simulation;
 use std::path::{Path, PathBuf};
 
 /// Samples of the demo: enough for a figure, few enough for a blink.
@@ -58,8 +59,22 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
         stands,
         motion.filter(|options| motion::is_given(options)),
     ) {
-        let simulated = simulate::of_report(&answer.project, &file, motion::motion(options)?, quiet)?;
-        answer.simulation = Some(Box::new(simulated));
+        let simulated = |project: &Project, variant: Option<&str>| -> Result<Box<Simulation>> {
+            let motion = motion::motion(options, project, &file)?;
+            let run = simulate::of_report((project, variant), &file, motion, quiet)?;
+            Ok(Box::new(run))
+        };
+        answer.simulation = Some(simulated(&answer.project, None)?);
+        for variant in &mut answer.variants {
+            let own = answer
+                .project
+                .variants
+                .iter()
+                .find(|other| other.name == variant.name);
+            if let (Some(own), true) = (own, variant.state.verdict() != Verdict::Unstable) {
+                variant.simulation = Some(simulated(&own.project, Some(&variant.name))?);
+            }
+        }
     }
     Ok(answer)
 }

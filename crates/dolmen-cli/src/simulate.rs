@@ -34,7 +34,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     let open::Opened { project, file } = open::project(&options.project)?;
     let chosen = variant(&project, options.variant.as_deref())?;
     let stack = stack_of(chosen)?;
-    let motion = motion::motion(&options.motion)?;
+    let motion = motion::motion(&options.motion, chosen, &file)?;
     let shown = file.display().to_string();
     if !as_json {
         let inputs = simulation_inputs_text(chosen, &shown, options.variant.as_deref(), &motion);
@@ -74,9 +74,9 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     })
 }
 
-/// The simulation that a report shows: the stack as it is, on springs as they are by default.
+/// The simulation that a report shows: the stack as it is, or a variant of this name, on springs as they are by default.
 pub(crate) fn of_report(
-    project: &Project,
+    (project, variant): (&Project, Option<&str>),
     file: &Path,
     motion: MotionAnswer,
     quiet: bool,
@@ -86,7 +86,7 @@ pub(crate) fn of_report(
     Ok(Simulation {
         file: file.display().to_string(),
         name: project.name.clone(),
-        variant: None,
+        variant: variant.map(str::to_owned),
         stack,
         motion,
         options: springs,

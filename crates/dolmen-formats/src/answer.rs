@@ -2,11 +2,13 @@
 
 use crate::project::{Names, Project};
 use crate::simulation::Simulation;
+use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
 use dolmen::modal::ModalAnalysis;
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
+use dolmen::stability::stack::DemandVerdict;
 use dolmen::structure::stack::Stack;
 use dolmen::structure::{Convention, StiffnessSolutions};
 
@@ -54,8 +56,34 @@ pub struct State {
     pub contradictions: Vec<FrequencyContradiction>,
     /// What the springs of a stack must be multiplied by to have the frequencies that surveys measured.
     pub spring_fits: Vec<SpringFit>,
+    /// What an earthquake asks for at its site; `None` if the file has none.
+    pub demand: Option<DemandAnswer>,
     /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
     pub sampled: Option<Sampled>,
+}
+
+/// What an earthquake asks of a structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DemandAnswer {
+    /// The site with every number on the way.
+    pub site: SiteDemand,
+    /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
+    pub stack: Option<StackDemandCheck>,
+    /// The spectrum at the first period of each direction that is known.
+    pub spectral: Vec<SpectralAt>,
+    /// Why nothing was compared, or a value is missing.
+    pub refused: Option<String>,
+}
+
+/// The spectrum at a first period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectralAt {
+    /// "x", "weak"; "all" for a structure that is the same in all.
+    pub direction: String,
+    /// T₁, s.
+    pub period_s: f64,
+    /// S_a(T₁, ζ), m/s².
+    pub acceleration_m_s2: f64,
 }
 
 /// Ratio of a measured first frequency to the model's (or the other way round) from which the stiffness of the model is
@@ -181,6 +209,8 @@ pub struct VariantAnswer {
     pub title: Option<Names>,
     /// Does it stand.
     pub state: State,
+    /// It under the ground motion; `None` if none was asked for, or it does not stand.
+    pub simulation: Option<Box<Simulation>>,
 }
 
 /// The load factor under inputs drawn from their distributions.
@@ -265,6 +295,11 @@ impl State {
         worst(tilts.chain([self.stability_verdict()]))
     }
 
+    /// Against the demand of its site; `None` if that is not compared.
+    pub fn demand_verdict(&self) -> Option<DemandVerdict> {
+        Some(self.demand.as_ref()?.stack.as_ref()?.verdict)
+    }
+
     /// The verdict on the load factor alone, of a stack on its least margin without shaking.
     pub fn stability_verdict(&self) -> Verdict {
         match &self.check {
@@ -291,19 +326,15 @@ fn worst(verdicts: impl Iterator<Item = Verdict>) -> Verdict {
 }
 
 impl Answer {
-    /// Whether any version of the structure is unstable, or a stone fell in the simulation: exit status 1.
+    /// Whether any version of the structure is unstable or below demand, or a stone fell in a simulation: exit status 1.
     pub fn falls(&self) -> bool {
-        if self
-            .simulation
-            .as_ref()
-            .is_some_and(|simulation| simulation.falls())
-        {
-            return true;
-        }
-        let states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
-        states
-            .into_iter()
-            .any(|state| state.verdict() == Verdict::Unstable)
+        let simulated = self.simulation.iter();
+        let mut simulated = simulated.chain(self.variants.iter().filter_map(|v| v.simulation.as_ref()));
+        let mut states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
+        simulated.any(|simulation| simulation.falls())
+            || states.any(|state| {
+                state.verdict() == Verdict::Unstable || state.demand_verdict() == Some(DemandVerdict::Below)
+            })
     }
 }
 

@@ -62,6 +62,18 @@ damping ratio no better than sd(ζ)/ζ = 1/√(2πζN_c) (Au 2014). Ten minutes 
 and ± 12 %. Only a longer record lowers it.",
     },
     Explanation {
+        code: "demand",
+        title: "What an earthquake asks for, and the words above, near, below demand",
+        text: "\
+The site's spectrum is compared with the acceleration at which a stack begins to move, in two ways. As rigid blocks: against the
+peak acceleration of the ground, soil included. On elastic joints, which amplify: against S_a(T1, ζ), the spectrum at the first
+period of the springs that the file gives or Dolmen assumes. Capacities are those left while the whole vertical acceleration of
+the site acts downwards on the ground, which is on the safe side. Words: above demand (at least 1.25 times), near demand (1 to
+1.25 times), below demand (less); the threshold 1.25 is Dolmen's choice. Below demand means that a joint opens or slides. A stack
+that does so mostly comes to rest again: whether it falls needs a time history (`dolmen simulate`). What of a code's numbers has
+not been held against its text is listed; have it checked before a decision rests on it.",
+    },
+    Explanation {
         code: "first-motion",
         title: "The acceleration at which a stack begins to move",
         text: "\

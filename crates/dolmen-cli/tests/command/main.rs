@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod answers;
+mod demands;
 mod docs;
 mod layout;
 mod safety;

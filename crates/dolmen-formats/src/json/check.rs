@@ -1,5 +1,6 @@
 //! `dolmen check` as JSON.
 
+use super::demand::demand;
 use super::stack::stack;
 use crate::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
 use crate::project::Project;
@@ -70,6 +71,7 @@ fn state(state: &State) -> Value {
                 "direction": direction, "measured_hz": found.measured_hz, "computed_hz": found.computed_hz,
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "demand": state.demand.as_ref().map(demand),
         "sampled": state.sampled.as_ref().map(sampled),
     })
 }

@@ -14,7 +14,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
     json!({
         "blocks": stack.blocks().iter().map(|block| json!({
             "name": block.name, "mass_kg": block.mass_kg(), "volume_m3": block.solid.volume_m3(),
-            "centroid_m": block.solid.centroid_m(),
+            "centroid_m": block.solid.centroid_m(), "bounds_m": block.solid.bounds_m(),
         })).collect::<Vec<_>>(),
         "joints": joints(stack),
         "height_m": stack.height_m(),

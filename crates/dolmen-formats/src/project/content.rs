@@ -3,6 +3,7 @@
 use super::chain::ChainPart;
 use super::frame::FramePart;
 use super::quantity::Quantity;
+use super::site::{MotionPart, SitePart};
 use super::stack::StackPart;
 use super::survey::Survey;
 
@@ -101,6 +102,10 @@ pub struct Project {
     pub gravity_m_s2: f64,
     /// The model.
     pub structure: Structure,
+    /// Where it stands and by what it is judged; `None` if the file does not say.
+    pub site: Option<SitePart>,
+    /// Motions of the ground in the order of the file.
+    pub motions: Vec<MotionPart>,
     /// Surveys in the order of the file.
     pub surveys: Vec<Survey>,
     /// Variants in the order of the file.

@@ -3,7 +3,8 @@
 //! the schema finds it.
 
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
-use super::file_stack::{BedRaw, BlockRaw, ContactRaw, SideSupportRaw, TieRaw};
+use super::file_site::{MotionRaw, SiteRaw};
+use super::file_stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
 use super::file_survey::SurveyRaw;
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
@@ -53,6 +54,8 @@ pub(super) struct FileRaw {
     pub(super) direction: Option<BTreeMap<String, At<DirectionRaw>>>,
     /// kind = "stack": the blocks, lowest first.
     pub(super) blocks: Option<At<Vec<At<BlockRaw>>>>,
+    /// kind = "stack": a pagoda made from six factors, instead of blocks.
+    pub(super) pagoda: Option<At<PagodaRaw>>,
     /// kind = "stack": density of the blocks that have none of their own.
     pub(super) density: Option<At<QuantityRaw>>,
     /// kind = "stack": what acts in every joint that does not say it itself.
@@ -63,6 +66,10 @@ pub(super) struct FileRaw {
     pub(super) ties: Option<Vec<At<TieRaw>>>,
     /// kind = "stack": what stands beside blocks and holds them.
     pub(super) side_supports: Option<Vec<At<SideSupportRaw>>>,
+    /// kind = "stack": motions of the ground by name, for `dolmen simulate --motion NAME`: [motion.NAME].
+    pub(super) motion: Option<BTreeMap<String, At<MotionRaw>>>,
+    /// Where it stands, and what an earthquake asks for there.
+    pub(super) site: Option<At<SiteRaw>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
 }

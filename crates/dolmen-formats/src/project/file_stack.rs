@@ -16,6 +16,40 @@ pub(super) enum ShapeRaw {
     Prism,
     /// An upright cylinder.
     Drum,
+    /// The convex hull of points.
+    Points,
+    /// A closed mesh of triangles from a file.
+    Mesh,
+}
+
+/// Where the coordinates of points or of a mesh count from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum CoordinatesRaw {
+    /// The stone's own: it is moved so that its lowest point is its base, in the middle of its bounds in plan.
+    Own,
+    /// Those of the site: it stays where they put it.
+    Site,
+}
+
+/// The six factors of a pagoda.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct PagodaRaw {
+    /// Storeys, 1 to 13.
+    #[schemars(required)]
+    pub(super) storeys: Option<At<i64>>,
+    /// Height of all storeys, without the base.
+    #[schemars(required)]
+    pub(super) body_height: Option<At<QuantityRaw>>,
+    /// Height of all storeys over the width of the first body; or slenderness_angle. 3.74 if neither is given.
+    pub(super) body_slenderness: Option<At<QuantityRaw>>,
+    /// Least half width over height of the centroid above it, a ratio or "21 deg"; or body_slenderness.
+    pub(super) slenderness_angle: Option<At<QuantityRaw>>,
+    /// How the body narrows, with its unit; "8 deg" if not given.
+    pub(super) taper: Option<At<QuantityRaw>>,
+    /// Height of all storeys over that of the base; 3 if not given.
+    pub(super) body_base_height_ratio: Option<At<QuantityRaw>>,
 }
 
 /// Names of one or several blocks.
@@ -82,6 +116,14 @@ pub(super) struct BlockRaw {
     pub(super) diameter: Option<At<QuantityRaw>>,
     /// Of a drum that tapers: diameter at its top.
     pub(super) top_diameter: Option<At<QuantityRaw>>,
+    /// Of points: four or more, [x, y, z].
+    pub(super) points: Option<At<Vec<At<Vec<At<QuantityRaw>>>>>>,
+    /// Of a mesh: its file, OBJ, STL or PLY, relative to the project file.
+    pub(super) file: Option<At<String>>,
+    /// Of a mesh: unit of length of its file; units.length if not given.
+    pub(super) unit: Option<At<String>>,
+    /// Of points and meshes: where their coordinates count from; "own" if not given.
+    pub(super) coordinates: Option<At<CoordinatesRaw>>,
     /// Niches and chambers: they take mass away and leave the joints as they are.
     pub(super) openings: Option<Vec<At<OpeningRaw>>>,
     /// Density; that of the stack if not given.

@@ -6,21 +6,28 @@ mod content;
 mod error;
 mod file;
 mod file_number;
+mod file_site;
 mod file_stack;
 mod file_survey;
+mod files;
 mod frame;
 mod measure;
 mod merge;
 mod quantity;
 mod read;
 mod read_block;
+mod read_motion;
+mod read_pagoda;
 mod read_records;
+mod read_shape;
+mod read_site;
 mod read_stack;
 mod read_structure;
 mod read_survey;
 mod reader;
 mod records;
 mod schema;
+mod site;
 mod slips;
 mod slips_chain;
 mod slips_frame;
@@ -33,15 +40,18 @@ mod units;
 pub use chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};
 pub use error::{Problem, ProjectError};
+pub use files::Files;
 pub use frame::{Axial, DirectionPart, FramePart, StoreyPart};
 pub use quantity::{Evidence, Pick, Quantity};
-pub use read::parse_project;
+pub use read::{parse_project, parse_project_with};
 pub use records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
 pub use schema::json_schema;
+pub use site::{MotionPart, MotionSize, MotionSource, SitePart};
 pub use stack::{
-    BedPart, BlockPart, ContactPart, OpeningPart, ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
+    BedPart, BlockPart, ContactPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
+    ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
 };
 pub use stack_build::StackFault;
 pub use survey::{ModeKind, Survey, SurveyMode, Tilt};

@@ -5,9 +5,12 @@ use super::content::{Project, Structure, Variant, WarningKind};
 use super::error::{Fault, ProjectError};
 use super::file::{FileRaw, KindRaw, NamesRaw};
 use super::file_number::At;
+use super::files::Files;
 use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::quantity::Quantity;
+use super::read_motion::motions;
+use super::read_site::site;
 use super::read_stack::stack;
 use super::read_structure::{chain, frame};
 use super::read_survey::surveys;
@@ -61,7 +64,15 @@ const PATHS_LISTED: usize = 12;
 /// # Ok::<(), dolmen_formats::project::ProjectError>(())
 /// ```
 pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {
-    read(text).map_err(|mut faults| {
+    parse_project_with(text, file, &Files::none())
+}
+
+/// Reads a project file that may name others: meshes of stones, tables of spectra. `files` gives their bytes.
+///
+/// # Errors
+/// As [`parse_project`]; what is wrong in a file is said at the key that names it.
+pub fn parse_project_with(text: &str, file: &str, files: &Files) -> Result<Project, ProjectError> {
+    read(text, files).map_err(|mut faults| {
         faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
         faults.dedup();
         ProjectError {
@@ -71,7 +82,7 @@ pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {
     })
 }
 
-fn read(text: &str) -> Result<Project, Vec<Fault>> {
+fn read(text: &str, files: &Files) -> Result<Project, Vec<Fault>> {
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
@@ -82,7 +93,7 @@ fn read(text: &str) -> Result<Project, Vec<Fault>> {
     let variants = root.remove("variant");
     let mut base = root.clone();
     let mut faults = Vec::new();
-    let project = read_one(text, (&mut base, &span), None, &mut faults);
+    let project = read_one((text, files), (&mut base, &span), None, &mut faults);
     let mut read_variants = Vec::new();
     if let Some(variants) = variants {
         let DeValue::Table(table) = variants.get_ref() else {
@@ -98,7 +109,7 @@ fn read(text: &str) -> Result<Project, Vec<Fault>> {
         listed.sort_by_key(|(key, _)| key.span().start);
         for (key, patch) in listed {
             let name = key.get_ref().as_ref();
-            read_variants.extend(variant(text, name, patch, (&root, &span), &mut faults));
+            read_variants.extend(variant((text, files), name, patch, (&root, &span), &mut faults));
         }
     }
     match project {
@@ -159,7 +170,7 @@ fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
 ///
 /// `own` are the starts of the file's own values, if it is a variant.
 fn read_one<'i>(
-    text: &str,
+    (text, files): (&str, &Files),
     (root, span): (&mut DeTable<'i>, &Range<usize>),
     own: Option<BTreeSet<usize>>,
     faults: &mut Vec<Fault>,
@@ -180,7 +191,7 @@ fn read_one<'i>(
             return None;
         }
     };
-    let project = of_raw(text, raw, own, &mut check);
+    let project = of_raw((text, files), raw, own, &mut check);
     let sound = check.faults.is_empty();
     faults.append(&mut check.faults);
     project.filter(|_| sound)
@@ -212,7 +223,7 @@ fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
 }
 
 fn of_raw(
-    text: &str,
+    (text, files): (&str, &Files),
     mut raw: FileRaw,
     own: Option<BTreeSet<usize>>,
     check: &mut SchemaCheck<'_, '_>,
@@ -223,6 +234,7 @@ fn of_raw(
         kind.unwrap_or(KindRaw::Survey),
         raw.allow.take(),
     );
+    reader.files = files.clone();
     reader.set_evidence(raw.evidence, own);
     reader.take_over(&mut check.faults, std::mem::take(&mut check.meant));
     let gravity = reader.quantity(
@@ -239,6 +251,8 @@ fn of_raw(
         .take()
         .and_then(|name| self::name(&mut reader, name, "name"));
     let surveys = surveys(&mut reader, raw.survey.as_ref());
+    let site = site(&mut reader, raw.site.as_ref());
+    let motions = motions(&mut reader, raw.motion.as_ref());
     let structure = match kind {
         Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(Structure::Chain),
         Some(KindRaw::Frame) => {
@@ -269,6 +283,8 @@ fn of_raw(
             source: raw.source,
             gravity_m_s2,
             structure,
+            site,
+            motions,
             surveys,
             variants: Vec::new(),
             warnings: Vec::new(),
@@ -356,7 +372,7 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
 
 /// Lays one variant over the file and reads the whole again.
 fn variant<'i>(
-    text: &str,
+    source: (&str, &Files),
     name: &str,
     patch: &Spanned<DeValue<'i>>,
     base: (&DeTable<'i>, &Range<usize>),
@@ -397,7 +413,7 @@ fn variant<'i>(
     for value in base.iter().map(|(_, value)| value) {
         value_starts(value, &mut starts);
     }
-    let project = read_one(text, (&mut merged, span), Some(starts), &mut own);
+    let project = read_one(source, (&mut merged, span), Some(starts), &mut own);
     for fault in own {
         // What the file itself does wrong has been said already.
         if !faults[..before].contains(&fault) {

@@ -2,35 +2,14 @@
 
 use super::error::Fault;
 use super::file_number::{At, QuantityRaw};
-use super::file_stack::{BlockRaw, OnRaw, OpeningRaw, ShapeRaw};
+use super::file_stack::{BlockRaw, OnRaw, OpeningRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
+use super::read_shape::shape;
 use super::read_stack::{bed, body, lengths, listed};
 use super::reader::Reader;
-use super::stack::{BlockPart, OpeningPart, ShapePart, TopPart};
+use super::stack::{BlockPart, OpeningPart};
 use dolmen::structure::stack::Body;
-
-/// Most sides of a prism: as the science allows; more are a drum.
-const SIDES_MOST: usize = 64;
-
-/// Keys of a block that give it its shape, and the shapes that have them.
-const KEYS_OF_SHAPE: [(&str, &[ShapeRaw]); 6] = [
-    ("width", &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism]),
-    ("depth", &[ShapeRaw::Box, ShapeRaw::Frustum]),
-    ("top_width", &[ShapeRaw::Frustum, ShapeRaw::Prism]),
-    ("top_depth", &[ShapeRaw::Frustum]),
-    ("diameter", &[ShapeRaw::Drum]),
-    ("top_diameter", &[ShapeRaw::Drum]),
-];
-
-fn shape_word(shape: ShapeRaw) -> &'static str {
-    match shape {
-        ShapeRaw::Box => "box",
-        ShapeRaw::Frustum => "frustum",
-        ShapeRaw::Prism => "prism",
-        ShapeRaw::Drum => "drum",
-    }
-}
 
 /// One block, with what it stands on.
 pub(super) fn block(
@@ -42,7 +21,7 @@ pub(super) fn block(
     let path = format!("blocks[{}]", index + 1);
     reader.mark(&path, &raw.span);
     let block = &raw.value;
-    let shape = shape(reader, raw, &path);
+    let shape = shape(reader, raw, &path, &names[index]);
     let density_path = format!("{path}.density");
     let density = reader.quantity(
         block.density.as_ref(),
@@ -87,105 +66,6 @@ pub(super) fn block(
         tilt,
         joint: joint?,
     })
-}
-
-fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str) -> Option<ShapePart> {
-    let block = &raw.value;
-    let shape = block.shape.as_ref().map_or(ShapeRaw::Box, |shape| shape.value);
-    let written = |key: &str| match key {
-        "width" => &block.width,
-        "depth" => &block.depth,
-        "height" => &block.height,
-        "top_width" => &block.top_width,
-        "top_depth" => &block.top_depth,
-        "diameter" => &block.diameter,
-        _ => &block.top_diameter,
-    };
-    for (key, shapes) in KEYS_OF_SHAPE {
-        if let Some(quantity) = written(key)
-            && !shapes.contains(&shape)
-        {
-            let key_path = format!("{path}.{key}");
-            let message = format!("{key_path} has no meaning in a {}", shape_word(shape));
-            let others: Vec<String> = shapes
-                .iter()
-                .map(|shape| format!("shape = \"{}\"", shape_word(*shape)))
-                .collect();
-            let fault = Fault::new(quantity.span.clone(), &key_path, message);
-            reader.fault(fault.help(format!("take it out, or write {}", others.join(" or "))));
-        }
-    }
-    if let Some(sides) = &block.sides
-        && shape != ShapeRaw::Prism
-    {
-        let key_path = format!("{path}.sides");
-        let message = format!("{key_path} has no meaning in a {}", shape_word(shape));
-        let fault = Fault::new(sides.span.clone(), &key_path, message);
-        reader.fault(fault.help("take it out, or write shape = \"prism\""));
-    }
-    let needs = |reader: &mut Reader, key: &str| {
-        let key_path = format!("{path}.{key}");
-        if written(key).is_none() && !reader.is_reported(&key_path) {
-            let message = format!("{path} has no \"{key}\", but a {} needs it", shape_word(shape));
-            let fault = Fault::new(raw.span.clone(), &key_path, message);
-            reader.fault(fault.help(format!("write {key} = …")));
-        }
-        reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive)
-    };
-    let may = |reader: &mut Reader, key: &str| {
-        let key_path = format!("{path}.{key}");
-        let before = reader.faults.len();
-        let read = reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive);
-        (reader.faults.len() == before).then_some(read)
-    };
-    let height = needs(reader, "height");
-    match shape {
-        ShapeRaw::Box => {
-            let (width, depth) = (needs(reader, "width"), may(reader, "depth"));
-            Some(ShapePart::Box {
-                width: width?,
-                depth: depth?,
-                height: height?,
-            })
-        }
-        ShapeRaw::Frustum => {
-            let (width, depth) = (needs(reader, "width"), may(reader, "depth"));
-            let (top_width, top_depth) = (needs(reader, "top_width"), may(reader, "top_depth"));
-            Some(ShapePart::Frustum {
-                width: width?,
-                depth: depth?,
-                top: Box::new(TopPart {
-                    width: top_width?,
-                    depth: top_depth?,
-                }),
-                height: height?,
-            })
-        }
-        ShapeRaw::Prism => {
-            let sides_path = format!("{path}.sides");
-            if block.sides.is_none() {
-                let message = format!("{path} has no \"sides\", but a prism needs it");
-                let fault = Fault::new(raw.span.clone(), &sides_path, message);
-                reader.fault(fault.help("write sides = …"));
-            }
-            let sides = reader.count(block.sides.as_ref(), &sides_path, 3, SIDES_MOST);
-            let (width, top_width) = (needs(reader, "width"), may(reader, "top_width"));
-            Some(ShapePart::Prism {
-                sides: sides.and_then(|sides| u32::try_from(sides).ok())?,
-                width: width?,
-                top_width: top_width?,
-                height: height?,
-            })
-        }
-        ShapeRaw::Drum => {
-            let (diameter, top_diameter) = (needs(reader, "diameter"), may(reader, "top_diameter"));
-            Some(ShapePart::Drum {
-                diameter: diameter?,
-                top_diameter: top_diameter?,
-                height: height?,
-            })
-        }
-    }
 }
 
 fn opening(reader: &mut Reader, raw: &At<OpeningRaw>, path: &str) -> Option<OpeningPart> {

@@ -8,6 +8,7 @@ use super::file_stack::{BedRaw, BlockRaw, ContactRaw, SideSupportRaw, TieRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
 use super::read_block::block;
+use super::read_pagoda::pagoda;
 use super::read_records::way;
 use super::read_structure::{countable, missing};
 use super::reader::Reader;
@@ -19,22 +20,44 @@ use std::ops::Range;
 pub(super) const GROUND: &str = "ground";
 
 pub(super) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
-    let Some(list) = raw.blocks.as_ref() else {
-        let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first";
-        missing(reader, "blocks", "a stack needs blocks", help);
-        return None;
-    };
-    if !countable(reader, list, "blocks") {
+    if let (Some(list), Some(_)) = (&raw.blocks, &raw.pagoda) {
+        let fault = Fault::new(
+            list.span.clone(),
+            "blocks",
+            "the file has both blocks and a pagoda",
+        );
+        reader.fault(fault.help("keep one of them: a pagoda makes its own blocks"));
         return None;
     }
-    reader.mark("blocks", &list.span);
+    let (list, made) = match (&raw.blocks, &raw.pagoda) {
+        (Some(list), _) => {
+            if !countable(reader, list, "blocks") {
+                return None;
+            }
+            reader.mark("blocks", &list.span);
+            (list.value.as_slice(), None)
+        }
+        (None, Some(factors)) => (&[] as &[At<BlockRaw>], Some(pagoda(reader, factors)?)),
+        (None, None) => {
+            let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first; or pagoda = { storeys = 3, … }";
+            missing(reader, "blocks", "a stack needs blocks", help);
+            return None;
+        }
+    };
     let density = reader.quantity(raw.density.as_ref(), "density", Measure::Density, Bound::Positive);
     let joint = bed(reader, raw.joint.as_ref(), "joint");
-    let names = names(reader, &list.value);
-    let numbered = list.value.iter().enumerate();
+    let (pagoda, names) = match made {
+        Some((part, names)) => (Some(part), names),
+        None => (None, names(reader, list)),
+    };
+    let numbered = list.iter().enumerate();
     let blocks: Vec<Option<BlockPart>> = numbered.map(|(i, raw)| block(reader, raw, i, &names)).collect();
     if density.is_none() && !reader.is_reported("density") {
-        without_density(reader, &list.value);
+        without_density(reader, list);
+        if pagoda.is_some() {
+            let help = "write density = 2600 at the top level (granite, kg/m3)";
+            missing(reader, "density", "the stones of a pagoda need a density", help);
+        }
     }
     let contacts = listed(
         reader,
@@ -53,6 +76,7 @@ pub(super) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     );
     let stack = StackPart {
         blocks: blocks.into_iter().collect::<Option<_>>()?,
+        pagoda,
         density,
         joint: joint?,
         contacts: contacts?,
@@ -350,7 +374,11 @@ fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
             if taken.len() == 1 { "is" } else { "are" }
         );
         let path = if joint == &BedPart::default() {
-            "blocks"
+            if stack.pagoda.is_some() {
+                "pagoda"
+            } else {
+                "blocks"
+            }
         } else {
             "joint"
         };

@@ -4,6 +4,7 @@ use super::content::{Names, Warning, WarningKind};
 use super::error::Fault;
 use super::file::{KindRaw, NamesRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
+use super::files::Files;
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
 use super::read_survey::tilt_ratio;
@@ -30,6 +31,8 @@ pub(super) struct Reader {
     own: Option<BTreeSet<usize>>,
     /// Paths that a misspelt key was probably meant for.
     meant: Vec<String>,
+    /// Where the files come from that the project names.
+    pub(super) files: Files,
     /// Whether a unit of bare numbers is wrong: their size then says nothing.
     pub(super) has_wrong_units: bool,
     pub(super) faults: Vec<Fault>,
@@ -233,13 +236,15 @@ impl Reader {
         let (value, unit_text, unit_span) = match raw {
             NumberRaw::Number(value) => match unit {
                 Some(unit) => (*value, unit.value.as_str(), &unit.span),
-                None if measure == Measure::Angle && *value != 0.0 => {
+                None if *value != 0.0 && with_its_unit(measure).is_some() => {
+                    let (what, units) = with_its_unit(measure).unwrap_or_default();
                     let given = short(*value);
                     let fault = Fault::new(span.clone(), path, format!("{path} = {given} has no unit"));
+                    let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
                     self.fault(
                         fault
-                            .allowed("must be an angle with its unit")
-                            .help(format!("write \"{given} deg\" or \"{given} rad\"")),
+                            .allowed(format!("must be {what} with its unit"))
+                            .help(format!("write {one} or {other}")),
                     );
                     return None;
                 }
@@ -402,6 +407,21 @@ impl Reader {
         Some(quantity)
     }
 
+    /// A number without what is known of it, in SI; `None` if it is missing or wrong, which has then been reported.
+    pub(super) fn plain(
+        &mut self,
+        raw: Option<&At<NumberRaw>>,
+        path: &str,
+        measure: Measure,
+        bound: Bound,
+    ) -> Option<f64> {
+        let raw = raw?;
+        self.mark(path, &raw.span);
+        let number = self.number(&raw.value, None, &raw.span, path, measure)?;
+        self.bounded(number.value, &number.written, &raw.span, path, bound)?;
+        Some(number.value)
+    }
+
     fn cov(&mut self, cov: f64, written: &At<f64>, path: &str) -> Option<f64> {
         if (0.0..=1.0).contains(&cov) {
             return Some(cov);
@@ -483,6 +503,15 @@ impl Reader {
             self.fault(Fault::new(number.span.clone(), path, message).allowed(allowed));
         }
         count
+    }
+}
+
+/// What a bare number cannot be, and units to offer.
+fn with_its_unit(measure: Measure) -> Option<(&'static str, [&'static str; 2])> {
+    match measure {
+        Measure::Angle => Some(("an angle", ["deg", "rad"])),
+        Measure::GroundAcceleration => Some(("an acceleration", ["g", "m/s2"])),
+        _ => None,
     }
 }
 

@@ -24,11 +24,22 @@ pub fn json_schema() -> Value {
         };
         let all: Vec<Value> = KEYS_OF_KIND
             .iter()
-            .map(|(kind, keys)| needs(kind, keys[0]))
+            .map(|(kind, keys)| match *kind {
+                "stack" => blocks_or_pagoda(),
+                kind => needs(kind, keys[0]),
+            })
             .collect();
         object.insert("allOf".to_owned(), Value::Array(all));
     }
     schema
+}
+
+/// A stack has blocks, or a pagoda that makes them.
+fn blocks_or_pagoda() -> Value {
+    json!({
+        "if": { "properties": { "kind": { "const": "stack" } }, "required": ["kind"] },
+        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }] },
+    })
 }
 
 /// The schema that files are checked against.
@@ -42,13 +53,22 @@ pub(super) fn resolved(schema: &'static Value) -> &'static Value {
     definition.unwrap_or(schema)
 }
 
-/// Keys that belong to one kind only; the first is required there.
+/// Keys that belong to one kind only; the first is required there (of a stack, it or pagoda).
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     ("chain", &["links", "joints", "cap"]),
     ("frame", &["storeys", "axial", "convention", "direction"]),
     (
         "stack",
-        &["blocks", "density", "joint", "contacts", "ties", "side_supports"],
+        &[
+            "blocks",
+            "pagoda",
+            "density",
+            "joint",
+            "contacts",
+            "ties",
+            "side_supports",
+            "motion",
+        ],
     ),
 ];
 

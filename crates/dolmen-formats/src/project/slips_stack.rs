@@ -4,7 +4,7 @@ use super::quantity::Quantity;
 use super::reader::{Reader, short};
 use super::slips::{guess, unit_of, within};
 use super::slips_chain::{beside_neighbour, median_of_others, odd_ones};
-use super::stack::{BedPart, StackPart};
+use super::stack::{BedPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
 
 /// A dimension of a block over the median of the others', either way: a spire of 80 mm on slabs of 2 m has 1/25.
 const SIZE_RATIO_MOST: f64 = 30.0;
@@ -25,8 +25,18 @@ const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
 /// Strength of a bond, Pa: lime mortar has 1e4 to 1e6.
 const STRENGTH_MOST_PA: f64 = 2e7;
 
+/// Height of all storeys of a pagoda, m: a model to the highest ever built.
+const PAGODA_HEIGHT_M: (f64, f64) = (0.3, 60.0);
+
+/// tan α of a pagoda: far outside what stands or was ever built.
+const SLENDERNESS_ANGLE: (f64, f64) = (0.05, 1.5);
+
 pub(super) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     judge_sizes(reader, stack);
+    judge_extents(reader, stack);
+    if let Some(pagoda) = &stack.pagoda {
+        judge_pagoda(reader, pagoda);
+    }
     let densities = stack
         .density
         .iter()
@@ -43,12 +53,29 @@ pub(super) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     }
 }
 
+fn judge_pagoda(reader: &mut Reader, pagoda: &PagodaPart) {
+    let height = &pagoda.body_height;
+    if !within(height.value, PAGODA_HEIGHT_M) {
+        let message = format!("{} = {}, but pagodas have 1 to 20 m", height.path, height.written);
+        reader.slip(&height.path, message, guess(height.value / 4.0, unit_of(height)));
+    }
+    if let Some(PagodaSlendernessPart::Angle(angle)) = &pagoda.slenderness
+        && !within(angle.value, SLENDERNESS_ANGLE)
+    {
+        let message = format!("{} = {}, but pagodas have 0.2 to 0.6", angle.path, angle.written);
+        let help = "it is half width over height of the centroid, or an angle with its unit: \"21 deg\"";
+        reader.slip(&angle.path, message, help.to_owned());
+    }
+}
+
 /// The numbers of one kind, "width", of all blocks that have it.
 fn judge_sizes(reader: &mut Reader, stack: &StackPart) {
     let mut kinds: Vec<(String, Vec<&Quantity>)> = Vec::new();
     for block in &stack.blocks {
         let mut sizes = Vec::new();
-        block.shape.inputs(&mut sizes);
+        if !matches!(block.shape, ShapePart::Points { .. }) {
+            block.shape.inputs(&mut sizes); // of points the extent is judged
+        }
         for size in sizes {
             let key = size.path.rsplit('.').next().unwrap_or_default().to_owned();
             match kinds.iter_mut().find(|(kind, _)| *kind == key) {
@@ -73,6 +100,32 @@ fn judge_sizes(reader: &mut Reader, stack: &StackPart) {
             let message = format!("{} = {}, {beside}", size.path, size.written);
             let help = guess(size.value / usual.unwrap_or(SIZE_USUAL_M), unit_of(size));
             reader.slip(&size.path, message, help);
+        }
+    }
+}
+
+/// Largest extent of stones of points and of meshes, whose single coordinates say nothing.
+fn judge_extents(reader: &mut Reader, stack: &StackPart) {
+    for (i, block) in stack.blocks.iter().enumerate() {
+        let key = match &block.shape {
+            ShapePart::Points { .. } => "points",
+            ShapePart::Mesh(_) => "file",
+            _ => continue,
+        };
+        let Ok(solid) = block.shape.solid(&mut Quantity::nominal) else {
+            continue;
+        };
+        let [low, high] = solid.bounds_m();
+        let extent = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+        if !within(extent, SIZE_M) {
+            let path = format!("blocks[{}].{key}", i + 1);
+            let (least, most) = SIZE_M;
+            let message = format!(
+                "{path}: '{}' is {} m across, but stones are {least} to {most} m",
+                block.name,
+                short(extent)
+            );
+            reader.slip(&path, message, guess(extent / SIZE_USUAL_M, "m"));
         }
     }
 }

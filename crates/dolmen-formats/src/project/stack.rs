@@ -1,7 +1,7 @@
 //! The stack of a project file.
 
 use super::quantity::Quantity;
-use dolmen::structure::stack::Body;
+use dolmen::structure::stack::{Body, Solid};
 
 /// The shape of a block as the file gives it.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,6 +46,61 @@ pub enum ShapePart {
         /// Upwards, m.
         height: Quantity,
     },
+    /// The convex hull of points.
+    Points {
+        /// Their coordinates, m.
+        points: Vec<[Quantity; 3]>,
+        /// Where these count from.
+        frame: PointsFrame,
+    },
+    /// A closed mesh from a file.
+    Mesh(Box<MeshPart>),
+}
+
+/// Where the coordinates of points or of a mesh count from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointsFrame {
+    /// The stone's own: it is moved so that its lowest point is its base, in the middle of its bounds in plan.
+    Own,
+    /// Those of the site: it stays where they put it.
+    Site,
+}
+
+/// A stone from a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// Its file, as the project names it.
+    pub file: String,
+    /// Triangles that were read.
+    pub triangles: usize,
+    /// The stone, m.
+    pub solid: Solid,
+    /// Where its coordinates count from.
+    pub frame: PointsFrame,
+}
+
+/// Which of the two slenderness factors of a pagoda is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PagodaSlendernessPart {
+    /// Height of all storeys over the width of the first body.
+    Body(Quantity),
+    /// Least half width over height of the centroid above it.
+    Angle(Quantity),
+}
+
+/// A pagoda made from six factors; `None` as the science has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PagodaPart {
+    /// Storeys.
+    pub storeys: u32,
+    /// Height of all storeys, without the base, m.
+    pub body_height: Quantity,
+    /// How slender it is.
+    pub slenderness: Option<PagodaSlendernessPart>,
+    /// How the body narrows, rad.
+    pub taper: Option<Quantity>,
+    /// Height of all storeys over that of the base.
+    pub body_base_height_ratio: Option<Quantity>,
 }
 
 /// The top of a frustum.
@@ -164,8 +219,10 @@ pub struct SideSupportPart {
 /// Blocks, lowest first, the joints between them, and what ties and holds them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackPart {
-    /// The blocks in the order of the file.
+    /// The blocks in the order of the file; none if a pagoda makes them.
     pub blocks: Vec<BlockPart>,
+    /// What makes the blocks, if the file does not list them.
+    pub pagoda: Option<PagodaPart>,
     /// Density of the blocks that have none of their own, kg/m³.
     pub density: Option<Quantity>,
     /// What acts in every joint that does not say it itself.
@@ -220,7 +277,30 @@ impl ShapePart {
                 all.extend(top_diameter);
                 all.push(height);
             }
+            ShapePart::Points { points, .. } => all.extend(points.iter().flatten()),
+            ShapePart::Mesh(_) => {}
         }
+    }
+
+    /// Whether it stays where its coordinates put it.
+    pub(super) fn keeps_its_place(&self) -> bool {
+        match self {
+            ShapePart::Points { frame, .. } => *frame == PointsFrame::Site,
+            ShapePart::Mesh(mesh) => mesh.frame == PointsFrame::Site,
+            _ => false,
+        }
+    }
+}
+
+impl PagodaPart {
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.push(&self.body_height);
+        match &self.slenderness {
+            Some(PagodaSlendernessPart::Body(given) | PagodaSlendernessPart::Angle(given)) => all.push(given),
+            None => {}
+        }
+        all.extend(&self.taper);
+        all.extend(&self.body_base_height_ratio);
     }
 }
 
@@ -243,6 +323,9 @@ impl StackPart {
     pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         all.extend(&self.density);
         self.joint.inputs(all);
+        if let Some(pagoda) = &self.pagoda {
+            pagoda.inputs(all);
+        }
         for block in &self.blocks {
             block.shape.inputs(all);
             for opening in &block.openings {

@@ -1,9 +1,12 @@
 //! From the stack of a project file to the stack of the science: where each block goes, and what acts in each joint.
 
 use super::quantity::{Pick, Quantity};
-use super::stack::{BedPart, BlockPart, OpeningPart, ShapePart, StackPart};
+use super::stack::{
+    BedPart, BlockPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, StackPart,
+};
 use dolmen::structure::stack::{
-    BED_GAP_M, Block, Body, Joint, JointMaterial, Placement, SideSupport, Solid, Stack, StackError, Tie,
+    BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
+    SideSupport, Solid, Stack, StackError, Tie, pagoda,
 };
 
 /// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
@@ -52,8 +55,48 @@ impl StackFault {
     }
 }
 
+impl PointsFrame {
+    /// A stone in its own coordinates, or as it is.
+    pub(super) fn of(self, solid: Solid) -> Solid {
+        if self == PointsFrame::Site {
+            return solid;
+        }
+        let [low, high] = solid.bounds_m();
+        let to_base = Placement {
+            position_m: [-0.5 * (low[0] + high[0]), -0.5 * (low[1] + high[1]), -low[2]],
+            ..Placement::default()
+        };
+        solid.placed(&to_base)
+    }
+}
+
+impl PagodaPart {
+    /// The pagoda, each factor with the value that `pick` chooses.
+    ///
+    /// # Errors
+    /// [`StackError`] for factors that cannot be together.
+    pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Pagoda, StackError> {
+        let usual = PagodaFactors::default();
+        pagoda(&PagodaFactors {
+            storeys: self.storeys,
+            body_height_m: pick(&self.body_height),
+            slenderness: match &self.slenderness {
+                Some(PagodaSlendernessPart::Body(given)) => PagodaSlenderness::Body(pick(given)),
+                Some(PagodaSlendernessPart::Angle(given)) => PagodaSlenderness::Angle(pick(given)),
+                None => usual.slenderness,
+            },
+            taper_rad: self.taper.as_ref().map_or(usual.taper_rad, &mut *pick),
+            body_base_height_ratio: self
+                .body_base_height_ratio
+                .as_ref()
+                .map_or(usual.body_base_height_ratio, &mut *pick),
+            density_kg_m3,
+        })
+    }
+}
+
 impl ShapePart {
-    fn solid(&self, pick: Pick<'_>) -> Result<Solid, StackError> {
+    pub(super) fn solid(&self, pick: Pick<'_>) -> Result<Solid, StackError> {
         match self {
             ShapePart::Box { width, depth, height } => {
                 let width_m = pick(width);
@@ -92,6 +135,14 @@ impl ShapePart {
                 let top = top_diameter.as_ref().map_or(base, &mut *pick);
                 Solid::tapered_drum(base, top, pick(height))
             }
+            ShapePart::Points { points, frame } => {
+                let points_m: Vec<[f64; 3]> = points
+                    .iter()
+                    .map(|point| point.each_ref().map(&mut *pick))
+                    .collect();
+                Ok(frame.of(Solid::convex(&points_m)?))
+            }
+            ShapePart::Mesh(mesh) => Ok(mesh.solid.clone()),
         }
     }
 }
@@ -240,6 +291,13 @@ impl StackPart {
                 density_kg_m3: density.map_or(f64::NAN, &mut *pick), // refused by the stack
             });
         }
+        if let Some(factors) = &self.pagoda {
+            let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
+            let made = factors.made(density, pick);
+            blocks = made
+                .map_err(|why| StackFault::part("pagoda".to_owned(), why))?
+                .blocks;
+        }
         let around = self.joint.over(JointMaterial::default(), pick);
         let stack = Stack::new(blocks, around, self.gravity_m_s2).map_err(|why| self.locate(why))?;
         self.check_beds(&stack)?;
@@ -273,8 +331,8 @@ impl StackPart {
     ) -> Result<Stack, StackFault> {
         let ends: Vec<(Body, usize)> = stack.joints().iter().map(|j| (j.lower, j.upper)).collect();
         for (joint, (lower, upper)) in ends.iter().enumerate() {
-            let own = &self.blocks[*upper].joint;
-            if own.says_something() {
+            let own = self.blocks.get(*upper).map(|block| &block.joint);
+            if let Some(own) = own.filter(|own| own.says_something()) {
                 let path = format!("blocks[{}].joint", upper + 1);
                 stack = stack
                     .with_material(joint, own.over(around, pick))
@@ -300,7 +358,7 @@ impl StackPart {
             if !ends.iter().any(meets) {
                 return Err(StackFault::Apart {
                     path: format!("contacts[{}]", i + 1),
-                    upper: self.blocks[contact.upper].name.clone(),
+                    upper: stack.name(Body::Block(contact.upper)).to_owned(),
                     lower: stack.name(contact.lower).to_owned(),
                     allowed_m: BED_GAP_M,
                 });
@@ -354,7 +412,8 @@ impl StackPart {
             StackError::Material { .. } => Some("joint".to_owned()),
             _ => None,
         };
-        let path = path.unwrap_or_else(|| "blocks".to_owned());
+        let all = if self.pagoda.is_some() { "pagoda" } else { "blocks" };
+        let path = path.unwrap_or_else(|| all.to_owned());
         StackFault::part(path, why)
     }
 }
@@ -362,6 +421,9 @@ impl StackPart {
 impl BlockPart {
     /// Where it goes, the blocks before it standing where they stand.
     fn placement(&self, before: &[Block], pick: Pick<'_>) -> Placement {
+        if self.shape.keeps_its_place() {
+            return Placement::default();
+        }
         let tops: Vec<Top> = self
             .on
             .iter()

@@ -1,7 +1,9 @@
 //! The findings in plain words, made from the values: what was not computed is called unknown.
 
 use super::given::assumptions;
-use super::{chain_findings, frame, identification, measured, modal, samples, simulation, stack, variants};
+use super::{
+    chain_findings, demand, frame, identification, measured, modal, samples, simulation, stack, variants,
+};
 use crate::Language;
 use crate::answer::{Answer, Check};
 use crate::project::{Cap, Structure};
@@ -54,6 +56,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
             Check::Stack(check) => all.extend(stack::findings(check, language)),
         }
+        all.extend(demand::findings(state.demand.as_ref(), language));
         all.extend(measured::findings(state, language));
         all.extend(samples::findings(state.sampled.as_ref(), language));
     }

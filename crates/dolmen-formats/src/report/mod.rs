@@ -3,6 +3,7 @@
 mod chain;
 mod chain_centroids;
 mod chain_findings;
+mod demand;
 mod findings;
 mod frame;
 mod given;
@@ -14,6 +15,7 @@ mod page;
 mod samples;
 mod simulation;
 mod stack;
+mod stack_notes;
 mod style;
 mod table;
 mod variants;

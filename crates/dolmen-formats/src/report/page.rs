@@ -2,7 +2,9 @@
 
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
-use super::{chain, findings, frame, given, identification, modal, samples, simulation, stack, variants};
+use super::{
+    chain, demand, findings, frame, given, identification, modal, samples, simulation, stack, variants,
+};
 use crate::Language;
 use crate::answer::{Answer, Check, State};
 use crate::number::beside_one;
@@ -103,7 +105,8 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             (Structure::Stack(_), Some(Check::Stack(check))) => (stack::sections(answer, check, language)),
             _ => {}
         }
-        @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) }
+        (demand::section(answer.state.as_ref().and_then(|state| state.demand.as_ref()), language))
+        @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))
         @for survey in &answer.surveys {

@@ -1,13 +1,15 @@
 //! A simulated motion in the report: what went in, how it ended, joint by joint, in time.
 
 use super::findings::{Finding, Tone};
+use super::stack_notes::processing_words;
 use super::table::{Cell, figure, table};
 use crate::Language;
+use crate::answer::Answer;
 use crate::figures::{stack_after, stack_histories};
 use crate::number::{self, significant};
 use crate::simulation::Simulation;
 use crate::text::{outcome_text, points_a_side};
-use dolmen::blocks::{Outcome, StackHistory};
+use dolmen::blocks::{JointHistory, Outcome, StackHistory};
 use dolmen::signal::Component;
 use maud::{Markup, html};
 
@@ -87,6 +89,57 @@ fn english(simulation: &Simulation) -> String {
     format!("{word}{rest}.")
 }
 
+/// Versions under the motion side by side; nothing if no variant was simulated.
+pub(super) fn compared(answer: &Answer, language: Language) -> Markup {
+    let own = answer
+        .simulation
+        .iter()
+        .map(|s| (language.pick("as given", "현재"), s));
+    let others = answer.variants.iter().filter_map(|variant| {
+        let title = match &variant.title {
+            Some(names) => language.pick(names.english(), names.korean()),
+            None => &variant.name,
+        };
+        Some((title, variant.simulation.as_ref()?))
+    });
+    let all: Vec<_> = own.chain(others).collect();
+    if all.len() < 2 {
+        return html! {};
+    }
+    let head: Vec<String> = [
+        language.pick("Variant", "변형안"),
+        language.pick("how it ended", "결과"),
+        language.pick("opening (mm)", "벌어짐 (mm)"),
+        language.pick("slip (mm)", "미끄러짐 (mm)"),
+        language.pick("slip left (mm)", "잔류 미끄러짐 (mm)"),
+    ]
+    .map(String::from)
+    .to_vec();
+    let rows: Vec<Vec<Cell>> = all
+        .into_iter()
+        .map(|(name, simulation)| {
+            let joints = &simulation.history.joints;
+            let most = |of: fn(&JointHistory) -> f64| thousandths(joints.iter().map(of).fold(0.0, f64::max));
+            vec![
+                name.into(),
+                Cell::wrapping(ending(simulation, language)),
+                most(|joint| joint.peak_opening_m).into(),
+                most(|joint| joint.peak_slip_m).into(),
+                most(|joint| joint.residual_slip_m()).into(),
+            ]
+        })
+        .collect();
+    table(
+        language.pick(
+            "Variants under the motion. The largest value of all joints. One run each: a stack that rocks is sensitive to every input.",
+            "지진동 작용 시 변형안 비교. 모든 접합면 중 최댓값. 각 1회 해석이며, 로킹하는 적층 구조는 모든 입력에 민감하다.",
+        ),
+        2,
+        &head,
+        &rows,
+    )
+}
+
 /// The section of a simulation.
 pub(super) fn section(simulation: &Simulation, language: Language) -> Markup {
     html! {
@@ -159,7 +212,8 @@ fn motion_table(simulation: &Simulation, language: Language) -> Markup {
             ]
         })
         .collect();
-    let steps: Vec<String> = motion.history().iter().map(ToString::to_string).collect();
+    let each = motion.history().iter();
+    let steps: Vec<String> = each.map(|step| processing_words(step, language)).collect();
     let (rate, length) = (
         number::trimmed(1.0 / motion.time_step_s(), 6),
         number::fixed(motion.duration_s(), 2),
@@ -171,7 +225,7 @@ fn motion_table(simulation: &Simulation, language: Language) -> Markup {
             steps.join("; ")
         ),
         format!(
-            "지진동 {}. {rate} Hz, {length} s; 처리 [{}].",
+            "지진동 {}. {rate} Hz, {length} s; 처리: {}.",
             motion.name(),
             steps.join("; ")
         ),

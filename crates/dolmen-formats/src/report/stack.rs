@@ -1,11 +1,12 @@
 //! A stack in the report: the view, the limits of each joint, what moves first, variants.
 
 use super::findings::{Finding, Tone};
+use super::stack_notes::{stack_note_words, standing_words};
 use super::table::{Cell, figure, table};
 use super::words::verdict_word;
 use crate::Language;
 use crate::answer::{Answer, Check, StackAnswer};
-use crate::figures::{above_words, stack_capacity, stack_governing, stack_view};
+use crate::figures::{above_words, stack_capacity, stack_directions, stack_governing, stack_view};
 use crate::number::{self, significant};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Standing, Threshold};
@@ -42,7 +43,10 @@ pub(super) fn banner(answer: &StackAnswer, language: Language) -> String {
         ),
         (standing, _) => language.pick(
             format!("It does not stand without shaking: {standing}."),
-            format!("지진이 없어도 서 있지 못한다 [{standing}]."),
+            format!(
+                "지진이 없어도 서 있지 못한다: {}.",
+                standing_words(standing, language)
+            ),
         ),
     }
 }
@@ -79,23 +83,9 @@ pub(super) fn findings(answer: &StackAnswer, language: Language) -> Vec<Finding>
         _ => {}
     }
     for note in &check.notes {
-        let text = note.to_string();
-        all.push(Finding::new(
-            Tone::Warn,
-            language.pick(sentence(&text), format!("참고 [{text}]")),
-        ));
+        all.push(Finding::new(Tone::Warn, stack_note_words(note, language)));
     }
     all
-}
-
-/// A remark as a sentence.
-fn sentence(text: &str) -> String {
-    let mut letters = text.chars();
-    let first: String = letters
-        .next()
-        .map(|c| c.to_uppercase().collect())
-        .unwrap_or_default();
-    format!("{first}{}.", letters.as_str())
 }
 
 fn first_words(answer: &StackAnswer, first: &Governing, language: Language) -> String {
@@ -119,7 +109,10 @@ fn first_words(answer: &StackAnswer, first: &Governing, language: Language) -> S
 /// The sections of a stack.
 pub(super) fn sections(whole: &Answer, answer: &StackAnswer, language: Language) -> Markup {
     let limits = &answer.check.limits;
-    let peak_g = whole.simulation.as_ref().map(|s| s.peak_horizontal_g());
+    let simulated_g = whole.simulation.as_ref().map(|s| s.peak_horizontal_g());
+    let site = whole.state.as_ref().and_then(|state| state.demand.as_ref());
+    let site_g = site.and_then(|demand| demand.site.peak_ground_acceleration_m_s2);
+    let peak_g = simulated_g.or(site_g.map(|peak| peak / answer.stack.gravity_m_s2()));
     html! {
         h2 { (language.pick("The stack and the limits of its joints", "적층 구조와 접합면의 한계")) }
         (figure(
@@ -144,6 +137,12 @@ pub(super) fn sections(whole: &Answer, answer: &StackAnswer, language: Language)
                 "접합면별 저항 가속도(아래가 최하단). 바탕색 범위에서는 지반 가속도만으로 움직이며, 탄성 접합면은 지반 가속도를 증폭시킨다.",
             ),
         ))
+        @if let Some(drawn) = stack_directions(limits, peak_g, answer.stack.gravity_m_s2(), language) {
+            (figure(&drawn, language.pick(
+                "Limits by direction. Acceleration of the stones at which some joint opens, in each direction of the plan; the ground accelerates the other way. The circle of sliding is its least value.",
+                "방향별 한계. 평면의 각 방향에서 접합면이 벌어지기 시작하는 부재의 가속도(지반 가속도는 반대 방향). 미끄러짐의 원은 최솟값이다.",
+            )))
+        }
         (variants(whole, answer, language))
     }
 }

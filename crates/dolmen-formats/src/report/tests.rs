@@ -99,6 +99,7 @@ fn answer(project: Project, check: Check) -> Answer {
             tilts: vec![],
             contradictions: vec![],
             spring_fits: vec![],
+            demand: None,
             sampled: None,
         }),
         variants: vec![],

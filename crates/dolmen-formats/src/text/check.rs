@@ -1,7 +1,8 @@
 //! `dolmen check` as text.
 
 use super::Table;
-use super::project::{heading_text, warnings_text};
+use super::demand::demand_text;
+use super::project::{heading_text, made_stones_text, warnings_text};
 use super::stack::{spring_fits_text, stack_text, stack_verdict};
 use super::versions::{comparison, sampled_text, sensitivity_text};
 use crate::answer::{Answer, Check, DirectionCheck, State, TiltCheck};
@@ -25,6 +26,7 @@ pub fn check_text(answer: &Answer) -> String {
         return out + &warnings_text(&answer.project);
     };
     out += &state_text(state, &answer.project);
+    out += &made_stones_text(&answer.project);
     for variant in &answer.variants {
         let title = variant.title.as_ref().map_or("", |names| names.english());
         let _ = writeln!(out, "\n== variant {} {title}", variant.name);
@@ -34,6 +36,11 @@ pub fn check_text(answer: &Answer) -> String {
             out += &limits_of(&variant.state);
         }
         out += &stiffness_of(&variant.state);
+        out += &variant
+            .state
+            .demand
+            .as_ref()
+            .map_or_else(String::new, demand_text);
         let own = answer.project.variants.iter().find(|v| v.name == variant.name);
         for warning in own.iter().flat_map(|v| &v.project.warnings) {
             if !answer.project.warnings.contains(warning) {
@@ -63,6 +70,7 @@ fn state_text(state: &State, project: &Project) -> String {
         out += &centroids_text(&check.centroids, &check.limits, &names);
     }
     out += &stiffness_of(state);
+    out += &state.demand.as_ref().map_or_else(String::new, demand_text);
     out
 }
 

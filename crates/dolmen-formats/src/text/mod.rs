@@ -1,6 +1,7 @@
 //! Answers as text for a terminal: plain characters, columns that line up, units in the heads.
 
 mod check;
+mod demand;
 mod identify;
 mod project;
 mod simulation;
@@ -10,6 +11,7 @@ mod validate;
 mod versions;
 
 pub use check::check_text;
+pub(crate) use demand::{STANDARD_GRAVITY_M_S2, ground_word, type_word};
 pub use identify::identification_text;
 pub use project::{heading_text, warnings_text};
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};

@@ -67,6 +67,37 @@ fn size(project: &Project) -> String {
     }
 }
 
+/// The stones that a pagoda's factors make, as blocks to copy; nothing for other structures.
+pub(super) fn made_stones_text(project: &Project) -> String {
+    let Structure::Stack(part) = &project.structure else {
+        return String::new();
+    };
+    let density = part.density.as_ref().map_or(f64::NAN, |density| density.value);
+    let made = part
+        .pagoda
+        .as_ref()
+        .map(|factors| factors.made(density, &mut Quantity::nominal));
+    let Some(Ok(made)) = made else {
+        return String::new();
+    };
+    let mut out = format!(
+        "\nStones that the factors make (slenderness_angle {:.4}, body_slenderness {:.4}), to 0.1 mm, as blocks to copy in the place of \
+         pagoda\nblocks = [\n",
+        made.slenderness_angle, made.body_slenderness
+    );
+    for block in &made.blocks {
+        let [low, high] = block.solid.bounds_m();
+        let _ = writeln!(
+            out,
+            "  {{ name = \"{}\", width = \"{:.4} m\", height = \"{:.4} m\" }},",
+            block.name,
+            high[0] - low[0],
+            high[2] - low[2]
+        );
+    }
+    out + "]\n"
+}
+
 /// How a convention is named in text.
 pub(super) fn convention_words(convention: Convention) -> &'static str {
     match convention {

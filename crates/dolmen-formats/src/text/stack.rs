@@ -223,7 +223,7 @@ fn row(cut: &CutLimits) -> Vec<String> {
 
 /// Versions of a stack side by side.
 pub(super) fn stack_comparison(answer: &Answer) -> String {
-    let heads = [
+    let mut heads = vec![
         "version",
         "verdict",
         "moves first",
@@ -232,10 +232,15 @@ pub(super) fn stack_comparison(answer: &Answer) -> String {
         "rocks at, g",
         "slides at, g",
     ];
-    let mut table = Table::new(&heads, 3);
     let own = answer.state.iter().map(|state| ("as it is", state));
     let others = answer.variants.iter().map(|v| (v.name.as_str(), &v.state));
-    for (name, state) in own.chain(others) {
+    let all: Vec<_> = own.chain(others).collect();
+    let with_demand = all.iter().any(|(_, state)| state.demand.is_some());
+    if with_demand {
+        heads.push("demand");
+    }
+    let mut table = Table::new(&heads, 3);
+    for (name, state) in all {
         let Check::Stack(stack) = &state.check else {
             continue;
         };
@@ -258,7 +263,7 @@ pub(super) fn stack_comparison(answer: &Answer) -> String {
             }
             _ => "several stones".to_owned(),
         };
-        table.row(vec![
+        let mut cells = vec![
             name.to_owned(),
             state.verdict().word().to_owned(),
             first,
@@ -268,7 +273,16 @@ pub(super) fn stack_comparison(answer: &Answer) -> String {
                 .map_or("-".to_owned(), |margin| format!("{margin:.3}")),
             at(&limits.uplift),
             at(&limits.sliding),
-        ]);
+        ];
+        if with_demand {
+            cells.push(
+                state
+                    .demand_verdict()
+                    .map_or("-", |verdict| verdict.words())
+                    .to_owned(),
+            );
+        }
+        table.row(cells);
     }
     format!("\nSide by side\n{}", table.text())
 }

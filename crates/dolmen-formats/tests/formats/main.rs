@@ -8,6 +8,8 @@ mod npy_records;
 mod palisaden;
 mod project;
 mod project_keys;
+mod project_shapes;
+mod project_site;
 mod project_stack;
 mod project_values;
 mod simulations;

@@ -43,7 +43,7 @@ pub enum AssessError {
         row: usize,
     },
     /// A period that a table does not reach.
-    #[error("a period of {period_s} s is outside the table, {least_s} to {most_s} s: extend it")]
+    #[error("a period of {} s is outside the table, {least_s} to {most_s} s: extend it", (period_s * 1e4).round() / 1e4)]
     OutsideTable {
         /// The period, s.
         period_s: f64,

@@ -1,9 +1,11 @@
 //! Eurocode 8: EN 1998-1:2004, elastic horizontal spectra of recommended parameters.
 
 use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, within};
-use super::{DesignSpectrum, VerticalRatio};
+use super::{DesignSpectrum, Unverified, VerticalRatio};
 use crate::assess::AssessError;
 
+/// Year of the edition; from memory, not held against it.
+const YEAR: u16 = 2004;
 /// S, T_B, T_C and T_D, s, of ground A to E; type 1, type 2.
 const PARAMETERS: [[[f64; 4]; 5]; 2] = [
     [
@@ -89,11 +91,21 @@ pub fn eurocode_8(
     let [soil, rise_s, plateau_s, displacement_s] = PARAMETERS[spectrum as usize][ground as usize];
     let ground_m_s2 = STANDARD_GRAVITY_M_S2 * soil * a_g;
     Ok(DesignSpectrum {
-        source: format!("EN 1998-1:2004, a_g = {a_g} g, type {spectrum:?}, ground {ground:?}"),
+        source: format!(
+            "EN 1998-1:{YEAR}, a_g = {a_g} g, type {}, ground {ground:?}",
+            spectrum as usize + 1
+        ),
         vertical: Some(VerticalRatio {
             ratio: VERTICAL[spectrum as usize],
             verified: false,
         }),
+        unverified: vec![
+            Unverified::Edition { year: YEAR },
+            Unverified::VerticalRatio {
+                ratio: VERTICAL[spectrum as usize],
+            },
+            Unverified::DampingFactor,
+        ],
         shape: Shape::Branches(Branches {
             ground_m_s2,
             plateau_m_s2: PLATEAU * ground_m_s2,

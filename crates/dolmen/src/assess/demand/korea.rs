@@ -7,9 +7,19 @@
 //! | F_a, F_v | `amplification` | of short and of 1 s periods by the soil | – |
 
 use super::spectrum::{Branches, DampingFactor, STANDARD_GRAVITY_M_S2, Shape, within};
-use super::{DesignSpectrum, VerticalRatio};
+use super::{DesignSpectrum, Unverified, VerticalRatio};
 use crate::assess::AssessError;
 
+/// Year of the edition of KDS 17 10 00; from memory, not held against it.
+const YEAR_17: u16 = 2018;
+/// Year of the edition of KDS 41 17 00; from memory, not held against it.
+const YEAR_41: u16 = 2019;
+/// The return period whose risk factor is from memory of the code, not held against it.
+const UNVERIFIED_YEARS: u32 = 4800;
+/// T_L of KDS 41 17 00, s; from memory of the code, not held against it.
+const DISPLACEMENT_41_S: f64 = 5.0;
+/// What KDS 41 17 00 designs for, over the spectrum of 2400 years.
+const DESIGN_SHARE: f64 = 2.0 / 3.0;
 /// Return periods, years, with their risk factor I. That of 4800 years is not verified, see [`kds_17_effective_acceleration_g`].
 const RISK_FACTORS: [(u32, f64); 7] = [
     (50, 0.40),
@@ -97,31 +107,86 @@ pub fn kds_17_effective_acceleration_g(
     zone: KoreanZone,
     return_period_years: u32,
 ) -> Result<f64, AssessError> {
-    let z = match zone {
-        KoreanZone::I => 0.11,
-        KoreanZone::II => 0.07,
-    };
+    Ok(zone.factor_g() * kds_17_risk_factor(return_period_years)?.factor)
+}
+
+/// Risk factor of a return period.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RiskFactor {
+    /// I.
+    pub factor: f64,
+    /// Whether it was held against the text of the code.
+    pub verified: bool,
+}
+
+/// Risk factor I of a return period.
+///
+/// # Errors
+/// [`AssessError::ReturnPeriod`] unless 50, 100, 200, 500, 1000, 2400 or 4800 years.
+///
+/// # Source
+/// KDS 17 10 00:2018, risk factors; that of 4800 years is unverified.
+pub fn kds_17_risk_factor(return_period_years: u32) -> Result<RiskFactor, AssessError> {
     let found = RISK_FACTORS
         .iter()
         .find(|(years, _)| *years == return_period_years);
-    found
-        .map(|(_, factor)| z * factor)
-        .ok_or(AssessError::ReturnPeriod {
-            given: return_period_years,
-        })
+    let (years, factor) = found.ok_or(AssessError::ReturnPeriod {
+        given: return_period_years,
+    })?;
+    Ok(RiskFactor {
+        factor: *factor,
+        verified: *years != UNVERIFIED_YEARS,
+    })
+}
+
+impl KoreanZone {
+    /// Z, g.
+    pub fn factor_g(self) -> f64 {
+        match self {
+            KoreanZone::I => 0.11,
+            KoreanZone::II => 0.07,
+        }
+    }
+}
+
+/// What the soil makes of short and of 1 s periods.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SoilAmplification {
+    /// F_a.
+    pub short_periods: f64,
+    /// F_v.
+    pub one_second: f64,
+}
+
+/// F_a and F_v of a site class at an effective ground acceleration S, in g: straight between the columns of S.
+///
+/// # Errors
+/// As [`kds_17`].
+///
+/// # Source
+/// KDS 17 10 00:2018.
+pub fn kds_17_amplification(
+    effective_acceleration_g: f64,
+    site: KoreanSite,
+) -> Result<SoilAmplification, AssessError> {
+    let [short_periods, one_second] = amplification(site, effective_acceleration_g)?;
+    Ok(SoilAmplification {
+        short_periods,
+        one_second,
+    })
 }
 
 /// F_a and F_v, straight between the columns of S; as in the first below it.
 fn amplification(site: KoreanSite, effective_acceleration_g: f64) -> Result<[f64; 2], AssessError> {
+    let row = AMPLIFICATION
+        .get(site as usize)
+        .ok_or(AssessError::SiteSpecific)?;
     let s = within(
         "effective_acceleration_g",
         effective_acceleration_g,
         [f64::MIN_POSITIVE, COLUMNS_G[2]],
         "above 0 and at most 0.3, where the table of soils ends: is it in g?",
     )?;
-    let row = AMPLIFICATION
-        .get(site as usize)
-        .ok_or(AssessError::SiteSpecific)?;
     let column = usize::from(s > COLUMNS_G[1]);
     let part = ((s - COLUMNS_G[column]) / (COLUMNS_G[column + 1] - COLUMNS_G[column])).max(0.0);
     Ok(row.map(|f| f[column] + part * (f[column + 1] - f[column])))
@@ -158,14 +223,78 @@ pub fn kds_17(effective_acceleration_g: f64, site: KoreanSite) -> Result<DesignS
     let s = STANDARD_GRAVITY_M_S2 * effective_acceleration_g;
     let plateau_s = fv / (PLATEAU * fa);
     Ok(DesignSpectrum {
-        source: format!("KDS 17 10 00:2018, S = {effective_acceleration_g} g, {site:?}"),
+        source: format!(
+            "KDS 17 10 00:{YEAR_17}, S = {} g, {site:?}",
+            in_words(effective_acceleration_g)
+        ),
         vertical: Some(VERTICAL),
+        unverified: vec![
+            Unverified::Edition { year: YEAR_17 },
+            Unverified::VerticalRatio {
+                ratio: VERTICAL.ratio,
+            },
+            Unverified::DampingAtShortPeriods,
+        ],
         shape: Shape::Branches(Branches {
             ground_m_s2: if site == KoreanSite::S1 { s } else { fa * s },
             plateau_m_s2: PLATEAU * fa * s,
             rise_s: RISE * plateau_s,
             plateau_s,
             displacement_s: DISPLACEMENT_S,
+            damping: DampingFactor::Korea,
+        }),
+    })
+}
+
+/// S without the last bits of a product: 0.077 and not 0.07700000000000001.
+fn in_words(acceleration_g: f64) -> f64 {
+    (acceleration_g * 1e9).round() / 1e9
+}
+
+/// Design spectrum of KDS 41 17 00, buildings: two thirds of [`kds_17`] with S of 2400 years, but for T_L = 5 s.
+///
+/// ```text
+/// A_0 = 0.4 S_DS        A_p = S_DS        T_s = S_D1/S_DS        T_0 = 0.2 T_s        T_L = 5 s
+/// ```
+///
+/// # Errors
+/// As [`kds_17`].
+///
+/// # Limits
+/// Of the code only S_DS and S_D1 are verified; the shape, T_L and the factor of damping are from memory.
+///
+/// # Source
+/// KDS 41 17 00:2019.
+pub fn kds_41_spectrum(
+    effective_acceleration_g: f64,
+    site: KoreanSite,
+) -> Result<DesignSpectrum, AssessError> {
+    let design = kds_41(effective_acceleration_g, site)?;
+    let plateau_s = design.one_second_g / design.short_period_g;
+    let plateau_m_s2 = STANDARD_GRAVITY_M_S2 * design.short_period_g;
+    Ok(DesignSpectrum {
+        source: format!(
+            "KDS 41 17 00:{YEAR_41}, S = {} g, {site:?}",
+            in_words(effective_acceleration_g)
+        ),
+        vertical: Some(VERTICAL),
+        unverified: vec![
+            Unverified::Edition { year: YEAR_41 },
+            Unverified::Shape,
+            Unverified::LongPeriods {
+                displacement_s: DISPLACEMENT_41_S,
+            },
+            Unverified::VerticalRatio {
+                ratio: VERTICAL.ratio,
+            },
+            Unverified::DampingFactor,
+        ],
+        shape: Shape::Branches(Branches {
+            ground_m_s2: plateau_m_s2 / PLATEAU,
+            plateau_m_s2,
+            rise_s: RISE * plateau_s,
+            plateau_s,
+            displacement_s: DISPLACEMENT_41_S,
             damping: DampingFactor::Korea,
         }),
     })
@@ -181,8 +310,8 @@ pub fn kds_17(effective_acceleration_g: f64, site: KoreanSite) -> Result<DesignS
 pub fn kds_41(effective_acceleration_g: f64, site: KoreanSite) -> Result<Kds41, AssessError> {
     let [fa, fv] = amplification(site, effective_acceleration_g)?;
     Ok(Kds41 {
-        short_period_g: PLATEAU * effective_acceleration_g * fa * 2.0 / 3.0,
-        one_second_g: effective_acceleration_g * fv * 2.0 / 3.0,
+        short_period_g: DESIGN_SHARE * PLATEAU * effective_acceleration_g * fa,
+        one_second_g: DESIGN_SHARE * effective_acceleration_g * fv,
     })
 }
 
@@ -211,6 +340,45 @@ mod tests {
         assert!((at(0.2 * ts) / plateau - 1.0).abs() < 1e-4);
         assert!((at(1.0) - 1.96 * 0.22).abs() < 1e-12);
         assert!((at(6.0) - 1.96 * 0.22 * 3.0 / 36.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn exact_the_spectrum_of_buildings_is_two_thirds_of_the_general_one() {
+        for site in [KoreanSite::S2, KoreanSite::S3, KoreanSite::S4, KoreanSite::S5] {
+            let (general, buildings) = (kds_17(0.22, site).unwrap(), kds_41_spectrum(0.22, site).unwrap());
+            for t in [0.0, 0.05, 0.3, 0.6, 1.0, 2.9] {
+                let of = |spectrum: &DesignSpectrum| spectrum.acceleration_m_s2(t, 0.05).unwrap();
+                let ratio = of(&buildings) / of(&general);
+                assert!((ratio - 2.0 / 3.0).abs() < 1e-12, "{site:?} {t}: {ratio}");
+            }
+        }
+        // rock: the same plateau of 2.8 S to 0.3 s; at T = 0 the general code has S, this one 0.4 S_DS
+        let rock = kds_41_spectrum(0.22, KoreanSite::S1).unwrap();
+        let at = |t| rock.acceleration_m_s2(t, 0.05).unwrap() / (0.22 * G);
+        for (t, wanted) in [(0.0, 1.12), (0.06, 2.8), (0.3, 2.8), (0.6, 1.4)] {
+            assert!((at(t) * 1.5 - wanted).abs() < 1e-12, "{t}: {}", at(t));
+        }
+    }
+
+    #[test]
+    fn holds_what_is_not_verified_is_marked() {
+        let risk = |years| kds_17_risk_factor(years).unwrap();
+        assert!(risk(2400).verified && risk(2400).factor == 2.0);
+        assert!(!risk(4800).verified && risk(4800).factor == 2.6);
+        let spectrum = kds_17(0.11, KoreanSite::S2).unwrap();
+        assert!(!spectrum.vertical.unwrap().verified);
+        let said: Vec<String> = spectrum.unverified.iter().map(ToString::to_string).collect();
+        let wanted = [
+            "the year 2018 of the edition",
+            "the vertical ratio 0.77",
+            "the factor of damping between T = 0 and T_0",
+        ];
+        assert_eq!(said, wanted);
+        let buildings = kds_41_spectrum(0.07 * 1.1, KoreanSite::S2).unwrap();
+        assert_eq!(buildings.source, "KDS 41 17 00:2019, S = 0.077 g, S2");
+        let long = kds_17(0.11 * 2.6, KoreanSite::S5).unwrap();
+        assert_eq!(long.source, "KDS 17 10 00:2018, S = 0.286 g, S5");
+        assert!(buildings.unverified.contains(&Unverified::Shape));
     }
 
     #[test]

@@ -9,6 +9,7 @@
 
 use crate::assess::AssessError;
 use crate::numeric::NumericError;
+use std::fmt;
 
 /// Standard gravity, m/s² (CGPM 1901): codes count in g.
 pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
@@ -25,6 +26,79 @@ pub struct VerticalRatio {
     pub verified: bool,
 }
 
+/// What of a code's numbers has not been held against its text. Results that rest on it must say so. `Display` says it in a few
+/// words.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Unverified {
+    /// The year of the edition whose tables these are.
+    Edition {
+        /// The year.
+        year: u16,
+    },
+    /// The risk factor of a return period.
+    RiskFactor {
+        /// The return period, years.
+        return_period_years: u32,
+        /// Its factor.
+        factor: f64,
+    },
+    /// Vertical over horizontal acceleration.
+    VerticalRatio {
+        /// The ratio.
+        ratio: f64,
+    },
+    /// The factor that changes the plateau with damping; only where the damping is not 5 %.
+    DampingFactor,
+    /// How that factor runs from 1 at T = 0 to its value at T_0; only where the damping is not 5 %.
+    DampingAtShortPeriods,
+    /// The period from which the spectrum falls as 1/T².
+    LongPeriods {
+        /// That period, s.
+        displacement_s: f64,
+    },
+    /// The shape of the spectrum between its numbers.
+    Shape,
+}
+
+impl fmt::Display for Unverified {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unverified::Edition { year } => write!(f, "the year {year} of the edition"),
+            Unverified::RiskFactor {
+                return_period_years,
+                factor,
+            } => write!(f, "the risk factor {factor} of {return_period_years} years"),
+            Unverified::VerticalRatio { ratio } => {
+                write!(f, "the vertical ratio {ratio}")
+            }
+            Unverified::DampingFactor => write!(f, "the factor of other damping than 5 %"),
+            Unverified::DampingAtShortPeriods => {
+                write!(f, "the factor of damping between T = 0 and T_0")
+            }
+            Unverified::LongPeriods { displacement_s } => {
+                write!(f, "{displacement_s} s as the beginning of the 1/T² branch")
+            }
+            Unverified::Shape => write!(f, "the shape of the spectrum between its numbers"),
+        }
+    }
+}
+
+/// Ends of the branches of a code's spectrum, for a damping ratio of 5 %.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectrumBranches {
+    /// At T = 0, m/s²: soil included.
+    pub ground_m_s2: f64,
+    /// The plateau, m/s².
+    pub plateau_m_s2: f64,
+    /// Where the plateau begins: T_0, T_B, s.
+    pub rise_s: f64,
+    /// Where it ends: T_s, T_C, s.
+    pub plateau_s: f64,
+    /// Where 1/T becomes 1/T²: T_L, T_D, s.
+    pub displacement_s: f64,
+}
+
 /// A design spectrum of acceleration.
 #[derive(Clone, Debug, PartialEq)]
 pub struct DesignSpectrum {
@@ -32,6 +106,8 @@ pub struct DesignSpectrum {
     pub source: String,
     /// Vertical over horizontal; `None` if the source gives none.
     pub vertical: Option<VerticalRatio>,
+    /// What of it has not been held against the text of the code.
+    pub unverified: Vec<Unverified>,
     pub(super) shape: Shape,
 }
 
@@ -113,6 +189,7 @@ impl DesignSpectrum {
         Ok(DesignSpectrum {
             source: source.into(),
             vertical: None,
+            unverified: Vec::new(),
             shape: Shape::Table {
                 points,
                 damping_ratio,
@@ -126,6 +203,28 @@ impl DesignSpectrum {
         match &self.shape {
             Shape::Branches(branches) => Some(branches.ground_m_s2),
             Shape::Table { points, .. } => (points[0][0] == 0.0).then_some(points[0][1]),
+        }
+    }
+
+    /// Ends of its branches; `None` for a table.
+    pub fn branches(&self) -> Option<SpectrumBranches> {
+        match &self.shape {
+            Shape::Branches(branches) => Some(SpectrumBranches {
+                ground_m_s2: branches.ground_m_s2,
+                plateau_m_s2: branches.plateau_m_s2,
+                rise_s: branches.rise_s,
+                plateau_s: branches.plateau_s,
+                displacement_s: branches.displacement_s,
+            }),
+            Shape::Table { .. } => None,
+        }
+    }
+
+    /// Periods, s, and accelerations, m/s², of a table; empty for a code.
+    pub fn points(&self) -> &[[f64; 2]] {
+        match &self.shape {
+            Shape::Branches(_) => &[],
+            Shape::Table { points, .. } => points,
         }
     }
 

@@ -1,0 +1,277 @@
+// SOURCE     The shipped stacks; KDS 17 10 00 with S = .22 g on S4: Fa 1.36, Fv 1.96, Ts .57647 s.
+// GOAL       What an earthquake asks for at a site is visible from the file to the printed answer, and decides the exit status.
+// TOLERANCE  none: printed digits.
+
+use super::verbs::Scratch;
+use std::fs;
+
+const KOREA: &str =
+    "\n[site]\ncode = \"KDS 17 10 00\"\nzone = \"I\"\nreturn_period_years = 2400\nsoil = \"S4\"\n";
+
+/// `text` behind the project file of an example.
+fn append(scratch: &Scratch, example: &str, text: &str) {
+    let project = scratch.path().join(format!("examples/{example}/project.toml"));
+    let before = fs::read_to_string(&project).unwrap();
+    fs::write(&project, before + text).unwrap();
+}
+
+#[test]
+fn published_the_korean_case_is_printed_with_every_number_on_the_way() {
+    let scratch = Scratch::with_examples("korea");
+    append(&scratch, "p10", KOREA);
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    for said in [
+        "DEMAND below demand: KDS 17 10 00:2018, S = 0.22 g, S4, damping 5 % [demand]\n",
+        "  Z 0.11 g, 2400 years: I 2, S = Z I = 0.22 g; S4: Fa 1.36, Fv 1.96\n",
+        "  T0 0.115294 s, Ts 0.576471 s, TL 3 s; S_DS 0.498667 g, S_D1 0.287467 g of KDS 41 17 00; plateau 0.748 g\n",
+        "  peak of the ground 0.2992 g; vertical over horizontal 0.77, unverified\n",
+        // .32402 (1 − .77 · .2992) = .24937, over .2992 and over .748
+        "  x                   0.3240             0.2494      0.2992   0.833      below demand   0.2126   0.7480   0.333        \
+         below demand\n",
+        "above demand: at least 1.25; near: 1 to 1.25; below: less\n",
+        "  note: not held against the text of the code: the year 2018 of the edition; the vertical ratio 0.77\n",
+        "as it is   stable    rocks on block 4    0.3240    1.000        0.3240         0.6000   below demand",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let json = scratch.dolmen("check examples/p10 --json");
+    assert_eq!(json.status, 1);
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    let demand = &value["state"]["demand"];
+    let korea = &demand["parameters"]["korea"];
+    let close = |value: &serde_json::Value, known: f64, within: f64| {
+        let value = value.as_f64().unwrap();
+        assert!((value - known).abs() < within, "{value} {known}");
+    };
+    close(&korea["amplification_short_periods"], 1.36, 1e-12);
+    close(&korea["amplification_one_second"], 1.96, 1e-12);
+    close(&korea["branches"]["plateau_s"], 0.57647, 5e-6);
+    close(&korea["design_short_period_g"], 0.498667, 0.5e-6);
+    assert_eq!(demand["vertical"]["verified"], false);
+    let rows = demand["stack"]["rows"].as_array().unwrap();
+    let directions: Vec<_> = rows
+        .iter()
+        .map(|row| row["direction"].as_str().unwrap())
+        .collect();
+    assert_eq!(directions, ["x", "y", "any"]);
+    assert_eq!(demand["stack"]["verdict"], "below demand");
+}
+
+#[test]
+fn holds_weak_shaking_is_above_or_near_demand_with_status_0() {
+    let scratch = Scratch::with_examples("weak");
+    let eurocode = "\n[site]\ncode = \"EN 1998-1\"\nspectrum_type = 2\nground = \"A\"\nground_acceleration = \"0.05 g\"\n";
+    append(&scratch, "p10", eurocode);
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    for said in [
+        "DEMAND above demand: EN 1998-1:2004, a_g = 0.05 g, type 2, ground A, damping 5 %",
+        "  a_gR 0.05 g, importance factor 1, type 2, ground A: S 1\n",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let project = scratch.path().join("examples/p10/project.toml");
+    let text = fs::read_to_string(&project)
+        .unwrap()
+        .replace("\"0.05 g\"", "\"0.1 g\"");
+    fs::write(&project, text).unwrap();
+    // .3240 (1 − .45 · .1) = .3094 g against 2.5 · .1 g: 1.238
+    let near = scratch.dolmen("check examples/p10");
+    assert_eq!(near.status, 0, "{}", near.stderr);
+    assert!(near.stdout.contains("DEMAND near demand"), "{}", near.stdout);
+}
+
+#[test]
+fn holds_other_structures_have_the_spectrum_at_their_period_and_no_verdict() {
+    let scratch = Scratch::with_examples("chain_site");
+    append(&scratch, "naju_flagpole", KOREA);
+    let before = scratch.dolmen("check examples/heunginjimun_gate");
+    let answer = scratch.dolmen("check examples/naju_flagpole");
+    for said in [
+        "DEMAND no verdict: KDS 17 10 00:2018",
+        "note: what acceleration this structure bears is not computed",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    assert!(!before.stdout.contains("DEMAND"), "{}", before.stdout);
+}
+
+#[test]
+fn holds_a_table_without_the_ground_is_unknown_and_says_what_to_write() {
+    let scratch = Scratch::with_examples("table");
+    let table =
+        "\n[site]\ncode = \"table\"\nfile = \"spectrum.csv\"\nunit = \"g\"\nsource = \"Site study\"\n";
+    append(&scratch, "p10", table);
+    let csv = scratch.path().join("examples/p10/spectrum.csv");
+    fs::write(&csv, "period_s,sa_g\n0.01,0.1\n0.5,0.2\n2,0.05\n").unwrap();
+    let answer = scratch.dolmen("check examples/p10");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    for said in [
+        "DEMAND unknown: Site study, damping 5 %",
+        "not compared: the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    fs::write(&csv, "period_s,sa_g\n0,0.1\n0.1,0.15\n").unwrap();
+    let short = scratch.dolmen("check examples/p10");
+    let said = "not compared: a period of 0.2126 s is outside the table, 0 to 0.1 s: extend it";
+    assert!(short.stdout.contains(said), "{}", short.stdout);
+    fs::remove_file(&csv).unwrap();
+    let gone = scratch.dolmen("check examples/p10");
+    assert_eq!(gone.status, 2, "{}", gone.stdout);
+    assert!(
+        gone.stderr.contains("site.file = \"spectrum.csv\": cannot read"),
+        "{}",
+        gone.stderr
+    );
+}
+
+#[test]
+fn holds_a_motion_of_the_file_acts_and_what_is_typed_goes_before_it() {
+    let scratch = Scratch::with_examples("motion");
+    let motions = "\n[motion.design]\nbuilt_in = \"el-centro-1940-ns\"\npeak = \"0.2 g\"\nkeep_first_s = 3\ntaper_s = 0.1\n\n\
+                   [motion.own]\nfiles = { y = \"record.csv\" }\nunit = \"g\"\n\n\
+                   [motion.wrong]\nfiles = { x = \"record.csv\" }\nunit = \"m/s2\"\n";
+    append(&scratch, "piled_blocks", motions);
+    let folder = scratch.path().join("examples/piled_blocks");
+    // a pulse of .338 g
+    let rows: String = (0..200)
+        .map(|i| {
+            let t = 0.01 * f64::from(i);
+            format!(
+                "{t:.2},{:.6}\n",
+                if t < 1.0 {
+                    0.338 * (6.283185 * t).sin()
+                } else {
+                    0.0
+                }
+            )
+        })
+        .collect();
+    fs::write(folder.join("record.csv"), format!("time_s,acceleration\n{rows}")).unwrap();
+    let answer = scratch.dolmen("simulate examples/piled_blocks --motion design");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    for said in [
+        "3.00 s",
+        "0.2000 g",
+        "tapered by half a cosine, 0.1 s at each end",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let typed = scratch.dolmen("simulate examples/piled_blocks --motion design --peak 0.1g --keep-first 2");
+    for said in ["2.00 s", "0.1000 g", "0.1 s at each end"] {
+        assert!(typed.stdout.contains(said), "{said}: {}", typed.stdout);
+    }
+    let own = scratch.dolmen("simulate examples/piled_blocks --motion own");
+    assert_eq!(own.status, 0, "{}", own.stderr);
+    assert!(
+        own.stdout.contains("  y: record.csv, peak 0.3380 g as read"),
+        "{}",
+        own.stdout
+    );
+    let nine = scratch.dolmen("simulate examples/piled_blocks --motion nine");
+    assert_eq!(nine.status, 2);
+    let said = "there is no motion \"nine\": known are design, own, wrong, el-centro-1940-ns";
+    assert!(nine.stderr.contains(said), "{}", nine.stderr);
+    fs::remove_file(folder.join("record.csv")).unwrap();
+    let gone = scratch.dolmen("simulate examples/piled_blocks --motion own");
+    assert_eq!(gone.status, 2);
+    assert!(
+        gone.stderr.contains("motion.own.files: record.csv"),
+        "{}",
+        gone.stderr
+    );
+}
+
+#[test]
+fn refuses_a_record_in_the_wrong_unit() {
+    let scratch = Scratch::with_examples("wrong_unit");
+    append(
+        &scratch,
+        "piled_blocks",
+        "\n[motion.wrong]\nfiles = { x = \"record.csv\" }\nunit = \"g\"\n",
+    );
+    // .3188 g in m/s², called g: 3.1 g; and in gal, called g: 312 g
+    let rows = |factor: f64| -> String {
+        let each = (0..200).map(|i| {
+            format!(
+                "{:.2},{:.6}\n",
+                0.01 * f64::from(i),
+                factor * f64::from(i % 7 - 3) / 3.0
+            )
+        });
+        each.collect()
+    };
+    let record = scratch.path().join("examples/piled_blocks/record.csv");
+    fs::write(&record, format!("time_s,acceleration\n{}", rows(33.8))).unwrap();
+    let answer = scratch.dolmen("simulate examples/piled_blocks --motion wrong");
+    assert_eq!(answer.status, 2, "{}", answer.stdout);
+    assert!(answer.stderr.contains("33.8"), "{}", answer.stderr);
+    assert!(
+        answer.stderr.contains("motion.wrong.files: record.csv"),
+        "{}",
+        answer.stderr
+    );
+}
+
+#[test]
+fn exact_a_pagoda_of_factors_prints_blocks_that_make_the_same_pagoda() {
+    let scratch = Scratch::new("pagoda");
+    let head = "schema = 1\nkind = \"stack\"\nname = \"Made\"\ndensity = 2600\n";
+    let project = scratch.path().join("project.toml");
+    fs::write(
+        &project,
+        format!("{head}pagoda = {{ storeys = 3, body_height = 3.0 }}\n"),
+    )
+    .unwrap();
+    let made = scratch.dolmen("check project.toml");
+    assert_eq!(made.status, 0, "{}", made.stderr);
+    let from = made.stdout.find("blocks = [").unwrap();
+    let length = made.stdout[from..].find("\n]\n").unwrap() + 3;
+    fs::write(&project, format!("{head}{}", &made.stdout[from..from + length])).unwrap();
+    let copied = scratch.dolmen("check project.toml");
+    assert_eq!(copied.status, 0, "{}", copied.stderr);
+    let limits = |text: &str| -> String {
+        let lines = text
+            .lines()
+            .filter(|line| line.starts_with("  storey") || line.contains("FIRST MOTION"));
+        lines
+            .map(|line| line.split("towards").next().unwrap_or_default().to_owned())
+            .collect()
+    };
+    let first = |text: &str| limits(text).chars().take(40).collect::<String>();
+    assert_eq!(first(&made.stdout), first(&copied.stdout));
+    assert!(
+        made.stdout
+            .contains("slenderness_angle 0.3001, body_slenderness 3.7400"),
+        "{}",
+        made.stdout
+    );
+}
+
+#[test]
+fn holds_a_stone_from_a_scan_beside_the_project_is_checked() {
+    let scratch = Scratch::new("scan");
+    let folder = scratch.path().join("tower");
+    fs::create_dir_all(folder.join("scans")).unwrap();
+    let text = "schema = 1\nkind = \"stack\"\nname = \"Scan\"\ndensity = 2600\nblocks = [\n  { name = \"stone\", shape = \"mesh\", \
+                file = \"scans/stone.obj\", unit = \"mm\" },\n]\n";
+    fs::write(folder.join("project.toml"), text).unwrap();
+    // .4 × .4 × 2 m: rocks at .2 g
+    let obj = "v 0 0 0\nv 400 0 0\nv 400 400 0\nv 0 400 0\nv 0 0 2000\nv 400 0 2000\nv 400 400 2000\nv 0 400 2000\n\
+               f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+    fs::write(folder.join("scans/stone.obj"), obj).unwrap();
+    let answer = scratch.dolmen("check tower");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(
+        answer.stdout.contains("FIRST MOTION at 0.200 g"),
+        "{}",
+        answer.stdout
+    );
+    fs::write(folder.join("scans/stone.obj"), obj.replace("f 5 6 7 8\n", "")).unwrap();
+    let open = scratch.dolmen("check tower");
+    assert_eq!(open.status, 2);
+    let said = "blocks[1].file = \"scans/stone.obj\", the mesh of 'stone': the mesh has a hole: the edge from vertex";
+    assert!(open.stderr.contains(said), "{}", open.stderr);
+}

@@ -1,0 +1,85 @@
+//! A design spectrum with the first periods of a structure on it.
+
+use super::axis::Axis;
+use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use crate::Language;
+use crate::answer::DemandAnswer;
+use crate::text::STANDARD_GRAVITY_M_S2;
+use dolmen::assess::demand::ShakenDirection;
+
+/// Points of the curve.
+const POINTS: usize = 240;
+/// Shortest axis of periods, s.
+const PERIOD_LEAST_S: f64 = 1.5;
+
+/// The design spectrum of a site, with the first periods of the structure and the acceleration at which a stack begins to move.
+pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
+    let (site, zeta) = (&answer.site, answer.site.damping_ratio);
+    let of_points = site.spectrum.points();
+    let ends = [of_points.first(), of_points.last()].map(|point| point.map(|point| point[0]));
+    let longest = answer.spectral.iter().map(|at| at.period_s).fold(0.0, f64::max);
+    let plateau_s = site
+        .spectrum
+        .branches()
+        .map_or(0.0, |branches| branches.plateau_s);
+    let most_s = ends[1].unwrap_or((2.5 * plateau_s).max(1.3 * longest).max(PERIOD_LEAST_S));
+    let from_s = ends[0].unwrap_or(0.0);
+    let mut periods: Vec<f64> = (0..=POINTS)
+        .map(|i| from_s + (most_s - from_s) * i as f64 / POINTS as f64)
+        .collect();
+    if let Some(branches) = site.spectrum.branches() {
+        periods.extend([branches.rise_s, branches.plateau_s]);
+    }
+    periods.extend(of_points.iter().map(|point| point[0]));
+    periods.retain(|t| *t <= most_s);
+    periods.sort_by(f64::total_cmp);
+    let at = |period_s: f64| site.spectrum.acceleration_m_s2(period_s, zeta).ok();
+    let curve: Vec<[f64; 2]> = periods
+        .iter()
+        .filter_map(|t| Some([*t, at(*t)? / STANDARD_GRAVITY_M_S2]))
+        .collect();
+    let capacity = answer.stack.as_ref().and_then(|stack| {
+        let any = stack
+            .rows
+            .iter()
+            .find(|row| row.direction == ShakenDirection::Any)?;
+        Some(any.comparison.rigid.capacity_m_s2? / STANDARD_GRAVITY_M_S2)
+    });
+    let top = curve.iter().map(|p| p[1]).chain(capacity).fold(0.1, f64::max);
+    let x = Axis::linear(language.pick("Period (s)", "주기 (s)"), 0.0, most_s, 8);
+    let y = Axis::linear(
+        language.pick("Spectral acceleration (g)", "응답 가속도 (g)"),
+        0.0,
+        1.1 * top,
+        6,
+    );
+    let mut plot = Plot::new([620.0, 320.0], x, y);
+    plot.line(curve, Line::new(BLUE, 1.8));
+    if let Some(capacity) = capacity {
+        plot.line(
+            vec![[0.0, capacity], [most_s, capacity]],
+            Line::new(GREEN, 1.6).dashed(),
+        );
+    }
+    plot.key(Key::Line(Line::new(BLUE, 1.8)), language.pick("demand", "요구"));
+    for (at, (shape, colour)) in answer.spectral.iter().zip(
+        [(Shape::Circle, ORANGE), (Shape::Diamond, VERMILLION)]
+            .into_iter()
+            .cycle(),
+    ) {
+        plot.dot(
+            [at.period_s, at.acceleration_m_s2 / STANDARD_GRAVITY_M_S2],
+            shape,
+            colour,
+        );
+        plot.key(Key::Dot(shape, colour), format!("T1, {}", at.direction));
+    }
+    if capacity.is_some() {
+        plot.key(
+            Key::Line(Line::new(GREEN, 1.6).dashed()),
+            language.pick("begins to move", "최초 거동"),
+        );
+    }
+    plot.svg(language.pick("Design spectrum", "설계 응답 스펙트럼"))
+}

@@ -1,0 +1,67 @@
+//! The site and the ground motions of a project file.
+
+use dolmen::assess::AssessError;
+use dolmen::assess::demand::{Site, SiteDemand, site_demand};
+use dolmen::signal::Component;
+
+/// Where the structure stands, and by what it is judged: `[site]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SitePart {
+    /// The code with its numbers, or a table.
+    pub site: Site,
+    /// ζ that the spectrum is read at.
+    pub damping_ratio: f64,
+    /// Vertical over horizontal acceleration; `None`: that of the code.
+    pub vertical_ratio: Option<f64>,
+}
+
+impl SitePart {
+    /// What an earthquake asks for there.
+    ///
+    /// # Errors
+    /// None for the site of a file that was read: it has been asked then.
+    pub fn demand(&self) -> Result<SiteDemand, AssessError> {
+        site_demand(&self.site, self.damping_ratio, self.vertical_ratio)
+    }
+}
+
+/// Where a motion comes from.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionSource {
+    /// Files, relative to the project, one a component.
+    Files(Vec<(Component, String)>),
+    /// One that the program carries with it, by name.
+    BuiltIn(String),
+}
+
+/// How large a motion is made.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MotionSize {
+    /// All components times this.
+    Scale(f64),
+    /// All components times the one factor that brings the largest horizontal peak to this, m/s².
+    Peak(f64),
+}
+
+/// A motion of the ground: `[motion.NAME]`. What is done to it is done in the order of the fields.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionPart {
+    /// The table's name.
+    pub name: String,
+    /// Its files, or what it is called.
+    pub from: MotionSource,
+    /// Unit of the numbers in the files; `None` where they say it.
+    pub unit: Option<String>,
+    /// Between the samples of the files, s; `None` where they say it.
+    pub sample_step_s: Option<f64>,
+    /// Keep only the first seconds.
+    pub keep_first_s: Option<f64>,
+    /// Bring it to zero within so many seconds at both ends.
+    pub taper_s: Option<f64>,
+    /// Turn it from x towards y, rad.
+    pub turn_rad: Option<f64>,
+    /// How large it is made; `None`: as it is.
+    pub size: Option<MotionSize>,
+    /// Where it comes from, in words.
+    pub source: Option<String>,
+}

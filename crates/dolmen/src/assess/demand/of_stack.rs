@@ -1,0 +1,265 @@
+//! What a site asks of a stack: as rigid blocks against the peak of the ground, on elastic joints against the spectrum.
+
+use super::SiteDemand;
+use crate::assess::{AssessError, StackCheckOptions, check_stack};
+use crate::stability::stack::{
+    DemandComparison, DemandVerdict, LimitAnalysis, LimitAnalysisStatus, SpectralDemand, StackDemand,
+    Threshold, compare_with_demand, limit_analysis,
+};
+use crate::structure::stack::Stack;
+
+/// Where the shaking goes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ShakenDirection {
+    /// Along x, to both sides.
+    X,
+    /// Along y, to both sides.
+    Y,
+    /// Anywhere in the plan.
+    Any,
+}
+
+/// One direction of a stack against a site.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StackDemandRow {
+    /// The direction.
+    pub direction: ShakenDirection,
+    /// Least acceleration at which it begins to move there, without vertical shaking; `None` if it does not stand, or is
+    /// wedged.
+    pub capacity: Option<Threshold>,
+    /// The same while the ground falls away with the vertical acceleration of the site; as `capacity` if the site has none.
+    pub capacity_with_vertical: Option<Threshold>,
+    /// First period there, s; in any direction that of the larger S_a; `None` if it is not known.
+    pub period_s: Option<f64>,
+    /// What is left with the vertical acceleration, against both demands.
+    pub comparison: DemandComparison,
+}
+
+/// A stack against a site.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackDemandCheck {
+    /// Vertical acceleration that acts downwards on the ground meanwhile, m/s²; 0 if the site gives none.
+    pub vertical_acceleration_m_s2: f64,
+    /// Along x, along y, then anywhere.
+    pub rows: Vec<StackDemandRow>,
+    /// The worst of all.
+    pub verdict: DemandVerdict,
+}
+
+/// A stack against a site: at what acceleration it begins to move, and what is asked for, both ways.
+///
+/// `periods_s` are the first periods of swaying along x and y, if they are known. `None` if the site gives no acceleration of
+/// the ground.
+///
+/// ```text
+/// rigid      capacity(a_z) / A_0                  a_z = −v A_0, v the vertical ratio: all of it, at the worst moment
+/// elastic    capacity(a_z) / S_a(T₁, ζ)           in any direction the larger S_a of both
+/// ```
+///
+/// # Errors
+/// [`AssessError`] where the stack cannot be checked, or the spectrum has no value at a period.
+///
+/// # Limits
+/// Those of [`check_stack`] and [`compare_with_demand`]. That the whole vertical peak comes with the whole horizontal one is
+/// on the safe side. Along x and y the capacity is that of the limit analysis, dry; S_a acts on all masses alike.
+///
+/// # Source
+/// Kim, Koo & Hong (2018), eqs 9 and 16.
+pub fn stack_against_site(
+    stack: &Stack,
+    options: &StackCheckOptions,
+    site: &SiteDemand,
+    periods_s: [Option<f64>; 2],
+) -> Result<Option<StackDemandCheck>, AssessError> {
+    let Some(peak) = site.peak_ground_acceleration_m_s2 else {
+        return Ok(None);
+    };
+    let vertical = site.vertical.map_or(0.0, |vertical| vertical.ratio * peak);
+    let mut lifted = options.clone();
+    lifted.limits.loads.vertical_acceleration_m_s2 -= vertical;
+    let weightless = lifted.limits.loads.vertical_acceleration_m_s2 <= -stack.gravity_m_s2();
+    let spectral = |period_s: Option<f64>| -> Result<Option<SpectralDemand>, AssessError> {
+        let Some(period_s) = period_s else { return Ok(None) };
+        let damping_ratio = site.damping_ratio;
+        Ok(Some(SpectralDemand {
+            period_s,
+            damping_ratio,
+            acceleration_m_s2: site.spectrum.acceleration_m_s2(period_s, damping_ratio)?,
+        }))
+    };
+    let [along_x, along_y] = [spectral(periods_s[0])?, spectral(periods_s[1])?];
+    let larger = match (along_x, along_y) {
+        (Some(x), Some(y)) if x.acceleration_m_s2 >= y.acceleration_m_s2 => Some(x),
+        (Some(_), Some(y)) => Some(y),
+        _ => None, // one that is not known may be the larger
+    };
+    let mut rows = Vec::with_capacity(3);
+    for (direction, spectral) in [
+        (ShakenDirection::X, along_x),
+        (ShakenDirection::Y, along_y),
+        (ShakenDirection::Any, larger),
+    ] {
+        let of = |options: &StackCheckOptions| capacity(stack, options, direction);
+        let capacity = of(options)?;
+        let capacity_with_vertical = match vertical {
+            _ if weightless => None,
+            0.0 => capacity,
+            _ => of(&lifted)?,
+        };
+        let demand = StackDemand {
+            peak_ground_acceleration_m_s2: peak,
+            spectral,
+        };
+        let left = match (weightless, capacity_with_vertical) {
+            (true, _) => Some(0.0),
+            (false, found) => found.map(|threshold| threshold.acceleration_m_s2),
+        };
+        rows.push(StackDemandRow {
+            direction,
+            capacity,
+            capacity_with_vertical,
+            period_s: spectral.map(|spectral| spectral.period_s),
+            comparison: compare_with_demand(left, &demand)?,
+        });
+    }
+    Ok(Some(StackDemandCheck {
+        vertical_acceleration_m_s2: vertical,
+        verdict: worst(&rows),
+        rows,
+    }))
+}
+
+/// Below if any is; else unknown if any is; else the worse of the rest.
+fn worst(rows: &[StackDemandRow]) -> DemandVerdict {
+    let severity = |verdict: &DemandVerdict| match verdict {
+        DemandVerdict::Below => 3,
+        DemandVerdict::Unknown => 2,
+        DemandVerdict::Near => 1,
+        DemandVerdict::Above => 0,
+    };
+    let verdicts = rows.iter().map(|row| row.comparison.verdict);
+    verdicts.max_by_key(severity).unwrap_or(DemandVerdict::Unknown)
+}
+
+/// Least acceleration at which the stack begins to move in a direction; `None` if it does not stand.
+fn capacity(
+    stack: &Stack,
+    options: &StackCheckOptions,
+    direction: ShakenDirection,
+) -> Result<Option<Threshold>, AssessError> {
+    let ways = match direction {
+        ShakenDirection::Any => return Ok(check_stack(stack, options)?.capacity),
+        ShakenDirection::X => [[1.0, 0.0], [-1.0, 0.0]],
+        ShakenDirection::Y => [[0.0, 1.0], [0.0, -1.0]],
+    };
+    let mut least: Option<Threshold> = None;
+    for way in ways {
+        let analysis = LimitAnalysis {
+            loads: options.limits.loads.clone(),
+            direction: way,
+            ..LimitAnalysis::default()
+        };
+        match limit_analysis(stack, &analysis)?.status {
+            LimitAnalysisStatus::DoesNotStand => return Ok(None),
+            LimitAnalysisStatus::Unlimited => {}
+            LimitAnalysisStatus::Limited(found) => {
+                if least.is_none_or(|least| found.acceleration_m_s2 < least.acceleration_m_s2) {
+                    least = Some(found);
+                }
+            }
+        }
+    }
+    Ok(least)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{KoreanSite, Site, site_demand};
+    use super::*;
+    use crate::structure::stack::{Block, JointMaterial, Solid};
+
+    const G: f64 = 9.80665;
+
+    /// A stone .4 × .8 × 2 m: rocks along x at .2 g, along y at .4 g.
+    fn stone() -> Stack {
+        let block = Block {
+            name: "stone".into(),
+            solid: Solid::cuboid(0.4, 0.8, 2.0).unwrap(),
+            density_kg_m3: 2600.0,
+        };
+        Stack::new(vec![block], JointMaterial::default(), G).unwrap()
+    }
+
+    fn site(return_period_years: u32) -> SiteDemand {
+        let site = Site::Kds17 {
+            zone_factor_g: 0.11,
+            return_period_years,
+            soil: KoreanSite::S1,
+        };
+        site_demand(&site, 0.05, None).unwrap()
+    }
+
+    #[test]
+    fn exact_both_ways_in_each_direction_with_the_vertical_peak() {
+        // rock, 200 years: S = .0803 g; plateau 2.8 S to .3 s; v = .77
+        let s = 0.11 * 0.73;
+        let found = stack_against_site(
+            &stone(),
+            &StackCheckOptions::default(),
+            &site(200),
+            [Some(0.2), Some(0.6)],
+        )
+        .unwrap()
+        .unwrap();
+        assert!((found.vertical_acceleration_m_s2 - 0.77 * s * G).abs() < 1e-12);
+        let left = 1.0 - 0.77 * s;
+        let [x, y, any] = found.rows[..] else { panic!() };
+        for (row, tan_alpha, spectral) in [(x, 0.2, 2.8 * s), (y, 0.4, 1.4 * s), (any, 0.2, 2.8 * s)] {
+            let capacity = row.capacity.unwrap().acceleration_g;
+            assert!((capacity - tan_alpha).abs() < 1e-8, "{capacity}");
+            let ratio = |comparison: crate::stability::stack::Comparison| comparison.ratio.unwrap();
+            let rigid = ratio(row.comparison.rigid);
+            assert!((rigid - tan_alpha * left / s).abs() < 1e-7, "{rigid}");
+            let elastic = ratio(row.comparison.elastic.unwrap());
+            assert!((elastic - tan_alpha * left / spectral).abs() < 1e-7, "{elastic}");
+        }
+        assert_eq!(x.comparison.rigid.verdict, DemandVerdict::Above);
+        assert_eq!(x.comparison.verdict, DemandVerdict::Below); // .2 · .938 / .2248
+        assert_eq!(y.comparison.verdict, DemandVerdict::Above);
+        assert_eq!(any.period_s, Some(0.2));
+        assert_eq!(found.verdict, DemandVerdict::Below);
+    }
+
+    #[test]
+    fn holds_an_unknown_period_is_never_above_demand() {
+        let options = StackCheckOptions::default();
+        let found = stack_against_site(&stone(), &options, &site(50), [Some(0.5), None]);
+        let found = found.unwrap().unwrap();
+        assert_eq!(found.rows[0].comparison.verdict, DemandVerdict::Above);
+        assert_eq!(found.rows[1].comparison.verdict, DemandVerdict::Unknown);
+        assert_eq!(found.rows[2].period_s, None);
+        assert_eq!(found.verdict, DemandVerdict::Unknown);
+    }
+
+    #[test]
+    fn exact_ground_that_falls_faster_than_stone_leaves_nothing() {
+        let table = Site::Table {
+            source: "made up".into(),
+            points: vec![[0.0, 1.2 * G], [2.0, G]],
+            damping_ratio: 0.05,
+            peak_ground_acceleration_m_s2: None,
+        };
+        let demand = site_demand(&table, 0.05, Some(1.0)).unwrap();
+        let options = StackCheckOptions::default();
+        let found = stack_against_site(&stone(), &options, &demand, [None; 2])
+            .unwrap()
+            .unwrap();
+        assert!(
+            found
+                .rows
+                .iter()
+                .all(|row| row.comparison.rigid.ratio == Some(0.0))
+        );
+        assert_eq!(found.verdict, DemandVerdict::Below);
+    }
+}
