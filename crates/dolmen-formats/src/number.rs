@@ -57,6 +57,7 @@ pub fn significant(value: f64, digits: usize) -> String {
 /// ```
 /// use dolmen_formats::number::trimmed;
 /// assert_eq!((trimmed(2.610, 5), trimmed(2930.0, 5)), ("2.61".to_string(), "2930".to_string()));
+/// assert_eq!((trimmed(1e9, 6), trimmed(2.5e-7, 4)), ("1×10⁹".to_string(), "2.5×10⁻⁷".to_string()));
 /// ```
 pub fn trimmed(value: f64, digits: usize) -> String {
     let text = significant(value, digits);
@@ -64,7 +65,13 @@ pub fn trimmed(value: f64, digits: usize) -> String {
         Some((_, decimals)) if decimals.bytes().all(|b| b.is_ascii_digit()) => {
             text.trim_end_matches('0').trim_end_matches('.').into()
         }
-        _ => text,
+        _ => match text.split_once('×') {
+            Some((mantissa, power)) if mantissa.contains('.') => {
+                let mantissa = mantissa.trim_end_matches('0').trim_end_matches('.');
+                format!("{mantissa}×{power}")
+            }
+            _ => text,
+        },
     }
 }
 

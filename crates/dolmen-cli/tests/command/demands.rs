@@ -192,7 +192,7 @@ fn refuses_a_record_in_the_wrong_unit() {
         "piled_blocks",
         "\n[motion.wrong]\nfiles = { x = \"record.csv\" }\nunit = \"g\"\n",
     );
-    // .3188 g in m/s², called g: 3.1 g; and in gal, called g: 312 g
+    // a peak of 33.8, called g
     let rows = |factor: f64| -> String {
         let each = (0..200).map(|i| {
             format!(
@@ -207,7 +207,8 @@ fn refuses_a_record_in_the_wrong_unit() {
     fs::write(&record, format!("time_s,acceleration\n{}", rows(33.8))).unwrap();
     let answer = scratch.dolmen("simulate examples/piled_blocks --motion wrong");
     assert_eq!(answer.status, 2, "{}", answer.stdout);
-    assert!(answer.stderr.contains("33.8"), "{}", answer.stderr);
+    let said = "but must be 0.001 to 5 g: is the unit cm/s2 or mg instead of g?";
+    assert!(answer.stderr.contains(said), "{}", answer.stderr);
     assert!(
         answer.stderr.contains("motion.wrong.files: record.csv"),
         "{}",

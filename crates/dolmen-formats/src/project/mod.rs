@@ -36,6 +36,7 @@ mod stack;
 mod stack_build;
 mod survey;
 mod units;
+mod written;
 
 pub use chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};

@@ -1,16 +1,19 @@
 //! What reading needs everywhere: units, places, faults, and numbers made into quantities.
 
-use super::content::{Names, Warning, WarningKind};
+use super::content::{Warning, WarningKind};
 use super::error::Fault;
-use super::file::{KindRaw, NamesRaw, UnitsRaw};
+use super::file::{KindRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::files::Files;
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
 use super::read_survey::tilt_ratio;
 use super::units::{Dimension, Unit, UnitError, parse_unit, split_number};
+use super::written::with_unit;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
+
+pub(super) use super::written::{names, short};
 
 /// The unit of bare numbers of one measure: as written, and what it is.
 #[derive(Clone, Debug)]
@@ -527,49 +530,5 @@ fn evidence(raw: EvidenceRaw) -> Evidence {
         EvidenceRaw::Test => Evidence::Test,
         EvidenceRaw::Literature => Evidence::Literature,
         EvidenceRaw::Assumed => Evidence::Assumed,
-    }
-}
-
-/// Text alone is the English name, or the Korean one if it is written in Hangul.
-pub(super) fn names(raw: NamesRaw) -> Names {
-    match raw {
-        NamesRaw::One(name) if name.chars().any(|c| ('가'..='힣').contains(&c)) => Names {
-            en: None,
-            ko: Some(name),
-        },
-        NamesRaw::One(name) => Names {
-            en: Some(name),
-            ko: None,
-        },
-        NamesRaw::Table(table) => Names {
-            en: table.en,
-            ko: table.ko,
-        },
-    }
-}
-
-/// A number for a message: at most six significant digits, without trailing zeros.
-pub(super) fn short(value: f64) -> String {
-    const DIGITS: i32 = 6;
-    if value == 0.0 || !value.is_finite() {
-        return value.to_string();
-    }
-    let exponent = value.abs().log10().floor() as i32;
-    if !(-5..12).contains(&exponent) {
-        return format!("{value:e}");
-    }
-    let decimals = (DIGITS - 1 - exponent).clamp(0, 12) as usize;
-    let text = format!("{value:.decimals$}");
-    match text.contains('.') {
-        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
-        false => text,
-    }
-}
-
-fn with_unit(number: &str, unit: &str) -> String {
-    match unit {
-        "" => number.to_owned(),
-        "%" => format!("{number} %"),
-        unit => format!("{number} {unit}"),
     }
 }

@@ -1,6 +1,7 @@
 //! What an earthquake asks for, in the report: the site's numbers, the spectrum, the comparison.
 
 use super::findings::{Finding, Tone};
+use super::stack_notes::capitalised;
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::answer::DemandAnswer;
@@ -105,15 +106,6 @@ fn sentence(
              미끄러진다는 뜻이며 붕괴를 뜻하지 않는다."
         ),
     )
-}
-
-fn capitalised(word: &str) -> String {
-    let mut letters = word.chars();
-    let first: String = letters
-        .next()
-        .map(|c| c.to_uppercase().collect())
-        .unwrap_or_default();
-    first + letters.as_str()
 }
 
 pub(super) fn unverified_words(what: &Unverified, language: Language) -> String {

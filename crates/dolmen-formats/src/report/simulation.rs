@@ -1,7 +1,7 @@
 //! A simulated motion in the report: what went in, how it ended, joint by joint, in time.
 
 use super::findings::{Finding, Tone};
-use super::stack_notes::processing_words;
+use super::stack_notes::{capitalised, processing_words};
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::answer::Answer;
@@ -144,7 +144,7 @@ pub(super) fn compared(answer: &Answer, language: Language) -> Markup {
 pub(super) fn section(simulation: &Simulation, language: Language) -> Markup {
     html! {
         h2 { (language.pick("Simulated earthquake", "지진응답 시뮬레이션")) }
-        p { b { (ending(simulation, language)) } }
+        p { b { (capitalised(&ending(simulation, language))) } }
         (motion_table(simulation, language))
         (figure(
             &stack_after(simulation, language),

@@ -45,17 +45,17 @@ pub(super) fn stack_note_words(note: &StackNote, language: Language) -> String {
         }
         other => other.to_string(),
     };
-    language.pick(sentence(&note.to_string()), korean)
+    language.pick(format!("{}.", capitalised(&note.to_string())), korean)
 }
 
-/// A remark as a sentence.
-fn sentence(text: &str) -> String {
+/// With a capital at its beginning.
+pub(super) fn capitalised(text: &str) -> String {
     let mut letters = text.chars();
     let first: String = letters
         .next()
         .map(|c| c.to_uppercase().collect())
         .unwrap_or_default();
-    format!("{first}{}.", letters.as_str())
+    first + letters.as_str()
 }
 
 /// Whether it stands without shaking; no full stop.
@@ -146,6 +146,7 @@ pub(super) fn processing_words(step: &Processing, language: Language) -> String 
             format!("x에서 y로 {}° 회전", short(angle_rad.to_degrees()))
         }
         Processing::Decimate { factor } => format!("1/{factor} 재표본화"),
+        other => other.to_string(),
     };
     language.pick(step.to_string(), korean)
 }

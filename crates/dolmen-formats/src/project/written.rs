@@ -1,0 +1,49 @@
+//! Names, and numbers for messages, as people write them.
+
+use super::content::Names;
+use super::file::NamesRaw;
+
+/// Text alone is the English name, or the Korean one if it is written in Hangul.
+pub(super) fn names(raw: NamesRaw) -> Names {
+    match raw {
+        NamesRaw::One(name) if name.chars().any(|c| ('가'..='힣').contains(&c)) => Names {
+            en: None,
+            ko: Some(name),
+        },
+        NamesRaw::One(name) => Names {
+            en: Some(name),
+            ko: None,
+        },
+        NamesRaw::Table(table) => Names {
+            en: table.en,
+            ko: table.ko,
+        },
+    }
+}
+
+/// A number for a message: at most six significant digits, without trailing zeros.
+pub(super) fn short(value: f64) -> String {
+    const DIGITS: i32 = 6;
+    if value == 0.0 || !value.is_finite() {
+        return value.to_string();
+    }
+    let exponent = value.abs().log10().floor() as i32;
+    if !(-5..12).contains(&exponent) {
+        return format!("{value:e}");
+    }
+    let decimals = (DIGITS - 1 - exponent).clamp(0, 12) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
+    }
+}
+
+/// A number with its unit behind it.
+pub(super) fn with_unit(number: &str, unit: &str) -> String {
+    match unit {
+        "" => number.to_owned(),
+        "%" => format!("{number} %"),
+        unit => format!("{number} {unit}"),
+    }
+}
