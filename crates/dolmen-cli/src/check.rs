@@ -326,6 +326,11 @@ fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity
             cov: input.cov,
         });
     }
-    all.sort_by(|a, b| b.elasticity.abs().total_cmp(&a.elasticity.abs()));
+    // an input of 0 has no elasticity: it stands last
+    let strength = |of: &Sensitivity| match of.elasticity.is_finite() {
+        true => of.elasticity.abs(),
+        false => -1.0,
+    };
+    all.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
     Ok(all)
 }

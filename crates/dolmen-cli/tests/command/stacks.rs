@@ -131,6 +131,14 @@ fn holds_a_new_pagoda_can_be_checked_at_once_and_its_variants_stand_side_by_side
     ] {
         assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
     }
+    // what has no elasticity, a place of 0, stands behind what has one
+    let table = answer
+        .stdout
+        .split("Sensitivity of the acceleration")
+        .nth(1)
+        .unwrap();
+    let first = table.lines().find(|line| line.contains("blocks[")).unwrap();
+    assert!(first.contains("blocks[5].width"), "{table}");
 }
 
 #[test]

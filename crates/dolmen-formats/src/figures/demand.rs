@@ -63,16 +63,11 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
         );
     }
     plot.key(Key::Line(Line::new(BLUE, 1.8)), language.pick("demand", "요구"));
-    for (at, (shape, colour)) in answer.spectral.iter().zip(
-        [(Shape::Circle, ORANGE), (Shape::Diamond, VERMILLION)]
-            .into_iter()
-            .cycle(),
-    ) {
-        plot.dot(
-            [at.period_s, at.acceleration_m_s2 / STANDARD_GRAVITY_M_S2],
-            shape,
-            colour,
-        );
+    // where both periods are one, the circle shows around the diamond
+    let marks = [(Shape::Circle, 7.0, ORANGE), (Shape::Diamond, 4.5, VERMILLION)];
+    for (at, (shape, size, colour)) in answer.spectral.iter().zip(marks.into_iter().cycle()) {
+        let place = [at.period_s, at.acceleration_m_s2 / STANDARD_GRAVITY_M_S2];
+        plot.sized_dot(place, shape, size, colour);
         plot.key(Key::Dot(shape, colour), format!("T1, {}", at.direction));
     }
     if capacity.is_some() {

@@ -4,6 +4,9 @@ use super::file_number::{At, QuantityRaw};
 use super::file_survey::WayRaw;
 use schemars::JsonSchema;
 
+/// Coordinates of a point.
+pub(super) type PointRaw = At<Vec<At<QuantityRaw>>>;
+
 /// Shape of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
@@ -117,7 +120,7 @@ pub(super) struct BlockRaw {
     /// Of a drum that tapers: diameter at its top.
     pub(super) top_diameter: Option<At<QuantityRaw>>,
     /// Of points: four or more, [x, y, z].
-    pub(super) points: Option<At<Vec<At<Vec<At<QuantityRaw>>>>>>,
+    pub(super) points: Option<At<Vec<PointRaw>>>,
     /// Of a mesh: its file, OBJ, STL or PLY, relative to the project file.
     pub(super) file: Option<At<String>>,
     /// Of a mesh: unit of length of its file; units.length if not given.

@@ -144,14 +144,25 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
         .filter(|q| q.path.starts_with("survey.") && !is_damping(q))
         .count();
     let body = assumed.len() - stiffness - damping - surveyed;
+    let stack = matches!(project.structure, Structure::Stack(_));
     let mut parts = Vec::new();
     if body > 0 {
+        let (english, korean) = if stack {
+            ("dimensions, densities and frictions", "치수·밀도·마찰")
+        } else {
+            ("dimensions and weights", "치수·무게")
+        };
         parts.push(language.pick(
-            format!("{body} of the dimensions and weights (every result that uses them)"),
-            format!("치수·무게 {body}개(이를 사용한 모든 결과)"),
+            format!("{body} of the {english} (every result that uses them)"),
+            format!("{korean} {body}개(이를 사용한 모든 결과)"),
         ));
     }
-    if stiffness > 0 {
+    if stiffness > 0 && stack {
+        parts.push(language.pick(
+            format!("{stiffness} stiffness values (natural frequencies, demand on elastic joints and simulated motion rest on them; the verdict and the limits do not)"),
+            format!("강성 {stiffness}개(고유진동수, 탄성 접합면의 요구 수준, 지진응답이 이에 의존하며 판정과 한계 가속도는 무관하다)"),
+        ));
+    } else if stiffness > 0 {
         let (chain, frame) = (
             language.pick(
                 "the verdict, the load factor, the margins and the modes",
@@ -184,7 +195,12 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
             format!("고유진동수 {surveyed}개(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)"),
         ));
     }
-    if damping > 0 {
+    if damping > 0 && stack {
+        parts.push(language.pick(
+            format!("{damping} damping values (simulated motion alone rests on them)"),
+            format!("감쇠 {damping}개(지진응답만 이에 의존한다)"),
+        ));
+    } else if damping > 0 {
         parts.push(language.pick(
             format!("{damping} damping values (no result of this page rests on them)"),
             format!("감쇠 {damping}개(이 보고서의 결과와 무관)"),

@@ -78,10 +78,10 @@ pub(super) fn path_words(path: &str, language: Language) -> String {
     let Some((part, quantity)) = path.rsplit_once('.') else {
         return path.to_string();
     };
-    let (Some(part), Some(quantity)) = (part_words(part, language), quantity_word(quantity, language)) else {
-        return path.to_string();
-    };
-    format!("{part} {quantity}")
+    match (part_words(part, language), quantity_word(quantity, language)) {
+        (Some(part), Some(quantity)) => format!("{part} {quantity}"),
+        _ => stack_words(path, language).unwrap_or_else(|| path.to_string()),
+    }
 }
 
 /// `survey.2009.frequencies.x[1]` and `survey.2009.modes.x[1].frequency`.
@@ -107,6 +107,40 @@ fn survey_words(path: &str, language: Language) -> Option<String> {
         format!("{quantity} {number}, direction {direction} (survey {survey})"),
         format!("{direction} 방향 {quantity} {number} (조사 {survey})"),
     ))
+}
+
+/// `blocks[5].openings[1].position[2]` as "block 5 opening 1 position y", segment by segment.
+fn stack_words(path: &str, language: Language) -> Option<String> {
+    let each = path.split('.').map(|segment| {
+        let (name, numbers) = segment.split_once('[').unwrap_or((segment, ""));
+        let axis = |number: &str| match number {
+            "1" => Some("x"),
+            "2" => Some("y"),
+            "3" => Some("z"),
+            _ => None,
+        };
+        let number = numbers.trim_end_matches(']');
+        Some(match name {
+            "blocks" => format!("{} {number}", language.pick("block", "블록")),
+            "openings" => format!("{} {number}", language.pick("opening", "개구부")),
+            "contacts" => format!("{} {number}", language.pick("contact", "접촉면")),
+            "ties" => format!("{} {number}", language.pick("tie", "연결재")),
+            "side_supports" => format!("{} {number}", language.pick("side support", "측면 지지")),
+            "pagoda" => language.pick("pagoda:", "석탑").to_owned(),
+            "joint" => language.pick("joint", "접합면").to_owned(),
+            "tilt" => language.pick("tilt", "기울기").to_owned(),
+            "x" | "y" => name.to_owned(),
+            "position" => format!("{} {}", language.pick("position", "위치"), axis(number)?),
+            "at" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
+            "offset" => format!("{} {}", language.pick("offset", "편심"), axis(number)?),
+            "points" => {
+                let (point, coordinate) = number.split_once("][")?;
+                format!("{} {point} {}", language.pick("point", "점"), axis(coordinate)?)
+            }
+            other => quantity_word(other, language)?.to_owned(),
+        })
+    });
+    Some(each.collect::<Option<Vec<_>>>()?.join(" "))
 }
 
 fn part_words(part: &str, language: Language) -> Option<String> {
@@ -156,6 +190,15 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "normal_stiffness" => language.pick("normal stiffness", "수직 강성"),
         "shear_stiffness" => language.pick("shear stiffness", "전단 강성"),
         "damping_ratio" => language.pick("damping ratio", "감쇠비"),
+        "body_height" => language.pick("height of all storeys", "탑신 높이"),
+        "body_slenderness" => language.pick("body slenderness", "탑신 세장비"),
+        "slenderness_angle" => language.pick("slenderness angle", "세장각"),
+        "taper" => language.pick("taper", "체감각"),
+        "body_base_height_ratio" => language.pick("body height / base height", "탑신/기단 높이비"),
+        "gap" => language.pick("gap", "유격"),
+        "axial_stiffness" => language.pick("axial stiffness", "축강성"),
+        "tension_strength" => language.pick("tensile strength", "인장강도"),
+        "shear_strength" => language.pick("shear strength", "전단강도"),
         _ => return None,
     })
 }
@@ -166,5 +209,34 @@ pub(super) fn listed(items: &[String], language: Language) -> String {
         [] => String::new(),
         [one] => one.clone(),
         [first @ .., last] => format!("{}{}{last}", first.join(", "), language.pick(" and ", " 및 ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_paths_of_stacks_have_words() {
+        for (path, english, korean) in [
+            ("blocks[5].width", "block 5 width", "블록 5 폭"),
+            (
+                "blocks[5].openings[1].position[2]",
+                "block 5 opening 1 position y",
+                "블록 5 개구부 1 위치 y",
+            ),
+            ("blocks[2].points[3][1]", "block 2 point 3 x", "블록 2 점 3 x"),
+            ("blocks[2].tilt.x", "block 2 tilt x", "블록 2 기울기 x"),
+            (
+                "blocks[2].joint.friction",
+                "block 2 joint friction coefficient",
+                "블록 2 접합면 마찰계수",
+            ),
+            ("pagoda.taper", "pagoda: taper", "석탑 체감각"),
+            ("nothing.known[1]", "nothing.known[1]", "nothing.known[1]"),
+        ] {
+            assert_eq!(path_words(path, Language::English), english);
+            assert_eq!(path_words(path, Language::Korean), korean);
+        }
     }
 }
