@@ -28,6 +28,22 @@ pub(super) fn stack_note_words(note: &StackNote, language: Language) -> String {
         StackNote::AnalysisLower { analysis_g, .. } => {
             format!("한계해석만이 한계를 준다: {}.", g(*analysis_g))
         }
+        StackNote::AnalysisBetween {
+            at_least_g,
+            analysis_g,
+        } => format!(
+            "판정의 기준인 한계해석에서 모든 방향의 최솟값은 {}와 {} 사이로만 구해졌다.",
+            g(*at_least_g),
+            g(*analysis_g)
+        ),
+        StackNote::CohesionCounted => {
+            "점착력은 모든 접합면에서 동시에 전부 작용하는 것으로 보았으나, 실제 부착은 취성으로 하나씩 파괴된다.".to_owned()
+        }
+        StackNote::TensionLeftOut => "접합면의 인장강도는 고려하지 않았다.".to_owned(),
+        StackNote::KineticLess { slides_at_g } => format!(
+            "운동마찰이 정지마찰보다 작다. 운동마찰로는 {}에서 미끄러진다.",
+            g(*slides_at_g)
+        ),
         StackNote::AnalysisFalls => {
             "접합면별로는 서 있는 것으로 보이나, 자중과 정적 하중에 평형을 이루는 접합력이 존재하지 않는다."
                 .to_owned()
@@ -178,6 +194,13 @@ mod tests {
                 analysis_g: 0.2,
             },
             StackNote::AnalysisFalls,
+            StackNote::AnalysisBetween {
+                at_least_g: 0.19,
+                analysis_g: 0.2,
+            },
+            StackNote::CohesionCounted,
+            StackNote::TensionLeftOut,
+            StackNote::KineticLess { slides_at_g: 0.4 },
             StackNote::StrengthNotInAnalysis,
             StackNote::SideSupportsLeftOut,
             StackNote::TiesLeftOut,
