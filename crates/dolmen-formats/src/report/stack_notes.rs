@@ -32,14 +32,14 @@ pub(super) fn stack_note_words(note: &StackNote, language: Language) -> String {
             at_least_g,
             analysis_g,
         } => format!(
-            "판정의 기준인 한계해석에서 모든 방향의 최솟값은 {}와 {} 사이로만 구해졌다.",
+            "한계해석에서 모든 방향으로 {}까지는 평형이 확인되었고 한 방향에서 {}에는 평형이 없다. 낮은 값을 사용해야 한다.",
             g(*at_least_g),
             g(*analysis_g)
         ),
         StackNote::CohesionCounted => {
-            "점착력은 모든 접합면에서 동시에 전부 작용하는 것으로 보았으나, 실제 부착은 취성으로 하나씩 파괴된다.".to_owned()
+            "점착력은 모든 접합면에서 동시에 전부 작용하는 것으로 보았으나, 실제 부착은 취성으로 하나씩 파괴되므로 불안전 측이다.".to_owned()
         }
-        StackNote::TensionLeftOut => "접합면의 인장강도는 고려하지 않았다.".to_owned(),
+        StackNote::TensionLeftOut => "접합면의 인장강도는 모든 한계값에서 제외하였다(안전 측).".to_owned(),
         StackNote::KineticLess { slides_at_g } => format!(
             "운동마찰이 정지마찰보다 작다. 운동마찰로는 {}에서 미끄러진다.",
             g(*slides_at_g)
@@ -52,9 +52,9 @@ pub(super) fn stack_note_words(note: &StackNote, language: Language) -> String {
             "한계해석은 압축강도를 고려하지 않는다. 하중을 나누어 지지하는 부재의 저항 가속도는 상한이다."
                 .to_owned()
         }
-        StackNote::SideSupportsLeftOut => "측면 지지는 고려하지 않았다.".to_owned(),
+        StackNote::SideSupportsLeftOut => "측면 지지는 모든 한계값에서 제외하였다(안전 측).".to_owned(),
         StackNote::TiesLeftOut => {
-            "연결재는 저항 가속도에 포함하지 않았으며, 강도까지 작용할 때의 값을 함께 제시한다.".to_owned()
+            "연결재는 저항 가속도에 포함하지 않았으며(안전 측), 강도까지 작용할 때의 값을 함께 제시한다.".to_owned()
         }
         StackNote::PeriodUnknown => {
             "1차 주기를 알 수 없어 탄성 접합면에 의한 증폭은 비교에 포함되지 않는다.".to_owned()
