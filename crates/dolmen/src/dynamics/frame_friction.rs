@@ -206,13 +206,19 @@ impl FrictionFrame {
     /// # Errors
     /// [`DynamicsError::Structure`] if the values differ by more than the numbers hold.
     pub fn frequencies_hz(&self, sliders: Sliders) -> Result<Vec<Option<f64>>, DynamicsError> {
+        let k = self.stiffness_matrix(sliders)?;
+        let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
+        let hz = |&w: &f64| (w > 0.0).then(|| w.sqrt() / std::f64::consts::TAU);
+        Ok(eigen.values.iter().map(hz).collect())
+    }
+
+    /// K with P-delta while every slider slips, or while those of Jenkins elements stick, N/m.
+    pub(super) fn stiffness_matrix(&self, sliders: Sliders) -> Result<Matrix, DynamicsError> {
         let mut k = self.frame.stiffness_matrix(&self.stiffness_n_m)?;
         if sliders == Sliders::Stuck {
             self.add_stuck(&mut k);
         }
-        let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
-        let hz = |&w: &f64| (w > 0.0).then(|| w.sqrt() / std::f64::consts::TAU);
-        Ok(eigen.values.iter().map(hz).collect())
+        Ok(k)
     }
 
     /// Level below the slider of storey i, `None` for the ground.
@@ -266,8 +272,7 @@ impl FrictionFrame {
                 Ok(Some(Matrix::from_fn(n, n, entry)))
             }
             ViscousDamping::Modal(ratio) => {
-                let mut k = self.frame.stiffness_matrix(&self.stiffness_n_m)?;
-                self.add_stuck(&mut k);
+                let k = self.stiffness_matrix(Sliders::Stuck)?;
                 let mass = self.frame.mass_matrix();
                 let eigen = generalized_symmetric_eigen(&k, &mass)?;
                 // C = M (Σ 2ζω φ φᵀ) M with φᵀMφ = 1; a shape in which the frame falls has none

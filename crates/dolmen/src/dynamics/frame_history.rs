@@ -31,6 +31,15 @@ pub struct FramePeak {
     pub at_samples_m: f64,
 }
 
+/// A turn of the top level: where its velocity changed sign.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Turn {
+    /// When, s.
+    pub at_s: f64,
+    /// Displacement of the top relative to the ground, m.
+    pub displacement_m: f64,
+}
+
 /// One time in which a slider slipped in one direction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
@@ -87,6 +96,8 @@ pub struct FrameHistory {
     pub drift_peaks: Vec<FramePeak>,
     /// Times in which sliders slipped, in the order in which they ended.
     pub slips: Vec<Slip>,
+    /// Turns of the top level, in order.
+    pub turns: Vec<Turn>,
     /// Displacements at the end, m.
     pub residual_m: Vec<f64>,
     /// Whether everything stood still at the end, relative to the ground.
@@ -122,6 +133,14 @@ impl FrameHistory {
                 .map(|(u, l)| u - l)
                 .collect(),
         }
+    }
+
+    /// Share of the run in which the slider of a storey slipped, –.
+    pub fn slipping_share(&self, storey: usize) -> f64 {
+        let whole_s = self.time_s.last().copied().unwrap_or(0.0);
+        let of_storey = self.slips.iter().filter(|s| s.storey == storey);
+        let slipping_s: f64 = of_storey.map(|s| s.to_s - s.from_s).sum();
+        if whole_s > 0.0 { slipping_s / whole_s } else { 0.0 }
     }
 
     /// Whole way that the slider of a storey has slipped, both directions added up, m.

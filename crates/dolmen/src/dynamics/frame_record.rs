@@ -1,7 +1,7 @@
 //! What is kept of a frame's motion: samples, true peaks, slips and energy.
 
 use super::frame_friction::StoreyFriction;
-use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip};
+use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
 use super::frame_series::{Model, Series, Slider, State};
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 
@@ -9,6 +9,8 @@ use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 const ONE_EVENT_S: f64 = 1e-9;
 /// Speed of everything below which a frame is at rest, m/s: what a century turns into a third of a millimetre.
 const REST_M_S: f64 = 1e-13;
+/// Part of the largest speed below which a speed is rounding.
+const ROUNDING: f64 = 1e-12;
 /// Nodes and weights of Gauss and Legendre on [0, 1], 8 points: exact for polynomials of degree 15.
 const GAUSS: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
@@ -25,6 +27,9 @@ pub(super) struct Recorder {
     /// Per storey: where and when the slip under way began.
     slipping: Vec<Option<(f64, f64)>>,
     last_event_s: f64,
+    /// Direction in which the top level moved last, and its largest speed at the end of a stretch, m/s.
+    top_direction: f64,
+    top_speed: f64,
 }
 
 /// Coefficients of one level, or of one storey's drift.
@@ -58,6 +63,7 @@ impl Recorder {
                 displacement_peaks: vec![FramePeak::default(); n],
                 drift_peaks: vec![FramePeak::default(); n],
                 slips: Vec::new(),
+                turns: Vec::new(),
                 residual_m: Vec::new(),
                 at_rest: false,
                 events: 0,
@@ -69,6 +75,8 @@ impl Recorder {
             energy,
             slipping: vec![None; n],
             last_event_s: f64::NEG_INFINITY,
+            top_direction: 0.0,
+            top_speed: 0.0,
         };
         let absent = vec![Slider::Absent; n];
         recorder.follow_slips(model, state, &absent, 0.0);
@@ -106,6 +114,7 @@ impl Recorder {
                 sigma,
             );
         }
+        self.turn(series, begin_s, sigma);
         while self.history.time_s.len() < self.samples {
             let t = self.history.time_s.len() as f64 * self.output_step_s;
             // the last sample may lie past the end by rounding
@@ -116,6 +125,33 @@ impl Recorder {
         }
         self.energy = before;
         self.add_work(model, state, series, sigma);
+    }
+
+    /// A turn of the top level within the stretch: one, since a step is shorter than half a swing of any mode. It counts once the
+    /// level moves the other way, so that a stop is none.
+    fn turn(&mut self, series: &Series, begin_s: f64, sigma: f64) {
+        let mut c = [0.0; COEFFICIENTS_MOST];
+        row(series, series.n - 1, None, &mut c);
+        let mut v = [0.0; COEFFICIENTS_MOST];
+        let v = &mut v[..series.orders - 1];
+        for (k, v) in v.iter_mut().enumerate() {
+            *v = (k + 1) as f64 * c[k + 1] / series.h;
+        }
+        let last = polynomial(v, sigma);
+        self.top_speed = self.top_speed.max(last.abs());
+        if last.abs() <= ROUNDING * self.top_speed || last * self.top_direction > 0.0 {
+            return;
+        }
+        let before = std::mem::replace(&mut self.top_direction, last.signum());
+        if before == 0.0 {
+            return;
+        }
+        v.iter_mut().for_each(|v| *v *= before);
+        let at = first_descent(v, 0.0).unwrap_or(0.0).min(sigma);
+        self.history.turns.push(Turn {
+            at_s: begin_s + at * series.h,
+            displacement_m: polynomial(&c[..series.orders], at),
+        });
     }
 
     fn sample(&mut self, model: &Model, state: &State, series: &Series, begin_s: f64, t: f64) {

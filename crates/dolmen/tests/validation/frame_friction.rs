@@ -9,7 +9,7 @@
 use approx::assert_relative_eq;
 use dolmen::dynamics::{
     FrameHistory, FrameLoad, FrameOutcome, FrameRun, FrictionActsOn, FrictionFrame, StoreyFriction,
-    TimeFunction, ViscousDamping, simulate_frame,
+    TimeFunction, ViscousDamping, amplitude_dependence, harmonic_map, simulate_frame,
 };
 use dolmen::known::dry_friction::{forced_amplitude, free_decay_turns_m, jenkins_loop_energy_j};
 use dolmen::numeric::Random;
@@ -449,4 +449,52 @@ fn holds_coulombs_law_in_random_frames() {
         }
     }
     assert!(events > 5000, "{events}");
+}
+
+#[test]
+fn exact_apparent_frequency_and_damping_of_a_release() {
+    // Coulomb: every half swing takes half the natural period, and loses 2 f/k of the amplitude
+    let found = amplitude_dependence(&oscillator(0.1), 2.0).unwrap();
+    assert!(found.len() > 5);
+    for (j, at) in found.iter().enumerate() {
+        let amplitude = 2.0 - 0.1 - 0.2 * j as f64;
+        assert!((at.amplitude_m - amplitude).abs() < 1e-12, "{at:?}");
+        assert!((at.apparent_frequency_hz - 1.0 / TAU).abs() < 1e-12);
+        let loss = (amplitude / (amplitude - 0.2)).ln();
+        let ratio = loss / std::f64::consts::PI.hypot(loss);
+        assert!((at.equivalent_damping_ratio - ratio).abs() < 1e-12);
+    }
+    // a Jenkins element beside a spring: from √k at large amplitude up to √(k + k_s)
+    let jenkins =
+        FrictionFrame::new(frame(&[1.0]), vec![1.0], vec![StoreyFriction::jenkins(3.0, 1.0)]).unwrap();
+    let found = amplitude_dependence(&jenkins, 60.0).unwrap();
+    assert!(
+        (found[0].apparent_frequency_hz * TAU - 1.0).abs() < 0.01,
+        "{:?}",
+        found[0]
+    );
+    let frequencies: Vec<f64> = found.iter().map(|a| a.apparent_frequency_hz * TAU).collect();
+    assert!(
+        frequencies.windows(2).all(|w| w[1] > w[0] - 1e-9),
+        "{frequencies:?}"
+    );
+    assert!(
+        (frequencies.last().unwrap() - 2.0).abs() < 1e-9,
+        "{frequencies:?}"
+    );
+}
+
+#[test]
+fn exact_map_of_sticking_and_slipping() {
+    // one storey sticks while m a ≤ f, whatever the frequency; above, the amplitude is Den Hartog's
+    let (f, g) = (0.3, 0.6);
+    let map = harmonic_map(&oscillator(f), &[g / TAU, 1.5 / TAU], &[0.29, 1.0], &mut |_| true).unwrap();
+    assert_eq!(map.len(), 4);
+    for still in [&map[0], &map[2]] {
+        assert_eq!((still.drift_m[0], still.slipping_share[0]), (0.0, 0.0));
+    }
+    assert!(map[1].steady && (map[1].slipping_share[0] - 1.0).abs() < 1e-9);
+    // 40 samples a cycle pass the peak by (π/40)²/2 at most
+    let wanted = forced_amplitude(g, f).unwrap();
+    assert!((map[1].drift_m[0] / wanted - 1.0).abs() < 4e-3, "{:?}", map[1]);
 }
