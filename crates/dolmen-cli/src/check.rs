@@ -94,6 +94,7 @@ pub(crate) fn answer(
         sensitivity_of,
         surveys: Vec::new(),
         simulation: None,
+        frame_simulations: Vec::new(),
     })
 }
 
@@ -209,9 +210,14 @@ fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
             for direction in &part.directions {
                 let stiffness = part.stiffness_n_m(&direction.name, pick);
                 let check = check_frame(&frame, stiffness.as_deref())?;
+                let slipping = match part.slipping_stiffness_n_m(&direction.name, pick) {
+                    Some(slipping) => Some(check_frame(&frame, Some(&slipping))?),
+                    None => None,
+                };
                 checks.push(DirectionCheck {
                     direction: direction.name.clone(),
                     check,
+                    slipping,
                 });
             }
             Some(Check::Frame(checks))

@@ -108,14 +108,17 @@ pub(crate) struct Identify {
 
 #[derive(Debug, Args)]
 pub(crate) struct Simulate {
-    /// Project file of a stack, or a folder that holds project.toml
+    /// Project file of a stack or frame, or a folder that holds project.toml
     pub(crate) project: PathBuf,
     #[command(flatten)]
     pub(crate) motion: Motion,
     /// Simulate this variant of the file instead of the structure as it is
     #[arg(long, value_name = "NAME")]
     pub(crate) variant: Option<String>,
-    /// Contact points of a joint: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
+    /// Direction of a frame; without it, each whose stiffness is known
+    #[arg(long, value_name = "NAME")]
+    pub(crate) direction: Option<String>,
+    /// Contact points of a joint of a stack: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
     /// Time step, s; the longest stable one times .9 without it
@@ -139,7 +142,7 @@ pub(crate) struct Simulate {
 }
 
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Motion of the ground, for stacks")]
+#[command(next_help_heading = "Motion of the ground")]
 pub(crate) struct Motion {
     /// A motion of the project file ([motion.NAME]), or one that Dolmen carries with it, along x: el-centro-1940-ns
     #[arg(long, value_name = "NAME", conflicts_with = "motion_file")]

@@ -35,6 +35,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         sensitivity_of: SensitivityOf::default(),
         surveys,
         simulation: None,
+        frame_simulations: Vec::new(),
     };
     let json = identification_json(&answer);
     if as_json {

@@ -10,6 +10,7 @@ mod new;
 mod open;
 mod report;
 mod simulate;
+mod simulate_frame;
 mod stack_frequencies;
 mod tools;
 mod validate;

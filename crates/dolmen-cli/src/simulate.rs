@@ -1,7 +1,7 @@
 //! `dolmen simulate`: a stack under a ground motion.
 
 use crate::cli::{Language as Chosen, Points, Simulate as Options};
-use crate::{Outcome, files, motion, open};
+use crate::{Outcome, files, motion, open, simulate_frame};
 use anyhow::{Result, bail};
 use dolmen::blocks::{AfterFall, ContactRule, Pose, Springs, StackHistory, simulate_springs};
 use dolmen::signal::GroundMotion;
@@ -33,13 +33,16 @@ const PARAVIEW_STEP_S: f64 = 0.05;
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
     let open::Opened { project, file } = open::project(&options.project)?;
     let chosen = variant(&project, options.variant.as_deref())?;
-    let stack = stack_of(chosen)?;
     let motion = motion::motion(&options.motion, chosen, &file)?;
     let shown = file.display().to_string();
     if !as_json {
         let inputs = simulation_inputs_text(chosen, &shown, options.variant.as_deref(), &motion);
         files::say(&inputs)?;
     }
+    if let Structure::Frame(part) = &chosen.structure {
+        return simulate_frame::run(options, (chosen, part), (&shown, &motion), as_json, quiet);
+    }
+    let stack = stack_of(chosen)?;
     let limits = stack_limits(&stack, &StackLimits::default())?;
     if !limits.standing.stands() {
         files::say(&unstable(&shown, &limits.standing.to_string(), as_json))?;
@@ -104,7 +107,7 @@ fn unstable(file: &str, why: &str, as_json: bool) -> String {
     }
 }
 
-fn language(chosen: Chosen) -> Language {
+pub(crate) fn language(chosen: Chosen) -> Language {
     match chosen {
         Chosen::En => Language::English,
         Chosen::Ko => Language::Korean,
@@ -134,7 +137,7 @@ fn stack_of(project: &Project) -> Result<Stack> {
     match &project.structure {
         Structure::Stack(part) => Ok(part.build(&mut Quantity::nominal)?),
         _ => bail!(
-            "only a stack can be simulated: the file has another kind; `dolmen check` says what holds it up"
+            "only stacks and frames can be simulated: the file has another kind; `dolmen check` says what holds it up"
         ),
     }
 }
@@ -159,8 +162,21 @@ fn springs(options: &Options) -> Springs {
     }
 }
 
-/// The run itself, with its progress on a terminal; Ctrl-C ends it and keeps what is done, a second one ends the process.
+/// The run itself.
 fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: bool) -> Result<StackHistory> {
+    let whole_s = springs.duration_s.unwrap_or(motion.duration_s() + springs.rest_s);
+    let history = with_progress(whole_s, quiet, &mut |progress| {
+        simulate_springs(stack, Some(motion), springs, progress)
+    })?;
+    Ok(history)
+}
+
+/// A run with its progress on a terminal; Ctrl-C ends it and keeps what is done, a second one ends the process.
+pub(crate) fn with_progress<T>(
+    whole_s: f64,
+    quiet: bool,
+    run: &mut dyn FnMut(&mut dyn FnMut(f64) -> bool) -> T,
+) -> T {
     HANDLER.get_or_init(|| {
         let pressed = || {
             if STOP.swap(true, Ordering::SeqCst) {
@@ -169,7 +185,6 @@ fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: boo
         };
         ctrlc::set_handler(pressed).is_ok()
     });
-    let whole_s = springs.duration_s.unwrap_or(motion.duration_s() + springs.rest_s);
     let bar = if quiet {
         ProgressBar::hidden()
     } else {
@@ -183,9 +198,9 @@ fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: boo
         bar.set_message(format!("{time_s:.1} of {whole_s:.1} s,"));
         !STOP.load(Ordering::SeqCst)
     };
-    let history = simulate_springs(stack, Some(motion), springs, &mut progress);
+    let done = run(&mut progress);
     bar.finish_and_clear();
-    Ok(history?)
+    done
 }
 
 /// Everything of a simulation as files.

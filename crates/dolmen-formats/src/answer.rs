@@ -1,7 +1,7 @@
 //! Everything that was computed for one project: what the command fills, and text, JSON and report print.
 
 use crate::project::{Names, Project};
-use crate::simulation::Simulation;
+use crate::simulation::{FrameSimulation, Simulation};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
@@ -31,6 +31,8 @@ pub struct Answer {
     pub surveys: Vec<SurveyAnswer>,
     /// The stack under a ground motion; `None` if none was asked for.
     pub simulation: Option<Box<Simulation>>,
+    /// The frame under a ground motion, one a direction of known stiffness, of the structure as it is and of its variants.
+    pub frame_simulations: Vec<FrameSimulation>,
 }
 
 /// The result whose sensitivities are given.
@@ -196,8 +198,10 @@ pub struct SpringFit {
 pub struct DirectionCheck {
     /// "weak", "strong", "x".
     pub direction: String,
-    /// Its check.
+    /// Its check, with every joint stuck.
     pub check: FrameCheck,
+    /// The same while every joint slips; `None` where slipping takes no stiffness away, or it is not known.
+    pub slipping: Option<FrameCheck>,
 }
 
 /// A variant and whether it stands.
@@ -306,8 +310,11 @@ impl State {
             Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
             Check::Frame(directions) => {
                 let of =
-                    |d: &DirectionCheck| d.check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
-                worst(directions.iter().map(of))
+                    |check: &FrameCheck| check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
+                let checks = directions
+                    .iter()
+                    .flat_map(|d| [&d.check].into_iter().chain(&d.slipping));
+                worst(checks.map(of))
             }
             Check::Stack(answer) => answer.check.verdict,
         }
@@ -332,6 +339,7 @@ impl Answer {
         let mut simulated = simulated.chain(self.variants.iter().filter_map(|v| v.simulation.as_ref()));
         let mut states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
         simulated.any(|simulation| simulation.falls())
+            || self.frame_simulations.iter().any(FrameSimulation::falls)
             || states.any(|state| {
                 state.verdict() == Verdict::Unstable || state.demand_verdict() == Some(DemandVerdict::Below)
             })

@@ -62,7 +62,10 @@ pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<
         ),
     );
     for storey in 0..simulation.storeys.len() {
-        add(format!("loop-{}", storey + 1), Some(hysteresis(simulation, storey, language)));
+        add(
+            format!("loop-{}", storey + 1),
+            Some(hysteresis(simulation, storey, language)),
+        );
     }
     if !history.slips.is_empty() {
         add("slips".to_owned(), Some(bands(simulation, language)));
@@ -76,9 +79,15 @@ pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<
     };
     let parts = [
         energy(language.pick("put in", "입력"), |e| e.input_j),
-        energy(language.pick("taken by friction", "마찰 소산"), |e| e.friction_j),
-        energy(language.pick("taken by dashpots", "점성 소산"), |e| e.damping_j),
-        energy(language.pick("moving and in springs", "운동·탄성"), |e| e.kinetic_j + e.stored_j),
+        energy(language.pick("taken by friction", "마찰 소산"), |e| {
+            e.friction_j
+        }),
+        energy(language.pick("taken by dashpots", "점성 소산"), |e| {
+            e.damping_j
+        }),
+        energy(language.pick("moving and in springs", "운동·탄성"), |e| {
+            e.kinetic_j + e.stored_j
+        }),
     ];
     add(
         "energy".to_owned(),
@@ -94,14 +103,30 @@ pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<
 
 /// Force of a storey against its drift.
 fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -> String {
-    let drift: Vec<f64> = simulation.history.drift_m(storey).iter().map(|d| 1e3 * d).collect();
-    let force: Vec<f64> = simulation.storey_force_n(storey).iter().map(|f| 1e-3 * f).collect();
+    let drift: Vec<f64> = simulation
+        .history
+        .drift_m(storey)
+        .iter()
+        .map(|d| 1e3 * d)
+        .collect();
+    let force: Vec<f64> = simulation
+        .storey_force_n(storey)
+        .iter()
+        .map(|f| 1e-3 * f)
+        .collect();
     let around = |name: &str, values: &[f64]| {
         let axis = Axis::around(name, values, 5);
-        if axis.to - axis.from < 1e-6 { Axis::linear(name, -1.0, 1.0, 4) } else { axis }
+        if axis.to - axis.from < 1e-6 {
+            Axis::linear(name, -1.0, 1.0, 4)
+        } else {
+            axis
+        }
     };
     let x = around(language.pick("Drift (mm)", "층간변위 (mm)"), &drift);
-    let y = around(language.pick("Force of the storey (kN)", "층 전단력 (kN)"), &force);
+    let y = around(
+        language.pick("Force of the storey (kN)", "층 전단력 (kN)"),
+        &force,
+    );
     let (x_ends, y_ends) = ([x.from, x.to], [y.from, y.to]);
     let mut plot = Plot::new(LOOP_PX, x, y);
     plot.line(vec![[x_ends[0], 0.0], [x_ends[1], 0.0]], Line::new(GREY, 0.6));
@@ -109,7 +134,10 @@ fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -
     let line = Line::new(SERIES[storey % SERIES.len()], 1.0);
     let points = drift.iter().zip(&force).map(|(d, f)| [*d, *f]).collect();
     plot.line(points, line);
-    plot.key(Key::Line(Line { width: 2.2, ..line }), simulation.storeys[storey].as_str());
+    plot.key(
+        Key::Line(Line { width: 2.2, ..line }),
+        simulation.storeys[storey].as_str(),
+    );
     plot.svg(language.pick("Force against drift", "층 전단력-층간변위 이력곡선"))
 }
 

@@ -18,9 +18,9 @@ const JOINTS_MOST: usize = 5;
 const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// One line of a plot.
-struct Series {
-    name: String,
-    points: Vec<[f64; 2]>,
+pub(super) struct Series {
+    pub(super) name: String,
+    pub(super) points: Vec<[f64; 2]>,
 }
 
 /// A line with no more points than can be seen: of each stretch the least and the most, in their order. Peaks stay.
@@ -49,7 +49,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// A plot of some lines over time; nothing if there is no line.
-fn plot(series: &[Series], name: &str, language: Language, title: &str) -> Option<String> {
+pub(super) fn plot(series: &[Series], name: &str, language: Language, title: &str) -> Option<String> {
     let end = series.first()?.points.last()?[0];
     let mut values: Vec<f64> = series
         .iter()

@@ -136,7 +136,11 @@ fn centroid(effect: &CentroidEffect) -> Value {
 }
 
 fn direction(direction: &DirectionCheck) -> Value {
-    json!({ "direction": direction.direction, "check": frame(&direction.check) })
+    json!({
+        "direction": direction.direction,
+        "check": frame(&direction.check),
+        "slipping": direction.slipping.as_ref().map(frame),
+    })
 }
 
 fn frame(check: &FrameCheck) -> Value {

@@ -67,7 +67,9 @@ fn friction(friction: &StoreyFriction) -> Value {
         StoreyFriction::Coulomb {
             static_force_n,
             kinetic_force_n,
-        } => json!({ "law": "coulomb", "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n }),
+        } => {
+            json!({ "law": "coulomb", "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n })
+        }
         StoreyFriction::Jenkins {
             stuck_stiffness_n_m,
             static_force_n,

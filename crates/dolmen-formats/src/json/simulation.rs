@@ -1,6 +1,6 @@
 //! A simulation, as JSON.
 
-use crate::simulation::Simulation;
+use crate::simulation::{MotionAnswer, Simulation};
 use crate::text::points_a_side;
 use dolmen::blocks::Outcome;
 use dolmen::signal::Component;
@@ -13,7 +13,7 @@ pub fn simulation_json(simulation: &Simulation) -> Value {
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
-        "motion": motion(simulation),
+        "motion": motion_json(&simulation.motion),
         "contact_points_a_side": points_a_side(options.contact_rule),
         "contact_points": history.contact_points,
         "time_step_s": history.time_step_s,
@@ -30,8 +30,9 @@ pub fn simulation_json(simulation: &Simulation) -> Value {
     })
 }
 
-fn motion(simulation: &Simulation) -> Value {
-    let (answer, motion) = (&simulation.motion, &simulation.motion.motion);
+/// The motion of the base, and what was done to it.
+pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
+    let motion = &answer.motion;
     let file = |component: &Component| {
         let found = answer.files.iter().find(|(of, _)| of == component);
         found.map(|(_, file)| file.as_str())

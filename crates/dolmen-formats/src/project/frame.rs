@@ -2,6 +2,9 @@
 
 use super::chain::Heaviness;
 use super::quantity::{Pick, Quantity};
+use dolmen::dynamics::{
+    DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
+};
 use dolmen::structure::{Convention, Frame, Storey, StructureError};
 
 /// What `axial_force` of a storey is.
@@ -35,6 +38,35 @@ pub struct DirectionPart {
     pub name: String,
     /// Lateral stiffness of each storey, N/m, lowest first; `None` if unknown.
     pub stiffness: Option<Vec<Quantity>>,
+    /// Viscous damping ratio of every mode, if given.
+    pub damping_ratio: Option<Quantity>,
+    /// Dry friction, if given.
+    pub friction: Option<FrictionPart>,
+}
+
+/// Slip forces of the storeys.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SlipForces {
+    /// Coefficients of the axial force: while slipping, and before it if it is another.
+    Coefficient {
+        /// μ while slipping.
+        kinetic: Quantity,
+        /// μ before slipping; `None` for the same.
+        fixed: Option<Quantity>,
+    },
+    /// One force for each storey, N, lowest first.
+    Forces(Vec<Quantity>),
+}
+
+/// Dry friction in one direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrictionPart {
+    /// Slip forces.
+    pub slip: SlipForces,
+    /// What is left of each storey's stiffness while its slider slips, N/m (Jenkins); `None` for Coulomb's law.
+    pub slipping_stiffness: Option<Vec<Quantity>>,
+    /// What the sliders act on.
+    pub acts_on: FrictionActsOn,
 }
 
 /// Storeys, lowest first, with the directions in which they move.
@@ -89,12 +121,112 @@ impl FramePart {
         Some(named.stiffness.as_ref()?.iter().map(pick).collect())
     }
 
+    /// The frame with its friction and damping in a direction, for time histories; `None` if the stiffness is unknown or there is
+    /// no such direction.
+    ///
+    /// # Errors
+    /// None with the file's own values; [`DynamicsError`] if a picked one is impossible.
+    pub fn with_friction(
+        &self,
+        direction: &str,
+        pick: Pick<'_>,
+    ) -> Result<Option<FrictionFrame>, DynamicsError> {
+        let Some(part) = self.directions.iter().find(|d| d.name == direction) else {
+            return Ok(None);
+        };
+        let Some(stiffness) = &part.stiffness else {
+            return Ok(None);
+        };
+        let frame = self.build(pick)?;
+        let whole_n_m: Vec<f64> = stiffness.iter().map(&mut *pick).collect();
+        let Some(friction) = &part.friction else {
+            let none = vec![StoreyFriction::None; whole_n_m.len()];
+            return damped(FrictionFrame::new(frame, whole_n_m, none)?, part, pick);
+        };
+        let slipping_n_m: Option<Vec<f64>> = friction
+            .slipping_stiffness
+            .as_ref()
+            .map(|list| list.iter().map(&mut *pick).collect());
+        let sliders = friction.build(&frame, (&whole_n_m, slipping_n_m.as_deref()), pick)?;
+        let own = slipping_n_m.unwrap_or(whole_n_m);
+        let built = FrictionFrame::new(frame, own, sliders)?.acting_on(friction.acts_on);
+        damped(built, part, pick)
+    }
+
+    /// Stiffness of each storey while every slider slips, N/m; `None` where friction takes no stiffness with it.
+    pub fn slipping_stiffness_n_m(&self, direction: &str, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let part = self.directions.iter().find(|d| d.name == direction)?;
+        part.stiffness.as_ref()?;
+        let slipping = part.friction.as_ref()?.slipping_stiffness.as_ref()?;
+        Some(slipping.iter().map(pick).collect())
+    }
+
     pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         for storey in &self.storeys {
             all.extend([storey.heaviness.quantity(), &storey.height]);
             all.extend(&storey.axial_force);
         }
-        let stiffness = self.directions.iter().filter_map(|d| d.stiffness.as_ref());
-        all.extend(stiffness.flatten());
+        for direction in &self.directions {
+            all.extend(direction.stiffness.iter().flatten());
+            all.extend(&direction.damping_ratio);
+            let Some(friction) = &direction.friction else {
+                continue;
+            };
+            match &friction.slip {
+                SlipForces::Coefficient { kinetic, fixed } => all.extend([kinetic].into_iter().chain(fixed)),
+                SlipForces::Forces(forces) => all.extend(forces),
+            }
+            all.extend(friction.slipping_stiffness.iter().flatten());
+        }
+    }
+}
+
+/// A frame with the damping of its direction.
+fn damped(
+    frame: FrictionFrame,
+    part: &DirectionPart,
+    pick: Pick<'_>,
+) -> Result<Option<FrictionFrame>, DynamicsError> {
+    Ok(Some(match &part.damping_ratio {
+        None => frame,
+        Some(ratio) => frame.with_damping(ViscousDamping::Modal(pick(ratio)))?,
+    }))
+}
+
+impl FrictionPart {
+    /// Sliders of the storeys, from the stiffness while all stick and while all slip.
+    fn build(
+        &self,
+        frame: &Frame,
+        (whole_n_m, slipping_n_m): (&[f64], Option<&[f64]>),
+        pick: Pick<'_>,
+    ) -> Result<Vec<StoreyFriction>, DynamicsError> {
+        let (kinetic, fixed) = match &self.slip {
+            SlipForces::Coefficient { kinetic, fixed } => {
+                let kinetic = slip_forces_n(frame, pick(kinetic))?;
+                let fixed = match fixed {
+                    Some(fixed) => slip_forces_n(frame, pick(fixed))?,
+                    None => kinetic.clone(),
+                };
+                (kinetic, fixed)
+            }
+            SlipForces::Forces(forces) => {
+                let forces: Vec<f64> = forces.iter().map(&mut *pick).collect();
+                (forces.clone(), forces)
+            }
+        };
+        let each = kinetic.into_iter().zip(fixed).enumerate();
+        let built = each.map(|(i, (kinetic_force_n, static_force_n))| match slipping_n_m {
+            None => StoreyFriction::Coulomb {
+                static_force_n,
+                kinetic_force_n,
+            },
+            Some(slipping) => StoreyFriction::Jenkins {
+                stuck_stiffness_n_m: whole_n_m[i] - slipping[i],
+                static_force_n,
+                kinetic_force_n,
+            },
+        });
+        Ok(built.collect())
     }
 }

@@ -16,6 +16,7 @@ mod merge;
 mod quantity;
 mod read;
 mod read_block;
+mod read_friction;
 mod read_motion;
 mod read_pagoda;
 mod read_records;
@@ -42,7 +43,7 @@ pub use chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};
 pub use error::{Problem, ProjectError};
 pub use files::Files;
-pub use frame::{Axial, DirectionPart, FramePart, StoreyPart};
+pub use frame::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
 pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};
 pub use records::{

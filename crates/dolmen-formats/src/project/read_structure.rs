@@ -8,6 +8,7 @@ use super::file_number::{At, OrUnknown, QuantityRaw};
 use super::frame::{Axial, DirectionPart, FramePart, StoreyPart};
 use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
+use super::read_friction;
 use super::reader::Reader;
 use dolmen::structure::Convention;
 use std::collections::BTreeMap;
@@ -139,7 +140,7 @@ pub(super) fn countable<T>(reader: &mut Reader, list: &At<Vec<T>>, path: &str) -
 }
 
 /// Reports a list that is not as long as the structure has parts; whether it is.
-fn one_each<T>(
+pub(super) fn one_each<T>(
     reader: &mut Reader,
     list: &[T],
     span: &Range<usize>,
@@ -430,9 +431,23 @@ fn directions(
                 Some(each)
             }
         };
+        let path = format!("direction.{name}");
+        let before = reader.faults.len();
+        let damping_ratio = read_friction::damping_ratio(reader, &direction.value, &path);
+        let friction = direction.value.friction.as_ref().and_then(|raw| {
+            read_friction::friction(
+                reader,
+                raw,
+                &format!("{path}.friction"),
+                (storeys, stiffness.as_deref()),
+            )
+        });
+        sound &= reader.faults.len() == before;
         all.push(DirectionPart {
             name: name.clone(),
             stiffness,
+            damping_ratio,
+            friction,
         });
     }
     for name in surveyed {
@@ -440,6 +455,8 @@ fn directions(
             all.push(DirectionPart {
                 name: name.clone(),
                 stiffness: None,
+                damping_ratio: None,
+                friction: None,
             });
         }
     }
@@ -447,6 +464,8 @@ fn directions(
         all.push(DirectionPart {
             name: "x".to_owned(),
             stiffness: None,
+            damping_ratio: None,
+            friction: None,
         });
     }
     sound.then_some(all)

@@ -2,7 +2,8 @@
 
 use super::given::assumptions;
 use super::{
-    chain_findings, demand, frame, identification, measured, modal, samples, simulation, stack, variants,
+    chain_findings, demand, frame, frame_simulation, identification, measured, modal, samples, simulation,
+    stack, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check};
@@ -64,6 +65,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     if let Some(simulated) = &answer.simulation {
         all.extend(simulation::findings(simulated, language));
     }
+    all.extend(frame_simulation::findings(&answer.frame_simulations, language));
     for survey in &answer.surveys {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));

@@ -10,6 +10,7 @@ use crate::answer::DirectionCheck;
 use crate::figures::{ShapePanel, frame_sketch, mode_shapes};
 use crate::number::{self, beside_one, prefix, significant};
 use crate::project::{FramePart, Quantity};
+use dolmen::assess::FrameCheck;
 use dolmen::stability::{FrameStability, Verdict};
 use dolmen::structure::Frame;
 use maud::{Markup, html};
@@ -103,7 +104,26 @@ pub(super) fn sections(part: &FramePart, directions: &[DirectionCheck], language
             @if let Some(frame) = &frame {
                 (modes(frame, direction, language))
             }
+            @if let Some(slipping) = &direction.slipping { (slipping_words(slipping, language)) }
         }
+    }
+}
+
+/// The frame while every joint slips, in a sentence.
+fn slipping_words(check: &FrameCheck, language: Language) -> Markup {
+    let frequencies: Vec<String> = check
+        .modes
+        .iter()
+        .map(|m| significant(m.frequency_hz, 3))
+        .collect();
+    let frequencies = frequencies.join(", ");
+    let factor = check.stability.as_ref().map(|s| s.load_factor);
+    let factor = factor.map_or("–".to_owned(), |factor| significant(factor, 3));
+    html! {
+        p { (language.pick(
+            format!("While every joint slips: load factor {factor}, {frequencies}\u{202f}Hz."),
+            format!("모든 접합부가 미끄러지는 동안: 하중계수 {factor}, {frequencies}\u{202f}Hz."),
+        )) }
     }
 }
 

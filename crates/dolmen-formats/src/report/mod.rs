@@ -6,6 +6,7 @@ mod chain_findings;
 mod demand;
 mod findings;
 mod frame;
+mod frame_simulation;
 mod given;
 mod identification;
 mod measured;

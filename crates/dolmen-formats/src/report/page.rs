@@ -3,7 +3,8 @@
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
 use super::{
-    chain, demand, findings, frame, given, identification, modal, samples, simulation, stack, variants,
+    chain, demand, findings, frame, frame_simulation, given, identification, modal, samples, simulation,
+    stack, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check, State};
@@ -107,6 +108,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         }
         (demand::section(answer.state.as_ref().and_then(|state| state.demand.as_ref()), language))
         @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
+        (frame_simulation::sections(&answer.frame_simulations, language))
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))
         @for survey in &answer.surveys {

@@ -7,7 +7,7 @@ use crate::Language;
 use crate::answer::Answer;
 use crate::figures::{stack_after, stack_histories};
 use crate::number::{self, significant};
-use crate::simulation::Simulation;
+use crate::simulation::{MotionAnswer, Simulation};
 use crate::text::{outcome_text, points_a_side};
 use dolmen::blocks::{JointHistory, Outcome, StackHistory};
 use dolmen::signal::Component;
@@ -145,7 +145,7 @@ pub(super) fn section(simulation: &Simulation, language: Language) -> Markup {
     html! {
         h2 { (language.pick("Simulated earthquake", "지진응답 시뮬레이션")) }
         p { b { (capitalised(&ending(simulation, language))) } }
-        (motion_table(simulation, language))
+        (motion_table(&simulation.motion, language))
         (figure(
             &stack_after(simulation, language),
             language.pick(
@@ -186,8 +186,8 @@ fn caption(name: &str, language: Language) -> &'static str {
     }
 }
 
-fn motion_table(simulation: &Simulation, language: Language) -> Markup {
-    let (answer, motion) = (&simulation.motion, &simulation.motion.motion);
+pub(super) fn motion_table(answer: &MotionAnswer, language: Language) -> Markup {
+    let motion = &answer.motion;
     let head: Vec<String> = [
         language.pick("Component", "성분"),
         language.pick("file", "파일"),

@@ -79,6 +79,7 @@ fn gate() -> Answer {
     let checks = part.directions.iter().map(|d| DirectionCheck {
         direction: d.name.clone(),
         check: check_frame(&frame, None).unwrap(),
+        slipping: None,
     });
     let check = Check::Frame(checks.collect());
     let mut answer = answer(project, check);
@@ -107,6 +108,7 @@ fn answer(project: Project, check: Check) -> Answer {
         sensitivity_of: Default::default(),
         surveys: vec![],
         simulation: None,
+        frame_simulations: vec![],
     }
 }
 

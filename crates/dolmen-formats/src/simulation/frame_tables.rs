@@ -50,7 +50,14 @@ pub fn frame_histories_csv(simulation: &FrameSimulation) -> String {
 pub fn frame_slips_csv(simulation: &FrameSimulation) -> String {
     let mut out = String::from("storey,from_s,to_s,slip_m\n");
     for slip in &simulation.history.slips {
-        let _ = writeln!(out, "{},{},{},{}", slip.storey + 1, slip.from_s, slip.to_s, slip.slip_m);
+        let _ = writeln!(
+            out,
+            "{},{},{},{}",
+            slip.storey + 1,
+            slip.from_s,
+            slip.to_s,
+            slip.slip_m
+        );
     }
     out
 }

@@ -191,13 +191,21 @@ fn stiffness_of(state: &State) -> String {
             out += &modes_text(&check.modes, "link tops");
         }
         Check::Frame(directions) => {
-            for DirectionCheck { direction, check } in directions {
+            for DirectionCheck {
+                direction,
+                check,
+                slipping,
+            } in directions
+            {
                 let _ = writeln!(out, "\nDirection {direction}");
                 match &check.stability {
                     Some(stability) => out += &frame_stability_text(stability),
                     None => out += "  stiffness not known: run `dolmen identify`\n",
                 }
                 out += &modes_text(&check.modes, "levels");
+                if let Some(slipping) = slipping {
+                    out += &slipping_text(slipping);
+                }
                 for note in &check.notes {
                     let _ = writeln!(out, "  note: {note}");
                 }
@@ -209,6 +217,26 @@ fn stiffness_of(state: &State) -> String {
         out += &sampled_text(sampled);
     }
     out
+}
+
+/// The frame while every joint slips, in a line.
+fn slipping_text(check: &FrameCheck) -> String {
+    let frequencies: Vec<String> = check
+        .modes
+        .iter()
+        .map(|m| format!("{:.4}", m.frequency_hz))
+        .collect();
+    let stability = check.stability.as_ref().map_or_else(String::new, |stability| {
+        format!(
+            "load factor {:.4}: {}; ",
+            stability.load_factor,
+            stability.verdict.word()
+        )
+    });
+    format!(
+        "  while every joint slips: {stability}{} Hz\n",
+        frequencies.join(", ")
+    )
 }
 
 fn chain_limits_text(limits: &ChainLimits) -> String {

@@ -25,7 +25,11 @@ pub fn frame_outcome_text(simulation: &FrameSimulation) -> String {
         }
         FrameOutcome::Finished => {
             let last = history.residual_m.last().copied().unwrap_or(0.0);
-            let state = if history.at_rest { "at rest" } else { "still moving" };
+            let state = if history.at_rest {
+                "at rest"
+            } else {
+                "still moving"
+            };
             format!(
                 "STOOD: no storey leaned by more than {} % of its height; at the end the top is {state}, {:.3} mm from where it was",
                 100.0 * simulation.options.drift_ratio_most,
@@ -56,7 +60,11 @@ pub fn friction_words(friction: &StoreyFriction) -> String {
         if static_force_n == kinetic_force_n {
             format!("{:.1} kN", 1e-3 * kinetic_force_n)
         } else {
-            format!("{:.1} then {:.1} kN", 1e-3 * static_force_n, 1e-3 * kinetic_force_n)
+            format!(
+                "{:.1} then {:.1} kN",
+                1e-3 * static_force_n,
+                1e-3 * kinetic_force_n
+            )
         }
     };
     match *friction {

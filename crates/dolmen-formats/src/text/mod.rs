@@ -2,6 +2,7 @@
 
 mod check;
 mod demand;
+mod frame_simulation;
 mod identify;
 mod project;
 mod simulation;
@@ -12,6 +13,7 @@ mod versions;
 
 pub use check::check_text;
 pub(crate) use demand::{STANDARD_GRAVITY_M_S2, ground_word, type_word};
+pub use frame_simulation::{frame_outcome_text, frame_simulation_text, friction_words};
 pub use identify::identification_text;
 pub use project::{heading_text, warnings_text};
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
