@@ -124,7 +124,7 @@ pub(crate) struct Simulate {
     /// Time step, s; the longest stable one times .9 without it
     #[arg(long, value_name = "S")]
     pub(crate) step: Option<f64>,
-    /// Length of the run, s; the motion and 2 s more without it
+    /// Length of the run, s; without it the motion and 2 s more for a stack, 20 s more for a frame
     #[arg(long, value_name = "S")]
     pub(crate) duration: Option<f64>,
     /// Time between samples of the histories, s

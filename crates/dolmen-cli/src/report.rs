@@ -2,7 +2,7 @@
 
 use crate::check::{self, Sampling};
 use crate::cli::{Demo, Language as Chosen, Motion, Report};
-use crate::{Outcome, files, identify, motion, new, open, simulate};
+use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_frame};
 use anyhow::{Result, bail};
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
@@ -10,11 +10,13 @@ use dolmen_formats::Language;
 use dolmen_formats::answer::Answer;
 use dolmen_formats::project::{Project, Structure};
 use dolmen_formats::report::{Imprint, html};
-use dolmen_formats::simulation::Simulation;
+use dolmen_formats::simulation::{FrameSimulation, Simulation};
 use std::path::{Path, PathBuf};
 
 /// Samples of the demo: enough for a figure, few enough for a blink.
 const DEMO_SAMPLES: usize = 2000;
+/// Time between the samples of a frame's histories in a report, s.
+const REPORT_STEP_S: f64 = 0.01;
 /// Seed of the demo.
 const DEMO_SEED: u64 = 1;
 
@@ -36,12 +38,11 @@ fn imprint(date: Option<String>) -> Imprint {
 /// motion that was asked for.
 fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet: bool) -> Result<Answer> {
     let open::Opened { project, file } = open::project(path)?;
-    if let (Structure::Chain(_) | Structure::Frame(_) | Structure::Survey, Some(options)) =
-        (&project.structure, motion)
+    if let (Structure::Chain(_) | Structure::Survey, Some(options)) = (&project.structure, motion)
         && motion::is_given(options)
     {
         bail!(
-            "{}: only a stack can be simulated; leave the motion out",
+            "{}: only stacks and frames can be simulated; leave the motion out",
             file.display()
         );
     }
@@ -76,7 +77,47 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
             }
         }
     }
+    if let Some(options) = motion.filter(|options| motion::is_given(options)) {
+        answer.frame_simulations = frames(&answer.project, &file, options, quiet)?;
+    }
     Ok(answer)
+}
+
+/// The frame, as it is and in its variants, under the motion: each direction of known stiffness.
+fn frames(project: &Project, file: &Path, options: &Motion, quiet: bool) -> Result<Vec<FrameSimulation>> {
+    let versions = project
+        .variants
+        .iter()
+        .map(|v| (&v.project, Some(v.name.as_str())));
+    let mut found = Vec::new();
+    for (version, variant) in [(project, None)].into_iter().chain(versions) {
+        let Structure::Frame(part) = &version.structure else {
+            continue;
+        };
+        if part
+            .directions
+            .iter()
+            .all(|direction| direction.stiffness.is_none())
+        {
+            continue;
+        }
+        let motion = motion::motion(options, version, file)?;
+        let wish = simulate_frame::Wish {
+            direction: None,
+            variant,
+            duration_s: None,
+            output_step_s: REPORT_STEP_S,
+        };
+        let shown = file.display().to_string();
+        found.extend(simulate_frame::simulations(
+            (version, part),
+            &shown,
+            &motion,
+            &wish,
+            quiet,
+        )?);
+    }
+    Ok(found)
 }
 
 pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {

@@ -4,6 +4,7 @@
 mod answers;
 mod demands;
 mod docs;
+mod frames;
 mod layout;
 mod safety;
 mod simulations;

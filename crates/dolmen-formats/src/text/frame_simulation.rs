@@ -112,7 +112,7 @@ fn storeys_text(simulation: &FrameSimulation) -> String {
         "level, mm",
         "slipped, mm",
         "of the time, %",
-        "left: drift, mm",
+        "at the end: drift, mm",
     ];
     let mut table = Table::new(&heads, 1);
     let heights = simulation.frame.frame().storeys();
@@ -131,7 +131,7 @@ fn storeys_text(simulation: &FrameSimulation) -> String {
         ]);
     }
     format!(
-        "Peaks of each storey between the samples too, and what is left at the end\n{}",
+        "Peaks of each storey between the samples too, and the state at the end\n{}",
         table.text()
     )
 }

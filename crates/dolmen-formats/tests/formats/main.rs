@@ -7,6 +7,7 @@ mod motions;
 mod npy_records;
 mod palisaden;
 mod project;
+mod project_friction;
 mod project_keys;
 mod project_shapes;
 mod project_site;

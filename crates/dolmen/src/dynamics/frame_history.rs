@@ -139,13 +139,13 @@ impl FrameHistory {
     pub fn slipping_share(&self, storey: usize) -> f64 {
         let whole_s = self.time_s.last().copied().unwrap_or(0.0);
         let of_storey = self.slips.iter().filter(|s| s.storey == storey);
-        let slipping_s: f64 = of_storey.map(|s| s.to_s - s.from_s).sum();
+        let slipping_s = of_storey.fold(0.0, |time, s| time + s.to_s - s.from_s);
         if whole_s > 0.0 { slipping_s / whole_s } else { 0.0 }
     }
 
     /// Whole way that the slider of a storey has slipped, both directions added up, m.
     pub fn slipped_way_m(&self, storey: usize) -> f64 {
         let of_storey = self.slips.iter().filter(|s| s.storey == storey);
-        of_storey.map(|s| s.slip_m.abs()).sum()
+        of_storey.fold(0.0, |way, s| way + s.slip_m.abs())
     }
 }
