@@ -146,7 +146,7 @@ fn refuses_motions_and_options_that_cannot_be() {
     let answer = scratch.dolmen(&format!("simulate examples/naju_flagpole {EL_CENTRO}"));
     assert_eq!(answer.status, 2);
     assert!(
-        answer.stderr.contains("only a stack can be simulated"),
+        answer.stderr.contains("only stacks and frames can be simulated"),
         "{}",
         answer.stderr
     );
