@@ -165,18 +165,17 @@ fn springs(options: &Options) -> Springs {
 /// The run itself.
 fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: bool) -> Result<StackHistory> {
     let whole_s = springs.duration_s.unwrap_or(motion.duration_s() + springs.rest_s);
-    let history = with_progress(whole_s, quiet, &mut |progress| {
+    let history = with_progress(whole_s, quiet, |progress| {
         simulate_springs(stack, Some(motion), springs, progress)
     })?;
     Ok(history)
 }
 
+/// Takes the simulated time, and says whether to go on.
+pub(crate) type Progress<'a> = &'a mut dyn FnMut(f64) -> bool;
+
 /// A run with its progress on a terminal; Ctrl-C ends it and keeps what is done, a second one ends the process.
-pub(crate) fn with_progress<T>(
-    whole_s: f64,
-    quiet: bool,
-    run: &mut dyn FnMut(&mut dyn FnMut(f64) -> bool) -> T,
-) -> T {
+pub(crate) fn with_progress<T>(whole_s: f64, quiet: bool, run: impl FnOnce(Progress<'_>) -> T) -> T {
     HANDLER.get_or_init(|| {
         let pressed = || {
             if STOP.swap(true, Ordering::SeqCst) {

@@ -120,7 +120,7 @@ pub(crate) fn simulations(
             output_step_s: wish.output_step_s,
             ..FrameRun::default()
         };
-        let history = with_progress(run_s, quiet, &mut |progress| {
+        let history = with_progress(run_s, quiet, |progress| {
             simulate_frame(&frame, &load, &options, progress)
         })?;
         found.push(FrameSimulation {

@@ -142,7 +142,7 @@ fn holds_a_motion_of_the_file_acts_and_what_is_typed_goes_before_it() {
             format!(
                 "{t:.2},{:.6}\n",
                 if t < 1.0 {
-                    0.338 * (6.283185 * t).sin()
+                    0.338 * (std::f64::consts::TAU * t).sin()
                 } else {
                     0.0
                 }

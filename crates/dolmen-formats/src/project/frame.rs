@@ -50,9 +50,9 @@ pub enum SlipForces {
     /// Coefficients of the axial force: while slipping, and before it if it is another.
     Coefficient {
         /// μ while slipping.
-        kinetic: Quantity,
+        kinetic: Box<Quantity>,
         /// μ before slipping; `None` for the same.
-        fixed: Option<Quantity>,
+        fixed: Option<Box<Quantity>>,
     },
     /// One force for each storey, N, lowest first.
     Forces(Vec<Quantity>),
@@ -173,7 +173,10 @@ impl FramePart {
                 continue;
             };
             match &friction.slip {
-                SlipForces::Coefficient { kinetic, fixed } => all.extend([kinetic].into_iter().chain(fixed)),
+                SlipForces::Coefficient { kinetic, fixed } => {
+                    all.push(kinetic);
+                    all.extend(fixed.as_deref());
+                }
                 SlipForces::Forces(forces) => all.extend(forces),
             }
             all.extend(friction.slipping_stiffness.iter().flatten());

@@ -164,7 +164,10 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                 reader.fault(fault.allowed("must be at least the coefficient while slipping"));
                 return None;
             }
-            Some(SlipForces::Coefficient { kinetic, fixed })
+            Some(SlipForces::Coefficient {
+                kinetic: Box::new(kinetic),
+                fixed: fixed.map(Box::new),
+            })
         }
         (None, Some(list)) => {
             if let Some(fixed) = &given.static_coefficient {

@@ -306,6 +306,7 @@ fn survey() -> Answer {
             stiffness: vec![],
         }],
         simulation: None,
+        frame_simulations: vec![],
     }
 }
 
