@@ -6,6 +6,7 @@ mod demand;
 mod files;
 mod identify;
 mod motion;
+mod motion_verb;
 mod new;
 mod open;
 mod report;
@@ -49,6 +50,7 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
         Verb::Check(options) => check::run(options, cli.json),
         Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
         Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
+        Verb::Motion(options) => motion_verb::run(options, cli.json, cli.quiet),
         Verb::Report(options) => report::run(options, cli.quiet),
         Verb::Demo(options) => report::demo(options, cli.quiet),
         Verb::Schema => tools::schema(),

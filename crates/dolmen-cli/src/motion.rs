@@ -3,8 +3,8 @@
 use crate::cli::Motion as Options;
 use crate::files;
 use anyhow::{Context as _, Result, bail};
-use dolmen::signal::{Component, GroundMotion, Quantity};
-use dolmen_formats::motions::{MotionOptions, read_motion};
+use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
+use dolmen_formats::motions::{Lengths, MotionOptions, StatedPeak, read_motion, read_oriented};
 use dolmen_formats::project::{MotionPart, MotionSize, MotionSource, Project};
 use dolmen_formats::records::Unit;
 use dolmen_formats::simulation::MotionAnswer;
@@ -25,7 +25,8 @@ pub(crate) fn is_given(options: &Options) -> bool {
 /// Whether something is to be done to it.
 pub(crate) fn is_changed(options: &Options) -> bool {
     let numbers = [options.keep_first, options.taper, options.turn, options.scale];
-    numbers.iter().any(Option::is_some) || options.peak.is_some()
+    let base_line = options.baseline.is_some() || options.high_pass.is_some();
+    numbers.iter().any(Option::is_some) || options.peak.is_some() || base_line
 }
 
 /// What is to be read and done: the file's words, with what was typed in their place.
@@ -37,6 +38,11 @@ struct Wanted {
     taper_s: Option<f64>,
     turn_rad: Option<f64>,
     size: Option<MotionSize>,
+    /// What else is told of the files, and done to what they hold: typed only.
+    read: MotionOptions,
+    x_azimuth_deg: Option<f64>,
+    baseline: Option<usize>,
+    high_pass_hz: Option<f64>,
     /// Where complaints about what the project file says belong.
     part: Option<String>,
 }
@@ -50,7 +56,23 @@ enum From {
 /// The motion that was asked for, ready to act: of the project file, carried along, or from files. What is typed goes before
 /// what the project file says.
 pub(crate) fn motion(options: &Options, project: &Project, file: &Path) -> Result<MotionAnswer> {
-    let wanted = wanted(options, project, file)?;
+    prepared(options, Some((project, file)))
+}
+
+/// The same without a project file.
+pub(crate) fn motion_alone(options: &Options) -> Result<MotionAnswer> {
+    prepared(options, None)
+}
+
+/// A motion changed as it was typed, but for its size, which it was made with.
+pub(crate) fn changed_alone(motion: GroundMotion, options: &Options) -> Result<GroundMotion> {
+    let mut told = options.clone();
+    (told.motion, told.motion_file) = (Some(CARRIED[0].0.to_owned()), Vec::new());
+    changed(motion, &wanted(&told, None)?)
+}
+
+fn prepared(options: &Options, project: Option<(&Project, &Path)>) -> Result<MotionAnswer> {
+    let wanted = wanted(options, project)?;
     let mut answer = match &wanted.from {
         From::Carried(name) => carried(name)?,
         From::Files(files) => from_files(files, &wanted)?,
@@ -59,9 +81,11 @@ pub(crate) fn motion(options: &Options, project: &Project, file: &Path) -> Resul
     Ok(answer)
 }
 
-fn wanted(options: &Options, project: &Project, file: &Path) -> Result<Wanted> {
+fn wanted(options: &Options, project: Option<(&Project, &Path)>) -> Result<Wanted> {
+    let own = project.map_or(&[][..], |(project, _)| &project.motions[..]);
+    let file = project.map_or(Path::new("."), |(_, file)| file);
     let part = match &options.motion {
-        Some(name) => project.motions.iter().find(|part| part.name == *name),
+        Some(name) => own.iter().find(|part| part.name == *name),
         None => None,
     };
     let from = match (&options.motion, part) {
@@ -79,11 +103,11 @@ fn wanted(options: &Options, project: &Project, file: &Path) -> Result<Wanted> {
         (Some(name), None) => bail!(
             "there is no motion \"{name}\": known are {}; other motions come from files with --motion-file, or stand in the \
              project file as [motion.{name}]",
-            names(project)
+            names(own)
         ),
         (None, _) if options.motion_file.is_empty() => bail!(
-            "no motion is given: name files with --motion-file, or take --motion {}",
-            names(project)
+            "no motion is given: name files (`dolmen simulate`: with --motion-file), or take --motion {}",
+            names(own)
         ),
         (None, _) => From::Files(typed_files(options)?),
     };
@@ -104,13 +128,17 @@ fn wanted(options: &Options, project: &Project, file: &Path) -> Result<Wanted> {
             .map(f64::to_radians)
             .or_else(|| of(|part| part.turn_rad)),
         size: typed_size.or_else(|| part?.size),
+        read: motion_options(options)?,
+        x_azimuth_deg: options.x_azimuth,
+        baseline: options.baseline,
+        high_pass_hz: options.high_pass,
         part: part.map(|part| format!("motion.{}", part.name)),
     })
 }
 
 /// The motions there are: those of the project file, then those carried along.
-fn names(project: &Project) -> String {
-    let own = project.motions.iter().map(|part| part.name.as_str());
+fn names(own: &[MotionPart]) -> String {
+    let own = own.iter().map(|part| part.name.as_str());
     own.chain(CARRIED.map(|(name, ..)| name))
         .collect::<Vec<_>>()
         .join(", ")
@@ -145,15 +173,45 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
     }
 }
 
+/// "y" and "FILE" of "y=FILE"; a text without a component is a file.
+pub(crate) fn named_file(text: &str) -> (Option<Component>, &str) {
+    let split = text.split_once('=').and_then(|(before, file)| {
+        let component = Component::ALL.into_iter().find(|c| c.name() == before)?;
+        Some((Some(component), file))
+    });
+    split.unwrap_or((None, text))
+}
+
+/// What is told of the files.
+pub(crate) fn motion_options(options: &Options) -> Result<MotionOptions> {
+    Ok(MotionOptions {
+        unit: match &options.unit {
+            Some(unit) => Some(Unit::parse(unit)?),
+            None => None,
+        },
+        time_step_s: options.sample_step,
+        channel: options.channel.clone(),
+        factor: options.factor,
+        stated_peak: if options.ignore_stated_peak {
+            StatedPeak::Ignore
+        } else {
+            StatedPeak::Check
+        },
+        lengths: if options.shortest {
+            Lengths::Shortest
+        } else {
+            Lengths::Same
+        },
+        ..MotionOptions::default()
+    })
+}
+
 /// The files of the command line, each with its component.
 fn typed_files(options: &Options) -> Result<Vec<(Component, String, PathBuf)>> {
     let mut named: Vec<(Component, String, PathBuf)> = Vec::new();
     for (position, text) in options.motion_file.iter().enumerate() {
-        let split = text.split_once('=').and_then(|(before, file)| {
-            let component = Component::ALL.into_iter().find(|c| c.name() == before)?;
-            Some((component, file))
-        });
-        let (component, file) = split.unwrap_or((Component::ALL[position.min(2)], text));
+        let (component, file) = named_file(text);
+        let component = component.unwrap_or(Component::ALL[position.min(2)]);
         if named.iter().any(|(other, ..)| *other == component) {
             bail!(
                 "--motion-file: the {component} component is given twice; name each as in {component}=FILE"
@@ -171,7 +229,7 @@ fn from_files(named: &[(Component, String, PathBuf)], wanted: &Wanted) -> Result
             None => None,
         },
         time_step_s: wanted.sample_step_s,
-        ..MotionOptions::default()
+        ..wanted.read.clone()
     };
     let place = |file: &str| match &wanted.part {
         Some(part) => format!("{part}.files: {file}"),
@@ -195,14 +253,32 @@ fn from_files(named: &[(Component, String, PathBuf)], wanted: &Wanted) -> Result
         .map(|(.., path)| stem(path).unwrap_or_default())
         .collect();
     let files: Vec<&str> = named.iter().map(|(_, name, _)| name.as_str()).collect();
-    let motion = read_motion(&stems.join(" + "), &parts, &read).with_context(|| place(&files.join(", ")))?;
-    let files = named
-        .iter()
-        .map(|(component, name, _)| (*component, name.clone()));
-    Ok(of_files(motion, files.collect()))
+    let name = stems.join(" + ");
+    let motion = match wanted.x_azimuth_deg {
+        None => read_motion(&name, &parts, &read),
+        Some(azimuth_deg) => {
+            let parts: Vec<&[u8]> = parts.iter().map(|(_, bytes)| *bytes).collect();
+            read_oriented(&name, &parts, azimuth_deg, &read)
+        }
+    };
+    let motion = motion.with_context(|| place(&files.join(", ")))?;
+    let of_each: Vec<(Component, String)> = match wanted.x_azimuth_deg {
+        None => named
+            .iter()
+            .map(|(component, name, _)| (*component, name.clone()))
+            .collect(),
+        // turned: every direction comes from all files
+        Some(_) => {
+            let given = Component::ALL
+                .into_iter()
+                .filter(|component| motion.has(*component));
+            given.map(|component| (component, files.join(" + "))).collect()
+        }
+    };
+    Ok(of_files(motion, of_each))
 }
 
-/// Cut, tapered, turned, scaled, in this order.
+/// Cut, base line taken off, filtered, tapered, turned, scaled, in this order.
 fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion> {
     let place = |flag: &'static str, key: &str| match &wanted.part {
         Some(part) => format!("{flag}, {part}.{key}"),
@@ -212,6 +288,15 @@ fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion> {
         motion = motion
             .keep_first(seconds)
             .with_context(|| place("--keep-first", "keep_first_s"))?;
+    }
+    if let Some(degree) = wanted.baseline {
+        motion = motion
+            .baseline_corrected(Baseline::Polynomial { degree })
+            .context("--baseline")?;
+    }
+    if let Some(corner_hz) = wanted.high_pass_hz {
+        let filter = Baseline::HighPass { corner_hz, order: 4 };
+        motion = motion.baseline_corrected(filter).context("--high-pass")?;
     }
     if let Some(seconds) = wanted.taper_s {
         motion = motion
@@ -250,7 +335,7 @@ fn largest_component(motion: &GroundMotion) -> Component {
 }
 
 /// "0.3 g", "2.94 m/s2", "294 gal" as m/s².
-fn acceleration_m_s2(text: &str) -> Result<f64> {
+pub(crate) fn acceleration_m_s2(text: &str) -> Result<f64> {
     let text = text.trim();
     let end = text
         .char_indices()

@@ -4,10 +4,12 @@ mod check;
 mod demand;
 mod frame_simulation;
 mod identify;
+mod motion;
 mod simulation;
 mod stack;
 
 pub use check::check_json;
 pub use frame_simulation::frame_simulation_json;
 pub use identify::identification_json;
+pub use motion::motion_report_json;
 pub use simulation::simulation_json;

@@ -1,4 +1,5 @@
-//! AT2: the text files of the PEER strong motion databases, in both headers they have had.
+//! AT2: the text files of the PEER strong motion databases, in both headers they have had. The last word of the second line is
+//! the direction where it is an azimuth or UP, DWN.
 //!
 //! ```text
 //! PEER NGA STRONG MOTION DATABASE RECORD
@@ -8,27 +9,14 @@
 //!    .9984852E-03   .9991426E-03   .9997266E-03   .1000268E-02   .1000757E-02
 //! ```
 
-use super::MotionError;
 use super::error::excerpt;
 use super::read::{MotionFormat, Raw};
+use super::units::acceleration_unit;
+use super::{MotionError, Orientation};
 use crate::records::{Unit, parse_number};
 
 /// NPTS stands within so many lines; the databases put it into the fourth.
 const HEADER_LINES_MOST: usize = 10;
-/// How units of acceleration are spelled in headers.
-const UNITS: [(&str, Unit); 10] = [
-    ("G", Unit::Gravity),
-    ("GAL", Unit::Gal),
-    ("CM/S2", Unit::Gal),
-    ("CM/S/S", Unit::Gal),
-    ("CM/SEC2", Unit::Gal),
-    ("CM/SEC/SEC", Unit::Gal),
-    ("M/S2", Unit::MetrePerSecondSquared),
-    ("M/S/S", Unit::MetrePerSecondSquared),
-    ("M/SEC2", Unit::MetrePerSecondSquared),
-    ("M/SEC/SEC", Unit::MetrePerSecondSquared),
-];
-
 /// Whether one of the first lines names NPTS.
 pub(super) fn is_at2(bytes: &[u8]) -> bool {
     header_length(bytes).is_some()
@@ -41,7 +29,7 @@ fn header_length(bytes: &[u8]) -> Option<usize> {
 }
 
 /// The samples as the file prints them.
-pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Raw, MotionError> {
+pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, MotionError> {
     let at = header_length(bytes).ok_or_else(|| MotionError::At2Header {
         line: 1,
         text: excerpt(bytes.split(|b| *b == b'\n').next().unwrap_or_default()),
@@ -76,13 +64,14 @@ pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Raw, MotionError
         });
     }
     let title = if at >= 2 { excerpt(lines[1]) } else { String::new() };
-    Ok(Raw {
-        format: MotionFormat::At2,
+    let direction = title.rsplit(',').next().and_then(Orientation::of_word);
+    Ok(vec![Raw {
         title,
         samples,
-        time_step_s,
         unit,
-    })
+        orientation: direction,
+        ..Raw::new(MotionFormat::At2, time_step_s)
+    }])
 }
 
 /// Unit of acceleration that a line of the header names; a line about velocities or displacements is refused.
@@ -93,12 +82,12 @@ fn unit_of(line: &[u8], number: usize, unit_is_given: bool) -> Result<Option<Uni
     };
     let other = [("VELOCITY", "velocities"), ("DISPLACEMENT", "displacements")];
     if let Some((_, what)) = other.iter().find(|(word, _)| what.contains(word)) {
-        return Err(MotionError::At2Quantity { line: number, what });
+        return Err(MotionError::Quantity { line: number, what });
     }
     let word = unit.split_whitespace().next().unwrap_or_default();
     let word = word.trim_end_matches(['.', ',']);
-    match UNITS.iter().find(|(spelling, _)| *spelling == word) {
-        Some((_, unit)) => Ok(Some(*unit)),
+    match acceleration_unit(word) {
+        Some(unit) => Ok(Some(unit)),
         None if unit_is_given => Ok(None),
         None => Err(MotionError::At2Unit {
             line: number,

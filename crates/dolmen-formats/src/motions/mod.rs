@@ -1,12 +1,32 @@
-//! Ground motions: bytes of strong-motion files to [`GroundMotion`](dolmen::signal::GroundMotion)s. One format a file.
+//! Ground motions: bytes of strong-motion files to [`GroundMotion`](dolmen::signal::GroundMotion)s, and back.
 
+mod answer;
 mod at2;
+mod channel;
+mod cosmos;
+mod csmip;
 mod error;
+mod esm;
+mod knet;
+mod lines;
+mod miniseed;
 mod options;
+mod orientation;
+mod oriented;
 mod plausible;
 mod read;
+mod sac;
+mod start;
+mod steim;
 mod text;
+mod units;
+mod write;
 
+pub use answer::{MatchAnswer, MotionReport, MotionSeries};
+pub use channel::{ComponentReading, read_channels, read_component};
 pub use error::MotionError;
-pub use options::{Lengths, MotionOptions};
-pub use read::{ComponentReading, MotionFormat, read_component, read_motion};
+pub use options::{Lengths, MotionOptions, StatedPeak};
+pub use orientation::Orientation;
+pub use oriented::read_oriented;
+pub use read::{MotionFormat, read_motion};
+pub use write::{motion_at2, motion_csv};

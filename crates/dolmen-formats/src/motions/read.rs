@@ -1,13 +1,15 @@
-//! Any motion file: the format is found out from its content.
+//! Motions of several components from files of one channel each.
 
 use super::options::Lengths;
-use super::plausible::refuse_implausible;
-use super::{MotionError, MotionOptions, at2, text};
+use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_component};
 use crate::records::Unit;
-use dolmen::signal::{Component, GroundMotion, Processing, Quantity};
+use dolmen::signal::{Component, GroundMotion, Processing};
 
 /// Share by which two time steps may differ and still be one: printed digits, no more. Chosen here.
 const STEP_TOLERANCE: f64 = 1e-6;
+
+/// Share of a time step by which components may begin apart. Chosen here: half of it decides which sample is meant.
+const START_STEPS: f64 = 0.5;
 
 /// Format of a motion file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -15,106 +17,77 @@ const STEP_TOLERANCE: f64 = 1e-6;
 pub enum MotionFormat {
     /// Of the PEER databases.
     At2,
+    /// COSMOS V1 or V2, format 1.20.
+    Cosmos,
+    /// V1 or V2 of the Californian program before it.
+    Csmip,
+    /// K-NET or KiK-net ASCII.
+    KNet,
+    /// ESM ASCII.
+    Esm,
+    /// SAC, binary.
+    Sac,
+    /// SAC, alphanumeric.
+    SacText,
+    /// miniSEED 2.
+    MiniSeed,
     /// Text in columns.
     Text,
 }
 
 impl MotionFormat {
-    /// "at2", "csv".
+    /// "at2", "cosmos", "csmip", "k-net", "esm", "sac", "sac (text)", "miniseed", "csv".
     pub fn name(self) -> &'static str {
         match self {
             MotionFormat::At2 => "at2",
+            MotionFormat::Cosmos => "cosmos",
+            MotionFormat::Csmip => "csmip",
+            MotionFormat::KNet => "k-net",
+            MotionFormat::Esm => "esm",
+            MotionFormat::Sac => "sac",
+            MotionFormat::SacText => "sac (text)",
+            MotionFormat::MiniSeed => "miniseed",
             MotionFormat::Text => "csv",
         }
     }
 }
 
-/// One component as read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ComponentReading {
-    /// Format of the file.
-    pub format: MotionFormat,
-    /// What the file calls itself: earthquake, station, direction; "" if it does not say.
-    pub title: String,
-    /// Acceleration, m/s².
-    pub acceleration_m_s2: Vec<f64>,
-    /// Between samples, s.
-    pub time_step_s: f64,
-    /// Unit of the numbers in the file.
-    pub unit: Unit,
-}
-
 /// What each format yields: numbers as printed.
 pub(super) struct Raw {
     pub(super) format: MotionFormat,
+    pub(super) name: String,
     pub(super) title: String,
     pub(super) samples: Vec<f64>,
     pub(super) time_step_s: f64,
     /// As the file says.
     pub(super) unit: Option<Unit>,
+    pub(super) orientation: Option<Orientation>,
+    pub(super) begins_s: Option<f64>,
+    /// Whether the numbers have an offset by the definition of the format.
+    pub(super) subtract_mean: bool,
+    /// Largest absolute value by the header, in the unit of the file.
+    pub(super) stated_peak: Option<f64>,
 }
 
-/// One component of a motion from the bytes of a file: AT2 of the PEER databases, or text in columns.
-///
-/// # Errors
-/// [`MotionError`], which says where in the file and what to do: no unit, a unit or a step that contradicts the file, a peak
-/// that no earthquake has, a value that is no number, fewer samples than the header says.
-///
-/// # Example
-/// ```
-/// use dolmen_formats::motions::{MotionOptions, read_component};
-/// let text = "time_s,acceleration_g\n0,0\n0.02,0.1\n0.04,-0.3\n";
-/// let read = read_component(text.as_bytes(), &MotionOptions::default())?;
-/// assert!((read.acceleration_m_s2[2] + 0.3 * 9.80665).abs() < 1e-15 && read.time_step_s == 0.02);
-/// # Ok::<(), dolmen_formats::motions::MotionError>(())
-/// ```
-pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<ComponentReading, MotionError> {
-    if let Some(given) = options.time_step_s
-        && !(given > 0.0 && given.is_finite())
-    {
-        return Err(MotionError::Step { given });
-    }
-    let raw = if at2::is_at2(bytes) {
-        at2::read(bytes, options.unit.is_some())?
-    } else {
-        text::read(bytes, options)?
-    };
-    let unit = match (options.unit, raw.unit) {
-        (Some(given), Some(found)) if given != found => {
-            return Err(MotionError::UnitDisagrees {
-                given: given.symbol(),
-                found: found.symbol(),
-            });
+impl Raw {
+    /// Nothing known but this.
+    pub(super) fn new(format: MotionFormat, time_step_s: f64) -> Self {
+        Raw {
+            format,
+            name: String::new(),
+            title: String::new(),
+            samples: Vec::new(),
+            time_step_s,
+            unit: None,
+            orientation: None,
+            begins_s: None,
+            subtract_mean: false,
+            stated_peak: None,
         }
-        (given, found) => given.or(found).ok_or(MotionError::NoUnit)?,
-    };
-    if unit.quantity() != Quantity::Acceleration {
-        return Err(MotionError::NotAcceleration {
-            given: unit.symbol().to_owned(),
-        });
     }
-    if let Some(given) = options.time_step_s
-        && !same_step(given, raw.time_step_s)
-    {
-        return Err(MotionError::StepDisagrees {
-            given,
-            found: raw.time_step_s,
-        });
-    }
-    let mut samples = raw.samples;
-    samples.iter_mut().for_each(|a| *a *= unit.si());
-    let peak_m_s2 = samples.iter().fold(0.0, |peak, a| f64::max(peak, a.abs()));
-    refuse_implausible(peak_m_s2, unit, &options.plausible_peak_m_s2)?;
-    Ok(ComponentReading {
-        format: raw.format,
-        title: raw.title,
-        acceleration_m_s2: samples,
-        time_step_s: raw.time_step_s,
-        unit,
-    })
 }
 
-fn same_step(a: f64, b: f64) -> bool {
+pub(super) fn same_step(a: f64, b: f64) -> bool {
     (a - b).abs() <= STEP_TOLERANCE * a.abs()
 }
 
@@ -125,7 +98,8 @@ fn same_step(a: f64, b: f64) -> bool {
 /// unless [`MotionOptions::lengths`] allows it.
 ///
 /// # Limits
-/// All files must begin at the same time and the signs must be those of x, y and z: AT2 files do not say when they begin.
+/// The signs of the files are taken as those of x, y and z, whatever direction they state; [`read_oriented`](super::read_oriented)
+/// turns them. Files that say when they begin must agree in it; AT2 files and texts do not say it, and must.
 pub fn read_motion(
     name: &str,
     files: &[(Component, &[u8])],
@@ -139,39 +113,41 @@ pub fn read_motion(
         })?;
         read.push((*component, one));
     }
+    motion_of(name, read, options)
+}
+
+/// A motion from channels that are known to point along x, y or z.
+pub(super) fn motion_of(
+    name: &str,
+    read: Vec<(Component, ComponentReading)>,
+    options: &MotionOptions,
+) -> Result<GroundMotion, MotionError> {
     let Some((first, reference)) = read.first() else {
         return Err(MotionError::NoFile);
     };
-    let (time_step_s, length) = (reference.time_step_s, reference.acceleration_m_s2.len());
+    let length = reference.acceleration_m_s2.len();
+    let time_step_s = reference.time_step_s;
     let mut shortest = length;
     for (component, one) in &read {
-        if !same_step(time_step_s, one.time_step_s) {
-            return Err(MotionError::TimeSteps {
-                first: first.name(),
-                first_s: time_step_s,
-                second: component.name(),
-                second_s: one.time_step_s,
-            });
-        }
-        let samples = one.acceleration_m_s2.len();
-        if options.lengths == Lengths::Same && samples != length {
-            return Err(MotionError::Lengths {
-                first: first.name(),
-                first_samples: length,
-                second: component.name(),
-                second_samples: samples,
-            });
-        }
-        shortest = shortest.min(samples);
+        agree((*first, reference), (*component, one), options)?;
+        shortest = shortest.min(one.acceleration_m_s2.len());
     }
     let was_cut = read.iter().any(|(_, one)| one.acceleration_m_s2.len() > shortest);
-    let steps: Vec<Processing> = read
-        .iter()
-        .map(|(_, one)| Processing::Read {
+    let mut steps: Vec<Processing> = Vec::new();
+    for (_, one) in &read {
+        steps.push(Processing::Read {
             format: one.format.name().to_owned(),
             unit: one.unit.symbol().to_owned(),
-        })
-        .collect();
+        });
+    }
+    if options.factor != 1.0 {
+        steps.push(Processing::Scaled {
+            factor: options.factor,
+        });
+    }
+    if read.iter().any(|(_, one)| one.mean_subtracted_m_s2.is_some()) {
+        steps.push(Processing::Detrend { degree: 0 });
+    }
     let series = read.into_iter().map(|(component, one)| {
         let mut samples = one.acceleration_m_s2;
         samples.truncate(shortest);
@@ -186,4 +162,41 @@ pub fn read_motion(
         });
     }
     Ok(motion)
+}
+
+/// Refuses a component whose step, length or start is not that of the first.
+fn agree(
+    (first, reference): (Component, &ComponentReading),
+    (second, one): (Component, &ComponentReading),
+    options: &MotionOptions,
+) -> Result<(), MotionError> {
+    let (first, second) = (first.name(), second.name());
+    let (first_s, second_s) = (reference.time_step_s, one.time_step_s);
+    if !same_step(first_s, second_s) {
+        return Err(MotionError::TimeSteps {
+            first,
+            first_s,
+            second,
+            second_s,
+        });
+    }
+    if let (Some(a), Some(b)) = (reference.begins_s, one.begins_s)
+        && (b - a).abs() > START_STEPS * first_s
+    {
+        return Err(MotionError::Starts {
+            first,
+            second,
+            later_s: b - a,
+        });
+    }
+    let (first_samples, second_samples) = (reference.acceleration_m_s2.len(), one.acceleration_m_s2.len());
+    if options.lengths == Lengths::Same && first_samples != second_samples {
+        return Err(MotionError::Lengths {
+            first,
+            first_samples,
+            second,
+            second_samples,
+        });
+    }
+    Ok(())
 }

@@ -11,7 +11,7 @@ use dolmen::signal::Channel;
 const UNNAMED: [&str; 2] = ["ch1", "ch2"];
 
 /// The samples as the file prints them.
-pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Raw, MotionError> {
+pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     let reading = read_columns(bytes, options)?;
     let Layout::Csv(layout) = &reading.layout else {
         return Err(RecordError::Empty.into()); // the reader of CSV gives no other layout
@@ -29,15 +29,15 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Raw, MotionE
             .unwrap_or_default(),
         _ => channels[0].name.clone(),
     };
-    Ok(Raw {
-        format: MotionFormat::Text,
-        title: String::new(),
+    let given = options.time_step_s;
+    Ok(vec![Raw {
         samples: reading.record.samples(0).to_vec(),
-        time_step_s: options
-            .time_step_s
-            .unwrap_or(1.0 / reading.record.sampling_rate_hz()),
         unit: unit_in_name(&column)?,
-    })
+        ..Raw::new(
+            MotionFormat::Text,
+            given.unwrap_or(1.0 / reading.record.sampling_rate_hz()),
+        )
+    }])
 }
 
 fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, RecordError> {

@@ -3,6 +3,7 @@
 
 mod corpus;
 mod csv_records;
+mod motion_formats;
 mod motions;
 mod npy_records;
 mod palisaden;

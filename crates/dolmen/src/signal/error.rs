@@ -223,6 +223,12 @@ pub enum SignalError {
         /// The longest allowed, s.
         most_s: f64,
     },
+    /// A least-squares problem of a base line or a spectrum match has no solution.
+    #[error("no base line or wavelets can be found: {why}; take a longer motion")]
+    Match {
+        /// Why.
+        why: String,
+    },
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

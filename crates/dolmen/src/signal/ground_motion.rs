@@ -189,6 +189,11 @@ impl GroundMotion {
         samples.iter().fold(0.0, |peak, a| f64::max(peak, a.abs()))
     }
 
+    /// To change the samples of one direction; what does so writes into the history.
+    pub(super) fn samples_mut(&mut self, component: Component) -> &mut [f64] {
+        &mut self.series[component as usize]
+    }
+
     /// What was done to it since it was measured or made, oldest first.
     pub fn history(&self) -> &[Processing] {
         &self.history

@@ -87,6 +87,24 @@ pub enum Processing {
         /// Order of one pass.
         order: usize,
     },
+    /// Zero-phase Butterworth high-pass, run forwards and backwards.
+    HighPass {
+        /// Corner, Hz, where the gain of both passes together is 1/2 (−6 dB).
+        corner_hz: f64,
+        /// Order of one pass.
+        order: usize,
+    },
+    /// Scaled, and wavelets added, until a response spectrum was that of a target.
+    Matched {
+        /// The component: "x", "y", "z".
+        component: &'static str,
+        /// Damping ratio of the spectrum.
+        damping_ratio: f64,
+        /// Shortest period, s.
+        period_least_s: f64,
+        /// Longest period, s.
+        period_most_s: f64,
+    },
     /// All samples multiplied by one factor.
     Scaled {
         /// The factor.
@@ -137,6 +155,22 @@ impl std::fmt::Display for Processing {
                     "band-pass {low_hz} to {high_hz} Hz, Butterworth of order {order}, zero phase"
                 )
             }
+            Processing::HighPass { corner_hz, order } => {
+                write!(
+                    f,
+                    "high-pass {corner_hz} Hz, Butterworth of order {order}, zero phase"
+                )
+            }
+            Processing::Matched {
+                component,
+                damping_ratio,
+                period_least_s,
+                period_most_s,
+            } => write!(
+                f,
+                "{component} matched to a spectrum by wavelets, {period_least_s} to {period_most_s} s, damping {} %",
+                100.0 * damping_ratio
+            ),
             Processing::Decimate { factor } => write!(f, "decimated by {factor}"),
             Processing::Scaled { factor } => write!(f, "scaled by {factor}"),
             Processing::Tapered { each_end_s } => {

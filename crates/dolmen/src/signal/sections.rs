@@ -129,6 +129,36 @@ impl Sections {
         }
     }
 
+    /// High-pass with its corner at `corner`, in cycles a sample, 0 to 1/2. Butterworth.
+    ///
+    /// Each pole p of the prototype becomes Ω/p; all zeros go to z = 1.
+    pub(super) fn high_pass(order: usize, corner: f64) -> Self {
+        let omega = warped(corner);
+        let mut slowest = 0.0_f64;
+        let sections = Prototype::Butterworth.poles(order).into_iter().map(|p| {
+            let z = bilinear(omega / p);
+            slowest = slowest.max(z.norm());
+            let (b, a) = if p.im == 0.0 {
+                let gain = 0.5 * (1.0 + z.re); // 1 at z = −1
+                ([gain, -gain, 0.0], [-z.re, 0.0])
+            } else {
+                let a = [-2.0 * z.re, z.norm_sqr()];
+                let gain = 0.25 * (1.0 - a[0] + a[1]);
+                ([gain, -2.0 * gain, gain], a)
+            };
+            Section {
+                b,
+                a,
+                state: [0.0; 2],
+            }
+        });
+        let sections = sections.collect();
+        Sections {
+            sections,
+            ringing: ringing(slowest),
+        }
+    }
+
     /// Band-pass between `low` and `high`, in cycles a sample, 0 to 1/2. Butterworth.
     ///
     /// Each pole p of the prototype becomes the two roots of s² - p B s + Ω₀² = 0, with B = Ω_high - Ω_low and

@@ -9,6 +9,7 @@ mod draws;
 mod el_centro;
 mod frame_friction;
 mod frame_laws;
+mod ground_motions;
 mod limit_analysis_microlp;
 mod made_records;
 mod park_min_2010;

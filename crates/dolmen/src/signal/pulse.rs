@@ -1,0 +1,231 @@
+//! Pulses: one simple motion of the base, for tests, for limits and for what near faults do.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | T_p | `period_s` | period of the pulse | s |
+//! | A | `peak_acceleration_m_s2` | its largest acceleration | m/s² |
+//! | γ, ν | `gamma`, `phase_rad` | number of half cycles and phase of a Mavroeidis–Papageorgiou pulse | –, rad |
+
+use super::{Component, GroundMotion, SignalError};
+use std::f64::consts::{PI, TAU};
+
+/// Samples at which the peak of a shape is looked for.
+const PEAK_SAMPLES: usize = 20_000;
+/// A Ricker wavelet is followed to so many periods on either side of its middle: 1e-9 of its height is left.
+const RICKER_PERIODS: f64 = 1.5;
+/// Samples of a pulse at most.
+const SAMPLES_MOST: f64 = 1e7;
+
+/// The shape of a pulse. What is left of velocity and displacement after it is told with each.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PulseShape {
+    /// A sin(πt/(T_p/2)) for half a period: leaves the velocity A T_p/π. The pulse of Housner.
+    HalfSine,
+    /// A sin(2πt/T_p) for one period: leaves a displacement A T_p²/(2π), no velocity.
+    OneSine,
+    /// A cos(2πt/T_p) for one period, begun and ended by a jump within one sample: leaves nothing but what the samples round.
+    OneCosine,
+    /// Second derivative of a bell, even: A (1 − 2π²t²/T_p²) e^(−π²t²/T_p²); leaves nothing.
+    RickerEven,
+    /// Third derivative of a bell, odd; leaves nothing.
+    RickerOdd,
+    /// Mavroeidis and Papageorgiou: a cosine of velocity in a raised cosine.
+    MavroeidisPapageorgiou {
+        /// γ, above 1: 1.2 to 3 fits near-fault records.
+        gamma: f64,
+        /// ν, rad.
+        phase_rad: f64,
+    },
+}
+
+impl PulseShape {
+    /// "half sine", "one sine", "one cosine", "even Ricker wavelet", "odd Ricker wavelet", "near-fault pulse".
+    pub fn name(self) -> &'static str {
+        match self {
+            PulseShape::HalfSine => "half sine",
+            PulseShape::OneSine => "one sine",
+            PulseShape::OneCosine => "one cosine",
+            PulseShape::RickerEven => "even Ricker wavelet",
+            PulseShape::RickerOdd => "odd Ricker wavelet",
+            PulseShape::MavroeidisPapageorgiou { .. } => "near-fault pulse",
+        }
+    }
+}
+
+/// A pulse along x of this period and largest acceleration, sampled; it begins and ends with a sample at zero.
+///
+/// ```text
+/// Mavroeidis–Papageorgiou   v = ½ A_v (1 + cos(2πτ/(γ T_p))) cos(2πτ/T_p + ν)        |τ| ≤ γ T_p / 2
+/// ```
+///
+/// # Errors
+/// [`SignalError::Argument`] for a period below 8 time steps or above 10⁷ of them, a peak that is not positive, γ not above 1.
+///
+/// # Source
+/// Makris, Roussos (2000) Géotechnique 50(3):243-262 (sine and cosine pulses); Ricker (1943) Geophysics 8(4):348-366; Mavroeidis,
+/// Papageorgiou (2003) Bull. Seism. Soc. Am. 93(3):1099-1131, eq. 3.
+///
+/// # Example
+/// ```
+/// use dolmen::signal::{Component, PulseShape, intensity_measures, pulse};
+/// let motion = pulse(PulseShape::HalfSine, 1.0, 3.0, 0.001)?;
+/// let left = intensity_measures(&motion, Component::X)?.last_velocity_m_s;
+/// assert!((left - 3.0 / std::f64::consts::PI).abs() < 1e-5);
+/// # Ok::<(), dolmen::signal::SignalError>(())
+/// ```
+pub fn pulse(
+    shape: PulseShape,
+    period_s: f64,
+    peak_acceleration_m_s2: f64,
+    time_step_s: f64,
+) -> Result<GroundMotion, SignalError> {
+    const STEPS_LEAST: f64 = 8.0;
+    let refuse = |argument, given, allowed| {
+        Err(SignalError::Argument {
+            argument,
+            given,
+            allowed,
+        })
+    };
+    if !(period_s >= STEPS_LEAST * time_step_s && period_s <= SAMPLES_MOST * time_step_s) {
+        return refuse("period_s", period_s, "8 to 10 million time steps");
+    }
+    if !(peak_acceleration_m_s2 > 0.0 && peak_acceleration_m_s2.is_finite()) {
+        return refuse(
+            "peak_acceleration_m_s2",
+            peak_acceleration_m_s2,
+            "a positive number",
+        );
+    }
+    let half = match shape {
+        PulseShape::HalfSine => 0.25,
+        PulseShape::OneSine | PulseShape::OneCosine => 0.5,
+        PulseShape::RickerEven | PulseShape::RickerOdd => RICKER_PERIODS,
+        PulseShape::MavroeidisPapageorgiou { gamma, phase_rad } => {
+            if !(gamma > 1.0 && gamma <= 100.0) {
+                return refuse("gamma", gamma, "above 1 and at most 100");
+            }
+            if !phase_rad.is_finite() {
+                return refuse("phase_rad", phase_rad, "a finite number");
+            }
+            0.5 * gamma
+        }
+    };
+    let value = |x: f64| {
+        if x.abs() <= half * (1.0 + 1e-12) {
+            acceleration(shape, x)
+        } else {
+            0.0
+        }
+    };
+    let scanned =
+        (0..=PEAK_SAMPLES).map(|k| value(half * (2.0 * k as f64 / PEAK_SAMPLES as f64 - 1.0)).abs());
+    let scale = peak_acceleration_m_s2 / scanned.fold(0.0, f64::max);
+    let steps = (2.0 * half * period_s / time_step_s * (1.0 - 1e-12)).ceil() as usize;
+    let mut samples = vec![0.0];
+    samples.extend((0..=steps).map(|i| scale * value(i as f64 * time_step_s / period_s - half)));
+    samples.push(0.0);
+    GroundMotion::new(
+        format!("{}, period {period_s} s", shape.name()),
+        time_step_s,
+        vec![(Component::X, samples)],
+    )
+}
+
+/// Acceleration at x = (t − middle)/T_p, of any height.
+fn acceleration(shape: PulseShape, x: f64) -> f64 {
+    match shape {
+        PulseShape::HalfSine => (TAU * x).cos(),
+        PulseShape::OneSine => -(TAU * x).sin(),
+        PulseShape::OneCosine => -(TAU * x).cos(),
+        PulseShape::RickerEven => {
+            let q = (PI * x).powi(2);
+            (1.0 - 2.0 * q) * (-q).exp()
+        }
+        PulseShape::RickerOdd => {
+            let q = (PI * x).powi(2);
+            PI * x * (3.0 - 2.0 * q) * (-q).exp()
+        }
+        PulseShape::MavroeidisPapageorgiou { gamma, phase_rad } => {
+            let (slow, fast) = (TAU * x / gamma, TAU * x + phase_rad);
+            -(slow.sin() * fast.cos() + gamma * fast.sin() * (1.0 + slow.cos()))
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::signal::intensity_measures;
+
+    fn left(shape: PulseShape) -> [f64; 3] {
+        let motion = pulse(shape, 0.8, 2.5, 0.0005).unwrap();
+        let m = intensity_measures(&motion, Component::X).unwrap();
+        [
+            m.peak_acceleration_m_s2,
+            m.last_velocity_m_s,
+            m.last_displacement_m,
+        ]
+    }
+
+    #[test]
+    fn exact_what_pulses_leave() {
+        let near = |got: [f64; 3], velocity: f64, displacement: f64| {
+            assert!((got[0] - 2.5).abs() < 1e-4, "{got:?}");
+            assert!(
+                (got[1] - velocity).abs() < 2e-3 && (got[2] - displacement).abs() < 2e-3,
+                "{got:?}"
+            );
+        };
+        let (a, t) = (2.5, 0.8);
+        near(left(PulseShape::HalfSine), a * t / PI, a * t * t / (4.0 * PI));
+        near(left(PulseShape::OneSine), 0.0, a * t * t / TAU);
+        near(left(PulseShape::OneCosine), 0.0, 0.0);
+        near(left(PulseShape::RickerEven), 0.0, 0.0);
+        near(left(PulseShape::RickerOdd), 0.0, 0.0);
+    }
+
+    #[test]
+    fn exact_mavroeidis_papageorgiou_integrates_to_its_velocity() {
+        let (gamma, phase_rad, period_s) = (1.6, 0.7, 0.8);
+        let h = 0.0005;
+        let motion = pulse(
+            PulseShape::MavroeidisPapageorgiou { gamma, phase_rad },
+            period_s,
+            2.5,
+            h,
+        )
+        .unwrap();
+        let a = motion.acceleration_m_s2(Component::X);
+        // a is the rate of v: their ratio is one number all along
+        let v = |i: usize| {
+            let x = (i as f64 - 1.0) * h / period_s - 0.5 * gamma;
+            (1.0 + (TAU * x / gamma).cos()) * (TAU * x + phase_rad).cos()
+        };
+        let ratio = |i: usize| a[i] / ((v(i + 1) - v(i - 1)) / (2.0 * h));
+        for i in [200, 700, 1300, 2000] {
+            assert!(
+                (ratio(i) / ratio(1000) - 1.0).abs() < 1e-4,
+                "{i}: {} {}",
+                ratio(i),
+                ratio(1000)
+            );
+        }
+    }
+
+    #[test]
+    fn refuses_pulses_that_cannot_be() {
+        for (period, peak, wanted) in [
+            (0.001, 1.0, "period_s is 0.001"),
+            (1.0, 0.0, "peak_acceleration_m_s2 is 0"),
+            (f64::NAN, 1.0, "period_s is NaN"),
+        ] {
+            assert!(
+                pulse(PulseShape::OneSine, period, peak, 0.01)
+                    .unwrap_err()
+                    .to_string()
+                    .starts_with(wanted)
+            );
+        }
+    }
+}
