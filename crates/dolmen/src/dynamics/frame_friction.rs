@@ -58,6 +58,19 @@ impl StoreyFriction {
             kinetic_force_n: slip_force_n,
         }
     }
+
+    /// What of it acts: a slider of no force is none, and would stand and slip at once.
+    pub(super) fn acting(self) -> Self {
+        match self {
+            StoreyFriction::Coulomb { static_force_n, .. }
+            | StoreyFriction::Jenkins { static_force_n, .. }
+                if static_force_n == 0.0 =>
+            {
+                StoreyFriction::None
+            }
+            other => other,
+        }
+    }
 }
 
 /// What the sliders act on.
@@ -76,7 +89,7 @@ pub enum ViscousDamping {
     None,
     /// A dashpot in each storey, on its drift, N s/m.
     Dashpots(Vec<f64>),
-    /// C = a M + b K with K as all sliders slip.
+    /// C = a M + b K with K as all sliders slip, P-delta included.
     Rayleigh {
         /// a, 1/s.
         mass_per_s: f64,
@@ -137,7 +150,7 @@ impl FrictionFrame {
     ///
     /// # Errors
     /// [`DynamicsError::Count`], [`DynamicsError::Storey`] and [`DynamicsError::Argument`] for values that are negative, not
-    /// numbers, or a damping ratio of 1 or more.
+    /// numbers, a damping ratio of 1 or more, or a Rayleigh damping that drives a shape in which the frame falls.
     pub fn with_damping(self, damping: ViscousDamping) -> Result<Self, DynamicsError> {
         match &damping {
             ViscousDamping::None => {}
@@ -166,6 +179,7 @@ impl FrictionFrame {
                         });
                     }
                 }
+                self.check_rayleigh(*mass_per_s, *stiffness_s)?;
             }
             ViscousDamping::Modal(ratio) => {
                 if !(0.0..1.0).contains(ratio) {
@@ -178,6 +192,23 @@ impl FrictionFrame {
             }
         }
         Ok(FrictionFrame { damping, ..self })
+    }
+
+    /// With a K of a falling shape, ω² < 0, b K drives that shape on: a + b ω² must not be negative.
+    fn check_rayleigh(&self, mass_per_s: f64, stiffness_s: f64) -> Result<(), DynamicsError> {
+        let k = self.stiffness_matrix(Sliders::Slipping)?;
+        let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
+        let least = eigen.values.first().copied().unwrap_or(0.0);
+        let most = eigen.values.last().copied().unwrap_or(0.0).abs().max(least.abs());
+        if mass_per_s + stiffness_s * least < -1e-12 * stiffness_s * most {
+            return Err(DynamicsError::Argument {
+                argument: "stiffness_s",
+                given: stiffness_s,
+                allowed: "so small that mass_per_s + stiffness_s ω² is not negative in the shape in which the frame falls \
+                          when every slider slips: lower it, raise mass_per_s, or give dashpots",
+            });
+        }
+        Ok(())
     }
 
     /// Its frame.

@@ -80,6 +80,8 @@ impl FrameEnergy {
 pub struct FrameHistory {
     /// How it ended.
     pub outcome: FrameOutcome,
+    /// How long it ran, s: to its end, or to where it was ended.
+    pub duration_s: f64,
     /// Times of the samples, s.
     pub time_s: Vec<f64>,
     /// Displacement of each level relative to the ground, m.
@@ -124,20 +126,17 @@ impl FrameHistory {
 
     /// Drift of a storey at every sample, m.
     pub fn drift_m(&self, storey: usize) -> Vec<f64> {
-        let upper = &self.displacement_m[storey];
-        match storey.checked_sub(1) {
-            None => upper.clone(),
-            Some(below) => upper
-                .iter()
-                .zip(&self.displacement_m[below])
-                .map(|(u, l)| u - l)
-                .collect(),
-        }
+        difference(&self.displacement_m, storey)
+    }
+
+    /// Rate of the drift of a storey at every sample, m/s.
+    pub fn drift_speed_m_s(&self, storey: usize) -> Vec<f64> {
+        difference(&self.velocity_m_s, storey)
     }
 
     /// Share of the run in which the slider of a storey slipped, –.
     pub fn slipping_share(&self, storey: usize) -> f64 {
-        let whole_s = self.time_s.last().copied().unwrap_or(0.0);
+        let whole_s = self.duration_s;
         let of_storey = self.slips.iter().filter(|s| s.storey == storey);
         let slipping_s = of_storey.fold(0.0, |time, s| time + s.to_s - s.from_s);
         if whole_s > 0.0 { slipping_s / whole_s } else { 0.0 }
@@ -147,5 +146,14 @@ impl FrameHistory {
     pub fn slipped_way_m(&self, storey: usize) -> f64 {
         let of_storey = self.slips.iter().filter(|s| s.storey == storey);
         of_storey.fold(0.0, |way, s| way + s.slip_m.abs())
+    }
+}
+
+/// The row of a storey's upper level less that of its lower one.
+fn difference(rows: &[Vec<f64>], storey: usize) -> Vec<f64> {
+    let upper = &rows[storey];
+    match storey.checked_sub(1) {
+        None => upper.clone(),
+        Some(below) => upper.iter().zip(&rows[below]).map(|(u, l)| u - l).collect(),
     }
 }

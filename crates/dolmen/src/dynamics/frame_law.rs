@@ -33,6 +33,8 @@ impl Motion<'_> {
             match (self.model.friction[storey], change) {
                 (StoreyFriction::Jenkins { .. }, Change::Goes(sign)) => {
                     self.state.slider[storey] = Slider::Slipping(sign);
+                    // one that has just stopped and is pushed on at once: its speed is rounding, its rate is not
+                    self.zeros[storey] = self.zeros[storey].min(1);
                     recorder.jump(&self.model, storey);
                 }
                 (
@@ -48,10 +50,8 @@ impl Motion<'_> {
                         self.state.offset_m[storey] = across - sign * kinetic_force_n / stuck_stiffness_n_m;
                     }
                     self.state.slider[storey] = Slider::Stuck;
-                    if static_force_n == kinetic_force_n {
-                        // its force is at the limit, and the rate of it is that of the drift: none
-                        self.zeros[storey] = 2;
-                    }
+                    // with one force it is at its limit, and the rate of it is that of the drift: none
+                    self.zeros[storey] = if static_force_n == kinetic_force_n { 2 } else { 0 };
                 }
                 (
                     StoreyFriction::Coulomb {

@@ -10,6 +10,9 @@ use super::frame_friction::FrictionFrame;
 use super::frame_history::{FrameHistory, FrameOutcome};
 use super::frame_record::Recorder;
 
+/// Samples of a history: above, it is a mistaken unit rather than a wish, and memory ends. Chosen here.
+const SAMPLES_MOST: f64 = 1e7;
+
 /// Options of [`simulate_frame`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct FrameRun {
@@ -81,9 +84,9 @@ pub fn simulate_frame(
             let h = step_most_s.min(end_s - motion.at_s);
             motion.step(h, end_s, &mut recorder)?;
             for (storey, height) in heights_m.iter().enumerate() {
-                let drift =
-                    motion.state.y[storey] - storey.checked_sub(1).map_or(0.0, |below| motion.state.y[below]);
-                if drift.is_nan() || drift.abs() > options.drift_ratio_most * height {
+                // a peak within the step counts too
+                let drift_m = recorder.largest_drift_m(storey);
+                if motion.state.y[storey].is_nan() || drift_m > options.drift_ratio_most * height {
                     outcome = FrameOutcome::DriftLimit {
                         storey,
                         at_s: motion.at_s,
@@ -149,6 +152,13 @@ impl FrameRun {
                 "duration_s",
                 duration_s,
                 "a positive number: give it where no sampled load does",
+            );
+        }
+        if duration_s / self.output_step_s > SAMPLES_MOST {
+            return refuse(
+                "output_step_s",
+                self.output_step_s,
+                "long enough for ten million samples at most in the run",
             );
         }
         Ok(duration_s)

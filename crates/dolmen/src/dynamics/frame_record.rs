@@ -55,6 +55,7 @@ impl Recorder {
         let mut recorder = Recorder {
             history: FrameHistory {
                 outcome: FrameOutcome::Finished,
+                duration_s: 0.0,
                 time_s: Vec::with_capacity(samples),
                 displacement_m: rows(),
                 velocity_m_s: rows(),
@@ -81,6 +82,11 @@ impl Recorder {
         let absent = vec![Slider::Absent; n];
         recorder.follow_slips(model, state, &absent, 0.0);
         recorder
+    }
+
+    /// Largest drift of a storey so far, m: between the ends of the steps too.
+    pub(super) fn largest_drift_m(&self, storey: usize) -> f64 {
+        self.history.drift_peaks[storey].value_m.abs()
     }
 
     /// Takes up the motion of one series from `begin_s` to σ.
@@ -305,6 +311,7 @@ impl Recorder {
         self.follow_slips(model, &ended, &before, at_s);
         let mut history = self.history;
         history.outcome = outcome;
+        history.duration_s = at_s;
         history.residual_m.clone_from(&state.y);
         history.at_rest = state.v.iter().all(|v| v.abs() <= REST_M_S);
         history

@@ -112,7 +112,7 @@ impl Model {
         let k = frame.frame.stiffness_matrix(&frame.stiffness_n_m)?;
         Ok(Model {
             mass_kg: frame.frame.storeys().iter().map(|s| s.mass_kg).collect(),
-            friction: frame.friction.clone(),
+            friction: frame.friction.iter().map(|friction| friction.acting()).collect(),
             below: (0..n).map(|i| frame.below(i)).collect(),
             k: Rows::of(&k),
             c: frame.damping_matrix()?.as_ref().map(Rows::of),

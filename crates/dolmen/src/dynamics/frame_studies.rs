@@ -102,9 +102,9 @@ pub struct HarmonicPoint {
     pub frequency_hz: f64,
     /// Amplitude of its acceleration, m/s².
     pub ground_acceleration_m_s2: f64,
-    /// Largest drift of each storey over the cycles read, m.
+    /// Largest drift of each storey over the cycles read, m; of a run that ended early, over all of it.
     pub drift_m: Vec<f64>,
-    /// Share of the cycles read in which the slider of each storey slips, –.
+    /// Share of the cycles read in which the slider of each storey slips, –; of a run that ended early, of all of it.
     pub slipping_share: Vec<f64>,
     /// The peaks of the cycles read agree to a hundredth: they tell the steady state.
     pub steady: bool,
@@ -162,13 +162,33 @@ fn harmonic_point(
     let history = simulate_frame(frame, &load, &options, &mut |_| true)?;
     let storeys = frame.frame().storeys().len();
     let first = (CYCLES_BEFORE * SAMPLES_A_CYCLE) as usize;
-    let mut steady = history.outcome == FrameOutcome::Finished;
+    let last = first + (CYCLES_READ * SAMPLES_A_CYCLE) as usize;
+    let finished = history.outcome == FrameOutcome::Finished;
+    let (from_s, to_s) = if finished {
+        (from_s, to_s)
+    } else {
+        (0.0, history.duration_s)
+    };
+    let mut steady = finished;
     let mut drift_m = Vec::with_capacity(storeys);
     for storey in 0..storeys {
         let drift = history.drift_m(storey);
-        let read = drift.get(first..).unwrap_or(&[]);
-        let peak_of = |part: &[f64]| part.iter().fold(0.0_f64, |most, y| most.max(y.abs()));
-        let cycles: Vec<f64> = read.chunks_exact(SAMPLES_A_CYCLE as usize).map(peak_of).collect();
+        let speed = history.drift_speed_m_s(storey);
+        if !finished || drift.len() <= last {
+            drift_m.push(history.drift_peaks[storey].value_m.abs());
+            continue;
+        }
+        let peak_of = |cycle: usize| {
+            let from = first + cycle * SAMPLES_A_CYCLE as usize;
+            (from..from + SAMPLES_A_CYCLE as usize).fold(0.0_f64, |most, j| {
+                let way = [
+                    speed[j] * options.output_step_s,
+                    speed[j + 1] * options.output_step_s,
+                ];
+                most.max(largest_of_cubic([drift[j], drift[j + 1]], way))
+            })
+        };
+        let cycles: Vec<f64> = (0..CYCLES_READ as usize).map(peak_of).collect();
         let most = cycles.iter().copied().fold(0.0, f64::max);
         let least = cycles.iter().copied().fold(f64::INFINITY, f64::min);
         steady &= most - least <= STEADY_MOST * most;
@@ -177,9 +197,9 @@ fn harmonic_point(
     let slipping_share = (0..storeys)
         .map(|storey| {
             let of_storey = history.slips.iter().filter(|s| s.storey == storey);
-            let slipping_s: f64 = of_storey
-                .map(|s| (s.to_s.min(to_s) - s.from_s.max(from_s)).max(0.0))
-                .sum();
+            let slipping_s = of_storey.fold(0.0, |time, s| {
+                time + (s.to_s.min(to_s) - s.from_s.max(from_s)).max(0.0)
+            });
             slipping_s / (to_s - from_s)
         })
         .collect();
@@ -189,6 +209,26 @@ fn harmonic_point(
         drift_m,
         slipping_share,
         steady,
-        beyond_drift_limit: history.outcome != FrameOutcome::Finished,
+        beyond_drift_limit: !finished,
     })
+}
+
+/// Largest absolute value between two samples, by the cubic through their values and slopes (times the time between them): of
+/// a sine with 40 samples a cycle it is right to 2e-6, where the samples alone miss up to 3e-3.
+fn largest_of_cubic(values: [f64; 2], slopes: [f64; 2]) -> f64 {
+    let ends = values[0].abs().max(values[1].abs());
+    if slopes[0] * slopes[1] >= 0.0 {
+        return ends;
+    }
+    // y = y0 + d0 s + b s² + c s³; the slope d0 + 2 b s + 3 c s² has one zero in 0 … 1
+    let rise = values[1] - values[0];
+    let b = 3.0 * rise - 2.0 * slopes[0] - slopes[1];
+    let c = slopes[0] + slopes[1] - 2.0 * rise;
+    let q = -(b + (b * b - 3.0 * c * slopes[0]).max(0.0).sqrt().copysign(b));
+    let turns = [slopes[0] / q, q / (3.0 * c)];
+    turns
+        .into_iter()
+        .filter(|s| (0.0..=1.0).contains(s))
+        .map(|s| (values[0] + s * (slopes[0] + s * (b + s * c))).abs())
+        .fold(ends, f64::max)
 }

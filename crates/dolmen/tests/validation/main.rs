@@ -7,6 +7,7 @@ mod choi_2021;
 mod columns;
 mod draws;
 mod el_centro;
+mod frame_edges;
 mod frame_friction;
 mod frame_laws;
 mod ground_motions;
