@@ -1,4 +1,6 @@
-use super::{ValidationError, choi_2021, columns, kim_koo_hong_2018, park_min_2010, rigid_blocks};
+use super::{
+    ValidationError, choi_2021, columns, dry_friction, kim_koo_hong_2018, park_min_2010, rigid_blocks,
+};
 
 /// One number of a source beside ours.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,6 +53,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         park_min_2010::cases()?,
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
+        dry_friction::cases()?,
     ];
     Ok(sources.into_iter().flatten().collect())
 }

@@ -1,5 +1,6 @@
 use crate::assess::AssessError;
 use crate::blocks::BlocksError;
+use crate::dynamics::DynamicsError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
 use crate::structure::stack::StackError;
@@ -20,6 +21,9 @@ pub enum ValidationError {
     /// Its frequencies could not be computed.
     #[error(transparent)]
     Blocks(#[from] BlocksError),
+    /// It could not be moved in time.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
     /// It could not be assessed.
     #[error(transparent)]
     Assess(#[from] AssessError),
