@@ -11,6 +11,8 @@ const ONE_EVENT_S: f64 = 1e-9;
 const REST_M_S: f64 = 1e-13;
 /// Part of the largest speed below which a speed is rounding.
 const ROUNDING: f64 = 1e-12;
+/// Coefficients of the work: a product of two series.
+const WORK_MOST: usize = 2 * COEFFICIENTS_MOST;
 /// Nodes and weights of Gauss and Legendre on [0, 1], 8 points: exact for polynomials of degree 15.
 const GAUSS: [(f64, f64); 4] = [
     (0.183_434_642_495_649_8, 0.362_683_783_378_362),
@@ -24,6 +26,11 @@ pub(super) struct Recorder {
     output_step_s: f64,
     samples: usize,
     energy: FrameEnergy,
+    /// Work put in since the start of the series under way: coefficients of σ, and how many there are.
+    work: [f64; WORK_MOST],
+    work_orders: usize,
+    /// The state at a place of the series under way.
+    now: State,
     /// Per storey: where and when the slip under way began.
     slipping: Vec<Option<(f64, f64)>>,
     last_event_s: f64,
@@ -74,6 +81,9 @@ impl Recorder {
             output_step_s,
             samples,
             energy,
+            work: [0.0; WORK_MOST],
+            work_orders: 0,
+            now: state.clone(),
             slipping: vec![None; n],
             last_event_s: f64::NEG_INFINITY,
             top_direction: 0.0,
@@ -121,6 +131,8 @@ impl Recorder {
             );
         }
         self.turn(series, begin_s, sigma);
+        self.now.clone_from(state);
+        self.expand_work(model, series);
         while self.history.time_s.len() < self.samples {
             let t = self.history.time_s.len() as f64 * self.output_step_s;
             // the last sample may lie past the end by rounding
@@ -162,8 +174,14 @@ impl Recorder {
 
     fn sample(&mut self, model: &Model, state: &State, series: &Series, begin_s: f64, t: f64) {
         let sigma = ((t - begin_s) / series.h).clamp(0.0, 1.0);
-        let now = at(series, sigma, state);
-        let history = &mut self.history;
+        let kept = self.energy;
+        self.add_work(model, state, series, sigma);
+        place(series, sigma, &mut self.now);
+        self.energy.kinetic_j = model.kinetic_j(&self.now);
+        self.energy.stored_j = model.stored_j(&self.now);
+        self.history.energy.push(self.energy);
+        self.energy = kept;
+        let (now, history) = (&self.now, &mut self.history);
         history.time_s.push(t);
         let ground = polynomial(&series.ground[..series.ground_orders], sigma);
         for i in 0..series.n {
@@ -181,7 +199,7 @@ impl Recorder {
                 (StoreyFriction::Coulomb { kinetic_force_n, .. }, Slider::Slipping(sign)) => {
                     sign * kinetic_force_n
                 }
-                _ => model.jenkins_force(i, &now),
+                _ => model.jenkins_force(i, now),
             };
             history.friction_force_n[i].push(force);
             let drift = now.y[i] - i.checked_sub(1).map_or(0.0, |j| now.y[j]);
@@ -190,41 +208,38 @@ impl Recorder {
             let peak = &mut history.drift_peaks[i];
             peak.at_samples_m = peak.at_samples_m.max(drift.abs());
         }
-        let kept = self.energy;
-        self.add_work(model, state, series, sigma);
-        self.energy.kinetic_j = model.kinetic_j(&now);
-        self.energy.stored_j = model.stored_j(&now);
-        self.history.energy.push(self.energy);
-        self.energy = kept;
+    }
+
+    /// ∫ force dY and −∫ M 1 a_ground dY from the start of the series, as one polynomial in σ.
+    fn expand_work(&mut self, model: &Model, series: &Series) {
+        let n = series.n;
+        self.work.fill(0.0);
+        self.work_orders = 0;
+        let mut add = |p: &[f64], j: usize, slope: f64| {
+            for (k, p) in p.iter().enumerate() {
+                self.work[j + k] += p * slope * j as f64;
+            }
+            self.work_orders = self.work_orders.max(j + p.len());
+        };
+        for j in 1..series.orders {
+            let row = &series.y[j * n..(j + 1) * n];
+            if series.ground_orders > 0 {
+                let momentum: f64 = row.iter().zip(&model.mass_kg).map(|(y, m)| y * m).sum();
+                add(&series.ground[..series.ground_orders], j, -momentum);
+            }
+            for (y, force) in row.iter().zip(&series.forces) {
+                add(&force[..series.force_orders], j, *y);
+            }
+        }
+        for (power, work) in self.work[..self.work_orders].iter_mut().enumerate().skip(1) {
+            *work /= power as f64;
+        }
     }
 
     /// Adds work put in and taken from the start of the series to σ.
     fn add_work(&mut self, model: &Model, state: &State, series: &Series, sigma: f64) {
         let n = series.n;
-        // ∫ p dy with both polynomials in σ
-        let work = |p: &[f64], y: &dyn Fn(usize) -> f64| -> f64 {
-            let mut sum = 0.0;
-            for j in 1..series.orders {
-                let slope = j as f64 * y(j);
-                if slope == 0.0 {
-                    continue;
-                }
-                for (k, p) in p.iter().enumerate() {
-                    sum += p * slope * sigma.powi((j + k) as i32) / (j + k) as f64;
-                }
-            }
-            sum
-        };
-        if series.ground_orders > 0 {
-            let momentum = |j: usize| -> f64 {
-                let row = &series.y[j * n..(j + 1) * n];
-                row.iter().zip(&model.mass_kg).map(|(y, m)| y * m).sum()
-            };
-            self.energy.input_j -= work(&series.ground[..series.ground_orders], &momentum);
-        }
-        for (i, force) in series.forces.iter().enumerate() {
-            self.energy.input_j += work(&force[..series.force_orders], &|j| series.y[j * n + i]);
-        }
+        self.energy.input_j += polynomial(&self.work[..self.work_orders], sigma);
         for i in 0..n {
             if let (
                 StoreyFriction::Coulomb { kinetic_force_n, .. }
@@ -242,8 +257,8 @@ impl Recorder {
             let mut taken = 0.0;
             for (node, weight) in GAUSS {
                 for node in [node, -node] {
-                    let now = at(series, 0.5 * sigma * (1.0 + node), state);
-                    taken += 0.5 * weight * model.damping_power(&now.v);
+                    place(series, 0.5 * sigma * (1.0 + node), &mut self.now);
+                    taken += 0.5 * weight * model.damping_power(&self.now.v);
                 }
             }
             self.energy.damping_j += taken * sigma * series.h;
@@ -318,9 +333,8 @@ impl Recorder {
     }
 }
 
-/// The state at σ of a series.
-fn at(series: &Series, sigma: f64, state: &State) -> State {
-    let mut now = state.clone();
+/// Displacements and velocities at σ of a series.
+fn place(series: &Series, sigma: f64, now: &mut State) {
     for i in 0..series.n {
         let (mut y, mut v) = (0.0, 0.0);
         for k in (1..series.orders).rev() {
@@ -331,7 +345,6 @@ fn at(series: &Series, sigma: f64, state: &State) -> State {
         now.y[i] = y * sigma + series.y[i];
         now.v[i] = v / series.h;
     }
-    now
 }
 
 /// Takes the largest absolute value of a polynomial on [0, σ] into a peak.
