@@ -59,6 +59,56 @@ pub enum DynamicsError {
         /// Changes counted.
         events: usize,
     },
+    /// A value of one joint or link of a chain out of its range.
+    #[error("{part} {number}: {argument} is {given}, but must be {allowed}")]
+    ChainPart {
+        /// "joint", "link".
+        part: &'static str,
+        /// Which one, 1 the lowest.
+        number: usize,
+        /// The name of the value.
+        argument: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A list of the wrong length for a chain.
+    #[error("{argument} has {given} entries, but the chain has {needed} links: give one for each")]
+    ChainCount {
+        /// The name of the list.
+        argument: &'static str,
+        /// Its length.
+        given: usize,
+        /// The number of links.
+        needed: usize,
+    },
+    /// A joint is to open at the edge of a bed whose width is not known.
+    #[error(
+        "joint {joint} opens at the edge of its bed, but link {joint} has no bed_width_m: give it, or hold the joint"
+    )]
+    NoBedWidth {
+        /// The joint, 1 the lowest.
+        joint: usize,
+    },
+    /// A chain with a support at its side, whose motion is not modelled.
+    #[error(
+        "the chain leans on a side support at {height_m} m, which its motion in time does not model: take the support away"
+    )]
+    SideSupport {
+        /// Its height, m.
+        height_m: f64,
+    },
+    /// Steps of a chain's motion became too short to go on.
+    #[error(
+        "the motion of the chain cannot go on at {at_s} s: a step of {step_s} s was left; look for a dashpot or spring many decades above the others"
+    )]
+    StepTooShort {
+        /// When, s.
+        at_s: f64,
+        /// The step that was left, s.
+        step_s: f64,
+    },
     /// The frame cannot be.
     #[error(transparent)]
     Structure(#[from] StructureError),

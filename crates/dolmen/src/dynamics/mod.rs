@@ -1,5 +1,9 @@
-//! Structures in time: exact between events, with the events located.
+//! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall.
 
+mod chain_history;
+mod chain_model;
+mod chain_motion;
+mod chain_series;
 mod error;
 mod excitation;
 mod frame_events;
@@ -11,6 +15,9 @@ mod frame_record;
 mod frame_series;
 mod frame_studies;
 
+pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainUplift};
+pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointOpening};
+pub use chain_motion::{ChainRun, simulate_chain};
 pub use error::DynamicsError;
 pub use excitation::{FrameLoad, TimeFunction};
 pub use frame_friction::{

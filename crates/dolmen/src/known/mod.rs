@@ -7,6 +7,7 @@ pub mod columns;
 pub mod dry_friction;
 pub mod overturning;
 pub mod park_min_2010;
+pub mod pendulum;
 pub mod rocking;
 pub mod sliding;
 pub mod twisting;

@@ -3,6 +3,7 @@
 
 mod chain_identification;
 mod chain_laws;
+mod chain_motion;
 mod choi_2021;
 mod columns;
 mod draws;

@@ -1,0 +1,103 @@
+//! What the motion of a chain gives: how it ended, and everything needed to draw, to doubt and to repeat it.
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ChainOutcome {
+    /// It stood to the end, and no joint opened.
+    Stood,
+    /// It stood to the end, but a joint opened.
+    Uplifted {
+        /// The first that did, 0 the lowest.
+        joint: usize,
+        /// When it first did, s.
+        at_s: f64,
+    },
+    /// A link leaned by the angle that counts as a fall: the run ends there.
+    Fell {
+        /// The link, 0 the lowest.
+        link: usize,
+        /// When, s.
+        at_s: f64,
+    },
+    /// The caller stopped it.
+    Stopped {
+        /// When, s.
+        at_s: f64,
+    },
+}
+
+/// A largest rotation, between the samples too.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ChainPeak {
+    /// With its sign, rad.
+    pub rotation_rad: f64,
+    /// When, s.
+    pub at_s: f64,
+}
+
+/// One time in which a joint was open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainUplift {
+    /// The joint, 0 the lowest.
+    pub joint: usize,
+    /// It opened, s.
+    pub from_s: f64,
+    /// It closed, s; the end of the run if it did not.
+    pub to_s: f64,
+}
+
+/// The balance of energy at one time, J.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ChainEnergy {
+    /// Of motion relative to the ground.
+    pub kinetic_j: f64,
+    /// Of weight, 0 upright, else negative.
+    pub gravity_j: f64,
+    /// In the springs of the joints.
+    pub springs_j: f64,
+    /// Taken by the dashpots.
+    pub damping_j: f64,
+    /// What was in the chain at the start, and the work of the ground's inertia forces.
+    pub input_j: f64,
+}
+
+impl ChainEnergy {
+    /// What is left over: the fault of the computation.
+    pub fn left_over_j(&self) -> f64 {
+        self.input_j - self.kinetic_j - self.gravity_j - self.springs_j - self.damping_j
+    }
+}
+
+/// A motion of a chain. Rows of the histories: one a link, lowest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainHistory {
+    /// How it ended.
+    pub outcome: ChainOutcome,
+    /// Times of the samples, s; the last is the end of the run.
+    pub times_s: Vec<f64>,
+    /// Rotations of the links from the vertical, rad.
+    pub rotation_rad: Vec<Vec<f64>>,
+    /// Their rates, rad/s.
+    pub velocity_rad_s: Vec<Vec<f64>>,
+    /// The balance of energy at the samples.
+    pub energy: Vec<ChainEnergy>,
+    /// Largest rotation of each link.
+    pub rotation_peaks: Vec<ChainPeak>,
+    /// Largest rotation across each joint.
+    pub joint_peaks: Vec<ChainPeak>,
+    /// Largest moment of each joint's spring, N m, without sign.
+    pub joint_moment_peaks_n_m: Vec<f64>,
+    /// Largest displacement of the top relative to the ground, with its sign, m.
+    pub top_peak_m: f64,
+    /// When, s.
+    pub top_peak_at_s: f64,
+    /// When joints were open, in order of opening.
+    pub uplifts: Vec<ChainUplift>,
+    /// Largest energy left over at the end of any step, over the largest kinetic energy of the run.
+    pub energy_left_over_ratio: f64,
+    /// Steps of the integration.
+    pub steps: usize,
+    /// Whether a moment of inertia that was not given was taken to be a thin rod's.
+    pub assumes_thin_rods: bool,
+}

@@ -1,0 +1,164 @@
+//! A chain with what its joints do: springs, dashpots, and beds that open.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | φ_i | | θ_i − θ_{i−1}, rotation across joint i | rad |
+//! | k_i | `stiffness_n_m_rad` | spring of joint i | N m/rad |
+//! | d_i | `damping_n_m_s_rad` | dashpot of joint i | N m s/rad |
+//! | N_i | | weight above joint i | N |
+//! | b_i | `bed_width_m` | width of the bed in joint i | m |
+
+use super::DynamicsError;
+use crate::structure::Chain;
+
+/// Whether a joint opens.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum JointOpening {
+    /// It passes any moment.
+    #[default]
+    Held,
+    /// Its moment is at most N b/2: then the stone above turns about the edge of its bed.
+    AtBedEdge,
+}
+
+/// One joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainJoint {
+    /// k, N m/rad, 0 or positive.
+    pub stiffness_n_m_rad: f64,
+    /// d, N m s/rad, 0 or positive.
+    pub damping_n_m_s_rad: f64,
+    /// Whether it opens.
+    pub opening: JointOpening,
+}
+
+impl ChainJoint {
+    /// A spring that passes any moment, without a dashpot.
+    pub fn spring(stiffness_n_m_rad: f64) -> Self {
+        ChainJoint {
+            stiffness_n_m_rad,
+            damping_n_m_s_rad: 0.0,
+            opening: JointOpening::Held,
+        }
+    }
+}
+
+/// How far rotations go.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum ChainRotations {
+    /// Any size, up to collapse.
+    #[default]
+    Large,
+    /// The linear equations of small rotations, whatever size they reach.
+    Small,
+}
+
+/// A chain that can move.
+///
+/// ```text
+/// moment of joint i:  τ_i = k_i φ_i                                      held
+///                     τ_i = k_i φ_i, at most N_i b_i/2 in size           at the edge of the bed
+/// ```
+///
+/// # Limits
+/// An open joint is elastic: its moment stays at N b/2, with N the weight above it at rest, and it closes on the way it opened. No
+/// energy is lost as the stone lands, which a real bed does lose; none is taken by friction in the bed, and no stone slides. The
+/// centre of turning stays in the middle of the bed; that the edge lies b/2 to the side enters by the moment alone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainModel {
+    pub(super) chain: Chain,
+    pub(super) joints: Vec<ChainJoint>,
+    pub(super) rotations: ChainRotations,
+    /// N b/2, infinite for a held joint.
+    pub(super) moment_most_n_m: Vec<f64>,
+}
+
+impl ChainModel {
+    /// A chain and its joints, lowest first.
+    ///
+    /// # Errors
+    /// [`DynamicsError::ChainCount`], [`DynamicsError::ChainPart`], [`DynamicsError::NoBedWidth`],
+    /// [`DynamicsError::SideSupport`].
+    pub fn new(
+        chain: Chain,
+        joints: Vec<ChainJoint>,
+        rotations: ChainRotations,
+    ) -> Result<Self, DynamicsError> {
+        if let Some(support) = chain.side_support() {
+            return Err(DynamicsError::SideSupport {
+                height_m: support.height_m,
+            });
+        }
+        let needed = chain.links().len();
+        if joints.len() != needed {
+            return Err(DynamicsError::ChainCount {
+                argument: "joints",
+                given: joints.len(),
+                needed,
+            });
+        }
+        let mut moment_most_n_m = vec![f64::INFINITY; needed];
+        let mut weight_n = 0.0;
+        for (i, (joint, link)) in joints.iter().zip(chain.links()).enumerate().rev() {
+            for (argument, given) in [
+                ("stiffness_n_m_rad", joint.stiffness_n_m_rad),
+                ("damping_n_m_s_rad", joint.damping_n_m_s_rad),
+            ] {
+                if !(given >= 0.0 && given.is_finite()) {
+                    return Err(DynamicsError::ChainPart {
+                        part: "joint",
+                        number: i + 1,
+                        argument,
+                        given,
+                        allowed: "0 or a positive number",
+                    });
+                }
+            }
+            weight_n += link.mass_kg * chain.gravity_m_s2();
+            if joint.opening == JointOpening::AtBedEdge {
+                let width_m = link
+                    .bed_width_m
+                    .ok_or(DynamicsError::NoBedWidth { joint: i + 1 })?;
+                moment_most_n_m[i] = 0.5 * weight_n * width_m;
+            }
+        }
+        Ok(ChainModel {
+            chain,
+            joints,
+            rotations,
+            moment_most_n_m,
+        })
+    }
+
+    /// The chain.
+    pub fn chain(&self) -> &Chain {
+        &self.chain
+    }
+
+    /// Its joints, lowest first.
+    pub fn joints(&self) -> &[ChainJoint] {
+        &self.joints
+    }
+
+    /// N b/2 of each joint, N m, lowest first; infinite where it is held.
+    pub fn moment_most_n_m(&self) -> &[f64] {
+        &self.moment_most_n_m
+    }
+
+    /// Moment of the spring of a joint (0 the lowest) at a rotation across it, N m.
+    pub(super) fn moment_n_m(&self, joint: usize, across_rad: f64) -> f64 {
+        let most = self.moment_most_n_m[joint];
+        (self.joints[joint].stiffness_n_m_rad * across_rad).clamp(-most, most)
+    }
+
+    /// Energy in the spring of a joint, J.
+    pub(super) fn spring_energy_j(&self, joint: usize, across_rad: f64) -> f64 {
+        let (k, most) = (self.joints[joint].stiffness_n_m_rad, self.moment_most_n_m[joint]);
+        let elastic = (k * across_rad).abs();
+        if elastic <= most {
+            0.5 * k * across_rad * across_rad
+        } else {
+            most * (across_rad.abs() - 0.5 * most / k)
+        }
+    }
+}

@@ -1,0 +1,338 @@
+//! The motion of a chain over one step, as Taylor series.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | σ | | time within the step over its length | – |
+//! | s, c | `sin`, `cos` | sin θ and cos θ of each link; θ and 1 for small rotations | – |
+//! | P, R | `p`, `r` | Σ_{j≠i} M_ij s_j'' and Σ_{j≠i} M_ij c_j'' | kg m² |
+//! | G, Γ | `gravity`, `gamma` | gravity moment and base influence | N m, kg m |
+//! | a | `ground` | acceleration of the ground | m/s² |
+
+use super::chain_model::{ChainModel, ChainRotations};
+use super::{DynamicsError, TimeFunction};
+use crate::numeric::polynomial;
+use dolmen_linalg::Matrix;
+
+/// Highest power. Jorba and Zou (2005): −½ ln ε + 1 = 19 for double precision; some more lengthen the step.
+pub(super) const DEGREE: usize = 24;
+/// What the last two terms may be, as part of the sum of the first ones: below half a unit in the last place.
+const TAIL: f64 = 1e-17;
+/// A step that overflows and is not longer than this is given up, s.
+const SHORTEST_S: f64 = 1e-12;
+/// Terms that the last two are compared with.
+const FIRST_TERMS: usize = 4;
+
+/// Coefficients of one function.
+pub(super) type Series = [f64; DEGREE + 1];
+/// Coefficients of the integral of a product of two.
+pub(super) type Work = [f64; 2 * DEGREE + 2];
+
+/// What a joint's spring does during a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum JointState {
+    /// Moment k φ.
+    Closed,
+    /// Moment at its limit, with this sign.
+    Open(f64),
+}
+
+/// Rotations, rates, and what the joints do.
+#[derive(Clone, Debug)]
+pub(super) struct ChainState {
+    pub(super) theta: Vec<f64>,
+    pub(super) omega: Vec<f64>,
+    pub(super) joints: Vec<JointState>,
+}
+
+/// The constants of the equations and the series of one step.
+pub(super) struct ChainSeries<'a> {
+    pub(super) model: &'a ChainModel,
+    pub(super) mass: Matrix,
+    pub(super) gravity: Vec<f64>,
+    gamma: Vec<f64>,
+    pub(super) theta: Vec<Series>,
+    pub(super) across: Vec<Series>,
+    pub(super) sin: Vec<Series>,
+    cos: Vec<Series>,
+    ground_cos: Vec<Series>,
+    p: Vec<Series>,
+    r: Vec<Series>,
+    factor: Vec<f64>,
+    right: Vec<f64>,
+}
+
+impl<'a> ChainSeries<'a> {
+    pub(super) fn new(model: &'a ChainModel) -> Self {
+        let n = model.chain.links().len();
+        let zero = vec![[0.0; DEGREE + 1]; n];
+        ChainSeries {
+            model,
+            mass: model.chain.mass_matrix(),
+            gravity: model.chain.gravity_moments_n_m_rad(),
+            gamma: model.chain.base_influence_kg_m(),
+            theta: zero.clone(),
+            across: zero.clone(),
+            sin: zero.clone(),
+            cos: zero.clone(),
+            ground_cos: zero.clone(),
+            p: zero.clone(),
+            r: zero,
+            factor: vec![0.0; n * n],
+            right: vec![0.0; n],
+        }
+    }
+
+    /// A step to try first, s: a radian of the stiffest link alone.
+    pub(super) fn first_step_s(&self) -> f64 {
+        let joints = self.model.joints();
+        let mut step = f64::INFINITY;
+        for (i, joint) in joints.iter().enumerate() {
+            let above = joints.get(i + 1).map_or(0.0, |j| j.stiffness_n_m_rad);
+            let stiffness = joint.stiffness_n_m_rad + above + self.gravity[i];
+            step = step.min((self.mass[(i, i)] / stiffness).sqrt());
+        }
+        step
+    }
+
+    /// Expands the motion from `state` at `at_s` and returns the length of the step, s, at most `h`, on which it is exact to
+    /// rounding; the series are in parts of that length.
+    ///
+    /// ```text
+    /// M_ii θ_i'' + Σ_{j≠i} M_ij (c_i s_j'' − s_i c_j'') = h² (G_i s_i − τ_i + τ_{i+1} − Γ_i a c_i) − h (δ_i − δ_{i+1})
+    /// (c_i s_j'' − s_i c_j'' = cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²)         s' = c θ',  c' = −s θ',  δ = d φ'
+    /// ```
+    /// Power k of it has one unknown a link, θ of power k + 2, with the matrix M_ij cos(θ_i − θ_j) of the start for every k.
+    pub(super) fn expand(
+        &mut self,
+        state: &ChainState,
+        load: &TimeFunction,
+        at_s: f64,
+        h: f64,
+    ) -> Result<f64, DynamicsError> {
+        let n = state.theta.len();
+        let large = self.model.rotations == ChainRotations::Large;
+        let mut ground: Series = [0.0; DEGREE + 1];
+        let ground_terms = load.series(at_s, h, &mut ground);
+        for i in 0..n {
+            let (theta, omega) = (state.theta[i], state.omega[i] * h);
+            let (s, c) = if large { theta.sin_cos() } else { (theta, 1.0) };
+            (self.theta[i][0], self.theta[i][1]) = (theta, omega);
+            (self.sin[i][0], self.sin[i][1]) = (s, c * omega);
+            (self.cos[i][0], self.cos[i][1]) = (c, if large { -s * omega } else { 0.0 });
+        }
+        for i in 0..n {
+            for j in 0..=i {
+                self.factor[i * n + j] = self.mass[(i, j)]
+                    * if large {
+                        (state.theta[i] - state.theta[j]).cos()
+                    } else {
+                        1.0
+                    };
+            }
+        }
+        factorize(&mut self.factor, n);
+        for k in 0..=DEGREE - 2 {
+            let twice = ((k + 1) * (k + 2)) as f64;
+            for j in 0..n {
+                // all of s and c of power k + 2 but what comes from θ of that power
+                let (mut s, mut c) = (0.0, 0.0);
+                if large {
+                    for m in 1..=k + 1 {
+                        let rate = m as f64 * self.theta[j][m];
+                        s += rate * self.cos[j][k + 2 - m];
+                        c -= rate * self.sin[j][k + 2 - m];
+                    }
+                }
+                self.sin[j][k + 2] = s / (k + 2) as f64;
+                self.cos[j][k + 2] = c / (k + 2) as f64;
+            }
+            for i in 0..n {
+                self.ground_cos[i][k] = (0..=k.min(ground_terms.saturating_sub(1)))
+                    .map(|m| ground[m] * self.cos[i][k - m])
+                    .sum();
+                self.right[i] =
+                    h * h * (self.gravity[i] * self.sin[i][k] - self.gamma[i] * self.ground_cos[i][k]);
+                let (mut p, mut r) = (0.0, 0.0);
+                for j in (0..n).filter(|&j| j != i) {
+                    p += self.mass[(i, j)] * self.sin[j][k + 2];
+                    r += self.mass[(i, j)] * self.cos[j][k + 2];
+                }
+                let mut known = twice * (self.cos[i][0] * p - self.sin[i][0] * r);
+                for m in 1..=k {
+                    known += self.cos[i][m] * self.p[i][k - m] - self.sin[i][m] * self.r[i][k - m];
+                }
+                self.right[i] -= known;
+            }
+            for i in 0..n {
+                let (joint, below) = (self.model.joints[i], i.checked_sub(1));
+                let across = |m: usize| self.theta[i][m] - below.map_or(0.0, |b| self.theta[b][m]);
+                let spring = match state.joints[i] {
+                    JointState::Closed => joint.stiffness_n_m_rad * across(k),
+                    JointState::Open(sign) if k == 0 => sign * self.model.moment_most_n_m[i],
+                    JointState::Open(_) => 0.0,
+                };
+                let moment = h * h * spring + h * joint.damping_n_m_s_rad * (k + 1) as f64 * across(k + 1);
+                self.right[i] -= moment;
+                if let Some(b) = below {
+                    self.right[b] += moment;
+                }
+            }
+            substitute(&self.factor, n, &mut self.right);
+            for j in 0..n {
+                let theta = self.right[j] / twice;
+                self.theta[j][k + 2] = theta;
+                self.sin[j][k + 2] += self.cos[j][0] * theta;
+                if large {
+                    self.cos[j][k + 2] -= self.sin[j][0] * theta;
+                }
+            }
+            for i in 0..n {
+                let (mut p, mut r) = (0.0, 0.0);
+                for j in (0..n).filter(|&j| j != i) {
+                    p += self.mass[(i, j)] * self.sin[j][k + 2];
+                    r += self.mass[(i, j)] * self.cos[j][k + 2];
+                }
+                (self.p[i][k], self.r[i][k]) = (twice * p, twice * r);
+            }
+        }
+        for i in 0..n {
+            for k in DEGREE - 1..=DEGREE {
+                self.ground_cos[i][k] = (0..ground_terms.min(k + 1))
+                    .map(|m| ground[m] * self.cos[i][k - m])
+                    .sum();
+            }
+            for k in 0..=DEGREE {
+                self.across[i][k] = self.theta[i][k] - i.checked_sub(1).map_or(0.0, |b| self.theta[b][k]);
+            }
+        }
+        let shortest_s = at_s.abs().max(h) * f64::EPSILON;
+        let Some(part) = self.part_exact() else {
+            // numbers overflowed: the step tried is far too long
+            if h <= SHORTEST_S {
+                return Err(DynamicsError::StepTooShort { at_s, step_s: h });
+            }
+            return self.expand(state, load, at_s, 0.01 * h);
+        };
+        if part * h <= shortest_s {
+            return Err(DynamicsError::StepTooShort {
+                at_s,
+                step_s: part * h,
+            });
+        }
+        self.shorten(part);
+        Ok(part * h)
+    }
+
+    /// The part of [0, 1] on which the last terms are nothing beside the first ones; `None` if they are not finite.
+    fn part_exact(&self) -> Option<f64> {
+        let size = |k: usize| -> f64 { self.theta.iter().map(|c| c[k].abs()).sum() }; // a sum keeps NaN
+        let sizes: Vec<f64> = (0..=DEGREE).map(size).collect();
+        let mut part: f64 = 1.0;
+        loop {
+            let at = |k: usize| sizes[k] * part.powi(k as i32);
+            let first: f64 = (0..=FIRST_TERMS).map(at).sum();
+            let last = at(DEGREE - 1) + at(DEGREE);
+            if !(first + last).is_finite() {
+                return None;
+            }
+            if last <= TAIL * first || part < f64::EPSILON {
+                return Some(part);
+            }
+            part *= 0.98 * (TAIL * first / last).powf(1.0 / DEGREE as f64).clamp(0.1, 1.0);
+        }
+    }
+
+    /// Makes the series those of the first `part` of the step.
+    pub(super) fn shorten(&mut self, part: f64) {
+        if part == 1.0 {
+            return;
+        }
+        for list in [
+            &mut self.theta,
+            &mut self.across,
+            &mut self.sin,
+            &mut self.ground_cos,
+        ] {
+            for series in list.iter_mut() {
+                let mut power = 1.0;
+                for c in series.iter_mut() {
+                    *c *= power;
+                    power *= part;
+                }
+            }
+        }
+    }
+
+    /// Work of the ground from the start of the step, J: −Σ Γ_i ∫ a c_i θ_i' dσ.
+    pub(super) fn ground_work_j(&self) -> Work {
+        let mut work = [0.0; 2 * DEGREE + 2];
+        for (i, gamma) in self.gamma.iter().enumerate() {
+            add_integral(-gamma, &self.ground_cos[i], &rate(&self.theta[i]), &mut work);
+        }
+        work
+    }
+
+    /// What the dashpots take from the start of the step of `h` s, J: Σ d_i ∫ φ_i'² dσ / h.
+    pub(super) fn damping_work_j(&self, h: f64) -> Work {
+        let mut work = [0.0; 2 * DEGREE + 2];
+        for (joint, across) in self.model.joints.iter().zip(&self.across) {
+            if joint.damping_n_m_s_rad > 0.0 {
+                let rate = rate(across);
+                add_integral(joint.damping_n_m_s_rad / h, &rate, &rate, &mut work);
+            }
+        }
+        work
+    }
+
+    /// θ and θ' at σ of a step of `h` s.
+    pub(super) fn at(&self, link: usize, sigma: f64, h: f64) -> [f64; 2] {
+        [
+            polynomial(&self.theta[link], sigma),
+            polynomial(&rate(&self.theta[link]), sigma) / h,
+        ]
+    }
+}
+
+/// Coefficients of the derivative; the last is 0.
+pub(super) fn rate(c: &Series) -> Series {
+    let mut rate = [0.0; DEGREE + 1];
+    for k in 1..=DEGREE {
+        rate[k - 1] = k as f64 * c[k];
+    }
+    rate
+}
+
+/// Adds the coefficients of factor ∫ f g dσ.
+fn add_integral(factor: f64, f: &Series, g: &Series, sum: &mut Work) {
+    for (i, f) in f.iter().enumerate().filter(|(_, f)| **f != 0.0) {
+        for (j, g) in g.iter().enumerate() {
+            sum[i + j + 1] += factor * f * g / (i + j + 1) as f64;
+        }
+    }
+}
+
+/// Cholesky: the lower triangle of A becomes L with A = L Lᵀ. A mass matrix of a turned chain is positive definite.
+fn factorize(a: &mut [f64], n: usize) {
+    for j in 0..n {
+        for i in j..n {
+            let inner: f64 = (0..j).map(|m| a[i * n + m] * a[j * n + m]).sum();
+            a[i * n + j] -= inner;
+        }
+        let root = a[j * n + j].sqrt();
+        for i in j..n {
+            a[i * n + j] /= root;
+        }
+    }
+}
+
+/// Solves L Lᵀ x = b in place.
+fn substitute(l: &[f64], n: usize, b: &mut [f64]) {
+    for i in 0..n {
+        let inner: f64 = (0..i).map(|m| l[i * n + m] * b[m]).sum();
+        b[i] = (b[i] - inner) / l[i * n + i];
+    }
+    for i in (0..n).rev() {
+        let inner: f64 = (i + 1..n).map(|m| l[m * n + i] * b[m]).sum();
+        b[i] = (b[i] - inner) / l[i * n + i];
+    }
+}
