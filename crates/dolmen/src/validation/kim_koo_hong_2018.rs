@@ -8,6 +8,10 @@ use crate::stability::stack::{
 use crate::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 
 const SOURCE: &str = "Kim, Koo & Hong (2018)";
+/// Rows that no paper prints: computed apart from this crate, by hand or by other programs.
+const BY_HAND_SOURCE: &str = "By hand: P10 and P20";
+const STONE_SOURCE: &str = "By hand: Housner's quantities of a stone";
+const ENGINES_SOURCE: &str = "Other engines: P10 on springs";
 const GRAVITY_M_S2: f64 = 9.81;
 /// Half a unit of the last digit of Table 2.
 const TABLE_2_HZ: f64 = 0.005;
@@ -35,8 +39,8 @@ const HOUSNER: &str =
     "Closed forms of a uniform rectangle of 0.4 × 2.0 m; computed from the stone as a solid.";
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
-    let case = |what: String, unit, numbers: [f64; 3], corrected, note| Case {
-        source: SOURCE,
+    let of = |source, what: String, unit, numbers: [f64; 3], corrected, note| Case {
+        source,
         what,
         unit,
         published: numbers[0],
@@ -47,7 +51,8 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     };
     let mut cases = Vec::new();
     for (name, height_m, published) in TABLE_2 {
-        cases.push(case(
+        cases.push(of(
+            SOURCE,
             format!("Table 2: frequency of {name}, {height_m} m, by eq. 1"),
             "Hz",
             [published, 1.0 / period_of_thumb(height_m)?.period_s, TABLE_2_HZ],
@@ -56,6 +61,26 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         ));
     }
     let rough = JointMaterial::with_friction(0.6);
+    let stack = p10(rough, GRAVITY_M_S2)?;
+    let sway = |rule| -> Result<f64, ValidationError> {
+        let modes = stack_modes(&stack, rule)?;
+        Ok(first_sway(&modes, 0).map_or(f64::NAN, |first| modes[first].frequency_hz))
+    };
+    let spread = sway(ContactRule::Four)?;
+    let limits = stack_limits(&stack, &StackLimits::default())?;
+    let whole = rocking_blocks(&stack, &limits.cuts[0])?[0];
+    cases.push(of(
+        SOURCE,
+        "eq. 12 on P10, \"about 0.3 Hz\"".to_owned(),
+        "Hz",
+        [
+            0.3,
+            published_rocking_frequency_hz(GRAVITY_M_S2, whole.radius_m),
+            0.05,
+        ],
+        Some(spread),
+        NO_FREQUENCY,
+    ));
     let smooth = JointMaterial::with_friction(0.3);
     for (what, stack, published) in [
         ("P10 rocks", p10(rough, GRAVITY_M_S2)?, 0.324),
@@ -64,7 +89,8 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     ] {
         let governing = stack_limits(&stack, &StackLimits::default())?.governing;
         let computed = governing.map_or(f64::NAN, |governing| governing.threshold.acceleration_g);
-        cases.push(case(
+        cases.push(of(
+            BY_HAND_SOURCE,
             format!("horizontal acceleration at which {what}"),
             "g",
             [published, computed, 0.0005],
@@ -99,7 +125,8 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             block.quarter_period_exact_s(0.5)?,
         ),
     ] {
-        cases.push(case(
+        cases.push(of(
+            STONE_SOURCE,
             what.to_owned(),
             unit,
             [published, computed, 5e-7],
@@ -107,33 +134,16 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             HOUSNER,
         ));
     }
-    let stack = p10(rough, GRAVITY_M_S2)?;
-    let sway = |rule| -> Result<f64, ValidationError> {
-        let modes = stack_modes(&stack, rule)?;
-        Ok(first_sway(&modes, 0).map_or(f64::NAN, |first| modes[first].frequency_hz))
-    };
-    let spread = sway(ContactRule::Four)?;
-    let limits = stack_limits(&stack, &StackLimits::default())?;
-    let whole = rocking_blocks(&stack, &limits.cuts[0])?[0];
-    cases.push(case(
-        "eq. 12 on P10, \"about 0.3 Hz\"".to_owned(),
-        "Hz",
-        [
-            0.3,
-            published_rocking_frequency_hz(GRAVITY_M_S2, whole.radius_m),
-            0.05,
-        ],
-        Some(spread),
-        NO_FREQUENCY,
-    ));
-    cases.push(case(
+    cases.push(of(
+        ENGINES_SOURCE,
         "first frequency of P10 on springs spread over its joints (Fig. 17)".to_owned(),
         "Hz",
         [4.70, spread, 0.005],
         None,
         ENGINES,
     ));
-    cases.push(case(
+    cases.push(of(
+        ENGINES_SOURCE,
         "first frequency of P10: how much higher with springs at the corners alone".to_owned(),
         "%",
         [59.0, 100.0 * (sway(ContactRule::Corners)? / spread - 1.0), 0.5],

@@ -88,7 +88,7 @@ fn by_cones(stack: &Stack, shaking: Shaking) -> Option<(f64, f64)> {
         ..LimitAnalysis::default()
     };
     let result = limit_analysis(stack, &options).unwrap();
-    assert!(result.residual < 1e-6);
+    assert!(result.residual < 1e-7, "{}", result.residual);
     match result.status {
         LimitAnalysisStatus::Limited(threshold) => Some((result.at_least_g, threshold.acceleration_g)),
         LimitAnalysisStatus::DoesNotStand => None,
