@@ -2,12 +2,12 @@
 
 use super::contact_points::ContactRule;
 use super::error::BlocksError;
-use super::frequencies::stack_modes;
+use super::frequencies::{StackMode, stack_modes};
 use crate::structure::stack::Stack;
 
-/// Correction of the factor, as a logarithm, from which the springs are found. Chosen here: far below what is measured.
-const FOUND: f64 = 1e-12;
-/// Most rounds: each leaves about 1e-4 of the correction of the one before.
+/// What is left to correct, as a logarithm of the factor, with which the springs are found. Chosen here: far below what is measured.
+const FOUND: f64 = 1e-10;
+/// Most rounds: each leaves about 1e-4 of the correction of the one before, unless joints open or close in between.
 const ROUNDS: usize = 10;
 
 /// One measured frequency and that of the springs found.
@@ -40,7 +40,8 @@ pub struct SpringCalibration {
 /// ```
 ///
 /// Stiffer springs settle less, so that the stones lie a little higher and ω²/k changes (by 1e-4 for a pagoda that settles 0.65
-/// mm of 6.5 m): the rule is applied again with the springs found until nothing is left to correct.
+/// mm of 6.5 m): the rule is applied again with the springs found until nothing is left to correct, or, where joints open or close
+/// with the springs so that ω²/k jumps, until it gets no better; the frequencies in the result say what is left.
 ///
 /// # Errors
 /// [`BlocksError`] for no frequency, one that is not positive, a mode that the stack does not have, and a stack that finds
@@ -93,16 +94,27 @@ pub fn calibrate_springs(
             );
         }
     }
-    let (mut factor, mut scaled) = (1.0, stack.clone());
-    for _ in 0..ROUNDS {
-        let logarithms = measured
+    // what is left to correct, as a logarithm
+    let left = |modes: &[StackMode]| {
+        let each = measured
             .iter()
             .map(|&(mode, frequency_hz)| 2.0 * (frequency_hz / modes[mode].frequency_hz).ln());
-        let correction = logarithms.sum::<f64>() / measured.len() as f64;
-        factor *= correction.exp();
-        scaled = multiplied(stack, factor)?;
-        modes = stack_modes(&scaled, contact_rule)?;
-        if correction.abs() < FOUND {
+        each.sum::<f64>() / measured.len() as f64
+    };
+    let (mut factor, mut scaled) = (1.0, stack.clone());
+    let mut correction = left(&modes);
+    for _ in 0..ROUNDS {
+        let next = factor * correction.exp();
+        let with_next = multiplied(stack, next)?;
+        let next_modes = stack_modes(&with_next, contact_rule)?;
+        let next_correction = left(&next_modes);
+        if next_correction.abs() >= correction.abs() {
+            break; // joints open or close between the two: no factor does better
+        }
+        (factor, scaled, modes) = (next, with_next, next_modes);
+        let slow = next_correction.abs() > 0.1 * correction.abs();
+        correction = next_correction;
+        if slow || correction.abs() < FOUND {
             break;
         }
     }
