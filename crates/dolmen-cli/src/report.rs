@@ -1,12 +1,12 @@
 //! `dolmen report` and `dolmen demo`: projects to one page.
 
 use crate::check::{self, Sampling};
-use crate::cli::{Demo, Language as Chosen, Motion, Report};
+use crate::cli::{Demo, Motion, Report};
+use crate::simulate::language;
 use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_frame};
 use anyhow::{Result, bail};
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
-use dolmen_formats::Language;
 use dolmen_formats::answer::Answer;
 use dolmen_formats::project::{Project, Structure};
 use dolmen_formats::report::{Imprint, html};
@@ -19,13 +19,6 @@ const DEMO_SAMPLES: usize = 2000;
 const REPORT_STEP_S: f64 = 0.01;
 /// Seed of the demo.
 const DEMO_SEED: u64 = 1;
-
-fn language(chosen: Chosen) -> Language {
-    match chosen {
-        Chosen::En => Language::English,
-        Chosen::Ko => Language::Korean,
-    }
-}
 
 fn imprint(date: Option<String>) -> Imprint {
     Imprint {

@@ -7,14 +7,13 @@ use super::plot::{Key, Plot};
 use super::stack_histories::{Series, plot};
 use crate::Language;
 use crate::simulation::FrameSimulation;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 
 /// Width and height of a loop, px: nearly square.
 const LOOP_PX: [f64; 2] = [420.0, 340.0];
 /// Width of the bands, px, and height of one.
 const BANDS_PX: f64 = 760.0;
 const BAND_PX: f64 = 34.0;
-/// Standard gravity, m/s² (CGPM 1901).
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// The figures of a simulation: ground, levels, drifts, one loop a storey, bands of slipping, energy.
 pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<Figure> {

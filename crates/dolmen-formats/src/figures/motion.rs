@@ -7,11 +7,10 @@ use super::plot::{Key, Plot};
 use super::stack_histories::{Series, plot};
 use crate::Language;
 use crate::motions::{MotionReport, MotionSeries};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 
 /// Width and height of the spectrum, px.
 const SPECTRUM_PX: [f64; 2] = [760.0, 380.0];
-/// Standard gravity, m/s² (CGPM 1901).
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// Histories of every series, and the spectra if there are any.
 pub fn motion_figures(report: &MotionReport, language: Language) -> Vec<Figure> {

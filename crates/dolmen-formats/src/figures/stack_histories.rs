@@ -6,6 +6,7 @@ use super::ink::{GREY, Line, SERIES};
 use super::plot::{Key, Plot};
 use crate::Language;
 use crate::simulation::Simulation;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 
 /// Width and height of one plot, px.
@@ -14,8 +15,6 @@ const SIZE_PX: [f64; 2] = [760.0, 210.0];
 const STRETCHES: usize = 700;
 /// Joints drawn in one plot: those that did most. More lines are not told apart.
 const JOINTS_MOST: usize = 5;
-/// Standard gravity, m/s² (CGPM 1901).
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// One line of a plot.
 pub(super) struct Series {

@@ -1,10 +1,8 @@
 //! What the reader of a motion is told about its files.
 
 use crate::records::{Column, Unit};
+pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::ops::RangeInclusive;
-
-/// Standard gravity, m/s² (CGPM 1901).
-pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// What is known of the files. Everything left at its default is found out from them, or refused.
 #[derive(Clone, Debug, PartialEq)]

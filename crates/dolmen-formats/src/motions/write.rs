@@ -1,10 +1,9 @@
 //! Motions as files: AT2 of PEER, and text in columns.
 
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
 use std::fmt::Write as _;
 
-/// Standard gravity, m/s² (CGPM 1901): AT2 holds units of it.
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 /// Numbers on a line of AT2.
 const ON_A_LINE: usize = 5;
 

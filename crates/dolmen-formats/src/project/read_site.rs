@@ -9,13 +9,12 @@ use super::site::SitePart;
 use crate::records::Unit;
 use dolmen::assess::AssessError;
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, KoreanZone, Site};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::numeric::NumericError;
 use dolmen::signal::Quantity;
 
 /// Damping ratio that codes give their plateaus for.
 const DAMPING_RATIO: f64 = 0.05;
-/// Standard gravity, m/s² (CGPM 1901): codes count in g.
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// Keys of a site, and the codes that have them.
 const KEYS_OF_CODE: [(&str, &[CodeRaw]); 12] = [

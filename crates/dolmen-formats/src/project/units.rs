@@ -1,5 +1,6 @@
 //! Units as people write them, with their dimensions: "kN*m/rad", "kN/mm", "t", "m/s2", "g".
 
+pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::fmt;
 
 /// Powers of metre, kilogram and second. An angle has none: N m/rad and N m are the same.
@@ -76,9 +77,6 @@ impl fmt::Display for Dimension {
         f.write_str(name)
     }
 }
-
-/// Standard gravity, m/s²: exact by definition (CGPM 1901); kgf, tf and g rest on it.
-pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.80665;
 
 /// Symbols: each is so many SI units of its dimension.
 const SYMBOLS: &[(&str, f64, Dimension)] = &[

@@ -1,10 +1,8 @@
 //! Units of samples in a file.
 
 use super::RecordError;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Quantity;
-
-/// Standard gravity, m/s² (CGPM 1901): the g of accelerometers.
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// Unit of the numbers in a file. Samples of a record are in SI.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -9,10 +9,9 @@ use crate::number::{self, significant};
 use crate::simulation::FrameSimulation;
 use crate::text::{frame_outcome_text, friction_words};
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use maud::{Markup, html};
 
-/// Standard gravity, m/s² (CGPM 1901): the g that peaks are printed in.
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 /// Digits of peaks and residuals.
 const DIGITS: usize = 3;
 

@@ -10,11 +10,10 @@ use crate::number::{self, significant};
 use crate::simulation::{MotionAnswer, Simulation};
 use crate::text::{outcome_text, points_a_side};
 use dolmen::blocks::{JointHistory, Outcome, StackHistory};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use maud::{Markup, html};
 
-/// Standard gravity, m/s² (CGPM 1901): the g that peaks are printed in.
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 /// Digits of peaks and residuals.
 const DIGITS: usize = 3;
 /// Below this a displacement is printed as "< 0.01", mm, or mrad.

@@ -7,11 +7,10 @@ use dolmen::assess::demand::{
     EurocodeGround, EurocodeType, ShakenDirection, SiteDemand, SiteParameters, StackDemandCheck,
     StackDemandRow,
 };
+pub(crate) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::stability::stack::{Comparison, DemandVerdict, Threshold};
 use std::fmt::Write as _;
 
-/// Standard gravity, m/s² (CGPM 1901): codes count in g.
-pub(crate) const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 /// Digits of the numbers that a code gives on its way.
 const DIGITS: usize = 6;
 

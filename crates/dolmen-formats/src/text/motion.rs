@@ -2,10 +2,8 @@
 
 use super::Table;
 use crate::motions::{MatchAnswer, MotionReport, MotionSeries};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::fmt::Write as _;
-
-/// Standard gravity, m/s² (CGPM 1901).
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 
 /// A displacement at the end of so large a share of the largest one, and of the largest of so many m, is told. Chosen here.
 const DRIFT_LEAST: f64 = 0.5;

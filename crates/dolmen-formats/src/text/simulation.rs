@@ -4,11 +4,10 @@ use super::{Table, heading_text, warnings_text};
 use crate::project::Project;
 use crate::simulation::{MotionAnswer, Simulation};
 use dolmen::blocks::{ContactRule, Outcome, StackHistory};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use std::fmt::Write as _;
 
-/// Standard gravity, m/s² (CGPM 1901): the g that peaks are printed in.
-const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 /// Share of the work put in that contacts may make before it is called a fault: that of the engine's own tests.
 const ENERGY_MADE_MOST: f64 = 1e-3;
 

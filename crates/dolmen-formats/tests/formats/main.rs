@@ -8,6 +8,7 @@ mod motions;
 mod npy_records;
 mod palisaden;
 mod project;
+mod project_book;
 mod project_friction;
 mod project_keys;
 mod project_shapes;

@@ -1,12 +1,11 @@
 //! The whole check of a frame: everything that needs no time history.
 
 use super::AssessError;
+use crate::known::STANDARD_GRAVITY_M_S2;
 use crate::stability::{FrameStability, frame_stability};
 use crate::structure::{Frame, NaturalMode};
 use std::fmt;
 
-/// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
-const GRAVITY_M_S2: f64 = 9.806_65;
 /// A level whose load is outside this many times the weight of its mass is pointed out: our choice. Roof masses are
 /// lumped from drawings to some 10 %; axial forces summed twice give 2 in a frame of two equal storeys.
 const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
@@ -76,7 +75,7 @@ pub struct FrameCheck {
 /// # Ok::<(), dolmen::assess::AssessError>(())
 /// ```
 pub fn check_frame(frame: &Frame, stiffness_n_m: Option<&[f64]>) -> Result<FrameCheck, AssessError> {
-    let level_load_ratios = frame.level_load_ratios(GRAVITY_M_S2);
+    let level_load_ratios = frame.level_load_ratios(STANDARD_GRAVITY_M_S2);
     let (stability, modes) = match stiffness_n_m {
         None => (None, Vec::new()),
         Some(k) => (Some(frame_stability(frame, k)?), frame.natural_modes(k)?),

@@ -210,17 +210,7 @@ impl<'a> Motion<'a> {
 
     /// The state at σ of the step.
     fn advance(&mut self, sigma: f64) {
-        let s = &self.series;
-        for i in 0..s.n {
-            let (mut y, mut v) = (0.0, 0.0);
-            for k in (1..s.orders).rev() {
-                let c = s.y[k * s.n + i];
-                y = y * sigma + c;
-                v = v * sigma + k as f64 * c;
-            }
-            self.state.y[i] = y * sigma + s.y[i];
-            self.state.v[i] = v / s.h;
-        }
+        self.series.place(sigma, &mut self.state);
         self.series.share_velocity(&self.model, &mut self.state);
     }
 }

@@ -176,7 +176,7 @@ impl Recorder {
         let sigma = ((t - begin_s) / series.h).clamp(0.0, 1.0);
         let kept = self.energy;
         self.add_work(model, state, series, sigma);
-        place(series, sigma, &mut self.now);
+        series.place(sigma, &mut self.now);
         self.energy.kinetic_j = model.kinetic_j(&self.now);
         self.energy.stored_j = model.stored_j(&self.now);
         self.history.energy.push(self.energy);
@@ -257,7 +257,7 @@ impl Recorder {
             let mut taken = 0.0;
             for (node, weight) in GAUSS {
                 for node in [node, -node] {
-                    place(series, 0.5 * sigma * (1.0 + node), &mut self.now);
+                    series.place(0.5 * sigma * (1.0 + node), &mut self.now);
                     taken += 0.5 * weight * model.damping_power(&self.now.v);
                 }
             }
@@ -330,20 +330,6 @@ impl Recorder {
         history.residual_m.clone_from(&state.y);
         history.at_rest = state.v.iter().all(|v| v.abs() <= REST_M_S);
         history
-    }
-}
-
-/// Displacements and velocities at σ of a series.
-fn place(series: &Series, sigma: f64, now: &mut State) {
-    for i in 0..series.n {
-        let (mut y, mut v) = (0.0, 0.0);
-        for k in (1..series.orders).rev() {
-            let c = series.y[k * series.n + i];
-            y = y * sigma + c;
-            v = v * sigma + k as f64 * c;
-        }
-        now.y[i] = y * sigma + series.y[i];
-        now.v[i] = v / series.h;
     }
 }
 

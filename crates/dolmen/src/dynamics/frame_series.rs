@@ -296,6 +296,20 @@ impl Series {
         false
     }
 
+    /// Displacements and velocities at σ.
+    pub(super) fn place(&self, sigma: f64, now: &mut State) {
+        for i in 0..self.n {
+            let (mut y, mut v) = (0.0, 0.0);
+            for k in (1..self.orders).rev() {
+                let c = self.y[k * self.n + i];
+                y = y * sigma + c;
+                v = v * sigma + k as f64 * c;
+            }
+            now.y[i] = y * sigma + self.y[i];
+            now.v[i] = v / self.h;
+        }
+    }
+
     /// Coefficients 0 and 1 of the motion.
     pub(super) fn begin(&mut self, state: &State) {
         let n = self.n;

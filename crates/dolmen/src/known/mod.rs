@@ -11,3 +11,6 @@ pub mod pendulum;
 pub mod rocking;
 pub mod sliding;
 pub mod twisting;
+
+/// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).
+pub const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;

@@ -8,11 +8,10 @@
 //! | C_k, f_k | `spectrum`, `f` | Fourier coefficient and its frequency | m/s², Hz |
 
 use super::{Component, GroundMotion, SignalError, response_spectrum};
+use crate::known::STANDARD_GRAVITY_M_S2;
 use realfft::RealFftPlanner;
 use std::f64::consts::PI;
 
-/// Standard gravity, m/s² (CGPM 1901): Arias intensity is defined with it.
-const GRAVITY_M_S2: f64 = 9.806_65;
 /// Damping ratio and periods of the Housner intensity, s (Housner 1952 with the damping that is used today).
 const HOUSNER_DAMPING: f64 = 0.05;
 const HOUSNER_PERIODS_S: [f64; 2] = [0.1, 2.5];
@@ -145,7 +144,7 @@ pub fn intensity_measures(
         peak_displacement_m: most_u,
         last_velocity_m_s: v,
         last_displacement_m: u,
-        arias_intensity_m_s: PI / (2.0 * GRAVITY_M_S2) * energy[a.len() - 1],
+        arias_intensity_m_s: PI / (2.0 * STANDARD_GRAVITY_M_S2) * energy[a.len() - 1],
         cumulative_absolute_velocity_m_s: absolute,
         housner_intensity_m: housner,
         significant_duration_s: to - from,

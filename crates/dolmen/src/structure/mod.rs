@@ -9,6 +9,7 @@ mod inverse;
 mod natural;
 pub mod stack;
 mod stiffness_note;
+mod stiffness_words;
 mod tapered_cantilever;
 
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
@@ -23,5 +24,6 @@ pub use identification::{
 };
 pub use inverse::{FrequencyRoots, StiffnessSearch};
 pub use natural::NaturalMode;
-pub use stiffness_note::{Misfit, OfSpring, Proportion, Spring, StiffnessNote, Thoroughness};
+pub use stiffness_note::StiffnessNote;
+pub use stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness};
 pub use tapered_cantilever::{Section, TaperedCantilever};

@@ -1,109 +1,8 @@
 //! What a reader of an identification must know beside its numbers.
 
 use super::LeftOut;
+use super::stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness, counted};
 use std::fmt;
-
-/// What has a stiffness that is sought.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Spring {
-    /// The rotational spring of a joint of a chain.
-    Joint,
-    /// The lateral spring of a storey of a frame.
-    Storey,
-}
-
-impl fmt::Display for Spring {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Spring::Joint => "joint",
-            Spring::Storey => "storey",
-        })
-    }
-}
-
-/// What the stiffnesses are taken in proportion to where the data leave them free: an assumption.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Proportion {
-    /// The weight moment above each joint of a chain.
-    WeightMoment,
-    /// The mass moment above each storey over its height: a nearly straight first shape.
-    MassMomentOverHeight,
-    /// The mass above each storey.
-    MassAbove,
-}
-
-impl fmt::Display for Proportion {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Proportion::WeightMoment => "the weight moment above each joint",
-            Proportion::MassMomentOverHeight => {
-                "the mass moment above each storey over its height (a nearly straight first shape)"
-            }
-            Proportion::MassAbove => "the mass above each storey",
-        })
-    }
-}
-
-/// How far a set of stiffnesses is from the data, root mean square.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Misfit {
-    /// As a share of the data, which carry no standard deviation.
-    Relative(f64),
-    /// In standard deviations of the data.
-    Deviations(f64),
-}
-
-impl fmt::Display for Misfit {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Misfit::Relative(share) => write!(f, "{:.2} % (root mean square)", 100.0 * share),
-            Misfit::Deviations(count) => write!(f, "{count:.1} standard deviations (root mean square)"),
-        }
-    }
-}
-
-/// How thoroughly solutions were looked for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Thoroughness {
-    /// All solutions in complex numbers were followed: for exactly these frequencies there is no other.
-    All {
-        /// How many they are.
-        solutions_complex: usize,
-    },
-    /// Searched from starting points: there may be more.
-    Searched {
-        /// Starting points tried.
-        starts: usize,
-    },
-}
-
-impl fmt::Display for Thoroughness {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Thoroughness::All { solutions_complex } => write!(
-                f,
-                "all {solutions_complex} solutions in complex numbers were followed, so for exactly these frequencies \
-                 there is no other"
-            ),
-            Thoroughness::Searched { starts } => {
-                write!(
-                    f,
-                    "found from {}; there may be more",
-                    counted(*starts, "start", "starts")
-                )
-            }
-        }
-    }
-}
-
-/// A number that belongs to one spring.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OfSpring {
-    /// The joint or storey, from 1, lowest first.
-    pub number: usize,
-    /// What the note says of it.
-    pub value: f64,
-}
 
 /// One thing to know beside the stiffnesses found. Printed, it is an English sentence.
 #[derive(Clone, Debug, PartialEq)]
@@ -505,11 +404,6 @@ fn none_explains(
         "No {spring} stiffness was found, from {from}, that explains the {explained}: the nearest is off by {misfit}. \
          Check that {check}, and the masses."
     )
-}
-
-/// "1 start", "5 starts".
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// Items with commas between them.

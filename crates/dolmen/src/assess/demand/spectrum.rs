@@ -8,11 +8,10 @@
 //! | η | `damping_factor` | plateau at ζ over that at 5 % | – |
 
 use crate::assess::AssessError;
+pub(super) use crate::known::STANDARD_GRAVITY_M_S2;
 use crate::numeric::NumericError;
 use std::fmt;
 
-/// Standard gravity, m/s² (CGPM 1901): codes count in g.
-pub(super) const STANDARD_GRAVITY_M_S2: f64 = 9.806_65;
 /// Damping ratios that the factors of codes are for. Chosen here.
 const DAMPING_LEAST: f64 = 0.005;
 const DAMPING_MOST: f64 = 0.3;
