@@ -48,6 +48,21 @@ fn holds_a_gate_slips_and_every_file_says_the_same() {
 }
 
 #[test]
+fn holds_a_motion_of_the_file_is_the_same_as_typed() {
+    let scratch = Scratch::with_examples("frame_motion");
+    let gate = "--json simulate examples/heunginjimun_gate --variant soft_below";
+    let json = |motion: &str| -> serde_json::Value {
+        let answer = scratch.dolmen(&format!("{gate} {motion}"));
+        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        let whole: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+        whole["simulations"][0]["storeys"].clone()
+    };
+    let typed = json(&format!("{EL_CENTRO} --peak 0.2g"));
+    assert_eq!(json("--motion el-centro"), typed);
+    assert_ne!(json("--motion el-centro --peak 0.1g"), typed);
+}
+
+#[test]
 fn holds_a_frame_that_leans_too_far_counts_as_fallen() {
     let scratch = Scratch::with_examples("frame_falls");
     let path = scratch.path().join("examples/heunginjimun_gate/project.toml");

@@ -66,7 +66,7 @@ pub(super) struct FileRaw {
     pub(super) ties: Option<Vec<At<TieRaw>>>,
     /// kind = "stack": what stands beside blocks and holds them.
     pub(super) side_supports: Option<Vec<At<SideSupportRaw>>>,
-    /// kind = "stack": motions of the ground by name, for `dolmen simulate --motion NAME`: [motion.NAME].
+    /// Motions of the ground by name, for `dolmen simulate --motion NAME`: [motion.NAME]. Not for kind = "survey".
     pub(super) motion: Option<BTreeMap<String, At<MotionRaw>>>,
     /// Where it stands, and what an earthquake asks for there.
     pub(super) site: Option<At<SiteRaw>>,

@@ -206,6 +206,13 @@ fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
     else {
         return;
     };
+    if kind == "survey"
+        && let Some((key, _)) = root.remove_entry("motion")
+    {
+        let message = "\"motion\" moves a structure, but this file has kind = \"survey\"";
+        let fault = Fault::new(key.span(), "motion", message).allowed("has no meaning here");
+        faults.push(fault.help("take it out, or write the kind of the structure with its parts"));
+    }
     for (owner, keys) in KEYS_OF_KIND.iter().filter(|(owner, _)| *owner != kind) {
         for name in *keys {
             if let Some((key, _)) = root.remove_entry(*name) {

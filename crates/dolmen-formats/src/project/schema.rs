@@ -67,7 +67,6 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "contacts",
             "ties",
             "side_supports",
-            "motion",
         ],
     ),
 ];

@@ -288,12 +288,23 @@ fn refuses_motions_that_cannot_be() {
         assert!(answer.contains(said), "{said}: {answer}");
         assert_eq!(answer.matches("error:").count(), 1, "{answer}");
     }
-    let chain = STONE.replace("kind = \"stack\"", "kind = \"chain\"") + "[motion.a]\nbuilt_in = \"b\"\n";
-    let answer = refused(&chain);
+    let survey = "schema = 1\nkind = \"survey\"\nname = \"n\"\n[motion.a]\nbuilt_in = \"b\"\n";
+    let answer = refused(survey);
     assert!(
-        answer.contains("\"motion\" belongs to kind = \"stack\""),
+        answer.contains("\"motion\" moves a structure, but this file has kind = \"survey\""),
         "{answer}"
     );
+}
+
+#[test]
+fn holds_chains_and_frames_have_motions_too() {
+    let chain = "schema = 1\nkind = \"chain\"\nname = \"n\"\njoints = \"unknown\"\n\
+                 links = [{ weight = \"20 kN\", length = 2.0, centroid = 0.9 }]\n";
+    let frame = "schema = 1\nkind = \"frame\"\nname = \"n\"\nstoreys = [{ mass = \"60 t\", height = 4.2 }]\n";
+    for text in [chain, frame] {
+        let project = read(&format!("{text}[motion.a]\nbuilt_in = \"el-centro-1940-ns\"\n"));
+        assert_eq!(project.motions[0].name, "a");
+    }
 }
 
 #[test]
