@@ -47,6 +47,19 @@ pub struct ChainUplift {
     pub to_s: f64,
 }
 
+/// One time in which a joint turned against its friction, all in one direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainSlip {
+    /// The joint, 0 the lowest.
+    pub joint: usize,
+    /// It began to turn, s.
+    pub from_s: f64,
+    /// It stopped or turned back, s; the end of the run if it did not.
+    pub to_s: f64,
+    /// Rotation across it from start to end, rad.
+    pub slip_rad: f64,
+}
+
 /// The balance of energy at one time, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct ChainEnergy {
@@ -58,6 +71,8 @@ pub struct ChainEnergy {
     pub springs_j: f64,
     /// Taken by the dashpots.
     pub damping_j: f64,
+    /// Taken by dry friction.
+    pub friction_j: f64,
     /// What was in the chain at the start, and the work of the ground's inertia forces.
     pub input_j: f64,
 }
@@ -65,7 +80,7 @@ pub struct ChainEnergy {
 impl ChainEnergy {
     /// What is left over: the fault of the computation.
     pub fn left_over_j(&self) -> f64 {
-        self.input_j - self.kinetic_j - self.gravity_j - self.springs_j - self.damping_j
+        self.input_j - self.kinetic_j - self.gravity_j - self.springs_j - self.damping_j - self.friction_j
     }
 }
 
@@ -80,6 +95,10 @@ pub struct ChainHistory {
     pub rotation_rad: Vec<Vec<f64>>,
     /// Their rates, rad/s.
     pub velocity_rad_s: Vec<Vec<f64>>,
+    /// Moments of the joints, N m: spring and friction, without dashpots.
+    pub joint_moment_n_m: Vec<Vec<f64>>,
+    /// Friction's part of them, N m: positive where it resists a turn to the right.
+    pub friction_moment_n_m: Vec<Vec<f64>>,
     /// The balance of energy at the samples.
     pub energy: Vec<ChainEnergy>,
     /// Largest rotation of each link.
@@ -94,10 +113,31 @@ pub struct ChainHistory {
     pub top_peak_at_s: f64,
     /// When joints were open, in order of opening.
     pub uplifts: Vec<ChainUplift>,
+    /// When joints turned against their friction, in the order in which they ended.
+    pub slips: Vec<ChainSlip>,
+    /// Times at which some joint began to turn against its friction, turned back or stopped; changes at one time count once.
+    pub friction_events: usize,
+    /// Whether everything stood still at the end, relative to the ground.
+    pub at_rest: bool,
     /// Largest energy left over at the end of any step, over the largest kinetic energy of the run.
     pub energy_left_over_ratio: f64,
     /// Steps of the integration.
     pub steps: usize,
     /// Whether a moment of inertia that was not given was taken to be a thin rod's.
     pub assumes_thin_rods: bool,
+}
+
+impl ChainHistory {
+    /// Rotation across a joint (0 the lowest) at every sample, rad.
+    pub fn across_rad(&self, joint: usize) -> Vec<f64> {
+        let above = &self.rotation_rad[joint];
+        match joint.checked_sub(1) {
+            None => above.clone(),
+            Some(below) => above
+                .iter()
+                .zip(&self.rotation_rad[below])
+                .map(|(a, b)| a - b)
+                .collect(),
+        }
+    }
 }

@@ -1,4 +1,4 @@
-//! A chain with what its joints do: springs, dashpots, and beds that open.
+//! A chain with what its joints do: springs, dashpots, beds that open, dry friction.
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
@@ -7,6 +7,7 @@
 //! | d_i | `damping_n_m_s_rad` | dashpot of joint i | N m s/rad |
 //! | N_i | | weight above joint i | N |
 //! | b_i | `bed_width_m` | width of the bed in joint i | m |
+//! | f_s, f_k | `static_moment_n_m`, `kinetic_moment_n_m` | moment of dry friction before and while the joint turns | N m |
 
 use super::DynamicsError;
 use crate::structure::Chain;
@@ -21,6 +22,42 @@ pub enum JointOpening {
     AtBedEdge,
 }
 
+/// Dry friction of a joint against turning.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum JointFriction {
+    /// None.
+    #[default]
+    None,
+    /// A slider beside the spring: Coulomb's law, set-valued, sticking is exact.
+    Coulomb {
+        /// Moment at which it starts to turn, N m; at least the kinetic one.
+        static_moment_n_m: f64,
+        /// Moment while it turns, N m.
+        kinetic_moment_n_m: f64,
+    },
+}
+
+impl JointFriction {
+    /// Coulomb's law with one moment.
+    pub fn coulomb(moment_n_m: f64) -> Self {
+        JointFriction::Coulomb {
+            static_moment_n_m: moment_n_m,
+            kinetic_moment_n_m: moment_n_m,
+        }
+    }
+
+    /// Static and kinetic moment, N m; `None` for no friction, and for one of no moment, which would stand and turn at once.
+    pub(super) fn moments_n_m(self) -> Option<[f64; 2]> {
+        match self {
+            JointFriction::Coulomb {
+                static_moment_n_m,
+                kinetic_moment_n_m,
+            } if static_moment_n_m > 0.0 => Some([static_moment_n_m, kinetic_moment_n_m]),
+            _ => None,
+        }
+    }
+}
+
 /// One joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChainJoint {
@@ -30,15 +67,18 @@ pub struct ChainJoint {
     pub damping_n_m_s_rad: f64,
     /// Whether it opens.
     pub opening: JointOpening,
+    /// Dry friction beside the spring.
+    pub friction: JointFriction,
 }
 
 impl ChainJoint {
-    /// A spring that passes any moment, without a dashpot.
+    /// A spring that passes any moment, without a dashpot or friction.
     pub fn spring(stiffness_n_m_rad: f64) -> Self {
         ChainJoint {
             stiffness_n_m_rad,
             damping_n_m_s_rad: 0.0,
             opening: JointOpening::Held,
+            friction: JointFriction::None,
         }
     }
 }
@@ -58,11 +98,13 @@ pub enum ChainRotations {
 /// ```text
 /// moment of joint i:  τ_i = k_i φ_i                                      held
 ///                     τ_i = k_i φ_i, at most N_i b_i/2 in size           at the edge of the bed
+/// with friction:      τ_i + q_i, q_i = f_k sign φ_i' while it turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 ///
 /// # Limits
 /// An open joint is elastic: its moment stays at N b/2, with N the weight above it at rest, and it closes on the way it opened. No
-/// energy is lost as the stone lands, which a real bed does lose; none is taken by friction in the bed, and no stone slides. The
+/// energy is lost as the stone lands, which a real bed does lose, and no stone slides. The moment of friction is a constant that
+/// adds to that of the bed: what rubs beside the bed (posts, dowels, packing), not the bed itself, whose moment the edge limits. The
 /// centre of turning stays in the middle of the bed; that the edge lies b/2 to the side enters by the moment alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ChainModel {
@@ -114,6 +156,27 @@ impl ChainModel {
                     });
                 }
             }
+            if let JointFriction::Coulomb {
+                static_moment_n_m,
+                kinetic_moment_n_m,
+            } = joint.friction
+            {
+                let part = |argument, given, allowed| DynamicsError::ChainPart {
+                    part: "joint",
+                    number: i + 1,
+                    argument,
+                    given,
+                    allowed,
+                };
+                if !(kinetic_moment_n_m >= 0.0 && kinetic_moment_n_m.is_finite()) {
+                    let allowed = "0 or a positive number";
+                    return Err(part("kinetic_moment_n_m", kinetic_moment_n_m, allowed));
+                }
+                if !(static_moment_n_m >= kinetic_moment_n_m && static_moment_n_m.is_finite()) {
+                    let allowed = "at least the kinetic one";
+                    return Err(part("static_moment_n_m", static_moment_n_m, allowed));
+                }
+            }
             weight_n += link.mass_kg * chain.gravity_m_s2();
             if joint.opening == JointOpening::AtBedEdge {
                 let width_m = link
@@ -143,6 +206,13 @@ impl ChainModel {
     /// N b/2 of each joint, N m, lowest first; infinite where it is held.
     pub fn moment_most_n_m(&self) -> &[f64] {
         &self.moment_most_n_m
+    }
+
+    /// Whether a joint has dry friction.
+    pub fn has_friction(&self) -> bool {
+        self.joints
+            .iter()
+            .any(|joint| joint.friction.moments_n_m().is_some())
     }
 
     /// Moment of the spring of a joint (0 the lowest) at a rotation across it, N m.

@@ -1,10 +1,13 @@
 //! The motion of a chain of links, up to collapse.
 //!
-//! A step: expand from the state → shorten to what is exact → find the first event in it → record up to there → change the joint.
+//! A step: find which joints stick → expand from the state → shorten to what is exact → find the first event in it → record up to
+//! there → change the joint.
 
+use super::chain_friction::{Change, Friction};
 use super::chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainUplift};
 use super::chain_model::{ChainModel, ChainRotations};
 use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
+use super::frame_series::Slider;
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::{first_descent, polynomial};
 
@@ -49,10 +52,13 @@ impl Default for ChainRun {
 /// ```text
 /// Σ_j M_ij (cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²) = G_i sin θ_i − τ_i + τ_{i+1} − δ_i + δ_{i+1} − Γ_i a_g cos θ_i
 /// τ_i = k_i φ_i, at most N_i b_i/2 in size where the joint opens;  δ_i = d_i φ_i';  φ_i = θ_i − θ_{i−1}         n links
+/// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 /// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is
 /// straight between its samples, where steps end. Where a joint opens or closes and where a link has fallen are the first
-/// crossings of the polynomials so found: none is passed over, however short. Peaks are those of the polynomials too.
+/// crossings of the polynomials so found: none is passed over, however short. Peaks are those of the polynomials too. Links that
+/// stuck joints join turn as one; friction is neither smoothed nor stepped over: where a joint sticks, goes or turns back is such a
+/// crossing, and what all joints at rest do then is found for all together.
 ///
 /// `progress` gets the simulated time now and then, and stops the run by returning false.
 ///
@@ -81,17 +87,25 @@ pub fn simulate_chain(
     let mut ends = load.breaks_s(duration_s);
     ends.push(duration_s);
     let mut try_s = run.series.first_step_s();
+    let first_end_s = ends.iter().find(|end| **end > TOGETHER_S).copied();
+    run.settle(
+        load,
+        try_s.min(load.step_most_s()).min(first_end_s.unwrap_or(try_s)),
+    )?;
+    run.friction_now(0.0);
+    run.sample();
     for end_s in ends {
         while end_s - run.at_s > TOGETHER_S {
             let limit_s = load.step_most_s().min(end_s - run.at_s);
             let asked_s = try_s.min(limit_s);
+            run.settle(load, asked_s)?;
             let h = run.series.expand(&run.state, load, run.at_s, asked_s)?;
             try_s = if asked_s < try_s && h == asked_s {
                 try_s
             } else {
                 GROWTH * h
             };
-            let ended = run.step(h, end_s);
+            let ended = run.step(h, end_s)?;
             let steps = run.history.steps;
             if ended {
                 return Ok(run.finish());
@@ -164,13 +178,17 @@ impl ChainRun {
 #[derive(Clone, Copy)]
 enum Event {
     Joint(usize, JointState),
+    Friction(usize, Change),
     Fall(usize),
 }
 
-struct Run<'a> {
-    series: ChainSeries<'a>,
-    state: ChainState,
-    at_s: f64,
+pub(super) struct Run<'a> {
+    pub(super) series: ChainSeries<'a>,
+    pub(super) state: ChainState,
+    pub(super) friction: Friction,
+    /// Moment of each joint's friction where the run is, N m.
+    friction_n_m: Vec<f64>,
+    pub(super) at_s: f64,
     output_step_s: f64,
     fall_rad: f64,
     /// Joints that changed at the start of this step: they are at their limit, and rounding does not say on which side.
@@ -202,14 +220,25 @@ impl<'a> Run<'a> {
             }
         });
         let joints: Vec<JointState> = joints.collect();
+        let omega = given(&options.start_velocity_rad_s);
+        let sliders: Vec<Slider> = (0..n)
+            .map(|i| match model.joints[i].friction.moments_n_m() {
+                None => Slider::Absent,
+                Some(_) if across(&omega, i) != 0.0 => Slider::Slipping(across(&omega, i).signum()),
+                Some(_) => Slider::Stuck,
+            })
+            .collect();
         let samples = (duration_s / options.output_step_s) as usize + 2;
         let mut run = Run {
             series: ChainSeries::new(model),
             state: ChainState {
-                omega: given(&options.start_velocity_rad_s),
+                omega,
                 theta,
                 joints,
+                sliders: sliders.clone(),
             },
+            friction: Friction::start(&sliders),
+            friction_n_m: vec![0.0; n],
             at_s: 0.0,
             output_step_s: options.output_step_s,
             fall_rad: options.fall_rad,
@@ -223,6 +252,8 @@ impl<'a> Run<'a> {
                 times_s: Vec::with_capacity(samples),
                 rotation_rad: vec![Vec::with_capacity(samples); n],
                 velocity_rad_s: vec![Vec::with_capacity(samples); n],
+                joint_moment_n_m: vec![Vec::with_capacity(samples); n],
+                friction_moment_n_m: vec![Vec::with_capacity(samples); n],
                 energy: Vec::with_capacity(samples),
                 rotation_peaks: vec![ChainPeak::default(); n],
                 joint_peaks: vec![ChainPeak::default(); n],
@@ -230,8 +261,11 @@ impl<'a> Run<'a> {
                 top_peak_m: 0.0,
                 top_peak_at_s: 0.0,
                 uplifts: Vec::new(),
+                slips: Vec::new(),
+                friction_events: 0,
                 energy_left_over_ratio: 0.0,
                 steps: 0,
+                at_rest: false,
                 assumes_thin_rods: model.chain.assumes_thin_rods(),
             },
         };
@@ -240,12 +274,11 @@ impl<'a> Run<'a> {
         }
         run.weigh();
         run.energy.input_j = run.energy.kinetic_j + run.energy.gravity_j + run.energy.springs_j;
-        run.sample();
         run
     }
 
     /// Takes the step of `h` s that was expanded, up to the first event in it; whether the run is over.
-    fn step(&mut self, h: f64, end_s: f64) -> bool {
+    fn step(&mut self, h: f64, end_s: f64) -> Result<bool, DynamicsError> {
         let mut first = (1.0, None);
         for i in 0..self.state.theta.len() {
             for sign in [1.0, -1.0] {
@@ -256,6 +289,9 @@ impl<'a> Run<'a> {
                 }
             }
             self.first_change(i, &mut first);
+            if let Some((sigma, change)) = self.first_slider_change(i).filter(|(s, _)| *s <= first.0) {
+                first = (sigma, Some(Event::Friction(i, change)));
+            }
         }
         let (part, event) = first;
         // a change at the very start of a step moves nothing
@@ -265,7 +301,10 @@ impl<'a> Run<'a> {
         }
         self.history.steps += 1;
         self.changed.clear();
-        match event {
+        if part * h > TOGETHER_S {
+            self.friction.moved_on();
+        }
+        Ok(match event {
             Some(Event::Fall(link)) => {
                 self.history.outcome = ChainOutcome::Fell {
                     link,
@@ -290,8 +329,12 @@ impl<'a> Run<'a> {
                 self.changed.push(joint);
                 false
             }
+            Some(Event::Friction(joint, change)) => {
+                self.change_slider(joint, change)?;
+                false
+            }
             None => false,
-        }
+        })
     }
 
     /// Brings `first` forward if joint `i` opens or closes before it.
@@ -358,6 +401,7 @@ impl<'a> Run<'a> {
 
         let (ground, damping) = (self.series.ground_work_j(), self.series.damping_work_j(h));
         let (from_s, before) = (self.at_s, self.energy);
+        let turned: Vec<f64> = (0..n).map(|i| across(&self.state.theta, i)).collect();
         let mut to_s = from_s + h;
         if let Some(end_s) = whole_to_s.filter(|end| (end - to_s).abs() <= TOGETHER_S) {
             to_s = end_s;
@@ -376,6 +420,8 @@ impl<'a> Run<'a> {
             }
             self.energy.input_j = before.input_j + polynomial(&ground, sigma);
             self.energy.damping_j = before.damping_j + polynomial(&damping, sigma);
+            self.energy.friction_j = before.friction_j + self.friction_work_j(&turned);
+            self.friction_now(sigma);
             self.weigh();
             if !within {
                 break;
@@ -385,9 +431,43 @@ impl<'a> Run<'a> {
         self.left_over_most_j = self.left_over_most_j.max(self.energy.left_over_j().abs());
     }
 
+    /// What friction has taken since the joints were turned by so much, J: none of them turns back within a step.
+    fn friction_work_j(&self, from_rad: &[f64]) -> f64 {
+        let of_joint = |(i, from): (usize, &f64)| match (
+            self.state.sliders[i],
+            self.series.model.joints[i].friction.moments_n_m(),
+        ) {
+            (Slider::Slipping(_), Some([_, kinetic])) => kinetic * (self.across_now(i) - from).abs(),
+            _ => 0.0,
+        };
+        from_rad.iter().enumerate().map(of_joint).sum()
+    }
+
+    /// Rotation across a joint where the run is, rad.
+    pub(super) fn across_now(&self, joint: usize) -> f64 {
+        across(&self.state.theta, joint)
+    }
+
+    /// Moments of friction at σ of the step.
+    fn friction_now(&mut self, sigma: f64) {
+        for i in 0..self.friction_n_m.len() {
+            self.friction_n_m[i] = match (
+                self.state.sliders[i],
+                self.series.model.joints[i].friction.moments_n_m(),
+            ) {
+                (Slider::Slipping(sign), Some([_, kinetic])) => sign * kinetic,
+                (Slider::Stuck, _) => polynomial(&self.series.held[i], sigma),
+                _ => 0.0,
+            };
+        }
+    }
+
     fn sample(&mut self) {
         self.history.times_s.push(self.at_s);
         for i in 0..self.state.theta.len() {
+            let spring = self.series.model.moment_n_m(i, self.across_now(i));
+            self.history.joint_moment_n_m[i].push(spring + self.friction_n_m[i]);
+            self.history.friction_moment_n_m[i].push(self.friction_n_m[i]);
             self.history.rotation_rad[i].push(self.state.theta[i]);
             self.history.velocity_rad_s[i].push(self.state.omega[i]);
         }
@@ -425,6 +505,7 @@ impl<'a> Run<'a> {
             if self.state.joints[joint] != JointState::Closed {
                 self.close(joint);
             }
+            self.end_slip(joint);
             let across_rad = self.history.joint_peaks[joint].rotation_rad;
             self.history.joint_moment_peaks_n_m[joint] =
                 self.series.model.moment_n_m(joint, across_rad).abs();
@@ -433,6 +514,9 @@ impl<'a> Run<'a> {
         if self.history.times_s.last() != Some(&self.at_s) {
             self.sample();
         }
+        self.history.at_rest = self.is_at_rest();
+        self.history.slips = std::mem::take(&mut self.friction.slips);
+        self.history.friction_events = self.friction.events;
         if self.kinetic_most_j > 0.0 {
             self.history.energy_left_over_ratio = self.left_over_most_j / self.kinetic_most_j;
         }

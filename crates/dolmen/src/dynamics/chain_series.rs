@@ -7,8 +7,13 @@
 //! | P, R | `p`, `r` | Σ_{j≠i} M_ij s_j'' and Σ_{j≠i} M_ij c_j'' | kg m² |
 //! | G, Γ | `gravity`, `gamma` | gravity moment and base influence | N m, kg m |
 //! | a | `ground` | acceleration of the ground | m/s² |
+//! | q_i | `held` | moment of a stuck joint's friction, positive against a turn to the right | N m |
+//!
+//! Links that stuck joints join turn as one, or stand if they are joined to the ground: their equations are added up, and q follows
+//! from the balance of each link, from the top down.
 
 use super::chain_model::{ChainModel, ChainRotations};
+use super::frame_series::Slider;
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::polynomial;
 use dolmen_linalg::Matrix;
@@ -42,6 +47,7 @@ pub(super) struct ChainState {
     pub(super) theta: Vec<f64>,
     pub(super) omega: Vec<f64>,
     pub(super) joints: Vec<JointState>,
+    pub(super) sliders: Vec<Slider>,
 }
 
 /// The constants of the equations and the series of one step.
@@ -57,8 +63,15 @@ pub(super) struct ChainSeries<'a> {
     ground_cos: Vec<Series>,
     p: Vec<Series>,
     r: Vec<Series>,
+    pub(super) held: Vec<Series>,
+    /// M_ij cos(θ_i − θ_j), lower triangle.
+    turned: Vec<f64>,
+    /// Which links turn as one; `None` for those that stand.
+    group: Vec<Option<usize>>,
+    /// The matrix of the groups, factorized.
     factor: Vec<f64>,
     right: Vec<f64>,
+    sum: Vec<f64>,
 }
 
 impl<'a> ChainSeries<'a> {
@@ -76,9 +89,13 @@ impl<'a> ChainSeries<'a> {
             cos: zero.clone(),
             ground_cos: zero.clone(),
             p: zero.clone(),
-            r: zero,
-            factor: vec![0.0; n * n],
+            r: zero.clone(),
+            held: zero,
+            turned: vec![0.0; n * n],
+            group: vec![None; n],
+            factor: Vec::with_capacity(n * n),
             right: vec![0.0; n],
+            sum: Vec::with_capacity(n),
         }
     }
 
@@ -92,6 +109,22 @@ impl<'a> ChainSeries<'a> {
             step = step.min((self.mass[(i, i)] / stiffness).sqrt());
         }
         step
+    }
+
+    /// Finds the links that turn as one; returns how many such groups there are.
+    fn join(&mut self, sliders: &[Slider]) -> usize {
+        let mut groups = 0;
+        for (i, slider) in sliders.iter().enumerate() {
+            self.group[i] = match (slider, i.checked_sub(1)) {
+                (Slider::Stuck, None) => None,
+                (Slider::Stuck, Some(below)) => self.group[below],
+                _ => {
+                    groups += 1;
+                    Some(groups - 1)
+                }
+            };
+        }
+        groups
     }
 
     /// Expands the motion from `state` at `at_s` and returns the length of the step, s, at most `h`, on which it is exact to
@@ -109,8 +142,34 @@ impl<'a> ChainSeries<'a> {
         at_s: f64,
         h: f64,
     ) -> Result<f64, DynamicsError> {
+        self.coefficients(state, load, at_s, h);
+        let shortest_s = at_s.abs().max(h) * f64::EPSILON;
+        let Some(part) = self.part_exact() else {
+            // numbers overflowed: the step tried is far too long
+            if h <= SHORTEST_S {
+                return Err(DynamicsError::StepTooShort { at_s, step_s: h });
+            }
+            return self.expand(state, load, at_s, 0.01 * h);
+        };
+        if part * h <= shortest_s {
+            return Err(DynamicsError::StepTooShort {
+                at_s,
+                step_s: part * h,
+            });
+        }
+        self.shorten(part);
+        Ok(part * h)
+    }
+
+    /// The series themselves, over a step of h whether they converge on it or not.
+    pub(super) fn coefficients(&mut self, state: &ChainState, load: &TimeFunction, at_s: f64, h: f64) {
         let n = state.theta.len();
         let large = self.model.rotations == ChainRotations::Large;
+        let groups = self.join(&state.sliders);
+        let any_stuck = state.sliders.contains(&Slider::Stuck);
+        if !any_stuck {
+            self.held.iter_mut().for_each(|series| series.fill(0.0));
+        }
         let mut ground: Series = [0.0; DEGREE + 1];
         let ground_terms = load.series(at_s, h, &mut ground);
         for i in 0..n {
@@ -122,7 +181,7 @@ impl<'a> ChainSeries<'a> {
         }
         for i in 0..n {
             for j in 0..=i {
-                self.factor[i * n + j] = self.mass[(i, j)]
+                self.turned[i * n + j] = self.mass[(i, j)]
                     * if large {
                         (state.theta[i] - state.theta[j]).cos()
                     } else {
@@ -130,7 +189,18 @@ impl<'a> ChainSeries<'a> {
                     };
             }
         }
-        factorize(&mut self.factor, n);
+        self.factor.clear();
+        self.factor.resize(groups * groups, 0.0);
+        for i in 0..n {
+            for j in 0..=i {
+                if let (Some(upper), Some(lower)) = (self.group[i], self.group[j]) {
+                    // of two links of one group both M_ij and M_ji count
+                    let times = if upper == lower && i != j { 2.0 } else { 1.0 };
+                    self.factor[upper * groups + lower] += times * self.turned[i * n + j];
+                }
+            }
+        }
+        factorize(&mut self.factor, groups);
         for k in 0..=DEGREE - 2 {
             let twice = ((k + 1) * (k + 2)) as f64;
             for j in 0..n {
@@ -171,15 +241,30 @@ impl<'a> ChainSeries<'a> {
                     JointState::Open(sign) if k == 0 => sign * self.model.moment_most_n_m[i],
                     JointState::Open(_) => 0.0,
                 };
-                let moment = h * h * spring + h * joint.damping_n_m_s_rad * (k + 1) as f64 * across(k + 1);
+                let friction = match (state.sliders[i], joint.friction.moments_n_m()) {
+                    (Slider::Slipping(sign), Some([_, kinetic])) if k == 0 => sign * kinetic,
+                    _ => 0.0,
+                };
+                let moment = h * h * (spring + friction)
+                    + h * joint.damping_n_m_s_rad * (k + 1) as f64 * across(k + 1);
                 self.right[i] -= moment;
                 if let Some(b) = below {
                     self.right[b] += moment;
                 }
             }
-            substitute(&self.factor, n, &mut self.right);
+            self.sum.clear();
+            self.sum.resize(groups, 0.0);
+            for i in 0..n {
+                if let Some(group) = self.group[i] {
+                    self.sum[group] += self.right[i];
+                }
+            }
+            substitute(&self.factor, groups, &mut self.sum);
+            if any_stuck {
+                self.hold(state, k, h);
+            }
             for j in 0..n {
-                let theta = self.right[j] / twice;
+                let theta = self.group[j].map_or(0.0, |group| self.sum[group]) / twice;
                 self.theta[j][k + 2] = theta;
                 self.sin[j][k + 2] += self.cos[j][0] * theta;
                 if large {
@@ -205,26 +290,68 @@ impl<'a> ChainSeries<'a> {
                 self.across[i][k] = self.theta[i][k] - i.checked_sub(1).map_or(0.0, |b| self.theta[b][k]);
             }
         }
-        let shortest_s = at_s.abs().max(h) * f64::EPSILON;
-        let Some(part) = self.part_exact() else {
-            // numbers overflowed: the step tried is far too long
-            if h <= SHORTEST_S {
-                return Err(DynamicsError::StepTooShort { at_s, step_s: h });
+    }
+
+    /// Coefficient k of the moments of stuck joints: what the balance of the links above them leaves.
+    fn hold(&mut self, state: &ChainState, k: usize, h: f64) {
+        let n = state.theta.len();
+        let mut left = 0.0;
+        for i in (0..n).rev() {
+            let mut inertia = 0.0;
+            for j in 0..n {
+                if let Some(group) = self.group[j] {
+                    inertia += self.turned[i.max(j) * n + i.min(j)] * self.sum[group];
+                }
             }
-            return self.expand(state, load, at_s, 0.01 * h);
-        };
-        if part * h <= shortest_s {
-            return Err(DynamicsError::StepTooShort {
-                at_s,
-                step_s: part * h,
-            });
+            left += self.right[i] - inertia;
+            self.held[i][k] = match state.sliders[i] {
+                Slider::Stuck => left / (h * h),
+                _ => {
+                    left = 0.0;
+                    0.0
+                }
+            };
         }
-        self.shorten(part);
-        Ok(part * h)
+    }
+
+    /// Largest sum of the sizes of the moments of order k that balance each other in one link, N m: what rounding is measured by.
+    pub(super) fn moment_scale(&self, state: &ChainState, k: usize, h: f64) -> f64 {
+        let n = state.theta.len();
+        let second = ((k + 1) * (k + 2)) as f64 / (h * h);
+        let of_joint = |i: usize| {
+            let joint = self.model.joints[i];
+            let friction = match (state.sliders[i], joint.friction.moments_n_m()) {
+                (Slider::Slipping(_), Some([_, kinetic])) if k == 0 => kinetic,
+                (Slider::Stuck, _) => self.held[i][k].abs(),
+                _ => 0.0,
+            };
+            let dashpot = joint.damping_n_m_s_rad * (k + 1) as f64 / h * self.across[i][k + 1].abs();
+            joint.stiffness_n_m_rad * self.across[i][k].abs() + dashpot + friction
+        };
+        let of_link = |i: usize| {
+            let acts = self.gravity[i] * self.sin[i][k].abs() + self.gamma[i] * self.ground_cos[i][k].abs();
+            let mut inertia = 0.0;
+            for j in 0..n {
+                inertia += self.mass[(i, j)] * second * self.theta[j][k + 2].abs();
+            }
+            for m in 1..=k {
+                inertia += (self.cos[i][m] * self.p[i][k - m]).abs() / (h * h);
+                inertia += (self.sin[i][m] * self.r[i][k - m]).abs() / (h * h);
+            }
+            let above = if i + 1 < n { of_joint(i + 1) } else { 0.0 };
+            acts + inertia + of_joint(i) + above
+        };
+        (0..n).map(of_link).fold(0.0, f64::max)
+    }
+
+    /// Coefficient k of inertia times the rate of φ', N m.
+    pub(super) fn inertia(&self, joint: usize, k: usize, h: f64) -> f64 {
+        let second = ((k + 1) * (k + 2)) as f64 / (h * h);
+        self.mass[(joint, joint)] * second * self.across[joint][k + 2]
     }
 
     /// The part of [0, 1] on which the last terms are nothing beside the first ones; `None` if they are not finite.
-    fn part_exact(&self) -> Option<f64> {
+    pub(super) fn part_exact(&self) -> Option<f64> {
         let size = |k: usize| -> f64 { self.theta.iter().map(|c| c[k].abs()).sum() }; // a sum keeps NaN
         let sizes: Vec<f64> = (0..=DEGREE).map(size).collect();
         let mut part: f64 = 1.0;
@@ -252,6 +379,7 @@ impl<'a> ChainSeries<'a> {
             &mut self.across,
             &mut self.sin,
             &mut self.ground_cos,
+            &mut self.held,
         ] {
             for series in list.iter_mut() {
                 let mut power = 1.0;

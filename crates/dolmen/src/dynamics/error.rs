@@ -99,6 +99,16 @@ pub enum DynamicsError {
         /// Its height, m.
         height_m: f64,
     },
+    /// No stick and slip of the joints agrees with Coulomb's law at an event.
+    #[error(
+        "at {at_s} s no state of sticking and turning joints was found in {tried} tries: the friction of some joint is far below the others', or the numbers of the chain lie too far apart"
+    )]
+    NoJointState {
+        /// When, s.
+        at_s: f64,
+        /// States tried.
+        tried: usize,
+    },
     /// Steps of a chain's motion became too short to go on.
     #[error(
         "the motion of the chain cannot go on at {at_s} s: a step of {step_s} s was left; look for a dashpot or spring many decades above the others"

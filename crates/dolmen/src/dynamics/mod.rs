@@ -1,5 +1,6 @@
 //! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall.
 
+mod chain_friction;
 mod chain_history;
 mod chain_model;
 mod chain_motion;
@@ -15,8 +16,8 @@ mod frame_record;
 mod frame_series;
 mod frame_studies;
 
-pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainUplift};
-pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointOpening};
+pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};
+pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointFriction, JointOpening};
 pub use chain_motion::{ChainRun, simulate_chain};
 pub use error::DynamicsError;
 pub use excitation::{FrameLoad, TimeFunction};

@@ -14,7 +14,7 @@
 
 use dolmen::dynamics::{
     ChainHistory, ChainJoint, ChainModel, ChainOutcome, ChainRotations, ChainRun, DynamicsError,
-    JointOpening, TimeFunction, simulate_chain,
+    JointFriction, JointOpening, TimeFunction, simulate_chain,
 };
 use dolmen::known::choi_2021::{CENTROID_M, LENGTH_M, WEIGHT_KN, critical_stiffness};
 use dolmen::known::pendulum::period_s;
@@ -340,6 +340,7 @@ fn agrees_one_link_with_the_response_spectrum_of_el_centro() {
             stiffness_n_m_rad: omega * omega * inertia + gravity,
             damping_n_m_s_rad: 2.0 * 0.02 * omega * inertia,
             opening: JointOpening::Held,
+            friction: JointFriction::None,
         };
         let model = ChainModel::new(chain.clone(), vec![joint], ChainRotations::Small).unwrap();
         let history = run(&model, &load, &ChainRun::default());
@@ -361,6 +362,7 @@ fn shaken_flagpole(factor: f64) -> ChainHistory {
         stiffness_n_m_rad: 5.0 * k,
         damping_n_m_s_rad: 0.02 * k,
         opening: JointOpening::AtBedEdge,
+        friction: JointFriction::None,
     });
     let model = ChainModel::new(chain, joints.collect(), ChainRotations::Large).unwrap();
     let motion = el_centro();

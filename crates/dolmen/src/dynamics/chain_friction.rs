@@ -1,0 +1,296 @@
+//! What stuck and turning joints of a chain do after an event: Coulomb's law for all of them together.
+//!
+//! Moments and rates are compared as their Taylor series are, coefficient by coefficient: a joint whose moment is just at its limit
+//! goes or holds as the first coefficient that is not rounding says. In these numbers the law is a linear complementarity problem
+//! with a positive definite matrix, which pivoting solves: the joint furthest from the law changes first; if that has not ended after
+//! some rounds, the lowest one does, which always ends (Murty).
+//!
+//! # Source
+//! Murty, K. G. (1974) Note on a Bard-type scheme for solving the complementarity problem. Opsearch 11:123-130. Differs from the
+//! source: the numbers are series.
+
+use super::chain_motion::Run;
+use super::chain_series::DEGREE;
+use super::frame_series::Slider;
+use super::{ChainSlip, DynamicsError, TimeFunction};
+use crate::numeric::first_descent;
+
+/// Events closer than this count as a pile, and once, s.
+const PILE_S: f64 = 1e-9;
+/// Part of the largest moment below which a moment at an event, or a rate of it over the step, is rounding: as of a frame.
+const ROUNDING: f64 = 1e-12;
+/// Rates of everything below which a chain is at rest, rad/s.
+const REST_RAD_S: f64 = 1e-13;
+
+/// What a joint's friction does within a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Change {
+    /// Its moment has reached the static one, in this direction.
+    Goes(f64),
+    /// It has come to a stop.
+    Stops,
+}
+
+/// What is kept of the friction of a run.
+pub(super) struct Friction {
+    /// How many first coefficients of what each joint waits for are zero, after an event: there they hold rounding.
+    pub(super) zeros: Vec<usize>,
+    /// What the joints did before the event, if they may have to change before the next step.
+    unsettled: Option<Vec<Slider>>,
+    /// Joints that go at any price: their static moment was reached and is above the kinetic one.
+    gone: Vec<usize>,
+    /// Where and when the turn under way began.
+    turning: Vec<Option<(f64, f64)>>,
+    pile: usize,
+    pile_at_s: f64,
+    last_event_s: f64,
+    pub(super) slips: Vec<ChainSlip>,
+    pub(super) events: usize,
+}
+
+impl Friction {
+    /// As a run begins: joints that turn slip, the others stick until the law says otherwise.
+    pub(super) fn start(sliders: &[Slider]) -> Self {
+        let any = sliders.iter().any(|slider| *slider != Slider::Absent);
+        Friction {
+            zeros: vec![0; sliders.len()],
+            unsettled: any.then(|| vec![Slider::Absent; sliders.len()]),
+            gone: Vec::new(),
+            turning: vec![None; sliders.len()],
+            pile: 0,
+            pile_at_s: f64::NEG_INFINITY,
+            last_event_s: 0.0,
+            slips: Vec::new(),
+            events: 0,
+        }
+    }
+
+    /// Time has passed since the last event: nothing is just at its limit any more.
+    pub(super) fn moved_on(&mut self) {
+        self.zeros.fill(0);
+        self.gone.clear();
+    }
+}
+
+/// A joint that is off the law: at which power of time, by how much, and what it should do.
+struct Off {
+    power: usize,
+    excess: f64,
+    joint: usize,
+    to: Slider,
+}
+
+impl Run<'_> {
+    /// First change of a joint's friction within the step, with its σ.
+    pub(super) fn first_slider_change(&self, joint: usize) -> Option<(f64, Change)> {
+        let [holds, _] = self.series.model.joints[joint].friction.moments_n_m()?;
+        let zeros = self.friction.zeros[joint].min(DEGREE + 1);
+        match self.state.sliders[joint] {
+            Slider::Slipping(sign) => {
+                let mut rate = super::chain_series::rate(&self.series.across[joint]).map(|c| sign * c);
+                rate[..zeros].fill(0.0);
+                first_descent(&rate, 0.0).map(|sigma| (sigma, Change::Stops))
+            }
+            Slider::Stuck => {
+                let held = &self.series.held[joint];
+                if held.iter().map(|c| c.abs()).sum::<f64>() < holds {
+                    return None;
+                }
+                let mut first: Option<(f64, Change)> = None;
+                for sign in [1.0, -1.0] {
+                    let mut left = held.map(|c| -sign * c);
+                    left[0] += holds;
+                    // the limit it is at, not the other
+                    if left[0] < 0.5 * holds {
+                        left[..zeros].fill(0.0);
+                    }
+                    if let Some(sigma) = first_descent(&left, 0.0)
+                        && first.is_none_or(|(earlier, _)| sigma < earlier)
+                    {
+                        first = Some((sigma, Change::Goes(sign)));
+                    }
+                }
+                first
+            }
+            Slider::Absent => None,
+        }
+    }
+
+    /// A joint's friction changes: what all of them do then is found before the next step.
+    pub(super) fn change_slider(&mut self, joint: usize, change: Change) -> Result<(), DynamicsError> {
+        let friction = &mut self.friction;
+        if self.at_s - friction.pile_at_s > PILE_S {
+            (friction.pile, friction.pile_at_s) = (0, self.at_s);
+        }
+        friction.pile += 1;
+        if friction.pile > 50 + 10 * self.state.sliders.len() {
+            return Err(DynamicsError::TooManyEvents {
+                at_s: self.at_s,
+                events: friction.pile,
+            });
+        }
+        if friction.unsettled.is_none() {
+            friction.unsettled = Some(self.state.sliders.clone());
+        }
+        let moments = self.series.model.joints[joint].friction.moments_n_m();
+        self.state.sliders[joint] = match (change, moments) {
+            (Change::Goes(sign), Some([holds, turns])) if holds > turns => {
+                friction.gone.push(joint);
+                friction.zeros[joint] = 1;
+                Slider::Slipping(sign)
+            }
+            // whether it goes on, holds, or turns back is found from the balance of all
+            _ => Slider::Stuck,
+        };
+        Ok(())
+    }
+
+    /// Finds which joints at rest hold and which go, if an event has left that open; `h` is a step to look ahead, s.
+    pub(super) fn settle(&mut self, load: &TimeFunction, mut h: f64) -> Result<(), DynamicsError> {
+        let Some(before) = self.friction.unsettled.take() else {
+            return Ok(());
+        };
+        let n = self.state.sliders.len();
+        for joint in 0..n {
+            // let go at this same time: it is at rest still
+            let at_rest = self.friction.zeros[joint] > 0 && !self.friction.gone.contains(&joint);
+            if at_rest && matches!(self.state.sliders[joint], Slider::Slipping(_)) {
+                self.state.sliders[joint] = Slider::Stuck;
+            }
+            // stuck joints pass on one rate, to the last digit
+            if self.state.sliders[joint] == Slider::Stuck {
+                self.state.omega[joint] = joint.checked_sub(1).map_or(0.0, |below| self.state.omega[below]);
+            }
+        }
+        let resting: Vec<usize> = (0..n)
+            .filter(|joint| self.state.sliders[*joint] == Slider::Stuck)
+            .collect();
+        let worst_first = 10 + 4 * n;
+        // Murty's rule visits at most so many states of few joints; of many, far fewer are ever met
+        let tries_most = worst_first + (1usize << resting.len().min(12));
+        for tried in 0..=tries_most {
+            self.series.coefficients(&self.state, load, self.at_s, h);
+            while self.series.part_exact().is_none() {
+                h *= 0.01;
+                self.series.coefficients(&self.state, load, self.at_s, h);
+            }
+            let mut off = self.off_the_law(&resting, h);
+            let next = if tried < worst_first {
+                off.sort_by(|a, b| a.power.cmp(&b.power).then(b.excess.total_cmp(&a.excess)));
+                off.first()
+            } else {
+                off.iter().min_by_key(|off| off.joint)
+            };
+            let Some(next) = next else {
+                self.note_slips(&before);
+                return Ok(());
+            };
+            self.state.sliders[next.joint] = next.to;
+        }
+        Err(DynamicsError::NoJointState {
+            at_s: self.at_s,
+            tried: tries_most,
+        })
+    }
+
+    /// The joints among those at rest that are off the law, in order; and where the series of the others begin.
+    fn off_the_law(&mut self, resting: &[usize], h: f64) -> Vec<Off> {
+        let mut rounding_n_m = [0.0; DEGREE - 1];
+        let mut largest: f64 = 0.0;
+        for (k, rounding) in rounding_n_m.iter_mut().enumerate() {
+            // an error of one power stays in all that follow
+            largest = largest.max(ROUNDING * self.series.moment_scale(&self.state, k, h));
+            *rounding = largest;
+        }
+        let mut off = Vec::new();
+        for &joint in resting {
+            let Some([holds, turns]) = self.series.model.joints[joint].friction.moments_n_m() else {
+                continue;
+            };
+            let (margin, to): (Box<dyn Fn(usize) -> f64>, Slider) = match self.state.sliders[joint] {
+                Slider::Slipping(sign) => {
+                    let series = &self.series;
+                    (
+                        Box::new(move |k| sign * series.inertia(joint, k, h)),
+                        Slider::Stuck,
+                    )
+                }
+                _ => {
+                    let held = self.series.held[joint];
+                    let sign = held[0].signum();
+                    let at = move |k: usize| {
+                        if k == 0 {
+                            holds - held[0].abs()
+                        } else {
+                            -sign * held[k]
+                        }
+                    };
+                    (Box::new(at), Slider::Slipping(sign))
+                }
+            };
+            let power = (0..DEGREE - 1).find(|&k| margin(k).abs() > rounding_n_m[k]);
+            let stuck = matches!(to, Slider::Slipping(_));
+            match power {
+                Some(power) if margin(power) < 0.0 => {
+                    // at a limit above the kinetic one it holds, until it is passed
+                    if !(stuck && power > 0 && holds > turns) {
+                        let excess = -margin(power) / holds;
+                        off.push(Off {
+                            power,
+                            excess,
+                            joint,
+                            to,
+                        });
+                    }
+                }
+                _ => {}
+            }
+            let zeros = power.unwrap_or(DEGREE);
+            self.friction.zeros[joint] = match (stuck, holds > turns) {
+                (true, true) => 0,
+                (true, false) => zeros,
+                (false, _) => zeros + 1,
+            };
+        }
+        off
+    }
+
+    /// Takes note of the joints that began to turn, turned back or stopped.
+    fn note_slips(&mut self, before: &[Slider]) {
+        let mut changed = false;
+        for (joint, before) in before.iter().enumerate() {
+            let now = self.state.sliders[joint];
+            if now == *before {
+                continue;
+            }
+            changed |= *before != Slider::Absent || now != Slider::Stuck;
+            self.end_slip(joint);
+            if matches!(now, Slider::Slipping(_)) {
+                self.friction.turning[joint] = Some((self.at_s, self.across_now(joint)));
+            }
+        }
+        if changed {
+            if self.friction.events == 0 || self.at_s - self.friction.last_event_s > PILE_S {
+                self.friction.events += 1;
+            }
+            self.friction.last_event_s = self.at_s;
+        }
+    }
+
+    /// Ends the turn of a joint that is under way, if one is.
+    pub(super) fn end_slip(&mut self, joint: usize) {
+        if let Some((from_s, from_rad)) = self.friction.turning[joint].take() {
+            self.friction.slips.push(ChainSlip {
+                joint,
+                from_s,
+                to_s: self.at_s,
+                slip_rad: self.across_now(joint) - from_rad,
+            });
+        }
+    }
+
+    /// Whether everything stands still.
+    pub(super) fn is_at_rest(&self) -> bool {
+        self.state.omega.iter().all(|rate| rate.abs() <= REST_RAD_S)
+    }
+}
