@@ -11,6 +11,7 @@
 
 use super::DynamicsError;
 use crate::structure::Chain;
+use dolmen_linalg::generalized_symmetric_eigen;
 
 /// Whether a joint opens.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -191,6 +192,51 @@ impl ChainModel {
             rotations,
             moment_most_n_m,
         })
+    }
+
+    /// The same with dashpots in proportion to the springs, such that the first mode of the chain has a damping ratio.
+    ///
+    /// ```text
+    /// d_i = 2 ζ ω (φᵀ M φ)/(φᵀ K_E φ) k_i          K φ = ω² M φ, K_E: K without gravity
+    /// ```
+    /// Higher modes have more, as their frequency is higher.
+    ///
+    /// # Errors
+    /// [`DynamicsError::Argument`] for a ratio outside 0 … 1 or a chain that falls by itself, which has no such mode.
+    pub fn with_first_mode_damping(mut self, damping_ratio: f64) -> Result<Self, DynamicsError> {
+        let refuse = |allowed| {
+            Err(DynamicsError::Argument {
+                argument: "damping_ratio",
+                given: damping_ratio,
+                allowed,
+            })
+        };
+        if !(0.0..1.0).contains(&damping_ratio) {
+            return refuse("0 or more and below 1: is it in percent?");
+        }
+        if damping_ratio == 0.0 {
+            return Ok(self);
+        }
+        let stiffness: Vec<f64> = self.joints.iter().map(|joint| joint.stiffness_n_m_rad).collect();
+        let mass = self.chain.mass_matrix();
+        let eigen = generalized_symmetric_eigen(&self.chain.stiffness_matrix(&stiffness)?, &mass)?;
+        let Some(&square) = eigen.values.first().filter(|value| **value > 0.0) else {
+            return refuse(
+                "left out: the chain falls by itself and has no first mode; give dashpots instead",
+            );
+        };
+        let shape = eigen.vectors.column(0);
+        let elastic: f64 = (0..shape.len())
+            .map(|i| {
+                let across = shape[i] - i.checked_sub(1).map_or(0.0, |below| shape[below]);
+                stiffness[i] * across * across
+            })
+            .sum();
+        let factor = 2.0 * damping_ratio * square.sqrt() * mass.form(shape, shape) / elastic;
+        for joint in &mut self.joints {
+            joint.damping_n_m_s_rad = factor * joint.stiffness_n_m_rad;
+        }
+        Ok(self)
     }
 
     /// The chain.

@@ -6,6 +6,7 @@
 use super::chain_friction::{Change, Friction};
 use super::chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainUplift};
 use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_run::ChainRun;
 use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
 use super::frame_series::Slider;
 use super::{DynamicsError, TimeFunction};
@@ -19,33 +20,6 @@ const GROWTH: f64 = 1.5;
 const BESIDE: f64 = 1e-7;
 /// Steps between calls of `progress`.
 const STEPS_A_CALL: usize = 256;
-
-/// Options of [`simulate_chain`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct ChainRun {
-    /// Length of the run, s. `None`, the default, for that of the load.
-    pub duration_s: Option<f64>,
-    /// Time between samples of the history, s. Default 0.005.
-    pub output_step_s: f64,
-    /// Rotations of the links at the start, rad; empty, the default, for none.
-    pub start_rotation_rad: Vec<f64>,
-    /// Their rates at the start, rad/s; empty, the default, for none.
-    pub start_velocity_rad_s: Vec<f64>,
-    /// Rotation of a link from the vertical that counts as a fall, rad. Default 60° (our choice).
-    pub fall_rad: f64,
-}
-
-impl Default for ChainRun {
-    fn default() -> Self {
-        ChainRun {
-            duration_s: None,
-            output_step_s: 0.005,
-            start_rotation_rad: Vec::new(),
-            start_velocity_rad_s: Vec::new(),
-            fall_rad: std::f64::consts::FRAC_PI_3,
-        }
-    }
-}
 
 /// Motion of a chain under an acceleration of the ground, m/s².
 ///
@@ -117,61 +91,6 @@ pub fn simulate_chain(
         }
     }
     Ok(run.finish())
-}
-
-impl ChainRun {
-    fn check(&self, model: &ChainModel, load: &TimeFunction) -> Result<f64, DynamicsError> {
-        load.check("ground_acceleration_m_s2")?;
-        let positive = |argument, given: f64, allowed| {
-            if given > 0.0 && given.is_finite() {
-                return Ok(given);
-            }
-            Err(DynamicsError::Argument {
-                argument,
-                given,
-                allowed,
-            })
-        };
-        positive("output_step_s", self.output_step_s, "a positive number")?;
-        positive("fall_rad", self.fall_rad, "a positive number")?;
-        let needed = model.chain.links().len();
-        for (argument, values, most, allowed) in [
-            (
-                "start_rotation_rad",
-                &self.start_rotation_rad,
-                self.fall_rad,
-                "a number below fall_rad in size",
-            ),
-            (
-                "start_velocity_rad_s",
-                &self.start_velocity_rad_s,
-                f64::INFINITY,
-                "a number",
-            ),
-        ] {
-            if !values.is_empty() && values.len() != needed {
-                return Err(DynamicsError::ChainCount {
-                    argument,
-                    given: values.len(),
-                    needed,
-                });
-            }
-            if let Some(i) = values.iter().position(|x| x.is_nan() || x.abs() >= most) {
-                return Err(DynamicsError::ChainPart {
-                    part: "link",
-                    number: i + 1,
-                    argument,
-                    given: values[i],
-                    allowed,
-                });
-            }
-        }
-        positive(
-            "duration_s",
-            self.duration_s.unwrap_or(load.duration_s()),
-            "a positive number: give it where no sampled load does",
-        )
-    }
 }
 
 /// An event within a step.

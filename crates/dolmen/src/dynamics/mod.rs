@@ -1,9 +1,11 @@
 //! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall.
 
 mod chain_friction;
+mod chain_growth;
 mod chain_history;
 mod chain_model;
 mod chain_motion;
+mod chain_run;
 mod chain_series;
 mod error;
 mod excitation;
@@ -16,9 +18,11 @@ mod frame_record;
 mod frame_series;
 mod frame_studies;
 
+pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
 pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};
 pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointFriction, JointOpening};
-pub use chain_motion::{ChainRun, simulate_chain};
+pub use chain_motion::simulate_chain;
+pub use chain_run::ChainRun;
 pub use error::DynamicsError;
 pub use excitation::{FrameLoad, TimeFunction};
 pub use frame_friction::{

@@ -14,7 +14,7 @@
 
 use dolmen::dynamics::{
     ChainHistory, ChainJoint, ChainModel, ChainOutcome, ChainRotations, ChainRun, DynamicsError,
-    JointFriction, JointOpening, TimeFunction, simulate_chain,
+    JointFriction, JointOpening, TimeFunction, chain_growth, simulate_chain,
 };
 use dolmen::known::choi_2021::{CENTROID_M, LENGTH_M, WEIGHT_KN, critical_stiffness};
 use dolmen::known::pendulum::period_s;
@@ -106,6 +106,14 @@ fn published_critical_stiffness_lets_the_pole_fall_and_weight_times_height_holds
         history.outcome
     );
     assert!(history.energy_left_over_ratio < 1e-12);
+    // whatever the push, the shape that falls fastest grows as the linear equations say
+    let found = chain_growth(&model, &history).unwrap().unwrap();
+    let measured = found.measured.unwrap();
+    assert!((found.linear_rate_per_s / growth - 1.0).abs() < 1e-12);
+    let rate = measured.rate_per_s / growth;
+    // cosh from 10 to 100: ln 10/(acosh 100 − acosh 10)
+    let wanted = 10.0_f64.ln() / (100.0_f64.acosh() - 10.0_f64.acosh());
+    assert!((rate - wanted).abs() < 1e-4, "{rate} {wanted}");
     // pushed along the mode that grows fastest: from 2e-4 to 4e-4 as e^(growth t)
     let mode = modes.vectors.column(0);
     let most = mode
@@ -133,6 +141,7 @@ fn published_critical_stiffness_lets_the_pole_fall_and_weight_times_height_holds
     let held = springs(chain, &stiffness, ChainRotations::Large);
     let history = run(&held, &TimeFunction::Zero, &from(&[1e-4; 5], 100.0));
     assert_eq!(history.outcome, ChainOutcome::Stood);
+    assert_eq!(chain_growth(&held, &history).unwrap(), None);
     let peak = history
         .rotation_peaks
         .iter()
@@ -225,6 +234,45 @@ fn exact_one_link_is_the_pendulum() {
     };
     let history = run(&model, &TimeFunction::Zero, &options);
     assert!((end(&history.rotation_rad) - PI).abs() < 1e-10);
+}
+
+#[test]
+fn exact_first_mode_has_the_damping_ratio_asked_for() {
+    // of one link the oscillator is exact: ln of two turns in a row is 2π ζ/√(1 − ζ²)
+    let chain = Chain::new(vec![link(1000.0, 3.0, 1.5)], G).unwrap();
+    let stiffness = 5.0 * chain.gravity_moments_n_m_rad()[0];
+    let model = springs(chain, &[stiffness], ChainRotations::Small);
+    let ratio = 0.03;
+    let damped = model.clone().with_first_mode_damping(ratio).unwrap();
+    let omega = ((stiffness - damped.chain().gravity_moments_n_m_rad()[0])
+        / damped.chain().mass_matrix()[(0, 0)])
+        .sqrt();
+    let half_s = PI / (omega * (1.0 - ratio * ratio).sqrt());
+    let history = run(&damped, &TimeFunction::Zero, &from(&[0.01], 2.0 * half_s));
+    let last = *history.rotation_rad[0].last().unwrap();
+    let wanted = 0.01 * (-TAU * ratio / (1.0 - ratio * ratio).sqrt()).exp();
+    assert!((last - wanted).abs() < 1e-14, "{last} {wanted}");
+    // of five the first mode is followed by its share of the whole: measured to a thousandth of the ratio
+    let stiffness: Vec<f64> = flagpole().necessary_n_m_rad().iter().map(|k| 5.0 * k).collect();
+    let model = springs(flagpole(), &stiffness, ChainRotations::Small).with_first_mode_damping(ratio);
+    let model = model.unwrap();
+    let mass = model.chain().mass_matrix();
+    let eigen =
+        generalized_symmetric_eigen(&model.chain().stiffness_matrix(&stiffness).unwrap(), &mass).unwrap();
+    let shape: Vec<f64> = eigen.vectors.column(0).iter().map(|x| 1e-3 * x).collect();
+    let taken: f64 = (0..5)
+        .map(|i| {
+            let across = shape[i] - if i == 0 { 0.0 } else { shape[i - 1] };
+            model.joints()[i].damping_n_m_s_rad * across * across
+        })
+        .sum();
+    let wanted = 2.0 * ratio * eigen.values[0].sqrt() * mass.form(&shape, &shape);
+    assert!((taken / wanted - 1.0).abs() < 1e-12, "{taken} {wanted}");
+    let falls = springs(flagpole(), &published(), ChainRotations::Large);
+    assert_eq!(
+        falls.with_first_mode_damping(0.02).unwrap_err().to_string(),
+        "damping_ratio is 0.02, but must be left out: the chain falls by itself and has no first mode; give dashpots instead"
+    );
 }
 
 #[test]

@@ -1,0 +1,88 @@
+//! How fast a chain that does not stand leaves the vertical, beside what its linear equations say.
+
+use super::DynamicsError;
+use super::chain_history::ChainHistory;
+use super::chain_model::ChainModel;
+use dolmen_linalg::generalized_symmetric_eigen;
+
+/// Growth is read from where the motion is so many times that of the start: cosh is an exponential there to a part in 200.
+const FROM_TIMES: f64 = 10.0;
+/// … to where it is so many times that.
+const TO_TIMES: f64 = 100.0;
+/// Largest rotation at which it is read, rad: the linear equations hold to a part in a thousand.
+const SMALL_RAD: f64 = 0.05;
+
+/// Growth of the shape in which a chain falls fastest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ChainGrowth {
+    /// λ of the linear equations, K φ = −λ² M φ: it grows as e^(λ t), 1/s.
+    pub linear_rate_per_s: f64,
+    /// What the motion did, while it was small; `None` if it was not followed over so long.
+    pub measured: Option<MeasuredGrowth>,
+}
+
+/// Growth read from a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasuredGrowth {
+    /// Natural logarithm of the growth over the time it took, 1/s.
+    pub rate_per_s: f64,
+    /// From when, s.
+    pub from_s: f64,
+    /// To when, s.
+    pub to_s: f64,
+}
+
+/// Growth of a chain that falls by itself, from a motion that began with a small push; `None` for a chain that stands.
+///
+/// ```text
+/// q = φᵀ M θ,  rate = ln(q(to)/q(from)) / (to − from)          q(from) = 10 q(0), q(to) = 100 q(0)
+/// ```
+/// The shape φ is orthogonal to all others, so that q grows as cosh(λ t) from a push at rest: from 10 to 100 times the push its rate
+/// is .1 % below λ.
+///
+/// # Errors
+/// [`DynamicsError::Structure`], [`DynamicsError::Linalg`] if the values differ by more than the numbers hold.
+///
+/// # Limits
+/// Stuck friction, open joints and a moving ground change the rate: it is that of the springs alone. Times are read between samples
+/// by straight lines of logarithms.
+pub fn chain_growth(
+    model: &ChainModel,
+    history: &ChainHistory,
+) -> Result<Option<ChainGrowth>, DynamicsError> {
+    let stiffness: Vec<f64> = model.joints().iter().map(|j| j.stiffness_n_m_rad).collect();
+    let mass = model.chain().mass_matrix();
+    let eigen = generalized_symmetric_eigen(&model.chain().stiffness_matrix(&stiffness)?, &mass)?;
+    let Some(&fastest) = eigen.values.first().filter(|value| **value < 0.0) else {
+        return Ok(None);
+    };
+    let shape = eigen.vectors.column(0);
+    let n = shape.len();
+    let amplitude = |sample: usize| -> f64 {
+        let theta: Vec<f64> = (0..n).map(|i| history.rotation_rad[i][sample]).collect();
+        mass.form(shape, &theta).abs()
+    };
+    let push = amplitude(0);
+    let samples = history.times_s.len();
+    let small = |sample: &usize| (0..n).all(|i| history.rotation_rad[i][*sample].abs() <= SMALL_RAD);
+    // the first time at which the motion is so many times the push
+    let reaches = |times: f64| -> Option<f64> {
+        let sample = (1..samples)
+            .take_while(small)
+            .find(|sample| amplitude(*sample) >= times * push)?;
+        let (low, high) = (amplitude(sample - 1).ln(), amplitude(sample).ln());
+        let step_s = history.times_s[sample] - history.times_s[sample - 1];
+        Some(history.times_s[sample - 1] + step_s * ((times * push).ln() - low) / (high - low))
+    };
+    let from_to = (push > 0.0)
+        .then(|| reaches(FROM_TIMES).zip(reaches(TO_TIMES)))
+        .flatten();
+    Ok(Some(ChainGrowth {
+        linear_rate_per_s: (-fastest).sqrt(),
+        measured: from_to.map(|(from_s, to_s)| MeasuredGrowth {
+            rate_per_s: (TO_TIMES / FROM_TIMES).ln() / (to_s - from_s),
+            from_s,
+            to_s,
+        }),
+    }))
+}
