@@ -14,6 +14,10 @@ fn build(project: &Project) {
             let built = frame.build(&mut Quantity::nominal);
             assert!(built.is_ok(), "{built:?}");
         }
+        Structure::Stack(stack) => {
+            let built = stack.build(&mut Quantity::nominal);
+            assert!(built.is_ok(), "{built:?}");
+        }
         Structure::Survey => {}
     }
     assert!(project.inputs().iter().all(|input| input.value.is_finite()));

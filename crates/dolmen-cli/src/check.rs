@@ -95,6 +95,7 @@ pub(crate) fn answer(
         surveys: Vec::new(),
         simulation: None,
         frame_simulations: Vec::new(),
+        chain_simulations: Vec::new(),
     })
 }
 

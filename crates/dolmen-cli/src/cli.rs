@@ -30,7 +30,7 @@ pub(crate) enum Verb {
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
-    /// A stack under a ground motion: rocking, sliding, twisting, falling
+    /// A stack, frame or chain under a ground motion: rocking, sliding, slipping, falling
     Simulate(Simulate),
     /// Ground motions: read, measure, spectrum, match to a demand, make, convert
     Motion(GroundMotionVerb),
@@ -110,7 +110,7 @@ pub(crate) struct Identify {
 
 #[derive(Debug, Args)]
 pub(crate) struct Simulate {
-    /// Project file of a stack or frame, or a folder that holds project.toml
+    /// Project file of a stack, frame or chain, or a folder that holds project.toml
     pub(crate) project: PathBuf,
     #[command(flatten)]
     pub(crate) motion: Motion,
@@ -120,13 +120,19 @@ pub(crate) struct Simulate {
     /// Direction of a frame; without it, each whose stiffness is known
     #[arg(long, value_name = "NAME")]
     pub(crate) direction: Option<String>,
+    /// Let the whole chain lean at the start by this angle, "1e-4 rad" or "0.5 deg"; no motion is needed then
+    #[arg(long, value_name = "ANGLE", allow_hyphen_values = true)]
+    pub(crate) push: Option<String>,
+    /// How far the equations of a chain go: up to its fall, or the linear ones of small rotations
+    #[arg(long, value_enum, default_value_t = Rotations::Large)]
+    pub(crate) rotations: Rotations,
     /// Contact points of a joint of a stack: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
     /// Time step, s; the longest stable one times .9 without it
     #[arg(long, value_name = "S")]
     pub(crate) step: Option<f64>,
-    /// Length of the run, s; without it the motion and 2 s more for a stack, 20 s more for a frame
+    /// Length of the run, s; without it the motion and 2 s more for a stack, 20 s more for a frame or chain, 60 s for a push alone
     #[arg(long, value_name = "S")]
     pub(crate) duration: Option<f64>,
     /// Time between samples of the histories, s
@@ -290,6 +296,15 @@ pub(crate) struct Motion {
     /// Multiply all components by the one factor that brings the largest horizontal peak to this: "0.3 g"
     #[arg(long, value_name = "ACCELERATION")]
     pub(crate) peak: Option<String>,
+}
+
+/// How far the equations of a chain go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Rotations {
+    /// Any rotation, up to the fall
+    Large,
+    /// Linear, whatever size is reached
+    Small,
 }
 
 /// Contact points of a quadrilateral joint.

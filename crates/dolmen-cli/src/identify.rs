@@ -36,6 +36,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         surveys,
         simulation: None,
         frame_simulations: Vec::new(),
+        chain_simulations: Vec::new(),
     };
     let json = identification_json(&answer);
     if as_json {

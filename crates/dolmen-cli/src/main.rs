@@ -11,6 +11,7 @@ mod new;
 mod open;
 mod report;
 mod simulate;
+mod simulate_chain;
 mod simulate_frame;
 mod stack_frequencies;
 mod tools;

@@ -3,14 +3,15 @@
 use crate::check::{self, Sampling};
 use crate::cli::{Demo, Motion, Report};
 use crate::simulate::language;
-use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_frame};
+use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_chain, simulate_frame};
 use anyhow::{Result, bail};
+use dolmen::dynamics::ChainRotations;
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
 use dolmen_formats::answer::Answer;
-use dolmen_formats::project::{Project, Structure};
+use dolmen_formats::project::{Names, Project, Structure};
 use dolmen_formats::report::{Imprint, html};
-use dolmen_formats::simulation::{FrameSimulation, Simulation};
+use dolmen_formats::simulation::{ChainSimulation, FrameSimulation, Simulation};
 use std::path::{Path, PathBuf};
 
 /// Samples of the demo: enough for a figure, few enough for a blink.
@@ -31,11 +32,11 @@ fn imprint(date: Option<String>) -> Imprint {
 /// motion that was asked for.
 fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet: bool) -> Result<Answer> {
     let open::Opened { project, file } = open::project(path)?;
-    if let (Structure::Chain(_) | Structure::Survey, Some(options)) = (&project.structure, motion)
+    if let (Structure::Survey, Some(options)) = (&project.structure, motion)
         && motion::is_given(options)
     {
         bail!(
-            "{}: only stacks and frames can be simulated; leave the motion out",
+            "{}: only stacks, frames and chains can be simulated; leave the motion out",
             file.display()
         );
     }
@@ -72,18 +73,15 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
     }
     if let Some(options) = motion.filter(|options| motion::is_given(options)) {
         answer.frame_simulations = frames(&answer.project, &file, options, quiet)?;
+        answer.chain_simulations = chains(&answer.project, &file, options, quiet)?;
     }
     Ok(answer)
 }
 
 /// The frame, as it is and in its variants, under the motion: each direction of known stiffness.
 fn frames(project: &Project, file: &Path, options: &Motion, quiet: bool) -> Result<Vec<FrameSimulation>> {
-    let versions = project
-        .variants
-        .iter()
-        .map(|v| (&v.project, Some(v.name.as_str())));
     let mut found = Vec::new();
-    for (version, variant) in [(project, None)].into_iter().chain(versions) {
+    for (version, variant) in versions(project) {
         let Structure::Frame(part) = &version.structure else {
             continue;
         };
@@ -111,6 +109,48 @@ fn frames(project: &Project, file: &Path, options: &Motion, quiet: bool) -> Resu
         )?);
     }
     Ok(found)
+}
+
+/// The chain, as it is and in its variants, under the motion: each whose joints are known.
+fn chains(project: &Project, file: &Path, options: &Motion, quiet: bool) -> Result<Vec<ChainSimulation>> {
+    let mut found = Vec::new();
+    for (version, variant) in versions(project) {
+        let Structure::Chain(part) = &version.structure else {
+            continue;
+        };
+        if part.joints.is_none() {
+            continue;
+        }
+        let motion = motion::motion(options, version, file)?;
+        let wish = simulate_chain::Wish {
+            variant,
+            push_rad: 0.0,
+            rotations: ChainRotations::Large,
+            duration_s: None,
+            output_step_s: REPORT_STEP_S,
+        };
+        let shown = file.display().to_string();
+        found.push(simulate_chain::simulation(
+            (version, part),
+            &shown,
+            Some(motion),
+            &wish,
+            quiet,
+        )?);
+    }
+    Ok(found)
+}
+
+/// A version of a project: as it is, or a variant with its name and title.
+type Version<'a> = (&'a Project, Option<(&'a str, Option<Names>)>);
+
+/// The project as it is, then its variants.
+fn versions(project: &Project) -> impl Iterator<Item = Version<'_>> {
+    let variants = project
+        .variants
+        .iter()
+        .map(|v| (&v.project, Some((v.name.as_str(), v.title.clone()))));
+    [(project, None)].into_iter().chain(variants)
 }
 
 pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {

@@ -1,7 +1,7 @@
-//! `dolmen simulate`: a stack under a ground motion.
+//! `dolmen simulate`: a stack under a ground motion; frames and chains have files of their own.
 
 use crate::cli::{Language as Chosen, Points, Simulate as Options};
-use crate::{Outcome, files, motion, open, simulate_frame};
+use crate::{Outcome, files, motion, open, simulate_chain, simulate_frame};
 use anyhow::{Result, bail};
 use dolmen::blocks::{AfterFall, ContactRule, Pose, Springs, StackHistory, simulate_springs};
 use dolmen::signal::GroundMotion;
@@ -13,7 +13,7 @@ use dolmen_formats::json::simulation_json;
 use dolmen_formats::meshes::{
     BlockPose, SeriesFile, series_pvd, stack_3dec, stack_json, stack_obj, stack_vtu,
 };
-use dolmen_formats::project::{Project, Quantity, Structure};
+use dolmen_formats::project::{Names, Project, Quantity, Structure};
 use dolmen_formats::simulation::{MotionAnswer, Simulation, energy_csv, joints_csv, poses_csv, stack_film};
 use dolmen_formats::text::{simulation_inputs_text, simulation_text};
 use indicatif::{ProgressBar, ProgressStyle};
@@ -32,15 +32,31 @@ const PARAVIEW_STEP_S: f64 = 0.05;
 
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
     let open::Opened { project, file } = open::project(&options.project)?;
-    let chosen = variant(&project, options.variant.as_deref())?;
-    let motion = motion::motion(&options.motion, chosen, &file)?;
+    let (chosen, title) = variant(&project, options.variant.as_deref())?;
     let shown = file.display().to_string();
+    if let Structure::Chain(part) = &chosen.structure {
+        let motion = match motion::is_given(&options.motion) {
+            true => Some(motion::motion(&options.motion, chosen, &file)?),
+            false => None,
+        };
+        if !as_json {
+            let inputs = simulation_inputs_text(chosen, &shown, options.variant.as_deref(), motion.as_ref());
+            files::say(&inputs)?;
+        }
+        let output = (as_json, quiet);
+        return simulate_chain::run(options, (chosen, part), (&shown, title), motion, output);
+    }
+    if options.push.is_some() {
+        bail!("--push lets a chain lean at the start: the file has another kind");
+    }
+    let motion = motion::motion(&options.motion, chosen, &file)?;
     if !as_json {
-        let inputs = simulation_inputs_text(chosen, &shown, options.variant.as_deref(), &motion);
+        let inputs = simulation_inputs_text(chosen, &shown, options.variant.as_deref(), Some(&motion));
         files::say(&inputs)?;
     }
     if let Structure::Frame(part) = &chosen.structure {
-        return simulate_frame::run(options, (chosen, part), (&shown, &motion), as_json, quiet);
+        let output = (as_json, quiet);
+        return simulate_frame::run(options, (chosen, part), (&shown, title), &motion, output);
     }
     let stack = stack_of(chosen)?;
     let limits = stack_limits(&stack, &StackLimits::default())?;
@@ -114,13 +130,13 @@ pub(crate) fn language(chosen: Chosen) -> Language {
     }
 }
 
-/// The project, or its variant of this name.
-fn variant<'p>(project: &'p Project, name: Option<&str>) -> Result<&'p Project> {
+/// The project, or its variant of this name with its title.
+fn variant<'p>(project: &'p Project, name: Option<&str>) -> Result<(&'p Project, Option<Names>)> {
     let Some(name) = name else {
-        return Ok(project);
+        return Ok((project, None));
     };
     match project.variants.iter().find(|variant| variant.name == name) {
-        Some(variant) => Ok(&variant.project),
+        Some(variant) => Ok((&variant.project, variant.title.clone())),
         None => {
             let names: Vec<&str> = project.variants.iter().map(|v| v.name.as_str()).collect();
             let known = if names.is_empty() {
@@ -136,9 +152,7 @@ fn variant<'p>(project: &'p Project, name: Option<&str>) -> Result<&'p Project> 
 fn stack_of(project: &Project) -> Result<Stack> {
     match &project.structure {
         Structure::Stack(part) => Ok(part.build(&mut Quantity::nominal)?),
-        _ => bail!(
-            "only stacks and frames can be simulated: the file has another kind; `dolmen check` says what holds it up"
-        ),
+        _ => bail!("only stacks, frames and chains can be simulated: the file has kind = \"survey\""),
     }
 }
 

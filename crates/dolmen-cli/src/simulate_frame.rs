@@ -9,7 +9,7 @@ use dolmen::signal::Component;
 use dolmen_formats::Language;
 use dolmen_formats::figures::frame_histories;
 use dolmen_formats::json::frame_simulation_json;
-use dolmen_formats::project::{FramePart, Project, Quantity};
+use dolmen_formats::project::{FramePart, Names, Project, Quantity};
 use dolmen_formats::simulation::{
     FrameSimulation, MotionAnswer, frame_energy_csv, frame_histories_csv, frame_slips_csv,
 };
@@ -23,7 +23,7 @@ const REST_S: f64 = 20.0;
 /// The wish of a user, as far as it concerns frames.
 pub(crate) struct Wish<'a> {
     pub(crate) direction: Option<&'a str>,
-    pub(crate) variant: Option<&'a str>,
+    pub(crate) variant: Option<(&'a str, Option<Names>)>,
     pub(crate) duration_s: Option<f64>,
     pub(crate) output_step_s: f64,
 }
@@ -31,13 +31,13 @@ pub(crate) struct Wish<'a> {
 pub(crate) fn run(
     options: &Options,
     (project, part): (&Project, &FramePart),
-    (file, motion): (&str, &MotionAnswer),
-    as_json: bool,
-    quiet: bool,
+    (file, title): (&str, Option<Names>),
+    motion: &MotionAnswer,
+    (as_json, quiet): (bool, bool),
 ) -> Result<Outcome> {
     let wish = Wish {
         direction: options.direction.as_deref(),
-        variant: options.variant.as_deref(),
+        variant: options.variant.as_deref().map(|name| (name, title)),
         duration_s: options.duration,
         output_step_s: options.output_step,
     };
@@ -107,7 +107,7 @@ pub(crate) fn simulations(
         ),
         None => known,
     };
-    let component = component(motion)?;
+    let component = horizontal(motion, "a frame")?;
     let run_s = wish.duration_s.unwrap_or(motion.motion.duration_s() + REST_S);
     let mut found = Vec::new();
     for direction in chosen {
@@ -126,7 +126,8 @@ pub(crate) fn simulations(
         found.push(FrameSimulation {
             file: file.to_owned(),
             name: project.name.clone(),
-            variant: wish.variant.map(str::to_owned),
+            variant: wish.variant.as_ref().map(|(name, _)| (*name).to_owned()),
+            variant_title: wish.variant.as_ref().and_then(|(_, title)| title.clone()),
             direction: direction.to_owned(),
             storeys: storey_names(part),
             frame,
@@ -139,16 +140,16 @@ pub(crate) fn simulations(
     Ok(found)
 }
 
-/// The horizontal component that acts: each direction of a frame is a plane of its own.
-fn component(motion: &MotionAnswer) -> Result<Component> {
+/// The horizontal component that acts: each direction of a frame, and a chain, is a plane of its own.
+pub(crate) fn horizontal(motion: &MotionAnswer, what: &str) -> Result<Component> {
     match (motion.motion.has(Component::X), motion.motion.has(Component::Y)) {
         (true, true) => bail!(
-            "a frame moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give \
+            "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give \
              the component that you mean as x"
         ),
         (true, false) => Ok(Component::X),
         (false, true) => Ok(Component::Y),
-        (false, false) => bail!("a frame moves horizontally, but the motion has neither x nor y"),
+        (false, false) => bail!("{what} moves horizontally, but the motion has neither x nor y"),
     }
 }
 

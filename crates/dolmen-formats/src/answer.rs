@@ -1,7 +1,7 @@
 //! Everything that was computed for one project: what the command fills, and text, JSON and report print.
 
 use crate::project::{Names, Project};
-use crate::simulation::{FrameSimulation, Simulation};
+use crate::simulation::{ChainSimulation, FrameSimulation, Simulation};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
@@ -33,6 +33,8 @@ pub struct Answer {
     pub simulation: Option<Box<Simulation>>,
     /// The frame under a ground motion, one a direction of known stiffness, of the structure as it is and of its variants.
     pub frame_simulations: Vec<FrameSimulation>,
+    /// The chain under a ground motion, as it is and in its variants.
+    pub chain_simulations: Vec<ChainSimulation>,
 }
 
 /// The result whose sensitivities are given.
@@ -340,6 +342,7 @@ impl Answer {
         let mut states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
         simulated.any(|simulation| simulation.falls())
             || self.frame_simulations.iter().any(FrameSimulation::falls)
+            || self.chain_simulations.iter().any(ChainSimulation::falls)
             || states.any(|state| {
                 state.verdict() == Verdict::Unstable || state.demand_verdict() == Some(DemandVerdict::Below)
             })

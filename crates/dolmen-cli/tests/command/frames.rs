@@ -114,8 +114,4 @@ fn refuses_what_cannot_be_simulated() {
         &format!("{gate} --variant soft_below --direction north {EL_CENTRO}"),
         "there is no direction \"north\": the file has weak, strong",
     );
-    says(
-        &format!("simulate examples/naju_flagpole {EL_CENTRO}"),
-        "only stacks and frames can be simulated",
-    );
 }

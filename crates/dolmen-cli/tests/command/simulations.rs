@@ -143,10 +143,12 @@ fn refuses_motions_and_options_that_cannot_be() {
         assert_eq!(answer.status, 2, "{words}: {}{}", answer.stdout, answer.stderr);
         assert!(answer.stderr.contains(said), "{words}: {}", answer.stderr);
     }
-    let answer = scratch.dolmen(&format!("simulate examples/naju_flagpole {EL_CENTRO}"));
+    let answer = scratch.dolmen(&format!("simulate examples/palisaden {EL_CENTRO}"));
     assert_eq!(answer.status, 2);
     assert!(
-        answer.stderr.contains("only stacks and frames can be simulated"),
+        answer
+            .stderr
+            .contains("only stacks, frames and chains can be simulated"),
         "{}",
         answer.stderr
     );

@@ -113,6 +113,26 @@ fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -
         .iter()
         .map(|f| 1e-3 * f)
         .collect();
+    let names = [
+        language.pick("Drift (mm)", "층간변위 (mm)"),
+        language.pick("Force of the storey (kN)", "층 전단력 (kN)"),
+    ];
+    let title = language.pick("Force against drift", "층 전단력-층간변위 이력곡선");
+    loops(
+        names,
+        [&drift, &force],
+        (storey, &simulation.storeys[storey]),
+        title,
+    )
+}
+
+/// Values against each other, as one line; its number among others and its name.
+pub(super) fn loops(
+    names: [&str; 2],
+    [x_values, y_values]: [&[f64]; 2],
+    (number, name): (usize, &str),
+    title: &str,
+) -> String {
     let around = |name: &str, values: &[f64]| {
         let axis = Axis::around(name, values, 5);
         if axis.to - axis.from < 1e-6 {
@@ -121,40 +141,55 @@ fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -
             axis
         }
     };
-    let x = around(language.pick("Drift (mm)", "층간변위 (mm)"), &drift);
-    let y = around(
-        language.pick("Force of the storey (kN)", "층 전단력 (kN)"),
-        &force,
-    );
+    let (x, y) = (around(names[0], x_values), around(names[1], y_values));
     let (x_ends, y_ends) = ([x.from, x.to], [y.from, y.to]);
     let mut plot = Plot::new(LOOP_PX, x, y);
     plot.line(vec![[x_ends[0], 0.0], [x_ends[1], 0.0]], Line::new(GREY, 0.6));
     plot.line(vec![[0.0, y_ends[0]], [0.0, y_ends[1]]], Line::new(GREY, 0.6));
-    let line = Line::new(SERIES[storey % SERIES.len()], 1.0);
-    let points = drift.iter().zip(&force).map(|(d, f)| [*d, *f]).collect();
-    plot.line(points, line);
-    plot.key(
-        Key::Line(Line { width: 2.2, ..line }),
-        simulation.storeys[storey].as_str(),
+    let line = Line::new(SERIES[number % SERIES.len()], 1.0);
+    plot.line(
+        x_values.iter().zip(y_values).map(|(x, y)| [*x, *y]).collect(),
+        line,
     );
-    plot.svg(language.pick("Force against drift", "층 전단력-층간변위 이력곡선"))
+    plot.key(Key::Line(Line { width: 2.2, ..line }), name);
+    plot.svg(title)
 }
 
 /// When each storey slipped: a band a storey.
 fn bands(simulation: &FrameSimulation, language: Language) -> String {
     let history = &simulation.history;
     let end = history.time_s.last().copied().unwrap_or(1.0);
-    let size = [BANDS_PX, 90.0 + BAND_PX * simulation.storeys.len() as f64];
-    let x = Axis::linear(language.pick("Time (s)", "시간 (s)"), 0.0, end, 10);
-    let mut plot = Plot::new(size, x, Axis::rows(&simulation.storeys));
-    for slip in &history.slips {
-        let (row, colour) = (slip.storey as f64, SERIES[slip.storey % SERIES.len()]);
-        plot.block([slip.from_s, row - 0.32], [slip.to_s, row + 0.32], colour, 0.8);
+    let each: Vec<(usize, [f64; 2])> = history
+        .slips
+        .iter()
+        .map(|s| (s.storey, [s.from_s, s.to_s]))
+        .collect();
+    let words = [
+        language.pick("slips", "미끄러짐"),
+        language.pick("When each storey slipped", "층별 미끄러짐 시각"),
+    ];
+    rows_of_bands(&simulation.storeys, &each, end, words, language)
+}
+
+/// A row of bands a part: its number, from when to when; the word for a band, and the title.
+pub(super) fn rows_of_bands(
+    names: &[String],
+    bands: &[(usize, [f64; 2])],
+    end_s: f64,
+    [word, title]: [&str; 2],
+    language: Language,
+) -> String {
+    let size = [BANDS_PX, 90.0 + BAND_PX * names.len() as f64];
+    let x = Axis::linear(language.pick("Time (s)", "시간 (s)"), 0.0, end_s, 10);
+    let mut plot = Plot::new(size, x, Axis::rows(names));
+    for (part, [from_s, to_s]) in bands {
+        let (row, colour) = (*part as f64, SERIES[part % SERIES.len()]);
+        plot.block([*from_s, row - 0.32], [*to_s, row + 0.32], colour, 0.8);
     }
-    for storey in 0..simulation.storeys.len() {
-        let row = storey as f64;
-        plot.line(vec![[0.0, row], [end, row]], Line::new(GREY, 0.5));
+    for part in 0..names.len() {
+        let row = part as f64;
+        plot.line(vec![[0.0, row], [end_s, row]], Line::new(GREY, 0.5));
     }
-    plot.key(Key::Block(SERIES[0], 0.8), language.pick("slips", "미끄러짐"));
-    plot.svg(language.pick("When each storey slipped", "층별 미끄러짐 시각"))
+    plot.key(Key::Block(SERIES[0], 0.8), word);
+    plot.svg(title)
 }

@@ -3,6 +3,7 @@
 mod assess;
 mod axis;
 mod chain;
+mod chain_histories;
 mod demand;
 mod frame;
 mod frame_histories;
@@ -21,6 +22,7 @@ mod stack_view;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
+pub use chain_histories::chain_histories;
 pub use demand::design_spectrum;
 pub use frame::frame_sketch;
 pub use frame_histories::frame_histories;

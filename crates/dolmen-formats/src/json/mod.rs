@@ -1,5 +1,6 @@
 //! Answers as JSON: keys are the fields' names with the unit last, values in SI, `null` for what is not known.
 
+mod chain_simulation;
 mod check;
 mod demand;
 mod frame_simulation;
@@ -8,6 +9,7 @@ mod motion;
 mod simulation;
 mod stack;
 
+pub use chain_simulation::chain_simulation_json;
 pub use check::check_json;
 pub use frame_simulation::frame_simulation_json;
 pub use identify::identification_json;

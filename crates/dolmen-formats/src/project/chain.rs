@@ -1,6 +1,7 @@
 //! The chain of a project file, and the chain of the science it builds.
 
 use super::quantity::{Pick, Quantity};
+use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
 use dolmen::structure::{Chain, Inertia, Link, StructureError};
 
 /// How heavy a part is: the file gives one of the two.
@@ -55,6 +56,19 @@ pub struct JointPart {
     pub stiffness: Quantity,
     /// Rotational dashpot, N m s/rad.
     pub damping: Option<Quantity>,
+    /// Whether it opens, as the file says; `None`: at the edge of its bed where that is known.
+    pub opening: Option<JointOpening>,
+    /// Dry friction.
+    pub friction: Option<JointFrictionPart>,
+}
+
+/// Dry friction of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointFrictionPart {
+    /// Moment while it turns, N m.
+    pub kinetic: Quantity,
+    /// Moment before it turns, N m; as the kinetic one if not given.
+    pub fixed: Option<Quantity>,
 }
 
 /// Whether the part at the very top (cap stone, finial) is among the links.
@@ -75,6 +89,8 @@ pub struct ChainPart {
     pub joints: Option<Vec<JointPart>>,
     /// Whether the part at the very top is among the links.
     pub cap: Cap,
+    /// Damping ratio of the first mode, by dashpots in proportion to the springs.
+    pub damping_ratio: Option<Quantity>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
 }
@@ -119,6 +135,49 @@ impl ChainPart {
         Some(joints.iter().map(damping).collect())
     }
 
+    /// The chain with its springs, dashpots, beds and friction, for time histories; `None` if the joints are unknown.
+    ///
+    /// # Errors
+    /// [`DynamicsError`] for a damping ratio of a chain that falls by itself; else none with the file's own values.
+    pub fn moving(
+        &self,
+        rotations: ChainRotations,
+        pick: Pick<'_>,
+    ) -> Result<Option<ChainModel>, DynamicsError> {
+        let Some(joints) = &self.joints else {
+            return Ok(None);
+        };
+        let chain = self.build(pick)?;
+        let mut built = Vec::with_capacity(joints.len());
+        for (part, link) in joints.iter().zip(chain.links()) {
+            let by_bed = match link.bed_width_m {
+                Some(_) => JointOpening::AtBedEdge,
+                None => JointOpening::Held,
+            };
+            let friction = match &part.friction {
+                None => JointFriction::None,
+                Some(friction) => {
+                    let kinetic_moment_n_m = pick(&friction.kinetic);
+                    JointFriction::Coulomb {
+                        static_moment_n_m: friction.fixed.as_ref().map_or(kinetic_moment_n_m, &mut *pick),
+                        kinetic_moment_n_m,
+                    }
+                }
+            };
+            built.push(ChainJoint {
+                stiffness_n_m_rad: pick(&part.stiffness),
+                damping_n_m_s_rad: part.damping.as_ref().map_or(0.0, &mut *pick),
+                opening: part.opening.unwrap_or(by_bed),
+                friction,
+            });
+        }
+        let model = ChainModel::new(chain, built, rotations)?;
+        Ok(Some(match &self.damping_ratio {
+            None => model,
+            Some(ratio) => model.with_first_mode_damping(pick(ratio))?,
+        }))
+    }
+
     pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         for link in &self.links {
             all.extend([link.heaviness.quantity(), &link.length, &link.centroid]);
@@ -127,6 +186,11 @@ impl ChainPart {
         for joint in self.joints.iter().flatten() {
             all.push(&joint.stiffness);
             all.extend(&joint.damping);
+            if let Some(friction) = &joint.friction {
+                all.push(&friction.kinetic);
+                all.extend(&friction.fixed);
+            }
         }
+        all.extend(&self.damping_ratio);
     }
 }

@@ -43,6 +43,9 @@ pub(super) struct FileRaw {
     /// kind = "chain": whether the part at the very top (cap stone, finial) is among the links; "included" if not
     /// given.
     pub(super) cap: Option<At<CapRaw>>,
+    /// kind = "chain": viscous damping of the first mode, as a ratio, by dashpots in proportion to the stiffness of the joints; instead
+    /// of their own damping. For `dolmen simulate`.
+    pub(super) damping_ratio: Option<At<QuantityRaw>>,
     /// kind = "frame": the storeys, lowest first.
     pub(super) storeys: Option<At<Vec<At<StoreyRaw>>>>,
     /// kind = "frame": what axial_force of a storey is: "storey", the force in its columns (its own level and all
@@ -120,6 +123,8 @@ pub(super) struct UnitsRaw {
     pub(super) stiffness: Option<At<String>>,
     /// damping of joints; default "N*m*s/rad".
     pub(super) damping: Option<At<String>>,
+    /// friction_moment of joints; default "N*m".
+    pub(super) moment: Option<At<String>>,
     /// inertia; default "kg*m2".
     pub(super) inertia: Option<At<String>>,
     /// frequency, frequencies, sampling_rate; default "Hz".
@@ -167,6 +172,23 @@ pub(super) struct JointRaw {
     pub(super) damping: Option<At<QuantityRaw>>,
     /// Width of the bed in the direction of motion; the same as bed_width of the link above it.
     pub(super) bed_width: Option<At<QuantityRaw>>,
+    /// For `dolmen simulate`: "edge", at most half the width of its bed times the weight above it; "held", any moment. Without it "edge"
+    /// where bed_width is known.
+    pub(super) opening: Option<At<OpeningRaw>>,
+    /// Moment of dry friction beside the spring, while the joint turns: for `dolmen simulate`.
+    pub(super) friction_moment: Option<At<QuantityRaw>>,
+    /// The same before it turns; that of friction_moment without it.
+    pub(super) static_friction_moment: Option<At<QuantityRaw>>,
+}
+
+/// Whether a joint opens.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum OpeningRaw {
+    /// At the edge of its bed.
+    Edge,
+    /// Never.
+    Held,
 }
 
 /// Whether the part at the very top is among the links.

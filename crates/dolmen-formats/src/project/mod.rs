@@ -39,7 +39,7 @@ mod survey;
 mod units;
 mod written;
 
-pub use chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
+pub use chain::{Cap, ChainPart, Heaviness, JointFrictionPart, JointPart, LinkPart};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};
 pub use error::{Problem, ProjectError};
 pub use files::Files;
@@ -57,3 +57,4 @@ pub use stack::{
 };
 pub use stack_build::StackFault;
 pub use survey::{ModeKind, Survey, SurveyMode, Tilt};
+pub use units::{AngleError, parse_angle_rad};

@@ -3,13 +3,16 @@
 use super::chain::{Cap, ChainPart, Heaviness, JointPart, LinkPart};
 use super::content::WarningKind;
 use super::error::Fault;
-use super::file::{AxialRaw, CapRaw, ConventionRaw, DirectionRaw, FileRaw, JointRaw, LinkRaw, StoreyRaw};
+use super::file::{
+    AxialRaw, CapRaw, ConventionRaw, DirectionRaw, FileRaw, JointRaw, LinkRaw, OpeningRaw, StoreyRaw,
+};
 use super::file_number::{At, OrUnknown, QuantityRaw};
 use super::frame::{Axial, DirectionPart, FramePart, StoreyPart};
 use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
-use super::read_friction;
+use super::read_friction::{self, chain_damping, joint_friction};
 use super::reader::Reader;
+use dolmen::dynamics::JointOpening;
 use dolmen::structure::Convention;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -124,7 +127,17 @@ fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPa
         Measure::Length,
         Bound::Positive,
     );
-    let joint = stiffness.map(|stiffness| JointPart { stiffness, damping });
+    let friction = joint_friction(reader, &raw.value, path);
+    let opening = raw.value.opening.as_ref().map(|opening| match opening.value {
+        OpeningRaw::Edge => JointOpening::AtBedEdge,
+        OpeningRaw::Held => JointOpening::Held,
+    });
+    let joint = stiffness.map(|stiffness| JointPart {
+        stiffness,
+        damping,
+        opening,
+        friction,
+    });
     (joint, bed_width)
 }
 
@@ -229,12 +242,28 @@ pub(super) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
                        every frequency, so what follows is on the unsafe side";
         reader.warn(WarningKind::CapLeftOut, "cap", message.to_owned());
     }
+    let joints = joints?;
+    edges_known(reader, &links, joints.as_deref());
+    let damping_ratio = chain_damping(reader, raw.damping_ratio.as_ref(), joints.as_deref());
     Some(ChainPart {
         links,
-        joints: joints?,
+        joints,
         cap,
+        damping_ratio,
         gravity_m_s2,
     })
+}
+
+/// A joint that opens at the edge of its bed needs the width of it.
+fn edges_known(reader: &mut Reader, links: &[LinkPart], joints: Option<&[JointPart]>) {
+    for (i, (link, joint)) in links.iter().zip(joints.unwrap_or_default()).enumerate() {
+        if joint.opening == Some(JointOpening::AtBedEdge) && link.bed_width.is_none() {
+            let path = format!("joints[{}].opening", i + 1);
+            let message = format!("{path} = \"edge\", but the width of its bed is not given");
+            let fault = Fault::new(reader.place(&joint.stiffness.path), &path, message);
+            reader.fault(fault.help("give bed_width there, or write opening = \"held\""));
+        }
+    }
 }
 
 fn give_bed_width(reader: &mut Reader, link: &mut LinkPart, width: Quantity) {
@@ -433,7 +462,11 @@ fn directions(
         };
         let path = format!("direction.{name}");
         let before = reader.faults.len();
-        let damping_ratio = read_friction::damping_ratio(reader, &direction.value, &path);
+        let damping_ratio = read_friction::damping_ratio(
+            reader,
+            direction.value.damping_ratio.as_ref(),
+            &format!("{path}.damping_ratio"),
+        );
         let friction = direction.value.friction.as_ref().and_then(|raw| {
             read_friction::friction(
                 reader,

@@ -62,6 +62,7 @@ impl Reader {
             ("mass", Measure::Mass, &units.mass),
             ("stiffness", stiffness, &units.stiffness),
             ("damping", Measure::JointDamping, &units.damping),
+            ("moment", Measure::Moment, &units.moment),
             ("inertia", Measure::Inertia, &units.inertia),
             ("frequency", Measure::Frequency, &units.frequency),
             ("acceleration", Measure::Acceleration, &units.acceleration),

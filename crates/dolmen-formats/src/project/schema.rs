@@ -55,7 +55,7 @@ pub(super) fn resolved(schema: &'static Value) -> &'static Value {
 
 /// Keys that belong to one kind only; the first is required there (of a stack, it or pagoda).
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
-    ("chain", &["links", "joints", "cap"]),
+    ("chain", &["links", "joints", "cap", "damping_ratio"]),
     ("frame", &["storeys", "axial", "convention", "direction"]),
     (
         "stack",

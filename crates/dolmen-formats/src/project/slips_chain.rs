@@ -1,6 +1,6 @@
 //! Probable slips in a chain.
 
-use super::chain::{ChainPart, LinkPart};
+use super::chain::{ChainPart, JointPart, LinkPart};
 use super::measure::Measure;
 use super::quantity::Quantity;
 use super::reader::{Reader, short};
@@ -26,6 +26,8 @@ const BOX_DENSITY_KG_M3: (f64, f64) = (20.0, 50_000.0);
 const GYRATION: (f64, f64) = (0.03, 3.0);
 /// Width of a bed over the side of its link as a block of stone.
 const BED_RATIO_MOST: f64 = 30.0;
+/// Moment of friction of a joint over weight × height above it.
+const FRICTION_SHARE: [f64; 2] = [1e-5, 1.0];
 /// Least stiffness of a joint over weight × height above it: 1 is about what keeps a chain upright.
 const JOINT_SHARE_LEAST: f64 = 0.01;
 /// That share over the median of the other joints', either way.
@@ -180,6 +182,7 @@ fn judge_joints(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
         weight_n * height_m
     };
     let count = joints.len().min(masses.len());
+    judge_friction(reader, &joints[..count], &above);
     let shares: Vec<f64> = (0..count).map(|i| joints[i].stiffness.value / above(i)).collect();
     let odd = odd_ones(&shares, JOINT_RATIO_MOST, 1.0);
     for i in 0..count {
@@ -196,6 +199,32 @@ fn judge_joints(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
         );
         let help = "a joint that keeps a chain upright has about 1 × that or more; is it in N m/rad, kN m/rad or kN m/deg?";
         reader.slip(&stiffness.path, message, help.to_owned());
+    }
+}
+
+fn judge_friction(reader: &mut Reader, joints: &[JointPart], above: &dyn Fn(usize) -> f64) {
+    for (i, joint) in joints.iter().enumerate() {
+        let Some(friction) = &joint.friction else {
+            continue;
+        };
+        for moment in [Some(&friction.kinetic), friction.fixed.as_ref()]
+            .into_iter()
+            .flatten()
+        {
+            let share = moment.value / above(i);
+            if moment.value == 0.0 || (FRICTION_SHARE[0]..=FRICTION_SHARE[1]).contains(&share) {
+                continue;
+            }
+            let product = reader.echo(above(i), Measure::Moment);
+            let message = format!(
+                "{} = {} is {} × the weight times height above the joint, {product}",
+                moment.path,
+                moment.written,
+                rounded(share)
+            );
+            let help = "friction holds a small part of that; is it in N m or kN m? A bare number is in units.moment, N m without it";
+            reader.slip(&moment.path, message, help.to_owned());
+        }
     }
 }
 

@@ -263,6 +263,44 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     Some((value, text[end..].trim()))
 }
 
+/// "1e-4 rad", "0.5 deg", "2 mrad" as rad; the unit is required.
+///
+/// # Errors
+/// What is wrong, in a sentence.
+pub fn parse_angle_rad(text: &str) -> Result<f64, AngleError> {
+    let refuse = |why: String| AngleError {
+        text: text.to_owned(),
+        why,
+    };
+    let help = "write it as \"1e-4 rad\" or \"0.5 deg\"";
+    let Some((value, unit)) = split_number(text) else {
+        return Err(refuse(format!("it begins with no number; {help}")));
+    };
+    if unit.is_empty() {
+        return Err(refuse(format!("it has no unit; {help}")));
+    }
+    let unit = match parse_unit(unit) {
+        Ok(known) if known.dimension == Dimension::RATIO && unit != "%" => known,
+        Ok(_) => return Err(refuse(format!("its unit is not one of an angle; {help}"))),
+        Err(fault) => return Err(refuse(format!("{fault}; {help}"))),
+    };
+    if value.is_finite() {
+        Ok(value * unit.factor)
+    } else {
+        Err(refuse(format!("it is no number; {help}")))
+    }
+}
+
+/// Why a text is no angle.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("\"{text}\" is no angle: {why}")]
+pub struct AngleError {
+    /// The text.
+    pub text: String,
+    /// What is wrong with it, and what to write.
+    pub why: String,
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -289,6 +327,23 @@ mod tests {
         assert_eq!(of("kN*m*s/rad"), (1e3, Dimension::ROTATIONAL_DAMPING));
         let per_degree = of("kN*m/deg").0;
         assert!((per_degree - 57_295.779_513_082_32).abs() < 1e-9, "{per_degree}");
+    }
+
+    #[test]
+    fn exact_angles_with_their_unit() {
+        assert_eq!(parse_angle_rad("1e-4 rad"), Ok(1e-4));
+        assert_eq!(parse_angle_rad("-2mrad"), Ok(-2e-3));
+        assert!((parse_angle_rad("180 deg").unwrap() - std::f64::consts::PI).abs() < 1e-15);
+        for (text, why) in [
+            ("0.1", "it has no unit"),
+            ("rad", "it begins with no number"),
+            ("1 m", "not one of an angle"),
+            ("1 %", "not one of an angle"),
+            ("1 dag", "not a known unit"),
+        ] {
+            let said = parse_angle_rad(text).unwrap_err().to_string();
+            assert!(said.contains(why), "{said}");
+        }
     }
 
     #[test]

@@ -2,8 +2,8 @@
 
 use super::given::assumptions;
 use super::{
-    chain_findings, demand, frame, frame_simulation, identification, measured, modal, samples, simulation,
-    stack, variants,
+    chain_findings, chain_simulation, demand, frame, frame_simulation, identification, measured, modal,
+    samples, simulation, stack, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check};
@@ -66,6 +66,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         all.extend(simulation::findings(simulated, language));
     }
     all.extend(frame_simulation::findings(&answer.frame_simulations, language));
+    all.extend(chain_simulation::findings(&answer.chain_simulations, language));
     for survey in &answer.surveys {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));

@@ -6,6 +6,7 @@ use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::frame_histories;
 use crate::number::{self, significant};
+use crate::project::Names;
 use crate::simulation::FrameSimulation;
 use crate::text::{frame_outcome_text, friction_words};
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
@@ -38,13 +39,25 @@ pub(super) fn findings(simulations: &[FrameSimulation], language: Language) -> V
     each.collect()
 }
 
+/// The variant by its title, or by its name in the file.
+pub(super) fn variant_words<'a>(
+    variant: &'a Option<String>,
+    title: &'a Option<Names>,
+    language: Language,
+) -> Option<&'a str> {
+    let title = title.as_ref();
+    title
+        .map(|names| language.pick(names.english(), names.korean()))
+        .or(variant.as_deref())
+}
+
 /// Direction and variant.
 fn title(simulation: &FrameSimulation, language: Language) -> String {
     let direction = language.pick(
         format!("Direction {}", simulation.direction),
         format!("{} 방향", simulation.direction),
     );
-    match &simulation.variant {
+    match variant_words(&simulation.variant, &simulation.variant_title, language) {
         None => direction,
         Some(variant) => format!("{direction}, {variant}"),
     }

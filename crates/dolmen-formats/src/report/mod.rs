@@ -3,6 +3,7 @@
 mod chain;
 mod chain_centroids;
 mod chain_findings;
+mod chain_simulation;
 mod demand;
 mod findings;
 mod frame;

@@ -3,8 +3,8 @@
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
 use super::{
-    chain, demand, findings, frame, frame_simulation, given, identification, modal, samples, simulation,
-    stack, variants,
+    chain, chain_simulation, demand, findings, frame, frame_simulation, given, identification, modal,
+    samples, simulation, stack, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check, State};
@@ -109,6 +109,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         (demand::section(answer.state.as_ref().and_then(|state| state.demand.as_ref()), language))
         @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
         (frame_simulation::sections(&answer.frame_simulations, language))
+        (chain_simulation::sections(&answer.chain_simulations, language))
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))
         @for survey in &answer.surveys {
@@ -172,8 +173,8 @@ fn method(answer: &Answer, language: Language) -> Markup {
                 "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 연결부의 여유율은 다른 연결부를 그대로 두었을 때 안정을 유지하는 최소 강성에 대한 현재 강성의 비이다.",
             ),
             language.pick(
-                "Not covered: earthquake and wind, strength and ageing of stone, slipping, opening of joints, foundations other than the lowest spring, and plan directions other than the one modelled.",
-                "검토 범위 밖: 지진과 바람, 석재의 강도와 노후, 미끄러짐, 연결부의 벌어짐, 최하단 스프링 외의 지반, 모델링하지 않은 방향.",
+                "Not covered by λ: earthquake and wind, strength and ageing of stone, slipping, opening of joints, foundations other than the lowest spring, and plan directions other than the one modelled.",
+                "λ의 검토 범위 밖: 지진과 바람, 석재의 강도와 노후, 미끄러짐, 연결부의 벌어짐, 최하단 스프링 외의 지반, 모델링하지 않은 방향.",
             ),
         ],
         Structure::Frame(_) => vec![

@@ -109,6 +109,7 @@ fn answer(project: Project, check: Check) -> Answer {
         surveys: vec![],
         simulation: None,
         frame_simulations: vec![],
+        chain_simulations: vec![],
     }
 }
 
@@ -307,6 +308,7 @@ fn survey() -> Answer {
         }],
         simulation: None,
         frame_simulations: vec![],
+        chain_simulations: vec![],
     }
 }
 

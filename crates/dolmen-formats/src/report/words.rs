@@ -75,6 +75,11 @@ pub(super) fn path_words(path: &str, language: Language) -> String {
     if path == "density" {
         return language.pick("density of the stones", "석재 밀도").to_string();
     }
+    if path == "damping_ratio" {
+        return language
+            .pick("damping ratio of the first mode", "1차 모드 감쇠비")
+            .to_string();
+    }
     let Some((part, quantity)) = path.rsplit_once('.') else {
         return path.to_string();
     };
@@ -172,6 +177,8 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "breadth" => language.pick("breadth", "폭"),
         "bed_width" => language.pick("bed width", "밑면 폭"),
         "stiffness" => language.pick("stiffness", "강성"),
+        "friction_moment" => language.pick("moment of friction", "마찰 모멘트"),
+        "static_friction_moment" => language.pick("static moment of friction", "정지마찰 모멘트"),
         "damping" => language.pick("damping", "감쇠"),
         "height" => language.pick("height", "높이"),
         "axial_force" => language.pick("axial force", "축력"),

@@ -14,6 +14,8 @@ pub struct FrameSimulation {
     pub name: Names,
     /// The variant of the file; `None` for the structure as given.
     pub variant: Option<String>,
+    /// A longer name of the variant, if the file gives one.
+    pub variant_title: Option<Names>,
     /// The direction of the frame.
     pub direction: String,
     /// Names of the storeys, lowest first.

@@ -1,12 +1,16 @@
-//! Simulated motions of stacks and frames with everything that their text, JSON, tables, figures and films need.
+//! Simulated motions of stacks, frames and chains with everything that their text, JSON, tables, figures and films need.
 
 mod answer;
+mod chain_answer;
+mod chain_tables;
 mod film;
 mod frame_answer;
 mod frame_tables;
 mod tables;
 
 pub use answer::{MotionAnswer, Simulation};
+pub use chain_answer::ChainSimulation;
+pub use chain_tables::{chain_energy_csv, chain_histories_csv, chain_slips_csv, chain_uplifts_csv};
 pub use film::{FILM_STEP_S, stack_film};
 pub use frame_answer::FrameSimulation;
 pub use frame_tables::{frame_energy_csv, frame_histories_csv, frame_slips_csv};

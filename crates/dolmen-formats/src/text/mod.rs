@@ -1,5 +1,6 @@
 //! Answers as text for a terminal: plain characters, columns that line up, units in the heads.
 
+mod chain_simulation;
 mod check;
 mod demand;
 mod frame_simulation;
@@ -12,6 +13,7 @@ mod table;
 mod validate;
 mod versions;
 
+pub use chain_simulation::{chain_outcome_text, chain_simulation_text};
 pub use check::check_text;
 pub(crate) use demand::{STANDARD_GRAVITY_M_S2, ground_word, type_word};
 pub use frame_simulation::{frame_outcome_text, frame_simulation_text, friction_words};

@@ -21,18 +21,18 @@ pub fn points_a_side(rule: ContactRule) -> usize {
     }
 }
 
-/// What went in, before the run: the project, the motion and what was done to it.
+/// What went in, before the run: the project, the motion, if one moves it, and what was done to it.
 pub fn simulation_inputs_text(
     project: &Project,
     file: &str,
     variant: Option<&str>,
-    motion: &MotionAnswer,
+    motion: Option<&MotionAnswer>,
 ) -> String {
     let mut out = heading_text(project, file);
     if let Some(variant) = variant {
         let _ = writeln!(out, "  variant {variant}");
     }
-    out += &motion_text(motion);
+    out += &motion.map(motion_text).unwrap_or_default();
     out + &warnings_text(project)
 }
 

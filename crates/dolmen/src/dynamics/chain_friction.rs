@@ -230,20 +230,16 @@ impl Run<'_> {
             };
             let power = (0..DEGREE - 1).find(|&k| margin(k).abs() > rounding_n_m[k]);
             let stuck = matches!(to, Slider::Slipping(_));
-            match power {
-                Some(power) if margin(power) < 0.0 => {
-                    // at a limit above the kinetic one it holds, until it is passed
-                    if !(stuck && power > 0 && holds > turns) {
-                        let excess = -margin(power) / holds;
-                        off.push(Off {
-                            power,
-                            excess,
-                            joint,
-                            to,
-                        });
-                    }
-                }
-                _ => {}
+            // at a limit above the kinetic one it holds, until it is passed
+            let may_pass = |power: usize| !(stuck && power > 0 && holds > turns);
+            if let Some(power) = power.filter(|power| margin(*power) < 0.0 && may_pass(*power)) {
+                let excess = -margin(power) / holds;
+                off.push(Off {
+                    power,
+                    excess,
+                    joint,
+                    to,
+                });
             }
             let zeros = power.unwrap_or(DEGREE);
             self.friction.zeros[joint] = match (stuck, holds > turns) {

@@ -254,6 +254,11 @@ impl ChainModel {
         &self.moment_most_n_m
     }
 
+    /// How far its rotations go.
+    pub fn rotations(&self) -> ChainRotations {
+        self.rotations
+    }
+
     /// Whether a joint has dry friction.
     pub fn has_friction(&self) -> bool {
         self.joints

@@ -59,6 +59,26 @@ pub enum DynamicsError {
         /// Changes counted.
         events: usize,
     },
+    /// A frame that is to swing falls with its sliders stuck.
+    #[error(
+        "the frame cannot be let go from {displacement_m} m: it falls as it stands, with every slider stuck; give it stiffness first"
+    )]
+    NoSwing {
+        /// Where it was to be let go, m.
+        displacement_m: f64,
+    },
+    /// A frame that was let go leaned too far to be read.
+    #[error(
+        "let go from {displacement_m} m, storey {storey} of the frame leans beyond what small drifts can tell of, at {at_s} s: take a smaller displacement, or look whether it stands while its sliders slip"
+    )]
+    SwingFalls {
+        /// Where it was let go, m.
+        displacement_m: f64,
+        /// The storey, 1 the lowest.
+        storey: usize,
+        /// When, s.
+        at_s: f64,
+    },
     /// A value of one joint or link of a chain out of its range.
     #[error("{part} {number}: {argument} is {given}, but must be {allowed}")]
     ChainPart {

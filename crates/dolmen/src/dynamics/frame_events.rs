@@ -44,6 +44,9 @@ pub(super) struct Motion<'a> {
     /// Sliders that go at any price: their static force was reached and is above the kinetic one.
     pub(super) gone: Vec<usize>,
     pub(super) events: Vec<Event>,
+    /// Drift of each storey beyond which the model tells nothing, m, and the storey that has reached it.
+    pub(super) drift_most_m: Vec<f64>,
+    pub(super) leaned: Option<usize>,
     pub(super) pile: usize,
     pub(super) pile_at_s: f64,
 }
@@ -99,6 +102,13 @@ impl<'a> Motion<'a> {
             rounding_n: 0.0,
             gone: Vec::new(),
             events: Vec::new(),
+            drift_most_m: frame
+                .frame
+                .storeys()
+                .iter()
+                .map(|storey| options.drift_ratio_most * storey.height_m)
+                .collect(),
+            leaned: None,
             pile: 0,
             pile_at_s: f64::NEG_INFINITY,
         };
@@ -125,9 +135,14 @@ impl<'a> Motion<'a> {
             }
             h *= 0.5;
         }
-        let sigma = self.first_events(h);
+        let mut sigma = self.first_events(h);
+        if let Some((storey, at)) = self.leans_too_far().filter(|(_, at)| *at <= sigma) {
+            sigma = at;
+            self.leaned = Some(storey);
+            self.events.clear();
+        }
         let begin_s = self.at_s;
-        let ends = self.events.is_empty() && end_s - (begin_s + h) <= TOGETHER_S;
+        let ends = self.events.is_empty() && self.leaned.is_none() && end_s - (begin_s + h) <= TOGETHER_S;
         self.at_s = if ends { end_s } else { begin_s + sigma * h };
         recorder.stretch(&self.model, &self.state, &self.series, begin_s, sigma);
         self.advance(sigma);
@@ -138,6 +153,36 @@ impl<'a> Motion<'a> {
             self.change(recorder)?;
         }
         Ok(())
+    }
+
+    /// The first storey whose drift passes its limit, and where in the step.
+    fn leans_too_far(&self) -> Option<(usize, f64)> {
+        let s = &self.series;
+        let mut first: Option<(usize, f64)> = None;
+        for (storey, &most_m) in self.drift_most_m.iter().enumerate() {
+            let at = |k: usize| {
+                let below = storey.checked_sub(1).map_or(0.0, |j| s.y[k * s.n + j]);
+                s.y[k * s.n + storey] - below
+            };
+            let reach: f64 = (0..s.orders).map(|k| at(k).abs()).sum();
+            if reach < most_m {
+                continue;
+            }
+            for sign in [1.0, -1.0] {
+                let mut c = [0.0; COEFFICIENTS_MOST];
+                let c = &mut c[..s.orders];
+                for (k, c) in c.iter_mut().enumerate() {
+                    *c = -sign * at(k);
+                }
+                c[0] += most_m;
+                if let Some(sigma) = first_descent(c, 0.0)
+                    && first.is_none_or(|(_, earlier)| sigma < earlier)
+                {
+                    first = Some((storey, sigma));
+                }
+            }
+        }
+        first
     }
 
     /// Puts the first event and those together with it into `events`; returns where the step ends.

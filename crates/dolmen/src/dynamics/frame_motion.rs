@@ -76,23 +76,19 @@ pub fn simulate_frame(
     let mut motion = Motion::start(frame, load, options)?;
     let mut recorder = Recorder::new(&motion.model, &motion.state, options.output_step_s, duration_s);
     let step_most_s = motion.model.step_most_s().min(load_step_most_s(load));
-    let heights_m: Vec<f64> = frame.frame.storeys().iter().map(|s| s.height_m).collect();
     let mut outcome = FrameOutcome::Finished;
     let mut reported = 0;
     'run: for end_s in ends_s(load, duration_s) {
         while end_s - motion.at_s > TOGETHER_S {
             let h = step_most_s.min(end_s - motion.at_s);
             motion.step(h, end_s, &mut recorder)?;
-            for (storey, height) in heights_m.iter().enumerate() {
-                // a peak within the step counts too
-                let drift_m = recorder.largest_drift_m(storey);
-                if motion.state.y[storey].is_nan() || drift_m > options.drift_ratio_most * height {
-                    outcome = FrameOutcome::DriftLimit {
-                        storey,
-                        at_s: motion.at_s,
-                    };
-                    break 'run;
-                }
+            let lost = || motion.state.y.iter().position(|y| y.is_nan());
+            if let Some(storey) = motion.leaned.or_else(lost) {
+                outcome = FrameOutcome::DriftLimit {
+                    storey,
+                    at_s: motion.at_s,
+                };
+                break 'run;
             }
             reported += 1;
             if reported % 256 == 0 && !progress(motion.at_s) {

@@ -94,11 +94,6 @@ impl Recorder {
         recorder
     }
 
-    /// Largest drift of a storey so far, m: between the ends of the steps too.
-    pub(super) fn largest_drift_m(&self, storey: usize) -> f64 {
-        self.history.drift_peaks[storey].value_m.abs()
-    }
-
     /// Takes up the motion of one series from `begin_s` to σ.
     pub(super) fn stretch(
         &mut self,

@@ -36,11 +36,12 @@ pub struct AtAmplitude {
 /// `displacement_m` at the top, let go, and each half swing is read until it rests.
 ///
 /// # Errors
-/// [`DynamicsError::Argument`] for a displacement that is not positive; those of [`simulate_frame`].
+/// [`DynamicsError::Argument`] for a displacement that is not positive; [`DynamicsError::NoSwing`] for a frame that falls by itself
+/// and [`DynamicsError::SwingFalls`] for one that leans too far when it is let go; those of [`simulate_frame`].
 ///
 /// # Limits
 /// The first shape of the frame with all sliders stuck (Coulomb: slipping) starts the release; where the shape changes with
-/// amplitude, higher modes swing with it and the values scatter. A frame that falls over when its sliders slip gives no values.
+/// amplitude, higher modes swing with it and the values scatter.
 pub fn amplitude_dependence(
     frame: &FrictionFrame,
     displacement_m: f64,
@@ -55,7 +56,7 @@ pub fn amplitude_dependence(
     let k = frame.stiffness_matrix(Sliders::Stuck)?;
     let eigen = generalized_symmetric_eigen(&k, &frame.frame().mass_matrix())?;
     let Some(&lowest) = eigen.values.first().filter(|w| **w > 0.0) else {
-        return Ok(Vec::new());
+        return Err(DynamicsError::NoSwing { displacement_m });
     };
     let shape = eigen.vectors.column(0);
     let top = shape[shape.len() - 1];
@@ -66,8 +67,12 @@ pub fn amplitude_dependence(
         ..FrameRun::default()
     };
     let history = simulate_frame(frame, &FrameLoad::none(), &options, &mut |_| true)?;
-    if history.outcome != FrameOutcome::Finished {
-        return Ok(Vec::new());
+    if let FrameOutcome::DriftLimit { storey, at_s } = history.outcome {
+        return Err(DynamicsError::SwingFalls {
+            displacement_m,
+            storey: storey + 1,
+            at_s,
+        });
     }
     let mut turns = vec![(0.0, displacement_m)];
     turns.extend(history.turns.iter().map(|t| (t.at_s, t.displacement_m)));

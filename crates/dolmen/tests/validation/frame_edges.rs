@@ -216,22 +216,30 @@ fn refuses_rayleigh_damping_that_drives_a_falling_frame() {
 
 #[test]
 fn exact_a_drift_beyond_its_limit_between_steps_ends_the_run() {
-    // y = sin t, peak 1 at π/2 s: steps of a second end at 0.84, 0.91, 0.14
+    // y = sin t, peak 1 at π/2 s: steps of a second end at 0.84, 0.91, 0.14; it ends where y = 0.999, not where a step does
     let storeys = frame(&[(1.0, 1.0, 0.0)], Convention::Drift);
     let free = FrictionFrame::new(storeys, vec![1.0], vec![StoreyFriction::None]).unwrap();
-    let outcome = |drift_ratio_most| {
+    let history = |drift_ratio_most| {
         let options = FrameRun {
             duration_s: Some(6.0),
             start_velocity_m_s: vec![1.0],
             drift_ratio_most,
             ..FrameRun::default()
         };
-        simulate_frame(&free, &FrameLoad::none(), &options, &mut |_| true)
-            .unwrap()
-            .outcome
+        simulate_frame(&free, &FrameLoad::none(), &options, &mut |_| true).unwrap()
     };
-    assert!(matches!(outcome(0.999), FrameOutcome::DriftLimit { storey: 0, at_s } if at_s < 2.1));
-    assert_eq!(outcome(1.001), FrameOutcome::Finished);
+    for limit in [0.3, 0.999] {
+        let ended = history(limit);
+        let FrameOutcome::DriftLimit { storey: 0, at_s } = ended.outcome else {
+            panic!("{:?}", ended.outcome)
+        };
+        let wanted = f64::asin(limit);
+        assert!((at_s - wanted).abs() < 1e-12, "{at_s} {wanted}");
+        assert!((ended.residual_m[0] - limit).abs() < 1e-14 && ended.duration_s == at_s);
+        assert!((ended.drift_peaks[0].value_m - limit).abs() < 1e-14);
+        assert!(ended.time_s.iter().all(|t| *t <= at_s));
+    }
+    assert_eq!(history(1.001).outcome, FrameOutcome::Finished);
 }
 
 #[test]

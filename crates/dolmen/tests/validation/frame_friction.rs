@@ -485,6 +485,32 @@ fn exact_apparent_frequency_and_damping_of_a_release() {
 }
 
 #[test]
+fn refuses_to_read_swings_of_a_frame_that_falls() {
+    let falling = |own: f64, stuck: f64| {
+        let storey = Storey {
+            mass_kg: 1.0,
+            height_m: 1.0,
+            axial_n: 2.0,
+        };
+        let frame = Frame::new(vec![storey], Convention::Drift).unwrap();
+        let friction = StoreyFriction::jenkins(stuck, 0.05);
+        let frame = FrictionFrame::new(frame, vec![own], vec![friction]).unwrap();
+        amplitude_dependence(&frame, 0.05).unwrap_err().to_string()
+    };
+    assert!(
+        falling(0.5, 1.0).starts_with("the frame cannot be let go from 0.05 m: it falls as it stands"),
+        "{}",
+        falling(0.5, 1.0)
+    );
+    // it stands while it sticks, and falls once the slider has slipped
+    let said = falling(0.5, 2.0);
+    assert!(
+        said.starts_with("let go from 0.05 m, storey 1 of the frame leans beyond"),
+        "{said}"
+    );
+}
+
+#[test]
 fn exact_map_of_sticking_and_slipping() {
     // one storey sticks while m a ≤ f, whatever the frequency; above, the amplitude is Den Hartog's
     let (f, g) = (0.3, 0.6);

@@ -1,0 +1,194 @@
+// SOURCE     The shipped flagpole (Choi 2021) and El Centro 1940 north-south.
+// GOAL       What a user reads of a simulated chain, the files it writes, and its exit status follow from what happened.
+// TOLERANCE  none: printed words. Growth 1 %, what is asked of it. Histories against the peaks printed beside them: their sampling.
+
+use super::verbs::Scratch;
+use serde_json::Value;
+use std::fs;
+
+fn json(scratch: &Scratch, command: &str, status: i32) -> Value {
+    let answer = scratch.dolmen(&format!("--json {command}"));
+    assert_eq!(
+        answer.status, status,
+        "{command}: {}{}",
+        answer.stdout, answer.stderr
+    );
+    serde_json::from_str(&answer.stdout).unwrap()
+}
+
+#[test]
+fn published_criterion_falls_from_a_push_and_weight_times_height_stands() {
+    let scratch = Scratch::with_examples("chain_push");
+    let pole = "simulate examples/naju_flagpole/published_criterion.toml";
+    let answer = scratch.dolmen(&format!("{pole} --push 1e-4rad"));
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    for said in [
+        "At the start the whole chain leans by 0.0001 rad",
+        "Upright it does NOT stand by itself: small leans grow by e every",
+        "FELL: 'shaft",
+        "Growth of the shape that falls fastest",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let fell = json(&scratch, &format!("{pole} --push 1e-4rad"), 1);
+    assert_eq!(fell["outcome"]["kind"], "fell");
+    let growth = |key: &str| fell["growth"][key].as_f64().unwrap();
+    let ratio = growth("rate_per_s") / growth("linear_rate_per_s");
+    assert!((ratio - 1.0).abs() < 0.01, "{ratio}");
+    // 1.03 P·H for 100 s
+    let stood = json(
+        &scratch,
+        &format!("{pole} --variant weight_height --push 1e-4rad --duration 100"),
+        0,
+    );
+    assert_eq!(stood["outcome"]["kind"], "stood");
+    assert_eq!(stood["growth"], Value::Null);
+    assert!((stood["duration_s"].as_f64().unwrap() - 100.0).abs() < 1e-9);
+    let drift = stood["energy"]["left_over_ratio"].as_f64().unwrap();
+    assert!(drift < 1e-8, "{drift:e}");
+    let leans = |link: &Value| link["peak_rotation_rad"].as_f64().unwrap().abs();
+    assert!(
+        stood["links"]
+            .as_array()
+            .unwrap()
+            .iter()
+            .all(|link| leans(link) < 5e-3)
+    );
+    // the linear equations know no fall of what stands, and go beyond any angle with what does not
+    let linear = json(&scratch, &format!("{pole} --push 1e-4rad --rotations small"), 1);
+    assert_eq!(linear["rotations"], "small");
+}
+
+#[test]
+fn holds_a_pole_is_shaken_before_and_after_repair_and_every_file_says_the_same() {
+    let scratch = Scratch::with_examples("chain_shaken");
+    let pole = "simulate examples/naju_flagpole --motion el-centro";
+    let loose = json(&scratch, &format!("{pole} --variant loose"), 0);
+    let wedged = json(&scratch, &format!("{pole} --variant wedged -o out"), 0);
+    assert_eq!(loose["outcome"]["kind"], "opened");
+    assert_eq!(wedged["outcome"]["kind"], "opened");
+    let out = scratch.path().join("out");
+    let text = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+    let own: Value = serde_json::from_str(&text("simulation.json")).unwrap();
+    assert_eq!(own, wedged);
+    let rows: Vec<Vec<f64>> = text("histories.csv")
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    let peak = wedged["links"][4]["peak_rotation_rad"].as_f64().unwrap().abs();
+    let most = rows.iter().map(|row| row[9].abs()).fold(0.0, f64::max);
+    assert!(most <= peak && most > 0.99 * peak, "{most} {peak}");
+    // moment of joint 5 after time, five links of two and four joints of three columns
+    let moment = rows.iter().map(|row| row[24].abs()).fold(0.0, f64::max);
+    let said = wedged["links"][4]["peak_moment_at_samples_n_m"].as_f64().unwrap();
+    assert_eq!(moment, said);
+    let open: f64 = text("openings.csv")
+        .lines()
+        .skip(1)
+        .map(|line| {
+            line.split(',')
+                .map(|cell| cell.parse().unwrap())
+                .collect::<Vec<f64>>()
+        })
+        .filter(|cells| cells[0] == 1.0)
+        .map(|cells| cells[2] - cells[1])
+        .sum();
+    assert!((open - wedged["links"][0]["open_s"].as_f64().unwrap()).abs() < 1e-9);
+    assert!(wedged["energy"]["left_over_ratio"].as_f64().unwrap() < 1e-9);
+    for figure in ["ground", "rotations", "loop-1", "loop-5", "openings", "energy"] {
+        assert!(text(&format!("{figure}.svg")).starts_with("<svg"), "{figure}");
+    }
+}
+
+#[test]
+fn holds_friction_of_the_file_sticks_and_slips() {
+    let scratch = Scratch::with_examples("chain_friction");
+    let path = scratch.path().join("examples/naju_flagpole/project.toml");
+    let rubbing = fs::read_to_string(&path).unwrap().replace(
+        "bed_width = { value = 0.65, source = \"assumed\" }",
+        "opening = \"held\", friction_moment = \"4 kN*m\", static_friction_moment = \"5 kN*m\"",
+    );
+    fs::write(&path, rubbing).unwrap();
+    let pole = "simulate examples/naju_flagpole --motion el-centro --variant wedged";
+    let answer = scratch.dolmen(&format!("{pole} -o out"));
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(answer.stdout.contains("5 then 4"), "{}", answer.stdout);
+    assert!(answer.stdout.contains("changes of friction"), "{}", answer.stdout);
+    let found = json(&scratch, pole, 0);
+    let base = &found["links"][0];
+    assert_eq!(base["friction"]["kinetic_moment_n_m"], 4000.0);
+    let slipped = base["slipped_rad"].as_f64().unwrap();
+    assert!(slipped > 0.0 && found["energy"]["friction_j"].as_f64().unwrap() > 0.0);
+    let way: f64 = fs::read_to_string(scratch.path().join("out/slips.csv"))
+        .unwrap()
+        .lines()
+        .skip(1)
+        .map(|line| line.rsplit(',').next().unwrap().parse::<f64>().unwrap().abs())
+        .sum();
+    assert!((way - slipped).abs() < 1e-12, "{way} {slipped}");
+    // what friction takes is its moment times the way
+    let taken = found["energy"]["friction_j"].as_f64().unwrap();
+    assert!((taken / (4000.0 * way) - 1.0).abs() < 1e-12, "{taken} {way}");
+}
+
+#[test]
+fn holds_a_report_shows_versions_side_by_side_in_both_languages() {
+    let scratch = Scratch::with_examples("chain_report");
+    for (language, said) in [
+        (
+            "en",
+            [
+                "Simulated earthquake",
+                "Simulated versions side by side",
+                "Joints wedged, 3 P·H",
+            ],
+        ),
+        (
+            "ko",
+            [
+                "지진응답 시뮬레이션",
+                "시뮬레이션 결과 비교",
+                "접합부 쐐기 보강, 3 P·H",
+            ],
+        ),
+    ] {
+        let answer = scratch.dolmen(&format!(
+            "report examples/naju_flagpole --samples 0 --motion el-centro -o page.html --language {language}"
+        ));
+        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+        for said in said {
+            assert!(page.contains(said), "{language}: {said}");
+        }
+    }
+}
+
+#[test]
+fn refuses_what_moves_no_chain() {
+    let scratch = Scratch::with_examples("chain_refused");
+    for (words, said) in [
+        ("--variant wedged", "nothing moves the chain: give --motion"),
+        ("--motion el-centro", "the joints are unknown: `dolmen identify`"),
+        (
+            "--variant wedged --push 0.1",
+            "\"0.1\" is no angle: it has no unit",
+        ),
+        ("--variant wedged --push 40deg", "must be at most 0.5 rad"),
+        (
+            "--variant wedged --push 1deg --direction x",
+            "--direction names a direction of a frame",
+        ),
+    ] {
+        let answer = scratch.dolmen(&format!("simulate examples/naju_flagpole {words}"));
+        assert_eq!(answer.status, 2, "{words}: {}", answer.stdout);
+        assert!(answer.stderr.contains(said), "{words}: {}", answer.stderr);
+    }
+    let stack = scratch.dolmen("simulate examples/p10 --push 1deg");
+    assert_eq!(stack.status, 2);
+    assert!(
+        stack.stderr.contains("--push lets a chain lean"),
+        "{}",
+        stack.stderr
+    );
+}
