@@ -8,8 +8,8 @@ use dolmen::assess::demand::{
     kds_17_effective_acceleration_g,
 };
 use dolmen::signal::{
-    Component, GroundMotion, Noise, PulseShape, SpectrumMatch, intensity_measures, match_spectrum,
-    noise_motion, pulse, response_spectrum,
+    Component, GroundMotion, Noise, PulseShape, SpectrumMatch, SpectrumMisfit, intensity_measures,
+    match_spectrum, noise_motion, pulse, response_spectrum,
 };
 use dolmen_formats::Language;
 use dolmen_formats::figures::motion_figures;
@@ -23,6 +23,8 @@ use std::path::Path;
 /// Periods of a spectrum: so many, evenly spaced in their logarithm, s. Chosen here.
 const PERIODS: usize = 200;
 const PERIODS_S: [f64; 2] = [0.02, 4.0];
+/// Periods on each side of the matched ones at which the misfit is told.
+const OUTSIDE: usize = 40;
 
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
     let mut report = MotionReport {
@@ -217,13 +219,43 @@ fn matched(
     for (_, motion, _) in motions.iter_mut() {
         *motion = matched.motion.clone();
     }
+    let outside =
+        |periods_s: [f64; 2]| misfit(&matched.motion, component, &target, (periods_s, options.damping));
+    let outside = [
+        outside([PERIODS_S[0], told.period_least_s])?,
+        outside([told.period_most_s, PERIODS_S[1]])?,
+    ];
     report.matched = Some(MatchAnswer {
+        outside,
         demand: demand.source.clone(),
         matched,
         damping_ratio: options.damping,
         component,
     });
     Ok(())
+}
+
+/// How far a spectrum is from a demand, over some periods.
+fn misfit(
+    motion: &GroundMotion,
+    component: Component,
+    target: &dyn Fn(f64) -> f64,
+    (periods_s, damping_ratio): ([f64; 2], f64),
+) -> Result<SpectrumMisfit> {
+    let ratio = periods_s[1] / periods_s[0];
+    let periods: Vec<f64> = (0..OUTSIDE)
+        .map(|k| periods_s[0] * ratio.powf(k as f64 / (OUTSIDE - 1) as f64))
+        .collect();
+    let found = response_spectrum(motion, component, &periods, damping_ratio)?;
+    let off: Vec<f64> = found
+        .iter()
+        .map(|o| o.pseudo_acceleration_m_s2() / target(o.period_s) - 1.0)
+        .collect();
+    Ok(SpectrumMisfit {
+        root_mean_square: (off.iter().map(|x| x * x).sum::<f64>() / OUTSIDE as f64).sqrt(),
+        lowest: off.iter().copied().fold(f64::INFINITY, f64::min),
+        highest: off.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    })
 }
 
 fn spectrum(

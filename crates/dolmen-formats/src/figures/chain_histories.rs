@@ -105,11 +105,8 @@ fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {
             .map(|(t, energy)| [*t, 1e-3 * value(energy)])
             .collect(),
     };
-    let parts = [
+    let mut parts = vec![
         part(language.pick("put in", "입력"), |e| e.input_j),
-        part(language.pick("taken by friction", "마찰 소산"), |e| {
-            e.friction_j
-        }),
         part(language.pick("taken by dashpots", "점성 소산"), |e| {
             e.damping_j
         }),
@@ -118,6 +115,11 @@ fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {
             |e| e.kinetic_j + e.springs_j + e.gravity_j,
         ),
     ];
+    if simulation.model.has_friction() {
+        parts.push(part(language.pick("taken by friction", "마찰 소산"), |e| {
+            e.friction_j
+        }));
+    }
     let name = language.pick("Energy (kJ)", "에너지 (kJ)");
     let title = language.pick("Where the energy went", "에너지 수지");
     plot(&parts, name, language, title)

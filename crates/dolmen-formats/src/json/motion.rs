@@ -20,6 +20,8 @@ pub fn motion_report_json(report: &MotionReport) -> Value {
             "rounds": answer.matched.rounds,
             "misfit_before": misfit(&answer.matched.before),
             "misfit": misfit(&answer.matched.after),
+            "misfit_below": misfit(&answer.outside[0]),
+            "misfit_above": misfit(&answer.outside[1]),
             "period_s": answer.matched.periods_s,
             "target_acceleration_m_s2": answer.matched.target_m_s2,
             "pseudo_acceleration_m_s2": answer.matched.matched_m_s2,

@@ -1,7 +1,9 @@
 //! What `dolmen motion` found.
 
 use super::ComponentReading;
-use dolmen::signal::{Component, GroundMotion, IntensityMeasures, MatchedMotion, SpectralOrdinate};
+use dolmen::signal::{
+    Component, GroundMotion, IntensityMeasures, MatchedMotion, SpectralOrdinate, SpectrumMisfit,
+};
 
 /// One series of accelerations with all that is known of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +27,9 @@ pub struct MatchAnswer {
     pub demand: String,
     /// What came out.
     pub matched: MatchedMotion,
+    /// How far the spectrum is from the demand below the shortest and above the longest period that is matched: nothing is done to it
+    /// there.
+    pub outside: [SpectrumMisfit; 2],
     /// Damping ratio of the spectra.
     pub damping_ratio: f64,
     /// The component that was matched.

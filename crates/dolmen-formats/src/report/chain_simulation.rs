@@ -94,15 +94,32 @@ pub(super) fn sections(simulations: &[ChainSimulation], language: Language) -> M
 fn section(simulation: &ChainSimulation, language: Language) -> Markup {
     html! {
         h2 { (language.pick("Simulated earthquake: ", "지진응답 시뮬레이션: ")) (title(simulation, language)) }
-        p { b { (ending(simulation, language)) } }
+        p { b { (first_upper(&ending(simulation, language))) } }
         @if let Some((motion, _)) = &simulation.motion { (motion_table(motion, language)) }
         (joints_table(simulation, language))
         (links_table(simulation, language))
-        @for found in chain_histories(simulation, language) {
+        @for found in chain_histories(simulation, language).iter().filter(|found| tells(&found.name, simulation)) {
             (figure(&found.svg, &caption(&found.name, simulation, language)))
         }
         (run(simulation, language))
     }
+}
+
+/// Whether a figure tells something: the loop of a joint that only springs is a straight line.
+fn tells(name: &str, simulation: &ChainSimulation) -> bool {
+    let Some(joint) = name.strip_prefix("loop-").and_then(|n| n.parse::<usize>().ok()) else {
+        return true;
+    };
+    let history = &simulation.history;
+    let is_joint = |at: usize| at + 1 == joint;
+    history.uplifts.iter().any(|uplift| is_joint(uplift.joint))
+        || history.slips.iter().any(|slip| is_joint(slip.joint))
+}
+
+fn first_upper(sentence: &str) -> String {
+    let mut characters = sentence.chars();
+    let first = characters.next().into_iter().flat_map(char::to_uppercase);
+    first.chain(characters).collect()
 }
 
 fn caption(name: &str, simulation: &ChainSimulation, language: Language) -> String {

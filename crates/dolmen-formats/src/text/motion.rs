@@ -76,6 +76,19 @@ pub fn motion_report_text(report: &MotionReport) -> String {
             percent(after.lowest),
             percent(after.highest)
         );
+        let [below, above] = answer.outside;
+        let band = [answer.matched.periods_s.first(), answer.matched.periods_s.last()]
+            .map(|t| t.copied().unwrap_or(0.0));
+        let _ = writeln!(
+            out,
+            "  not matched: below {} s {:+.0} to {:+.0} %, above {} s {:+.0} to {:+.0} %",
+            crate::number::trimmed(band[0], 3),
+            percent(below.lowest),
+            percent(below.highest),
+            crate::number::trimmed(band[1], 3),
+            percent(above.lowest),
+            percent(above.highest)
+        );
         if !answer.is_close() {
             let _ = writeln!(
                 out,

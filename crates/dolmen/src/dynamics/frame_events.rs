@@ -160,19 +160,15 @@ impl<'a> Motion<'a> {
         let s = &self.series;
         let mut first: Option<(usize, f64)> = None;
         for (storey, &most_m) in self.drift_most_m.iter().enumerate() {
-            let at = |k: usize| {
-                let below = storey.checked_sub(1).map_or(0.0, |j| s.y[k * s.n + j]);
-                s.y[k * s.n + storey] - below
-            };
-            let reach: f64 = (0..s.orders).map(|k| at(k).abs()).sum();
-            if reach < most_m {
+            let drift = &s.drift[storey][..s.orders];
+            if drift.iter().map(|c| c.abs()).sum::<f64>() < most_m {
                 continue;
             }
             for sign in [1.0, -1.0] {
                 let mut c = [0.0; COEFFICIENTS_MOST];
                 let c = &mut c[..s.orders];
-                for (k, c) in c.iter_mut().enumerate() {
-                    *c = -sign * at(k);
+                for (c, drift) in c.iter_mut().zip(drift) {
+                    *c = -sign * drift;
                 }
                 c[0] += most_m;
                 if let Some(sigma) = first_descent(c, 0.0)
@@ -209,19 +205,18 @@ impl<'a> Motion<'a> {
     fn event_of(&self, storey: usize) -> Option<Event> {
         let zeros = self.zeros[storey];
         let s = &self.series;
-        let at = |rows: &[f64], k: usize| {
-            let below = self.model.below[storey].map_or(0.0, |j| rows[k * s.n + j]);
-            rows[k * s.n + storey] - below
-        };
         let mut c = [0.0; COEFFICIENTS_MOST];
         match (self.model.friction[storey], self.state.slider[storey]) {
             (_, Slider::Slipping(sign)) => {
-                let orders = s.orders - 1;
-                for (k, c) in c[..orders].iter_mut().enumerate() {
-                    *c = sign * (k + 1) as f64 * at(&s.y, k + 1);
+                let across = s.slider_row(&self.model, storey);
+                let c = &mut c[..across.len() - 1];
+                let mut power = 0.0;
+                for (c, across) in c.iter_mut().zip(&across[1..]) {
+                    power += 1.0;
+                    *c = sign * power * across;
                 }
-                settle(&mut c[..orders], zeros);
-                let sigma = first_descent(&c[..orders], 0.0)?;
+                settle(c, zeros);
+                let sigma = first_descent(c, 0.0)?;
                 Some(Event {
                     sigma,
                     storey,
@@ -229,11 +224,7 @@ impl<'a> Motion<'a> {
                 })
             }
             (StoreyFriction::Coulomb { static_force_n, .. }, Slider::Stuck) => {
-                let orders = s.orders - 2;
-                for (k, c) in c[..orders].iter_mut().enumerate() {
-                    *c = s.held[k * s.n + storey];
-                }
-                goes(storey, &c[..orders], static_force_n, zeros)
+                goes(storey, &s.held[storey][..s.orders - 2], static_force_n, zeros)
             }
             (
                 StoreyFriction::Jenkins {
@@ -243,11 +234,13 @@ impl<'a> Motion<'a> {
                 },
                 Slider::Stuck,
             ) => {
-                for (k, c) in c[..s.orders].iter_mut().enumerate() {
-                    *c = stuck_stiffness_n_m * at(&s.y, k);
+                let across = s.slider_row(&self.model, storey);
+                let c = &mut c[..across.len()];
+                for (c, across) in c.iter_mut().zip(across) {
+                    *c = stuck_stiffness_n_m * across;
                 }
                 c[0] -= stuck_stiffness_n_m * self.state.offset_m[storey];
-                goes(storey, &c[..s.orders], static_force_n, zeros)
+                goes(storey, c, static_force_n, zeros)
             }
             (StoreyFriction::None, _) | (_, Slider::Absent) => None,
         }

@@ -104,7 +104,7 @@ impl Motion<'_> {
         let mut going = self.gone.clone();
         for _ in 0..tries_most(n) {
             self.series.join(&self.model, &self.state);
-            self.series.next(&self.model, &self.state, 0);
+            self.series.next(&self.model, 0);
             self.measure_rounding(0);
             let mut open = Vec::new();
             let mut worst = Worst::default();
@@ -119,7 +119,7 @@ impl Motion<'_> {
                 match self.state.slider[i] {
                     Slider::Stuck => {
                         self.zeros[i] = 0;
-                        let held = self.series.held[i];
+                        let held = self.series.held[i][0];
                         let over = held.abs() - static_force_n;
                         if over > self.rounding_n {
                             worst.consider(over / held.abs(), i, Slider::Slipping(held.signum()));
@@ -160,7 +160,7 @@ impl Motion<'_> {
         }
         for _ in 0..tries_most(open.len()) {
             self.series.join(&self.model, &self.state);
-            self.series.next(&self.model, &self.state, k);
+            self.series.next(&self.model, k);
             self.measure_rounding(k);
             let rounding = self.rounding_n;
             let mut worst = Worst::default();
@@ -168,7 +168,7 @@ impl Motion<'_> {
             for &(i, sign) in open.iter() {
                 match self.state.slider[i] {
                     Slider::Stuck => {
-                        let rate = sign * self.series.held[k * self.series.n + i];
+                        let rate = sign * self.series.held[i][k];
                         if rate > rounding {
                             worst.consider(rate, i, Slider::Slipping(sign));
                         } else if rate < -rounding {

@@ -2,7 +2,7 @@
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
-use super::frame_series::{Model, Series, Slider, State};
+use super::frame_series::{Model, Series, Slider, State, at_with_rates};
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 
 /// Events closer than this count once, s.
@@ -37,14 +37,6 @@ pub(super) struct Recorder {
     /// Direction in which the top level moved last, and its largest speed at the end of a stretch, m/s.
     top_direction: f64,
     top_speed: f64,
-}
-
-/// Coefficients of one level, or of one storey's drift.
-fn row(series: &Series, upper: usize, lower: Option<usize>, c: &mut [f64; COEFFICIENTS_MOST]) {
-    for (k, c) in c[..series.orders].iter_mut().enumerate() {
-        let below = lower.map_or(0.0, |j| series.y[k * series.n + j]);
-        *c = series.y[k * series.n + upper] - below;
-    }
 }
 
 impl Recorder {
@@ -106,24 +98,17 @@ impl Recorder {
         self.history.steps += 1;
         let end_s = begin_s + sigma * series.h;
         let before = self.energy;
-        let mut c = [0.0; COEFFICIENTS_MOST];
         for i in 0..series.n {
-            row(series, i, None, &mut c);
+            let (level, drift) = (&series.y[i][..series.orders], &series.drift[i][..series.orders]);
+            let history = &mut self.history;
             extend(
-                &mut self.history.displacement_peaks[i],
-                &c[..series.orders],
+                &mut history.displacement_peaks[i],
+                level,
                 begin_s,
                 series.h,
                 sigma,
             );
-            row(series, i, i.checked_sub(1), &mut c);
-            extend(
-                &mut self.history.drift_peaks[i],
-                &c[..series.orders],
-                begin_s,
-                series.h,
-                sigma,
-            );
+            extend(&mut history.drift_peaks[i], drift, begin_s, series.h, sigma);
         }
         self.turn(series, begin_s, sigma);
         self.now.clone_from(state);
@@ -143,14 +128,8 @@ impl Recorder {
     /// A turn of the top level within the stretch: one, since a step is shorter than half a swing of any mode. It counts once the
     /// level moves the other way, so that a stop is none.
     fn turn(&mut self, series: &Series, begin_s: f64, sigma: f64) {
-        let mut c = [0.0; COEFFICIENTS_MOST];
-        row(series, series.n - 1, None, &mut c);
-        let mut v = [0.0; COEFFICIENTS_MOST];
-        let v = &mut v[..series.orders - 1];
-        for (k, v) in v.iter_mut().enumerate() {
-            *v = (k + 1) as f64 * c[k + 1] / series.h;
-        }
-        let last = polynomial(v, sigma);
+        let c = &series.y[series.n - 1][..series.orders];
+        let last = at_with_rates(c, sigma)[1] / series.h;
         self.top_speed = self.top_speed.max(last.abs());
         if last.abs() <= ROUNDING * self.top_speed || last * self.top_direction > 0.0 {
             return;
@@ -159,11 +138,15 @@ impl Recorder {
         if before == 0.0 {
             return;
         }
-        v.iter_mut().for_each(|v| *v *= before);
+        let mut v = [0.0; COEFFICIENTS_MOST];
+        let v = &mut v[..c.len() - 1];
+        for (k, v) in v.iter_mut().enumerate() {
+            *v = before * (k + 1) as f64 * c[k + 1];
+        }
         let at = first_descent(v, 0.0).unwrap_or(0.0).min(sigma);
         self.history.turns.push(Turn {
             at_s: begin_s + at * series.h,
-            displacement_m: polynomial(&c[..series.orders], at),
+            displacement_m: polynomial(c, at),
         });
     }
 
@@ -171,59 +154,58 @@ impl Recorder {
         let sigma = ((t - begin_s) / series.h).clamp(0.0, 1.0);
         let kept = self.energy;
         self.add_work(model, state, series, sigma);
-        series.place(sigma, &mut self.now);
-        self.energy.kinetic_j = model.kinetic_j(&self.now);
-        self.energy.stored_j = model.stored_j(&self.now);
-        self.history.energy.push(self.energy);
-        self.energy = kept;
-        let (now, history) = (&self.now, &mut self.history);
+        let (now, history) = (&mut self.now, &mut self.history);
         history.time_s.push(t);
         let ground = polynomial(&series.ground[..series.ground_orders], sigma);
         for i in 0..series.n {
-            let mut acceleration = 0.0;
-            for k in (2..series.orders).rev() {
-                acceleration = acceleration * sigma + (k * (k - 1)) as f64 * series.y[k * series.n + i];
-            }
-            history.displacement_m[i].push(now.y[i]);
+            let [y, rate, half] = at_with_rates(&series.y[i][..series.orders], sigma);
+            (now.y[i], now.v[i]) = (y, rate / series.h);
+            history.displacement_m[i].push(y);
             history.velocity_m_s[i].push(now.v[i]);
-            history.acceleration_m_s2[i].push(acceleration / (series.h * series.h) + ground);
+            history.acceleration_m_s2[i].push(2.0 * half / (series.h * series.h) + ground);
+            let peak = &mut history.displacement_peaks[i];
+            peak.at_samples_m = peak.at_samples_m.max(y.abs());
+            let drift = y - i.checked_sub(1).map_or(0.0, |j| now.y[j]);
+            let peak = &mut history.drift_peaks[i];
+            peak.at_samples_m = peak.at_samples_m.max(drift.abs());
+        }
+        for i in 0..series.n {
             let force = match (model.friction[i], now.slider[i]) {
-                (StoreyFriction::Coulomb { .. }, Slider::Stuck) => (0..series.orders - 2)
-                    .rev()
-                    .fold(0.0, |sum, k| sum * sigma + series.held[k * series.n + i]),
+                (StoreyFriction::Coulomb { .. }, Slider::Stuck) => {
+                    polynomial(&series.held[i][..series.orders - 2], sigma)
+                }
                 (StoreyFriction::Coulomb { kinetic_force_n, .. }, Slider::Slipping(sign)) => {
                     sign * kinetic_force_n
                 }
                 _ => model.jenkins_force(i, now),
             };
             history.friction_force_n[i].push(force);
-            let drift = now.y[i] - i.checked_sub(1).map_or(0.0, |j| now.y[j]);
-            let peak = &mut history.displacement_peaks[i];
-            peak.at_samples_m = peak.at_samples_m.max(now.y[i].abs());
-            let peak = &mut history.drift_peaks[i];
-            peak.at_samples_m = peak.at_samples_m.max(drift.abs());
         }
+        self.energy.kinetic_j = model.kinetic_j(&self.now);
+        self.energy.stored_j = model.stored_j(&self.now);
+        self.history.energy.push(self.energy);
+        self.energy = kept;
     }
 
     /// ∫ force dY and −∫ M 1 a_ground dY from the start of the series, as one polynomial in σ.
     fn expand_work(&mut self, model: &Model, series: &Series) {
-        let n = series.n;
-        self.work.fill(0.0);
+        let products = series.orders + series.ground_orders.max(series.force_orders);
+        self.work[..products].fill(0.0);
         self.work_orders = 0;
         let mut add = |p: &[f64], j: usize, slope: f64| {
-            for (k, p) in p.iter().enumerate() {
-                self.work[j + k] += p * slope * j as f64;
+            let slope = slope * j as f64;
+            for (work, p) in self.work[j..j + p.len()].iter_mut().zip(p) {
+                *work += p * slope;
             }
             self.work_orders = self.work_orders.max(j + p.len());
         };
         for j in 1..series.orders {
-            let row = &series.y[j * n..(j + 1) * n];
             if series.ground_orders > 0 {
-                let momentum: f64 = row.iter().zip(&model.mass_kg).map(|(y, m)| y * m).sum();
+                let momentum: f64 = series.y.iter().zip(&model.mass_kg).map(|(y, m)| y[j] * m).sum();
                 add(&series.ground[..series.ground_orders], j, -momentum);
             }
-            for (y, force) in row.iter().zip(&series.forces) {
-                add(&force[..series.force_orders], j, *y);
+            for (y, force) in series.y.iter().zip(&series.forces) {
+                add(&force[..series.force_orders], j, y[j]);
             }
         }
         for (power, work) in self.work[..self.work_orders].iter_mut().enumerate().skip(1) {
@@ -233,19 +215,16 @@ impl Recorder {
 
     /// Adds work put in and taken from the start of the series to σ.
     fn add_work(&mut self, model: &Model, state: &State, series: &Series, sigma: f64) {
-        let n = series.n;
         self.energy.input_j += polynomial(&self.work[..self.work_orders], sigma);
-        for i in 0..n {
+        for i in 0..series.n {
             if let (
                 StoreyFriction::Coulomb { kinetic_force_n, .. }
                 | StoreyFriction::Jenkins { kinetic_force_n, .. },
                 Slider::Slipping(_),
             ) = (model.friction[i], state.slider[i])
             {
-                let mut c = [0.0; COEFFICIENTS_MOST];
-                row(series, i, model.below[i], &mut c);
-                c[0] = 0.0;
-                self.energy.friction_j += kinetic_force_n * polynomial(&c[..series.orders], sigma).abs();
+                let way = sigma * polynomial(&series.slider_row(model, i)[1..], sigma);
+                self.energy.friction_j += kinetic_force_n * way.abs();
             }
         }
         if model.damped() {

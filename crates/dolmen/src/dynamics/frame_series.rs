@@ -38,30 +38,49 @@ pub(super) enum Slider {
     Slipping(f64),
 }
 
-/// Rows of a matrix, without its zeros.
-struct Rows(Vec<Vec<(usize, f64)>>);
+/// Coefficients of one function.
+pub(super) type Coefficients = [f64; COEFFICIENTS_MOST];
+
+/// Rows of a matrix, without its zeros: the entries of all rows behind each other.
+struct Rows {
+    ends: Vec<usize>,
+    entries: Vec<(usize, f64)>,
+}
 
 impl Rows {
     fn of(matrix: &Matrix) -> Self {
-        let row = |i| {
-            (0..matrix.columns())
-                .map(|j| (j, matrix[(i, j)]))
-                .filter(|(_, x)| *x != 0.0)
-                .collect()
+        let mut rows = Rows {
+            ends: Vec::with_capacity(matrix.rows()),
+            entries: Vec::new(),
         };
-        Rows((0..matrix.rows()).map(row).collect())
+        for i in 0..matrix.rows() {
+            let row = (0..matrix.columns()).map(|j| (j, matrix[(i, j)]));
+            rows.entries.extend(row.filter(|(_, x)| *x != 0.0));
+            rows.ends.push(rows.entries.len());
+        }
+        rows
+    }
+
+    fn row(&self, i: usize) -> &[(usize, f64)] {
+        let begin = if i == 0 { 0 } else { self.ends[i - 1] };
+        &self.entries[begin..self.ends[i]]
     }
 
     fn times(&self, i: usize, x: &[f64]) -> f64 {
-        self.0[i].iter().map(|(j, a)| a * x[*j]).sum()
+        self.row(i).iter().map(|(j, a)| a * x[*j]).sum()
     }
 
-    fn times_sizes(&self, i: usize, x: &[f64]) -> f64 {
-        self.0[i].iter().map(|(j, a)| (a * x[*j]).abs()).sum()
+    /// The same with coefficient k of each level.
+    fn times_of(&self, i: usize, levels: &[Coefficients], k: usize) -> f64 {
+        self.row(i).iter().map(|(j, a)| a * levels[*j][k]).sum()
+    }
+
+    fn times_sizes(&self, i: usize, levels: &[Coefficients], k: usize) -> f64 {
+        self.row(i).iter().map(|(j, a)| (a * levels[*j][k]).abs()).sum()
     }
 
     fn size(&self, i: usize) -> f64 {
-        self.0[i].iter().map(|(_, a)| a.abs()).sum()
+        self.row(i).iter().map(|(_, a)| a.abs()).sum()
     }
 }
 
@@ -84,23 +103,38 @@ pub(super) struct State {
     pub(super) offset_m: Vec<f64>,
 }
 
-/// The series of one step. Rows of n numbers, one a power of σ.
+/// A Jenkins slider that sticks: storey, level below it, stiffness and offset.
+struct Spring {
+    upper: usize,
+    lower: Option<usize>,
+    stiffness_n_m: f64,
+    offset_m: f64,
+}
+
+/// The series of one step: one row of coefficients a level or storey.
 pub(super) struct Series {
     pub(super) n: usize,
     pub(super) h: f64,
     /// Powers of σ in `y`.
     pub(super) orders: usize,
-    pub(super) y: Vec<f64>,
+    pub(super) y: Vec<Coefficients>,
+    /// Of the drifts, once the series are expanded.
+    pub(super) drift: Vec<Coefficients>,
     /// Forces of stuck Coulomb sliders; `orders − 2` powers.
-    pub(super) held: Vec<f64>,
+    pub(super) held: Vec<Coefficients>,
     /// Acceleration of the ground, and how many of its coefficients are not zero.
-    pub(super) ground: [f64; COEFFICIENTS_MOST],
+    pub(super) ground: Coefficients,
     pub(super) ground_orders: usize,
     /// Forces at the levels, one row of coefficients a level; empty for none.
-    pub(super) forces: Vec<[f64; COEFFICIENTS_MOST]>,
+    pub(super) forces: Vec<Coefficients>,
     pub(super) force_orders: usize,
     root: Vec<usize>,
     group_mass: Vec<f64>,
+    /// A Coulomb slider sticks: levels move as one.
+    joined: bool,
+    /// Forces of slipping sliders on the levels, N.
+    slipping_n: Vec<f64>,
+    springs: Vec<Spring>,
     rest: Vec<f64>,
     group: Vec<f64>,
     carry: Vec<f64>,
@@ -209,12 +243,13 @@ impl Model {
 
 impl Series {
     pub(super) fn new(n: usize) -> Self {
-        let rows = vec![0.0; n * COEFFICIENTS_MOST];
+        let rows = vec![[0.0; COEFFICIENTS_MOST]; n];
         Series {
             n,
             h: 1.0,
             orders: 0,
             y: rows.clone(),
+            drift: rows.clone(),
             held: rows,
             ground: [0.0; COEFFICIENTS_MOST],
             ground_orders: 0,
@@ -222,6 +257,9 @@ impl Series {
             force_orders: 0,
             root: vec![0; n],
             group_mass: vec![0.0; n],
+            joined: false,
+            slipping_n: vec![0.0; n],
+            springs: Vec::with_capacity(n),
             rest: vec![0.0; n],
             group: vec![0.0; n],
             carry: vec![0.0; n],
@@ -239,12 +277,40 @@ impl Series {
         }
     }
 
-    /// Finds the masses that move as one.
+    /// Finds the masses that move as one, and what the other sliders do.
     pub(super) fn join(&mut self, model: &Model, state: &State) {
         self.group_mass.fill(0.0);
+        self.slipping_n.fill(0.0);
+        self.springs.clear();
+        self.joined = false;
         for i in 0..self.n {
+            match (model.friction[i], state.slider[i]) {
+                (
+                    StoreyFriction::Jenkins { kinetic_force_n, .. }
+                    | StoreyFriction::Coulomb { kinetic_force_n, .. },
+                    Slider::Slipping(sign),
+                ) => {
+                    self.slipping_n[i] += sign * kinetic_force_n;
+                    if let Some(j) = model.below[i] {
+                        self.slipping_n[j] -= sign * kinetic_force_n;
+                    }
+                }
+                (
+                    StoreyFriction::Jenkins {
+                        stuck_stiffness_n_m, ..
+                    },
+                    Slider::Stuck,
+                ) => self.springs.push(Spring {
+                    upper: i,
+                    lower: model.below[i],
+                    stiffness_n_m: stuck_stiffness_n_m,
+                    offset_m: state.offset_m[i],
+                }),
+                _ => {}
+            }
             let joined = state.slider[i] == Slider::Stuck
                 && matches!(model.friction[i], StoreyFriction::Coulomb { .. });
+            self.joined |= joined;
             self.root[i] = match (joined, model.below[i]) {
                 (true, None) => GROUND,
                 (true, Some(j)) => self.root[j],
@@ -277,63 +343,81 @@ impl Series {
     /// Coefficients of the motion from a state, as long as no slider changes. Returns whether the series converged.
     /// [`Series::act`] and [`Series::join`] come first.
     pub(super) fn expand(&mut self, model: &Model, state: &State) -> bool {
-        let n = self.n;
         self.begin(state);
-        let mut largest = largest_of(&self.y[n..2 * n]);
+        let size = |y: &[Coefficients], k: usize| y.iter().fold(0.0_f64, |most, row| most.max(row[k].abs()));
+        let mut largest = size(&self.y, 1);
         let mut before = largest;
         let least = self.orders_least();
+        let mut converged = false;
+        self.orders = COEFFICIENTS_MOST;
         for k in 0..COEFFICIENTS_MOST - 2 {
-            self.next(model, state, k);
-            let size = largest_of(&self.y[(k + 2) * n..(k + 3) * n]);
+            self.next(model, k);
+            let size = size(&self.y, k + 2);
             largest = largest.max(size);
             if k + 1 >= least && size.max(before) <= TERM_LEAST * largest {
                 self.orders = k + 3;
-                return true;
+                converged = true;
+                break;
             }
             before = size;
         }
-        self.orders = COEFFICIENTS_MOST;
-        false
+        let orders = self.orders;
+        for i in 0..self.n {
+            let (below, own) = self.y.split_at(i);
+            let drift = &mut self.drift[i][..orders];
+            match below.last() {
+                None => drift.copy_from_slice(&own[0][..orders]),
+                Some(below) => {
+                    for (drift, (own, below)) in drift.iter_mut().zip(own[0][..orders].iter().zip(below)) {
+                        *drift = own - below;
+                    }
+                }
+            }
+        }
+        converged
+    }
+
+    /// Coefficients of the motion across a slider.
+    pub(super) fn slider_row(&self, model: &Model, i: usize) -> &[f64] {
+        // on the drift, or on the displacement relative to the ground
+        let row = match model.below[i] {
+            Some(_) => &self.drift[i],
+            None => &self.y[i],
+        };
+        &row[..self.orders]
     }
 
     /// Displacements and velocities at σ.
     pub(super) fn place(&self, sigma: f64, now: &mut State) {
-        for i in 0..self.n {
-            let (mut y, mut v) = (0.0, 0.0);
-            for k in (1..self.orders).rev() {
-                let c = self.y[k * self.n + i];
-                y = y * sigma + c;
-                v = v * sigma + k as f64 * c;
-            }
-            now.y[i] = y * sigma + self.y[i];
-            now.v[i] = v / self.h;
+        for (row, (y, v)) in self.y.iter().zip(now.y.iter_mut().zip(&mut now.v)) {
+            let [at, rate, _] = at_with_rates(&row[..self.orders], sigma);
+            (*y, *v) = (at, rate / self.h);
         }
     }
 
     /// Coefficients 0 and 1 of the motion.
     pub(super) fn begin(&mut self, state: &State) {
-        let n = self.n;
-        self.y[..n].copy_from_slice(&state.y);
-        for i in 0..n {
-            self.y[n + i] = state.v[i] * self.h;
+        for (row, (y, v)) in self.y.iter_mut().zip(state.y.iter().zip(&state.v)) {
+            (row[0], row[1]) = (*y, v * self.h);
         }
     }
 
     /// Mass times coefficient k of the acceleration across a slider, N.
     pub(super) fn inertia(&self, model: &Model, i: usize, k: usize) -> f64 {
-        let row = &self.y[(k + 2) * self.n..(k + 3) * self.n];
         let factor = ((k + 1) * (k + 2)) as f64 / (self.h * self.h);
-        model.mass_kg[i] * factor * model.across(i, row)
+        let below = model.below[i].map_or(0.0, |j| self.y[j][k + 2]);
+        model.mass_kg[i] * factor * (self.y[i][k + 2] - below)
     }
 
     /// Largest force of order k that enters the balance of any level, N: what rounding is measured by.
     pub(super) fn force_scale(&self, model: &Model, state: &State, k: usize) -> f64 {
-        let n = self.n;
-        let (now, after) = (&self.y[k * n..(k + 1) * n], &self.y[(k + 1) * n..(k + 2) * n]);
         let rate = (k + 1) as f64 / self.h;
         let of_level = |i: usize| {
-            let springs = model.k.times_sizes(i, now);
-            let dashpots = model.c.as_ref().map_or(0.0, |c| rate * c.times_sizes(i, after));
+            let springs = model.k.times_sizes(i, &self.y, k);
+            let dashpots = model
+                .c
+                .as_ref()
+                .map_or(0.0, |c| rate * c.times_sizes(i, &self.y, k + 1));
             let force = self.forces.get(i).map_or(0.0, |force| force[k].abs());
             let slider = match (model.friction[i], state.slider[i]) {
                 (
@@ -341,11 +425,11 @@ impl Series {
                     | StoreyFriction::Jenkins { kinetic_force_n, .. },
                     Slider::Slipping(_),
                 ) if k == 0 => kinetic_force_n,
-                _ => self.held[k * n + i].abs(),
+                _ => self.held[i][k].abs(),
             };
             springs + dashpots + model.mass_kg[i] * self.ground[k].abs() + force + slider
         };
-        (0..n).map(of_level).fold(0.0, f64::max)
+        (0..self.n).map(of_level).fold(0.0, f64::max)
     }
 
     /// Powers that what acts needs: a sine goes on until its terms are too small to count.
@@ -363,77 +447,79 @@ impl Series {
             .max(2)
     }
 
-    /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before.
-    pub(super) fn next(&mut self, model: &Model, state: &State, k: usize) {
-        let n = self.n;
-        let (now, after) = (k * n, (k + 1) * n);
-        let (order, rate) = (k as f64, (k + 1) as f64 / self.h);
-        for i in 0..n {
-            let mut rest = model.k.times(i, &self.y[now..now + n]) + model.mass_kg[i] * self.ground[k];
+    /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before. [`Series::join`] comes first.
+    pub(super) fn next(&mut self, model: &Model, k: usize) {
+        let rate = (k + 1) as f64 / self.h;
+        let factor = self.h * self.h / ((k + 1) * (k + 2)) as f64;
+        let ground = self.ground[k];
+        for (i, rest) in self.rest.iter_mut().enumerate() {
+            *rest = model.k.times_of(i, &self.y, k) + model.mass_kg[i] * ground;
             if let Some(c) = &model.c {
-                rest += rate * c.times(i, &self.y[after..after + n]);
+                *rest += rate * c.times_of(i, &self.y, k + 1);
             }
             if let Some(force) = self.forces.get(i) {
-                rest -= force[k];
+                *rest -= force[k];
             }
-            self.rest[i] = rest;
+            if k == 0 {
+                *rest += self.slipping_n[i];
+            }
         }
-        for i in 0..n {
-            let force = match (model.friction[i], state.slider[i]) {
-                (
-                    StoreyFriction::Jenkins {
-                        stuck_stiffness_n_m, ..
-                    },
-                    Slider::Stuck,
-                ) => {
-                    let across = model.across(i, &self.y[now..now + n]);
-                    stuck_stiffness_n_m
-                        * if k == 0 {
-                            across - state.offset_m[i]
-                        } else {
-                            across
-                        }
-                }
-                (
-                    StoreyFriction::Jenkins { kinetic_force_n, .. }
-                    | StoreyFriction::Coulomb { kinetic_force_n, .. },
-                    Slider::Slipping(sign),
-                ) if k == 0 => sign * kinetic_force_n,
-                _ => continue,
-            };
-            self.rest[i] += force;
-            if let Some(j) = model.below[i] {
+        for spring in &self.springs {
+            let mut across = self.y[spring.upper][k] - spring.lower.map_or(0.0, |j| self.y[j][k]);
+            if k == 0 {
+                across -= spring.offset_m;
+            }
+            let force = spring.stiffness_n_m * across;
+            self.rest[spring.upper] += force;
+            if let Some(j) = spring.lower {
                 self.rest[j] -= force;
             }
         }
+        if !self.joined {
+            for (i, rest) in self.rest.iter().enumerate() {
+                self.y[i][k + 2] = -rest / model.mass_kg[i] * factor;
+                self.held[i][k] = 0.0;
+            }
+            return;
+        }
         self.group.fill(0.0);
-        for i in 0..n {
-            if self.root[i] != GROUND {
-                self.group[self.root[i]] += self.rest[i];
+        for (rest, &root) in self.rest.iter().zip(&self.root) {
+            if root != GROUND {
+                self.group[root] += rest;
             }
         }
-        let factor = self.h * self.h / ((order + 1.0) * (order + 2.0));
         self.carry.fill(0.0);
-        for i in (0..n).rev() {
+        for i in (0..self.n).rev() {
             let root = self.root[i];
             let acceleration = if root == GROUND {
                 0.0
             } else {
                 -self.group[root] / self.group_mass[root]
             };
-            self.y[(k + 2) * n + i] = acceleration * factor;
+            self.y[i][k + 2] = acceleration * factor;
             // balance of the level: m a + rest + λ_i − Σ λ of the stuck sliders that stand on it = 0
             let held = if root == i {
                 0.0
             } else {
                 self.carry[i] - (model.mass_kg[i] * acceleration + self.rest[i])
             };
-            self.held[now + i] = held;
+            self.held[i][k] = held;
             if let Some(j) = model.below[i] {
                 self.carry[j] += held;
             }
         }
     }
+}
+
+/// A polynomial, its derivative and half its second one, by Horner's rule.
+pub(super) fn at_with_rates(c: &[f64], sigma: f64) -> [f64; 3] {
+    let [mut value, mut rate, mut half] = [0.0; 3];
+    for c in c.iter().rev() {
+        half = half * sigma + rate;
+        rate = rate * sigma + value;
+        value = value * sigma + c;
+    }
+    [value, rate, half]
 }
 
 fn largest_of(values: &[f64]) -> f64 {
