@@ -3,8 +3,7 @@
 //! read and its own problems reported too.
 
 use super::error::Fault;
-use super::schema::{SCHEMA, resolved};
-use serde_json::{Map, Value};
+use super::schema_tree::Tree;
 use std::borrow::Cow;
 use std::ops::Range;
 use toml::Spanned;
@@ -27,7 +26,7 @@ struct Swallowed<'i> {
 
 pub(super) struct SchemaCheck<'t, 'i> {
     text: &'t str,
-    root: &'static Map<String, Value>,
+    schema: &'static Tree,
     swallowed: Vec<Swallowed<'i>>,
     /// Paths that a misspelt key was probably meant for: not missed a second time.
     pub(super) meant: Vec<String>,
@@ -38,17 +37,16 @@ pub(super) struct SchemaCheck<'t, 'i> {
 #[derive(Clone, Copy)]
 struct Above<'a> {
     path: &'a str,
-    properties: Option<&'static Map<String, Value>>,
+    properties: Option<&'static [(&'static str, Tree)]>,
     header: Option<&'a Range<usize>>,
     parent: Option<&'a Above<'a>>,
 }
 
 impl<'t, 'i> SchemaCheck<'t, 'i> {
-    pub(super) fn new(text: &'t str) -> Self {
-        static EMPTY: std::sync::LazyLock<Map<String, Value>> = std::sync::LazyLock::new(Map::new);
+    pub(super) fn new(text: &'t str, schema: &'static Tree) -> Self {
         SchemaCheck {
             text,
-            root: properties(&SCHEMA).unwrap_or(&EMPTY),
+            schema,
             swallowed: Vec::new(),
             meant: Vec::new(),
             faults: Vec::new(),
@@ -57,33 +55,33 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
 
     /// Checks the whole tree and takes out of it what is wrong.
     pub(super) fn file(&mut self, root: &mut DeTable<'i>, root_span: &Range<usize>) {
-        self.table(root, root_span, &SCHEMA, "", None);
+        self.table(root, root_span, self.schema, "", None);
         for Swallowed { key, mut value } in std::mem::take(&mut self.swallowed) {
             let name = key.get_ref().to_string();
             if root.contains_key(name.as_str()) {
                 continue;
             }
-            if let Some(schema) = self.root.get(&name)
+            if let Some(schema) = property(self.schema, &name)
                 && self.value(&mut value, schema, &name, None)
             {
                 root.insert(key, value);
             }
         }
-        self.required(root, root_span, &SCHEMA, "");
+        self.required(root, root_span, self.schema, "");
     }
 
     /// Checks one value; `false` if it must be taken out.
     fn value(
         &mut self,
         node: &mut Node<'i>,
-        schema: &'static Value,
+        schema: &'static Tree,
         path: &str,
         above: Option<&Above<'_>>,
     ) -> bool {
         let span = node.span();
-        let schema = resolved(schema);
-        let branches = branches(schema);
-        let fitting: Vec<&'static Value> = branches
+        let schema = self.schema.resolved(schema);
+        let branches = branches(self.schema, schema);
+        let fitting: Vec<&'static Tree> = branches
             .iter()
             .copied()
             .filter(|branch| fits(node.get_ref(), branch))
@@ -120,14 +118,14 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         &mut self,
         table: &mut DeTable<'i>,
         span: &Range<usize>,
-        schema: &'static Value,
+        schema: &'static Tree,
         path: &str,
         parent: Option<&Above<'_>>,
     ) {
         let known = properties(schema);
         let others = schema
             .get("additionalProperties")
-            .filter(|others| others.is_object());
+            .filter(|others| others.entries().is_some());
         let header = self
             .text
             .get(span.clone())
@@ -142,9 +140,9 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         for (key, value) in table.iter_mut() {
             let name = key.get_ref().as_ref();
             let below = join(path, name);
-            let sound = match (known.and_then(|known| known.get(name)), others) {
+            let sound = match (entry(known, name), others) {
                 (Some(schema), _) | (None, Some(schema)) => self.value(value, schema, &below, Some(&above)),
-                (None, None) if schema.get("additionalProperties") == Some(&Value::Bool(false)) => {
+                (None, None) if schema.get("additionalProperties") == Some(&Tree::Bool(false)) => {
                     self.unknown(key, value, &below, &above);
                     false
                 }
@@ -169,7 +167,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         let fault = Fault::new(key.span(), path, format!("{place} has no key \"{name}\""));
         let mut owner = above.parent;
         while let Some(table) = owner {
-            let owns = table.properties.is_some_and(|keys| keys.contains_key(name));
+            let owns = entry(table.properties, name).is_some();
             if let (true, Some(header)) = (owns, above.header) {
                 let header_line = self.text[..header.start].matches('\n').count() + 1;
                 let header = self.text[header.clone()].trim();
@@ -202,8 +200,8 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         let known: Vec<&str> = above
             .properties
             .into_iter()
-            .flat_map(|keys| keys.keys())
-            .map(String::as_str)
+            .flatten()
+            .map(|(key, _)| *key)
             .collect();
         let help = match nearest(name, known.iter().copied()) {
             Some(near) => {
@@ -216,9 +214,9 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         self.faults.push(fault.allowed("unknown key").help(help));
     }
 
-    fn required(&mut self, table: &DeTable<'i>, span: &Range<usize>, schema: &'static Value, path: &str) {
-        let required = schema.get("required").and_then(Value::as_array);
-        for name in required.into_iter().flatten().filter_map(Value::as_str) {
+    fn required(&mut self, table: &DeTable<'i>, span: &Range<usize>, schema: &'static Tree, path: &str) {
+        let required = schema.get("required").and_then(Tree::list);
+        for name in required.into_iter().flatten().filter_map(Tree::text) {
             // A key taken out because it was wrong has been reported already.
             let below = join(path, name);
             let is_meant = || self.meant.contains(&below);
@@ -257,8 +255,8 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
     fn word(
         &mut self,
         word: &str,
-        fitting: &[&'static Value],
-        schema: &'static Value,
+        fitting: &[&'static Tree],
+        schema: &'static Tree,
         path: &str,
         span: &Range<usize>,
     ) -> bool {
@@ -266,7 +264,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         if words.is_empty() || words.contains(&word) || fitting.iter().any(|branch| !is_word(branch)) {
             return true;
         }
-        let allowed = match schema.get("x-must-be").and_then(Value::as_str) {
+        let allowed = match schema.get("x-must-be").and_then(Tree::text) {
             Some(must_be) => must_be.to_owned(),
             None => alternatives(&words),
         };
@@ -279,15 +277,9 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         false
     }
 
-    fn wrong_type(
-        &mut self,
-        node: &Node<'i>,
-        schema: &'static Value,
-        branches: &[&'static Value],
-        path: &str,
-    ) {
+    fn wrong_type(&mut self, node: &Node<'i>, schema: &'static Tree, branches: &[&'static Tree], path: &str) {
         let span = node.span();
-        let needed = match schema.get("x-must-be").and_then(Value::as_str) {
+        let needed = match schema.get("x-must-be").and_then(Tree::text) {
             Some(must_be) => must_be.to_owned(),
             None => {
                 let mut types: Vec<&str> = branches.iter().filter_map(|branch| type_words(branch)).collect();
@@ -317,9 +309,7 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a table" => {
                 let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
-                let named = branches
-                    .iter()
-                    .any(|branch| properties(branch).is_some_and(|keys| keys.contains_key(key)));
+                let named = branches.iter().any(|branch| property(branch, key).is_some());
                 (!table.is_empty() && named).then(|| {
                     format!("{key} belongs one level deeper: give the {table} a name, [{table}.NAME], and put it there")
                 })
@@ -341,12 +331,21 @@ fn join(path: &str, key: &str) -> String {
     }
 }
 
-fn properties(schema: &Value) -> Option<&Map<String, Value>> {
-    schema.get("properties").and_then(Value::as_object)
+fn properties(schema: &Tree) -> Option<&'static [(&'static str, Tree)]> {
+    schema.get("properties").and_then(Tree::entries)
 }
 
-fn description(schema: &Value) -> Option<String> {
-    let text = schema.get("description")?.as_str()?;
+fn property(schema: &Tree, name: &str) -> Option<&'static Tree> {
+    entry(properties(schema), name)
+}
+
+fn entry(entries: Option<&'static [(&'static str, Tree)]>, name: &str) -> Option<&'static Tree> {
+    let found = entries?.iter().find(|(key, _)| *key == name);
+    found.map(|(_, value)| value)
+}
+
+fn description(schema: &Tree) -> Option<String> {
+    let text = schema.get("description")?.text()?;
     Some(text.split_whitespace().collect::<Vec<_>>().join(" "))
 }
 
@@ -358,39 +357,47 @@ fn lower_first(sentence: &str) -> String {
 }
 
 /// The alternatives of a schema, itself if it has none.
-fn branches(schema: &'static Value) -> Vec<&'static Value> {
-    let schema = resolved(schema);
+fn branches(whole: &'static Tree, schema: &'static Tree) -> Vec<&'static Tree> {
+    let schema = whole.resolved(schema);
     let choice = schema
         .get("anyOf")
         .or_else(|| schema.get("oneOf"))
-        .and_then(Value::as_array);
+        .and_then(Tree::list);
     match choice {
-        Some(alternatives) => alternatives.iter().flat_map(branches).collect(),
+        Some(alternatives) => alternatives.iter().flat_map(|one| branches(whole, one)).collect(),
         None => vec![schema],
     }
 }
 
-fn is_word(schema: &Value) -> bool {
+fn is_word(schema: &Tree) -> bool {
     schema.get("const").is_some() || schema.get("enum").is_some()
 }
 
-fn words(schema: &'static Value) -> Vec<&'static str> {
-    let constant = schema.get("const").and_then(Value::as_str);
-    let list = schema.get("enum").and_then(Value::as_array);
+fn words(schema: &'static Tree) -> Vec<&'static str> {
+    let constant = schema.get("const").and_then(Tree::text);
+    let list = schema.get("enum").and_then(Tree::list);
     constant
         .into_iter()
-        .chain(list.into_iter().flatten().filter_map(Value::as_str))
+        .chain(list.into_iter().flatten().filter_map(Tree::text))
         .collect()
 }
 
-fn type_of(schema: &Value) -> Option<&str> {
-    let constant = || schema.get("const").or_else(|| schema.get("enum")?.get(0));
-    let named = schema.get("type").and_then(Value::as_str);
-    named.or_else(|| constant().filter(|value| value.is_string()).map(|_| "string"))
+fn type_of(schema: &Tree) -> Option<&'static str> {
+    let constant = || {
+        schema
+            .get("const")
+            .or_else(|| schema.get("enum")?.list()?.first())
+    };
+    let named = schema.get("type").and_then(Tree::text);
+    named.or_else(|| {
+        constant()
+            .filter(|value| value.text().is_some())
+            .map(|_| "string")
+    })
 }
 
 /// Whether a value is of the type that a schema asks for. A schema without a type takes anything.
-fn fits(value: &DeValue<'_>, schema: &Value) -> bool {
+fn fits(value: &DeValue<'_>, schema: &Tree) -> bool {
     match type_of(schema) {
         Some("number") => matches!(value, DeValue::Integer(_) | DeValue::Float(_)),
         Some("integer") => matches!(value, DeValue::Integer(_)),
@@ -402,7 +409,7 @@ fn fits(value: &DeValue<'_>, schema: &Value) -> bool {
     }
 }
 
-fn type_words(schema: &Value) -> Option<&'static str> {
+fn type_words(schema: &Tree) -> Option<&'static str> {
     Some(match type_of(schema)? {
         "number" => "a number",
         "integer" => "a whole number",

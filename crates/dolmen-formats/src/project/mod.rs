@@ -28,6 +28,7 @@ mod read_survey;
 mod reader;
 mod records;
 mod schema;
+mod schema_tree;
 mod site;
 mod slips;
 mod slips_chain;

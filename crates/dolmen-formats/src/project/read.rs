@@ -16,6 +16,7 @@ use super::read_structure::{chain, frame};
 use super::read_survey::surveys;
 use super::reader::{Reader, names};
 use super::schema::{KEYS_OF_KIND, SCHEMA_VERSION, kind_word};
+use super::schema_tree::{BUILT, TREE};
 use super::slips;
 use super::units::STANDARD_GRAVITY_M_S2;
 use dolmen::structure::StructureError;
@@ -175,8 +176,15 @@ fn read_one<'i>(
     own: Option<BTreeSet<usize>>,
     faults: &mut Vec<Fault>,
 ) -> Option<Project> {
-    let mut check = SchemaCheck::new(text);
+    let untouched = root.clone();
+    let mut check = SchemaCheck::new(text, &TREE);
     check.file(root, span);
+    if !check.faults.is_empty() {
+        // said by the types themselves, whatever the tree in the program is
+        *root = untouched;
+        check = SchemaCheck::new(text, &BUILT);
+        check.file(root, span);
+    }
     foreign_keys(root, &mut check.faults);
     let tree = Spanned::new(span.clone(), std::mem::take(root));
     let raw = match FileRaw::deserialize(toml::Deserializer::from(tree)) {

@@ -449,19 +449,28 @@ impl Series {
 
     /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before. [`Series::join`] comes first.
     pub(super) fn next(&mut self, model: &Model, k: usize) {
-        let rate = (k + 1) as f64 / self.h;
         let factor = self.h * self.h / ((k + 1) * (k + 2)) as f64;
         let ground = self.ground[k];
-        for (i, rest) in self.rest.iter_mut().enumerate() {
-            *rest = model.k.times_of(i, &self.y, k) + model.mass_kg[i] * ground;
-            if let Some(c) = &model.c {
+        let mut begin = 0;
+        for ((rest, mass), &end) in self.rest.iter_mut().zip(&model.mass_kg).zip(&model.k.ends) {
+            let mut sum = mass * ground;
+            for (j, a) in &model.k.entries[begin..end] {
+                sum += a * self.y[*j][k];
+            }
+            (*rest, begin) = (sum, end);
+        }
+        if let Some(c) = &model.c {
+            let rate = (k + 1) as f64 / self.h;
+            for (i, rest) in self.rest.iter_mut().enumerate() {
                 *rest += rate * c.times_of(i, &self.y, k + 1);
             }
-            if let Some(force) = self.forces.get(i) {
-                *rest -= force[k];
-            }
-            if k == 0 {
-                *rest += self.slipping_n[i];
+        }
+        for (rest, force) in self.rest.iter_mut().zip(&self.forces) {
+            *rest -= force[k];
+        }
+        if k == 0 {
+            for (rest, force) in self.rest.iter_mut().zip(&self.slipping_n) {
+                *rest += force;
             }
         }
         for spring in &self.springs {
@@ -476,9 +485,10 @@ impl Series {
             }
         }
         if !self.joined {
-            for (i, rest) in self.rest.iter().enumerate() {
-                self.y[i][k + 2] = -rest / model.mass_kg[i] * factor;
-                self.held[i][k] = 0.0;
+            let rows = self.y.iter_mut().zip(&mut self.held);
+            for ((y, held), (rest, mass)) in rows.zip(self.rest.iter().zip(&model.mass_kg)) {
+                y[k + 2] = -rest / mass * factor;
+                held[k] = 0.0;
             }
             return;
         }
