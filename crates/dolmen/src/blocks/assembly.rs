@@ -142,6 +142,37 @@ impl Assembly {
         contacts.map(|(patch, _)| patch)
     }
 
+    /// The patches that now are, each with the index of its pair, its outline, and the shift, m, and lean, as sine, from which
+    /// it is looked at again.
+    pub(super) fn contacts(&self) -> impl Iterator<Item = (usize, &Patch, &Outline, [f64; 2])> {
+        self.active.iter().filter_map(|&index| {
+            let pair = &self.pairs[index];
+            let (patch, outline) = pair.contact.as_ref()?;
+            Some((index, patch, outline, [CLIP_AGAIN * pair.size, LOOK_AGAIN]))
+        })
+    }
+
+    /// The patch of a pair.
+    pub(super) fn patch_mut(&mut self, pair: usize) -> Option<&mut Patch> {
+        self.pairs[pair].contact.as_mut().map(|(patch, _)| patch)
+    }
+
+    /// Whether nothing but dry patches acts between the bodies.
+    pub(super) fn only_dry_patches(&self) -> bool {
+        let bonds = |pair: &Pair| pair.contact.as_ref().is_some_and(|(patch, _)| patch.law.bonds());
+        self.links.is_empty() && self.props.is_empty() && !self.pairs.iter().any(bonds)
+    }
+
+    /// Least way that two bodies may go together before they can touch, m.
+    pub(super) fn slack(&self) -> f64 {
+        self.slack
+    }
+
+    /// Has a pair looked at again at the next look: in ascending order.
+    pub(super) fn set_stale(&mut self, pair: usize) {
+        self.stale.push(pair);
+    }
+
     pub(super) fn links(&self) -> &[Link] {
         &self.links
     }

@@ -12,7 +12,10 @@ use crate::structure::stack::Stack;
 use glam::{DMat3, DQuat, DVec3};
 
 /// Turn a step below which the axes at its start serve for all of it, rad: the error is its square. Chosen here.
-const SMALL_TURN: f64 = 1e-5;
+pub(super) const SMALL_TURN: f64 = 1e-5;
+
+/// Square of a turn a step up to which the series of its quaternion serves, rad²: 0.05 rad, where its error is below 1e-16.
+pub(super) const SERIES_MOST: f64 = 2.5e-3;
 
 /// One rigid body.
 #[derive(Clone, Debug)]
@@ -98,20 +101,26 @@ impl RigidBody {
     }
 }
 
-/// Quaternion of a rotation vector; the series serves below .05 rad, where its error is below 1e-16.
+/// Quaternion of a rotation vector.
 #[inline]
-fn rotation_of(vector: DVec3) -> DQuat {
+pub(super) fn rotation_of(vector: DVec3) -> DQuat {
     let square = vector.length_squared();
-    if square > 2.5e-3 {
+    if square > SERIES_MOST {
         return DQuat::from_scaled_axis(vector);
     }
     // sin(θ/2)/θ and cos(θ/2)
     let q = 0.25 * square;
-    let sine = 0.5 * (1.0 - q / 6.0 * (1.0 - q / 20.0 * (1.0 - q / 42.0 * (1.0 - q / 72.0))));
-    let cosine = 1.0 - 0.5 * q * (1.0 - q / 12.0 * (1.0 - q / 30.0 * (1.0 - q / 56.0)));
+    let [s3, s5, s7, s9] = SINE_SERIES;
+    let [c2, c4, c6, c8] = COSINE_SERIES;
+    let sine = 0.5 * (1.0 - q * s3 * (1.0 - q * s5 * (1.0 - q * s7 * (1.0 - q * s9))));
+    let cosine = 1.0 - q * c2 * (1.0 - q * c4 * (1.0 - q * c6 * (1.0 - q * c8)));
     let v = vector * sine;
     DQuat::from_xyzw(v.x, v.y, v.z, cosine)
 }
+
+/// Ratios of the terms of sin x / x and of cos x.
+pub(super) const SINE_SERIES: [f64; 4] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0];
+pub(super) const COSINE_SERIES: [f64; 4] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0];
 
 /// The bodies of a stack as drawn, at rest.
 pub(super) fn bodies_of(stack: &Stack) -> Vec<RigidBody> {

@@ -4,6 +4,7 @@ mod assembly;
 mod bodies;
 mod calibrate;
 mod contact_points;
+mod ensemble;
 mod error;
 mod faces;
 mod frequencies;
@@ -21,6 +22,7 @@ mod support;
 
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};
+pub use ensemble::{StackRun, simulate_springs_many};
 pub use error::BlocksError;
 pub use frequencies::{StackMode, first_sway, stack_modes};
 pub use history::{Energy, JointHistory, Outcome, Pose, StackHistory};

@@ -26,7 +26,8 @@ struct Watch {
     upper: usize,
     origin: DVec3,
     axes: DMat3,
-    corners: Vec<DVec3>,
+    /// Corners of the patch along the first two axes, from the origin, m.
+    corners: Vec<[f64; 2]>,
     /// Slip and yaw after settlement.
     settled: [f64; 3],
     /// Largest gap at a corner after settlement, m.
@@ -45,15 +46,12 @@ impl Watch {
     fn of(joint: &Joint, bodies: &[RigidBody]) -> Self {
         let axes = DMat3::from_cols_array_2d(&joint.axes);
         let origin = DVec3::from(joint.origin_m);
-        let corners = joint.patch.corners_m.iter();
         let mut watch = Watch {
             lower: index_of(joint.lower),
             upper: joint.upper + 1,
             origin,
             axes,
-            corners: corners
-                .map(|c| origin + axes.x_axis * c[0] + axes.y_axis * c[1])
-                .collect(),
+            corners: joint.patch.corners_m.clone(),
             settled: [0.0; 3],
             settled_opening: 0.0,
         };
@@ -65,8 +63,9 @@ impl Watch {
 
     /// Width of the patch as drawn along a direction in its plane, m.
     fn width_along(&self, direction: [f64; 2]) -> f64 {
-        let along = (self.axes.x_axis * direction[0] + self.axes.y_axis * direction[1]).normalize_or_zero();
-        let places = self.corners.iter().map(|corner| corner.dot(along));
+        let length = direction[0].hypot(direction[1]).max(f64::MIN_POSITIVE);
+        let along = |corner: &[f64; 2]| (corner[0] * direction[0] + corner[1] * direction[1]) / length;
+        let places = self.corners.iter().map(along);
         let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
             (low.min(place), high.max(place))
         });
@@ -76,14 +75,11 @@ impl Watch {
     fn see(&self, bodies: &[RigidBody]) -> Seen {
         let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
         let from_ground = self.axes.transpose() * lower.rotation.transpose();
-        let shift = |drawn: DVec3| from_ground * (upper.now(drawn) - lower.now(drawn));
-        let opening = self
-            .corners
-            .iter()
-            .map(|corner| shift(*corner).z)
-            .fold(0.0, f64::max);
-        let middle = shift(self.origin);
+        let middle = from_ground * (upper.now(self.origin) - lower.now(self.origin));
         let turn = from_ground * upper.rotation * self.axes;
+        // a corner at (a, b) has shifted by middle + (turn − 1) (a, b, 0)
+        let gap = |[a, b]: &[f64; 2]| middle.z + (turn.x_axis.z * a + turn.y_axis.z * b);
+        let opening = self.corners.iter().map(gap).fold(0.0, f64::max);
         let yaw = (turn.x_axis.y - turn.y_axis.x).atan2(turn.x_axis.x + turn.y_axis.y);
         Seen {
             opening: (opening - self.settled_opening).max(0.0),
@@ -182,11 +178,28 @@ impl Observer {
     }
 
     /// Adds what a step put in, what its contacts did, and what friction took, J.
-    pub(super) fn count(&mut self, input: f64, contact: f64, forces: &Forces) {
+    pub(super) fn count(&mut self, [input, contact, friction]: [f64; 3]) {
         self.input += input;
         self.contact += contact;
-        self.friction += forces.friction_loss;
+        self.friction += friction;
         self.history.steps += 1;
+    }
+
+    /// Sets what all steps so far put in, what their contacts did, and what friction took, J.
+    pub(super) fn set_counts(&mut self, [input, contact, friction]: [f64; 3], steps: usize) {
+        (self.input, self.contact, self.friction) = (input, contact, friction);
+        self.history.steps = steps;
+    }
+
+    /// Whether a step that it wants is a sample.
+    pub(super) fn samples(&self, step: usize) -> bool {
+        step.is_multiple_of(self.sample_every)
+    }
+
+    /// The next step it wants, after `step`.
+    pub(super) fn next_wanted(&self, step: usize) -> usize {
+        let looks_done = step * self.looks / self.sample_every;
+        ((looks_done + 1) * self.sample_every).div_ceil(self.looks)
     }
 
     /// Looks at time t: places of t, velocities of t − h/2 (at the start those of 0) with the accelerations that carry them
@@ -199,7 +212,7 @@ impl Observer {
         shaking: DVec3,
         [time_s, kick]: [f64; 2],
     ) {
-        let sampled = self.history.steps.is_multiple_of(self.sample_every);
+        let sampled = self.samples(self.history.steps);
         for (watch, joint) in self.watches.iter().zip(&mut self.history.joints) {
             let seen = watch.see(&assembly.bodies);
             joint.peak_opening_m = joint.peak_opening_m.max(seen.opening);

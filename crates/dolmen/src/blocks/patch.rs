@@ -19,7 +19,7 @@ use wide::f64x4;
 /// Points worked on together, so that the compiler uses vector instructions.
 pub(super) const LANES: usize = 4;
 /// Against division by zero in a still contact, m: far below any penetration. Chosen here.
-const TINY: f64 = 1e-300;
+pub(super) const TINY: f64 = 1e-300;
 
 /// Four points with their memory.
 #[derive(Clone, Copy, Debug, Default)]
@@ -82,7 +82,7 @@ impl Law {
         }
     }
 
-    fn bonds(&self) -> bool {
+    pub(super) fn bonds(&self) -> bool {
         self.cohesion > 0.0 || self.tension > 0.0
     }
 }
@@ -297,7 +297,7 @@ impl Patch {
 ///
 /// ```text
 /// penetration   δ = −y_z (0 as drawn),   its mean over the step while it moves at v: δ̄ = ∫ max(δ + v τ, 0) dτ / h, and the
-///               part of the step in contact, φ: the moment of impact is found inside the step
+///               part of the step in contact, φ: the moment of impact is found inside the step; τ from −h/2 to h/2
 /// pressure      N = a (k_n δ̄ + φ c_n v), not below 0, or −a × tension while bonded
 /// spring        E = a k_s u in contact, cut to the disc |E| ≤ μN (+ a × cohesion while bonded); where it is cut its anchor
 ///               moves, and what the spring loses is the work of friction
@@ -340,15 +340,22 @@ fn press<const BOND: bool, const HELD: bool>(
         let closing = -(wz + (ox * y - oy * x));
         let depth = if HELD { -(z + f64x4::new(group.held)) } else { -z };
         let half = closing.abs() * half_step;
-        if !BOND && !(depth + half).simd_gt(zero).any() {
+        let deepest = depth + half;
+        let mut touches = deepest.simd_gt(zero);
+        if !BOND && !touches.any() {
             (group.anchor_x, group.anchor_y) = (x.to_array(), y.to_array()); // all open
+            group.friction = [law.friction_static; LANES];
             continue;
         }
-        let into = (depth + half).fast_max(zero).fast_min(half + half);
-        let per_way = one / (half + half + tiny);
-        let mut mean = into * into * per_way * all(0.5) + (depth - half).fast_max(zero);
-        let mut part = depth.simd_ge(half).select(one, into * per_way);
-        let mut touches = part.simd_gt(zero);
+        let whole = depth.simd_ge(half);
+        let (mut mean, mut part) = (whole & depth, whole & one);
+        let meets = touches & !whole;
+        if meets.any() {
+            let (into, way) = (deepest.fast_max(zero), half + half + tiny);
+            let inside = into / way;
+            mean = meets.select(all(0.5) * into * inside, mean);
+            part = meets.select(inside, part);
+        }
         let bond = f64x4::new(group.bond);
         let mut holds = zero;
         if BOND {
@@ -380,8 +387,11 @@ fn press<const BOND: bool, const HELD: bool>(
         let square = limit * limit;
         let size = ex * ex + ey * ey;
         let slips = size.simd_gt(square);
-        let keep = slips.select(limit / size.sqrt(), one);
-        let (fx, fy) = (ex * keep, ey * keep);
+        let (mut fx, mut fy) = (ex, ey);
+        if slips.any() {
+            let keep = slips.select(limit / size.sqrt(), one);
+            (fx, fy) = (ex * keep, ey * keep);
+        }
         let give = f64x4::new(group.give);
         let moves = slips | !touches;
         let anchor_x = moves.select(x - fx * give, before_x);
@@ -389,10 +399,13 @@ fn press<const BOND: bool, const HELD: bool>(
         // the work of the force that is left: what the step overshot beyond it never acts on the stones
         let rubbed = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
         let drag = touches & (area * cs);
-        let (tx, ty) = (fx + drag * vx, fy + drag * vy);
+        let (mut tx, mut ty) = (fx + drag * vx, fy + drag * vy);
         let size = tx * tx + ty * ty;
-        let keep = size.simd_gt(square).select(limit / size.sqrt(), one);
-        let (tx, ty) = (tx * keep, ty * keep);
+        let over = size.simd_gt(square);
+        if over.any() {
+            let keep = over.select(limit / size.sqrt(), one);
+            (tx, ty) = (tx * keep, ty * keep);
+        }
 
         (group.anchor_x, group.anchor_y) = (anchor_x.to_array(), anchor_y.to_array());
         group.friction = slips

@@ -165,21 +165,67 @@ pub fn simulate_springs(
     options: &Springs,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
-    options.check()?;
-    let mut assembly = Assembly::of(stack, options.contact_rule);
-    settle(&mut assembly, stack)?;
-    let longest = longest_step(&assembly);
-    if let Some(given) = options.time_step_s.filter(|given| *given > longest) {
-        return Err(BlocksError::StepTooLarge { given, most: longest });
+    let settled = Settled::of(stack, options)?;
+    let mut attempt = Attempt::first(&settled);
+    loop {
+        let mut run = Run::new(stack, &settled, motion, options, attempt.h)?;
+        let mut forces = Forces::default();
+        while run.advance(&mut forces, progress) {}
+        match attempt.judge(run.finish(), options) {
+            Ok(history) => return Ok(history),
+            Err(again) => attempt = again,
+        }
     }
-    // a whole number of steps a sample
-    let mut h = options.time_step_s.unwrap_or(
-        options.output_step_s / whole_at_least(options.output_step_s / (STEP_PART * longest)) as f64,
-    );
-    for halvings in 0..=HALVINGS_MOST {
-        let mut history = run(stack, &assembly, motion, options, [h, longest], progress)?;
+}
+
+/// A stack at rest under its own weight, with the step to take.
+#[derive(Clone, Debug)]
+pub(super) struct Settled {
+    pub(super) assembly: Assembly,
+    /// The step to begin with, s.
+    h: f64,
+    /// The longest stable step, s.
+    longest: f64,
+}
+
+impl Settled {
+    /// # Errors
+    /// As [`simulate_springs`], but for its starts.
+    pub(super) fn of(stack: &Stack, options: &Springs) -> Result<Self, BlocksError> {
+        options.check()?;
+        let mut assembly = Assembly::of(stack, options.contact_rule);
+        settle(&mut assembly, stack)?;
+        let longest = longest_step(&assembly);
+        if let Some(given) = options.time_step_s.filter(|given| *given > longest) {
+            return Err(BlocksError::StepTooLarge { given, most: longest });
+        }
+        // a whole number of steps a sample
+        let h = options.time_step_s.unwrap_or(
+            options.output_step_s / whole_at_least(options.output_step_s / (STEP_PART * longest)) as f64,
+        );
+        Ok(Settled { assembly, h, longest })
+    }
+}
+
+/// One of the runs at steps that are halved until contacts make no energy.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Attempt {
+    pub(super) h: f64,
+    halvings: usize,
+}
+
+impl Attempt {
+    pub(super) fn first(settled: &Settled) -> Self {
+        Attempt {
+            h: settled.h,
+            halvings: 0,
+        }
+    }
+
+    /// The history if it can be used or no other would be better, else the attempt to make next.
+    pub(super) fn judge(self, mut history: StackHistory, options: &Springs) -> Result<StackHistory, Attempt> {
         let made = history.energy_made_ratio();
-        let last = halvings == HALVINGS_MOST || options.time_step_s.is_some();
+        let last = self.halvings == HALVINGS_MOST || options.time_step_s.is_some();
         if made > MADE_UNUSABLE && last {
             let at_s = history.time_s.last().copied().unwrap_or_default();
             history.outcome = Outcome::Diverged { at_s };
@@ -187,70 +233,125 @@ pub fn simulate_springs(
         if made <= MADE_MOST || last || matches!(history.outcome, Outcome::Stopped { .. }) {
             return Ok(history);
         }
-        h *= 0.5;
+        Err(Attempt {
+            h: 0.5 * self.h,
+            halvings: self.halvings + 1,
+        })
     }
-    Err(BlocksError::StepTooLarge {
-        given: h,
-        most: longest,
-    }) // not reached: the last halving returns
 }
 
-/// One run from rest at one step; `steps` are the one to take and the longest stable one, s.
-fn run(
-    stack: &Stack,
-    settled: &Assembly,
-    motion: Option<&GroundMotion>,
-    options: &Springs,
-    [h, longest]: [f64; 2],
-    progress: &mut dyn FnMut(f64) -> bool,
-) -> Result<StackHistory, BlocksError> {
-    let mut assembly = settled.clone();
-    let mut observer = Observer::new(stack, &assembly, options, h);
-    for start in &options.starts {
-        push(&mut assembly, start)?;
+/// One run from rest at one step.
+pub(super) struct Run<'a> {
+    pub(super) assembly: Assembly,
+    pub(super) observer: Observer,
+    motion: Option<&'a GroundMotion>,
+    after_fall: AfterFall,
+    /// Step, and the longest stable one, s.
+    pub(super) h: f64,
+    longest: f64,
+    /// Steps done, and to do.
+    pub(super) step: usize,
+    pub(super) steps: usize,
+    acceleration: Vec<DVec3>,
+}
+
+impl<'a> Run<'a> {
+    /// # Errors
+    /// [`BlocksError`] for a start of a block that is not there.
+    pub(super) fn new(
+        stack: &Stack,
+        settled: &Settled,
+        motion: Option<&'a GroundMotion>,
+        options: &Springs,
+        h: f64,
+    ) -> Result<Self, BlocksError> {
+        let mut assembly = settled.assembly.clone();
+        let observer = Observer::new(stack, &assembly, options, h);
+        for start in &options.starts {
+            push(&mut assembly, start)?;
+        }
+        let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
+        let duration_s = options.duration_s.unwrap_or(shaken_s + options.rest_s);
+        Ok(Run {
+            acceleration: vec![DVec3::ZERO; assembly.bodies.len()],
+            assembly,
+            observer,
+            motion,
+            after_fall: options.after_fall,
+            h,
+            longest: settled.longest,
+            step: 0,
+            steps: whole_at_least(duration_s / h),
+        })
     }
-    let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
-    let duration_s = options.duration_s.unwrap_or(shaken_s + options.rest_s);
-    let steps = whole_at_least(duration_s / h);
-    let gravity = DVec3::new(0.0, 0.0, -assembly.gravity);
-    let mut forces = Forces::default();
-    let mut acceleration = vec![DVec3::ZERO; assembly.bodies.len()];
-    for step in 0..=steps {
-        let time_s = step as f64 * h;
-        assembly.look();
-        assembly.forces(h, &mut forces);
-        let shaking = match motion {
-            Some(motion) => DVec3::from(motion.acceleration_at_m_s2(time_s)),
-            None => DVec3::ZERO,
-        };
-        let inertia = gravity - shaking;
-        for (index, body) in assembly.bodies.iter().enumerate().skip(1) {
-            acceleration[index] = forces.force[index] * body.inverse_mass + inertia;
+
+    pub(super) fn time_s(&self) -> f64 {
+        self.step as f64 * self.h
+    }
+
+    /// Acceleration of the ground at the present step, m/s².
+    pub(super) fn shaking(&self) -> DVec3 {
+        self.motion.map_or(DVec3::ZERO, |motion| {
+            DVec3::from(motion.acceleration_at_m_s2(self.time_s()))
+        })
+    }
+
+    /// Length of the kick from the velocities there are: those of t − h/2, at the start those of 0.
+    pub(super) fn kick(&self) -> f64 {
+        if self.step == 0 { 0.5 * self.h } else { self.h }
+    }
+
+    /// Lets the observer look, if it wants, at the forces of the present step; false if the run is over.
+    pub(super) fn look(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
+        if !self.observer.wants(self.step) {
+            return true;
         }
-        // velocities are those of t − h/2, at the start those of 0
-        let kick = if step == 0 { 0.5 * h } else { h };
-        if observer.wants(step) {
-            observer.look(&assembly, &acceleration, &forces, shaking, [time_s, kick]);
-            if observer.ended(options.after_fall) {
-                break;
-            }
-            if !progress(time_s) {
-                observer.stop(time_s);
-                break;
-            }
+        let (shaking, time_s) = (self.shaking(), self.time_s());
+        let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;
+        for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {
+            self.acceleration[index] = forces.force[index] * body.inverse_mass + inertia;
         }
+        let times = [time_s, self.kick()];
+        self.observer
+            .look(&self.assembly, &self.acceleration, forces, shaking, times);
+        if self.observer.ended(self.after_fall) {
+            return false;
+        }
+        if !progress(time_s) {
+            self.observer.stop(time_s);
+            return false;
+        }
+        true
+    }
+
+    /// One step; false if the run is over.
+    fn advance(&mut self, forces: &mut Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
+        let h = self.h;
+        self.assembly.look();
+        self.assembly.forces(h, forces);
+        if !self.look(forces, progress) {
+            return false;
+        }
+        let (shaking, kick) = (self.shaking(), self.kick());
+        let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;
         let (mut input, mut contact) = (0.0, 0.0);
-        for (index, body) in assembly.bodies.iter_mut().enumerate().skip(1) {
+        for (index, body) in self.assembly.bodies.iter_mut().enumerate().skip(1) {
             let (force, torque) = (forces.force[index], forces.torque[index]);
             let (velocity, spin) = (body.velocity, body.spin);
-            body.step(acceleration[index], torque, kick, h);
+            body.step(force * body.inverse_mass + inertia, torque, kick, h);
             let (velocity, spin) = (velocity + body.velocity, spin + body.spin);
             input -= body.mass * shaking.dot(velocity);
             contact += force.dot(velocity) + torque.dot(spin);
         }
-        observer.count(0.5 * kick * input, 0.5 * kick * contact, &forces);
+        let work = [0.5 * kick * input, 0.5 * kick * contact, forces.friction_loss];
+        self.observer.count(work);
+        self.step += 1;
+        self.step <= self.steps
     }
-    Ok(observer.finish(&assembly, [h, longest]))
+
+    pub(super) fn finish(self) -> StackHistory {
+        self.observer.finish(&self.assembly, [self.h, self.longest])
+    }
 }
 
 fn push(assembly: &mut Assembly, start: &Start) -> Result<(), BlocksError> {

@@ -1,0 +1,351 @@
+//! The runs that go side by side, step by step.
+
+use super::super::assembly::Forces;
+use super::bodies::BodyLanes;
+use super::joints::{JointLanes, Place};
+use super::lanes::{Mask, Real, Vector};
+use super::{Each, Queue, Ride};
+use glam::DVec3;
+use pulp::Simd;
+
+/// Runs of one number of bodies, each in its lane.
+pub(super) struct Herd<'a, S: Simd> {
+    rides: Vec<Option<Ride<'a>>>,
+    bodies: Vec<BodyLanes<S>>,
+    joints: Vec<JointLanes<S>>,
+    h: Real<S>,
+    kick: Real<S>,
+    gravity: Vector<S>,
+    shaking: Vector<S>,
+    slack: Real<S>,
+    /// What the steps so far put in, what contacts did, what friction took, J.
+    counts: [Real<S>; 3],
+    /// What friction took in the present step, J.
+    friction: Real<S>,
+    /// Whether a lane has become free.
+    freed: bool,
+    /// Of each lane the next step at which it is looked at, or after which it is over.
+    due: Vec<usize>,
+    /// Of each lane whether its patches have their places.
+    placed: Vec<bool>,
+    forces: Forces,
+}
+
+impl<'a, S: Simd> Herd<'a, S> {
+    /// With the first run in the first lane.
+    pub(super) fn new(simd: S, first: Ride<'a>) -> Self {
+        let zero = Real::all(simd, 0.0);
+        let nowhere = Vector::all(simd, DVec3::ZERO);
+        // the ground in every lane, so that lanes without a run have one thing that moves nowhere
+        let ground = &first.run.assembly.bodies[0];
+        let bodies = first.run.assembly.bodies.iter();
+        let mut herd = Herd {
+            rides: (0..S::F64_LANES).map(|_| None).collect(),
+            bodies: bodies.map(|_| BodyLanes::all(simd, ground)).collect(),
+            joints: Vec::new(),
+            h: zero,
+            kick: zero,
+            gravity: nowhere,
+            shaking: nowhere,
+            slack: Real::all(simd, f64::INFINITY),
+            counts: [zero; 3],
+            friction: zero,
+            freed: false,
+            due: vec![usize::MAX; S::F64_LANES],
+            placed: vec![true; S::F64_LANES],
+            forces: Forces::default(),
+        };
+        herd.seat(0, first);
+        herd
+    }
+
+    /// Runs all to their ends.
+    #[inline(always)]
+    pub(super) fn drive(mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+        self.fill(queue, each);
+        let mut drifted = self.h.above(self.h);
+        while self.rides.iter().any(Option::is_some) && !queue.stopped {
+            self.attend(drifted);
+            drifted = self.press();
+            self.look(queue, each);
+            self.step();
+            self.turn_over(queue, each);
+        }
+    }
+
+    /// Gives a run a lane.
+    fn seat(&mut self, lane: usize, ride: Ride<'a>) {
+        let run = &ride.run;
+        for (body, of_run) in self.bodies.iter_mut().zip(&run.assembly.bodies) {
+            body.load(lane, of_run);
+        }
+        self.h.set(lane, run.h);
+        self.kick.set(lane, run.kick());
+        self.gravity
+            .set(lane, DVec3::new(0.0, 0.0, -run.assembly.gravity));
+        self.slack.set(lane, run.assembly.slack());
+        for count in &mut self.counts {
+            count.set(lane, 0.0);
+        }
+        self.due[lane] = 0;
+        self.rides[lane] = Some(ride);
+        self.load_patches(lane);
+    }
+
+    /// Empties a lane; its bodies and patches stay without effect.
+    fn leave(&mut self, lane: usize) -> Option<Ride<'a>> {
+        let ride = self.rides[lane].take()?;
+        let ground = &ride.run.assembly.bodies[0];
+        for body in &mut self.bodies {
+            body.load(lane, ground);
+        }
+        self.slack.set(lane, f64::INFINITY);
+        self.gravity.set(lane, DVec3::ZERO);
+        self.due[lane] = usize::MAX;
+        self.placed[lane] = true;
+        for joint in &mut self.joints {
+            joint.clear(lane);
+        }
+        Some(ride)
+    }
+
+    /// Looks again at pairs of runs in which some have moved too far.
+    #[inline(always)]
+    fn attend(&mut self, drifted: Mask<S>) {
+        let mut farthest = Real::all(self.h.0, 0.0);
+        for body in &self.bodies {
+            farthest = farthest.max(body.travel);
+        }
+        let calls = (farthest + farthest).at_least(self.slack) | drifted;
+        if calls.any() {
+            self.look_at_pairs(&calls.ones());
+        }
+    }
+
+    #[inline(never)]
+    fn look_at_pairs(&mut self, calls: &Real<S>) {
+        for lane in 0..S::F64_LANES {
+            if calls.get(lane) == 0.0 || self.rides[lane].is_none() {
+                continue;
+            }
+            self.write_back(lane, true);
+            let Some(ride) = &mut self.rides[lane] else {
+                continue;
+            };
+            let assembly = &mut ride.run.assembly;
+            for joint in &self.joints {
+                if joint.drifted.get(lane) != 0.0 {
+                    assembly.set_stale(joint.place.pair);
+                }
+            }
+            assembly.look();
+            self.slack.set(lane, assembly.slack());
+            for (body, of_run) in self.bodies.iter_mut().zip(&assembly.bodies) {
+                body.travel.set(lane, of_run.travel);
+            }
+            self.load_patches(lane);
+        }
+        self.lay_out();
+    }
+
+    /// Writes a lane back to its run: its bodies, and what its patches remember.
+    fn write_back(&mut self, lane: usize, patches: bool) {
+        let Some(ride) = &mut self.rides[lane] else {
+            return;
+        };
+        let assembly = &mut ride.run.assembly;
+        for (body, of_run) in self.bodies.iter().zip(&mut assembly.bodies) {
+            body.unload(lane, of_run);
+        }
+        let placed = patches && self.placed[lane];
+        for joint in self.joints.iter().filter(|_| placed) {
+            if let Some(patch) = assembly.patch_mut(joint.place.pair)
+                && patch.plane_body == joint.place.plane_body
+            {
+                joint.unload(lane, patch);
+            }
+        }
+    }
+
+    /// Loads the patches of a lane, if all have a place with room enough.
+    fn load_patches(&mut self, lane: usize) {
+        let Some(ride) = &self.rides[lane] else {
+            return;
+        };
+        let mut contacts = ride.run.assembly.contacts().peekable();
+        for joint in &mut self.joints {
+            let here = contacts.next_if(|(pair, patch, ..)| {
+                *pair == joint.place.pair
+                    && patch.plane_body == joint.place.plane_body
+                    && patch.points.len() <= joint.place.groups
+            });
+            match here {
+                Some((_, patch, outline, most)) => joint.load(lane, patch, outline, most),
+                None => joint.clear(lane),
+            }
+        }
+        self.placed[lane] = contacts.next().is_none();
+    }
+
+    /// Makes places for the patches of all lanes, if one has none.
+    fn lay_out(&mut self) {
+        if self.placed.iter().all(|placed| *placed) {
+            return;
+        }
+        let mut places: Vec<Place> = Vec::new();
+        for lane in 0..S::F64_LANES {
+            self.write_back(lane, true);
+            let contacts = self.rides[lane].iter().flat_map(|ride| ride.run.assembly.contacts());
+            for (pair, patch, ..) in contacts {
+                let place = Place {
+                    pair,
+                    plane_body: patch.plane_body,
+                    point_body: patch.point_body,
+                    groups: patch.points.len(),
+                };
+                let same = |other: &&mut Place| {
+                    (other.pair, other.plane_body) == (place.pair, place.plane_body)
+                };
+                match places.iter_mut().find(same) {
+                    Some(other) => other.groups = other.groups.max(place.groups),
+                    None => places.push(place),
+                }
+            }
+        }
+        places.sort_by_key(|place| (place.pair, place.plane_body));
+        let simd = self.h.0;
+        self.joints = places.into_iter().map(|place| JointLanes::idle(simd, place)).collect();
+        for lane in 0..S::F64_LANES {
+            self.load_patches(lane);
+        }
+    }
+
+    /// The forces of all contacts; where a patch has drifted.
+    #[inline(always)]
+    fn press(&mut self) -> Mask<S> {
+        let zero = Real::all(self.h.0, 0.0);
+        let nowhere = Vector {
+            x: zero,
+            y: zero,
+            z: zero,
+        };
+        for body in &mut self.bodies {
+            body.force = nowhere;
+            body.torque = nowhere;
+        }
+        let half_step = Real::all(self.h.0, 0.5) * self.h;
+        let mut drifted = zero.above(zero);
+        let mut friction = zero;
+        for joint in &mut self.joints {
+            let (rubbed, far) = joint.press(&mut self.bodies, half_step);
+            friction = friction + rubbed;
+            drifted = drifted | far;
+        }
+        self.friction = friction;
+        for (lane, ride) in self.rides.iter().enumerate() {
+            if let Some(ride) = ride {
+                self.shaking.set(lane, ride.run.shaking());
+            }
+        }
+        drifted
+    }
+
+    /// Lets the observers of runs that are due look; those that are over leave.
+    #[inline(always)]
+    fn look(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+        for lane in 0..S::F64_LANES {
+            if self.rides[lane].as_ref().is_some_and(|ride| ride.run.step == self.due[lane]) {
+                self.look_at(lane, queue, each);
+            }
+        }
+    }
+
+    #[inline(never)]
+    fn look_at(&mut self, lane: usize, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+        let Some(ride) = &self.rides[lane] else {
+            return;
+        };
+        self.write_back(lane, ride.run.observer.samples(ride.run.step));
+        let Some(ride) = &mut self.rides[lane] else {
+            return;
+        };
+        let run = &mut ride.run;
+        run.observer
+            .set_counts(self.counts.map(|count| count.get(lane)), run.step);
+        let forces = &mut self.forces;
+        forces.force.clear();
+        forces.torque.clear();
+        for body in &self.bodies {
+            forces.force.push(body.force.get(lane));
+            forces.torque.push(body.torque.get(lane));
+        }
+        self.due[lane] = run.observer.next_wanted(run.step);
+        if !run.look(forces, &mut |_| true) {
+            self.write_back(lane, true);
+            self.end(lane, queue, each);
+        }
+    }
+
+    /// Velocities and places of all bodies.
+    #[inline(always)]
+    fn step(&mut self) {
+        let zero = Real::all(self.h.0, 0.0);
+        let inertia = self.gravity - self.shaking;
+        let (mut input, mut contact) = (zero, zero);
+        for body in self.bodies.iter_mut().skip(1) {
+            let (velocity, power) = body.step(inertia, self.kick, self.h);
+            input = input - body.mass * self.shaking.dot(velocity);
+            contact = contact + power;
+        }
+        let half_kick = Real::all(self.h.0, 0.5) * self.kick;
+        let work = [half_kick * input, half_kick * contact, self.friction];
+        for (count, work) in self.counts.iter_mut().zip(work) {
+            *count = *count + work;
+        }
+        self.kick = self.h;
+    }
+
+    /// Counts the step; runs that have done their last leave, and their lanes are filled.
+    #[inline(always)]
+    fn turn_over(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+        for lane in 0..S::F64_LANES {
+            let Some(ride) = &mut self.rides[lane] else {
+                continue;
+            };
+            ride.run.step += 1;
+            if ride.run.step > ride.run.steps {
+                self.write_back(lane, true);
+                self.end(lane, queue, each);
+            }
+        }
+        if self.freed {
+            self.fill(queue, each);
+        }
+    }
+
+    /// Ends the run of a lane: its result is handed on, or it starts again with a shorter step.
+    #[inline(never)]
+    fn end(&mut self, lane: usize, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+        let counts = self.counts.map(|count| count.get(lane));
+        if let Some(mut ride) = self.leave(lane) {
+            let steps = ride.run.step;
+            ride.run.observer.set_counts(counts, steps);
+            queue.end(ride, each);
+            self.freed = true;
+        }
+    }
+
+    #[inline(never)]
+    fn fill(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+        self.freed = false;
+        for lane in 0..S::F64_LANES {
+            if self.rides[lane].is_some() {
+                continue;
+            }
+            if let Some(ride) = queue.next(each) {
+                self.seat(lane, ride);
+            }
+        }
+        self.lay_out();
+    }
+}

@@ -1,0 +1,334 @@
+//! Many runs at once: a run a lane of the machine's vectors, with the bits of each as if it ran alone.
+//!
+//! Lanes share the steps of bodies and contacts. Looks at patches and at peaks are those of a single run: the lane is written
+//! back to its [`Run`] for them. A lane whose run is over takes the next.
+
+mod bodies;
+mod herd;
+mod joints;
+mod lanes;
+
+use super::error::BlocksError;
+use super::history::StackHistory;
+use super::springs::{Attempt, Run, Settled, Springs, simulate_springs};
+use crate::signal::GroundMotion;
+use crate::structure::stack::Stack;
+use herd::Herd;
+use pulp::{Arch, Simd, WithSimd};
+use std::collections::VecDeque;
+
+/// One of many runs: the arguments of [`simulate_springs`].
+#[derive(Clone, Copy, Debug)]
+pub struct StackRun<'a> {
+    /// The stack; runs that share one share its settlement.
+    pub stack: &'a Stack,
+    /// The motion of its ground.
+    pub motion: Option<&'a GroundMotion>,
+    /// The options.
+    pub options: &'a Springs,
+}
+
+/// Runs of one number of bodies that wait for a lane.
+struct Queue<'a> {
+    waiting: VecDeque<(usize, StackRun<'a>)>,
+    /// Runs that start again with a shorter step.
+    again: Vec<Ride<'a>>,
+    settled: Option<(StackRun<'a>, Settled)>,
+    stopped: bool,
+}
+
+/// A run on its way, with its index and the attempt it is at.
+struct Ride<'a> {
+    index: usize,
+    given: StackRun<'a>,
+    settled: Settled,
+    attempt: Attempt,
+    run: Run<'a>,
+}
+
+/// Takes results as they come: the run's index, its history or error. False to stop.
+type Each<'e> = dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool + 'e;
+
+/// Simulates many stacks; `each` gets the index of a run and what [`simulate_springs`] would give for it, bit for bit, in
+/// the order in which runs end, and stops all by returning false.
+///
+/// Runs of stacks with the same number of blocks go side by side, as many as the machine's vectors hold (8 with AVX-512,
+/// 4 with AVX2). Ties, side supports and bonded joints go one after another. Memory is that of the runs under way. For more
+/// than one thread give each a share of the runs: results do not depend on the shares.
+///
+/// # Example
+/// ```
+/// use dolmen::blocks::{Springs, StackRun, simulate_springs, simulate_springs_many};
+/// use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack};
+/// let stone = |size| Ok::<_, Box<dyn std::error::Error>>(Block {
+///     name: "stone".into(),
+///     solid: Solid::cuboid(size, 0.2, 0.1)?,
+///     density_kg_m3: 2600.0,
+/// });
+/// let options = Springs { duration_s: Some(0.1), ..Springs::default() };
+/// let stacks = [0.2, 0.3, 0.4].map(|size| Stack::new(vec![stone(size)?], JointMaterial::default(), 9.81).map_err(Box::<dyn std::error::Error>::from));
+/// let stacks = stacks.into_iter().collect::<Result<Vec<_>, _>>()?;
+/// let runs: Vec<StackRun> = stacks.iter().map(|stack| StackRun { stack, motion: None, options: &options }).collect();
+/// let mut same = 0;
+/// simulate_springs_many(&runs, &mut |index, history| {
+///     same += usize::from(history == simulate_springs(&stacks[index], None, &options, &mut |_| true));
+///     true
+/// });
+/// assert_eq!(same, 3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn simulate_springs_many(
+    runs: &[StackRun<'_>],
+    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool,
+) {
+    simulate_on(Arch::new(), runs, each);
+}
+
+/// The same with the vectors of a given machine.
+fn simulate_on(arch: Arch, runs: &[StackRun<'_>], each: &mut Each<'_>) {
+    let mut sizes: Vec<usize> = runs.iter().map(|run| run.stack.blocks().len()).collect();
+    sizes.sort_unstable();
+    sizes.dedup();
+    for size in sizes {
+        let of_size = |(_, run): &(usize, StackRun<'_>)| run.stack.blocks().len() == size;
+        let waiting = runs.iter().copied().enumerate().filter(of_size).collect();
+        let mut queue = Queue {
+            waiting,
+            again: Vec::new(),
+            settled: None,
+            stopped: false,
+        };
+        arch.dispatch(Together {
+            queue: &mut queue,
+            each,
+        });
+        if queue.stopped {
+            return;
+        }
+    }
+}
+
+struct Together<'t, 'a, 'e> {
+    queue: &'t mut Queue<'a>,
+    each: &'t mut Each<'e>,
+}
+
+impl WithSimd for Together<'_, '_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        if let Some(first) = self.queue.next(self.each) {
+            Herd::new(simd, first).drive(self.queue, self.each);
+        }
+    }
+}
+
+impl<'a> Queue<'a> {
+    /// The next run that goes side by side with others; those that do not, and those that can't start, are done at once.
+    /// `None` when there is none left.
+    fn next(&mut self, each: &mut Each<'_>) -> Option<Ride<'a>> {
+        while !self.stopped {
+            if let Some(ride) = self.again.pop() {
+                return Some(ride);
+            }
+            let (index, given) = self.waiting.pop_front()?;
+            let StackRun { stack, motion, options } = given;
+            match self.start(index, given) {
+                Ok(ride) if ride.run.assembly.only_dry_patches() => return Some(ride),
+                Ok(_) => self.tell(index, simulate_springs(stack, motion, options, &mut |_| true), each),
+                Err(error) => self.tell(index, Err(error), each),
+            }
+        }
+        None
+    }
+
+    fn tell(&mut self, index: usize, result: Result<StackHistory, BlocksError>, each: &mut Each<'_>) {
+        if !self.stopped {
+            self.stopped = !each(index, result);
+        }
+    }
+
+    /// Hands the history of a run on, or has it start again with a shorter step.
+    fn end(&mut self, ride: Ride<'a>, each: &mut Each<'_>) {
+        let StackRun { stack, motion, options } = ride.given;
+        let attempt = match ride.attempt.judge(ride.run.finish(), options) {
+            Ok(history) => return self.tell(ride.index, Ok(history), each),
+            Err(again) => again,
+        };
+        match Run::new(stack, &ride.settled, motion, options, attempt.h) {
+            Ok(run) => self.again.push(Ride { attempt, run, ..ride }),
+            Err(error) => self.tell(ride.index, Err(error), each),
+        }
+    }
+
+    fn start(&mut self, index: usize, given: StackRun<'a>) -> Result<Ride<'a>, BlocksError> {
+        let StackRun { stack, motion, options } = given;
+        let same = |(of, _): &&(StackRun<'_>, Settled)| {
+            std::ptr::eq(of.stack, stack) && std::ptr::eq(of.options, options)
+        };
+        let settled = match self.settled.as_ref().filter(same) {
+            Some((_, settled)) => settled.clone(),
+            None => Settled::of(stack, options)?,
+        };
+        let attempt = Attempt::first(&settled);
+        let run = Run::new(stack, &settled, motion, options, attempt.h)?;
+        self.settled = Some((given, settled.clone()));
+        Ok(Ride {
+            index,
+            given,
+            settled,
+            attempt,
+            run,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::{AfterFall, ContactRule, Outcome, Start};
+    use crate::signal::Component;
+    use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
+
+    fn archs() -> Vec<Arch> {
+        #[allow(unused_mut, reason = "other machines have one")]
+        let mut archs = vec![Arch::Scalar];
+        #[cfg(target_arch = "x86_64")]
+        {
+            archs.extend(pulp::x86::V3::try_new().map(Arch::V3));
+            archs.extend(pulp::x86::V4::try_new().map(Arch::V4));
+        }
+        archs
+    }
+
+    fn pile(sizes: &[[f64; 3]], friction: f64, turn: f64) -> Stack {
+        let mut z = 0.0;
+        let blocks = sizes.iter().enumerate().map(|(i, &[x, y, height])| {
+            let place = Placement {
+                position_m: [0.01 * i as f64, 0.0, z],
+                yaw_rad: turn * i as f64,
+                ..Placement::default()
+            };
+            z += height;
+            Block {
+                name: format!("stone {}", i + 1),
+                solid: Solid::cuboid(x, y, height).unwrap().placed(&place),
+                density_kg_m3: 2600.0,
+            }
+        });
+        let material = JointMaterial {
+            friction_kinetic: 0.8 * friction,
+            ..JointMaterial::with_friction(friction)
+        };
+        Stack::new(blocks.collect(), material, 9.81).unwrap()
+    }
+
+    fn shaking(peak_m_s2: f64, seed: f64) -> GroundMotion {
+        let wave = |frequency: f64| -> Vec<f64> {
+            let sample = |i: u32| {
+                let t = 0.01 * f64::from(i);
+                peak_m_s2 * (frequency * t).sin() * (0.7 * (seed + 1.3 * frequency) * t).cos()
+            };
+            (0..200).map(sample).collect()
+        };
+        let series = [(Component::X, 9.0), (Component::Y, 13.0), (Component::Z, 31.0)];
+        let series = series.map(|(component, frequency)| (component, wave(frequency)));
+        GroundMotion::new("waves", 0.01, series.to_vec()).unwrap()
+    }
+
+    #[test]
+    fn holds_each_run_has_the_bits_it_has_alone_on_any_vectors() {
+        let stacks = [
+            pile(&[[0.5, 0.4, 0.3], [0.3, 0.3, 0.5]], 0.6, 0.0),
+            pile(&[[0.5, 0.4, 0.3], [0.6, 0.5, 0.1], [0.2, 0.2, 0.6]], 0.5, 0.3),
+            pile(&[[0.4, 0.4, 0.3], [0.4, 0.4, 0.3], [0.4, 0.4, 0.3]], 0.15, 0.1),
+        ];
+        let options = [
+            Springs {
+                rest_s: 0.5,
+                ..Springs::default()
+            },
+            Springs {
+                contact_rule: ContactRule::Corners,
+                after_fall: AfterFall::Continue,
+                rest_s: 0.2,
+                output_step_s: 0.03,
+                starts: vec![Start {
+                    spin_rad_s: [0.0, 0.0, 2.0],
+                    velocity_m_s: [0.1, 0.0, 0.3],
+                    ..Start::of(1)
+                }],
+                ..Springs::default()
+            },
+        ];
+        let motions: Vec<GroundMotion> = (0..7_u8)
+            .map(|i| shaking(1.0 + 1.5 * f64::from(i), 0.37 * f64::from(i)))
+            .collect();
+        let mut runs = Vec::new();
+        for stack in &stacks {
+            for options in &options {
+                for motion in &motions {
+                    runs.push(StackRun {
+                        stack,
+                        motion: Some(motion),
+                        options,
+                    });
+                }
+            }
+        }
+        let alone: Vec<_> = runs
+            .iter()
+            .map(|run| simulate_springs(run.stack, run.motion, run.options, &mut |_| true))
+            .collect();
+        let count = |wanted: fn(&Outcome) -> bool| {
+            alone.iter().filter(|h| h.as_ref().is_ok_and(|h| wanted(&h.outcome))).count()
+        };
+        assert!(count(|o| matches!(o, Outcome::Fell { .. })) > 3);
+        assert!(count(|o| matches!(o, Outcome::Uplifted { .. })) > 3);
+        for arch in archs() {
+            let mut seen = vec![false; runs.len()];
+            simulate_on(arch, &runs, &mut |index, history| {
+                assert!(!std::mem::replace(&mut seen[index], true), "{index} came twice");
+                if history != alone[index] {
+                    let (a, b) = (history.as_ref().unwrap(), alone[index].as_ref().unwrap());
+                    let first = a.poses.iter().zip(&b.poses).position(|(a, b)| a != b);
+                    panic!("{arch:?} {index}: {:?} {:?} from pose {first:?}", a.outcome, b.outcome);
+                }
+                true
+            });
+            assert!(seen.iter().all(|seen| *seen));
+        }
+    }
+
+    #[test]
+    fn holds_what_cannot_run_says_so_and_the_rest_runs() {
+        let good = pile(&[[0.5, 0.4, 0.3], [0.3, 0.3, 0.5]], 0.6, 0.0);
+        let short = Springs {
+            duration_s: Some(0.05),
+            ..Springs::default()
+        };
+        let wrong = Springs {
+            time_step_s: Some(1.0),
+            ..short.clone()
+        };
+        let run = |options| StackRun {
+            stack: &good,
+            motion: None,
+            options,
+        };
+        let mut results = Vec::new();
+        simulate_springs_many(&[run(&wrong), run(&short), run(&wrong), run(&short)], &mut |index, result| {
+            results.push((index, result.is_ok()));
+            true
+        });
+        results.sort_unstable();
+        assert_eq!(results, [(0, false), (1, true), (2, false), (3, true)]);
+        let mut count = 0;
+        simulate_springs_many(&[run(&short); 20], &mut |_, _| {
+            count += 1;
+            count < 3
+        });
+        assert_eq!(count, 3);
+    }
+}
