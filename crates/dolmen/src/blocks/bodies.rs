@@ -11,9 +11,6 @@
 use crate::structure::stack::Stack;
 use glam::{DMat3, DQuat, DVec3};
 
-/// Turn a step below which the axes at its start serve for all of it, rad: the error is its square. Chosen here.
-pub(super) const SMALL_TURN: f64 = 1e-5;
-
 /// Square of a turn a step up to which the series of its quaternion serves, rad²: 0.05 rad, where its error is below 1e-16.
 pub(super) const SERIES_MOST: f64 = 2.5e-3;
 
@@ -56,11 +53,6 @@ impl RigidBody {
         }
     }
 
-    /// R J⁻¹ Rᵀ L.
-    fn spin_of(&self, rotation: &DMat3) -> DVec3 {
-        *rotation * (self.inverse_inertia * (rotation.transpose() * self.momentum))
-    }
-
     /// Sets the angular velocity.
     pub(super) fn set_spin(&mut self, spin: DVec3) {
         self.momentum = self.rotation * (self.inertia * (self.rotation.transpose() * spin));
@@ -79,13 +71,11 @@ impl RigidBody {
     pub(super) fn step(&mut self, acceleration: DVec3, torque: DVec3, kick: f64, h: f64) {
         self.velocity += acceleration * kick;
         self.momentum += torque * kick;
-        let mut spin = self.spin_of(&self.rotation);
-        let turn = spin * h;
-        if turn.x.abs() + turn.y.abs() + turn.z.abs() > SMALL_TURN {
-            // axes at the middle of the step: second order
-            let middle = DMat3::from_quat((rotation_of(turn * 0.5) * self.turn).normalize());
-            spin = self.spin_of(&middle);
-        }
+        // in its own axes, where J is constant: L at the start of the step, ω at its middle, as a free body turns
+        let own = self.rotation.transpose() * self.momentum;
+        let start = self.inverse_inertia * own;
+        let middle = start + (self.inverse_inertia * own.cross(start)) * (0.5 * h);
+        let spin = self.rotation * middle;
         self.spin = spin;
         self.position += self.velocity * h;
         let turned = rotation_of(spin * h) * self.turn;
@@ -110,24 +100,23 @@ pub(super) fn rotation_of(vector: DVec3) -> DQuat {
     }
     // sin(θ/2)/θ and cos(θ/2)
     let q = 0.25 * square;
-    let [s3, s5, s7, s9] = SINE_SERIES;
-    let [c2, c4, c6, c8] = COSINE_SERIES;
-    let sine = 0.5 * (1.0 - q * s3 * (1.0 - q * s5 * (1.0 - q * s7 * (1.0 - q * s9))));
-    let cosine = 1.0 - q * c2 * (1.0 - q * c4 * (1.0 - q * c6 * (1.0 - q * c8)));
+    let ([s3, s5, s7], [c2, c4, c6]) = (SINE_SERIES, COSINE_SERIES);
+    let sine = 0.5 * (1.0 - q * s3 * (1.0 - q * s5 * (1.0 - q * s7)));
+    let cosine = 1.0 - q * c2 * (1.0 - q * c4 * (1.0 - q * c6));
     let v = vector * sine;
     DQuat::from_xyzw(v.x, v.y, v.z, cosine)
 }
 
 /// Ratios of the terms of sin x / x and of cos x.
-pub(super) const SINE_SERIES: [f64; 4] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0, 1.0 / 72.0];
-pub(super) const COSINE_SERIES: [f64; 4] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0, 1.0 / 56.0];
+pub(super) const SINE_SERIES: [f64; 3] = [1.0 / 6.0, 1.0 / 20.0, 1.0 / 42.0];
+pub(super) const COSINE_SERIES: [f64; 3] = [1.0 / 2.0, 1.0 / 12.0, 1.0 / 30.0];
 
 /// The bodies of a stack as drawn, at rest.
 pub(super) fn bodies_of(stack: &Stack) -> Vec<RigidBody> {
     let mut bodies = vec![RigidBody::ground()];
     for block in stack.blocks() {
         let centroid = DVec3::from(block.solid.centroid_m());
-        let inertia = DMat3::from_cols_array_2d(&block.solid.inertia_m5()) * block.density_kg_m3;
+        let inertia = without_rounding(block.solid.inertia_m5(), block.density_kg_m3);
         let mass = block.mass_kg();
         let corners = block.solid.vertices_m().iter();
         let radius = corners
@@ -145,6 +134,21 @@ pub(super) fn bodies_of(stack: &Stack) -> Vec<RigidBody> {
         });
     }
     bodies
+}
+
+/// The inertia, with products that are rounding made 0: those of a stone with planes of symmetry.
+fn without_rounding(inertia_m5: [[f64; 3]; 3], density_kg_m3: f64) -> DMat3 {
+    const ROUNDING: f64 = 1e-14;
+    let largest = (0..3).map(|i| inertia_m5[i][i]).fold(0.0, f64::max);
+    let mut inertia = inertia_m5;
+    for entry in inertia.iter_mut().flatten() {
+        *entry = if entry.abs() > ROUNDING * largest {
+            *entry * density_kg_m3
+        } else {
+            0.0
+        };
+    }
+    DMat3::from_cols_array_2d(&inertia)
 }
 
 #[cfg(test)]

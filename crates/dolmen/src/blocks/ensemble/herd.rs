@@ -1,17 +1,20 @@
 //! The runs that go side by side, step by step.
 
 use super::super::assembly::Forces;
-use super::bodies::BodyLanes;
+use super::bodies::{BodyLanes, Load};
 use super::joints::{JointLanes, Place};
 use super::lanes::{Mask, Real, Vector};
 use super::{Each, Queue, Ride};
-use glam::DVec3;
+use glam::{DMat3, DVec3};
 use pulp::Simd;
 
 /// Runs of one number of bodies, each in its lane.
 pub(super) struct Herd<'a, S: Simd> {
     rides: Vec<Option<Ride<'a>>>,
     bodies: Vec<BodyLanes<S>>,
+    loads: Vec<Load<S>>,
+    /// Whether no body that ever was in a lane has products of inertia.
+    diagonal: bool,
     joints: Vec<JointLanes<S>>,
     h: Real<S>,
     kick: Real<S>,
@@ -42,6 +45,8 @@ impl<'a, S: Simd> Herd<'a, S> {
         let mut herd = Herd {
             rides: (0..S::F64_LANES).map(|_| None).collect(),
             bodies: bodies.map(|_| BodyLanes::all(simd, ground)).collect(),
+            loads: Vec::new(),
+            diagonal: true,
             joints: Vec::new(),
             h: zero,
             kick: zero,
@@ -78,6 +83,12 @@ impl<'a, S: Simd> Herd<'a, S> {
         let run = &ride.run;
         for (body, of_run) in self.bodies.iter_mut().zip(&run.assembly.bodies) {
             body.load(lane, of_run);
+            let DMat3 {
+                x_axis: x,
+                y_axis: y,
+                z_axis: z,
+            } = of_run.inverse_inertia;
+            self.diagonal &= of_run.inverse_inertia == DMat3::from_diagonal(DVec3::new(x.x, y.y, z.z));
         }
         self.h.set(lane, run.h);
         self.kick.set(lane, run.kick());
@@ -128,13 +139,13 @@ impl<'a, S: Simd> Herd<'a, S> {
             if calls.get(lane) == 0.0 || self.rides[lane].is_none() {
                 continue;
             }
-            self.write_back(lane, true);
+            self.write_back(lane);
             let Some(ride) = &mut self.rides[lane] else {
                 continue;
             };
             let assembly = &mut ride.run.assembly;
             for joint in &self.joints {
-                if joint.drifted.get(lane) != 0.0 {
+                if joint.has_drifted(lane) {
                     assembly.set_stale(joint.place.pair);
                 }
             }
@@ -149,7 +160,7 @@ impl<'a, S: Simd> Herd<'a, S> {
     }
 
     /// Writes a lane back to its run: its bodies, and what its patches remember.
-    fn write_back(&mut self, lane: usize, patches: bool) {
+    fn write_back(&mut self, lane: usize) {
         let Some(ride) = &mut self.rides[lane] else {
             return;
         };
@@ -157,7 +168,7 @@ impl<'a, S: Simd> Herd<'a, S> {
         for (body, of_run) in self.bodies.iter().zip(&mut assembly.bodies) {
             body.unload(lane, of_run);
         }
-        let placed = patches && self.placed[lane];
+        let placed = self.placed[lane];
         for joint in self.joints.iter().filter(|_| placed) {
             if let Some(patch) = assembly.patch_mut(joint.place.pair)
                 && patch.plane_body == joint.place.plane_body
@@ -194,8 +205,10 @@ impl<'a, S: Simd> Herd<'a, S> {
         }
         let mut places: Vec<Place> = Vec::new();
         for lane in 0..S::F64_LANES {
-            self.write_back(lane, true);
-            let contacts = self.rides[lane].iter().flat_map(|ride| ride.run.assembly.contacts());
+            self.write_back(lane);
+            let contacts = self.rides[lane]
+                .iter()
+                .flat_map(|ride| ride.run.assembly.contacts());
             for (pair, patch, ..) in contacts {
                 let place = Place {
                     pair,
@@ -203,9 +216,8 @@ impl<'a, S: Simd> Herd<'a, S> {
                     point_body: patch.point_body,
                     groups: patch.points.len(),
                 };
-                let same = |other: &&mut Place| {
-                    (other.pair, other.plane_body) == (place.pair, place.plane_body)
-                };
+                let same =
+                    |other: &&mut Place| (other.pair, other.plane_body) == (place.pair, place.plane_body);
                 match places.iter_mut().find(same) {
                     Some(other) => other.groups = other.groups.max(place.groups),
                     None => places.push(place),
@@ -214,7 +226,10 @@ impl<'a, S: Simd> Herd<'a, S> {
         }
         places.sort_by_key(|place| (place.pair, place.plane_body));
         let simd = self.h.0;
-        self.joints = places.into_iter().map(|place| JointLanes::idle(simd, place)).collect();
+        self.joints = places
+            .into_iter()
+            .map(|place| JointLanes::idle(simd, place))
+            .collect();
         for lane in 0..S::F64_LANES {
             self.load_patches(lane);
         }
@@ -229,15 +244,17 @@ impl<'a, S: Simd> Herd<'a, S> {
             y: zero,
             z: zero,
         };
-        for body in &mut self.bodies {
-            body.force = nowhere;
-            body.torque = nowhere;
-        }
+        let nothing = Load {
+            force: nowhere,
+            torque: nowhere,
+        };
+        self.loads.clear();
+        self.loads.resize(self.bodies.len(), nothing);
         let half_step = Real::all(self.h.0, 0.5) * self.h;
         let mut drifted = zero.above(zero);
         let mut friction = zero;
         for joint in &mut self.joints {
-            let (rubbed, far) = joint.press(&mut self.bodies, half_step);
+            let (rubbed, far) = joint.press(&self.bodies, &mut self.loads, half_step);
             friction = friction + rubbed;
             drifted = drifted | far;
         }
@@ -254,7 +271,10 @@ impl<'a, S: Simd> Herd<'a, S> {
     #[inline(always)]
     fn look(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
         for lane in 0..S::F64_LANES {
-            if self.rides[lane].as_ref().is_some_and(|ride| ride.run.step == self.due[lane]) {
+            if self.rides[lane]
+                .as_ref()
+                .is_some_and(|ride| ride.run.step == self.due[lane])
+            {
                 self.look_at(lane, queue, each);
             }
         }
@@ -262,10 +282,16 @@ impl<'a, S: Simd> Herd<'a, S> {
 
     #[inline(never)]
     fn look_at(&mut self, lane: usize, queue: &mut Queue<'a>, each: &mut Each<'_>) {
-        let Some(ride) = &self.rides[lane] else {
+        let Some(ride) = &mut self.rides[lane] else {
             return;
         };
-        self.write_back(lane, ride.run.observer.samples(ride.run.step));
+        if ride.run.observer.samples(ride.run.step) {
+            self.write_back(lane);
+        } else {
+            for (body, of_run) in self.bodies.iter().zip(&mut ride.run.assembly.bodies) {
+                body.unload_place(lane, of_run);
+            }
+        }
         let Some(ride) = &mut self.rides[lane] else {
             return;
         };
@@ -275,13 +301,13 @@ impl<'a, S: Simd> Herd<'a, S> {
         let forces = &mut self.forces;
         forces.force.clear();
         forces.torque.clear();
-        for body in &self.bodies {
-            forces.force.push(body.force.get(lane));
-            forces.torque.push(body.torque.get(lane));
+        for load in &self.loads {
+            forces.force.push(load.force.get(lane));
+            forces.torque.push(load.torque.get(lane));
         }
         self.due[lane] = run.observer.next_wanted(run.step);
         if !run.look(forces, &mut |_| true) {
-            self.write_back(lane, true);
+            self.write_back(lane);
             self.end(lane, queue, each);
         }
     }
@@ -292,8 +318,12 @@ impl<'a, S: Simd> Herd<'a, S> {
         let zero = Real::all(self.h.0, 0.0);
         let inertia = self.gravity - self.shaking;
         let (mut input, mut contact) = (zero, zero);
-        for body in self.bodies.iter_mut().skip(1) {
-            let (velocity, power) = body.step(inertia, self.kick, self.h);
+        for (body, load) in self.bodies.iter_mut().zip(&self.loads).skip(1) {
+            let (velocity, power) = if self.diagonal {
+                body.step::<true>(load, inertia, self.kick, self.h)
+            } else {
+                body.step::<false>(load, inertia, self.kick, self.h)
+            };
             input = input - body.mass * self.shaking.dot(velocity);
             contact = contact + power;
         }
@@ -314,7 +344,7 @@ impl<'a, S: Simd> Herd<'a, S> {
             };
             ride.run.step += 1;
             if ride.run.step > ride.run.steps {
-                self.write_back(lane, true);
+                self.write_back(lane);
                 self.end(lane, queue, each);
             }
         }

@@ -2,10 +2,34 @@
 
 use super::super::outline::Outline;
 use super::super::patch::{LANES, Patch, TINY};
-use super::bodies::BodyLanes;
+use super::bodies::{BodyLanes, Load};
 use super::lanes::{Columns, Mask, Real, Vector};
 use glam::{DMat3, DVec3};
 use pulp::Simd;
+
+/// The same for each of the four points of a group. A closure would not be compiled for the machine's vectors.
+macro_rules! four {
+    ($k:ident => $value:expr) => {
+        [
+            {
+                let $k = 0;
+                $value
+            },
+            {
+                let $k = 1;
+                $value
+            },
+            {
+                let $k = 2;
+                $value
+            },
+            {
+                let $k = 3;
+                $value
+            },
+        ]
+    };
+}
 
 /// Which bodies a patch joins: its place among the pairs of the assembly, the body of its plane, that of its points, and
 /// how many groups of points there is room for.
@@ -19,6 +43,7 @@ pub(super) struct Place {
 
 /// A point of several runs, with its memory.
 #[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
 struct PointLanes<S: Simd> {
     x: Real<S>,
     y: Real<S>,
@@ -30,10 +55,37 @@ struct PointLanes<S: Simd> {
     held: Real<S>,
 }
 
+/// How the axes of a patch lie in those of its two bodies.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Axes {
+    /// No patch.
+    None,
+    /// They are the same: a level joint, the plane of the stone below.
+    Same,
+    /// Half a turn about the first: a level joint, the plane of the stone above.
+    Turned,
+    /// Any.
+    Any,
+}
+
 /// The same patch of several runs.
 #[derive(Clone, Debug)]
 pub(super) struct JointLanes<S: Simd> {
     pub(super) place: Place,
+    /// Of each run.
+    axes: Vec<Axes>,
+    /// What is true of all.
+    all_axes: Axes,
+    /// Whether a point of any run is held.
+    holds: bool,
+    frame: FrameLanes<S>,
+    points: Vec<PointLanes<S>>,
+}
+
+/// Where the plane and the points of a patch are on their bodies, its law, and how they lay when it was clipped.
+#[derive(Clone, Copy, Debug)]
+#[repr(C, align(64))]
+struct FrameLanes<S: Simd> {
     plane_origin: Vector<S>,
     plane_axes: Columns<S>,
     point_origin: Vector<S>,
@@ -52,10 +104,7 @@ pub(super) struct JointLanes<S: Simd> {
     shift_most: Real<S>,
     lean_most: Real<S>,
     /// 1 where the patch has drifted, else 0.
-    pub(super) drifted: Real<S>,
-    /// Whether a point of any run is held.
-    holds: bool,
-    points: Vec<PointLanes<S>>,
+    drifted: Real<S>,
 }
 
 impl<S: Simd> JointLanes<S> {
@@ -73,8 +122,7 @@ impl<S: Simd> JointLanes<S> {
             friction: zero,
             held: zero,
         };
-        JointLanes {
-            place,
+        let frame = FrameLanes {
             plane_origin: nowhere,
             plane_axes: Columns::all(simd, DMat3::IDENTITY),
             point_origin: nowhere,
@@ -92,33 +140,50 @@ impl<S: Simd> JointLanes<S> {
             shift_most: Real::all(simd, f64::INFINITY),
             lean_most: Real::all(simd, f64::INFINITY),
             drifted: zero,
+        };
+        JointLanes {
+            place,
+            axes: vec![Axes::None; S::F64_LANES],
+            all_axes: Axes::None,
             holds: false,
+            frame,
             points: vec![point; LANES * place.groups],
         }
     }
 
     /// The patch of one run; it looks again beyond `most`, shift in m and lean as sine.
     pub(super) fn load(&mut self, lane: usize, patch: &Patch, outline: &Outline, most: [f64; 2]) {
-        self.plane_origin.set(lane, patch.plane_origin);
-        self.plane_axes.set(lane, patch.plane_axes);
-        self.point_origin.set(lane, patch.point_origin);
-        self.point_x.set(lane, patch.point_axes.x_axis);
-        self.point_y.set(lane, patch.point_axes.y_axis);
-        self.normal_stiffness.set(lane, patch.law.normal_stiffness);
-        self.shear_stiffness.set(lane, patch.law.shear_stiffness);
-        self.normal_damping.set(lane, patch.law.normal_damping);
-        self.shear_damping.set(lane, patch.law.shear_damping);
-        self.friction_static.set(lane, patch.law.friction_static);
-        self.friction_kinetic.set(lane, patch.law.friction_kinetic);
+        let frame = &mut self.frame;
+        frame.plane_origin.set(lane, patch.plane_origin);
+        frame.plane_axes.set(lane, patch.plane_axes);
+        frame.point_origin.set(lane, patch.point_origin);
+        frame.point_x.set(lane, patch.point_axes.x_axis);
+        frame.point_y.set(lane, patch.point_axes.y_axis);
+        frame.normal_stiffness.set(lane, patch.law.normal_stiffness);
+        frame.shear_stiffness.set(lane, patch.law.shear_stiffness);
+        frame.normal_damping.set(lane, patch.law.normal_damping);
+        frame.shear_damping.set(lane, patch.law.shear_damping);
+        frame.friction_static.set(lane, patch.law.friction_static);
+        frame.friction_kinetic.set(lane, patch.law.friction_kinetic);
         let then = &outline.clipped_at;
-        self.clipped_shift.set(lane, then.shift);
+        frame.clipped_shift.set(lane, then.shift);
         let axes = [then.along_x.y, then.along_x.z, then.along_y.z];
-        for (part, value) in self.clipped_axes.iter_mut().zip(axes) {
+        for (part, value) in frame.clipped_axes.iter_mut().zip(axes) {
             part.set(lane, value);
         }
-        self.size.set(lane, outline.size);
-        self.shift_most.set(lane, most[0]);
-        self.lean_most.set(lane, most[1]);
+        frame.size.set(lane, outline.size);
+        frame.shift_most.set(lane, most[0]);
+        frame.lean_most.set(lane, most[1]);
+        let same = [DMat3::IDENTITY, DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))]
+            .map(|axes| patch.plane_axes == axes && patch.point_axes == axes);
+        self.set_axes(
+            lane,
+            match same {
+                [true, _] => Axes::Same,
+                [_, true] => Axes::Turned,
+                _ => Axes::Any,
+            },
+        );
         self.holds |= patch.holds;
         for (index, point) in self.points.iter_mut().enumerate() {
             let (group, at) = (patch.points.get(index / LANES), index % LANES);
@@ -141,9 +206,25 @@ impl<S: Simd> JointLanes<S> {
             point.give.set(lane, 0.0);
             point.held.set(lane, 0.0);
         }
-        self.shift_most.set(lane, f64::INFINITY);
-        self.lean_most.set(lane, f64::INFINITY);
-        self.drifted.set(lane, 0.0);
+        self.frame.shift_most.set(lane, f64::INFINITY);
+        self.frame.lean_most.set(lane, f64::INFINITY);
+        self.frame.drifted.set(lane, 0.0);
+        self.set_axes(lane, Axes::None);
+    }
+
+    fn set_axes(&mut self, lane: usize, axes: Axes) {
+        self.axes[lane] = axes;
+        let both = |one: Axes, other: Axes| match (one, other) {
+            (Axes::None, other) => other,
+            (one, Axes::None) => one,
+            (one, other) if one == other => one,
+            _ => Axes::Any,
+        };
+        self.all_axes = self.axes.iter().copied().fold(Axes::None, both);
+    }
+
+    pub(super) fn has_drifted(&self, lane: usize) -> bool {
+        self.frame.drifted.get(lane) != 0.0
     }
 
     /// What the points of one run remember.
@@ -160,23 +241,60 @@ impl<S: Simd> JointLanes<S> {
         }
     }
 
-    /// Adds the forces of a step to the two bodies; what friction took, and where the patch has drifted.
+    /// Adds the forces of a step to the two bodies' loads; what friction took, and where the patch has drifted.
     #[inline(always)]
-    pub(super) fn press(&mut self, bodies: &mut [BodyLanes<S>], half_step: Real<S>) -> (Real<S>, Mask<S>) {
+    pub(super) fn press(
+        &mut self,
+        bodies: &[BodyLanes<S>],
+        loads: &mut [Load<S>],
+        half_step: Real<S>,
+    ) -> (Real<S>, Mask<S>) {
         let (p, s) = (&bodies[self.place.plane_body], &bodies[self.place.point_body]);
-        let to_ground = p.rotation * self.plane_axes;
-        let origin = p.position + p.rotation * self.plane_origin;
-        let along_x = to_ground.transposed_times(s.rotation * self.point_x);
-        let along_y = to_ground.transposed_times(s.rotation * self.point_y);
-        let shift = to_ground.transposed_times(s.position + s.rotation * self.point_origin - origin);
+        match self.all_axes {
+            Axes::None => {
+                let zero = Real::all(half_step.0, 0.0);
+                (zero, zero.above(zero))
+            }
+            Axes::Same => {
+                let [x, y, _] = s.rotation.0;
+                self.press_along(p.rotation, [x, y], bodies, loads, half_step)
+            }
+            Axes::Turned => {
+                let ([a, b, c], [x, y, _]) = (p.rotation.0, s.rotation.0);
+                self.press_along(Columns([a, -b, -c]), [x, -y], bodies, loads, half_step)
+            }
+            Axes::Any => {
+                let frame = &self.frame;
+                let along = [s.rotation * frame.point_x, s.rotation * frame.point_y];
+                self.press_along(p.rotation * frame.plane_axes, along, bodies, loads, half_step)
+            }
+        }
+    }
 
-        let moved = (shift - self.clipped_shift).abs();
-        let [xy, xz, yz] = self.clipped_axes;
-        let turned = (along_x.y - xy).abs() * self.size;
+    /// The same from the axes of the plane and the first two of the points, in the ground's frame.
+    #[inline(always)]
+    fn press_along(
+        &mut self,
+        to_ground: Columns<S>,
+        [x, y]: [Vector<S>; 2],
+        bodies: &[BodyLanes<S>],
+        loads: &mut [Load<S>],
+        half_step: Real<S>,
+    ) -> (Real<S>, Mask<S>) {
+        let (p, s) = (&bodies[self.place.plane_body], &bodies[self.place.point_body]);
+        let frame = &mut self.frame;
+        let origin = p.position + p.rotation * frame.plane_origin;
+        let along_x = to_ground.transposed_times(x);
+        let along_y = to_ground.transposed_times(y);
+        let shift = to_ground.transposed_times(s.position + s.rotation * frame.point_origin - origin);
+
+        let moved = (shift - frame.clipped_shift).abs();
+        let [xy, xz, yz] = frame.clipped_axes;
+        let turned = (along_x.y - xy).abs() * frame.size;
         let leaned = (along_x.z - xz).abs().max((along_y.z - yz).abs());
-        let far = (moved.x.max(moved.y) + turned).above(self.shift_most);
-        let drifted = far | leaned.above(self.lean_most);
-        self.drifted = drifted.ones();
+        let far = (moved.x.max(moved.y) + turned).above(frame.shift_most);
+        let drifted = far | leaned.above(frame.lean_most);
+        frame.drifted = drifted.ones();
 
         let (arm_s, arm_p) = (origin - s.position, origin - p.position);
         let of_s = s.velocity + s.spin.cross(arm_s);
@@ -186,7 +304,10 @@ impl<S: Simd> JointLanes<S> {
         let motion = [along_x, along_y, shift, velocity, spin];
         let sums = if self.holds {
             let sums = self.sum_points::<true>(motion, half_step);
-            self.holds = self.points.iter().any(|point| point.held.lanes().iter().any(|held| *held > 0.0));
+            self.holds = self
+                .points
+                .iter()
+                .any(|point| point.held.lanes().iter().any(|held| *held > 0.0));
             sums
         } else {
             self.sum_points::<false>(motion, half_step)
@@ -194,10 +315,10 @@ impl<S: Simd> JointLanes<S> {
         let [fx, fy, fz, mx, my, mz, rubbed] = sums;
         let force = to_ground * Vector { x: fx, y: fy, z: fz };
         let torque = to_ground * Vector { x: mx, y: my, z: mz };
-        let s = &mut bodies[self.place.point_body];
+        let s = &mut loads[self.place.point_body];
         s.force = s.force + force;
         s.torque = s.torque + (torque + arm_s.cross(force));
-        let p = &mut bodies[self.place.plane_body];
+        let p = &mut loads[self.place.plane_body];
         p.force = p.force - force;
         p.torque = p.torque - (torque + arm_p.cross(force));
         (rubbed, drifted)
@@ -208,75 +329,116 @@ impl<S: Simd> JointLanes<S> {
         let [a, b, c, w, o] = motion;
         let all = |value: f64| Real::all(half_step.0, value);
         let (zero, one, tiny) = (all(0.0), all(1.0), all(TINY));
-        let (kn, cn) = (self.normal_stiffness, self.normal_damping);
-        let (ks, cs) = (self.shear_stiffness, self.shear_damping);
-        let mut sums = [[zero; 7]; LANES];
+        let (kn, cn) = (self.frame.normal_stiffness, self.frame.normal_damping);
+        let (ks, cs) = (self.frame.shear_stiffness, self.frame.shear_damping);
+        let (friction_static, friction_kinetic) = (self.frame.friction_static, self.frame.friction_kinetic);
+        let mut sums = [[zero; LANES]; 7];
         for group in self.points.chunks_exact_mut(LANES) {
-            for (point, sum) in group.iter_mut().zip(&mut sums) {
-                let x = a.x * point.x + b.x * point.y + c.x;
-                let y = a.y * point.x + b.y * point.y + c.y;
-                let z = a.z * point.x + b.z * point.y + c.z;
-                let closing = -(w.z + (o.x * y - o.y * x));
-                let depth = if HELD {
-                    point.held = z.at_least(zero).select(zero, point.held);
-                    -(z + point.held)
+            // stage by stage for the four: while one waits for its operands another goes on
+            let Some(points) = group.first_chunk_mut::<LANES>() else {
+                continue;
+            };
+            let x = four!(k => a.x * points[k].x + b.x * points[k].y + c.x);
+            let y = four!(k => a.y * points[k].x + b.y * points[k].y + c.y);
+            let z = four!(k => a.z * points[k].x + b.z * points[k].y + c.z);
+            let depth = four!(k => {
+                if HELD {
+                    points[k].held = z[k].at_least(zero).select(zero, points[k].held);
+                    -(z[k] + points[k].held)
                 } else {
-                    -z
-                };
-                let half = closing.abs() * half_step;
-                let deepest = depth + half;
-                let touches = deepest.above(zero);
-                let whole = depth.at_least(half);
-                let (mut mean, mut part) = (whole.select(depth, zero), whole.select(one, zero));
-                let meets = touches.and(!whole);
-                if meets.any() {
-                    let (into, way) = (deepest.max(zero), half + half + tiny);
+                    -z[k]
+                }
+            });
+            let closing = four!(k => -(w.z + (o.x * y[k] - o.y * x[k])));
+            let half = four!(k => closing[k].abs() * half_step);
+            let deepest = four!(k => depth[k] + half[k]);
+            let touches = four!(k => deepest[k].above(zero));
+            let whole = four!(k => depth[k].at_least(half[k]));
+            let mut mean = four!(k => whole[k].select(depth[k], zero));
+            let mut part = four!(k => whole[k].select(one, zero));
+            let meets = four!(k => touches[k].and(!whole[k]));
+            if any(meets) {
+                for k in 0..LANES {
+                    let (into, way) = (deepest[k].max(zero), half[k] + half[k] + tiny);
                     let inside = into / way;
-                    mean = meets.select(all(0.5) * into * inside, mean);
-                    part = meets.select(inside, part);
+                    mean[k] = meets[k].select(all(0.5) * into * inside, mean[k]);
+                    part[k] = meets[k].select(inside, part[k]);
                 }
-                let spring = kn * mean;
-                let pressed = spring + part * cn * closing;
-                let normal = point.area * pressed.max(zero);
+            }
+            let normal = four!(k => {
+                let pressed = kn * mean[k] + part[k] * cn * closing[k];
+                points[k].area * pressed.max(zero)
+            });
 
-                let vx = w.x + (o.y * z - o.z * y);
-                let vy = w.y + (o.z * x - o.x * z);
-                let (before_x, before_y) = (point.anchor_x, point.anchor_y);
-                let stiff = touches.select(point.area * ks, zero);
-                let (ex, ey) = (stiff * (x - before_x), stiff * (y - before_y));
-                let limit = point.friction * normal.max(zero);
-                let square = limit * limit;
-                let size = ex * ex + ey * ey;
-                let slips = size.above(square);
-                let (mut fx, mut fy) = (ex, ey);
-                if slips.any() {
-                    let keep = slips.select(limit / size.sqrt(), one);
-                    (fx, fy) = (ex * keep, ey * keep);
+            let vx = four!(k => w.x + (o.y * z[k] - o.z * y[k]));
+            let vy = four!(k => w.y + (o.z * x[k] - o.x * z[k]));
+            let stiff = four!(k => touches[k].select(points[k].area * ks, zero));
+            let mut fx = four!(k => stiff[k] * (x[k] - points[k].anchor_x));
+            let mut fy = four!(k => stiff[k] * (y[k] - points[k].anchor_y));
+            let limit = four!(k => points[k].friction * normal[k].max(zero));
+            let square = four!(k => limit[k] * limit[k]);
+            let size = four!(k => fx[k] * fx[k] + fy[k] * fy[k]);
+            let slips = four!(k => size[k].above(square[k]));
+            if any(slips) {
+                for k in 0..LANES {
+                    let keep = slips[k].select(limit[k] / size[k].sqrt(), one);
+                    (fx[k], fy[k]) = (fx[k] * keep, fy[k] * keep);
                 }
-                let moves = slips | !touches;
-                let anchor_x = moves.select(x - fx * point.give, before_x);
-                let anchor_y = moves.select(y - fy * point.give, before_y);
-                let rubbed = fx * (anchor_x - before_x) + fy * (anchor_y - before_y);
-                let drag = touches.select(point.area * cs, zero);
-                let (mut tx, mut ty) = (fx + drag * vx, fy + drag * vy);
-                let size = tx * tx + ty * ty;
-                let over = size.above(square);
-                if over.any() {
-                    let keep = over.select(limit / size.sqrt(), one);
-                    (tx, ty) = (tx * keep, ty * keep);
+            }
+            let moves = four!(k => slips[k] | !touches[k]);
+            if any(moves) {
+                for k in 0..LANES {
+                    let (before_x, before_y) = (points[k].anchor_x, points[k].anchor_y);
+                    let anchor_x = moves[k].select(x[k] - fx[k] * points[k].give, before_x);
+                    let anchor_y = moves[k].select(y[k] - fy[k] * points[k].give, before_y);
+                    let rubbed = fx[k] * (anchor_x - before_x) + fy[k] * (anchor_y - before_y);
+                    sums[6][k] = sums[6][k] + rubbed;
+                    (points[k].anchor_x, points[k].anchor_y) = (anchor_x, anchor_y);
                 }
-                (point.anchor_x, point.anchor_y) = (anchor_x, anchor_y);
-                point.friction = slips.select(self.friction_kinetic, self.friction_static);
-                sum[0] = sum[0] - tx;
-                sum[1] = sum[1] - ty;
-                sum[2] = sum[2] + normal;
-                sum[3] = sum[3] + (y * normal + z * ty);
-                sum[4] = sum[4] - (z * tx + x * normal);
-                sum[5] = sum[5] + (y * tx - x * ty);
-                sum[6] = sum[6] + rubbed;
+            }
+            for k in 0..LANES {
+                points[k].friction = slips[k].select(friction_kinetic, friction_static);
+            }
+            let drag = four!(k => touches[k].select(points[k].area * cs, zero));
+            let mut tx = four!(k => fx[k] + drag[k] * vx[k]);
+            let mut ty = four!(k => fy[k] + drag[k] * vy[k]);
+            let size = four!(k => tx[k] * tx[k] + ty[k] * ty[k]);
+            let over = four!(k => size[k].above(square[k]));
+            if any(over) {
+                for k in 0..LANES {
+                    let keep = over[k].select(limit[k] / size[k].sqrt(), one);
+                    (tx[k], ty[k]) = (tx[k] * keep, ty[k] * keep);
+                }
+            }
+            for k in 0..LANES {
+                sums[0][k] = sums[0][k] - tx[k];
+                sums[1][k] = sums[1][k] - ty[k];
+                sums[2][k] = sums[2][k] + normal[k];
+                sums[3][k] = sums[3][k] + (y[k] * normal[k] + z[k] * ty[k]);
+                sums[4][k] = sums[4][k] - (z[k] * tx[k] + x[k] * normal[k]);
+                sums[5][k] = sums[5][k] + (y[k] * tx[k] - x[k] * ty[k]);
             }
         }
-        let [a, b, c, d] = sums;
-        std::array::from_fn(|i| (a[i] + b[i]) + (c[i] + d[i]))
+        [
+            total(sums[0]),
+            total(sums[1]),
+            total(sums[2]),
+            total(sums[3]),
+            total(sums[4]),
+            total(sums[5]),
+            total(sums[6]),
+        ]
     }
+}
+
+/// Always in this order, that of a single run.
+#[inline(always)]
+fn total<S: Simd>([a, b, c, d]: [Real<S>; LANES]) -> Real<S> {
+    (a + b) + (c + d)
+}
+
+/// Whether any point of any run is of a kind.
+#[inline(always)]
+fn any<S: Simd>([a, b, c, d]: [Mask<S>; LANES]) -> bool {
+    (a | b | c | d).any()
 }

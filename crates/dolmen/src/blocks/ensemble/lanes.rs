@@ -184,6 +184,18 @@ impl<S: Simd> Mul<Real<S>> for Vector<S> {
     }
 }
 
+impl<S: Simd> std::ops::Neg for Vector<S> {
+    type Output = Self;
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Vector {
+            x: -self.x,
+            y: -self.y,
+            z: -self.z,
+        }
+    }
+}
+
 impl<S: Simd> Vector<S> {
     pub(super) fn all(simd: S, value: DVec3) -> Self {
         Vector {
@@ -213,6 +225,16 @@ impl<S: Simd> Vector<S> {
             x: self.x.abs(),
             y: self.y.abs(),
             z: self.z.abs(),
+        }
+    }
+
+    /// Products part by part.
+    #[inline(always)]
+    pub(super) fn by_parts(self, other: Self) -> Self {
+        Vector {
+            x: self.x * other.x,
+            y: self.y * other.y,
+            z: self.z * other.z,
         }
     }
 
@@ -306,7 +328,8 @@ impl<S: Simd> Turn<S> {
 
     #[inline(always)]
     pub(super) fn times(self, by: Real<S>) -> Self {
-        Turn(self.0.map(|part| part * by))
+        let [x, y, z, w] = self.0;
+        Turn([x * by, y * by, z * by, w * by])
     }
 
     /// The rotation matrix of a unit quaternion.

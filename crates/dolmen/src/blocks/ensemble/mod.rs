@@ -133,10 +133,18 @@ impl<'a> Queue<'a> {
                 return Some(ride);
             }
             let (index, given) = self.waiting.pop_front()?;
-            let StackRun { stack, motion, options } = given;
+            let StackRun {
+                stack,
+                motion,
+                options,
+            } = given;
             match self.start(index, given) {
                 Ok(ride) if ride.run.assembly.only_dry_patches() => return Some(ride),
-                Ok(_) => self.tell(index, simulate_springs(stack, motion, options, &mut |_| true), each),
+                Ok(_) => self.tell(
+                    index,
+                    simulate_springs(stack, motion, options, &mut |_| true),
+                    each,
+                ),
                 Err(error) => self.tell(index, Err(error), each),
             }
         }
@@ -151,7 +159,11 @@ impl<'a> Queue<'a> {
 
     /// Hands the history of a run on, or has it start again with a shorter step.
     fn end(&mut self, ride: Ride<'a>, each: &mut Each<'_>) {
-        let StackRun { stack, motion, options } = ride.given;
+        let StackRun {
+            stack,
+            motion,
+            options,
+        } = ride.given;
         let attempt = match ride.attempt.judge(ride.run.finish(), options) {
             Ok(history) => return self.tell(ride.index, Ok(history), each),
             Err(again) => again,
@@ -163,7 +175,11 @@ impl<'a> Queue<'a> {
     }
 
     fn start(&mut self, index: usize, given: StackRun<'a>) -> Result<Ride<'a>, BlocksError> {
-        let StackRun { stack, motion, options } = given;
+        let StackRun {
+            stack,
+            motion,
+            options,
+        } = given;
         let same = |(of, _): &&(StackRun<'_>, Settled)| {
             std::ptr::eq(of.stack, stack) && std::ptr::eq(of.options, options)
         };
@@ -282,7 +298,10 @@ mod tests {
             .map(|run| simulate_springs(run.stack, run.motion, run.options, &mut |_| true))
             .collect();
         let count = |wanted: fn(&Outcome) -> bool| {
-            alone.iter().filter(|h| h.as_ref().is_ok_and(|h| wanted(&h.outcome))).count()
+            alone
+                .iter()
+                .filter(|h| h.as_ref().is_ok_and(|h| wanted(&h.outcome)))
+                .count()
         };
         assert!(count(|o| matches!(o, Outcome::Fell { .. })) > 3);
         assert!(count(|o| matches!(o, Outcome::Uplifted { .. })) > 3);
@@ -293,7 +312,10 @@ mod tests {
                 if history != alone[index] {
                     let (a, b) = (history.as_ref().unwrap(), alone[index].as_ref().unwrap());
                     let first = a.poses.iter().zip(&b.poses).position(|(a, b)| a != b);
-                    panic!("{arch:?} {index}: {:?} {:?} from pose {first:?}", a.outcome, b.outcome);
+                    panic!(
+                        "{arch:?} {index}: {:?} {:?} from pose {first:?}",
+                        a.outcome, b.outcome
+                    );
                 }
                 true
             });
@@ -318,10 +340,13 @@ mod tests {
             options,
         };
         let mut results = Vec::new();
-        simulate_springs_many(&[run(&wrong), run(&short), run(&wrong), run(&short)], &mut |index, result| {
-            results.push((index, result.is_ok()));
-            true
-        });
+        simulate_springs_many(
+            &[run(&wrong), run(&short), run(&wrong), run(&short)],
+            &mut |index, result| {
+                results.push((index, result.is_ok()));
+                true
+            },
+        );
         results.sort_unstable();
         assert_eq!(results, [(0, false), (1, true), (2, false), (3, true)]);
         let mut count = 0;
