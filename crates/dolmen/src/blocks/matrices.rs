@@ -33,34 +33,92 @@ pub(super) enum Closed {
     Stuck,
 }
 
-/// A 3 × 3 stiffness between points at `arm` from each body's centroid, added to K.
-fn add_spring(matrix: &mut Matrix, ends: [(usize, DVec3); 2], stiffness: &DMat3) {
-    let columns = |arm: DVec3| -> [DVec3; 6] {
-        // displacement of the point: u + θ × arm
-        [
-            DVec3::X,
-            DVec3::Y,
-            DVec3::Z,
-            DVec3::X.cross(arm),
-            DVec3::Y.cross(arm),
-            DVec3::Z.cross(arm),
-        ]
-    };
-    for (a, (body_a, arm_a)) in ends.iter().enumerate() {
-        for (b, (body_b, arm_b)) in ends.iter().enumerate() {
-            if *body_a == 0 || *body_b == 0 {
-                continue;
-            }
-            let sign = if a == b { 1.0 } else { -1.0 };
-            let (rows, cols) = (columns(*arm_a), columns(*arm_b));
-            for (j, column) in cols.iter().enumerate() {
-                let pull = *stiffness * *column * sign;
-                for (i, row) in rows.iter().enumerate() {
-                    matrix[(6 * (body_a - 1) + i, 6 * (body_b - 1) + j)] += row.dot(pull);
+/// Stiffness of what joins two bodies, about a point fixed to both, in the ground's axes: force and moment on the second as
+/// it moves by u and turns by θ against the first are −(F u + C θ) and −(Cᵀ u + T θ).
+#[derive(Clone, Copy, Debug)]
+struct Bond {
+    force: DMat3,
+    coupling: DMat3,
+    torque: DMat3,
+}
+
+impl Bond {
+    fn none() -> Self {
+        Bond {
+            force: DMat3::ZERO,
+            coupling: DMat3::ZERO,
+            torque: DMat3::ZERO,
+        }
+    }
+
+    /// Of a 3 × 3 stiffness at the point itself.
+    fn at_point(force: DMat3) -> Self {
+        Bond {
+            force,
+            ..Bond::none()
+        }
+    }
+
+    /// Adds springs along the axes at `place` from the point.
+    fn add(&mut self, place: DVec3, springs: DVec3) {
+        // displacement of the place: u + θ × r = u − [r] θ, its moment r × f = [r] f
+        let across = cross_matrix(place);
+        let force = DMat3::from_diagonal(springs);
+        let coupling = force * -across;
+        self.force += force;
+        self.coupling += coupling;
+        self.torque += across * coupling;
+    }
+
+    /// The same in other axes.
+    fn turned(&self, axes: &DMat3) -> Self {
+        let turn = |matrix: DMat3| *axes * matrix * axes.transpose();
+        Bond {
+            force: turn(self.force),
+            coupling: turn(self.coupling),
+            torque: turn(self.torque),
+        }
+    }
+
+    /// Adds it to K between two bodies, each with the way from its centroid to the point.
+    fn add_to(&self, matrix: &mut Matrix, ends: [(usize, DVec3); 2]) {
+        for (a, (body_a, arm_a)) in ends.iter().enumerate() {
+            for (b, (body_b, arm_b)) in ends.iter().enumerate() {
+                if *body_a == 0 || *body_b == 0 {
+                    continue;
+                }
+                let sign = if a == b { 1.0 } else { -1.0 };
+                let (arm_a, arm_b) = (cross_matrix(*arm_a), cross_matrix(*arm_b));
+                let by_turn = self.coupling - self.force * arm_b;
+                let blocks = [
+                    [self.force, by_turn],
+                    [
+                        arm_a * self.force + self.coupling.transpose(),
+                        arm_a * by_turn + self.torque - self.coupling.transpose() * arm_b,
+                    ],
+                ];
+                for (i, row) in blocks.iter().enumerate() {
+                    for (j, block) in row.iter().enumerate() {
+                        let (row, column) = (6 * (body_a - 1) + 3 * i, 6 * (body_b - 1) + 3 * j);
+                        for (n, entries) in block.to_cols_array_2d().iter().enumerate() {
+                            for (m, entry) in entries.iter().enumerate() {
+                                matrix[(row + m, column + n)] += sign * entry;
+                            }
+                        }
+                    }
                 }
             }
         }
     }
+}
+
+/// [v]: [v] w = v × w.
+fn cross_matrix(v: DVec3) -> DMat3 {
+    DMat3::from_cols(
+        DVec3::new(0.0, v.z, -v.y),
+        DVec3::new(-v.z, 0.0, v.x),
+        DVec3::new(v.y, -v.x, 0.0),
+    )
 }
 
 /// Stiffness or damping of everything in contact, [6n × 6n].
@@ -75,9 +133,7 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
             Part::Springs => (patch.law.normal_stiffness, patch.law.shear_stiffness),
             Part::Dashpots => (patch.law.normal_damping, patch.law.shear_damping),
         };
-        let per_area =
-            |shear: f64| axes * DMat3::from_diagonal(DVec3::new(shear, shear, normal)) * axes.transpose();
-        let (stuck, slipping) = (per_area(shear), per_area(0.0));
+        let mut bond = Bond::none();
         for group in &patch.points {
             for lane in 0..LANES {
                 let at = patch.place(group, lane, &motion);
@@ -94,13 +150,13 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
                 let slips = closed == Closed::Pressed
                     && !bonded
                     && patch.law.shear_stiffness * stretch > SLIPPING * limit;
-                let per_area = if slips { slipping } else { stuck };
-                let place = motion.origin + axes * at;
-                let end = |body: usize| (body, place - bodies[body].position);
-                let ends = [end(patch.plane_body), end(patch.point_body)];
-                add_spring(&mut matrix, ends, &(per_area * group.area[lane]));
+                let shear = if slips { 0.0 } else { shear };
+                bond.add(at, DVec3::new(shear, shear, normal) * group.area[lane]);
             }
         }
+        let end = |body: usize| (body, motion.origin - bodies[body].position);
+        let ends = [end(patch.plane_body), end(patch.point_body)];
+        bond.turned(&axes).add_to(&mut matrix, ends);
     }
     if part == Part::Springs {
         for link in assembly.links().iter().filter(|link| !link.broken) {
@@ -109,7 +165,7 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
             let across = DMat3::IDENTITY - outer;
             let stiffness = outer * link.axial_stiffness + across * link.shear_stiffness;
             let end = |body: usize| (body, bodies[body].now(link.drawn) - bodies[body].position);
-            add_spring(&mut matrix, [end(link.lower), end(link.upper)], &stiffness);
+            Bond::at_point(stiffness).add_to(&mut matrix, [end(link.lower), end(link.upper)]);
         }
     }
     matrix
@@ -127,7 +183,7 @@ fn add_prop(assembly: &Assembly, prop: &Prop, matrix: &mut Matrix) {
     let outer = DMat3::from_cols(d * d.x, d * d.y, d * d.z) * prop.stiffness;
     let body = &assembly.bodies[prop.body];
     let arm = body.now(prop.drawn) - body.position;
-    add_spring(matrix, [(0, DVec3::ZERO), (prop.body, arm)], &outer);
+    Bond::at_point(outer).add_to(matrix, [(0, DVec3::ZERO), (prop.body, arm)]);
 }
 
 /// Adds the side supports that are pressed.

@@ -63,11 +63,11 @@ fn left(assembly: &mut Assembly, forces: &mut Forces) -> Left {
 /// [`BlocksError::Topples`] if there is one from which any touch would topple it.
 pub(super) fn settle(assembly: &mut Assembly, stack: &Stack) -> Result<(), BlocksError> {
     let mut forces = Forces::default();
-    let h = 0.5 * longest_step(assembly);
     let mut closed = Closed::Touching;
     let mut iterations = 0;
     for round in 0..ROUNDS {
         if round > 0 {
+            let h = 0.5 * longest_step(assembly);
             relax(assembly, &mut forces, h);
         }
         let mut least = f64::INFINITY;
