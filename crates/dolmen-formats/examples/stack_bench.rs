@@ -115,12 +115,11 @@ fn ensemble(stack: &Stack, motion: &GroundMotion, peak_g: f64) {
         .collect();
     let (mut block_steps, mut fell, mut step_s) = (0, 0, 0.0);
     let before = cpu_s();
-    simulate_springs_many(&runs, &mut |_, history| {
+    simulate_springs_many(&runs, &mut |_, _| true, &mut |_, history| {
         let history = history.unwrap();
         block_steps += history.steps * history.blocks;
         fell += usize::from(matches!(history.outcome, Outcome::Fell { .. }));
         step_s = history.time_step_s;
-        true
     });
     let loop_cpu_s = cpu_s() - before;
     let each_s = loop_cpu_s / RUNS as f64;

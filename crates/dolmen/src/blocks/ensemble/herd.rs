@@ -4,7 +4,7 @@ use super::super::assembly::Forces;
 use super::bodies::{BodyLanes, Load};
 use super::joints::{JointLanes, Place};
 use super::lanes::{Mask, Real, Vector};
-use super::{Each, Queue, Ride};
+use super::{Queue, Ride};
 use glam::{DMat3, DVec3};
 use pulp::Simd;
 
@@ -66,15 +66,15 @@ impl<'a, S: Simd> Herd<'a, S> {
 
     /// Runs all to their ends.
     #[inline(always)]
-    pub(super) fn drive(mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
-        self.fill(queue, each);
+    pub(super) fn drive(mut self, queue: &mut Queue<'a, '_>) {
+        self.fill(queue);
         let mut drifted = self.h.above(self.h);
-        while self.rides.iter().any(Option::is_some) && !queue.stopped {
+        while self.rides.iter().any(Option::is_some) {
             self.attend(drifted);
             drifted = self.press();
-            self.look(queue, each);
+            self.look(queue);
             self.step();
-            self.turn_over(queue, each);
+            self.turn_over(queue);
         }
     }
 
@@ -269,19 +269,19 @@ impl<'a, S: Simd> Herd<'a, S> {
 
     /// Lets the observers of runs that are due look; those that are over leave.
     #[inline(always)]
-    fn look(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+    fn look(&mut self, queue: &mut Queue<'a, '_>) {
         for lane in 0..S::F64_LANES {
             if self.rides[lane]
                 .as_ref()
                 .is_some_and(|ride| ride.run.step == self.due[lane])
             {
-                self.look_at(lane, queue, each);
+                self.look_at(lane, queue);
             }
         }
     }
 
     #[inline(never)]
-    fn look_at(&mut self, lane: usize, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+    fn look_at(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
         let Some(ride) = &mut self.rides[lane] else {
             return;
         };
@@ -306,9 +306,10 @@ impl<'a, S: Simd> Herd<'a, S> {
             forces.torque.push(load.torque.get(lane));
         }
         self.due[lane] = run.observer.next_wanted(run.step);
-        if !run.look(forces, &mut |_| true) {
+        let index = ride.index;
+        if !run.look(forces, &mut |time_s| (queue.progress)(index, time_s)) {
             self.write_back(lane);
-            self.end(lane, queue, each);
+            self.end(lane, queue);
         }
     }
 
@@ -337,7 +338,7 @@ impl<'a, S: Simd> Herd<'a, S> {
 
     /// Counts the step; runs that have done their last leave, and their lanes are filled.
     #[inline(always)]
-    fn turn_over(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+    fn turn_over(&mut self, queue: &mut Queue<'a, '_>) {
         for lane in 0..S::F64_LANES {
             let Some(ride) = &mut self.rides[lane] else {
                 continue;
@@ -345,34 +346,34 @@ impl<'a, S: Simd> Herd<'a, S> {
             ride.run.step += 1;
             if ride.run.step > ride.run.steps {
                 self.write_back(lane);
-                self.end(lane, queue, each);
+                self.end(lane, queue);
             }
         }
         if self.freed {
-            self.fill(queue, each);
+            self.fill(queue);
         }
     }
 
     /// Ends the run of a lane: its result is handed on, or it starts again with a shorter step.
     #[inline(never)]
-    fn end(&mut self, lane: usize, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+    fn end(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
         let counts = self.counts.map(|count| count.get(lane));
         if let Some(mut ride) = self.leave(lane) {
             let steps = ride.run.step;
             ride.run.observer.set_counts(counts, steps);
-            queue.end(ride, each);
+            queue.end(ride);
             self.freed = true;
         }
     }
 
     #[inline(never)]
-    fn fill(&mut self, queue: &mut Queue<'a>, each: &mut Each<'_>) {
+    fn fill(&mut self, queue: &mut Queue<'a, '_>) {
         self.freed = false;
         for lane in 0..S::F64_LANES {
             if self.rides[lane].is_some() {
                 continue;
             }
-            if let Some(ride) = queue.next(each) {
+            if let Some(ride) = queue.next() {
                 self.seat(lane, ride);
             }
         }

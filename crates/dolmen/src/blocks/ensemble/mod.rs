@@ -29,12 +29,13 @@ pub struct StackRun<'a> {
 }
 
 /// Runs of one number of bodies that wait for a lane.
-struct Queue<'a> {
+struct Queue<'a, 'w> {
     waiting: VecDeque<(usize, StackRun<'a>)>,
     /// Runs that start again with a shorter step.
     again: Vec<Ride<'a>>,
     settled: Option<(StackRun<'a>, Settled)>,
-    stopped: bool,
+    progress: &'w mut dyn FnMut(usize, f64) -> bool,
+    each: &'w mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 }
 
 /// A run on its way, with its index and the attempt it is at.
@@ -46,11 +47,9 @@ struct Ride<'a> {
     run: Run<'a>,
 }
 
-/// Takes results as they come: the run's index, its history or error. False to stop.
-type Each<'e> = dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool + 'e;
-
 /// Simulates many stacks; `each` gets the index of a run and what [`simulate_springs`] would give for it, bit for bit, in
-/// the order in which runs end, and stops all by returning false.
+/// the order in which runs end. `progress` gets the index and the simulated time of a run now and then, and stops that run by
+/// returning false.
 ///
 /// Runs of stacks with the same number of blocks go side by side, as many as the machine's vectors hold (8 with AVX-512,
 /// 4 with AVX2). Ties, side supports and bonded joints go one after another. Memory is that of the runs under way. For more
@@ -70,65 +69,59 @@ type Each<'e> = dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool + 'e
 /// let stacks = stacks.into_iter().collect::<Result<Vec<_>, _>>()?;
 /// let runs: Vec<StackRun> = stacks.iter().map(|stack| StackRun { stack, motion: None, options: &options }).collect();
 /// let mut same = 0;
-/// simulate_springs_many(&runs, &mut |index, history| {
+/// simulate_springs_many(&runs, &mut |_, _| true, &mut |index, history| {
 ///     same += usize::from(history == simulate_springs(&stacks[index], None, &options, &mut |_| true));
-///     true
 /// });
 /// assert_eq!(same, 3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn simulate_springs_many(
     runs: &[StackRun<'_>],
-    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool,
+    progress: &mut dyn FnMut(usize, f64) -> bool,
+    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 ) {
-    simulate_on(Arch::new(), runs, each);
+    simulate_on(Arch::new(), runs, progress, each);
 }
 
 /// The same with the vectors of a given machine.
-fn simulate_on(arch: Arch, runs: &[StackRun<'_>], each: &mut Each<'_>) {
+fn simulate_on(
+    arch: Arch,
+    runs: &[StackRun<'_>],
+    progress: &mut dyn FnMut(usize, f64) -> bool,
+    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
+) {
     let mut sizes: Vec<usize> = runs.iter().map(|run| run.stack.blocks().len()).collect();
     sizes.sort_unstable();
     sizes.dedup();
     for size in sizes {
         let of_size = |(_, run): &(usize, StackRun<'_>)| run.stack.blocks().len() == size;
         let waiting = runs.iter().copied().enumerate().filter(of_size).collect();
-        let mut queue = Queue {
+        arch.dispatch(Queue {
             waiting,
             again: Vec::new(),
             settled: None,
-            stopped: false,
-        };
-        arch.dispatch(Together {
-            queue: &mut queue,
-            each,
+            progress: &mut *progress,
+            each: &mut *each,
         });
-        if queue.stopped {
-            return;
-        }
     }
 }
 
-struct Together<'t, 'a, 'e> {
-    queue: &'t mut Queue<'a>,
-    each: &'t mut Each<'e>,
-}
-
-impl WithSimd for Together<'_, '_, '_> {
+impl WithSimd for Queue<'_, '_> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        if let Some(first) = self.queue.next(self.each) {
-            Herd::new(simd, first).drive(self.queue, self.each);
+    fn with_simd<S: Simd>(mut self, simd: S) {
+        if let Some(first) = self.next() {
+            Herd::new(simd, first).drive(&mut self);
         }
     }
 }
 
-impl<'a> Queue<'a> {
+impl<'a> Queue<'a, '_> {
     /// The next run that goes side by side with others; those that do not, and those that can't start, are done at once.
     /// `None` when there is none left.
-    fn next(&mut self, each: &mut Each<'_>) -> Option<Ride<'a>> {
-        while !self.stopped {
+    fn next(&mut self) -> Option<Ride<'a>> {
+        loop {
             if let Some(ride) = self.again.pop() {
                 return Some(ride);
             }
@@ -140,37 +133,30 @@ impl<'a> Queue<'a> {
             } = given;
             match self.start(index, given) {
                 Ok(ride) if ride.run.assembly.only_dry_patches() => return Some(ride),
-                Ok(_) => self.tell(
-                    index,
-                    simulate_springs(stack, motion, options, &mut |_| true),
-                    each,
-                ),
-                Err(error) => self.tell(index, Err(error), each),
+                Ok(_) => {
+                    let mut progress = |time_s| (self.progress)(index, time_s);
+                    let history = simulate_springs(stack, motion, options, &mut progress);
+                    (self.each)(index, history);
+                }
+                Err(error) => (self.each)(index, Err(error)),
             }
-        }
-        None
-    }
-
-    fn tell(&mut self, index: usize, result: Result<StackHistory, BlocksError>, each: &mut Each<'_>) {
-        if !self.stopped {
-            self.stopped = !each(index, result);
         }
     }
 
     /// Hands the history of a run on, or has it start again with a shorter step.
-    fn end(&mut self, ride: Ride<'a>, each: &mut Each<'_>) {
+    fn end(&mut self, ride: Ride<'a>) {
         let StackRun {
             stack,
             motion,
             options,
         } = ride.given;
         let attempt = match ride.attempt.judge(ride.run.finish(), options) {
-            Ok(history) => return self.tell(ride.index, Ok(history), each),
+            Ok(history) => return (self.each)(ride.index, Ok(history)),
             Err(again) => again,
         };
         match Run::new(stack, &ride.settled, motion, options, attempt.h) {
             Ok(run) => self.again.push(Ride { attempt, run, ..ride }),
-            Err(error) => self.tell(ride.index, Err(error), each),
+            Err(error) => (self.each)(ride.index, Err(error)),
         }
     }
 
@@ -307,7 +293,7 @@ mod tests {
         assert!(count(|o| matches!(o, Outcome::Uplifted { .. })) > 3);
         for arch in archs() {
             let mut seen = vec![false; runs.len()];
-            simulate_on(arch, &runs, &mut |index, history| {
+            simulate_on(arch, &runs, &mut |_, _| true, &mut |index, history| {
                 assert!(!std::mem::replace(&mut seen[index], true), "{index} came twice");
                 if history != alone[index] {
                     let (a, b) = (history.as_ref().unwrap(), alone[index].as_ref().unwrap());
@@ -317,7 +303,6 @@ mod tests {
                         a.outcome, b.outcome
                     );
                 }
-                true
             });
             assert!(seen.iter().all(|seen| *seen));
         }
@@ -340,20 +325,37 @@ mod tests {
             options,
         };
         let mut results = Vec::new();
-        simulate_springs_many(
-            &[run(&wrong), run(&short), run(&wrong), run(&short)],
-            &mut |index, result| {
-                results.push((index, result.is_ok()));
-                true
-            },
-        );
+        let runs = [run(&wrong), run(&short), run(&wrong), run(&short)];
+        simulate_springs_many(&runs, &mut |_, _| true, &mut |index, result| {
+            results.push((index, result.is_ok()));
+        });
         results.sort_unstable();
         assert_eq!(results, [(0, false), (1, true), (2, false), (3, true)]);
-        let mut count = 0;
-        simulate_springs_many(&[run(&short); 20], &mut |_, _| {
-            count += 1;
-            count < 3
+    }
+
+    #[test]
+    fn holds_a_run_that_is_stopped_says_so_and_the_others_go_on() {
+        let stack = pile(&[[0.5, 0.4, 0.3], [0.3, 0.3, 0.5]], 0.6, 0.0);
+        let options = Springs {
+            duration_s: Some(0.05),
+            ..Springs::default()
+        };
+        let run = StackRun {
+            stack: &stack,
+            motion: None,
+            options: &options,
+        };
+        let mut outcomes = vec![None; 20];
+        let mut progress = |index, time_s| index != 3 || time_s < 0.02;
+        simulate_springs_many(&[run; 20], &mut progress, &mut |index, result| {
+            outcomes[index] = Some(result.unwrap().outcome);
         });
-        assert_eq!(count, 3);
+        for (index, outcome) in outcomes.iter().enumerate() {
+            match (index, outcome) {
+                (3, Some(Outcome::Stopped { at_s })) => assert!((0.02..0.03).contains(at_s)),
+                (_, Some(Outcome::Stood)) if index != 3 => {}
+                (_, other) => panic!("{index}: {other:?}"),
+            }
+        }
     }
 }
