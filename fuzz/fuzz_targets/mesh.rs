@@ -1,14 +1,9 @@
-//! Any bytes are a mesh whose triangles name its vertices, or an error; any mesh is a solid or an error.
+//! What is done with each input stands in bodies/mesh.rs: the tests of dolmen-formats run it too.
 #![no_main]
 
-use dolmen_formats::meshes::{read_mesh, read_obj, read_ply, read_stl};
 use libfuzzer_sys::fuzz_target;
 
-fuzz_target!(|bytes: &[u8]| {
-    let _ = (read_obj(bytes), read_ply(bytes), read_stl(bytes));
-    if let Ok(mesh) = read_mesh(bytes) {
-        let named = mesh.triangles.iter().flatten();
-        assert!(named.into_iter().all(|&corner| corner < mesh.vertices.len()));
-        let _ = dolmen::structure::stack::Solid::mesh(&mesh.vertices, &mesh.triangles);
-    }
-});
+#[path = "../bodies/mesh.rs"]
+mod body;
+
+fuzz_target!(|bytes: &[u8]| body::run(bytes));

@@ -111,7 +111,9 @@ impl Recorder {
             extend(&mut history.drift_peaks[i], drift, begin_s, series.h, sigma);
         }
         self.turn(series, begin_s, sigma);
-        self.now.clone_from(state);
+        // places and speeds follow at each sample
+        self.now.slider.clone_from(&state.slider);
+        self.now.offset_m.clone_from(&state.offset_m);
         self.expand_work(model, series);
         while self.history.time_s.len() < self.samples {
             let t = self.history.time_s.len() as f64 * self.output_step_s;

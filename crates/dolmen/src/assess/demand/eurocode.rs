@@ -152,6 +152,48 @@ mod tests {
         }
     }
 
+    /// S, T_B, T_C, T_D as tables 3.2 and 3.3 list them.
+    const TABLES: [(EurocodeType, &str); 2] = [
+        (
+            EurocodeType::One,
+            "A 1 .15 .4 2; B 1.2 .15 .5 2; C 1.15 .2 .6 2; D 1.35 .2 .8 2; E 1.4 .15 .5 2",
+        ),
+        (
+            EurocodeType::Two,
+            "A 1 .05 .25 1.2; B 1.35 .05 .25 1.2; C 1.5 .1 .25 1.2; D 1.8 .1 .3 1.2; E 1.6 .05 .25 1.2",
+        ),
+    ];
+
+    #[test]
+    fn published_every_number_of_both_tables() {
+        use EurocodeGround::{A, B, C, D, E};
+        for (kind, table) in TABLES {
+            for (ground, row) in [A, B, C, D, E].into_iter().zip(table.split(';')) {
+                let mut cells = row.split_whitespace();
+                assert_eq!(cells.next().unwrap(), format!("{ground:?}"));
+                let [s, tb, tc, td] = [(); 4].map(|()| cells.next().unwrap().parse::<f64>().unwrap());
+                let spectrum = eurocode_8(0.25, kind, ground).unwrap();
+                let branches = spectrum.branches().unwrap();
+                let peak = 0.25 * s * STANDARD_GRAVITY_M_S2;
+                assert!(
+                    (branches.ground_m_s2 / peak - 1.0).abs() < 1e-14,
+                    "{kind:?} {ground:?}"
+                );
+                assert!(
+                    (branches.plateau_m_s2 / peak - 2.5).abs() < 1e-14,
+                    "{kind:?} {ground:?}"
+                );
+                assert_eq!(
+                    [branches.rise_s, branches.plateau_s, branches.displacement_s],
+                    [tb, tc, td],
+                    "{kind:?} {ground:?}"
+                );
+                let vertical = if kind == EurocodeType::One { 0.9 } else { 0.45 };
+                assert_eq!(spectrum.vertical.unwrap().ratio, vertical);
+            }
+        }
+    }
+
     #[test]
     fn refuses_accelerations_in_another_unit() {
         for a_g in [0.0, -0.1, 2.5, f64::NAN] {

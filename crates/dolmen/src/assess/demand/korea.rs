@@ -411,6 +411,55 @@ mod tests {
     }
 
     #[test]
+    fn published_every_factor_of_soil_risk_and_zone() {
+        use KoreanSite::{S1, S2, S3, S4, S5};
+        // F_a at S ≤ .1, .2, .3, then F_v, as the code lists them
+        let table = "1.12 1.12 1.12 .84 .84 .84; 1.4 1.4 1.3 1.5 1.4 1.3; 1.7 1.5 1.3 1.7 1.6 1.5; \
+                     1.6 1.4 1.2 2.2 2.0 1.8; 1.8 1.3 1.3 3.0 2.7 2.4";
+        for (site, row) in [S1, S2, S3, S4, S5].into_iter().zip(table.split(';')) {
+            let cells: Vec<f64> = row.split_whitespace().map(|cell| cell.parse().unwrap()).collect();
+            for (column, s) in [0.1, 0.2, 0.3].into_iter().enumerate() {
+                let found = kds_17_amplification(s, site).unwrap();
+                let off = [
+                    found.short_periods - cells[column],
+                    found.one_second - cells[column + 3],
+                ];
+                assert!(off.iter().all(|off| off.abs() < 1e-12), "{site:?} {s}: {found:?}");
+            }
+        }
+        let factors = [
+            (50, 0.40),
+            (100, 0.57),
+            (200, 0.73),
+            (500, 1.0),
+            (1000, 1.4),
+            (2400, 2.0),
+            (4800, 2.6),
+        ];
+        for (years, factor) in factors {
+            for (zone, z) in [(KoreanZone::I, 0.11), (KoreanZone::II, 0.07)] {
+                let s = kds_17_effective_acceleration_g(zone, years).unwrap();
+                assert!((s - z * factor).abs() < 1e-15, "{zone:?} {years}: {s}");
+            }
+        }
+        // the ends of the branches: of soil by its factors, of buildings T_L = 5 s; a vertical peak of .77
+        let soil = kds_17(0.2, S2).unwrap();
+        let ends = soil.branches().unwrap();
+        let plateau_s = 1.4 / (2.5 * 1.4);
+        assert!((ends.plateau_s - plateau_s).abs() < 1e-15 && (ends.rise_s - 0.2 * plateau_s).abs() < 1e-15);
+        assert_eq!(ends.displacement_s, 3.0);
+        assert_eq!(
+            kds_41_spectrum(0.2, S2)
+                .unwrap()
+                .branches()
+                .unwrap()
+                .displacement_s,
+            5.0
+        );
+        assert_eq!(soil.vertical.unwrap().ratio, 0.77);
+    }
+
+    #[test]
     fn refuses_s6_percent_and_other_return_periods() {
         let say = |refused: Result<DesignSpectrum, AssessError>| refused.unwrap_err().to_string();
         assert!(say(kds_17(0.11, KoreanSite::S6)).contains("site-specific"));
