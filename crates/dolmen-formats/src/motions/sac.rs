@@ -60,8 +60,10 @@ impl Header {
             start::days(part(0)?, 1, 1)? + part(1)?.checked_sub(1).filter(|day| (0..366).contains(day))?;
         let (hour, minute, second, millisecond) = (part(2)?, part(3)?, part(4)?, part(5)?);
         let allowed = (0..24).contains(&hour) && (0..60).contains(&minute) && (0..=60).contains(&second);
-        let seconds = start::seconds(day, hour, minute, second as f64 + millisecond as f64 / 1e3);
-        allowed.then_some(seconds + self.float(5)?)
+        let second = second as f64 + millisecond as f64 / 1e3;
+        // first whether they are times of a day: others overflow
+        allowed.then_some(())?;
+        Some(start::seconds(day, hour, minute, second) + self.float(5)?)
     }
 
     fn orientation(&self) -> Option<Orientation> {

@@ -188,6 +188,21 @@ mod tests {
                     [tb, tc, td],
                     "{kind:?} {ground:?}"
                 );
+                // the branches end there, not a thousandth off
+                let at = |t: f64| spectrum.acceleration_m_s2(t, 0.05).unwrap() / (2.5 * peak);
+                let beside = [
+                    (1.0005 * tb, 1.0),
+                    (0.9995 * tc, 1.0),
+                    (1.0005 * tc, 1.0 / 1.0005),
+                ];
+                for (t, wanted) in beside {
+                    assert!(
+                        (at(t) - wanted).abs() < 1e-12,
+                        "{kind:?} {ground:?} {t}: {}",
+                        at(t)
+                    );
+                }
+                assert!(at(0.9995 * tb) < 1.0 - 1e-4);
                 let vertical = if kind == EurocodeType::One { 0.9 } else { 0.45 };
                 assert_eq!(spectrum.vertical.unwrap().ratio, vertical);
             }

@@ -177,7 +177,7 @@ fn capacity(
 mod tests {
     use super::super::{KoreanSite, Site, site_demand};
     use super::*;
-    use crate::structure::stack::{Block, JointMaterial, Solid};
+    use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
 
     const G: f64 = 9.80665;
 
@@ -263,5 +263,59 @@ mod tests {
                 .all(|row| row.comparison.rigid.ratio == Some(0.0))
         );
         assert_eq!(found.verdict, DemandVerdict::Below);
+    }
+
+    #[test]
+    fn exact_the_weaker_way_along_an_axis_counts_whichever_it_is() {
+        // two cubes, the upper shifted by .1 m along x and .04 m along y: their common centroid is at half of that, .4 m up
+        let shifted = |x: f64, y: f64| {
+            let cube = |z: f64, x: f64, y: f64| Block {
+                name: format!("at {z}"),
+                solid: Solid::cuboid(0.4, 0.4, 0.4).unwrap().placed(&Placement {
+                    position_m: [x, y, z],
+                    ..Placement::default()
+                }),
+                density_kg_m3: 2600.0,
+            };
+            let blocks = vec![cube(0.0, 0.0, 0.0), cube(0.4, x, y)];
+            let stack = Stack::new(blocks, JointMaterial::with_friction(0.9), G).unwrap();
+            let options = StackCheckOptions::default();
+            let found = stack_against_site(&stack, &options, &site(50), [None; 2])
+                .unwrap()
+                .unwrap();
+            [0, 1].map(|row| found.rows[row].capacity.unwrap().acceleration_g)
+        };
+        for (x, y) in [(0.1, 0.04), (-0.1, 0.04), (0.1, -0.04), (-0.1, -0.04)] {
+            let found = shifted(x, y);
+            for (capacity, wanted) in found.into_iter().zip([0.15 / 0.4, 0.18 / 0.4]) {
+                assert!((capacity - wanted).abs() < 1e-7, "{x} {y}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn holds_below_is_worse_than_unknown_and_unknown_than_near() {
+        use DemandVerdict::{Above, Below, Near, Unknown};
+        let options = StackCheckOptions::default();
+        let found = stack_against_site(&stone(), &options, &site(50), [None; 2])
+            .unwrap()
+            .unwrap();
+        let row = |verdict| StackDemandRow {
+            comparison: DemandComparison {
+                verdict,
+                ..found.rows[0].comparison
+            },
+            ..found.rows[0]
+        };
+        for (one, other, wanted) in [
+            (Below, Unknown, Below),
+            (Near, Unknown, Unknown),
+            (Above, Unknown, Unknown),
+            (Above, Near, Near),
+            (Near, Below, Below),
+        ] {
+            assert_eq!(worst(&[row(one), row(other)]), wanted);
+            assert_eq!(worst(&[row(other), row(one)]), wanted);
+        }
     }
 }

@@ -352,6 +352,9 @@ mod tests {
         let edition = Unverified::Edition { year: 2018 };
         assert_eq!(demand.spectrum.unverified, [edition]);
         assert!(site_demand(&KOREAN, 0.05, Some(-0.1)).is_err());
+        assert!(
+            site_demand(&KOREAN, 0.05, Some(3.0)).is_ok() && site_demand(&KOREAN, 0.05, Some(3.001)).is_err()
+        );
     }
 
     #[test]
@@ -393,6 +396,16 @@ mod tests {
             panic!()
         };
         assert!((soil_factor - 1.15).abs() < 1e-12);
+        let of = |importance_factor| {
+            let site = Site::Eurocode8 {
+                ground_acceleration_g: 0.2,
+                importance_factor,
+                spectrum: EurocodeType::One,
+                ground: EurocodeGround::C,
+            };
+            site_demand(&site, 0.05, None)
+        };
+        assert!(of(3.0).is_ok() && of(3.001).is_err() && of(0.0).is_err());
     }
 
     #[test]
