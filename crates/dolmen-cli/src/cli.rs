@@ -1,5 +1,6 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
+use clap::builder::TypedValueParser as _;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
 
@@ -32,6 +33,8 @@ pub(crate) enum Verb {
     Identify(Identify),
     /// A stack, frame or chain under a ground motion: rocking, sliding, slipping, falling
     Simulate(Simulate),
+    /// Runs over grids of inputs, samples, motions and growing shaking; resumable, in shards
+    Study(Study),
     /// Ground motions: read, measure, spectrum, match to a demand, make, convert
     Motion(GroundMotionVerb),
     /// One self-contained HTML page, in English or Korean
@@ -147,6 +150,60 @@ pub(crate) struct Simulate {
     /// Language of the figures
     #[arg(long, value_enum, default_value_t = Language::En)]
     pub(crate) language: Language,
+}
+
+#[derive(Debug, Args)]
+#[command(args_conflicts_with_subcommands = true)]
+pub(crate) struct Study {
+    #[command(subcommand)]
+    pub(crate) action: Option<StudyAction>,
+    #[command(flatten)]
+    pub(crate) place: StudyWhere,
+    /// Run only the k-th of N parts, to be put together by `dolmen study merge`
+    #[arg(long, value_name = "k/N")]
+    pub(crate) shard: Option<String>,
+    /// Threads; all cores without it. The results are the same for any number
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..).map(usize::from))]
+    pub(crate) threads: Option<usize>,
+    /// Throw away what was done before instead of going on from there
+    #[arg(long)]
+    pub(crate) restart: bool,
+    /// Language of the figures
+    #[arg(long, value_enum, global = true, default_value_t = Language::En)]
+    pub(crate) language: Language,
+}
+
+#[derive(Debug, Subcommand)]
+pub(crate) enum StudyAction {
+    /// Put the journals of shards together: tables, figures and results as of one run
+    Merge {
+        #[command(flatten)]
+        place: StudyWhere,
+        /// Folders with journals of shards, beside that of the results
+        #[arg(long, value_name = "DIR", num_args = 1..)]
+        from: Vec<PathBuf>,
+    },
+    /// Which scans are not done yet
+    Missing {
+        #[command(flatten)]
+        place: StudyWhere,
+        /// Folders with journals of shards, beside that of the results
+        #[arg(long, value_name = "DIR", num_args = 1..)]
+        from: Vec<PathBuf>,
+    },
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct StudyWhere {
+    /// Project file, or a folder that holds project.toml
+    #[arg(required = true)]
+    pub(crate) project: Option<PathBuf>,
+    /// Only this study, [study.NAME]; all without it
+    #[arg(long, value_name = "NAME")]
+    pub(crate) study: Vec<String>,
+    /// Folder of the results, one below it a study; studies/ beside the project file without it
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
 }
 
 #[derive(Debug, Args)]

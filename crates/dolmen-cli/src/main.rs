@@ -14,6 +14,7 @@ mod simulate;
 mod simulate_chain;
 mod simulate_frame;
 mod stack_frequencies;
+mod study;
 mod tools;
 mod validate;
 
@@ -51,6 +52,7 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
         Verb::Check(options) => check::run(options, cli.json),
         Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
         Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
+        Verb::Study(options) => study::run(options, cli.json, cli.quiet),
         Verb::Motion(options) => motion_verb::run(options, cli.json, cli.quiet),
         Verb::Report(options) => report::run(options, cli.quiet),
         Verb::Demo(options) => report::demo(options, cli.quiet),

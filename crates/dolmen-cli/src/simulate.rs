@@ -185,11 +185,8 @@ fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: boo
     Ok(history)
 }
 
-/// Takes the simulated time, and says whether to go on.
-pub(crate) type Progress<'a> = &'a mut dyn FnMut(f64) -> bool;
-
-/// A run with its progress on a terminal; Ctrl-C ends it and keeps what is done, a second one ends the process.
-pub(crate) fn with_progress<T>(whole_s: f64, quiet: bool, run: impl FnOnce(Progress<'_>) -> T) -> T {
+/// From now on Ctrl-C asks to end and keep what is done; a second one ends the process.
+pub(crate) fn watch_interrupts() {
     HANDLER.get_or_init(|| {
         let pressed = || {
             if STOP.swap(true, Ordering::SeqCst) {
@@ -198,6 +195,19 @@ pub(crate) fn with_progress<T>(whole_s: f64, quiet: bool, run: impl FnOnce(Progr
         };
         ctrlc::set_handler(pressed).is_ok()
     });
+}
+
+/// Whether Ctrl-C was pressed.
+pub(crate) fn interrupted() -> bool {
+    STOP.load(Ordering::SeqCst)
+}
+
+/// Takes the simulated time, and says whether to go on.
+pub(crate) type Progress<'a> = &'a mut dyn FnMut(f64) -> bool;
+
+/// A run with its progress on a terminal; Ctrl-C ends it and keeps what is done, a second one ends the process.
+pub(crate) fn with_progress<T>(whole_s: f64, quiet: bool, run: impl FnOnce(Progress<'_>) -> T) -> T {
+    watch_interrupts();
     let bar = if quiet {
         ProgressBar::hidden()
     } else {
@@ -209,7 +219,7 @@ pub(crate) fn with_progress<T>(whole_s: f64, quiet: bool, run: impl FnOnce(Progr
     let mut progress = |time_s: f64| {
         bar.set_position((1e3 * time_s) as u64);
         bar.set_message(format!("{time_s:.1} of {whole_s:.1} s,"));
-        !STOP.load(Ordering::SeqCst)
+        !interrupted()
     };
     let done = run(&mut progress);
     bar.finish_and_clear();

@@ -12,6 +12,7 @@ pub mod project;
 pub mod records;
 pub mod report;
 pub mod simulation;
+pub mod study;
 pub mod text;
 
 pub use language::Language;

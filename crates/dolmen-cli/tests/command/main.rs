@@ -10,4 +10,5 @@ mod layout;
 mod safety;
 mod simulations;
 mod stacks;
+mod studies;
 mod verbs;

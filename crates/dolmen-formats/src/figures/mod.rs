@@ -19,6 +19,7 @@ mod stack_directions;
 mod stack_histories;
 mod stack_limits;
 mod stack_view;
+mod study;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
@@ -36,3 +37,4 @@ pub use stack_directions::stack_directions;
 pub use stack_histories::stack_histories;
 pub(crate) use stack_limits::above_words;
 pub use stack_limits::{stack_capacity, stack_governing};
+pub use study::study_figures;

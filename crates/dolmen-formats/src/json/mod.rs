@@ -8,6 +8,7 @@ mod identify;
 mod motion;
 mod simulation;
 mod stack;
+mod study;
 
 pub use chain_simulation::chain_simulation_json;
 pub use check::check_json;
@@ -15,3 +16,4 @@ pub use frame_simulation::frame_simulation_json;
 pub use identify::identification_json;
 pub use motion::motion_report_json;
 pub use simulation::simulation_json;
+pub use study::study_json;

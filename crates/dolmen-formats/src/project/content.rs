@@ -5,6 +5,7 @@ use super::frame::FramePart;
 use super::quantity::Quantity;
 use super::site::{MotionPart, SitePart};
 use super::stack::StackPart;
+use super::study::StudyPart;
 use super::survey::Survey;
 
 /// A name in one or both languages; at least one is given.
@@ -106,6 +107,8 @@ pub struct Project {
     pub site: Option<SitePart>,
     /// Motions of the ground in the order of the file.
     pub motions: Vec<MotionPart>,
+    /// Studies in the order of the file.
+    pub studies: Vec<StudyPart>,
     /// Surveys in the order of the file.
     pub surveys: Vec<Survey>,
     /// Variants in the order of the file.

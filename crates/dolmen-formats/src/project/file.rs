@@ -5,6 +5,7 @@
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::file_site::{MotionRaw, SiteRaw};
 use super::file_stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
+use super::file_study::StudyRaw;
 use super::file_survey::SurveyRaw;
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
@@ -73,6 +74,8 @@ pub(super) struct FileRaw {
     pub(super) motion: Option<BTreeMap<String, At<MotionRaw>>>,
     /// Where it stands, and what an earthquake asks for there.
     pub(super) site: Option<At<SiteRaw>>,
+    /// Studies by name, for `dolmen study`: [study.NAME].
+    pub(super) study: Option<BTreeMap<String, At<StudyRaw>>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
 }
@@ -91,7 +94,7 @@ pub(super) enum KindRaw {
     Survey,
 }
 
-#[derive(Debug, Default, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct NamesTable {
     /// English.
@@ -101,7 +104,7 @@ pub(super) struct NamesTable {
 }
 
 /// A name in one or two languages.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Debug, serde::Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub(super) enum NamesRaw {
     One(String),

@@ -2,12 +2,14 @@
 
 mod chain;
 mod check;
+mod combine;
 mod content;
 mod error;
 mod file;
 mod file_number;
 mod file_site;
 mod file_stack;
+mod file_study;
 mod file_survey;
 mod files;
 mod frame;
@@ -24,6 +26,7 @@ mod read_shape;
 mod read_site;
 mod read_stack;
 mod read_structure;
+mod read_study;
 mod read_survey;
 mod reader;
 mod records;
@@ -36,11 +39,13 @@ mod slips_frame;
 mod slips_stack;
 mod stack;
 mod stack_build;
+mod study;
 mod survey;
 mod units;
 mod written;
 
 pub use chain::{Cap, ChainPart, Heaviness, JointFrictionPart, JointPart, LinkPart};
+pub use combine::{canonical_text, parse_combination};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};
 pub use error::{Problem, ProjectError};
 pub use files::Files;
@@ -57,5 +62,6 @@ pub use stack::{
     ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
 };
 pub use stack_build::StackFault;
+pub use study::{ArtificialPart, Axis, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart};
 pub use survey::{ModeKind, Survey, SurveyMode, Tilt};
 pub use units::{AngleError, parse_angle_rad};

@@ -13,6 +13,7 @@ use super::read_motion::motions;
 use super::read_site::site;
 use super::read_stack::stack;
 use super::read_structure::{chain, frame};
+use super::read_study::studies;
 use super::read_survey::surveys;
 use super::reader::{Reader, names};
 use super::schema::{KEYS_OF_KIND, SCHEMA_VERSION, kind_word};
@@ -28,7 +29,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys that hold for the whole file: a variant cannot change them.
-const KEYS_OF_THE_FILE: [&str; 4] = ["schema", "kind", "units", "variant"];
+const KEYS_OF_THE_FILE: [&str; 5] = ["schema", "kind", "units", "variant", "study"];
 
 /// Paths that one warning names, our choice: more are counted.
 const PATHS_LISTED: usize = 12;
@@ -93,6 +94,7 @@ fn read(text: &str, files: &Files) -> Result<Project, Vec<Fault>> {
     version(&root)?;
     let variants = root.remove("variant");
     let mut base = root.clone();
+    root.remove("study"); // of the file as a whole
     let mut faults = Vec::new();
     let project = read_one((text, files), (&mut base, &span), None, &mut faults);
     let mut read_variants = Vec::new();
@@ -123,7 +125,7 @@ fn read(text: &str, files: &Files) -> Result<Project, Vec<Fault>> {
 }
 
 /// A fault of TOML itself.
-fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
+pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     let span = error.span().unwrap_or(0..0);
     let first = error.message().lines().next().unwrap_or_default();
     let rest: Vec<&str> = error.message().lines().skip(1).collect();
@@ -139,7 +141,7 @@ fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
 }
 
 /// The version is looked at first: a newer file may differ in everything else.
-fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
+pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
     let Some((given, span)) = root
         .get("schema")
         .and_then(|node| Some((node.get_ref().as_integer()?, node.span())))
@@ -170,7 +172,7 @@ fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
 /// Reads one whole structure, the file's own or a merged variant.
 ///
 /// `own` are the starts of the file's own values, if it is a variant.
-fn read_one<'i>(
+pub(super) fn read_one<'i>(
     (text, files): (&str, &Files),
     (root, span): (&mut DeTable<'i>, &Range<usize>),
     own: Option<BTreeSet<usize>>,
@@ -268,6 +270,7 @@ fn of_raw(
     let surveys = surveys(&mut reader, raw.survey.as_ref());
     let site = site(&mut reader, raw.site.as_ref());
     let motions = motions(&mut reader, raw.motion.as_ref());
+    let studies = studies(&mut reader, text, raw.study.as_ref());
     let structure = match kind {
         Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(Structure::Chain),
         Some(KindRaw::Frame) => {
@@ -300,6 +303,7 @@ fn of_raw(
             structure,
             site,
             motions,
+            studies,
             surveys,
             variants: Vec::new(),
             warnings: Vec::new(),
@@ -443,7 +447,7 @@ fn variant<'i>(
 }
 
 /// Where a value and all values within it start.
-fn value_starts(node: &Spanned<DeValue<'_>>, starts: &mut BTreeSet<usize>) {
+pub(super) fn value_starts(node: &Spanned<DeValue<'_>>, starts: &mut BTreeSet<usize>) {
     starts.insert(node.span().start);
     match node.get_ref() {
         DeValue::Array(list) => list.iter().for_each(|value| value_starts(value, starts)),

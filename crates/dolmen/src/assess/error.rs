@@ -60,4 +60,16 @@ pub enum AssessError {
         /// That of the table.
         of_table: f64,
     },
+    /// A scale of a scan that cannot be.
+    #[error("scale is {given}, but must be a positive number")]
+    Scale {
+        /// The scale given.
+        given: f64,
+    },
+    /// A value of a trend that is not a number.
+    #[error("a value of a trend is {given}: leave runs without a result out")]
+    Trend {
+        /// The value given.
+        given: f64,
+    },
 }

@@ -1,16 +1,22 @@
 //! From results to answers: whole checks, sensitivities, probabilities.
 
+mod capacity;
 mod chain;
+mod damage;
 pub mod demand;
 mod error;
 mod frame;
 mod probability;
 mod sensitivity;
 mod stack;
+mod trends;
 
+pub use capacity::{Capacity, ScaleTrial, Trial, capacity, next_in_bracket};
 pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
+pub use damage::{DamageState, SLIP_LEAST_M, StackDamage, stack_damage};
 pub use error::AssessError;
 pub use frame::{FrameCheck, FrameNote, check_frame};
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};
+pub use trends::{Direction, Trend, trend};

@@ -10,10 +10,13 @@ use std::f64::consts::{PI, TAU};
 
 /// Swings that a release is followed for, at the lowest frequency. Chosen here.
 const RELEASE_SWINGS: f64 = 60.0;
-/// Cycles of a harmonic motion before the steady state is read, and those it is read from. Chosen here: the free part of a frame
-/// without viscous damping dies out by friction in some ten cycles, and what is left shows in `steady`.
+/// Cycles before the steady state is read, of the ground and of the frame's slowest swing alike, and cycles of the ground that it is
+/// read from. Chosen here: at a damping ratio of 2 % the free part is down to 1/150 by then, by friction it dies out sooner, and what
+/// is left shows in `steady`.
 const CYCLES_BEFORE: f64 = 40.0;
 const CYCLES_READ: f64 = 5.0;
+/// Most cycles of the ground before the steady state is read: memory and time end. Chosen here.
+const CYCLES_MOST: f64 = 2000.0;
 /// A swing that loses less, as ln of the amplitudes, loses nothing.
 const LOSS_LEAST: f64 = 1e-9;
 /// Samples a cycle of the harmonic maps.
@@ -125,7 +128,7 @@ pub struct HarmonicPoint {
 /// Those of [`simulate_frame`].
 ///
 /// # Limits
-/// 40 cycles from rest, then 5 are read. A response that is not steady by then (beating, or chaotic) is marked.
+/// 40 cycles from rest, of the ground and of the slowest swing of the frame alike, then 5 of the ground are read. A response that is not steady by then (beating, or chaotic) is marked.
 pub fn harmonic_map(
     frame: &FrictionFrame,
     frequencies_hz: &[f64],
@@ -145,6 +148,17 @@ pub fn harmonic_map(
     Ok(points)
 }
 
+/// Whole cycles of the ground in which its own and those of the slowest swing of the frame, slipping, are at least so many.
+fn cycles_before(frame: &FrictionFrame, frequency_hz: f64) -> Result<f64, DynamicsError> {
+    let frequencies_hz = frame.frequencies_hz(Sliders::Slipping)?;
+    let slowest = frequencies_hz.into_iter().flatten().fold(frequency_hz, f64::min);
+    if slowest > 0.0 {
+        Ok((CYCLES_BEFORE * frequency_hz / slowest).min(CYCLES_MOST).ceil())
+    } else {
+        Ok(CYCLES_BEFORE)
+    }
+}
+
 fn harmonic_point(
     frame: &FrictionFrame,
     frequency_hz: f64,
@@ -155,9 +169,10 @@ fn harmonic_point(
         frequency_hz,
         phase_rad: 0.0,
     });
+    let cycles_before = cycles_before(frame, frequency_hz)?;
     let (from_s, to_s) = (
-        CYCLES_BEFORE / frequency_hz,
-        (CYCLES_BEFORE + CYCLES_READ) / frequency_hz,
+        cycles_before / frequency_hz,
+        (cycles_before + CYCLES_READ) / frequency_hz,
     );
     let options = FrameRun {
         duration_s: Some(to_s),
@@ -166,7 +181,7 @@ fn harmonic_point(
     };
     let history = simulate_frame(frame, &load, &options, &mut |_| true)?;
     let storeys = frame.frame().storeys().len();
-    let first = (CYCLES_BEFORE * SAMPLES_A_CYCLE) as usize;
+    let first = (cycles_before * SAMPLES_A_CYCLE) as usize;
     let last = first + (CYCLES_READ * SAMPLES_A_CYCLE) as usize;
     let finished = history.outcome == FrameOutcome::Finished;
     let (from_s, to_s) = if finished {

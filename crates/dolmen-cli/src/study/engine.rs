@@ -1,0 +1,298 @@
+//! Execution: scans in chunks, each run on whatever thread is free, each written to the journal as it ends. What comes out depends
+//! on the inputs alone.
+
+use super::folder::JournalFile;
+use super::inputs::{Drawn, drawn};
+use super::motions::PreparedMotion;
+use super::plan::Plan;
+use super::stacks::{self, StackRun, run_stacks};
+use crate::simulate::{interrupted, watch_interrupts};
+use anyhow::{Context as _, Result};
+use dolmen::assess::{ScaleTrial, Trial, next_in_bracket};
+use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
+use dolmen::structure::stack::Stack;
+use dolmen_formats::project::Structure;
+use dolmen_formats::study::{Run, RunOutcome};
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// Runs handed to a thread at once: the lanes of an ensemble.
+const BATCH: usize = 4;
+/// Scans prepared at once, a thread. Chosen here: keeps memory small and threads busy.
+const CHUNK_A_THREAD: usize = 32;
+
+/// A structure that is ready to be shaken.
+enum Model {
+    Stack(Box<(Stack, StackLimitStates)>),
+    Frame(Box<super::frames::FrameModel>),
+}
+
+/// A scan in progress.
+struct Job {
+    job: usize,
+    model: Result<Model, String>,
+    motion: Option<PreparedMotion>,
+    turn_rad: f64,
+    grid: Vec<f64>,
+    runs: Vec<Run>,
+}
+
+/// All runs of a shard, those done before among them; fewer if Ctrl-C was pressed.
+pub(super) fn run(
+    plan: &Plan<'_>,
+    shard: (usize, usize),
+    done: Vec<Run>,
+    journal: &JournalFile,
+    quiet: bool,
+) -> Result<Vec<Run>> {
+    watch_interrupts();
+    let jobs = jobs_of(plan, shard);
+    let mut before: BTreeMap<usize, Vec<Run>> = BTreeMap::new();
+    for run in done {
+        before.entry(run.job).or_default().push(run);
+    }
+    let steps = plan
+        .study
+        .scan
+        .as_ref()
+        .map_or(0, |scan| scan.steps() + plan.study.refine as usize);
+    let bar = progress_bar(jobs.len() * steps, quiet);
+    let mut all = Vec::new();
+    for chunk in jobs.chunks(CHUNK_A_THREAD * rayon::current_num_threads()) {
+        if interrupted() {
+            break;
+        }
+        let mut scans: Vec<Job> = chunk
+            .par_iter()
+            .map(|&job| prepare(plan, job, before.get(&job).cloned().unwrap_or_default()))
+            .collect::<Result<_>>()?;
+        for scan in &mut scans {
+            if let (Err(why), true) = (&scan.model, scan.runs.is_empty()) {
+                let run = Run {
+                    why: why.clone(),
+                    outcome: RunOutcome::Refused,
+                    ..empty_run(scan.job)
+                };
+                journal.append(&run)?;
+                scan.runs.push(run);
+            }
+        }
+        loop {
+            let wanted = wanted(plan, &scans)?;
+            if wanted.is_empty() || interrupted() {
+                break;
+            }
+            let found: Vec<Vec<(usize, Run)>> = wanted
+                .par_chunks(BATCH)
+                .map(|batch| run_batch(plan, &scans, batch, journal, &bar))
+                .collect::<Result<_>>()?;
+            for (index, run) in found.into_iter().flatten() {
+                scans[index].runs.push(run);
+            }
+        }
+        all.extend(scans.into_iter().flat_map(|scan| scan.runs));
+    }
+    let reached: BTreeSet<usize> = all.iter().map(|run: &Run| run.job).collect();
+    before.retain(|job, _| !reached.contains(job)); // of chunks that were not reached
+    all.extend(before.into_values().flatten());
+    bar.finish_and_clear();
+    Ok(all)
+}
+
+/// The scans of a shard.
+fn jobs_of(plan: &Plan<'_>, (part, of): (usize, usize)) -> Vec<usize> {
+    (0..plan.jobs()).filter(|job| job % of == part - 1).collect()
+}
+
+/// Scans of a shard that are not done.
+pub(super) fn missing(plan: &Plan<'_>, shard: (usize, usize), runs: &[Run]) -> Vec<usize> {
+    let mut by_job: BTreeMap<usize, Vec<&Run>> = BTreeMap::new();
+    for run in runs {
+        by_job.entry(run.job).or_default().push(run);
+    }
+    let is_done = |job: &usize| {
+        let Some(runs) = by_job.get(job) else { return false };
+        if runs.iter().any(|run| run.scale == 0.0) {
+            return true; // refused: there is nothing to scan
+        }
+        let trials: Vec<ScaleTrial> = runs.iter().map(|run| trial(run)).collect();
+        let Some(grid) = plan.grid_of(*job) else {
+            return false;
+        };
+        let whole = grid
+            .iter()
+            .all(|scale| runs.iter().any(|run| run.scale == *scale));
+        whole && matches!(next_in_bracket(&grid, &trials, plan.study.refine), Ok(None))
+    };
+    jobs_of(plan, shard)
+        .into_iter()
+        .filter(|job| !is_done(job))
+        .collect()
+}
+
+fn empty_run(job: usize) -> Run {
+    Run {
+        job,
+        scale: 0.0,
+        peak_ground_acceleration_m_s2: f64::NAN,
+        peak_ground_velocity_m_s: f64::NAN,
+        outcome: RunOutcome::Stood,
+        damage_state: 0,
+        at_s: f64::NAN,
+        part: String::new(),
+        gave_way: String::new(),
+        measures: Vec::new(),
+        why: String::new(),
+    }
+}
+
+fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job> {
+    let (turns, samples) = (plan.study.turns_rad.len(), plan.samples());
+    let case = job / (plan.motions.len() * turns);
+    let mut scan = Job {
+        job,
+        model: Err(String::new()),
+        motion: None,
+        turn_rad: plan.study.turns_rad[job % turns],
+        grid: Vec::new(),
+        runs,
+    };
+    let project = match plan.project(case / samples) {
+        Ok(project) => project,
+        Err(why) => {
+            scan.model = Err(why);
+            return Ok(scan);
+        }
+    };
+    let sample = match plan.study.samples {
+        Some(_) => drawn(&project, plan.study.seed, (case % samples) as u64)?,
+        None => Drawn::default(),
+    };
+    let motion = plan.motion(&project, job / turns % plan.motions.len())?;
+    scan.grid = plan.scales(&motion);
+    scan.motion = Some(motion);
+    scan.model = match &project.structure {
+        Structure::Stack(part) => match part.build(&mut |quantity| sample.pick(quantity)) {
+            Ok(stack) => stack_model(stack),
+            Err(why) => Err(why.to_string()),
+        },
+        Structure::Frame(part) => {
+            super::frames::model(plan.study, part, &mut |quantity| sample.pick(quantity))
+                .map(|m| Model::Frame(Box::new(m)))
+        }
+        Structure::Chain(_) | Structure::Survey => {
+            Err("only stacks and frames can be studied so far".to_owned())
+        }
+    };
+    Ok(scan)
+}
+
+fn stack_model(stack: Stack) -> Result<Model, String> {
+    let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| why.to_string())?;
+    if !limits.standing.stands() {
+        return Err(format!("it does not stand without shaking: {}", limits.standing));
+    }
+    Ok(Model::Stack(Box::new((stack, limits))))
+}
+
+fn trial(run: &Run) -> ScaleTrial {
+    ScaleTrial {
+        scale: run.scale,
+        trial: match run.outcome {
+            RunOutcome::Fell => Trial::Fell,
+            RunOutcome::Diverged | RunOutcome::Refused => Trial::Unknown,
+            RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid => Trial::Survived,
+        },
+    }
+}
+
+/// Scans (indices) and scales to run next: what is missing of the grids; when they are whole, the middle of each bracket.
+fn wanted(plan: &Plan<'_>, scans: &[Job]) -> Result<Vec<(usize, f64)>> {
+    let mut wanted = Vec::new();
+    for (index, scan) in scans.iter().enumerate().filter(|(_, scan)| scan.model.is_ok()) {
+        let is_done = |scale: f64| scan.runs.iter().any(|run| run.scale == scale);
+        let open: Vec<f64> = scan
+            .grid
+            .iter()
+            .copied()
+            .filter(|scale| !is_done(*scale))
+            .collect();
+        if open.is_empty() {
+            let trials: Vec<ScaleTrial> = scan.runs.iter().map(trial).collect();
+            let next = next_in_bracket(&scan.grid, &trials, plan.study.refine)?;
+            wanted.extend(next.map(|scale| (index, scale)));
+        } else {
+            wanted.extend(open.into_iter().map(|scale| (index, scale)));
+        }
+    }
+    Ok(wanted)
+}
+
+/// Runs a batch and keeps each of its rows; those that were stopped are missing.
+fn run_batch(
+    plan: &Plan<'_>,
+    scans: &[Job],
+    batch: &[(usize, f64)],
+    journal: &JournalFile,
+    bar: &ProgressBar,
+) -> Result<Vec<(usize, Run)>> {
+    if interrupted() {
+        return Ok(Vec::new());
+    }
+    let mut found = Vec::with_capacity(batch.len());
+    let mut stack_runs = Vec::new();
+    for &(index, scale) in batch {
+        let scan = &scans[index];
+        let motion = scan.motion.as_ref().context("a scan without motion")?;
+        let acting = motion.acting(scale, scan.turn_rad)?;
+        let run = Run {
+            scale,
+            peak_ground_acceleration_m_s2: scale * motion.peak_m_s2,
+            peak_ground_velocity_m_s: scale * motion.velocity_m_s,
+            ..empty_run(scan.job)
+        };
+        match &scan.model {
+            Ok(Model::Stack(model)) => {
+                let stack_run = StackRun {
+                    stack: &model.0,
+                    motion: acting,
+                    options: stacks::springs(plan.study)?,
+                };
+                stack_runs.push((index, run, model, stack_run));
+            }
+            Ok(Model::Frame(model)) => {
+                let row = super::frames::row(plan.study, run, model, &acting);
+                found.extend(row.map(|row| (index, row)));
+            }
+            Err(_) => {}
+        }
+    }
+    let (told, runs): (Vec<_>, Vec<StackRun<'_>>) = stack_runs
+        .into_iter()
+        .map(|(index, run, model, stack_run)| ((index, run, model), stack_run))
+        .unzip();
+    for ((index, run, model), history) in told.into_iter().zip(run_stacks(&runs)) {
+        let row = stacks::row(run, (&model.0, &model.1), history);
+        found.extend(row.map(|row| (index, row)));
+    }
+    for (_, run) in &found {
+        journal.append(run)?;
+        bar.inc(1);
+    }
+    Ok(found)
+}
+
+fn progress_bar(runs: usize, quiet: bool) -> ProgressBar {
+    let bar = if quiet {
+        ProgressBar::hidden()
+    } else {
+        ProgressBar::new(runs as u64)
+    };
+    if let Ok(style) = ProgressStyle::with_template(
+        "{bar:40} {pos} of about {len} runs, {eta} left; Ctrl-C keeps what is done",
+    ) {
+        bar.set_style(style);
+    }
+    bar
+}

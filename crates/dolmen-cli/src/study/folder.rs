@@ -1,0 +1,226 @@
+//! The folder of a study: journals that are appended to, tables and figures that are written whole or not at all.
+
+use super::plan::Plan;
+use crate::files;
+use anyhow::{Context as _, Result, bail};
+use dolmen_formats::Language;
+use dolmen_formats::figures::study_figures;
+use dolmen_formats::json::study_json;
+use dolmen_formats::study::{
+    Column, Journal, JournalHeader, Run, StudyAnswer, StudyKind, capacity_columns, harmonic_columns,
+    header_line, parquet, read_journal, release_columns, run_columns, run_line, table_csv,
+};
+use std::collections::BTreeMap;
+use std::fs::{self, File, OpenOptions};
+use std::io::{Seek as _, SeekFrom, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// Where the results of a study lie.
+pub(super) struct StudyFolder {
+    path: PathBuf,
+}
+
+/// A journal that is being written; it is locked against a second process.
+pub(super) struct JournalFile {
+    file: Mutex<File>,
+    path: PathBuf,
+}
+
+impl JournalFile {
+    /// Writes the line of a run in one piece.
+    pub(super) fn append(&self, run: &Run) -> Result<()> {
+        let line = run_line(run);
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        file.write_all(line.as_bytes())
+            .and_then(|()| file.flush())
+            .with_context(|| format!("cannot write {}", self.path.display()))
+    }
+}
+
+/// "2/5": the second of five.
+pub(super) fn shard(text: &str) -> Result<(usize, usize)> {
+    let parts = text.split_once('/');
+    let numbers = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
+    match numbers {
+        Some((part, of)) if 1 <= part && part <= of => Ok((part, of)),
+        _ => bail!("--shard is \"{text}\", but must be k/N with k from 1 to N: 1/4 is the first of four"),
+    }
+}
+
+impl StudyFolder {
+    /// `output`/NAME, or studies/NAME beside the project file.
+    pub(super) fn of(output: Option<&Path>, project: &Path, study: &str) -> Self {
+        let beside = project.parent().unwrap_or(Path::new(".")).join("studies");
+        StudyFolder {
+            path: output.unwrap_or(&beside).join(study),
+        }
+    }
+
+    pub(super) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(super) fn journal_file(&self, (part, of): (usize, usize)) -> PathBuf {
+        let name = if of == 1 {
+            "journal.tsv".to_owned()
+        } else {
+            format!("journal-{part}-of-{of}.tsv")
+        };
+        self.path.join(name)
+    }
+
+    /// The journal of a shard, ready to be appended to, and what it holds already.
+    pub(super) fn journal(
+        &self,
+        header: &JournalHeader,
+        kind: StudyKind,
+        restart: bool,
+    ) -> Result<(JournalFile, Vec<Run>)> {
+        let path = self.journal_file(header.shard);
+        let shown = path.display().to_string();
+        fs::create_dir_all(&self.path)
+            .with_context(|| format!("cannot make the folder {}", self.path.display()))?;
+        let file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&path);
+        let mut file = file.with_context(|| format!("cannot open {shown}"))?;
+        if file.try_lock().is_err() {
+            bail!("{shown} is in use: another `dolmen study` is running this study");
+        }
+        let text = if restart {
+            String::new()
+        } else {
+            files::read_text(&path)?
+        };
+        // a process killed before it had written the header leaves a part of it
+        let starts_anew = !text.contains('\n');
+        let (keep, runs) = if starts_anew {
+            (0, Vec::new())
+        } else {
+            let journal = read_journal(&text, kind).with_context(|| shown.clone())?;
+            check(header, &journal, &shown)?;
+            (journal.whole_bytes, unique(journal.runs, &shown)?)
+        };
+        let made = file
+            .set_len(keep as u64)
+            .and_then(|()| file.seek(SeekFrom::End(0)))
+            .and_then(|_| {
+                if starts_anew {
+                    file.write_all(header_line(header).as_bytes())
+                } else {
+                    Ok(())
+                }
+            });
+        made.with_context(|| format!("cannot write {shown}"))?;
+        let file = JournalFile {
+            file: Mutex::new(file),
+            path,
+        };
+        Ok((file, runs))
+    }
+
+    /// The runs of all journals of a study: in its folder, and in others that are named.
+    pub(super) fn merged(&self, plan: &Plan<'_>, from: &[PathBuf]) -> Result<Vec<Run>> {
+        let mut folders = vec![self.path.clone()];
+        folders.extend(from.iter().cloned());
+        folders.extend(from.iter().map(|folder| folder.join(&plan.study.name)));
+        let mut journals = Vec::new();
+        for folder in &folders {
+            for entry in fs::read_dir(folder).into_iter().flatten() {
+                let path = entry?.path();
+                let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+                if name.is_some_and(|name| name.starts_with("journal") && name.ends_with(".tsv")) {
+                    journals.push(path);
+                }
+            }
+        }
+        journals.sort();
+        if journals.is_empty() {
+            bail!(
+                "there is no journal in {}: run `dolmen study` first, or name the folders of the shards",
+                self.path.display()
+            );
+        }
+        let header = plan.header((1, 1));
+        let mut all = Vec::new();
+        for path in journals {
+            let shown = path.display().to_string();
+            let journal =
+                read_journal(&files::read_text(&path)?, plan.kind).with_context(|| shown.clone())?;
+            check(&header, &journal, &shown)?;
+            all.extend(journal.runs);
+        }
+        unique(all, "the journals")
+    }
+
+    /// Tables, figures and JSON.
+    pub(super) fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
+        let put = |name: &str, bytes: &[u8]| files::write(&self.path.join(name), bytes);
+        let table = |name: &str, columns: Vec<Column>| -> Result<()> {
+            put(&format!("{name}.csv"), table_csv(&columns).as_bytes())?;
+            put(&format!("{name}.parquet"), &parquet(&columns)?)
+        };
+        if answer.study.scan.is_some() {
+            table("runs", run_columns(answer))?;
+            table("capacities", capacity_columns(answer))?;
+        }
+        if answer.study.harmonic.is_some() {
+            table("harmonic", harmonic_columns(&answer.maps))?;
+        }
+        if answer.study.release_m.is_some() {
+            table("release", release_columns(&answer.maps))?;
+        }
+        for figure in study_figures(answer, language) {
+            put(&format!("{}.svg", figure.name), figure.svg.as_bytes())?;
+        }
+        put("study.json", format!("{:#}\n", study_json(answer)?).as_bytes())
+    }
+}
+
+fn check(header: &JournalHeader, journal: &Journal, shown: &str) -> Result<()> {
+    if let Some(difference) = header.difference(&journal.header) {
+        bail!(
+            "{shown} belongs to another state of this study: {difference}. Name another folder with -o, or give --restart to throw its \
+             runs away"
+        );
+    }
+    Ok(())
+}
+
+/// Each run once; two of the same inputs must be the same to the last bit.
+fn unique(runs: Vec<Run>, shown: &str) -> Result<Vec<Run>> {
+    let mut seen: BTreeMap<(usize, u64), Run> = BTreeMap::new();
+    for run in runs {
+        let key = (run.job, run.scale.to_bits());
+        match seen.get(&key) {
+            Some(other) if !other.is_same(&run) => bail!(
+                "{shown}: the run of scan {} at scale {} is there twice with different results: they come from programs that do not \
+                 compute alike; start anew with --restart",
+                run.job + 1,
+                run.scale
+            ),
+            Some(_) => {}
+            None => {
+                seen.insert(key, run);
+            }
+        }
+    }
+    Ok(seen.into_values().collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_shards_and_refuses_others() {
+        assert_eq!(shard("2/5").unwrap(), (2, 5));
+        for wrong in ["0/2", "3/2", "1", "a/b", "1/0", ""] {
+            assert!(shard(wrong).is_err(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! `dolmen study`: runs over grids of inputs, samples, motions and growing shaking; kept, resumed, shared out and put together.
+
+mod engine;
+mod folder;
+mod frames;
+mod inputs;
+mod motions;
+mod plan;
+mod stacks;
+
+use crate::cli::{Study as Options, StudyAction, StudyWhere};
+use crate::{Outcome, files, simulate};
+use anyhow::{Context as _, Result, bail};
+use dolmen_formats::Language;
+use dolmen_formats::json::study_json;
+use dolmen_formats::project::StudyPart;
+use dolmen_formats::study::{Run, RunOutcome, StudyAnswer};
+use dolmen_formats::text::study_text;
+use folder::StudyFolder;
+use plan::Plan;
+
+pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
+    match &options.action {
+        Some(StudyAction::Merge { place, from }) => each(place, |plan, folder| {
+            let found = folder.merged(plan, from)?;
+            finish(plan, folder, found, &Printed::of(options, as_json, quiet))
+        }),
+        Some(StudyAction::Missing { place, from }) => {
+            each(place, |plan, folder| missing(plan, folder, from, as_json))
+        }
+        None => each(&options.place, |plan, folder| {
+            simulated(options, plan, folder, as_json, quiet)
+        }),
+    }
+}
+
+/// Does something with each study that is meant.
+fn each(place: &StudyWhere, act: impl Fn(&Plan, &StudyFolder) -> Result<Outcome>) -> Result<Outcome> {
+    let project = place.project.as_deref();
+    let project = project.context("name a project file, or a folder that holds project.toml")?;
+    let opened = plan::open(project)?;
+    let studies = &opened.project.studies;
+    let known = || {
+        let names: Vec<&str> = studies.iter().map(|study| study.name.as_str()).collect();
+        names.join(", ")
+    };
+    let meant: Vec<&StudyPart> = match place.study.as_slice() {
+        [] => studies.iter().collect(),
+        named => {
+            let mut meant = Vec::new();
+            for name in named {
+                let Some(study) = studies.iter().find(|study| study.name == *name) else {
+                    bail!("there is no study \"{name}\": the file has {}", known());
+                };
+                meant.push(study);
+            }
+            meant
+        }
+    };
+    if meant.is_empty() {
+        bail!("the file has no study: write one as [study.NAME]; docs/study.md has its keys");
+    }
+    let mut worst = Outcome::Stands;
+    for study in meant {
+        let plan = Plan::of(&opened, study).with_context(|| format!("study \"{}\"", study.name))?;
+        let folder = StudyFolder::of(place.output.as_deref(), &opened.file, &study.name);
+        let outcome = act(&plan, &folder).with_context(|| format!("study \"{}\"", study.name))?;
+        if outcome != Outcome::Stands {
+            worst = outcome;
+        }
+        if simulate::interrupted() {
+            break;
+        }
+    }
+    Ok(worst)
+}
+
+fn simulated(
+    options: &Options,
+    plan: &Plan,
+    folder: &StudyFolder,
+    as_json: bool,
+    quiet: bool,
+) -> Result<Outcome> {
+    let shard = match &options.shard {
+        Some(text) => folder::shard(text)?,
+        None => (1, 1),
+    };
+    let (journal, done) = folder.journal(&plan.header(shard), plan.kind, options.restart)?;
+    let resumed = done.len();
+    if resumed > 0 && !quiet {
+        eprintln!(
+            "{}: {resumed} runs are kept from before",
+            folder.journal_file(shard).display()
+        );
+    }
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(options.threads.unwrap_or(0))
+        .build()?;
+    let runs = pool.install(|| engine::run(plan, shard, done, &journal, quiet))?;
+    drop(journal);
+    if shard.1 > 1 {
+        return shard_done(plan, folder, shard, &runs, as_json);
+    }
+    finish(plan, folder, runs, &Printed::of(options, as_json, quiet))
+}
+
+/// What is said at the end of a shard: its journal is its result.
+fn shard_done(
+    plan: &Plan,
+    folder: &StudyFolder,
+    shard: (usize, usize),
+    runs: &[Run],
+    as_json: bool,
+) -> Result<Outcome> {
+    let missing = engine::missing(plan, shard, runs);
+    let file = folder.journal_file(shard);
+    if as_json {
+        let value = serde_json::json!({
+            "study": plan.study.name, "shard": format!("{}/{}", shard.0, shard.1), "runs": runs.len(),
+            "scans_missing": missing.len(), "journal": file.display().to_string(),
+        });
+        files::say(&format!("{value:#}\n"))?;
+    } else {
+        files::say(&format!(
+            "Study \"{}\", shard {} of {}: {} runs, {} scans missing, in {}\n`dolmen study merge` puts the shards together\n",
+            plan.study.name,
+            shard.0,
+            shard.1,
+            runs.len(),
+            missing.len(),
+            file.display()
+        ))?;
+    }
+    Ok(if missing.is_empty() {
+        Outcome::Stands
+    } else {
+        Outcome::Unfinished
+    })
+}
+
+/// How results are given.
+struct Printed {
+    as_json: bool,
+    quiet: bool,
+    language: Language,
+}
+
+impl Printed {
+    fn of(options: &Options, as_json: bool, quiet: bool) -> Self {
+        Printed {
+            as_json,
+            quiet,
+            language: simulate::language(options.language),
+        }
+    }
+}
+
+/// Tables, figures and what is printed.
+fn finish(plan: &Plan, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed) -> Result<Outcome> {
+    let missing = engine::missing(plan, (1, 1), &runs);
+    let mut answer = plan.answer(runs, missing);
+    answer.maps = frames::maps(plan)?;
+    if let Some(why) = all_refused(&answer) {
+        bail!("every run was refused: {why}");
+    }
+    folder.write(&answer, printed.language)?;
+    if printed.as_json {
+        files::say(&format!("{:#}\n", study_json(&answer)?))?;
+    } else {
+        files::say(&study_text(&answer)?)?;
+    }
+    if !printed.quiet {
+        eprintln!("tables and figures are in {}", folder.path().display());
+    }
+    Ok(if answer.missing.is_empty() {
+        Outcome::Stands
+    } else {
+        Outcome::Unfinished
+    })
+}
+
+fn all_refused(answer: &StudyAnswer) -> Option<&str> {
+    let all = !answer.runs.is_empty() && answer.runs.iter().all(|run| run.outcome == RunOutcome::Refused);
+    all.then(|| answer.runs.first().map_or("", |run| run.why.as_str()))
+}
+
+fn missing(plan: &Plan, folder: &StudyFolder, from: &[std::path::PathBuf], as_json: bool) -> Result<Outcome> {
+    let runs = folder.merged(plan, from)?;
+    let missing = engine::missing(plan, (1, 1), &runs);
+    if as_json {
+        let scans: Vec<_> = missing.iter().map(|&job| plan.scan_json(job)).collect();
+        let value = serde_json::json!({
+            "study": plan.study.name, "scans": plan.jobs(), "runs": runs.len(), "missing": scans,
+        });
+        files::say(&format!("{value:#}\n"))?;
+    } else {
+        let mut text = format!(
+            "Study \"{}\": {} of {} scans are done, {} runs\n",
+            plan.study.name,
+            plan.jobs() - missing.len(),
+            plan.jobs(),
+            runs.len()
+        );
+        for &job in missing.iter().take(MISSING_SHOWN) {
+            text += &format!("  missing: {}\n", plan.scan_words(job));
+        }
+        if missing.len() > MISSING_SHOWN {
+            text += &format!("  and {} more\n", missing.len() - MISSING_SHOWN);
+        }
+        files::say(&text)?;
+    }
+    Ok(if missing.is_empty() {
+        Outcome::Stands
+    } else {
+        Outcome::Unfinished
+    })
+}
+
+/// Missing scans that are named; more are counted.
+const MISSING_SHOWN: usize = 20;

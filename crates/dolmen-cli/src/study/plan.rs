@@ -1,0 +1,259 @@
+//! What a study will run: its cases with their inputs, its motions, and the fingerprint of everything that decides the results.
+
+use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
+use super::motions::{PreparedMotion, motion_names, prepared};
+use crate::{files, open};
+use anyhow::{Context as _, Result, bail};
+use dolmen_formats::project::{
+    Files, Override, Project, Scan, Structure, StudyPart, canonical_text, parse_combination,
+};
+use dolmen_formats::study::{
+    CaseInputs, InputColumn, JournalHeader, Run, StudyAnswer, StudyKind, fingerprint,
+};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+
+/// Most scans of a study: more do not fit into memory with their results. Chosen here.
+const SCANS_MOST: usize = 10_000_000;
+
+/// A project file with its text: every case is read from it again.
+pub(super) struct OpenedText {
+    pub(super) project: Project,
+    pub(super) file: PathBuf,
+    pub(super) text: String,
+}
+
+pub(super) fn open(path: &Path) -> Result<OpenedText> {
+    let open::Opened { project, file } = open::project(path)?;
+    let text = files::read_text(&file)?;
+    Ok(OpenedText { project, file, text })
+}
+
+/// A study ready to run.
+pub(super) struct Plan<'o> {
+    opened: &'o OpenedText,
+    pub(super) study: &'o StudyPart,
+    pub(super) kind: StudyKind,
+    /// Motions by name, as the file has them without a case's changes.
+    pub(super) motions: Vec<(String, PreparedMotion)>,
+    inputs: Vec<InputColumn>,
+    cases: Vec<CaseInputs>,
+    fingerprints: Vec<(String, String)>,
+}
+
+impl<'o> Plan<'o> {
+    pub(super) fn of(opened: &'o OpenedText, study: &'o StudyPart) -> Result<Self> {
+        let kind = match &opened.project.structure {
+            Structure::Stack(_) => StudyKind::Stack,
+            Structure::Frame(_) => StudyKind::Frame,
+            Structure::Chain(_) | Structure::Survey => bail!("only stacks and frames can be studied so far"),
+        };
+        let mut motions = Vec::new();
+        if study.scan.is_some() {
+            for name in motion_names(study)? {
+                let motion = prepared(&opened.project, &opened.file, study, &name)?;
+                motions.push((name, motion));
+            }
+        } else if kind == StudyKind::Stack || (study.harmonic.is_none() && study.release_m.is_none()) {
+            bail!("the study says not how the shaking grows: give scale or peak");
+        }
+        let samples = study.samples.unwrap_or(1);
+        let scans = study
+            .combinations()
+            .saturating_mul(samples)
+            .saturating_mul(motions.len().max(1));
+        if scans.saturating_mul(study.turns_rad.len()) > SCANS_MOST {
+            bail!("the study has more than {SCANS_MOST} scans: vary less, or draw fewer samples");
+        }
+        let mut plan = Plan {
+            opened,
+            study,
+            kind,
+            motions,
+            inputs: Vec::new(),
+            cases: Vec::new(),
+            fingerprints: Vec::new(),
+        };
+        plan.read_inputs()?;
+        plan.fingerprints = plan.fingerprints()?;
+        Ok(plan)
+    }
+
+    /// Reads every combination once: what its inputs are, and whether it can be.
+    fn read_inputs(&mut self) -> Result<()> {
+        let samples = self.study.samples.unwrap_or(1);
+        let read: Vec<ReadCombination> = (0..self.study.combinations())
+            .into_par_iter()
+            .map(|combination| {
+                let project = self.project(combination).ok();
+                let draw = |sample| match (&project, self.study.samples) {
+                    (Some(project), Some(_)) => drawn(project, self.study.seed, sample as u64),
+                    _ => Ok(Drawn::default()),
+                };
+                let paths = self.study.vary.iter().map(|axis| axis.path.as_str());
+                Ok(ReadCombination {
+                    samples: (0..samples).map(draw).collect::<Result<_>>()?,
+                    values: paths.map(|path| value_at(project.as_ref(), path)).collect(),
+                })
+            })
+            .collect::<Result<_>>()?;
+        self.inputs = input_columns(self.study, &read);
+        for (combination, read) in read.iter().enumerate() {
+            let (variant, values) = self.study.combination(combination);
+            let cases = read
+                .samples
+                .iter()
+                .map(|sample| case_inputs((variant, &values), read, sample, &self.inputs));
+            self.cases.extend(cases);
+        }
+        Ok(())
+    }
+
+    fn fingerprints(&self) -> Result<Vec<(String, String)>> {
+        let file = self.opened.file.display().to_string();
+        let text = canonical_text(&self.opened.text, &file, &self.study.name)?;
+        let mut all = vec![("the project file".to_owned(), fingerprint(text.as_bytes()))];
+        for (name, motion) in &self.motions {
+            all.push((format!("motion {name}"), motion.fingerprint()));
+        }
+        let cases = format!("{:?}{:?}", self.inputs, self.cases); // files that the project names act here
+        all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
+        if let Structure::Stack(part) = &self.opened.project.structure {
+            all.push(("stones".to_owned(), fingerprint(format!("{part:?}").as_bytes())));
+        }
+        Ok(all)
+    }
+
+    /// The project of a combination, or why it cannot be, in one line.
+    pub(super) fn project(&self, combination: usize) -> Result<Project, String> {
+        let (variant, values) = self.study.combination(combination);
+        let folder = self.opened.file.parent().unwrap_or(Path::new(".")).to_owned();
+        let others =
+            Files::from_loader(move |name| files::read(&folder.join(name)).map_err(|why| format!("{why:#}")));
+        let laid: Vec<&Override> = self.study.set.iter().chain(values.iter().copied()).collect();
+        let file = self.opened.file.display().to_string();
+        parse_combination(&self.opened.text, &file, &others, variant, &laid).map_err(|error| {
+            let first = error.problems.first();
+            first.map_or_else(String::new, |problem| {
+                let allowed = problem
+                    .allowed
+                    .as_ref()
+                    .map_or(String::new(), |allowed| format!(", {allowed}"));
+                format!("{}{allowed} (line {} of {file})", problem.message, problem.line)
+            })
+        })
+    }
+
+    /// The motion of a case by its index: that of the file unless the case changes it.
+    pub(super) fn motion(&self, project: &Project, index: usize) -> Result<PreparedMotion> {
+        let (name, own) = self.motions.get(index).context("the study has no motion")?;
+        let part = |project: &Project| project.motions.iter().find(|part| part.name == *name).cloned();
+        if part(project) == part(&self.opened.project) {
+            return Ok(own.clone());
+        }
+        prepared(project, &self.opened.file, self.study, name)
+    }
+
+    /// Factors on a motion, rising.
+    pub(super) fn scales(&self, motion: &PreparedMotion) -> Vec<f64> {
+        match &self.study.scan {
+            Some(Scan::Scales(scales)) => scales.clone(),
+            Some(Scan::Peaks(peaks)) => peaks.iter().map(|peak| peak / motion.peak_m_s2).collect(),
+            None => Vec::new(),
+        }
+    }
+
+    /// The factors of a scan, without preparing the rest of it; `None` if its inputs are refused.
+    pub(super) fn grid_of(&self, job: usize) -> Option<Vec<f64>> {
+        let turns = self.study.turns_rad.len();
+        let (case, motion) = (
+            job / (self.motions.len() * turns),
+            job / turns % self.motions.len(),
+        );
+        let paths = self.study.set.iter().map(|set| &set.path);
+        let mut paths = paths.chain(self.study.vary.iter().map(|axis| &axis.path));
+        let is_own = self.study.variants.is_empty() && !paths.any(|path| path.starts_with("motion"));
+        if is_own {
+            return Some(self.scales(&self.motions.get(motion)?.1));
+        }
+        let project = self.project(case / self.samples()).ok()?;
+        Some(self.scales(&self.motion(&project, motion).ok()?))
+    }
+
+    /// Scans in all.
+    pub(super) fn jobs(&self) -> usize {
+        self.cases.len() * self.motions.len() * self.study.turns_rad.len()
+    }
+
+    pub(super) fn samples(&self) -> usize {
+        self.study.samples.unwrap_or(1)
+    }
+
+    pub(super) fn header(&self, shard: (usize, usize)) -> JournalHeader {
+        JournalHeader {
+            study: self.study.name.clone(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            jobs: self.jobs(),
+            shard,
+            inputs: self.fingerprints.clone(),
+        }
+    }
+
+    pub(super) fn answer(&self, mut runs: Vec<Run>, missing: Vec<usize>) -> StudyAnswer {
+        runs.sort_by(|a, b| a.job.cmp(&b.job).then(a.scale.total_cmp(&b.scale)));
+        StudyAnswer {
+            file: self.opened.file.display().to_string(),
+            name: self.opened.project.name.clone(),
+            study: self.study.clone(),
+            kind: self.kind,
+            gravity_m_s2: self.opened.project.gravity_m_s2,
+            inputs: self.inputs.clone(),
+            cases: self.cases.clone(),
+            motions: self.motions.iter().map(|(name, _)| name.clone()).collect(),
+            runs,
+            missing,
+            maps: Vec::new(),
+        }
+    }
+
+    pub(super) fn cases(&self) -> usize {
+        self.cases.len()
+    }
+
+    /// A case in words: its variant and inputs; empty if there is only one.
+    pub(super) fn case_words(&self, case: usize) -> String {
+        let Some(inputs) = self.cases.get(case).filter(|_| self.cases.len() > 1) else {
+            return String::new();
+        };
+        let mut words: Vec<String> = inputs.variant.iter().cloned().collect();
+        let each = self.inputs.iter().zip(&inputs.texts);
+        words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
+        words.join(", ")
+    }
+
+    /// A scan as JSON: what its inputs are.
+    pub(super) fn scan_json(&self, job: usize) -> Value {
+        json!({ "scan": job + 1, "inputs": self.scan_words(job) })
+    }
+
+    /// A scan in words: what its inputs are.
+    pub(super) fn scan_words(&self, job: usize) -> String {
+        let turns = self.study.turns_rad.len();
+        let case = self.case_words(job / (self.motions.len() * turns));
+        let mut words = vec![format!(
+            "motion {}",
+            self.motions[job / turns % self.motions.len()].0
+        )];
+        if !case.is_empty() {
+            words.insert(0, case);
+        }
+        if turns > 1 {
+            words.push(format!(
+                "turned by {}°",
+                self.study.turns_rad[job % turns].to_degrees()
+            ));
+        }
+        words.join(", ")
+    }
+}

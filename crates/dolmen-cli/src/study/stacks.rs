@@ -1,0 +1,104 @@
+//! Runs of stacks, in batches.
+
+use crate::simulate;
+use anyhow::{Result, bail};
+use dolmen::assess::{DamageState, stack_damage};
+use dolmen::blocks::{BlocksError, ContactRule, Outcome, Springs, StackHistory, simulate_springs};
+use dolmen::signal::GroundMotion;
+use dolmen::stability::stack::StackLimitStates;
+use dolmen::structure::stack::{Body, Stack};
+use dolmen_formats::project::{LawPart, StudyPart};
+use dolmen_formats::study::{Run, RunOutcome};
+
+/// One stack under one motion.
+pub(super) struct StackRun<'s> {
+    pub(super) stack: &'s Stack,
+    pub(super) motion: GroundMotion,
+    pub(super) options: Springs,
+}
+
+/// Runs a batch; the results are in its order, and each is the same in any batch.
+pub(super) fn run_stacks(batch: &[StackRun<'_>]) -> Vec<Result<StackHistory, BlocksError>> {
+    let one = |run: &StackRun<'_>| {
+        simulate_springs(run.stack, Some(&run.motion), &run.options, &mut |_| {
+            !simulate::interrupted()
+        })
+    };
+    batch.iter().map(one).collect()
+}
+
+/// How a study runs its stacks.
+pub(super) fn springs(study: &StudyPart) -> Result<Springs> {
+    if study.law == LawPart::Rigid {
+        bail!("law = \"rigid\" is not there yet: take law = \"springs\"");
+    }
+    let usual = Springs::default();
+    Ok(Springs {
+        contact_rule: match study.points {
+            4 => ContactRule::Corners,
+            9 => ContactRule::Three,
+            36 => ContactRule::Six,
+            _ => ContactRule::Four,
+        },
+        rest_s: study.rest_s.unwrap_or(usual.rest_s),
+        ..usual
+    })
+}
+
+/// The row of a run; `None` if it was stopped.
+pub(super) fn row(
+    mut run: Run,
+    (stack, limits): (&Stack, &StackLimitStates),
+    history: Result<StackHistory, BlocksError>,
+) -> Option<Run> {
+    let history = match history {
+        Ok(history) => history,
+        Err(why) => {
+            run.outcome = RunOutcome::Refused;
+            run.why = why.to_string();
+            return Some(run);
+        }
+    };
+    let block = |index: usize| stack.name(Body::Block(index)).to_owned();
+    (run.outcome, run.part) = match &history.outcome {
+        Outcome::Stood => (RunOutcome::Stood, String::new()),
+        Outcome::Uplifted { .. } => (RunOutcome::Uplifted, String::new()),
+        Outcome::Slid { block: index, .. } => (RunOutcome::Slid, block(*index)),
+        Outcome::Fell {
+            block: index,
+            joint,
+            at_s,
+        } => {
+            run.at_s = *at_s;
+            if let Some(joint) = stack.joints().get(*joint) {
+                run.gave_way = format!("{} on {}", block(joint.upper), stack.name(joint.lower));
+            }
+            (RunOutcome::Fell, block(*index))
+        }
+        Outcome::Diverged { at_s } => {
+            run.at_s = *at_s;
+            (RunOutcome::Diverged, String::new())
+        }
+        _ => return None,
+    };
+    let damage = stack_damage(stack, limits, &history);
+    let state = if run.outcome == RunOutcome::Diverged {
+        DamageState::None
+    } else {
+        damage.state
+    };
+    run.damage_state = state.number();
+    run.measures = vec![
+        damage.peak_uplift_m,
+        damage.peak_slip_m,
+        damage.residual_slip_m,
+        damage.residual_slip_ratio,
+        damage.peak_rocking_ratio,
+        damage.peak_tilt_rad,
+        damage.residual_tilt_rad,
+        damage.peak_yaw_rad,
+        history.energy_made_ratio(),
+        history.time_step_s,
+    ];
+    Some(run)
+}

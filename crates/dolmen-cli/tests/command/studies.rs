@@ -1,0 +1,427 @@
+// SOURCE     Small stacks and the shipped gate under noise and El Centro 1940.
+// GOAL       A study's table depends on its inputs alone: not on threads, shards, or how often the process was killed; a run
+//            that is refused is a row with its reason; capacities follow from the runs beside them.
+// TOLERANCE  none: bytes of tables.
+
+use super::verbs::Scratch;
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::{Duration, Instant};
+
+/// Two stones under noise: 4 heights × 6 motions × 9 scales, and some to refine.
+const TWO_STONES: &str = r#"
+schema = 1
+kind = "stack"
+name = "Two stones"
+density = 2600
+joint = { friction = { value = 0.7, cov = 0.1 } }
+blocks = [{ name = "foot", width = 1.0, height = 0.3 }, { name = "stone", width = 0.3, height = 0.9 }]
+
+[study.height]
+vary = { "blocks[2].height" = [0.7, 0.9, 1.1, 1.3] }
+artificial = { count = 6, duration_s = 20, strong_s = 4 }
+scale = { from = 1, to = 9, steps = 9 }
+points = 16
+refine = 2
+expect = [{ input = "blocks[2].height", trend = "falling" }]
+
+[study.drawn]
+samples = 3
+artificial = { count = 1, duration_s = 3, strong_s = 1, rise_s = 1 }
+scale = [4]
+points = 4
+
+[study.refused]
+vary = { "joint.friction" = [0.5, -1], "blocks[2].height" = [0.9, 60] }
+artificial = { count = 1, duration_s = 3, strong_s = 1, rise_s = 1 }
+scale = [1]
+"#;
+
+fn with(name: &str, text: &str) -> Scratch {
+    let scratch = Scratch::new(name);
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    scratch
+}
+
+/// All results of a study by name, but for the journals.
+fn results(folder: &Path) -> BTreeMap<String, Vec<u8>> {
+    let files = fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    let named = files.map(|path| (path.file_name().unwrap().to_string_lossy().into_owned(), path));
+    let results = named.filter(|(name, _)| !name.starts_with("journal"));
+    results
+        .map(|(name, path)| (name, fs::read(path).unwrap()))
+        .collect()
+}
+
+fn same(one: &Path, other: &Path) {
+    let (one, other) = (results(one), results(other));
+    assert_eq!(one.keys().collect::<Vec<_>>(), other.keys().collect::<Vec<_>>());
+    assert!(one.contains_key("runs.parquet") && one.contains_key("runs.csv"));
+    for (name, bytes) in &one {
+        assert!(other[name] == *bytes, "{name} differs");
+    }
+}
+
+fn rows(csv: &Path) -> Vec<BTreeMap<String, String>> {
+    let text = fs::read_to_string(csv).unwrap();
+    let mut lines = text
+        .lines()
+        .map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let heads = lines.next().unwrap();
+    lines
+        .map(|cells| heads.iter().cloned().zip(cells).collect())
+        .collect()
+}
+
+#[test]
+fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
+    let scratch = with("killed", TWO_STONES);
+    let whole = scratch.dolmen("study . --study height -o whole --threads 1");
+    assert_eq!(whole.status, 0, "{}{}", whole.stdout, whole.stderr);
+    let journal = scratch.path().join("cut/height/journal.tsv");
+    let lines = || fs::read_to_string(&journal).map_or(0, |text| text.lines().count());
+    let runs = fs::read_to_string(scratch.path().join("whole/height/runs.csv"))
+        .unwrap()
+        .lines()
+        .count()
+        - 1;
+    let mut kept = 0;
+    for part in [runs / 4, runs / 2] {
+        let mut child = Command::new(env!("CARGO_BIN_EXE_dolmen"))
+            .args("study . --study height -o cut --threads 1".split(' '))
+            .current_dir(scratch.path())
+            .stdout(Stdio::null())
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = Instant::now();
+        while lines() < part && begun.elapsed() < Duration::from_secs(60) {
+            sleep(Duration::from_millis(1));
+        }
+        child.kill().unwrap(); // SIGKILL: nothing can be tidied up
+        child.wait().unwrap();
+        assert!(
+            !scratch.path().join("cut/height/runs.csv").exists(),
+            "killed too late to tell anything"
+        );
+        kept = lines() - 1;
+        assert!(kept + 1 >= part && kept < runs, "{kept} of {runs}");
+        // what a kill within a write leaves
+        let torn = fs::read_to_string(&journal).unwrap() + "3\t2\t0.31";
+        fs::write(&journal, torn).unwrap();
+    }
+    let missing = scratch.dolmen("study missing . --study height -o cut");
+    assert_eq!(missing.status, 3, "{}", missing.stdout);
+    assert!(
+        missing.stdout.contains("missing: blocks[2].height = "),
+        "{}",
+        missing.stdout
+    );
+    let resumed = scratch.dolmen("study . --study height -o cut --threads 2");
+    assert_eq!(resumed.status, 0, "{}", resumed.stderr);
+    assert!(
+        resumed
+            .stderr
+            .contains(&format!("{kept} runs are kept from before")),
+        "{}",
+        resumed.stderr
+    );
+    same(
+        &scratch.path().join("whole/height"),
+        &scratch.path().join("cut/height"),
+    );
+    assert_eq!(resumed.stdout, whole.stdout);
+    // nothing lost, nothing twice
+    let text = fs::read_to_string(&journal).unwrap();
+    let mut keys: Vec<String> = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split('\t').take(2).collect::<Vec<_>>().join(" "))
+        .collect();
+    keys.sort();
+    let all = keys.len();
+    keys.dedup();
+    assert_eq!((keys.len(), all), (runs, runs));
+    // a third time there is nothing to do
+    let again = scratch.dolmen("study . --study height -o cut");
+    assert_eq!(again.stdout, whole.stdout);
+    assert_eq!(fs::read_to_string(&journal).unwrap(), text);
+    let done = scratch.dolmen("study missing . --study height -o cut");
+    assert_eq!(done.status, 0, "{}", done.stdout);
+}
+
+#[test]
+fn holds_shards_merged_are_one_run_and_a_missing_one_is_named() {
+    let scratch = with("shards", TWO_STONES);
+    let study = |words: &str| scratch.dolmen(&format!("study {words} --study height"));
+    assert_eq!(study(". -o whole").status, 0);
+    assert_eq!(study(". -o one --shard 1/3").status, 0);
+    assert_eq!(study(". -o two --shard 2/3 --threads 1").status, 0);
+    let part = study("merge . -o one --from two");
+    assert_eq!(part.status, 3, "{}", part.stdout);
+    assert!(
+        part.stdout.contains("NOT FINISHED: 8 of 24 scans are missing"),
+        "{}",
+        part.stdout
+    );
+    let missing = study("missing . -o one --from two");
+    assert!(
+        missing.stdout.contains("16 of 24 scans are done"),
+        "{}",
+        missing.stdout
+    );
+    assert_eq!(study(". -o one --shard 3/3").status, 0);
+    let merged = study("merge . -o one --from two");
+    assert_eq!(merged.status, 0, "{}{}", merged.stdout, merged.stderr);
+    same(
+        &scratch.path().join("whole/height"),
+        &scratch.path().join("one/height"),
+    );
+    for wrong in ["0/2", "3/2", "half"] {
+        let refused = study(&format!(". -o wrong --shard {wrong}"));
+        assert_eq!(refused.status, 2);
+        assert!(refused.stderr.contains("k/N"), "{}", refused.stderr);
+    }
+}
+
+#[test]
+fn holds_capacities_follow_from_the_runs() {
+    let scratch = with("capacities", TWO_STONES);
+    assert_eq!(scratch.dolmen("study . --study height -o out").status, 0);
+    let folder = scratch.path().join("out/height");
+    let (runs, capacities) = (
+        rows(&folder.join("runs.csv")),
+        rows(&folder.join("capacities.csv")),
+    );
+    assert_eq!(capacities.len(), 24);
+    let number = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap_or(f64::INFINITY);
+    for capacity in &capacities {
+        let same_scan =
+            |run: &&BTreeMap<String, String>| ["case", "motion"].iter().all(|k| run[*k] == capacity[*k]);
+        let own: Vec<_> = runs.iter().filter(same_scan).collect();
+        let fell: Vec<f64> = own
+            .iter()
+            .filter(|run| run["outcome"] == "fell")
+            .map(|run| number(run, "scale"))
+            .collect();
+        let first = fell.iter().copied().fold(f64::INFINITY, f64::min);
+        assert_eq!(number(capacity, "first_fall_scale"), first);
+        let above = own
+            .iter()
+            .filter(|run| run["outcome"] != "fell" && number(run, "scale") > first)
+            .count();
+        assert_eq!(capacity["survived_above"], above.to_string());
+        let refined = own
+            .iter()
+            .filter(|run| number(run, "scale").fract() != 0.0)
+            .count();
+        assert_eq!(refined, if first.is_finite() { 2 } else { 0 });
+        assert!(
+            own.iter()
+                .all(|run| (run["outcome"] == "fell") == (run["damage_state"] == "4"))
+        );
+    }
+    // a slenderer stone falls sooner: the trend is printed
+    let printed = scratch.dolmen("study . --study height -o out");
+    assert!(
+        printed
+            .stdout
+            .contains("the capacity falls with blocks[2].height: holds; tau = -"),
+        "{}",
+        printed.stdout
+    );
+    let json = scratch.dolmen("study . --study height -o out --json");
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(value["trends"][0]["verdict"], "holds");
+    assert_eq!(value["inputs"][0]["column"], "blocks_2_height_m");
+    assert_eq!(value["runs"], runs.len());
+    for figure in ["capacity-blocks_2_height_m.svg", "survived-blocks_2_height_m.svg"] {
+        assert!(
+            fs::read_to_string(folder.join(figure))
+                .unwrap()
+                .starts_with("<svg"),
+            "{figure}"
+        );
+    }
+}
+
+#[test]
+fn holds_samples_depend_on_the_seed_and_their_number_alone() {
+    let scratch = with("drawn", TWO_STONES);
+    assert_eq!(scratch.dolmen("study . --study drawn -o three").status, 0);
+    let more = TWO_STONES.replace("samples = 3", "samples = 5");
+    fs::write(scratch.path().join("project.toml"), &more).unwrap();
+    assert_eq!(scratch.dolmen("study . --study drawn -o five").status, 0);
+    let of = |folder: &str| rows(&scratch.path().join(folder).join("drawn/runs.csv"));
+    let (three, five) = (of("three"), of("five"));
+    assert_eq!(three[..], five[..3]);
+    let frictions: Vec<f64> = five
+        .iter()
+        .map(|row| row["drawn_joint_friction"].parse().unwrap())
+        .collect();
+    assert!(
+        frictions.windows(2).all(|pair| pair[0] != pair[1]),
+        "{frictions:?}"
+    );
+    assert!(
+        frictions.iter().all(|value| (0.4..1.1).contains(value)),
+        "{frictions:?}"
+    );
+    fs::write(
+        scratch.path().join("project.toml"),
+        more.replace("samples = 5", "samples = 5\nseed = 2"),
+    )
+    .unwrap();
+    assert_eq!(scratch.dolmen("study . --study drawn -o other").status, 0);
+    assert_ne!(of("other"), five);
+}
+
+#[test]
+fn holds_a_refused_run_is_a_row_with_its_reason() {
+    let scratch = with("refused", TWO_STONES);
+    let answer = scratch.dolmen("study . --study refused -o out");
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    for said in [
+        "1 stood",
+        "3 refused",
+        "joint.friction = -1 cannot be, must be 0 or above",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let text = fs::read_to_string(scratch.path().join("out/refused/runs.csv")).unwrap();
+    assert_eq!(
+        text.lines().filter(|line| line.contains(",refused,")).count(),
+        3,
+        "{text}"
+    );
+    assert!(scratch.dolmen("study missing . --study refused -o out").status == 0);
+}
+
+#[test]
+fn refuses_what_is_no_study_and_journals_of_another() {
+    let scratch = with("wrong", TWO_STONES);
+    let refused = |words: &str, said: &str| {
+        let answer = scratch.dolmen(words);
+        assert_eq!(answer.status, 2, "{words}: {}{}", answer.stdout, answer.stderr);
+        assert!(answer.stderr.contains(said), "{words}: {}", answer.stderr);
+    };
+    refused(
+        "study . --study none",
+        "there is no study \"none\": the file has height, drawn, refused",
+    );
+    refused("study merge . --study drawn -o empty", "there is no journal in");
+    assert_eq!(scratch.dolmen("study . --study drawn -o out").status, 0);
+    let file = scratch.path().join("project.toml");
+    fs::write(
+        &file,
+        TWO_STONES
+            .replace("# ", "")
+            .replace("0.9 }]", "0.9 }] # a remark"),
+    )
+    .unwrap();
+    assert_eq!(
+        scratch.dolmen("study . --study drawn -o out").status,
+        0,
+        "a remark changes nothing"
+    );
+    fs::write(&file, TWO_STONES.replace("density = 2600", "density = 2500")).unwrap();
+    refused(
+        "study . --study drawn -o out",
+        "changed since then: the project file",
+    );
+    assert_eq!(scratch.dolmen("study . --study drawn -o out --restart").status, 0);
+    let journal = fs::File::open(scratch.path().join("out/drawn/journal.tsv")).unwrap();
+    journal.try_lock().unwrap();
+    refused("study . --study drawn -o out", "is in use");
+    drop(journal);
+    for (from, to, said) in [
+        ("scale = [4]", "scale = [4, 3]", "does not rise"),
+        (
+            "scale = [4]",
+            "scale = [4]\npeak = [\"1 g\"]",
+            "has both scale and peak",
+        ),
+        ("scale = [4]", "", "says not how the shaking grows"),
+        ("samples = 3", "samples = 0", "must be 1 to"),
+        (
+            "points = 4\n\n[study.refused]",
+            "points = 5\n\n[study.refused]",
+            "must be 4, 9, 16 or 36",
+        ),
+        (
+            "samples = 3",
+            "vary = { \"blocks[3].height\" = [1] }",
+            "blocks has no element \"3\"",
+        ),
+        (
+            "samples = 3",
+            "vary = { \"blocks[2].heigth\" = [1] }",
+            "did you mean \"height\"?",
+        ),
+        ("samples = 3", "vary = { \"density\" = 3 }", "is one value"),
+        (
+            "samples = 3",
+            "vary = { \"density\" = { from = 1, to = \"2 t/m3\", steps = 2 } }",
+            "same unit",
+        ),
+        (
+            "samples = 3",
+            "motions = [\"none\"]",
+            "there is no motion \"none\"",
+        ),
+        (
+            "samples = 3",
+            "expect = [{ input = \"density\", trend = \"rising\" }]",
+            "is not varied",
+        ),
+        ("samples = 3", "expekt = 1", "did you mean \"expect\"?"),
+    ] {
+        let changed = TWO_STONES.replace(from, to);
+        assert_ne!(changed, TWO_STONES, "{from}");
+        fs::write(&file, changed).unwrap();
+        refused("study . --study drawn -o fresh", said);
+    }
+}
+
+#[test]
+fn holds_frames_are_mapped_released_and_scanned() {
+    let scratch = Scratch::with_examples("frames");
+    let words = "study examples/heunginjimun_gate --study map -o out";
+    let answer = scratch.dolmen(words);
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    for said in [
+        "Let go: apparent frequency",
+        "Harmonic ground",
+        "soft_below",
+        "soft_above",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let folder = scratch.path().join("out/map");
+    // stuck, the frame has its measured frequency; slipping, less
+    let release = rows(&folder.join("release.csv"));
+    let of = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
+    let below: Vec<_> = release
+        .iter()
+        .filter(|row| row["inputs"] == "soft_below")
+        .collect();
+    let (first, last) = (below.first().unwrap(), below.last().unwrap());
+    assert!(of(first, "apparent_frequency_hz") < 0.9, "{first:?}");
+    assert!((of(last, "apparent_frequency_hz") - 1.1).abs() < 0.02, "{last:?}");
+    let map = rows(&folder.join("harmonic.csv"));
+    assert!(map.iter().any(|row| row["slipping_share"] == "0"));
+    assert!(map.iter().any(|row| of(row, "slipping_share") > 0.2));
+    assert!(
+        fs::read_to_string(folder.join("harmonic-1-1.svg"))
+            .unwrap()
+            .starts_with("<svg")
+    );
+    let grown = scratch.dolmen("study examples/heunginjimun_gate --study growth -o out");
+    assert_eq!(grown.status, 0, "{}{}", grown.stdout, grown.stderr);
+    let runs = rows(&scratch.path().join("out/growth/runs.csv"));
+    let share = |row: &BTreeMap<String, String>| of(row, "slipping_share");
+    assert!(runs.iter().any(|row| share(row) == 0.0) && runs.iter().any(|row| share(row) > 0.05));
+}

@@ -1,0 +1,144 @@
+//! One run of a study: what it was and how it ended.
+
+/// What is studied.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StudyKind {
+    /// A stack of stones.
+    Stack,
+    /// A frame with dry friction.
+    Frame,
+}
+
+impl StudyKind {
+    /// Names of the numbers of a run, units last.
+    pub fn measures(self) -> &'static [&'static str] {
+        match self {
+            StudyKind::Stack => &[
+                "peak_uplift_m",
+                "peak_slip_m",
+                "residual_slip_m",
+                "residual_slip_ratio",
+                "peak_rocking_ratio",
+                "peak_tilt_rad",
+                "residual_tilt_rad",
+                "peak_yaw_rad",
+                "energy_made_ratio",
+                "time_step_s",
+            ],
+            StudyKind::Frame => &[
+                "peak_displacement_m",
+                "peak_drift_m",
+                "peak_drift_ratio",
+                "residual_displacement_m",
+                "residual_drift_m",
+                "slipping_share",
+                "slipped_way_m",
+                "energy_left_over_ratio",
+            ],
+        }
+    }
+
+    /// "stack" or "frame".
+    pub fn word(self) -> &'static str {
+        match self {
+            StudyKind::Stack => "stack",
+            StudyKind::Frame => "frame",
+        }
+    }
+
+    /// What the damage states of a run are called, the first state first.
+    pub fn states(self) -> [&'static str; 4] {
+        match self {
+            StudyKind::Stack => ["DS1", "DS2", "DS3", "falls"],
+            StudyKind::Frame => ["slips", "–", "–", "drift limit"],
+        }
+    }
+}
+
+/// How a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum RunOutcome {
+    /// Nothing moved but within springs; a frame: it came to its end.
+    Stood,
+    /// Joints opened.
+    Uplifted,
+    /// A stone lies on the brink.
+    Slid,
+    /// A stone fell; a frame: it leaned beyond the drift limit.
+    Fell,
+    /// The run cannot be used.
+    Diverged,
+    /// Its inputs were refused: nothing was run.
+    Refused,
+}
+
+impl RunOutcome {
+    const ALL: [(RunOutcome, &'static str); 6] = [
+        (RunOutcome::Stood, "stood"),
+        (RunOutcome::Uplifted, "uplifted"),
+        (RunOutcome::Slid, "slid"),
+        (RunOutcome::Fell, "fell"),
+        (RunOutcome::Diverged, "diverged"),
+        (RunOutcome::Refused, "refused"),
+    ];
+
+    /// The word of tables and of JSON.
+    pub fn word(self) -> &'static str {
+        let found = Self::ALL.iter().find(|(outcome, _)| *outcome == self);
+        found.map_or("refused", |(_, word)| word)
+    }
+
+    pub(super) fn of_word(word: &str) -> Option<Self> {
+        let found = Self::ALL.iter().find(|(_, known)| *known == word);
+        found.map(|(outcome, _)| *outcome)
+    }
+}
+
+/// One run: a row of the table.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Which case, motion and direction, counted from 0: the scan it belongs to.
+    pub job: usize,
+    /// Factor on the motion, –; 0 where the inputs were refused.
+    pub scale: f64,
+    /// Largest horizontal peak of the ground, before it is turned, m/s².
+    pub peak_ground_acceleration_m_s2: f64,
+    /// Largest velocity of that component, m/s.
+    pub peak_ground_velocity_m_s: f64,
+    /// How it ended.
+    pub outcome: RunOutcome,
+    /// 0 to 4 (DS1 to DS4); of a frame 1 if it slips and 4 at the drift limit.
+    pub damage_state: u8,
+    /// When a stone fell or the limit was reached, s; not a number if none.
+    pub at_s: f64,
+    /// The stone that fell or lies on the brink; the storey at its limit.
+    pub part: String,
+    /// The joint that gave way.
+    pub gave_way: String,
+    /// The numbers that [`StudyKind::measures`] names; empty if nothing was run.
+    pub measures: Vec<f64>,
+    /// Why its inputs were refused.
+    pub why: String,
+}
+
+impl Run {
+    /// Equal to the last bit.
+    pub fn is_same(&self, other: &Run) -> bool {
+        let bits = |run: &Run| -> Vec<u64> {
+            let own = [
+                run.scale,
+                run.peak_ground_acceleration_m_s2,
+                run.peak_ground_velocity_m_s,
+                run.at_s,
+            ];
+            own.iter()
+                .chain(&run.measures)
+                .map(|value| value.to_bits())
+                .collect()
+        };
+        let words = |run: &Run| (run.part.clone(), run.gave_way.clone(), run.why.clone());
+        (self.job, self.outcome, self.damage_state) == (other.job, other.outcome, other.damage_state)
+            && bits(self) == bits(other)
+            && words(self) == words(other)
+    }
+}

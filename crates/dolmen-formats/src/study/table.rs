@@ -1,0 +1,179 @@
+//! Runs and capacities as columns, for CSV and Parquet: inputs first, units in the names.
+
+use super::answer::StudyAnswer;
+use super::run::Run;
+
+/// The values of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ColumnValues {
+    /// Numbers; none where there is none.
+    Numbers(Vec<Option<f64>>),
+    /// Whole numbers.
+    Counts(Vec<i64>),
+    /// Words; empty where there are none.
+    Words(Vec<String>),
+}
+
+/// A named column of a table.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Column {
+    /// Its name, the unit last.
+    pub name: String,
+    /// One value a row.
+    pub values: ColumnValues,
+}
+
+fn number(value: f64) -> Option<f64> {
+    value.is_finite().then_some(value)
+}
+
+/// Adds columns one by one, a value a row each.
+struct Columns<'r, R> {
+    rows: &'r [R],
+    found: Vec<Column>,
+}
+
+impl<R> Columns<'_, R> {
+    fn numbers(&mut self, name: &str, of: impl Fn(&R) -> Option<f64>) {
+        let values = ColumnValues::Numbers(self.rows.iter().map(of).collect());
+        self.found.push(Column {
+            name: name.to_owned(),
+            values,
+        });
+    }
+
+    fn counts(&mut self, name: &str, of: impl Fn(&R) -> usize) {
+        let values = ColumnValues::Counts(self.rows.iter().map(|row| of(row) as i64).collect());
+        self.found.push(Column {
+            name: name.to_owned(),
+            values,
+        });
+    }
+
+    fn words(&mut self, name: &str, of: impl Fn(&R) -> String) {
+        let values = ColumnValues::Words(self.rows.iter().map(of).collect());
+        self.found.push(Column {
+            name: name.to_owned(),
+            values,
+        });
+    }
+}
+
+/// The inputs of the job of each row.
+fn inputs<R>(answer: &StudyAnswer, columns: &mut Columns<'_, R>, job: impl Fn(&R) -> usize + Copy) {
+    columns.counts("case", |row| answer.case_of(job(row)) + 1);
+    if !answer.study.variants.is_empty() {
+        columns.words("variant", |row| {
+            answer.case(job(row)).variant.clone().unwrap_or_default()
+        });
+    }
+    for (index, input) in answer.inputs.iter().enumerate() {
+        let value = |row: &R| answer.case(job(row)).values.get(index).copied().flatten();
+        if input.is_number {
+            columns.numbers(&input.column, value);
+        } else {
+            columns.words(&input.column, |row| {
+                let texts = &answer.case(job(row)).texts;
+                texts.get(index).cloned().unwrap_or_default()
+            });
+        }
+    }
+    if answer.study.samples.is_some() {
+        columns.counts("sample", |row| answer.sample_of(job(row)));
+    }
+    columns.words("motion", |row| answer.motion_of(job(row)).to_owned());
+    columns.numbers("direction_deg", |row| {
+        Some(answer.turn_rad(job(row)).to_degrees())
+    });
+}
+
+/// Every run with its inputs.
+pub fn run_columns(answer: &StudyAnswer) -> Vec<Column> {
+    let mut columns = Columns {
+        rows: &answer.runs,
+        found: Vec::new(),
+    };
+    inputs(answer, &mut columns, |run: &Run| run.job);
+    columns.numbers("scale", |run| (run.scale > 0.0).then_some(run.scale));
+    columns.numbers("peak_ground_acceleration_m_s2", |run| {
+        number(run.peak_ground_acceleration_m_s2)
+    });
+    columns.numbers("peak_ground_velocity_m_s", |run| {
+        number(run.peak_ground_velocity_m_s)
+    });
+    columns.words("outcome", |run| run.outcome.word().to_owned());
+    columns.counts("damage_state", |run| usize::from(run.damage_state));
+    columns.numbers("at_s", |run| number(run.at_s));
+    columns.words("part", |run| run.part.clone());
+    columns.words("gave_way", |run| run.gave_way.clone());
+    for (index, name) in answer.kind.measures().iter().enumerate() {
+        columns.numbers(name, |run| run.measures.get(index).copied().and_then(number));
+    }
+    columns.words("why", |run| run.why.clone());
+    columns.found
+}
+
+/// Every scan with its inputs and what it shows.
+pub fn capacity_columns(answer: &StudyAnswer) -> Vec<Column> {
+    let capacities = answer.capacities();
+    let mut columns = Columns {
+        rows: &capacities,
+        found: Vec::new(),
+    };
+    inputs(answer, &mut columns, |row| row.job);
+    let first = |row: &super::CapacityOf, state: usize| number(row.first_m_s2[state]);
+    columns.numbers("first_fall_m_s2", |row| first(row, 3));
+    columns.numbers("first_fall_scale", |row| row.scan.first_fall);
+    columns.numbers("survived_below_m_s2", |row| {
+        number(row.scan.survived_below * row.peak_of_scale_1_m_s2)
+    });
+    columns.numbers("largest_tried_m_s2", |row| {
+        number(row.scan.largest_tried * row.peak_of_scale_1_m_s2)
+    });
+    columns.counts("survived_above", |row| row.scan.survived_above.len());
+    columns.words("survived_above_m_s2", |row| {
+        let each = row.scan.survived_above.iter();
+        let texts: Vec<String> = each
+            .map(|scale| (scale * row.peak_of_scale_1_m_s2).to_string())
+            .collect();
+        texts.join(" ")
+    });
+    columns.counts("unusable", |row| row.scan.unknown.len());
+    for state in 0..3 {
+        columns.numbers(&format!("first_ds{}_m_s2", state + 1), |row| first(row, state));
+    }
+    columns.found
+}
+
+/// A table as CSV.
+pub fn table_csv(columns: &[Column]) -> String {
+    let rows = columns.first().map_or(0, |column| match &column.values {
+        ColumnValues::Numbers(values) => values.len(),
+        ColumnValues::Counts(values) => values.len(),
+        ColumnValues::Words(values) => values.len(),
+    });
+    let mut out = String::new();
+    let mut line = |cells: Vec<String>| {
+        out.push_str(&cells.join(","));
+        out.push('\n');
+    };
+    line(columns.iter().map(|column| field(&column.name)).collect());
+    for row in 0..rows {
+        let cell = |column: &Column| match &column.values {
+            ColumnValues::Numbers(values) => values[row].map_or(String::new(), |value| value.to_string()),
+            ColumnValues::Counts(values) => values[row].to_string(),
+            ColumnValues::Words(values) => field(&values[row]),
+        };
+        line(columns.iter().map(cell).collect());
+    }
+    out
+}
+
+/// A text that may hold anything, as one field of CSV.
+fn field(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", text.replace('"', "\"\""))
+    } else {
+        text.to_owned()
+    }
+}

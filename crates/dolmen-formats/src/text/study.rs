@@ -1,0 +1,381 @@
+//! A study, as text: how its runs ended, capacities by value of each input, trends.
+
+use super::Table;
+use crate::number::significant;
+use crate::project::Scan;
+use crate::study::{
+    FrameMaps, LevelRow, Run, RunOutcome, StudyAnswer, StudyKind, TrendAnswer, quantile_of_capacities,
+};
+use dolmen::assess::{AssessError, Direction};
+use std::fmt::Write as _;
+
+/// Everything that is printed of a study.
+///
+/// # Errors
+/// As [`StudyAnswer::trends`].
+pub fn study_text(answer: &StudyAnswer) -> Result<String, AssessError> {
+    let mut out = heading(answer);
+    out += &outcomes(answer);
+    if answer.study.scan.is_none() {
+        return Ok(out + &releases(answer));
+    }
+    out += &levels(answer);
+    out += &growth(answer);
+    out += &trends(answer, &answer.trends()?);
+    Ok(out + &releases(answer))
+}
+
+fn heading(answer: &StudyAnswer) -> String {
+    let study = &answer.study;
+    let mut out = format!(
+        "{}\n\nStudy \"{}\" of {}",
+        answer.file,
+        study.name,
+        answer.name.english()
+    );
+    if let Some(title) = &study.title {
+        let _ = write!(out, ": {}", title.english());
+    }
+    let count = |n: usize, word: &str| format!("{n} {word}{}", if n == 1 { "" } else { "s" });
+    let _ = write!(out, "\n  {}", count(answer.cases.len(), "case"));
+    if let Some(samples) = study.samples {
+        let _ = write!(
+            out,
+            " ({samples} samples of each combination, seed {})",
+            study.seed
+        );
+    }
+    if let Some(scan) = &study.scan {
+        let _ = write!(
+            out,
+            " × {} × {}",
+            count(answer.motions.len(), "motion"),
+            count(study.turns_rad.len(), "direction")
+        );
+        let (what, values, unit) = match scan {
+            Scan::Scales(values) => ("scales", values.clone(), ""),
+            Scan::Peaks(values) => (
+                "peaks of the ground",
+                values.iter().map(|peak| peak / answer.gravity_m_s2).collect(),
+                " g",
+            ),
+        };
+        match values.as_slice() {
+            [] => {}
+            [only] => {
+                let _ = write!(out, ", {what} {}{unit}", significant(*only, 3));
+            }
+            [first, .., last] => {
+                let _ = write!(
+                    out,
+                    ", {} {what} from {} to {}{unit}, the first fall to {} of a step",
+                    values.len(),
+                    significant(*first, 3),
+                    significant(*last, 3),
+                    part_of_step(study.refine)
+                );
+            }
+        }
+    }
+    out.push('\n');
+    out
+}
+
+fn part_of_step(halvings: u32) -> String {
+    match halvings {
+        0 => "the whole".to_owned(),
+        n => format!("1/{}", 1_u64 << n.min(63)),
+    }
+}
+
+fn outcomes(answer: &StudyAnswer) -> String {
+    if answer.study.scan.is_none() {
+        return String::new();
+    }
+    let mut out = format!("  {} runs", answer.runs.len());
+    for (outcome, count) in answer.outcomes() {
+        let word = match (answer.kind, outcome) {
+            (StudyKind::Frame, RunOutcome::Fell) => "beyond the drift limit",
+            (_, outcome) => outcome.word(),
+        };
+        let _ = write!(out, ", {count} {word}");
+    }
+    out.push('\n');
+    for (why, count) in answer.refusals() {
+        let _ = writeln!(out, "  refused {count} ×: {why}");
+    }
+    if !answer.missing.is_empty() {
+        let _ = writeln!(
+            out,
+            "\nNOT FINISHED: {} of {} scans are missing; the same command goes on from here. What follows is of the part that is done",
+            answer.missing.len(),
+            answer.jobs()
+        );
+    }
+    out
+}
+
+/// An acceleration in g; beyond the scan, not a number.
+fn in_g(answer: &StudyAnswer, value_m_s2: f64) -> String {
+    if value_m_s2.is_finite() {
+        format!("{:.3}", value_m_s2 / answer.gravity_m_s2)
+    } else if value_m_s2.is_nan() {
+        "–".to_owned()
+    } else {
+        "none".to_owned()
+    }
+}
+
+/// The same of a state that is reached at or below the least peak that was tried.
+fn begun_g(answer: &StudyAnswer, value_m_s2: f64) -> String {
+    let tried = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
+    let least = tried.fold(f64::INFINITY, f64::min);
+    let sign = if value_m_s2 <= least { "≤ " } else { "" };
+    format!("{sign}{}", in_g(answer, value_m_s2))
+}
+
+fn levels(answer: &StudyAnswer) -> String {
+    let levels = answer.levels();
+    let states = answer.kind.states();
+    let mut out = format!(
+        "\nCapacity: peak acceleration of the ground at which it first {}, g; \"none\" beyond the scan\n",
+        match answer.kind {
+            StudyKind::Stack => "sheds a stone",
+            StudyKind::Frame => "leans beyond the drift limit",
+        }
+    );
+    let mut heads = vec!["input", "value", "scans", "5 %", "median", "95 %", states[0]];
+    if answer.kind == StudyKind::Stack {
+        heads.extend([states[1], states[2]]);
+    }
+    heads.push("survived above");
+    let mut table = Table::new(&heads, 2);
+    let name = |row: &LevelRow| match row.input {
+        Some(input) => answer.inputs[input].path.clone(),
+        None if answer.study.variants.len() > 1 => "variant".to_owned(),
+        None => String::new(),
+    };
+    let mut last = String::new();
+    for row in &levels {
+        let quantile = |probability| in_g(answer, quantile_of_capacities(&row.first_fall_m_s2, probability));
+        let own = name(row);
+        let shown = if own == last { String::new() } else { own.clone() };
+        last = own;
+        let mut cells = vec![
+            shown,
+            row.text.clone(),
+            row.first_fall_m_s2.len().to_string(),
+            quantile(0.05),
+            quantile(0.5),
+            quantile(0.95),
+            begun_g(answer, row.median_states_m_s2[0]),
+        ];
+        if answer.kind == StudyKind::Stack {
+            cells.extend([1, 2].map(|state| begun_g(answer, row.median_states_m_s2[state])));
+        }
+        cells.push(format!("{} of {}", row.survived_above, row.first_fall_m_s2.len()));
+        table.row(cells);
+    }
+    out += &table.text();
+    let of_all = answer.capacities();
+    let above = of_all
+        .iter()
+        .filter(|c| !c.scan.survived_above.is_empty())
+        .count();
+    if above > 0 {
+        let _ = writeln!(
+            out,
+            "  {above} of {} scans survived a scale above their first fall: one critical acceleration says little",
+            of_all.len()
+        );
+    }
+    out
+}
+
+/// How frames behave as the shaking grows, scan by scan: some sizes of each.
+fn growth(answer: &StudyAnswer) -> String {
+    const SCANS_MOST: usize = 6;
+    let mut scans: Vec<&[Run]> = answer.runs.chunk_by(|a, b| a.job == b.job).collect();
+    scans.retain(|runs| runs.iter().any(|run| !run.measures.is_empty()));
+    if answer.kind != StudyKind::Frame || scans.is_empty() || scans.len() > SCANS_MOST {
+        return String::new();
+    }
+    let at = |run: &Run, name: &str| {
+        let place = answer.kind.measures().iter().position(|known| *known == name);
+        place
+            .and_then(|place| run.measures.get(place).copied())
+            .unwrap_or(f64::NAN)
+    };
+    let mut out = String::from("\nAs the shaking grows: largest over the storeys\n");
+    let heads = [
+        "scan",
+        "peak, g",
+        "drift, mm",
+        "drift, % of height",
+        "slips, % of the time",
+        "drift left, mm",
+    ];
+    let mut table = Table::new(&heads, 1);
+    for runs in scans {
+        for (i, run) in some(runs).into_iter().enumerate() {
+            table.row(vec![
+                if i == 0 {
+                    scan_words(answer, run.job)
+                } else {
+                    String::new()
+                },
+                format!("{:.3}", run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2),
+                significant(1e3 * at(run, "peak_drift_m"), 3),
+                format!("{:.2}", 100.0 * at(run, "peak_drift_ratio")),
+                format!("{:.1}", 100.0 * at(run, "slipping_share")),
+                format!("{:.2}", 1e3 * at(run, "residual_drift_m")),
+            ]);
+        }
+    }
+    out += &table.text();
+    out
+}
+
+/// A scan in words, as short as tells it from the others.
+fn scan_words(answer: &StudyAnswer, job: usize) -> String {
+    let case = answer.case(job);
+    let mut words: Vec<String> = case.variant.iter().cloned().collect();
+    let each = answer.inputs.iter().zip(&case.texts);
+    words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
+    if answer.motions.len() > 1 {
+        words.push(answer.motion_of(job).to_owned());
+    }
+    words.join(", ")
+}
+
+/// How frames behave as the amplitude grows: the softest and the stiffest swing of each release, and how much of a map slips.
+fn releases(answer: &StudyAnswer) -> String {
+    let mut out = String::new();
+    let released: Vec<&FrameMaps> = answer.maps.iter().filter(|map| map.release.len() > 1).collect();
+    if !released.is_empty() {
+        out += "\nLet go: apparent frequency and equivalent damping, swing by swing\n";
+        let heads = ["case", "swing, mm", "frequency, Hz", "damping, %"];
+        let mut table = Table::new(&heads, 1);
+        for map in released {
+            for (i, swing) in some(&map.release).into_iter().enumerate() {
+                table.row(vec![
+                    if i == 0 { map.label.clone() } else { String::new() },
+                    significant(1e3 * swing.amplitude_m, 3),
+                    format!("{:.3}", swing.apparent_frequency_hz),
+                    format!("{:.2}", 100.0 * swing.equivalent_damping_ratio),
+                ]);
+            }
+        }
+        out += &table.text();
+    }
+    let mapped: Vec<&FrameMaps> = answer
+        .maps
+        .iter()
+        .filter(|map| !map.harmonic.is_empty())
+        .collect();
+    if !mapped.is_empty() {
+        out += "\nHarmonic ground: at how many points of the map each storey slips\n";
+        let mut table = Table::new(
+            &["case", "storey", "points", "slips", "drift limit", "not steady"],
+            2,
+        );
+        for map in mapped {
+            let limit = map
+                .harmonic
+                .iter()
+                .filter(|point| point.beyond_drift_limit)
+                .count();
+            let unsteady = map
+                .harmonic
+                .iter()
+                .filter(|p| !p.steady && !p.beyond_drift_limit)
+                .count();
+            for (storey, name) in map.storeys.iter().enumerate() {
+                let slips = map
+                    .harmonic
+                    .iter()
+                    .filter(|p| p.slipping_share.get(storey).is_some_and(|s| *s > 0.0));
+                table.row(vec![
+                    if storey == 0 {
+                        map.label.clone()
+                    } else {
+                        String::new()
+                    },
+                    name.clone(),
+                    map.harmonic.len().to_string(),
+                    slips.count().to_string(),
+                    limit.to_string(),
+                    unsteady.to_string(),
+                ]);
+            }
+        }
+        out += &table.text();
+    }
+    out
+}
+
+/// Some of many, evenly chosen, both ends among them.
+fn some<T>(all: &[T]) -> Vec<&T> {
+    const MOST: usize = 7;
+    let last = all.len().saturating_sub(1);
+    if last < MOST {
+        return all.iter().collect();
+    }
+    (0..MOST).filter_map(|i| all.get(i * last / (MOST - 1))).collect()
+}
+
+fn trends(answer: &StudyAnswer, trends: &[TrendAnswer]) -> String {
+    let trends: Vec<&TrendAnswer> = trends.iter().filter(|trend| trend.of_medians.pairs > 0).collect();
+    if trends.is_empty() {
+        return String::new();
+    }
+    let mut out = String::from(
+        "\nTrends of the capacity, all else equal: Kendall's tau of the medians, ± what chance alone would give\n",
+    );
+    for trend in trends {
+        let path = &answer.inputs[trend.input].path;
+        let tau = &trend.of_medians;
+        let words = match &trend.expected {
+            Some((expected, verdict)) => {
+                let said = expected.words.as_ref().map_or_else(
+                    || {
+                        let way = if expected.direction == Direction::Rising {
+                            "rises"
+                        } else {
+                            "falls"
+                        };
+                        format!("the capacity {way} with {path}")
+                    },
+                    |words| words.english().to_owned(),
+                );
+                format!("{said}: {}", verdict.word())
+            }
+            None if tau.shows(Direction::Rising) => format!("the capacity rises with {path}"),
+            None if tau.shows(Direction::Falling) => format!("the capacity falls with {path}"),
+            None => format!("the capacity has no trend with {path} beyond chance"),
+        };
+        let _ = write!(
+            out,
+            "  {words}; tau = {:+.2} ± {:.2} in {} pairs",
+            tau.tau, tau.tau_by_chance, tau.pairs
+        );
+        if trend.of_each.len() > 1 {
+            let way = match (&trend.expected, tau.tau > 0.0) {
+                (Some((expected, _)), _) => expected.direction,
+                (None, true) => Direction::Rising,
+                (None, false) => Direction::Falling,
+            };
+            let range = [0.05, 0.95].map(|p| quantile_of_capacities(&trend.of_each, p));
+            let _ = write!(
+                out,
+                ", the same way in {} of {} motions, directions and samples ({:+.2} to {:+.2})",
+                trend.same_way(way),
+                trend.of_each.len(),
+                range[0],
+                range[1]
+            );
+        }
+        out.push('\n');
+    }
+    out
+}

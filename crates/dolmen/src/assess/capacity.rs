@@ -1,0 +1,189 @@
+//! Capacity against shaking of growing size: scanned, never bisected blindly.
+//!
+//! A stack that rocks is not monotone: most records that overturn it at one scale are survived at some scale above. So a whole
+//! grid of scales is tried, the first fall is the capacity, and what was survived above it is reported with it.
+
+use super::AssessError;
+
+/// How a run at one scale ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Trial {
+    /// Nothing fell.
+    Survived,
+    /// It fell.
+    Fell,
+    /// The run cannot be used: it diverged.
+    Unknown,
+}
+
+/// One scale that was tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScaleTrial {
+    /// Factor on the motion, –.
+    pub scale: f64,
+    /// How it ended.
+    pub trial: Trial,
+}
+
+/// What a scan says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Capacity {
+    /// The least scale tried that it fell at; `None` if it fell at none.
+    pub first_fall: Option<f64>,
+    /// The largest scale below it that was survived; 0, the stack at rest, if none was tried.
+    pub survived_below: f64,
+    /// Scales above the first fall that were survived, rising: the scan is not monotone if there are any.
+    pub survived_above: Vec<f64>,
+    /// The largest scale tried: if nothing fell, the capacity is beyond it.
+    pub largest_tried: f64,
+    /// Scales whose runs cannot be used, rising.
+    pub unknown: Vec<f64>,
+}
+
+/// The capacity that a scan shows.
+///
+/// # Errors
+/// [`AssessError::Scale`] for a scale that is not positive, or no scale at all.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::{ScaleTrial, Trial, capacity};
+/// let ends = [Trial::Survived, Trial::Fell, Trial::Survived, Trial::Fell];
+/// let tried: Vec<ScaleTrial> = ends.into_iter().zip(1..).map(|(trial, n)| ScaleTrial { scale: f64::from(n), trial }).collect();
+/// let found = capacity(&tried)?;
+/// assert_eq!((found.first_fall, found.survived_below, found.survived_above), (Some(2.0), 1.0, vec![3.0]));
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn capacity(tried: &[ScaleTrial]) -> Result<Capacity, AssessError> {
+    let sorted = sorted(tried)?;
+    let of = |wanted: Trial| {
+        sorted
+            .iter()
+            .filter(move |point| point.trial == wanted)
+            .map(|point| point.scale)
+    };
+    let first_fall = of(Trial::Fell).next();
+    let limit = first_fall.unwrap_or(f64::INFINITY);
+    Ok(Capacity {
+        first_fall,
+        survived_below: of(Trial::Survived)
+            .take_while(|scale| *scale < limit)
+            .last()
+            .unwrap_or(0.0),
+        survived_above: of(Trial::Survived).filter(|scale| *scale > limit).collect(),
+        largest_tried: sorted.last().map_or(0.0, |point| point.scale),
+        unknown: of(Trial::Unknown).collect(),
+    })
+}
+
+/// The next scale to try so that the first fall of a whole grid is known more finely: the middle of its bracket, `halvings`
+/// times; `None` when that is done, when nothing fell, or when an unusable run is in the way.
+///
+/// The bracket is that of two neighbours of the grid: between them one fall is assumed, as below the first of the grid none is.
+///
+/// # Errors
+/// As [`capacity`].
+pub fn next_in_bracket(
+    grid: &[f64],
+    tried: &[ScaleTrial],
+    halvings: u32,
+) -> Result<Option<f64>, AssessError> {
+    let sorted = sorted(tried)?;
+    let trial_at = |scale: f64| {
+        let at = sorted.iter().find(|point| point.scale == scale);
+        at.map(|point| point.trial)
+    };
+    let mut low = 0.0;
+    let mut high = None;
+    for &scale in grid {
+        match trial_at(scale) {
+            Some(Trial::Survived) => low = scale,
+            Some(Trial::Fell) => {
+                high = Some(scale);
+                break;
+            }
+            Some(Trial::Unknown) | None => return Ok(None),
+        }
+    }
+    let Some(mut high) = high else {
+        return Ok(None);
+    };
+    for _ in 0..halvings {
+        let middle = 0.5 * (low + high);
+        match trial_at(middle) {
+            None => return Ok(Some(middle)),
+            Some(Trial::Survived) => low = middle,
+            Some(Trial::Fell) => high = middle,
+            Some(Trial::Unknown) => return Ok(None),
+        }
+    }
+    Ok(None)
+}
+
+fn sorted(tried: &[ScaleTrial]) -> Result<Vec<ScaleTrial>, AssessError> {
+    if let Some(bad) = tried
+        .iter()
+        .find(|point| !(point.scale > 0.0 && point.scale.is_finite()))
+    {
+        return Err(AssessError::Scale { given: bad.scale });
+    }
+    let mut sorted = tried.to_vec();
+    sorted.sort_by(|a, b| a.scale.total_cmp(&b.scale));
+    Ok(sorted)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Falls in (1.3, 1.7) and above 2.4, as rocking blocks do.
+    fn falls(scale: f64) -> Trial {
+        if (1.3..1.7).contains(&scale) || scale > 2.4 {
+            Trial::Fell
+        } else {
+            Trial::Survived
+        }
+    }
+
+    #[test]
+    fn exact_first_fall_of_a_scan_that_is_not_monotone() {
+        let grid: Vec<f64> = (1..=6).map(|n| 0.5 * f64::from(n)).collect();
+        let mut tried: Vec<ScaleTrial> = grid
+            .iter()
+            .map(|&scale| ScaleTrial {
+                scale,
+                trial: falls(scale),
+            })
+            .collect();
+        let coarse = capacity(&tried).unwrap();
+        assert_eq!(coarse.first_fall, Some(1.5));
+        assert_eq!(coarse.survived_above, [2.0]);
+        for _ in 0..10 {
+            if let Some(scale) = next_in_bracket(&grid, &tried, 10).unwrap() {
+                tried.push(ScaleTrial {
+                    scale,
+                    trial: falls(scale),
+                });
+            }
+        }
+        assert_eq!(next_in_bracket(&grid, &tried, 10).unwrap(), None);
+        let fine = capacity(&tried).unwrap();
+        let first = fine.first_fall.unwrap();
+        assert!(
+            (first - 1.3).abs() < 0.5 / 1024.0 && fine.survived_below < first,
+            "{fine:?}"
+        );
+        assert_eq!(tried.len(), 16);
+    }
+
+    #[test]
+    fn refuses_scales_that_are_not_positive_and_stops_at_unusable_runs() {
+        let at = |scale, trial| ScaleTrial { scale, trial };
+        assert!(capacity(&[at(0.0, Trial::Fell)]).is_err());
+        assert!(capacity(&[at(f64::NAN, Trial::Fell)]).is_err());
+        let tried = [at(1.0, Trial::Unknown), at(2.0, Trial::Fell)];
+        assert_eq!(next_in_bracket(&[1.0, 2.0], &tried, 4).unwrap(), None);
+        let found = capacity(&tried).unwrap();
+        assert_eq!((found.survived_below, found.unknown), (0.0, vec![1.0]));
+    }
+}

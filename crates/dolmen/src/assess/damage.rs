@@ -1,0 +1,191 @@
+//! Damage states of a stack after a motion: a pagoda that sheds no stone may still have lost too much.
+
+use crate::blocks::{Outcome, Pose, StackHistory};
+use crate::stability::stack::StackLimitStates;
+use crate::structure::stack::{Joint, Stack};
+
+/// Slip from which sliding counts as begun, m: below it lies the shear of the springs of a joint (0.15 mm at 100 kPa, friction
+/// 0.6, 4e8 Pa/m). Chosen here.
+pub const SLIP_LEAST_M: f64 = 5e-4;
+/// Residual offset over the joint's width, and in m, from which a stack is at DS2.
+const DS2_RATIO: f64 = 0.005;
+const DS2_M: f64 = 0.010;
+/// Residual offset over the joint's width, and tilt over the slenderness angle, from which it is at DS3.
+const DS3_RATIO: f64 = 0.02;
+const DS3_TILT: f64 = 0.35;
+
+/// How far a stack is damaged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum DamageState {
+    /// Nothing moved.
+    None,
+    /// DS1: a joint opened by [`StackHistory::UPLIFT_LEAST_M`], or slipped by [`SLIP_LEAST_M`].
+    Begun,
+    /// DS2: an offset of 0.5 % of the joint's width, or 10 mm, is left.
+    Offset,
+    /// DS3: an offset of 2 % of the width is left, a joint rocked to 0.35 of its slenderness angle, or a stone lies on the brink.
+    Severe,
+    /// DS4: a stone fell.
+    Fallen,
+}
+
+impl DamageState {
+    /// 0 to 4.
+    pub fn number(self) -> u8 {
+        match self {
+            DamageState::None => 0,
+            DamageState::Begun => 1,
+            DamageState::Offset => 2,
+            DamageState::Severe => 3,
+            DamageState::Fallen => 4,
+        }
+    }
+}
+
+/// What a motion did to a stack, in the numbers that damage states are made of.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StackDamage {
+    /// The state.
+    pub state: DamageState,
+    /// Largest opening of a joint, m.
+    pub peak_uplift_m: f64,
+    /// Largest slip in a joint, m.
+    pub peak_slip_m: f64,
+    /// Largest slip left in a joint, m.
+    pub residual_slip_m: f64,
+    /// Largest slip left over the width of its joint in that direction, –.
+    pub residual_slip_ratio: f64,
+    /// Largest rocking of a joint, opening over its least width, over the slenderness angle of what stands on it, –.
+    pub peak_rocking_ratio: f64,
+    /// Largest lean of a stone at a sample, rad.
+    pub peak_tilt_rad: f64,
+    /// Largest lean of a stone at the end, rad.
+    pub residual_tilt_rad: f64,
+    /// Largest turn of a stone on the one below, rad.
+    pub peak_yaw_rad: f64,
+}
+
+/// The damage that a history shows.
+///
+/// ```text
+/// DS1  uplift or slip begins       DS2  u_left ≥ 0.005 b or 10 mm       DS3  u_left ≥ 0.02 b, or θ ≥ 0.35 α       DS4  a stone falls
+/// θ = opening / least width of the joint,   α = atan(a_uplift / g) of the part above it
+/// ```
+///
+/// # Limits
+/// Where several joints carry one part, or none is cut through alone, α of the cut that holds the joint and fewest blocks is taken.
+/// Of a run that was ended early only what happened until then counts.
+pub fn stack_damage(stack: &Stack, limits: &StackLimitStates, history: &StackHistory) -> StackDamage {
+    let mut found = StackDamage {
+        state: DamageState::None,
+        peak_uplift_m: 0.0,
+        peak_slip_m: 0.0,
+        residual_slip_m: 0.0,
+        residual_slip_ratio: 0.0,
+        peak_rocking_ratio: 0.0,
+        peak_tilt_rad: 0.0,
+        residual_tilt_rad: 0.0,
+        peak_yaw_rad: 0.0,
+    };
+    for (index, (joint, moved)) in stack.joints().iter().zip(&history.joints).enumerate() {
+        found.peak_uplift_m = found.peak_uplift_m.max(moved.peak_opening_m);
+        found.peak_slip_m = found.peak_slip_m.max(moved.peak_slip_m);
+        found.peak_yaw_rad = found.peak_yaw_rad.max(moved.peak_yaw_rad);
+        found.residual_slip_m = found.residual_slip_m.max(moved.residual_slip_m());
+        if let Some(&left) = moved.slip_m.last() {
+            let ratio = moved.residual_slip_m() / width_along(joint, left);
+            found.residual_slip_ratio = found.residual_slip_ratio.max(ratio);
+        }
+        if let Some(alpha) = slenderness_angle_rad(limits, index) {
+            let theta = (moved.peak_opening_m / least_width(joint)).atan();
+            found.peak_rocking_ratio = found.peak_rocking_ratio.max(theta / alpha);
+        }
+    }
+    let first = history.poses.get(..history.blocks).unwrap_or_default();
+    for (index, pose) in history.poses.iter().enumerate() {
+        let Some(start) = first.get(index % history.blocks.max(1)) else {
+            break;
+        };
+        found.peak_tilt_rad = found.peak_tilt_rad.max(lean(start, pose));
+    }
+    let last = history
+        .poses
+        .len()
+        .checked_sub(history.blocks)
+        .and_then(|from| history.poses.get(from..));
+    for (start, pose) in first.iter().zip(last.unwrap_or_default()) {
+        found.residual_tilt_rad = found.residual_tilt_rad.max(lean(start, pose));
+    }
+    found.state = state(&found, &history.outcome);
+    found
+}
+
+fn state(found: &StackDamage, outcome: &Outcome) -> DamageState {
+    let slid = matches!(outcome, Outcome::Slid { .. });
+    if matches!(outcome, Outcome::Fell { .. }) {
+        DamageState::Fallen
+    } else if slid || found.residual_slip_ratio >= DS3_RATIO || found.peak_rocking_ratio >= DS3_TILT {
+        DamageState::Severe
+    } else if found.residual_slip_ratio >= DS2_RATIO || found.residual_slip_m >= DS2_M {
+        DamageState::Offset
+    } else if found.peak_uplift_m > StackHistory::UPLIFT_LEAST_M || found.peak_slip_m > SLIP_LEAST_M {
+        DamageState::Begun
+    } else {
+        DamageState::None
+    }
+}
+
+/// α of what stands on a joint, rad.
+fn slenderness_angle_rad(limits: &StackLimitStates, joint: usize) -> Option<f64> {
+    let cuts = limits.cuts.iter().filter(|cut| cut.cut.joints.contains(&joint));
+    let smallest = cuts.min_by_key(|cut| cut.cut.blocks.len())?;
+    let uplift = smallest.uplift?;
+    (uplift.acceleration_g > 0.0).then(|| uplift.acceleration_g.atan())
+}
+
+/// Angle between the verticals of a stone at two times, rad.
+fn lean(start: &Pose, now: &Pose) -> f64 {
+    let vertical = |[w, x, y, z]: [f64; 4]| {
+        [
+            2.0 * (x * z + w * y),
+            2.0 * (y * z - w * x),
+            1.0 - 2.0 * (x * x + y * y),
+        ]
+    };
+    let (a, b) = (vertical(start.rotation), vertical(now.rotation));
+    let apart = (a[0] - b[0]).hypot(a[1] - b[1]).hypot(a[2] - b[2]);
+    2.0 * (0.5 * apart).min(1.0).asin()
+}
+
+/// Width of a joint along a direction in its plane, m.
+fn width_along(joint: &Joint, direction: [f64; 2]) -> f64 {
+    let length = direction[0].hypot(direction[1]);
+    if length == 0.0 {
+        return least_width(joint);
+    }
+    let [u, v] = [direction[0] / length, direction[1] / length];
+    let places = joint
+        .patch
+        .corners_m
+        .iter()
+        .map(|corner| corner[0] * u + corner[1] * v);
+    let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+        (low.min(place), high.max(place))
+    });
+    high - low
+}
+
+/// Least width of a joint: across one of its edges, m.
+fn least_width(joint: &Joint) -> f64 {
+    let corners = &joint.patch.corners_m;
+    let each = corners.iter().zip(corners.iter().cycle().skip(1));
+    each.map(|(a, b)| {
+        let across = [b[1] - a[1], a[0] - b[0]];
+        if across[0].hypot(across[1]) > 0.0 {
+            width_along(joint, across)
+        } else {
+            f64::INFINITY
+        }
+    })
+    .fold(f64::INFINITY, f64::min)
+}
