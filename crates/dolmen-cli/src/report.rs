@@ -3,7 +3,7 @@
 use crate::check::{self, Sampling};
 use crate::cli::{Demo, Motion, Report};
 use crate::simulate::language;
-use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_chain, simulate_frame};
+use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_chain, simulate_frame, study};
 use anyhow::{Result, bail};
 use dolmen::dynamics::ChainRotations;
 use dolmen::stability::Verdict;
@@ -75,6 +75,7 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
         answer.frame_simulations = frames(&answer.project, &file, options, quiet)?;
         answer.chain_simulations = chains(&answer.project, &file, options, quiet)?;
     }
+    answer.studies = study::of_report(&file, quiet)?;
     Ok(answer)
 }
 

@@ -18,6 +18,7 @@ use dolmen_formats::study::{Run, RunOutcome, StudyAnswer};
 use dolmen_formats::text::study_text;
 use folder::StudyFolder;
 use plan::Plan;
+use std::path::{Path, PathBuf};
 
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
     match &options.action {
@@ -185,7 +186,7 @@ fn all_refused(answer: &StudyAnswer) -> Option<&str> {
     all.then(|| answer.runs.first().map_or("", |run| run.why.as_str()))
 }
 
-fn missing(plan: &Plan, folder: &StudyFolder, from: &[std::path::PathBuf], as_json: bool) -> Result<Outcome> {
+fn missing(plan: &Plan, folder: &StudyFolder, from: &[PathBuf], as_json: bool) -> Result<Outcome> {
     let runs = folder.merged(plan, from)?;
     let missing = engine::missing(plan, (1, 1), &runs);
     if as_json {
@@ -215,6 +216,33 @@ fn missing(plan: &Plan, folder: &StudyFolder, from: &[std::path::PathBuf], as_js
     } else {
         Outcome::Unfinished
     })
+}
+
+/// The studies of a project file that were run before, from the journals beside it; what is of another state of the file is left out,
+/// and said.
+pub(crate) fn of_report(file: &Path, quiet: bool) -> Result<Vec<StudyAnswer>> {
+    let opened = plan::open(file)?;
+    let mut found = Vec::new();
+    for study in &opened.project.studies {
+        let folder = StudyFolder::of(None, &opened.file, &study.name);
+        if !folder.path().is_dir() {
+            continue;
+        }
+        let answered = || -> Result<StudyAnswer> {
+            let plan = Plan::of(&opened, study)?;
+            let runs = folder.merged(&plan, &[])?;
+            let missing = engine::missing(&plan, (1, 1), &runs);
+            let mut answer = plan.answer(runs, missing);
+            answer.maps = frames::maps(&plan)?;
+            Ok(answer)
+        };
+        match answered() {
+            Ok(answer) => found.push(answer),
+            Err(why) if !quiet => eprintln!("study \"{}\" is left out of the report: {why:#}", study.name),
+            Err(_) => {}
+        }
+    }
+    Ok(found)
 }
 
 /// Missing scans that are named; more are counted.

@@ -153,6 +153,41 @@ fn holds_a_killed_study_goes_on_and_ends_with_the_same_bits() {
     assert_eq!(done.status, 0, "{}", done.stdout);
 }
 
+#[cfg(unix)]
+#[test]
+fn holds_ctrl_c_keeps_what_is_done() {
+    let scratch = with("interrupted", TWO_STONES);
+    let journal = scratch.path().join("cut/height/journal.tsv");
+    let child = Command::new(env!("CARGO_BIN_EXE_dolmen"))
+        .args("study . --study height -o cut --threads 1".split(' '))
+        .current_dir(scratch.path())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    let begun = Instant::now();
+    while fs::read_to_string(&journal).map_or(0, |text| text.lines().count()) < 20 {
+        assert!(begun.elapsed() < Duration::from_secs(60));
+        sleep(Duration::from_millis(1));
+    }
+    let sent = Command::new("kill")
+        .args(["-INT", &child.id().to_string()])
+        .status()
+        .unwrap();
+    assert!(sent.success());
+    let ended = child.wait_with_output().unwrap();
+    let stdout = String::from_utf8_lossy(&ended.stdout);
+    assert_eq!(ended.status.code(), Some(3), "{stdout}");
+    assert!(stdout.contains("NOT FINISHED"), "{stdout}");
+    let whole = scratch.dolmen("study . --study height -o whole");
+    let resumed = scratch.dolmen("study . --study height -o cut");
+    assert_eq!((whole.status, resumed.status), (0, 0));
+    same(
+        &scratch.path().join("whole/height"),
+        &scratch.path().join("cut/height"),
+    );
+}
+
 #[test]
 fn holds_shards_merged_are_one_run_and_a_missing_one_is_named() {
     let scratch = with("shards", TWO_STONES);
@@ -382,6 +417,7 @@ fn refuses_what_is_no_study_and_journals_of_another() {
         let changed = TWO_STONES.replace(from, to);
         assert_ne!(changed, TWO_STONES, "{from}");
         fs::write(&file, changed).unwrap();
+        let _ = fs::remove_dir_all(scratch.path().join("fresh"));
         refused("study . --study drawn -o fresh", said);
     }
 }

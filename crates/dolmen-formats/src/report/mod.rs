@@ -18,6 +18,7 @@ mod samples;
 mod simulation;
 mod stack;
 mod stack_notes;
+mod study;
 mod style;
 mod table;
 mod variants;

@@ -110,6 +110,7 @@ fn answer(project: Project, check: Check) -> Answer {
         simulation: None,
         frame_simulations: vec![],
         chain_simulations: vec![],
+        studies: vec![],
     }
 }
 
@@ -309,6 +310,7 @@ fn survey() -> Answer {
         simulation: None,
         frame_simulations: vec![],
         chain_simulations: vec![],
+        studies: vec![],
     }
 }
 

@@ -189,3 +189,76 @@ fn least_width(joint: &Joint) -> f64 {
     })
     .fold(f64::INFINITY, f64::min)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::blocks::{Springs, simulate_springs};
+    use crate::signal::{Component, GroundMotion};
+    use crate::stability::stack::{StackLimits, stack_limits};
+    use crate::structure::stack::{Block, JointMaterial, Solid};
+    use std::f64::consts::PI;
+
+    fn stone() -> (Stack, StackLimitStates) {
+        let block = Block {
+            name: "stone".into(),
+            solid: Solid::cuboid(0.4, 0.4, 2.0).unwrap(),
+            density_kg_m3: 2600.0,
+        };
+        let material = JointMaterial {
+            normal_stiffness_pa_m: 1e11,
+            shear_stiffness_pa_m: 4e10,
+            ..JointMaterial::with_friction(2.0)
+        };
+        let stack = Stack::new(vec![block], material, 9.81).unwrap();
+        let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
+        (stack, limits)
+    }
+
+    /// The stone under half a sine of so many times its uplift acceleration, 1.2 s long.
+    fn pulse(stack: &Stack, times: f64) -> StackHistory {
+        let samples = (0..=120).map(|i| times * 0.2 * 9.81 * (PI * f64::from(i) / 120.0).sin());
+        let motion = GroundMotion::new("pulse", 0.01, vec![(Component::X, samples.collect())]).unwrap();
+        simulate_springs(stack, Some(&motion), &Springs::default(), &mut |_| true).unwrap()
+    }
+
+    #[test]
+    fn holds_rocking_of_a_joint_is_the_lean_of_its_stone_over_alpha() {
+        let (stack, limits) = stone();
+        let found = stack_damage(&stack, &limits, &pulse(&stack, 1.4));
+        let alpha = 0.2_f64.atan();
+        let by_lean = found.peak_tilt_rad / alpha;
+        assert!(by_lean > 0.02, "{found:?}");
+        assert!(
+            (found.peak_rocking_ratio / by_lean - 1.0).abs() < 0.02,
+            "{found:?} {by_lean}"
+        );
+        assert!(found.state >= DamageState::Begun);
+        let fallen = stack_damage(&stack, &limits, &pulse(&stack, 3.0));
+        assert_eq!(fallen.state, DamageState::Fallen);
+        let quiet = stack_damage(&stack, &limits, &pulse(&stack, 0.3));
+        assert_eq!(quiet.state, DamageState::None, "{quiet:?}");
+    }
+
+    #[test]
+    fn exact_states_begin_at_their_thresholds() {
+        let (stack, limits) = stone();
+        let still = pulse(&stack, 0.1);
+        let alpha = 0.2_f64.atan();
+        let of = |slip_m: f64, left_m: f64, opening_m: f64| {
+            let mut history = still.clone();
+            history.joints[0].peak_slip_m = slip_m;
+            history.joints[0].peak_opening_m = opening_m;
+            *history.joints[0].slip_m.last_mut().unwrap() = [left_m, 0.0];
+            stack_damage(&stack, &limits, &history).state
+        };
+        assert_eq!(of(0.0, 0.0, 0.0), DamageState::None);
+        assert_eq!(of(0.00051, 0.0, 0.0), DamageState::Begun);
+        assert_eq!(of(0.0, 0.0, 0.00011), DamageState::Begun);
+        assert_eq!(of(0.0019, 0.0019, 0.0), DamageState::Begun); // 0.5 % of 0.4 m is 2 mm
+        assert_eq!(of(0.0021, 0.0021, 0.0), DamageState::Offset);
+        assert_eq!(of(0.0081, 0.0081, 0.0), DamageState::Severe); // 2 % is 8 mm
+        assert_eq!(of(0.0, 0.0, 0.4 * (0.349 * alpha).tan()), DamageState::Begun);
+        assert_eq!(of(0.0, 0.0, 0.4 * (0.351 * alpha).tan()), DamageState::Severe);
+    }
+}

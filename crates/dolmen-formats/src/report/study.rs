@@ -1,0 +1,198 @@
+//! Studies in the report: capacities by value of each input, trends, figures.
+
+use super::table::{Cell, figure, table};
+use crate::Language;
+use crate::figures::study_figures;
+use crate::study::{RunOutcome, StudyAnswer, StudyKind, TrendVerdict, quantile_of_capacities};
+use dolmen::assess::Direction;
+use maud::{Markup, html};
+
+/// Figures of one study that a page takes; all of them lie in the folder of the study. Chosen here.
+const FIGURES_MOST: usize = 8;
+
+/// One section a study.
+pub(super) fn sections(studies: &[StudyAnswer], language: Language) -> Markup {
+    html! {
+        @for study in studies { (section(study, language)) }
+    }
+}
+
+fn section(answer: &StudyAnswer, language: Language) -> Markup {
+    let title = answer.study.title.as_ref();
+    let title = title.map_or(answer.study.name.as_str(), |names| {
+        language.pick(names.english(), names.korean())
+    });
+    let has_scan = answer.study.scan.is_some();
+    html! {
+        h2 { (language.pick("Study: ", "변수 연구: ")) (title) }
+        @if has_scan {
+            p { (what_was_run(answer, language)) }
+            @if !answer.missing.is_empty() { p { b { (unfinished(answer, language)) } } }
+            (capacities(answer, language))
+            (trends(answer, language))
+        }
+        @for found in study_figures(answer, language).into_iter().take(FIGURES_MOST) {
+            (figure(&found.svg, &caption(&found.name, language)))
+        }
+    }
+}
+
+fn what_was_run(answer: &StudyAnswer, language: Language) -> String {
+    let (cases, motions, runs) = (answer.cases.len(), answer.motions.len(), answer.runs.len());
+    let refused = answer.outcomes().get(&RunOutcome::Refused).copied().unwrap_or(0);
+    let capacities = answer.capacities();
+    let above = capacities
+        .iter()
+        .filter(|c| !c.scan.survived_above.is_empty())
+        .count();
+    let scans = capacities.len();
+    language.pick(
+        format!(
+            "{runs} simulations of {cases} cases under {motions} motions, each at growing shaking; the inputs of {refused} were refused. \
+             {above} of {scans} scans survived a size of shaking above their first failure: one critical acceleration says little."
+        ),
+        format!(
+            "경우 {cases}개와 지진파 {motions}개에 대해 지진동을 키워 가며 모두 {runs}회 해석하였고, 그중 입력이 허용되지 않은 것은 {refused}건이다. 해석 \
+             {scans}조 가운데 {above}조는 처음 무너진 크기보다 더 큰 지진동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다."
+        ),
+    )
+}
+
+fn unfinished(answer: &StudyAnswer, language: Language) -> String {
+    let (missing, jobs) = (answer.missing.len(), answer.jobs());
+    language.pick(
+        format!("Not finished: {missing} of {jobs} scans are missing."),
+        format!("미완료: 해석 {jobs}조 가운데 {missing}조가 빠져 있다."),
+    )
+}
+
+fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
+    let in_g = |value: f64| {
+        if value.is_finite() {
+            format!("{:.3}", value / answer.gravity_m_s2)
+        } else {
+            language.pick("none", "없음").to_owned()
+        }
+    };
+    let head = [
+        language.pick("input", "입력변수"),
+        language.pick("value", "값"),
+        language.pick("scans", "해석 조"),
+        "5 % (g)",
+        language.pick("median (g)", "중앙값 (g)"),
+        "95 % (g)",
+        language.pick("survived above", "상위 생존"),
+    ]
+    .map(str::to_owned);
+    let rows: Vec<Vec<Cell>> = answer
+        .levels()
+        .into_iter()
+        .map(|row| {
+            let quantile = |p| in_g(quantile_of_capacities(&row.first_fall_m_s2, p));
+            let input = match row.input {
+                Some(input) => answer.inputs[input].path.clone(),
+                None if answer.study.variants.len() > 1 => language.pick("variant", "대안").to_owned(),
+                None => String::new(),
+            };
+            vec![
+                input.into(),
+                Cell::wrapping(row.text.clone()),
+                row.first_fall_m_s2.len().to_string().into(),
+                quantile(0.05).into(),
+                quantile(0.5).into(),
+                quantile(0.95).into(),
+                row.survived_above.to_string().into(),
+            ]
+        })
+        .collect();
+    let caption = match answer.kind {
+        StudyKind::Stack => language.pick(
+            "Peak acceleration of the ground at which a stone first falls. “none”: not up to the largest that was tried.",
+            "돌이 처음 떨어지는 최대지반가속도. ‘없음’은 시도한 최대 크기까지 떨어지지 않은 경우이다.",
+        ),
+        StudyKind::Frame => language.pick(
+            "Peak acceleration of the ground at which a storey first leans by more than 10 %. “none”: not up to the largest that was tried.",
+            "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도. ‘없음’은 시도한 최대 크기까지 넘지 않은 경우이다.",
+        ),
+    };
+    table(caption, 2, &head, &rows)
+}
+
+fn trends(answer: &StudyAnswer, language: Language) -> Markup {
+    let found = answer.trends().unwrap_or_default();
+    let rows: Vec<Vec<Cell>> = found
+        .iter()
+        .filter(|trend| trend.of_medians.pairs > 0)
+        .map(|trend| {
+            let tau = &trend.of_medians;
+            let (words, verdict) = match &trend.expected {
+                Some((expected, verdict)) => {
+                    let words = expected
+                        .words
+                        .as_ref()
+                        .map(|names| language.pick(names.english(), names.korean()));
+                    (words.unwrap_or_default(), verdict_word(*verdict, language))
+                }
+                None if tau.shows(Direction::Rising) => ("", language.pick("rises", "증가")),
+                None if tau.shows(Direction::Falling) => ("", language.pick("falls", "감소")),
+                None => ("", language.pick("no trend seen", "경향 없음")),
+            };
+            vec![
+                answer.inputs[trend.input].path.clone().into(),
+                Cell::wrapping(words),
+                verdict.into(),
+                format!("{:+.2}", tau.tau).into(),
+                format!("± {:.2}", tau.tau_by_chance).into(),
+                tau.pairs.to_string().into(),
+            ]
+        })
+        .collect();
+    let head = [
+        language.pick("input", "입력변수"),
+        language.pick("expected", "예상"),
+        language.pick("verdict", "판정"),
+        "τ",
+        language.pick("by chance", "우연"),
+        language.pick("pairs", "쌍"),
+    ]
+    .map(str::to_owned);
+    html! {
+        @if !rows.is_empty() {
+            (table(language.pick(
+                "Trends of the capacity, all else equal. Kendall's rank correlation of the medians, and what chance alone would give.",
+                "다른 조건이 같을 때 내진성능의 경향. 중앙값의 켄달 순위상관계수와 우연에 의한 크기.",
+            ), 3, &head, &rows))
+        }
+    }
+}
+
+fn verdict_word(verdict: TrendVerdict, language: Language) -> &'static str {
+    match verdict {
+        TrendVerdict::Holds => language.pick("holds", "성립"),
+        TrendVerdict::NotSeen => language.pick("not seen", "확인 안 됨"),
+        TrendVerdict::Contradicted => language.pick("contradicted", "반대"),
+    }
+}
+
+fn caption(name: &str, language: Language) -> String {
+    let text = match name.split('-').next().unwrap_or_default() {
+        "capacity" => language.pick(
+            "Capacity against an input. Every dot one scan; medians and the range of 5 to 95 %.",
+            "입력변수에 따른 내진성능. 점은 해석 1조이며, 중앙값과 5–95 % 범위를 함께 표시하였다.",
+        ),
+        "survived" => language.pick(
+            "What failed and what survived. Every dot one simulation; survived sizes can lie above ones that were not.",
+            "무너진 경우와 견딘 경우. 점은 해석 1회이며, 무너진 크기보다 큰 지진동을 견디기도 한다.",
+        ),
+        "growth" => language.pick("As the shaking grows. Largest over the storeys.", "지진동 증가에 따른 변화. 층 중 최댓값."),
+        "harmonic" => language.pick(
+            "Sticking and slipping. Share of the time in which a storey slips under a harmonic ground.",
+            "고착과 미끄러짐. 조화 지반운동에서 층이 미끄러지는 시간의 비율.",
+        ),
+        _ => language.pick(
+            "Let go from a large displacement. Each dot one swing.",
+            "큰 변위에서의 자유진동. 점은 반주기 1회.",
+        ),
+    };
+    text.to_owned()
+}
