@@ -322,7 +322,7 @@ impl StudyAnswer {
 
     /// (input, result) in groups in which the variant and all other inputs are equal.
     fn groups(&self, index: usize, results: &[(usize, f64)]) -> Vec<Vec<(f64, f64)>> {
-        let mut groups: BTreeMap<(Option<&str>, Vec<&str>), Vec<(f64, f64)>> = BTreeMap::new();
+        let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, f64)>> = BTreeMap::new();
         for &(job, result) in results {
             let case = self.case(job);
             let Some(value) = case.values.get(index).copied().flatten() else {
@@ -339,6 +339,9 @@ impl StudyAnswer {
         groups.into_values().collect()
     }
 }
+
+/// What is equal within a group: the variant, and all other inputs as they are written.
+type AllElse<'a> = (Option<&'a str>, Vec<&'a str>);
 
 fn capacity_of(runs: &[Run]) -> Option<CapacityOf> {
     let job = runs.first()?.job;
