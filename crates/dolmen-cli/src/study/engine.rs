@@ -5,10 +5,11 @@ use super::folder::JournalFile;
 use super::inputs::{Drawn, drawn};
 use super::motions::PreparedMotion;
 use super::plan::Plan;
-use super::stacks::{self, StackRun, run_stacks};
+use super::stacks::{self, run_stacks};
 use crate::simulate::{interrupted, watch_interrupts};
 use anyhow::{Context as _, Result};
 use dolmen::assess::{ScaleTrial, Trial, next_in_bracket};
+use dolmen::blocks::StackRun;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
 use dolmen_formats::project::Structure;
@@ -17,8 +18,9 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Runs handed to a thread at once: the lanes of an ensemble.
-const BATCH: usize = 4;
+/// Fewest and most runs handed to a thread at once: they go side by side, some in each lane of the machine's vectors. Chosen here:
+/// more fill the lanes longer, fewer spread over the threads.
+const BATCH: [usize; 2] = [8, 64];
 /// Scans prepared at once, a thread. Chosen here: keeps memory small and threads busy.
 const CHUNK_A_THREAD: usize = 32;
 
@@ -83,8 +85,9 @@ pub(super) fn run(
             if wanted.is_empty() || interrupted() {
                 break;
             }
+            let share = wanted.len() / (2 * rayon::current_num_threads());
             let found: Vec<Vec<(usize, Run)>> = wanted
-                .par_chunks(BATCH)
+                .par_chunks(share.clamp(BATCH[0], BATCH[1]))
                 .map(|batch| run_batch(plan, &scans, batch, journal, &bar))
                 .collect::<Result<_>>()?;
             for (index, run) in found.into_iter().flatten() {
@@ -241,7 +244,16 @@ fn run_batch(
         return Ok(Vec::new());
     }
     let mut found = Vec::with_capacity(batch.len());
-    let mut stack_runs = Vec::new();
+    let mut keep = |index: usize, row: Option<Run>| -> Result<()> {
+        if let Some(row) = row {
+            journal.append(&row)?;
+            bar.inc(1);
+            found.push((index, row));
+        }
+        Ok(())
+    };
+    let options = stacks::springs(plan.study)?;
+    let mut of_stacks = Vec::new();
     for &(index, scale) in batch {
         let scan = &scans[index];
         let motion = scan.motion.as_ref().context("a scan without motion")?;
@@ -253,34 +265,30 @@ fn run_batch(
             ..empty_run(scan.job)
         };
         match &scan.model {
-            Ok(Model::Stack(model)) => {
-                let stack_run = StackRun {
-                    stack: &model.0,
-                    motion: acting,
-                    options: stacks::springs(plan.study)?,
-                };
-                stack_runs.push((index, run, model, stack_run));
-            }
-            Ok(Model::Frame(model)) => {
-                let row = super::frames::row(plan.study, run, model, &acting);
-                found.extend(row.map(|row| (index, row)));
-            }
+            Ok(Model::Stack(model)) => of_stacks.push((index, run, model, acting)),
+            Ok(Model::Frame(model)) => keep(index, super::frames::row(plan.study, run, model, &acting))?,
             Err(_) => {}
         }
     }
-    let (told, runs): (Vec<_>, Vec<StackRun<'_>>) = stack_runs
-        .into_iter()
-        .map(|(index, run, model, stack_run)| ((index, run, model), stack_run))
-        .unzip();
-    for ((index, run, model), history) in told.into_iter().zip(run_stacks(&runs)) {
-        let row = stacks::row(run, (&model.0, &model.1), history);
-        found.extend(row.map(|row| (index, row)));
+    let runs: Vec<StackRun<'_>> = of_stacks
+        .iter()
+        .map(|(_, _, model, motion)| StackRun {
+            stack: &model.0,
+            motion: Some(motion),
+            options: &options,
+        })
+        .collect();
+    let mut failed = None;
+    run_stacks(&runs, &mut |place, history| {
+        let (index, run, model, _) = &of_stacks[place];
+        let kept = keep(*index, stacks::row(run.clone(), (&model.0, &model.1), history));
+        failed = kept.err();
+        failed.is_none() && !interrupted()
+    });
+    match failed {
+        Some(fault) => Err(fault),
+        None => Ok(found),
     }
-    for (_, run) in &found {
-        journal.append(run)?;
-        bar.inc(1);
-    }
-    Ok(found)
 }
 
 fn progress_bar(runs: usize, quiet: bool) -> ProgressBar {

@@ -1,30 +1,22 @@
 //! Runs of stacks, in batches.
 
-use crate::simulate;
 use anyhow::{Result, bail};
 use dolmen::assess::{DamageState, stack_damage};
-use dolmen::blocks::{BlocksError, ContactRule, Outcome, Springs, StackHistory, simulate_springs};
-use dolmen::signal::GroundMotion;
+use dolmen::blocks::{
+    BlocksError, ContactRule, Outcome, Springs, StackHistory, StackRun, simulate_springs_many,
+};
 use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_formats::project::{LawPart, StudyPart};
 use dolmen_formats::study::{Run, RunOutcome};
 
-/// One stack under one motion.
-pub(super) struct StackRun<'s> {
-    pub(super) stack: &'s Stack,
-    pub(super) motion: GroundMotion,
-    pub(super) options: Springs,
-}
-
-/// Runs a batch; the results are in its order, and each is the same in any batch.
-pub(super) fn run_stacks(batch: &[StackRun<'_>]) -> Vec<Result<StackHistory, BlocksError>> {
-    let one = |run: &StackRun<'_>| {
-        simulate_springs(run.stack, Some(&run.motion), &run.options, &mut |_| {
-            !simulate::interrupted()
-        })
-    };
-    batch.iter().map(one).collect()
+/// Runs a batch side by side; `each` gets the place of a run in it and its history, in the order in which they end, and stops the
+/// batch by returning false. Each is the same in any batch.
+pub(super) fn run_stacks(
+    batch: &[StackRun<'_>],
+    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool,
+) {
+    simulate_springs_many(batch, each);
 }
 
 /// How a study runs its stacks.
