@@ -282,8 +282,9 @@ fn run_batch(
     run_stacks(&runs, &mut |place, history| {
         let (index, run, model, _) = &of_stacks[place];
         let kept = keep(*index, stacks::row(run.clone(), (&model.0, &model.1), history));
-        failed = kept.err();
-        failed.is_none() && !interrupted()
+        if let Err(fault) = kept {
+            failed = Some(fault);
+        }
     });
     match failed {
         Some(fault) => Err(fault),

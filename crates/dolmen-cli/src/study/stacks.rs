@@ -1,5 +1,6 @@
 //! Runs of stacks, in batches.
 
+use crate::simulate::interrupted;
 use anyhow::{Result, bail};
 use dolmen::assess::{DamageState, stack_damage};
 use dolmen::blocks::{
@@ -10,13 +11,13 @@ use dolmen::structure::stack::{Body, Stack};
 use dolmen_formats::project::{LawPart, StudyPart};
 use dolmen_formats::study::{Run, RunOutcome};
 
-/// Runs a batch side by side; `each` gets the place of a run in it and its history, in the order in which they end, and stops the
-/// batch by returning false. Each is the same in any batch.
+/// Runs a batch side by side; `each` gets the place of a run in it and its history, in the order in which they end. Each is the same
+/// in any batch. Ctrl-C stops those that are under way.
 pub(super) fn run_stacks(
     batch: &[StackRun<'_>],
-    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>) -> bool,
+    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 ) {
-    simulate_springs_many(batch, each);
+    simulate_springs_many(batch, &mut |_, _| !interrupted(), each);
 }
 
 /// How a study runs its stacks.
