@@ -9,7 +9,7 @@ use super::faces::{patch_along, patch_of_joint};
 use super::hulls::{Hull, Side, separation};
 use super::links::{Link, Prop};
 use super::outline::{Outline, take_over};
-use super::patch::{Law, Patch, Stored, Wrench};
+use super::patch::{Law, Motion, Patch, Stored, Wrench};
 use crate::structure::stack::{Body, JointMaterial, Stack};
 use glam::DVec3;
 
@@ -21,10 +21,28 @@ const LOOK_AGAIN: f64 = 0.03;
 /// Other faces must lie this much farther apart than the present ones to take over, in parts of the smaller body's radius:
 /// no flicker between equals. Chosen here.
 const FACE_FAVOUR: f64 = 0.002;
-/// Gap at which two bodies get a patch, in parts of the smaller body's radius: nearer than they can come unseen. Chosen here.
-const NEAR: f64 = 2e-3;
-/// Gap at which they lose it again, in parts of the smaller body's radius. Chosen here.
-const FAR: f64 = 2e-2;
+
+/// How closely contacts are watched.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Watchfulness {
+    /// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius.
+    pub(super) clip_again: f64,
+    /// Gap at which two bodies get a patch, in parts of the smaller body's radius: nearer than they can come unseen.
+    pub(super) near: f64,
+    /// Gap at which they lose it again, in parts of the smaller body's radius.
+    pub(super) far: f64,
+}
+
+impl Default for Watchfulness {
+    /// That of the springs. Chosen here.
+    fn default() -> Self {
+        Watchfulness {
+            clip_again: CLIP_AGAIN,
+            near: 2e-3,
+            far: 2e-2,
+        }
+    }
+}
 
 /// Index of a body in [`Assembly::bodies`].
 pub(super) fn index_of(body: Body) -> usize {
@@ -59,10 +77,13 @@ pub(super) struct Assembly {
     links: Vec<Link>,
     props: Vec<Prop>,
     rule: ContactRule,
+    watchfulness: Watchfulness,
     /// Least slack of all pairs at the last look, m.
     slack: f64,
     /// Active pairs that have shifted or turned too far.
     stale: Vec<usize>,
+    /// Pairs that the last look brought up to date.
+    looked: Vec<usize>,
     /// Energy that clipping again took from the springs, J.
     clip_loss: f64,
 }
@@ -73,6 +94,17 @@ pub(super) struct Forces {
     pub(super) force: Vec<DVec3>,
     pub(super) torque: Vec<DVec3>,
     pub(super) friction_loss: f64,
+}
+
+impl Forces {
+    /// None on any of `count` bodies.
+    pub(super) fn clear(&mut self, count: usize) {
+        self.force.clear();
+        self.force.resize(count, DVec3::ZERO);
+        self.torque.clear();
+        self.torque.resize(count, DVec3::ZERO);
+        self.friction_loss = 0.0;
+    }
 }
 
 impl Assembly {
@@ -120,8 +152,10 @@ impl Assembly {
             pairs,
             active: Vec::new(),
             rule,
+            watchfulness: Watchfulness::default(),
             slack: 0.0,
             stale: Vec::new(),
+            looked: Vec::new(),
             clip_loss: 0.0,
         };
         assembly.list_active();
@@ -148,7 +182,7 @@ impl Assembly {
         self.active.iter().filter_map(|&index| {
             let pair = &self.pairs[index];
             let (patch, outline) = pair.contact.as_ref()?;
-            Some((index, patch, outline, [CLIP_AGAIN * pair.size, LOOK_AGAIN]))
+            Some((index, patch, outline, [self.watchfulness.clip_again * pair.size, LOOK_AGAIN]))
         })
     }
 
@@ -173,6 +207,55 @@ impl Assembly {
         self.stale.push(pair);
     }
 
+    /// Number of pairs, with a patch or without.
+    pub(super) fn pair_count(&self) -> usize {
+        self.pairs.len()
+    }
+
+    /// Watches contacts more or less closely than the springs do.
+    pub(super) fn watch(&mut self, watchfulness: Watchfulness) {
+        self.watchfulness = watchfulness;
+    }
+
+    /// Pairs that the last look brought up to date.
+    pub(super) fn looked(&self) -> &[usize] {
+        &self.looked
+    }
+
+    /// Takes the springs out of all contacts, for a law that has none.
+    pub(super) fn without_springs(&mut self) {
+        for pair in &mut self.pairs {
+            (
+                pair.material.normal_stiffness_pa_m,
+                pair.material.shear_stiffness_pa_m,
+            ) = (0.0, 0.0);
+            if let Some((patch, _)) = &mut pair.contact {
+                (patch.law.normal_stiffness, patch.law.shear_stiffness) = (0.0, 0.0);
+            }
+        }
+    }
+
+    /// Notes a pair whose patch has shifted or turned too far, for the next look.
+    pub(super) fn note_drift(&mut self, pair: usize, motion: &Motion) {
+        let size = self.pairs[pair].size;
+        if let Some((_, outline)) = &self.pairs[pair].contact
+            && outline.has_drifted(motion, self.watchfulness.clip_again * size, LOOK_AGAIN)
+        {
+            self.stale.push(pair);
+        }
+    }
+
+    /// Forces of ties and props alone at the bodies' present places.
+    pub(super) fn ties(&mut self, h: f64, forces: &mut Forces) {
+        forces.clear(self.bodies.len());
+        for link in &mut self.links {
+            forces.friction_loss += link.pull(&self.bodies, forces);
+        }
+        for prop in &self.props {
+            prop.push(&self.bodies, forces, h);
+        }
+    }
+
     pub(super) fn links(&self) -> &[Link] {
         &self.links
     }
@@ -183,11 +266,7 @@ impl Assembly {
 
     /// All forces but gravity and inertia at the bodies' present places, over a step of `h` seconds (0: at rest).
     pub(super) fn forces(&mut self, h: f64, forces: &mut Forces) {
-        let count = self.bodies.len();
-        forces.force.clear();
-        forces.force.resize(count, DVec3::ZERO);
-        forces.torque.clear();
-        forces.torque.resize(count, DVec3::ZERO);
+        forces.clear(self.bodies.len());
         let mut friction_loss = 0.0;
         for &pair in &self.active {
             let Pair { contact, size, .. } = &mut self.pairs[pair];
@@ -195,7 +274,7 @@ impl Assembly {
                 continue;
             };
             let motion = patch.motion(&self.bodies);
-            if outline.has_drifted(&motion, CLIP_AGAIN * *size, LOOK_AGAIN) {
+            if outline.has_drifted(&motion, self.watchfulness.clip_again * *size, LOOK_AGAIN) {
                 self.stale.push(pair);
             }
             let twist = patch.twist(&self.bodies, &motion);
@@ -239,6 +318,7 @@ impl Assembly {
     /// Looks again at pairs that have moved too far. Call it every step.
     pub(super) fn look(&mut self) {
         let mut changed = false;
+        self.looked.clear();
         let stale = std::mem::take(&mut self.stale);
         for &pair in &stale {
             changed |= self.look_at(pair);
@@ -270,6 +350,7 @@ impl Assembly {
 
     /// Brings the patch of a pair up to date; true if one came or went.
     fn look_at(&mut self, index: usize) -> bool {
+        self.looked.push(index);
         let pair = &mut self.pairs[index];
         let first = side(&self.hulls, &self.bodies, pair.first);
         let second = side(&self.hulls, &self.bodies, pair.second);
@@ -285,10 +366,10 @@ impl Assembly {
                 }
             }
             let best = separation(first, second);
-            if best.distance > FAR * size {
+            if best.distance > self.watchfulness.far * size {
                 pair.contact = None;
                 self.clip_loss += before.sum();
-                pair.slack = best.distance - NEAR * size;
+                pair.slack = best.distance - self.watchfulness.near * size;
                 return true;
             }
             if outline.still_serves(&best, first, second, FACE_FAVOUR * size) {
@@ -306,8 +387,9 @@ impl Assembly {
             return false;
         }
         let best = separation(first, second);
-        if best.distance > NEAR * size {
-            pair.slack = best.distance - 0.5 * NEAR * size;
+        let near = self.watchfulness.near;
+        if best.distance > near * size {
+            pair.slack = best.distance - 0.5 * near * size;
             return false;
         }
         let area = second.hull.map_or(size * size, Hull::largest_face);

@@ -85,6 +85,26 @@ impl RigidBody {
         self.travel += (v.x + v.y + v.z + self.radius * (w.x + w.y + w.z)) * h;
     }
 
+    /// Places after `h` seconds at the present velocities.
+    pub(super) fn drift(&mut self, h: f64) {
+        self.position += self.velocity * h;
+        let turned = rotation_of(self.spin * h) * self.turn;
+        self.turn = turned * (1.5 - 0.5 * turned.length_squared()); // Newton step to unit length
+        self.rotation = DMat3::from_quat(self.turn);
+        let (v, w) = (self.velocity.abs(), self.spin.abs());
+        self.travel += (v.x + v.y + v.z + self.radius * (w.x + w.y + w.z)) * h.abs();
+    }
+
+    /// Moments of inertia after `h` seconds at the present spin, in the ground's axes.
+    pub(super) fn inertia_after(&self, h: f64) -> DMat3 {
+        let turn = self.spin * h;
+        let rotation = match turn == DVec3::ZERO {
+            true => self.rotation,
+            false => DMat3::from_quat((rotation_of(turn) * self.turn).normalize()),
+        };
+        rotation * self.inertia * rotation.transpose()
+    }
+
     /// Where a point now is that was drawn at `drawn`.
     pub(super) fn now(&self, drawn: DVec3) -> DVec3 {
         self.position + self.rotation * (drawn - self.drawn)

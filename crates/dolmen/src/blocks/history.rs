@@ -43,6 +43,13 @@ pub enum Outcome {
         /// When, s.
         at_s: f64,
     },
+    /// A step of the rigid law found no velocities that obey the law of every contact: the run ends before it.
+    NotConverged {
+        /// When, s.
+        at_s: f64,
+        /// How far its last try was from the law, m/s.
+        residual_m_s: f64,
+    },
     /// Numbers ran out of range, or contacts made more than a hundredth of the work put in, however short the step: nothing of
     /// the run can be used.
     Diverged {
@@ -137,6 +144,27 @@ pub struct StackHistory {
     pub contact_points: usize,
     /// Settlement of the highest block's centroid under its own weight, before the start, m.
     pub settlement_m: f64,
+    /// How well the rigid law was obeyed; `None` of springs.
+    pub rigid: Option<RigidEvidence>,
+}
+
+/// How well the rigid law was obeyed in a run, and what it took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct RigidEvidence {
+    /// Largest distance of any contact point from unilateral contact and Coulomb's law, and of any stone from its balance of
+    /// momentum, m/s.
+    pub residual_most_m_s: f64,
+    /// Deepest that any point lay in the other stone at the end of a step, m; beyond what they overlapped as drawn or as they met
+    /// unseen.
+    pub penetration_most_m: f64,
+    /// Impacts found inside steps.
+    pub impacts: usize,
+    /// Solutions of the law: one a step that is not wholly at rest, and up to four an impact.
+    pub solutions: usize,
+    /// Newton steps of all solutions.
+    pub newton_steps: usize,
+    /// Steps in which all stones moved with the ground.
+    pub steps_at_rest: usize,
 }
 
 impl StackHistory {

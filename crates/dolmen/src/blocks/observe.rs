@@ -4,7 +4,7 @@ use super::assembly::{Assembly, Forces, index_of};
 use super::bodies::RigidBody;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
-use super::springs::{AfterFall, Springs};
+use super::springs::AfterFall;
 use super::support::plumb_margin;
 use crate::structure::stack::{Joint, Stack};
 use glam::{DMat3, DVec3};
@@ -112,9 +112,9 @@ pub(super) struct Observer {
 
 impl Observer {
     /// Watches the settled stack.
-    pub(super) fn new(stack: &Stack, assembly: &Assembly, options: &Springs, h: f64) -> Self {
-        let sample_every = ((options.output_step_s / h).round() as usize).max(1);
-        let looks = whole_at_least(options.output_step_s / LOOK_STEP_S).min(sample_every);
+    pub(super) fn new(stack: &Stack, assembly: &Assembly, output_step_s: f64, h: f64) -> Self {
+        let sample_every = ((output_step_s / h).round() as usize).max(1);
+        let looks = whole_at_least(output_step_s / LOOK_STEP_S).min(sample_every);
         let smallest = |block: &crate::structure::stack::Block| {
             let [low, high] = block.solid.bounds_m();
             (0..3)
@@ -168,6 +168,7 @@ impl Observer {
                 steps: 0,
                 contact_points,
                 settlement_m: highest,
+                rigid: None,
             },
         }
     }
@@ -337,6 +338,11 @@ impl Observer {
             Some(Outcome::Fell { .. }) => after_fall == AfterFall::Stop,
             _ => false,
         }
+    }
+
+    /// A step at this time found no solution.
+    pub(super) fn not_converged(&mut self, at_s: f64, residual_m_s: f64) {
+        self.outcome = Some(Outcome::NotConverged { at_s, residual_m_s });
     }
 
     pub(super) fn stop(&mut self, at_s: f64) {

@@ -50,6 +50,7 @@ pub(super) struct Law {
     pub(super) friction_kinetic: f64,
     pub(super) cohesion: f64,
     pub(super) tension: f64,
+    pub(super) restitution: f64,
 }
 
 impl Law {
@@ -70,6 +71,7 @@ impl Law {
             friction_kinetic: material.friction_kinetic,
             cohesion: material.cohesion_pa,
             tension: material.tension_pa,
+            restitution: material.restitution,
         }
     }
 

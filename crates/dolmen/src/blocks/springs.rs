@@ -266,7 +266,7 @@ impl<'a> Run<'a> {
         h: f64,
     ) -> Result<Self, BlocksError> {
         let mut assembly = settled.assembly.clone();
-        let observer = Observer::new(stack, &assembly, options, h);
+        let observer = Observer::new(stack, &assembly, options.output_step_s, h);
         for start in &options.starts {
             push(&mut assembly, start)?;
         }
@@ -354,7 +354,7 @@ impl<'a> Run<'a> {
     }
 }
 
-fn push(assembly: &mut Assembly, start: &Start) -> Result<(), BlocksError> {
+pub(super) fn push(assembly: &mut Assembly, start: &Start) -> Result<(), BlocksError> {
     let last = assembly.bodies.len() - 2;
     if start.block > last {
         return Err(BlocksError::Stack(crate::structure::stack::StackError::NoBlock {

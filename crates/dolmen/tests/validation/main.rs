@@ -21,4 +21,5 @@ mod rocking_and_sliding;
 mod stack_contacts;
 mod stack_limits;
 mod stack_motion;
+mod stack_rigid;
 mod stack_rocking;

@@ -20,6 +20,10 @@ pub struct JointMaterial {
     /// Dashpots of the springs, as a fraction of the critical damping of the two stones on the springs of the
     /// whole joint; 0 to 20. Default 0.3, chosen here. It does not alone set what is lost when a stone rocks: see `docs/stack-engine.md`.
     pub damping_ratio: f64,
+    /// Restitution of the rigid law: mean normal velocity, after an impact, of the points that touch, over that before; 0 to 1. A stone that
+    /// falls flat bounces with it, a stone that rocks keeps this part of its angular velocity, but never less than Housner's.
+    /// Default 0, plastic: what stones lose at least is theirs by geometry, what more they keep must be measured.
+    pub restitution: f64,
 }
 
 impl Default for JointMaterial {
@@ -32,6 +36,7 @@ impl Default for JointMaterial {
             normal_stiffness_pa_m: 1e9,
             shear_stiffness_pa_m: 4e8,
             damping_ratio: 0.3,
+            restitution: 0.0,
         }
     }
 }
@@ -85,6 +90,9 @@ impl JointMaterial {
         }
         if !(0.0..=20.0).contains(&self.damping_ratio) {
             return refuse("damping_ratio", self.damping_ratio, "between 0 and 20");
+        }
+        if !(0.0..=1.0).contains(&self.restitution) {
+            return refuse("restitution", self.restitution, "between 0 and 1");
         }
         Ok(self)
     }

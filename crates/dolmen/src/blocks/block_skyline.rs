@@ -1,0 +1,266 @@
+//! A square matrix of 6 × 6 blocks whose filled blocks lie near its diagonal: LU factors within its outline. On a chain that is
+//! block-tridiagonal, and costs as much a body whatever their number.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | f_i | `first` | first filled block column of row i, and first filled row of column i |
+//! | A_ij, j < i | `lower` | row by row from f_i |
+//! | A_ji, j < i | `upper` | column by column from f_i |
+
+/// Rows of a block.
+pub(super) const SIX: usize = 6;
+
+/// A 6 × 6 block, row by row.
+pub(super) type Block = [[f64; SIX]; SIX];
+
+/// Pivot below which a block counts as singular, in parts of its largest entry: rounding. Chosen here.
+const SINGULAR: f64 = 1e-14;
+
+/// The matrix, then its factors.
+#[derive(Clone, Debug, Default)]
+pub(super) struct BlockSkyline {
+    first: Vec<usize>,
+    start: Vec<usize>,
+    diagonal: Vec<Block>,
+    lower: Vec<Block>,
+    upper: Vec<Block>,
+}
+
+impl BlockSkyline {
+    /// Zeros within an outline.
+    pub(super) fn within(first: Vec<usize>) -> Self {
+        let mut start = Vec::with_capacity(first.len());
+        let mut filled = 0;
+        for (row, first) in first.iter().enumerate() {
+            start.push(filled);
+            filled += row - first;
+        }
+        let zero = [[0.0; SIX]; SIX];
+        BlockSkyline {
+            diagonal: vec![zero; first.len()],
+            lower: vec![zero; filled],
+            upper: vec![zero; filled],
+            first,
+            start,
+        }
+    }
+
+    /// All entries zero again.
+    pub(super) fn clear(&mut self) {
+        for part in [&mut self.diagonal, &mut self.lower, &mut self.upper] {
+            part.fill([[0.0; SIX]; SIX]);
+        }
+    }
+
+    /// The block of a row and a column, which lie within the outline.
+    pub(super) fn block_mut(&mut self, row: usize, column: usize) -> &mut Block {
+        if row == column {
+            return &mut self.diagonal[row];
+        }
+        let (long, short) = (row.max(column), row.min(column));
+        let at = self.start[long] + short - self.first[long];
+        match row > column {
+            true => &mut self.lower[at],
+            false => &mut self.upper[at],
+        }
+    }
+
+    /// Replaces the matrix by its factors, with inverses on the diagonal; false if a block on the diagonal is singular.
+    ///
+    /// ```text
+    /// L_ij = (A_ij − Σ_k L_ik U_kj) U_jj⁻¹,   U_ji = A_ji − Σ_k L_jk U_ki,   U_ii = A_ii − Σ_k L_ik U_ki
+    /// ```
+    pub(super) fn factor(&mut self) -> bool {
+        for i in 0..self.first.len() {
+            for j in self.first[i]..i {
+                let (at_i, at_j) = (self.start[i] + j - self.first[i], self.start[j]);
+                let from = self.first[i].max(self.first[j]);
+                let (mut low, mut high) = (self.lower[at_i], self.upper[at_i]);
+                for k in from..j {
+                    let of_i = self.start[i] + k - self.first[i];
+                    let of_j = at_j + k - self.first[j];
+                    subtract_product(&mut low, &self.lower[of_i], &self.upper[of_j]);
+                    subtract_product(&mut high, &self.lower[of_j], &self.upper[of_i]);
+                }
+                self.lower[at_i] = product(&low, &self.diagonal[j]);
+                self.upper[at_i] = high;
+            }
+            let mut diagonal = self.diagonal[i];
+            for j in self.first[i]..i {
+                let at = self.start[i] + j - self.first[i];
+                subtract_product(&mut diagonal, &self.lower[at], &self.upper[at]);
+            }
+            match inverse(diagonal) {
+                Some(inverse) => self.diagonal[i] = inverse,
+                None => return false,
+            }
+        }
+        true
+    }
+
+    /// Solves with the factors, in place.
+    pub(super) fn solve(&self, right: &mut [[f64; SIX]]) {
+        let rows = self.first.len();
+        for i in 0..rows {
+            let mut sum = right[i];
+            for j in self.first[i]..i {
+                subtract_from(
+                    &mut sum,
+                    &self.lower[self.start[i] + j - self.first[i]],
+                    &right[j],
+                );
+            }
+            right[i] = sum;
+        }
+        for i in (0..rows).rev() {
+            let mut solved = [0.0; SIX];
+            subtract_from(&mut solved, &self.diagonal[i], &right[i]);
+            right[i] = solved.map(|value| -value);
+            for j in self.first[i]..i {
+                let mut sum = right[j];
+                subtract_from(
+                    &mut sum,
+                    &self.upper[self.start[i] + j - self.first[i]],
+                    &right[i],
+                );
+                right[j] = sum;
+            }
+        }
+    }
+}
+
+/// C −= A B.
+#[inline]
+fn subtract_product(c: &mut Block, a: &Block, b: &Block) {
+    for (c, a) in c.iter_mut().zip(a) {
+        for (a, b) in a.iter().zip(b) {
+            for (c, b) in c.iter_mut().zip(b) {
+                *c -= a * b;
+            }
+        }
+    }
+}
+
+/// A B.
+#[inline]
+fn product(a: &Block, b: &Block) -> Block {
+    let mut c = [[0.0; SIX]; SIX];
+    subtract_product(&mut c, a, b);
+    c.map(|row| row.map(|value| -value))
+}
+
+/// y −= A x.
+#[inline]
+fn subtract_from(y: &mut [f64; SIX], a: &Block, x: &[f64; SIX]) {
+    for (y, a) in y.iter_mut().zip(a) {
+        let mut sum = 0.0;
+        for (a, x) in a.iter().zip(x) {
+            sum += a * x;
+        }
+        *y -= sum;
+    }
+}
+
+/// Inverse by Gauss and Jordan with pivots sought in the column.
+fn inverse(mut a: Block) -> Option<Block> {
+    let largest = a
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |most, value| most.max(value.abs()));
+    let mut swaps = [0; SIX];
+    for pivot in 0..SIX {
+        let mut row = pivot;
+        for other in pivot + 1..SIX {
+            if a[other][pivot].abs() > a[row][pivot].abs() {
+                row = other;
+            }
+        }
+        let value = a[row][pivot];
+        if value.is_nan() || value.abs() <= SINGULAR * largest {
+            return None;
+        }
+        a.swap(pivot, row);
+        swaps[pivot] = row;
+        let scale = 1.0 / value;
+        a[pivot][pivot] = 1.0;
+        for entry in &mut a[pivot] {
+            *entry *= scale;
+        }
+        let of_pivot = a[pivot];
+        for (index, row) in a.iter_mut().enumerate() {
+            if index != pivot {
+                let factor = row[pivot];
+                row[pivot] = 0.0;
+                for (entry, of_pivot) in row.iter_mut().zip(&of_pivot) {
+                    *entry -= factor * of_pivot;
+                }
+            }
+        }
+    }
+    for pivot in (0..SIX).rev() {
+        if swaps[pivot] != pivot {
+            for row in &mut a {
+                row.swap(pivot, swaps[pivot]);
+            }
+        }
+    }
+    Some(a)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_linalg::{Matrix, solve};
+
+    /// A matrix within an outline, not symmetric, and a right side: pseudo-random but always the same.
+    fn case(first: &[usize]) -> (BlockSkyline, Matrix, Vec<[f64; SIX]>) {
+        let mut seed = 7_u64;
+        let mut draw = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
+        };
+        let rows = first.len();
+        let mut sky = BlockSkyline::within(first.to_vec());
+        let mut full = Matrix::zeros(SIX * rows, SIX * rows);
+        for i in 0..rows {
+            for j in first[i]..=i {
+                for (row, column) in if i == j {
+                    vec![(i, i)]
+                } else {
+                    vec![(i, j), (j, i)]
+                } {
+                    for a in 0..SIX {
+                        for b in 0..SIX {
+                            let value = draw() + if row == column && a == b { 4.0 } else { 0.0 };
+                            sky.block_mut(row, column)[a][b] = value;
+                            full[(SIX * row + a, SIX * column + b)] = value;
+                        }
+                    }
+                }
+            }
+        }
+        let right = (0..rows).map(|_| std::array::from_fn(|_| draw())).collect();
+        (sky, full, right)
+    }
+
+    #[test]
+    fn agrees_with_a_full_solution() {
+        for first in [vec![0, 0, 1, 2, 3], vec![0, 0, 0, 2, 1, 0, 5], vec![0, 1, 2]] {
+            let (mut sky, full, mut right) = case(&first);
+            let flat: Vec<f64> = right.iter().flatten().copied().collect();
+            let exact = solve(&full, &Matrix::from_column(&flat)).unwrap();
+            assert!(sky.factor());
+            sky.solve(&mut right);
+            for (found, exact) in right.iter().flatten().zip(exact.column(0)) {
+                assert!((found - exact).abs() < 1e-12, "{found} against {exact}");
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_a_singular_block() {
+        let mut sky = BlockSkyline::within(vec![0]);
+        sky.block_mut(0, 0)[0][0] = 1.0;
+        assert!(!sky.factor());
+    }
+}

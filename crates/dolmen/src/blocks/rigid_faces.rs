@@ -1,0 +1,636 @@
+//! The rigid law on the points of one contact: unilateral, with Coulomb's disc.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | ξ = (w, Ω) | `twist` | velocity of S against P at the frame's origin, and its spin, in that frame | m/s, rad/s |
+//! | u = G ξ | `slip`, `lift` | velocity of a point of S against P, along the plane and along its normal | m/s |
+//! | s | `offset` | what the places add to u so that h (u + s) is the way of the point in the step | m/s |
+//! | p | `impulse` | on S at a point: two along the plane, one along the normal | N s |
+//! | λ | `held` | the impulse that multipliers carry over | N s |
+//! | ϱ | `weight` | of the velocity against the impulse: ρ a m / A | kg |
+//! | κ | `kick_s` | time over which the impulses act; 0 in an impact | s |
+
+use super::bodies::RigidBody;
+use super::patch::{LANES, Motion, Patch};
+use glam::{DMat3, DVec3};
+
+/// Mass against which velocities count, in parts of the bodies': ϱ = ρ × the mass of both together, shared by area. It steers
+/// how fast the iterations converge, not to what. Chosen here, by trial.
+const HARDNESS: f64 = 1e5;
+/// Part of its force by which the bed that a solution begins with may miss the force of the step before. Chosen here.
+const HELD_NEAR: f64 = 1e-3;
+/// Least weight along the plane of a point that did not press, in parts of what its area gives it. Chosen here.
+const SHEAR_LEAST: f64 = 0.1;
+/// Newton steps for the pressure of a bed.
+const BED_STEPS: usize = 30;
+
+/// How a point takes part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Part {
+    /// Too far away to touch in this step.
+    Away,
+    /// It may touch.
+    Near,
+}
+
+/// One point of a contact.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Point {
+    pub(super) x: f64,
+    pub(super) y: f64,
+    pub(super) area: f64,
+    pub(super) weight: f64,
+    /// The same along the plane: where the face presses more, more.
+    pub(super) shear_weight: f64,
+    pub(super) friction: f64,
+    /// Gap now, m.
+    pub(super) gap: f64,
+    /// Gap at the end of the step if it moves on as it did, m.
+    pub(super) gap_ahead: f64,
+    /// Along the two axes of the plane, then the normal.
+    pub(super) offset: [f64; 3],
+    pub(super) held: [f64; 3],
+    /// Normal impulse that bounds friction while a solution is sought with bounds.
+    pub(super) bound: f64,
+    pub(super) impulse: [f64; 3],
+    /// Largest pull and largest shear without pressure, N s: of a bond.
+    pub(super) bond: [f64; 2],
+    pub(super) part: Part,
+    pub(super) slips: bool,
+    /// Whether it slipped in the step before.
+    pub(super) slid: bool,
+    /// Impulse of the best solution so far, and whether the point slips in it.
+    best: ([f64; 3], bool),
+    /// Direction along which it slipped in the last Newton step; zeros if it did not.
+    along: [f64; 2],
+    /// Index in the patch; beyond it for points that are made for an impact.
+    pub(super) index: usize,
+}
+
+/// What one contact does to S about its origin, in the plane's frame: force (or impulse), then torque.
+pub(super) type Six = [f64; 6];
+
+/// A patch as the rigid law sees it in one step.
+#[derive(Clone, Debug)]
+pub(super) struct Face {
+    pub(super) pair: usize,
+    pub(super) plane_body: usize,
+    pub(super) point_body: usize,
+    pub(super) to_ground: DMat3,
+    /// From the centroids of P and S to the origin, in the ground's axes, m.
+    pub(super) arms: [DVec3; 2],
+    pub(super) points: Vec<Point>,
+    /// Twist with which the offsets were found.
+    pub(super) ahead: Six,
+    pub(super) restitution: f64,
+    /// Whether the impulses held are those of the step before.
+    pub(super) warm: bool,
+    /// Whether the last sum was presumed in part instead of the law's.
+    pub(super) swung: bool,
+    /// ρ × mass of both bodies together / area: weight a unit of area.
+    pub(super) weight_per_area: f64,
+    pub(super) way: Way,
+}
+
+/// How a solution is sought.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Way {
+    /// Newton steps on the law itself.
+    Direct,
+    /// Friction has the bounds of the impulses held, and weights are this part of what they are: a convex problem.
+    Bounded(f64),
+}
+
+/// Derivative of the impulses on S by the twist, with the opposite sign.
+pub(super) type Stiffness = [[f64; 6]; 6];
+
+/// G ξ.
+#[inline]
+pub(super) fn velocity(twist: &Six, x: f64, y: f64) -> [f64; 3] {
+    [
+        twist[0] - twist[5] * y,
+        twist[1] + twist[5] * x,
+        twist[2] + twist[3] * y - twist[4] * x,
+    ]
+}
+
+/// Gᵀ p, summed.
+#[inline]
+fn add_wrench(sum: &mut Six, x: f64, y: f64, p: &[f64; 3]) {
+    sum[0] += p[0];
+    sum[1] += p[1];
+    sum[2] += p[2];
+    sum[3] += y * p[2];
+    sum[4] -= x * p[2];
+    sum[5] += x * p[1] - y * p[0];
+}
+
+impl Face {
+    /// A patch where its bodies now are (`motion`), and where they would be at the end of a step of `h` s if they moved on as
+    /// they did (`ahead`). `push_out_s` is the time in which what penetrates is pushed out.
+    pub(super) fn of(
+        (pair, patch): (usize, &Patch),
+        bodies: &[RigidBody],
+        motion: &Motion,
+        ahead: Option<&Motion>,
+        [h, push_out_s]: [f64; 2],
+    ) -> Face {
+        let (p, s) = (&bodies[patch.plane_body], &bodies[patch.point_body]);
+        let twist = patch.twist(bodies, motion);
+        let twist: Six = [
+            twist.velocity.x,
+            twist.velocity.y,
+            twist.velocity.z,
+            twist.spin.x,
+            twist.spin.y,
+            twist.spin.z,
+        ];
+        let mut face = Face {
+            pair,
+            plane_body: patch.plane_body,
+            point_body: patch.point_body,
+            to_ground: motion.to_ground,
+            arms: [motion.origin - p.position, motion.origin - s.position],
+            points: Vec::with_capacity(LANES * patch.points.len()),
+            ahead: twist,
+            restitution: patch.law.restitution,
+            warm: false,
+            swung: false,
+            weight_per_area: 0.0,
+            way: Way::Direct,
+        };
+        let mut area = 0.0;
+        for (at_group, group) in patch.points.iter().enumerate() {
+            for lane in (0..LANES).filter(|&lane| group.area[lane] > 0.0) {
+                let at = motion.at(group.x[lane], group.y[lane]);
+                let gap = at.z + group.held[lane];
+                let mut offset = [0.0, 0.0, gap / if gap < 0.0 { push_out_s } else { h }];
+                let mut gap_ahead = gap;
+                if let Some(ahead) = ahead {
+                    let then = ahead.at(group.x[lane], group.y[lane]);
+                    let u = velocity(&twist, at.x, at.y);
+                    offset[0] = (then.x - at.x) / h - u[0];
+                    offset[1] = (then.y - at.y) / h - u[1];
+                    offset[2] += (then.z - at.z) / h - u[2];
+                    gap_ahead += then.z - at.z;
+                }
+                area += group.area[lane];
+                face.points.push(Point {
+                    x: at.x,
+                    y: at.y,
+                    area: group.area[lane],
+                    weight: 0.0,
+                    shear_weight: 0.0,
+                    friction: group.friction[lane],
+                    gap,
+                    gap_ahead,
+                    offset,
+                    held: [0.0; 3],
+                    bound: 0.0,
+                    impulse: [0.0; 3],
+                    bond: [
+                        group.bond[lane] * group.area[lane] * patch.law.tension,
+                        group.bond[lane] * group.area[lane] * patch.law.cohesion,
+                    ],
+                    part: Part::Away,
+                    slips: false,
+                    slid: false,
+                    best: ([0.0; 3], false),
+                    along: [0.0; 2],
+                    index: LANES * at_group + lane,
+                });
+            }
+        }
+        let mass = 1.0 / (p.inverse_mass + s.inverse_mass);
+        face.weight_per_area = HARDNESS * mass / area;
+        for point in &mut face.points {
+            point.weight = face.weight_per_area * point.area;
+            point.shear_weight = point.weight;
+        }
+        face
+    }
+
+    /// Twist of S against P at velocities of the bodies (ground: zeros), linear and angular.
+    #[inline]
+    pub(super) fn twist(&self, p: Option<&Six>, s: Option<&Six>) -> Six {
+        let at = |velocity: Option<&Six>, arm: DVec3| {
+            velocity.map_or((DVec3::ZERO, DVec3::ZERO), |v| {
+                let spin = DVec3::new(v[3], v[4], v[5]);
+                (DVec3::new(v[0], v[1], v[2]) + spin.cross(arm), spin)
+            })
+        };
+        let ((v_p, spin_p), (v_s, spin_s)) = (at(p, self.arms[0]), at(s, self.arms[1]));
+        let from_ground = self.to_ground.transpose();
+        let (w, spin) = (from_ground * (v_s - v_p), from_ground * (spin_s - spin_p));
+        [w.x, w.y, w.z, spin.x, spin.y, spin.z]
+    }
+
+    /// Impulses of the law at a twist, their sum on S, and (if asked for) their derivative.
+    ///
+    /// ```text
+    /// p_n = max(λ_n − ϱ (u_n + s_n), −bond),   p_t = λ_t − ϱ (u_t + s_t), cut to the disc of radius μ p_n + bond
+    /// ```
+    ///
+    /// `presume`: take what pressed and slipped for what will, instead of asking the law: how a solution begins.
+    ///
+    /// A point that would slip one way and then the other is taken for stuck in the next Newton step: `swung` says that there
+    /// was one, so that the sum is not that of the law.
+    pub(super) fn press(&mut self, twist: &Six, presume: bool, stiffness: Option<&mut Stiffness>) -> Six {
+        let (bounded, softness) = match self.way {
+            Way::Direct => (false, 1.0),
+            Way::Bounded(softness) => (true, softness),
+        };
+        let presume = presume && self.warm && !bounded;
+        self.swung = presume;
+        let mut sum = [0.0; 6];
+        let mut k = [[0.0; 6]; 6];
+        let wanted = stiffness.is_some();
+        for point in &mut self.points {
+            if point.part == Part::Away {
+                continue;
+            }
+            let (x, y, r) = (point.x, point.y, softness * point.weight);
+            let r_t = softness * point.shear_weight;
+            let u = velocity(twist, x, y);
+            let way = [
+                u[0] + point.offset[0],
+                u[1] + point.offset[1],
+                u[2] + point.offset[2],
+            ];
+            let trial = [
+                point.held[0] - r_t * way[0],
+                point.held[1] - r_t * way[1],
+                point.held[2] - r * way[2],
+            ];
+            let presses = if presume {
+                point.held[2] > 0.0
+            } else {
+                trial[2] > -point.bond[0]
+            };
+            let normal = if presses { trial[2] } else { -point.bond[0] };
+            let size = trial[0].hypot(trial[1]);
+            let bound = if bounded { point.bound } else { normal };
+            let limit = point.friction * bound.max(0.0) + point.bond[1];
+            let slips = if presume { point.slid } else { size > limit };
+            let along = if size > 0.0 {
+                [trial[0] / size, trial[1] / size]
+            } else {
+                [0.0; 2]
+            };
+            let swings =
+                wanted && slips && !bounded && along[0] * point.along[0] + along[1] * point.along[1] < 0.0;
+            let slips = slips && !swings;
+            self.swung |= swings;
+            if wanted {
+                point.along = if slips { along } else { [0.0; 2] };
+            }
+            point.slips = slips;
+            if !presses && limit <= 0.0 {
+                point.impulse = [0.0; 3];
+                continue;
+            }
+            // as presumed, the disc is that of the impulse held
+            let radius = if presume {
+                point.friction * point.held[2].max(0.0)
+            } else {
+                limit
+            };
+            point.impulse = match slips {
+                true => {
+                    let pull = if presume { point.friction * normal } else { limit };
+                    [pull * along[0], pull * along[1], normal]
+                }
+                false => [trial[0], trial[1], normal],
+            };
+            add_wrench(&mut sum, x, y, &point.impulse);
+            if !wanted {
+                continue;
+            }
+            let (a, b, c) = match slips {
+                true => {
+                    let part = r_t * radius / size;
+                    (
+                        part * (1.0 - along[0] * along[0]),
+                        -part * along[0] * along[1],
+                        part * (1.0 - along[1] * along[1]),
+                    )
+                }
+                false => (r_t, 0.0, r_t),
+            };
+            k[0][0] += a;
+            k[0][1] += b;
+            k[1][1] += c;
+            k[0][5] += b * x - a * y;
+            k[1][5] += c * x - b * y;
+            k[5][5] += a * y * y - 2.0 * b * x * y + c * x * x;
+            if presses {
+                k[2][2] += r;
+                k[2][3] += r * y;
+                k[2][4] -= r * x;
+                k[3][3] += r * y * y;
+                k[3][4] -= r * x * y;
+                k[4][4] += r * x * x;
+                if slips && normal > 0.0 && !bounded {
+                    let (ex, ey) = (r * point.friction * along[0], r * point.friction * along[1]);
+                    let turn = x * ey - y * ex;
+                    for (row, e) in [(0, ex), (1, ey), (5, turn)] {
+                        k[row][2] += e;
+                        k[row][3] += e * y;
+                        k[row][4] -= e * x;
+                    }
+                }
+            }
+        }
+        if let Some(stiffness) = stiffness {
+            k[1][0] = k[0][1];
+            k[5][0] = k[0][5];
+            k[5][1] = k[1][5];
+            k[3][2] = k[2][3];
+            k[4][2] = k[2][4];
+            k[4][3] = k[3][4];
+            *stiffness = k;
+        }
+        sum
+    }
+
+    /// Keeps the impulses as the best so far.
+    pub(super) fn keep_best(&mut self) {
+        for point in &mut self.points {
+            point.best = (point.impulse, point.slips);
+        }
+    }
+
+    /// Takes the best back.
+    pub(super) fn take_best(&mut self) {
+        for point in &mut self.points {
+            (point.impulse, point.slips) = point.best;
+        }
+    }
+
+    /// Forgets which way points slipped.
+    pub(super) fn forget(&mut self) {
+        for point in &mut self.points {
+            point.along = [0.0; 2];
+        }
+    }
+
+    /// Largest distance of a point from its law as a velocity, m/s: what another round would change the impulses by, over ϱ.
+    pub(super) fn residual(&self) -> f64 {
+        let near = self.points.iter().filter(|point| point.part == Part::Near);
+        near.map(|point| {
+            let change = |axis: usize| {
+                let weight = if axis == 2 {
+                    point.weight
+                } else {
+                    point.shear_weight
+                };
+                (point.impulse[axis] - point.held[axis]) / weight
+            };
+            let of_bound = match self.way {
+                Way::Direct => 0.0,
+                Way::Bounded(_) => point.friction * (point.impulse[2].max(0.0) - point.bound) / point.weight,
+            };
+            change(2)
+                .abs()
+                .max(change(0).hypot(change(1)))
+                .max(of_bound.abs())
+        })
+        .fold(0.0, f64::max)
+    }
+
+    /// Adds the rebound of an impact: the mean normal velocity of the points that touch is at least −e times that before, and the
+    /// impulse that makes it so acts evenly on them, that is at their middle.
+    pub(super) fn rebound(&mut self, before: &Six, slow: f64) {
+        let (mut area, mut at) = (0.0, [0.0; 2]);
+        let (mut fastest, mut friction) = (0.0_f64, f64::INFINITY);
+        for point in self.points.iter().filter(|point| point.part == Part::Near) {
+            area += point.area;
+            at[0] += point.area * point.x;
+            at[1] += point.area * point.y;
+            fastest = fastest.max(-velocity(before, point.x, point.y)[2]);
+            friction = friction.min(point.friction);
+        }
+        if area <= 0.0 || fastest <= slow {
+            return;
+        }
+        let [x, y] = at.map(|moment| moment / area);
+        let closing = -velocity(before, x, y)[2];
+        self.points.push(Point {
+            x,
+            y,
+            area,
+            weight: self.weight_per_area * area,
+            shear_weight: self.weight_per_area * area,
+            friction,
+            gap: 0.0,
+            gap_ahead: closing, // kept to know when little is left of it
+            offset: [0.0, 0.0, -self.restitution * closing],
+            held: [0.0; 3],
+            bound: 0.0,
+            impulse: [0.0; 3],
+            bond: [0.0; 2],
+            part: Part::Near,
+            slips: false,
+            slid: false,
+            best: ([0.0; 3], false),
+            along: [0.0; 2],
+            index: usize::MAX,
+        });
+    }
+
+    /// Halves the rebound, and gives it up when it is next to nothing.
+    pub(super) fn rebound_less(&mut self) {
+        const LEAST: f64 = 0.1;
+        let restitution = self.restitution;
+        for point in &mut self.points {
+            point.held = [0.0; 3];
+            if point.index == usize::MAX {
+                let left = point.offset[2] * 0.5;
+                let gone = left.abs() < LEAST * restitution * point.gap_ahead;
+                point.offset[2] = if gone { 0.0 } else { left };
+            }
+        }
+    }
+
+    /// What the impulses are on S, summed.
+    pub(super) fn wrench(&self) -> Six {
+        let mut sum = [0.0; 6];
+        for point in &self.points {
+            add_wrench(&mut sum, point.x, point.y, &point.impulse);
+        }
+        sum
+    }
+
+    /// Makes the offsets along the plane those of a rigid motion, nearest to what they are where the face presses: turning shortens what
+    /// it is seen from above, and points that stick would fight over that.
+    pub(super) fn rigid_offsets(&mut self) {
+        let weight = |point: &Point| match (self.warm, point.part) {
+            (true, _) => point.held[2],
+            (false, Part::Near) => point.area,
+            (false, Part::Away) => 0.0,
+        };
+        let (mut sum, mut mean) = (0.0, [0.0; 4]);
+        for point in &self.points {
+            let w = weight(point);
+            sum += w;
+            for (mean, value) in mean
+                .iter_mut()
+                .zip([point.x, point.y, point.offset[0], point.offset[1]])
+            {
+                *mean += w * value;
+            }
+        }
+        if sum <= 0.0 {
+            return;
+        }
+        let [x, y, along_x, along_y] = mean.map(|mean| mean / sum);
+        let (mut turn, mut around) = (0.0, 0.0);
+        for point in &self.points {
+            let (w, dx, dy) = (weight(point), point.x - x, point.y - y);
+            turn += w * (dx * (point.offset[1] - along_y) - dy * (point.offset[0] - along_x));
+            around += w * (dx * dx + dy * dy);
+        }
+        let turn = if around > 0.0 { turn / around } else { 0.0 };
+        for point in &mut self.points {
+            point.offset[0] = along_x - turn * (point.y - y);
+            point.offset[1] = along_y + turn * (point.x - x);
+        }
+    }
+
+    /// Spreads an impulse on S over the near points: pressure as on a bed, friction with it.
+    pub(super) fn hold(&mut self, wrench: &Six, bed: &mut [f64; 3]) {
+        let near = |point: &&mut Point| point.part == Part::Near;
+        if !fit_bed(&self.points, wrench, bed, HELD_NEAR) {
+            return;
+        }
+        let (mut sum, mut at) = (0.0, [0.0; 2]);
+        for point in self.points.iter_mut().filter(near) {
+            point.held[2] = point.area * on_bed(bed, point);
+            sum += point.held[2];
+            at[0] += point.held[2] * point.x;
+            at[1] += point.held[2] * point.y;
+        }
+        if sum <= 0.0 {
+            return;
+        }
+        let whole: f64 = self.points.iter().map(|point| point.weight).sum();
+        for point in self.points.iter_mut().filter(near) {
+            point.shear_weight = (whole * point.held[2] / sum).max(SHEAR_LEAST * point.weight);
+        }
+        let at = at.map(|moment| moment / sum);
+        let around: f64 = self
+            .points
+            .iter()
+            .map(|point| point.held[2] * ((point.x - at[0]).powi(2) + (point.y - at[1]).powi(2)))
+            .sum();
+        let twist = wrench[5] - (at[0] * wrench[1] - at[1] * wrench[0]);
+        let turn = if around > 0.0 { twist / around } else { 0.0 };
+        for point in self.points.iter_mut().filter(near) {
+            let part = [
+                wrench[0] / sum - turn * (point.y - at[1]),
+                wrench[1] / sum + turn * (point.x - at[0]),
+            ];
+            let size = part[0].hypot(part[1]);
+            let keep = if size > point.friction {
+                point.friction / size
+            } else {
+                1.0
+            };
+            point.held[0] = keep * part[0] * point.held[2];
+            point.held[1] = keep * part[1] * point.held[2];
+        }
+        self.warm = true;
+    }
+}
+
+/// Pressure of a bed at a point, never below 0.
+#[inline]
+pub(super) fn on_bed(bed: &[f64; 3], point: &Point) -> f64 {
+    (bed[0] + bed[1] * point.y - bed[2] * point.x).max(0.0)
+}
+
+/// The pressure that an even bed, which cannot pull, gives to the near points under a normal force and two moments; false if
+/// there is none, for the force passes beside them. Begins from `bed`; `near` is what may be left, in parts of the force.
+///
+/// ```text
+/// Σ a max(c · e, 0) e = (N, M_x, M_y),   e = (1, y, −x),   by Newton steps over the points that press
+/// ```
+pub(super) fn fit_bed(points: &[Point], wrench: &Six, bed: &mut [f64; 3], near: f64) -> bool {
+    let wanted = [wrench[2], wrench[3], wrench[4]];
+    if wanted[0] <= 0.0 {
+        return false;
+    }
+    let size = points
+        .iter()
+        .fold(0.0_f64, |most, p| most.max(p.x.abs()).max(p.y.abs()));
+    let mut first = bed.iter().all(|value| *value == 0.0);
+    for _ in 0..BED_STEPS {
+        let mut k = [0.0; 6];
+        let mut left = wanted;
+        for point in points.iter().filter(|point| point.part == Part::Near) {
+            let pressure = bed[0] + bed[1] * point.y - bed[2] * point.x;
+            if pressure > 0.0 || first {
+                let (a, x, y) = (point.area, point.x, point.y);
+                let p = a * pressure;
+                left[0] -= p;
+                left[1] -= y * p;
+                left[2] += x * p;
+                k[0] += a;
+                k[1] += a * y;
+                k[2] -= a * x;
+                k[3] += a * y * y;
+                k[4] -= a * x * y;
+                k[5] += a * x * x;
+            }
+        }
+        first = false;
+        let off = left[0].abs().max(left[1].abs().max(left[2].abs()) / size);
+        if off < near * wanted[0] {
+            return true;
+        }
+        let Some(step) = solve_3(&k, &left) else {
+            *bed = [0.0; 3];
+            return false;
+        };
+        for (bed, step) in bed.iter_mut().zip(step) {
+            *bed += step;
+        }
+    }
+    *bed = [0.0; 3];
+    false
+}
+
+/// Solves a symmetric 3 × 3 system (00, 01, 02, 11, 12, 22), not of full rank where points lie on a line or are one: then the
+/// rest is left out.
+fn solve_3(k: &[f64; 6], right: &[f64; 3]) -> Option<[f64; 3]> {
+    if k[0] <= 0.0 {
+        return None;
+    }
+    const RANK: f64 = 1e-12;
+    let (a, b) = (k[1] / k[0], k[2] / k[0]);
+    let (c, d, e) = (k[3] - a * k[1], k[4] - a * k[2], k[5] - b * k[2]);
+    let (r_1, r_2) = (right[1] - a * right[0], right[2] - b * right[0]);
+    let scale = k[3].max(k[5]);
+    let (y, z) = if c.max(e) <= RANK * scale {
+        (0.0, 0.0)
+    } else if c >= e {
+        let ratio = d / c;
+        let rest = e - ratio * d;
+        let z = if rest > RANK * scale {
+            (r_2 - ratio * r_1) / rest
+        } else {
+            0.0
+        };
+        ((r_1 - d * z) / c, z)
+    } else {
+        let ratio = d / e;
+        let rest = c - ratio * d;
+        let y = if rest > RANK * scale {
+            (r_1 - ratio * r_2) / rest
+        } else {
+            0.0
+        };
+        (y, (r_2 - d * y) / e)
+    };
+    Some([(right[0] - k[1] * y - k[2] * z) / k[0], y, z])
+}

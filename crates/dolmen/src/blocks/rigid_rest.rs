@@ -1,0 +1,154 @@
+//! Whether a stack goes on moving with the ground, told from equilibrium alone where every stone stands on one joint: then the
+//! force in each joint is known, and it is enough that one spread of it over the points obeys the law.
+
+use super::assembly::{Assembly, Forces};
+use super::rigid_faces::{Face, Part, Six, fit_bed, on_bed};
+use glam::{DMat3, DVec3};
+
+/// Force that may be left over, in parts of it: rounding. Chosen here.
+const BALANCED: f64 = 1e-12;
+/// Part of friction that is used at most: rounding. Chosen here.
+const FRICTION_PART: f64 = 1.0 - 1e-9;
+
+/// A joint and what it carries.
+#[derive(Clone, Debug)]
+struct Carries {
+    face: Face,
+    /// Mass that it carries, kg, and from its origin to the centroid of that, m, in the ground's axes.
+    mass: f64,
+    arm: DVec3,
+    /// 1 if S is carried, −1 if P is.
+    sign: f64,
+    from_ground: DMat3,
+    bed: [f64; 3],
+}
+
+/// A stack at rest on the ground, each stone on one joint.
+#[derive(Clone, Debug)]
+pub(super) struct AtRest {
+    joints: Vec<Carries>,
+    held: bool,
+}
+
+impl AtRest {
+    /// The stack with these faces; `None` if some stone stands on none or on several, or ties pull.
+    pub(super) fn of(assembly: &Assembly, faces: &[Face], ties: &Forces) -> Option<Self> {
+        let pulls = ties
+            .force
+            .iter()
+            .chain(&ties.torque)
+            .any(|force| *force != DVec3::ZERO);
+        let bodies = assembly.bodies.len();
+        let touches = |face: &&Face| face.points.iter().any(|point| point.part == Part::Near);
+        let faces: Vec<&Face> = faces.iter().filter(touches).collect();
+        if pulls || faces.len() != bodies - 1 {
+            return None;
+        }
+        // outwards from the ground: (body, the face it stands on, the body that carries it)
+        let mut found: Vec<(usize, usize, usize)> = Vec::with_capacity(faces.len());
+        let mut reached = vec![false; bodies];
+        reached[0] = true;
+        let mut at = 0;
+        let mut from = 0;
+        loop {
+            for (index, face) in faces.iter().enumerate() {
+                let (p, s) = (face.plane_body, face.point_body);
+                let next = if p == from { s } else { p };
+                if (p == from || s == from) && !reached[next] {
+                    reached[next] = true;
+                    found.push((next, index, from));
+                }
+            }
+            match found.get(at) {
+                Some((body, _, _)) => from = *body,
+                None => break,
+            }
+            at += 1;
+        }
+        if found.len() != faces.len() {
+            return None;
+        }
+        let mut above: Vec<(f64, DVec3)> = assembly
+            .bodies
+            .iter()
+            .map(|b| (b.mass, b.position * b.mass))
+            .collect();
+        let mut joints = Vec::with_capacity(found.len());
+        for (body, index, below) in found.into_iter().rev() {
+            let (mass, moment) = above[body];
+            above[below].0 += mass;
+            above[below].1 += moment;
+            let face = faces[index];
+            let origin = face.arms[1] + assembly.bodies[face.point_body].position;
+            joints.push(Carries {
+                face: face.clone(),
+                mass,
+                arm: moment / mass - origin,
+                sign: if face.point_body == body { 1.0 } else { -1.0 },
+                from_ground: face.to_ground.transpose(),
+                bed: [0.0; 3],
+            });
+        }
+        Some(AtRest { joints, held: false })
+    }
+
+    /// Whether it stays where it is while every kilogram is held against `pull`, N/kg. False means that this way of looking
+    /// does not tell.
+    pub(super) fn holds(&mut self, pull: DVec3) -> bool {
+        self.held = self.joints.iter_mut().all(|joint| joint.holds(pull));
+        self.held
+    }
+
+    /// What it said last.
+    pub(super) fn held(&self) -> bool {
+        self.held
+    }
+}
+
+impl Carries {
+    fn holds(&mut self, pull: DVec3) -> bool {
+        let force = pull * (self.mass * self.sign);
+        let torque = self.from_ground * self.arm.cross(force);
+        let force = self.from_ground * force;
+        let wrench: Six = [force.x, force.y, force.z, torque.x, torque.y, torque.z];
+        if !fit_bed(&self.face.points, &wrench, &mut self.bed, BALANCED) {
+            return false;
+        }
+        let (mut sum, mut at) = (0.0, [0.0; 2]);
+        for point in &self.face.points {
+            let p = point.area * on_bed(&self.bed, point);
+            sum += p;
+            at[0] += p * point.x;
+            at[1] += p * point.y;
+        }
+        let at = at.map(|moment| moment / sum);
+        let twist = torque.z - (at[0] * force.y - at[1] * force.x);
+        let shear = [force.x / sum, force.y / sum];
+        if twist == 0.0 {
+            let size = shear[0].hypot(shear[1]);
+            return self
+                .face
+                .points
+                .iter()
+                .all(|point| size <= FRICTION_PART * point.friction);
+        }
+        let mut around = 0.0;
+        for point in &self.face.points {
+            around += point.area
+                * on_bed(&self.bed, point)
+                * ((point.x - at[0]).powi(2) + (point.y - at[1]).powi(2));
+        }
+        let turn = if around > 0.0 {
+            twist / around
+        } else {
+            f64::INFINITY
+        };
+        self.face.points.iter().all(|point| {
+            let part = [
+                shear[0] - turn * (point.y - at[1]),
+                shear[1] + turn * (point.x - at[0]),
+            ];
+            on_bed(&self.bed, point) == 0.0 || part[0].hypot(part[1]) <= FRICTION_PART * point.friction
+        })
+    }
+}

@@ -1,0 +1,598 @@
+//! A run of the rigid law under way: kicks, drifts and impacts.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | h, τ | `h`, `left_s` | step; what is left of it | s |
+//! | κ | `kick_s` | over which forces change the velocities: from where these lag behind places to the middle of the next drift | s |
+//! | – | `lag_s` | by which velocities lag behind places | s |
+
+use super::assembly::{Assembly, Forces};
+use super::bodies::RigidBody;
+use super::history::RigidEvidence;
+use super::patch::{LANES, Motion};
+use super::rigid_faces::{Face, Part, Point, Six, velocity};
+use super::rigid_rest::AtRest;
+use super::rigid_solve::{Inertia, Solver};
+use glam::DVec3;
+
+/// Gap up to which a point counts as touching, m: far above rounding, far below what is seen. Chosen here.
+const TOUCHES_M: f64 = 1e-8;
+/// Gap at which the time of an impact is found, m. Chosen here.
+const FOUND_M: f64 = 1e-10;
+/// Secant steps to find it.
+const FIND_MOST: usize = 30;
+/// Impacts found in one step; what else meets in it does so at its end. Chosen here.
+const IMPACTS_MOST: usize = 30;
+/// Closing velocity, over g h, from which an impact is found inside the step and restitution counts: slower ones are what a step adds
+/// itself. Chosen here.
+const IMPACT_FROM: f64 = 0.5;
+/// Velocity below which a stack is at rest, m/s: ten times what a solution is off. Chosen here.
+const AT_REST_M_S: f64 = 1e-8;
+/// Times that points on their way are added to a solution.
+const ADDED_MOST: usize = 8;
+/// Way along the plane from which a point slips, m/s. Chosen here.
+const SLIPS_FROM_M_S: f64 = 1e-7;
+/// Part of a step that is not begun after an impact: rounding. Chosen here.
+const SHORTEST_PART: f64 = 1e-9;
+/// Impacts nearer in time than this part of a step are one. Chosen here.
+const SAME_TIME: f64 = 0.01;
+/// Times that a rebound is halved until the impact makes no energy; the last time there is none.
+const REBOUNDS_MOST: usize = 6;
+/// Energy that counts as none, in parts. Chosen here.
+const ROUNDING: f64 = 1e-9;
+/// Depth of new points beyond which they are not pushed out, m. Chosen here.
+const HOLDS_FROM_M: f64 = 1e-9;
+
+/// What a step put in, what contacts did, what friction took, J.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Counted {
+    pub(super) input: f64,
+    pub(super) contact: f64,
+    pub(super) friction: f64,
+}
+
+/// What a pair remembers: the force on S about the frame of its plane, and the bed under it.
+#[derive(Clone, Debug, Default)]
+struct Memory {
+    force: Six,
+    bed: [f64; 3],
+    plane_body: usize,
+    /// Points that slipped.
+    slid: Vec<bool>,
+    known: bool,
+}
+
+/// What open points do in the rest of a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Meets {
+    Nothing,
+    Slowly,
+    Hard,
+}
+
+/// Why a step ends: how far its last try was from the law, m/s.
+pub(super) type Unsolved = f64;
+
+/// Acceleration of the ground at a time.
+type Ground<'a> = &'a dyn Fn(f64) -> DVec3;
+
+/// A run under way.
+pub(super) struct Run {
+    pub(super) assembly: Assembly,
+    pub(super) evidence: RigidEvidence,
+    h: f64,
+    solver: Solver,
+    /// Pairs of bodies that the solver was made for.
+    touching: Vec<[usize; 2]>,
+    faces: Vec<Face>,
+    memory: Vec<Memory>,
+    inertia: Vec<Inertia>,
+    /// Solution under way, and the momentum without contacts.
+    velocity: Vec<Six>,
+    momentum: Vec<Six>,
+    at_rest: Option<AtRest>,
+    lag_s: f64,
+    kick_s: f64,
+    /// Acceleration of the frame and gravity together, m/s².
+    pull: DVec3,
+    shaking: DVec3,
+    acceleration: Vec<DVec3>,
+    forces: Forces,
+    ties: Forces,
+    counted: Counted,
+}
+
+impl Run {
+    pub(super) fn of(assembly: Assembly, h: f64) -> Self {
+        let bodies = assembly.bodies.len();
+        Run {
+            evidence: RigidEvidence::default(),
+            h,
+            solver: Solver::default(),
+            touching: vec![[usize::MAX; 2]],
+            faces: Vec::new(),
+            memory: vec![Memory::default(); assembly.pair_count()],
+            inertia: Vec::new(),
+            velocity: vec![[0.0; 6]; bodies],
+            momentum: vec![[0.0; 6]; bodies],
+            at_rest: None,
+            lag_s: 0.0,
+            kick_s: h,
+            pull: DVec3::ZERO,
+            shaking: DVec3::ZERO,
+            acceleration: vec![DVec3::ZERO; bodies],
+            forces: Forces::default(),
+            ties: Forces::default(),
+            counted: Counted::default(),
+            assembly,
+        }
+    }
+
+    pub(super) fn lag_s(&self) -> f64 {
+        self.lag_s
+    }
+
+    pub(super) fn acceleration(&self) -> &[DVec3] {
+        &self.acceleration
+    }
+
+    pub(super) fn forces(&self) -> &Forces {
+        &self.forces
+    }
+
+    pub(super) fn take_counted(&mut self) -> Counted {
+        std::mem::take(&mut self.counted)
+    }
+
+    /// Finds the velocities of the step that begins.
+    pub(super) fn begin(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
+        self.assembly.look();
+        if self.rests(ground(time_s)) {
+            return Ok(());
+        }
+        self.hold_overlaps();
+        self.kick(time_s, self.h, ground)
+    }
+
+    /// Carries them out, with the impacts of the step.
+    pub(super) fn finish(&mut self, time_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
+        if self.at_rest.as_ref().is_some_and(AtRest::held) {
+            self.lag_s = 0.5 * self.h;
+            return Ok(());
+        }
+        let mut from_s = 0.0;
+        for impact in 0..=IMPACTS_MOST {
+            let left_s = self.h - from_s;
+            if impact > 0 {
+                self.kick(time_s + from_s, left_s, ground)?;
+            }
+            if impact < IMPACTS_MOST && self.meets(left_s) == Meets::Hard {
+                let part_s = self.first_meeting(left_s);
+                self.strike(time_s + from_s, part_s, ground)?;
+                from_s += part_s;
+                if self.h - from_s > SHORTEST_PART * self.h {
+                    continue;
+                }
+                self.lag_s = 0.0;
+                return Ok(());
+            }
+            while impact == IMPACTS_MOST && self.add_meeting(left_s, f64::INFINITY) {
+                self.solve()?;
+            }
+            self.commit();
+            for body in self.assembly.bodies.iter_mut().skip(1) {
+                body.drift(left_s);
+            }
+            self.lag_s = 0.5 * left_s;
+            break;
+        }
+        Ok(())
+    }
+
+    /// Whether all stones go on moving with the ground.
+    fn rests(&mut self, shaking: DVec3) -> bool {
+        let still = |body: &RigidBody| body.velocity == DVec3::ZERO && body.spin == DVec3::ZERO;
+        if !self.assembly.bodies.iter().all(still) {
+            self.at_rest = None;
+            return false;
+        }
+        if self.at_rest.is_none() {
+            self.see_faces(self.h, 0.0);
+            self.assembly.ties(self.h, &mut self.ties);
+            self.at_rest = AtRest::of(&self.assembly, &self.faces, &self.ties);
+        }
+        let pull = DVec3::new(0.0, 0.0, self.assembly.gravity) + shaking;
+        let rests = self.at_rest.as_mut().is_some_and(|at_rest| at_rest.holds(pull));
+        if rests {
+            self.evidence.steps_at_rest += 1;
+            self.forces.clear(self.assembly.bodies.len());
+            self.acceleration.fill(DVec3::ZERO);
+        }
+        rests
+    }
+
+    /// The faces as they are now, for a drift of `h` s.
+    fn see_faces(&mut self, h: f64, same_time_s: f64) {
+        let mut ahead: Vec<RigidBody> = self.assembly.bodies.clone();
+        let moves = |body: &RigidBody| body.velocity != DVec3::ZERO || body.spin != DVec3::ZERO;
+        for body in ahead.iter_mut().skip(1) {
+            body.drift(h);
+        }
+        self.faces.clear();
+        let mut motions: Vec<(usize, Motion)> = Vec::new();
+        let bodies = &self.assembly.bodies;
+        for (pair, patch, _, _) in self.assembly.contacts() {
+            let motion = patch.motion(bodies);
+            motions.push((pair, motion));
+            let moving = moves(&bodies[patch.plane_body]) || moves(&bodies[patch.point_body]);
+            let then = moving.then(|| patch.motion(&ahead));
+            let mut face = Face::of((pair, patch), bodies, &motion, then.as_ref(), [h, self.h]);
+            for point in &mut face.points {
+                self.evidence.penetration_most_m = self.evidence.penetration_most_m.max(-point.gap);
+                let closing = -velocity(&face.ahead, point.x, point.y)[2];
+                if point.gap <= TOUCHES_M.max(closing * same_time_s) {
+                    point.part = Part::Near;
+                }
+            }
+            self.faces.push(face);
+        }
+        for (pair, motion) in &motions {
+            self.assembly.note_drift(*pair, motion);
+        }
+        let touching = self.faces.iter().map(|face| [face.plane_body, face.point_body]);
+        let touching: Vec<[usize; 2]> = touching.collect();
+        if touching != self.touching {
+            self.solver = Solver::of(self.assembly.bodies.len(), &touching);
+            self.touching = touching;
+        }
+    }
+
+    /// Solves for the velocities in the middle of a drift of `h` s, with what meets slowly in it.
+    fn kick(&mut self, time_s: f64, h: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
+        self.see_faces(h, 0.0);
+        self.kick_over(time_s, self.lag_s + 0.5 * h, 0.5 * h, ground)?;
+        let slow = IMPACT_FROM * self.assembly.gravity * self.h;
+        for _ in 0..ADDED_MOST {
+            if !self.add_meeting(h, slow) {
+                break;
+            }
+            self.solve()?;
+        }
+        self.note_forces();
+        Ok(())
+    }
+
+    /// Solves for the velocities at the end of a kick, at the faces seen; bodies count as turned on for `ahead_s`.
+    fn kick_over(
+        &mut self,
+        time_s: f64,
+        kick_s: f64,
+        ahead_s: f64,
+        ground: Ground<'_>,
+    ) -> Result<(), Unsolved> {
+        self.kick_s = kick_s;
+        self.shaking = ground(time_s - self.lag_s + 0.5 * kick_s);
+        self.pull = DVec3::new(0.0, 0.0, -self.assembly.gravity) - self.shaking;
+        self.assembly.ties(self.h, &mut self.ties);
+        self.inertia.clear();
+        for (index, body) in self.assembly.bodies.iter().enumerate() {
+            self.inertia.push(Inertia {
+                mass: body.mass,
+                turning: body.inertia_after(ahead_s),
+                radius: body.radius,
+            });
+            let linear =
+                body.velocity * body.mass + (self.pull * body.mass + self.ties.force[index]) * kick_s;
+            let turning = body.momentum + self.ties.torque[index] * kick_s;
+            self.momentum[index] = six(linear, turning);
+            let guess = body.velocity + self.acceleration[index] * kick_s;
+            self.velocity[index] = six(guess, body.spin);
+        }
+        self.momentum[0] = [0.0; 6];
+        self.velocity[0] = [0.0; 6];
+        for face in &mut self.faces {
+            for point in &mut face.points {
+                point.bond = point.bond.map(|strength| strength * kick_s);
+            }
+            let memory = &mut self.memory[face.pair];
+            if memory.known && memory.plane_body == face.plane_body {
+                let mut bed = memory.bed.map(|pressure| pressure * kick_s);
+                face.hold(&memory.force.map(|force| force * kick_s), &mut bed);
+                memory.bed = bed.map(|impulse| impulse / kick_s);
+                if memory.slid.len() == face.points.len() {
+                    for (point, slid) in face.points.iter_mut().zip(&memory.slid) {
+                        point.slid = *slid;
+                    }
+                }
+            }
+            face.rigid_offsets();
+        }
+        self.solve()
+    }
+
+    fn solve(&mut self) -> Result<(), Unsolved> {
+        let solved = self
+            .solver
+            .solve(&self.inertia, &self.momentum, &mut self.faces, &mut self.velocity);
+        self.evidence.solutions += 1;
+        self.evidence.newton_steps += solved.newton_steps;
+        if !solved.converged {
+            return Err(solved.residual_m_s);
+        }
+        self.evidence.residual_most_m_s = self.evidence.residual_most_m_s.max(solved.residual_m_s);
+        Ok(())
+    }
+
+    /// Accelerations and forces of the kick just solved, for who looks at it.
+    fn note_forces(&mut self) {
+        let per_kick = 1.0 / self.kick_s;
+        self.forces.clear(self.assembly.bodies.len());
+        for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {
+            let (v, w) = halves(&self.velocity[index]);
+            self.acceleration[index] = (v - body.velocity) * per_kick;
+            self.forces.force[index] = (self.acceleration[index] - self.pull) * body.mass;
+            self.forces.torque[index] = (self.inertia[index].turning * w - body.momentum) * per_kick;
+        }
+    }
+
+    /// What open points do in a drift of `left_s` at the solved velocities.
+    fn meets(&self, left_s: f64) -> Meets {
+        let slow = IMPACT_FROM * self.assembly.gravity * self.h;
+        let mut meets = Meets::Nothing;
+        for face in &self.faces {
+            let twist = self.twist(face);
+            for point in face.points.iter().filter(|point| point.part == Part::Away) {
+                if let Some(speed) = closing(&face.ahead, &twist, point, left_s) {
+                    if speed > slow {
+                        return Meets::Hard;
+                    }
+                    meets = Meets::Slowly;
+                }
+            }
+        }
+        meets
+    }
+
+    /// Adds open points that would meet in a drift of `left_s` at no more than `most` m/s; whether there were any.
+    fn add_meeting(&mut self, left_s: f64, most: f64) -> bool {
+        let mut any = false;
+        for index in 0..self.faces.len() {
+            let twist = self.twist(&self.faces[index]);
+            let face = &mut self.faces[index];
+            let (ahead, mut added) = (face.ahead, false);
+            for point in face.points.iter_mut().filter(|point| point.part == Part::Away) {
+                if closing(&ahead, &twist, point, left_s).is_some_and(|speed| speed <= most) {
+                    point.part = Part::Near;
+                    added = true;
+                }
+            }
+            any |= added;
+        }
+        any
+    }
+
+    fn twist(&self, face: &Face) -> Six {
+        let of = |body: usize| (body > 0).then(|| &self.velocity[body]);
+        face.twist(of(face.plane_body), of(face.point_body))
+    }
+
+    /// The bodies after a drift of `part_s` at the solved velocities.
+    fn drifted(&self, part_s: f64) -> Vec<RigidBody> {
+        let mut bodies = self.assembly.bodies.clone();
+        for (body, velocity) in bodies.iter_mut().zip(&self.velocity).skip(1) {
+            (body.velocity, body.spin) = halves(velocity);
+            body.drift(part_s);
+        }
+        bodies
+    }
+
+    /// Time of the first impact in the rest of the step, by false position (Illinois).
+    fn first_meeting(&self, left_s: f64) -> f64 {
+        let least_gap = |part_s: f64| {
+            let bodies = self.drifted(part_s);
+            let mut least = f64::INFINITY;
+            for ((_, patch, _, _), face) in self.assembly.contacts().zip(&self.faces) {
+                let motion = patch.motion(&bodies);
+                for point in face.points.iter().filter(|point| point.part == Part::Away) {
+                    let (group, lane) = (&patch.points[point.index / LANES], point.index % LANES);
+                    least = least.min(patch.place(group, lane, &motion).z);
+                }
+            }
+            least
+        };
+        let (mut low, mut high) = (0.0, left_s);
+        let (mut at_low, mut at_high) = (least_gap(low), least_gap(high));
+        if at_high > -FOUND_M {
+            return left_s;
+        }
+        for _ in 0..FIND_MOST {
+            let middle = low + (high - low) * at_low / (at_low - at_high);
+            let gap = least_gap(middle);
+            if gap.abs() <= FOUND_M {
+                return middle;
+            }
+            if gap > 0.0 {
+                (low, at_low) = (middle, gap);
+                at_high *= 0.5;
+            } else {
+                (high, at_high) = (middle, gap);
+                at_low *= 0.5;
+            }
+        }
+        low
+    }
+
+    /// Carries the stack to an impact `part_s` from now, and through it.
+    fn strike(&mut self, time_s: f64, part_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
+        let there = self.drifted(part_s);
+        for (body, there) in self.assembly.bodies.iter_mut().zip(&there).skip(1) {
+            (body.position, body.turn, body.rotation) = (there.position, there.turn, there.rotation);
+            body.travel = there.travel;
+        }
+        // up to the impact those act that touched before it
+        let parts = |face: &Face| face.points.iter().map(|point| point.part).collect();
+        let parts_before: Vec<Vec<Part>> = self.faces.iter().map(parts).collect();
+        self.see_faces(self.h, 0.0);
+        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
+            for (point, part) in face.points.iter_mut().zip(parts) {
+                point.part = *part;
+                point.offset = [0.0; 3];
+            }
+        }
+        self.kick_over(time_s, self.lag_s + part_s, 0.0, ground)?;
+        self.note_forces();
+        self.commit();
+        self.lag_s = 0.0;
+        self.evidence.impacts += 1;
+        self.see_faces(self.h, SAME_TIME * self.h);
+        self.kick_s = 0.0;
+        self.pull = DVec3::ZERO;
+        self.shaking = DVec3::ZERO;
+        self.ties.clear(self.assembly.bodies.len());
+        self.inertia.clear();
+        for (index, body) in self.assembly.bodies.iter().enumerate() {
+            self.inertia.push(Inertia {
+                mass: body.mass,
+                turning: body.inertia_after(0.0),
+                radius: body.radius,
+            });
+            self.momentum[index] = six(body.velocity * body.mass, body.momentum);
+            self.velocity[index] = six(body.velocity, body.spin);
+        }
+        (self.momentum[0], self.velocity[0]) = ([0.0; 6], [0.0; 6]);
+        let slow = IMPACT_FROM * self.assembly.gravity * self.h;
+        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
+            let before = face.ahead;
+            for point in &mut face.points {
+                point.offset = [0.0; 3];
+                point.bond = [0.0; 2];
+            }
+            if face
+                .points
+                .iter()
+                .zip(parts)
+                .any(|(point, before)| point.part != *before)
+            {
+                self.memory[face.pair].known = false;
+            }
+            if face.restitution > 0.0 {
+                face.rebound(&before, slow);
+            }
+        }
+        let before = self.kinetic(&self.velocity);
+        let start = self.velocity.clone();
+        for _ in 0..REBOUNDS_MOST {
+            self.solve()?;
+            if self.kinetic(&self.velocity) <= before * (1.0 + ROUNDING) {
+                break;
+            }
+            // stones that strike several others would gain: they rebound less
+            self.velocity.clone_from(&start);
+            for face in &mut self.faces {
+                face.rebound_less();
+            }
+        }
+        self.acceleration.fill(DVec3::ZERO);
+        self.commit();
+        Ok(())
+    }
+
+    /// Kinetic energy at velocities of the bodies, J.
+    fn kinetic(&self, velocity: &[Six]) -> f64 {
+        let each = self.inertia.iter().zip(velocity).map(|(of, velocity)| {
+            let (v, w) = halves(velocity);
+            0.5 * (of.mass * v.length_squared() + w.dot(of.turning * w))
+        });
+        each.sum()
+    }
+
+    /// Gives the solved velocities to the bodies, and counts what was done.
+    fn commit(&mut self) {
+        let small = |v: &Six| v.iter().all(|value| value.abs() < AT_REST_M_S);
+        let rests = self.velocity.iter().all(small);
+        for (index, body) in self.assembly.bodies.iter_mut().enumerate().skip(1) {
+            let (v, w) = match rests {
+                true => (DVec3::ZERO, DVec3::ZERO),
+                false => halves(&self.velocity[index]),
+            };
+            let momentum = self.inertia[index].turning * w;
+            let impulse = (v - body.velocity) * body.mass - self.pull * body.mass * self.kick_s;
+            let torque = momentum - body.momentum;
+            self.counted.contact += 0.5 * (impulse.dot(body.velocity + v) + torque.dot(body.spin + w));
+            self.counted.input -= 0.5 * self.kick_s * body.mass * self.shaking.dot(body.velocity + v);
+            (body.velocity, body.spin, body.momentum) = (v, w, momentum);
+        }
+        for index in 0..self.faces.len() {
+            let twist = self.twist(&self.faces[index]);
+            let face = &self.faces[index];
+            if self.kick_s > 0.0 {
+                let memory = &mut self.memory[face.pair];
+                memory.force = face.wrench().map(|impulse| impulse / self.kick_s);
+                memory.plane_body = face.plane_body;
+                memory.known = true;
+                memory.slid.clear();
+                memory.slid.extend(face.points.iter().map(|point| {
+                    let u = velocity(&twist, point.x, point.y);
+                    point.slips && u[0].hypot(u[1]) > SLIPS_FROM_M_S
+                }));
+            }
+            let Some(patch) = self.assembly.patch_mut(face.pair) else {
+                continue;
+            };
+            let (still, moving) = (patch.law.friction_static, patch.law.friction_kinetic);
+            for point in &face.points {
+                if point.index >= LANES * patch.points.len() {
+                    continue;
+                }
+                let (group, lane) = (&mut patch.points[point.index / LANES], point.index % LANES);
+                let u = velocity(&twist, point.x, point.y);
+                self.counted.friction -= point.impulse[0] * u[0] + point.impulse[1] * u[1];
+                let slips = point.slips && u[0].hypot(u[1]) > SLIPS_FROM_M_S;
+                group.friction[lane] = if slips { moving } else { still };
+                if group.bond[lane] > 0.0 && (point.slips || point.impulse[2] <= -point.bond[0]) {
+                    group.bond[lane] = 0.0;
+                }
+                if point.gap >= 0.0 {
+                    group.held[lane] = 0.0;
+                }
+            }
+        }
+    }
+
+    /// New points that lie in the other body, as drawn or met unseen, are not pushed out.
+    fn hold_overlaps(&mut self) {
+        let looked = self.assembly.looked().to_vec();
+        for pair in looked {
+            let bodies = std::mem::take(&mut self.assembly.bodies);
+            if let Some(patch) = self.assembly.patch_mut(pair) {
+                let motion = patch.motion(&bodies);
+                for at in 0..LANES * patch.points.len() {
+                    let (group, lane) = (at / LANES, at % LANES);
+                    let gap = patch.place(&patch.points[group], lane, &motion).z;
+                    if gap < -HOLDS_FROM_M {
+                        patch.points[group].held[lane] -= gap;
+                    }
+                }
+            }
+            self.assembly.bodies = bodies;
+        }
+    }
+}
+
+/// Closing velocity of an open point that would meet in a drift of `left_s`, m/s.
+fn closing(ahead: &Six, twist: &Six, point: &Point, left_s: f64) -> Option<f64> {
+    let now = velocity(twist, point.x, point.y)[2];
+    let gap = point.gap_ahead + left_s * (now - velocity(ahead, point.x, point.y)[2]);
+    (gap < -FOUND_M).then_some(-now)
+}
+
+fn six(linear: DVec3, turning: DVec3) -> Six {
+    [linear.x, linear.y, linear.z, turning.x, turning.y, turning.z]
+}
+
+fn halves(six: &Six) -> (DVec3, DVec3) {
+    (
+        DVec3::new(six[0], six[1], six[2]),
+        DVec3::new(six[3], six[4], six[5]),
+    )
+}
