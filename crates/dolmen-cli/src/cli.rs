@@ -129,10 +129,13 @@ pub(crate) struct Simulate {
     /// How far the equations of a chain go: up to its fall, or the linear ones of small rotations
     #[arg(long, value_enum, default_value_t = Rotations::Large)]
     pub(crate) rotations: Rotations,
+    /// What acts between the stones of a stack: springs and dashpots, or rigid contact that neither gives nor overlaps
+    #[arg(long, value_enum, default_value_t = Law::Springs)]
+    pub(crate) law: Law,
     /// Contact points of a joint of a stack: 16 is exact in rocking and 3 % off in twisting; 4 is faster and too stiff in both
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
-    /// Time step, s; the longest stable one times .9 without it
+    /// Time step, s; the longest stable one times .9 without it, with --law rigid 1e-3
     #[arg(long, value_name = "S")]
     pub(crate) step: Option<f64>,
     /// Length of the run, s; without it the motion and 2 s more for a stack, 20 s more for a frame or chain, 60 s for a push alone
@@ -150,6 +153,15 @@ pub(crate) struct Simulate {
     /// Language of the figures
     #[arg(long, value_enum, default_value_t = Language::En)]
     pub(crate) language: Language,
+}
+
+/// The law of contact.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub(crate) enum Law {
+    /// Springs, dashpots, friction
+    Springs,
+    /// Unilateral contact, friction, restitution
+    Rigid,
 }
 
 #[derive(Debug, Args)]

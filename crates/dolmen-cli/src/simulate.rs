@@ -1,9 +1,11 @@
 //! `dolmen simulate`: a stack under a ground motion; frames and chains have files of their own.
 
-use crate::cli::{Language as Chosen, Points, Simulate as Options};
+use crate::cli::{Language as Chosen, Law, Points, Simulate as Options};
 use crate::{Outcome, files, motion, open, simulate_chain, simulate_frame};
 use anyhow::{Result, bail};
-use dolmen::blocks::{AfterFall, ContactRule, Pose, Springs, StackHistory, simulate_springs};
+use dolmen::blocks::{
+    AfterFall, ContactLaw, ContactRule, Pose, Rigid, Springs, StackHistory, simulate_stack,
+};
 use dolmen::signal::GroundMotion;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
@@ -64,15 +66,15 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         files::say(&unstable(&shown, &limits.standing.to_string(), as_json))?;
         return Ok(Outcome::Falls);
     }
-    let springs = springs(options);
-    let history = simulated(&stack, &motion.motion, &springs, quiet)?;
+    let law = law(options);
+    let history = simulated(&stack, &motion.motion, &law, quiet)?;
     let simulation = Simulation {
         file: shown,
         name: chosen.name.clone(),
         variant: options.variant.clone(),
         stack,
         motion,
-        options: springs,
+        law,
         history,
     };
     if as_json {
@@ -100,15 +102,15 @@ pub(crate) fn of_report(
     motion: MotionAnswer,
     quiet: bool,
 ) -> Result<Simulation> {
-    let (stack, springs) = (stack_of(project)?, Springs::default());
-    let history = simulated(&stack, &motion.motion, &springs, quiet)?;
+    let (stack, law) = (stack_of(project)?, ContactLaw::Springs(Springs::default()));
+    let history = simulated(&stack, &motion.motion, &law, quiet)?;
     Ok(Simulation {
         file: file.display().to_string(),
         name: project.name.clone(),
         variant: variant.map(str::to_owned),
         stack,
         motion,
-        options: springs,
+        law,
         history,
     })
 }
@@ -156,31 +158,43 @@ fn stack_of(project: &Project) -> Result<Stack> {
     }
 }
 
-fn springs(options: &Options) -> Springs {
-    Springs {
-        contact_rule: match options.points {
-            Points::P4 => ContactRule::Corners,
-            Points::P9 => ContactRule::Three,
-            Points::P16 => ContactRule::Four,
-            Points::P36 => ContactRule::Six,
-        },
-        time_step_s: options.step,
-        duration_s: options.duration,
-        output_step_s: options.output_step,
-        after_fall: if options.to_the_end {
-            AfterFall::Continue
-        } else {
-            AfterFall::Stop
-        },
-        ..Springs::default()
+fn law(options: &Options) -> ContactLaw {
+    let contact_rule = match options.points {
+        Points::P4 => ContactRule::Corners,
+        Points::P9 => ContactRule::Three,
+        Points::P16 => ContactRule::Four,
+        Points::P36 => ContactRule::Six,
+    };
+    let (duration_s, output_step_s) = (options.duration, options.output_step);
+    let after_fall = match options.to_the_end {
+        true => AfterFall::Continue,
+        false => AfterFall::Stop,
+    };
+    match options.law {
+        Law::Springs => ContactLaw::Springs(Springs {
+            contact_rule,
+            time_step_s: options.step,
+            duration_s,
+            output_step_s,
+            after_fall,
+            ..Springs::default()
+        }),
+        Law::Rigid => ContactLaw::Rigid(Rigid {
+            contact_rule,
+            time_step_s: options.step.unwrap_or(Rigid::default().time_step_s),
+            duration_s,
+            output_step_s,
+            after_fall,
+            ..Rigid::default()
+        }),
     }
 }
 
 /// The run itself.
-fn simulated(stack: &Stack, motion: &GroundMotion, springs: &Springs, quiet: bool) -> Result<StackHistory> {
-    let whole_s = springs.duration_s.unwrap_or(motion.duration_s() + springs.rest_s);
+fn simulated(stack: &Stack, motion: &GroundMotion, law: &ContactLaw, quiet: bool) -> Result<StackHistory> {
+    let whole_s = law.run_length_s(motion.duration_s());
     let history = with_progress(whole_s, quiet, |progress| {
-        simulate_springs(stack, Some(motion), springs, progress)
+        simulate_stack(stack, Some(motion), law, progress)
     })?;
     Ok(history)
 }

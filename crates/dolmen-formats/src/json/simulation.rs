@@ -8,18 +8,19 @@ use serde_json::{Value, json};
 
 /// Everything of a simulation but its histories: what went in, how it ended, peaks and residuals, the balance of energy.
 pub fn simulation_json(simulation: &Simulation) -> Value {
-    let (history, options) = (&simulation.history, &simulation.options);
+    let (history, law) = (&simulation.history, &simulation.law);
     json!({
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
         "motion": motion_json(&simulation.motion),
-        "contact_points_a_side": points_a_side(options.contact_rule),
+        "law": law.name(),
+        "contact_points_a_side": points_a_side(law.contact_rule()),
         "contact_points": history.contact_points,
         "time_step_s": history.time_step_s,
         "longest_step_s": history.longest_step_s,
         "steps": history.steps,
-        "output_step_s": options.output_step_s,
+        "output_step_s": law.output_step_s(),
         "duration_s": history.time_s.last(),
         "settlement_m": history.settlement_m,
         "outcome": outcome(simulation),
@@ -27,6 +28,14 @@ pub fn simulation_json(simulation: &Simulation) -> Value {
         "blocks": blocks(simulation),
         "broken_ties": history.broken_ties,
         "energy": energy(simulation),
+        "rigid": history.rigid.map(|rigid| json!({
+            "residual_most_m_s": rigid.residual_most_m_s,
+            "penetration_most_m": rigid.penetration_most_m,
+            "impacts": rigid.impacts,
+            "solutions": rigid.solutions,
+            "newton_steps": rigid.newton_steps,
+            "steps_at_rest": rigid.steps_at_rest,
+        })),
     })
 }
 
@@ -75,6 +84,9 @@ fn outcome(simulation: &Simulation) -> Value {
             json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
         Outcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
+        Outcome::NotConverged { at_s, residual_m_s } => {
+            json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })
+        }
         Outcome::Diverged { at_s } => json!({ "kind": "diverged", "at_s": at_s }),
         _ => json!({ "kind": "unknown" }),
     }

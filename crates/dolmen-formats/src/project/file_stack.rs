@@ -92,6 +92,8 @@ pub(super) struct BedRaw {
     pub(super) shear_stiffness: Option<At<QuantityRaw>>,
     /// Dashpots as a fraction of critical damping, 0 to 1; 0.3 if not given.
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
+    /// Velocity that stones keep in an impact, 0 to 1, of the rigid law; 0 if not given.
+    pub(super) restitution: Option<At<QuantityRaw>>,
 }
 
 /// One stone.

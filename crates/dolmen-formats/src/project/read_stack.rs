@@ -255,6 +255,7 @@ pub(super) fn bed(reader: &mut Reader, raw: Option<&At<BedRaw>>, path: &str) -> 
             above,
         ),
         damping_ratio: of(&bed.damping_ratio, "damping_ratio", Measure::Ratio, zero),
+        restitution: of(&bed.restitution, "restitution", Measure::Ratio, zero),
     };
     (reader.faults.len() == before).then_some(read)
 }

@@ -142,6 +142,8 @@ pub struct BedPart {
     pub shear_stiffness: Option<Quantity>,
     /// Dashpots as a fraction of critical damping.
     pub damping_ratio: Option<Quantity>,
+    /// Restitution of the rigid law.
+    pub restitution: Option<Quantity>,
 }
 
 /// One block as the file gives it.
@@ -314,6 +316,7 @@ impl BedPart {
             &self.normal_stiffness,
             &self.shear_stiffness,
             &self.damping_ratio,
+            &self.restitution,
         ];
         all.extend(each.into_iter().flatten());
     }

@@ -178,6 +178,7 @@ impl BedPart {
         set(&mut material.normal_stiffness_pa_m, &self.normal_stiffness);
         set(&mut material.shear_stiffness_pa_m, &self.shear_stiffness);
         set(&mut material.damping_ratio, &self.damping_ratio);
+        set(&mut material.restitution, &self.restitution);
         material
     }
 

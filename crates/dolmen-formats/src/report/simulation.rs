@@ -9,7 +9,7 @@ use crate::figures::{stack_after, stack_histories};
 use crate::number::{self, significant};
 use crate::simulation::{MotionAnswer, Simulation};
 use crate::text::{outcome_text, points_a_side};
-use dolmen::blocks::{JointHistory, Outcome, StackHistory};
+use dolmen::blocks::{ContactLaw, JointHistory, Outcome, StackHistory};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use maud::{Markup, html};
@@ -68,6 +68,9 @@ fn ending(simulation: &Simulation, language: Language) -> String {
             )
         }
         Outcome::Stopped { at_s } => format!("{at_s:.2}초에 해석이 중단되어 판정하지 않는다."),
+        Outcome::NotConverged { at_s, .. } => {
+            format!("{at_s:.2}초에 접촉 조건의 해를 찾지 못하여 해석이 중단되었고 판정하지 않는다.")
+        }
         _ => "해석이 발산하여 결과를 사용할 수 없다.".to_owned(),
     };
     language.pick(english(simulation), korean)
@@ -83,6 +86,7 @@ fn english(simulation: &Simulation) -> String {
         Outcome::Slid { .. } => "it slid and stood; ",
         Outcome::Fell { .. } => "it fell; ",
         Outcome::Stopped { .. } => "the run was stopped; ",
+        Outcome::NotConverged { .. } => "the run found no solution; ",
         _ => "the run diverged; ",
     };
     format!("{word}{rest}.")
@@ -290,7 +294,7 @@ fn joints_table(simulation: &Simulation, language: Language) -> Markup {
 fn run(simulation: &Simulation, language: Language) -> Markup {
     let history = &simulation.history;
     let end = history.energy.last().copied().unwrap_or_default();
-    let side = points_a_side(simulation.options.contact_rule);
+    let side = points_a_side(simulation.law.contact_rule());
     let (step, longest) = (
         significant(history.time_step_s, DIGITS),
         significant(history.longest_step_s, DIGITS),
@@ -300,10 +304,16 @@ fn run(simulation: &Simulation, language: Language) -> Markup {
     let taken = number::engineering(end.friction_j + end.damping_j, "J", DIGITS);
     html! {
         div.note {
-            p { (language.pick(
-                format!("Springs at {side} × {side} points of each joint, {} steps of {step}\u{202f}s (longest stable {longest}\u{202f}s). The ground put in {input}; friction and dashpots took {taken}; contacts made {made}\u{202f}% of the most put in.", history.steps),
-                format!("접합면마다 {side} × {side}점 스프링, 시간 간격 {step}\u{202f}초(안정 한계 {longest}\u{202f}초), {}단계. 지반이 한 일 {input}, 마찰과 감쇠로 소산 {taken}; 접촉에서 생겨난 에너지 {made}\u{202f}%.", history.steps),
-            )) }
+            p { (match &simulation.law {
+                ContactLaw::Springs(_) => language.pick(
+                    format!("Springs at {side} × {side} points of each joint, {} steps of {step}\u{202f}s (longest stable {longest}\u{202f}s). The ground put in {input}; friction and dashpots took {taken}; contacts made {made}\u{202f}% of the most put in.", history.steps),
+                    format!("접합면마다 {side} × {side}점 스프링, 시간 간격 {step}\u{202f}초(안정 한계 {longest}\u{202f}초), {}단계. 지반이 한 일 {input}, 마찰과 감쇠로 소산 {taken}; 접촉에서 생겨난 에너지 {made}\u{202f}%.", history.steps),
+                ),
+                ContactLaw::Rigid(_) => language.pick(
+                    format!("Rigid contact at {side} × {side} points of each joint, {} steps of {step}\u{202f}s. The ground put in {input}; friction and impacts took {taken}; contacts made {made}\u{202f}% of the most put in.", history.steps),
+                    format!("접합면마다 {side} × {side}점 강체 접촉, 시간 간격 {step}\u{202f}초, {}단계. 지반이 한 일 {input}, 마찰과 충돌로 소산 {taken}; 접촉에서 생겨난 에너지 {made}\u{202f}%.", history.steps),
+                ),
+            }) }
             p { (language.pick(
                 "A stack that rocks is sensitive to every input: one run is one case, not a probability.",
                 "로킹하는 적층 구조는 모든 입력에 민감하다. 한 번의 해석은 하나의 사례일 뿐 확률이 아니다.",

@@ -196,6 +196,7 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "tension" => language.pick("tensile strength of the bond", "부착 인장강도"),
         "normal_stiffness" => language.pick("normal stiffness", "수직 강성"),
         "shear_stiffness" => language.pick("shear stiffness", "전단 강성"),
+        "restitution" => language.pick("restitution", "반발계수"),
         "damping_ratio" => language.pick("damping ratio", "감쇠비"),
         "body_height" => language.pick("height of all storeys", "탑신 높이"),
         "body_slenderness" => language.pick("body slenderness", "탑신 세장비"),

@@ -1,7 +1,7 @@
 //! What `dolmen simulate` found, with what went in.
 
 use crate::project::Names;
-use dolmen::blocks::{Outcome, Pose, Springs, StackHistory};
+use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::{Body, Stack};
 
@@ -29,8 +29,8 @@ pub struct Simulation {
     pub stack: Stack,
     /// The motion of its base.
     pub motion: MotionAnswer,
-    /// Options of the run.
-    pub options: Springs,
+    /// The law of contact, with the options of the run.
+    pub law: ContactLaw,
     /// What happened.
     pub history: StackHistory,
 }
@@ -53,7 +53,7 @@ impl Simulation {
     pub fn is_whole(&self) -> bool {
         !matches!(
             self.history.outcome,
-            Outcome::Stopped { .. } | Outcome::Diverged { .. }
+            Outcome::Stopped { .. } | Outcome::Diverged { .. } | Outcome::NotConverged { .. }
         )
     }
 

@@ -3,7 +3,7 @@
 use super::{Table, heading_text, warnings_text};
 use crate::project::Project;
 use crate::simulation::{MotionAnswer, Simulation};
-use dolmen::blocks::{ContactRule, Outcome, StackHistory};
+use dolmen::blocks::{ContactLaw, ContactRule, Outcome, StackHistory};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use std::fmt::Write as _;
@@ -66,11 +66,10 @@ fn motion_text(answer: &MotionAnswer) -> String {
 
 /// What came out: how it ended, each joint, the balance of energy.
 pub fn simulation_text(simulation: &Simulation) -> String {
-    let history = &simulation.history;
     let mut out = format!("\n{}\n", outcome_text(simulation));
     out += &joints_text(simulation);
     out += &top_text(simulation);
-    out += &energy_text(history);
+    out += &energy_text(simulation);
     out += &run_text(simulation);
     out
 }
@@ -111,6 +110,12 @@ pub fn outcome_text(simulation: &Simulation) -> String {
         Outcome::Stopped { at_s } => {
             format!(
                 "STOPPED at {at_s:.2} s before its end: what follows is of the part that was done, and no verdict"
+            )
+        }
+        Outcome::NotConverged { at_s, residual_m_s } => {
+            format!(
+                "NOT CONVERGED at {at_s:.4} s: no velocities found that obey the law of every joint, nearest {residual_m_s:.1e} m/s; what \
+                 follows is of the part before, and no verdict. Try half the step"
             )
         }
         Outcome::Diverged { at_s } => {
@@ -177,7 +182,8 @@ fn top_text(simulation: &Simulation) -> String {
     )
 }
 
-fn energy_text(history: &StackHistory) -> String {
+fn energy_text(simulation: &Simulation) -> String {
+    let history = &simulation.history;
     let end = history.energy.last().copied().unwrap_or_default();
     let start = history.energy.first().copied().unwrap_or_default();
     let kept = end.kinetic_j - start.kinetic_j + end.potential_j - start.potential_j + end.stored_j;
@@ -185,13 +191,14 @@ fn energy_text(history: &StackHistory) -> String {
     let scale = history.energy.iter().map(|e| e.input_j.abs()).fold(0.0, f64::max);
     let share = |value: f64| if scale > 0.0 { 100.0 * value / scale } else { 0.0 };
     let mut out = format!(
-        "Energy, J: put in {:.3e} = moving {:.3e} + raised {:.3e} + in springs {:.3e} + friction {:.3e} + dashpots {:.3e}; \
+        "Energy, J: put in {:.3e} = moving {:.3e} + raised {:.3e} + in springs {:.3e} + friction {:.3e} + {} {:.3e}; \
          left over {:.1e} %\n",
         end.input_j,
         end.kinetic_j - start.kinetic_j,
         end.potential_j - start.potential_j,
         end.stored_j,
         end.friction_j,
+        lost_in(&simulation.law),
         end.damping_j,
         share(gap)
     );
@@ -211,22 +218,46 @@ fn energy_text(history: &StackHistory) -> String {
     out
 }
 
+/// Where energy goes that friction does not take.
+fn lost_in(law: &ContactLaw) -> &'static str {
+    match law {
+        ContactLaw::Springs(_) => "dashpots",
+        ContactLaw::Rigid(_) => "impacts",
+    }
+}
+
 fn run_text(simulation: &Simulation) -> String {
     let history = &simulation.history;
-    let side = points_a_side(simulation.options.contact_rule);
+    let side = points_a_side(simulation.law.contact_rule());
+    let stable = match simulation.law {
+        ContactLaw::Springs(_) => format!(" (longest stable {:.3e} s)", history.longest_step_s),
+        ContactLaw::Rigid(_) => String::new(),
+    };
     let mut out = format!(
-        "Run: {} steps of {:.3e} s (longest stable {:.3e} s) for {:.2} s; {} contact points ({side} × {side} a joint)\n",
+        "Run: {} law, {} steps of {:.3e} s{stable} for {:.2} s; {} contact points ({side} × {side} a joint)\n",
+        simulation.law.name(),
         history.steps,
         history.time_step_s,
-        history.longest_step_s,
         history.time_s.last().copied().unwrap_or_default(),
         history.contact_points
     );
-    let _ = writeln!(
-        out,
-        "  settled before it by {:.4} mm at the highest stone",
-        1e3 * history.settlement_m
-    );
+    match history.rigid {
+        Some(rigid) => {
+            let _ = writeln!(
+                out,
+                "  {} of the steps at rest on the ground, {} impacts; every joint obeys its law to {:.1e} m/s, no stone lies deeper than \
+                 {:.1e} m in another",
+                rigid.steps_at_rest, rigid.impacts, rigid.residual_most_m_s, rigid.penetration_most_m
+            );
+        }
+        None => {
+            let _ = writeln!(
+                out,
+                "  settled before it by {:.4} mm at the highest stone",
+                1e3 * history.settlement_m
+            );
+        }
+    }
     if !history.broken_ties.is_empty() {
         let ties: Vec<String> = history
             .broken_ties

@@ -3,7 +3,7 @@
 // PARAMETERS Two blocks of 0.3 × 0.2 × 0.1 m under a pulse of 0.6 g along x, μ .3.
 // TOLERANCE  single precision in the film (6e-8 of a place); none elsewhere.
 
-use dolmen::blocks::{Outcome, Springs, simulate_springs};
+use dolmen::blocks::{ContactLaw, Outcome, Springs, simulate_springs};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
@@ -48,7 +48,7 @@ fn simulation() -> Simulation {
             peaks_read_m_s2: vec![(Component::X, 5.884)],
             motion,
         },
-        options,
+        law: ContactLaw::Springs(options),
         history,
     }
 }

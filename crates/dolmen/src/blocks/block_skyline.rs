@@ -103,12 +103,9 @@ impl BlockSkyline {
         let rows = self.first.len();
         for i in 0..rows {
             let mut sum = right[i];
-            for j in self.first[i]..i {
-                subtract_from(
-                    &mut sum,
-                    &self.lower[self.start[i] + j - self.first[i]],
-                    &right[j],
-                );
+            let row = &self.lower[self.start[i]..self.start[i] + i - self.first[i]];
+            for (block, solved) in row.iter().zip(&right[self.first[i]..i]) {
+                subtract_from(&mut sum, block, solved);
             }
             right[i] = sum;
         }
@@ -222,8 +219,8 @@ mod tests {
         let rows = first.len();
         let mut sky = BlockSkyline::within(first.to_vec());
         let mut full = Matrix::zeros(SIX * rows, SIX * rows);
-        for i in 0..rows {
-            for j in first[i]..=i {
+        for (i, &from) in first.iter().enumerate() {
+            for j in from..=i {
                 for (row, column) in if i == j {
                     vec![(i, i)]
                 } else {

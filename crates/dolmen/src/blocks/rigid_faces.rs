@@ -12,17 +12,16 @@
 
 use super::bodies::RigidBody;
 use super::patch::{LANES, Motion, Patch};
+use super::rigid_bed::{fit_bed, on_bed};
 use glam::{DMat3, DVec3};
 
-/// Mass against which velocities count, in parts of the bodies': ϱ = ρ × the mass of both together, shared by area. It steers
+/// Mass against which velocities count, in parts of the bodies': ϱ = ρ × the mass of both together and of all above, shared by area. It steers
 /// how fast the iterations converge, not to what. Chosen here, by trial.
 const HARDNESS: f64 = 1e5;
 /// Part of its force by which the bed that a solution begins with may miss the force of the step before. Chosen here.
 const HELD_NEAR: f64 = 1e-3;
 /// Least weight along the plane of a point that did not press, in parts of what its area gives it. Chosen here.
 const SHEAR_LEAST: f64 = 0.1;
-/// Newton steps for the pressure of a bed.
-const BED_STEPS: usize = 30;
 
 /// How a point takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,11 +59,38 @@ pub(super) struct Point {
     /// Whether it slipped in the step before.
     pub(super) slid: bool,
     /// Impulse of the best solution so far, and whether the point slips in it.
-    best: ([f64; 3], bool),
+    pub(super) best: ([f64; 3], bool),
     /// Direction along which it slipped in the last Newton step; zeros if it did not.
-    along: [f64; 2],
+    pub(super) along: [f64; 2],
     /// Index in the patch; beyond it for points that are made for an impact.
     pub(super) index: usize,
+}
+
+impl Point {
+    /// A point away from all.
+    pub(super) fn at([x, y]: [f64; 2], area: f64) -> Self {
+        Point {
+            x,
+            y,
+            area,
+            weight: 0.0,
+            shear_weight: 0.0,
+            friction: 0.0,
+            gap: 0.0,
+            gap_ahead: 0.0,
+            offset: [0.0; 3],
+            held: [0.0; 3],
+            bound: 0.0,
+            impulse: [0.0; 3],
+            bond: [0.0; 2],
+            part: Part::Away,
+            slips: false,
+            slid: false,
+            best: ([0.0; 3], false),
+            along: [0.0; 2],
+            index: 0,
+        }
+    }
 }
 
 /// What one contact does to S about its origin, in the plane's frame: force (or impulse), then torque.
@@ -87,7 +113,7 @@ pub(super) struct Face {
     pub(super) warm: bool,
     /// Whether the last sum was presumed in part instead of the law's.
     pub(super) swung: bool,
-    /// ρ × mass of both bodies together / area: weight a unit of area.
+    /// ρ × mass / area: weight a unit of area.
     pub(super) weight_per_area: f64,
     pub(super) way: Way,
 }
@@ -176,32 +202,26 @@ impl Face {
                 }
                 area += group.area[lane];
                 face.points.push(Point {
-                    x: at.x,
-                    y: at.y,
-                    area: group.area[lane],
-                    weight: 0.0,
-                    shear_weight: 0.0,
                     friction: group.friction[lane],
                     gap,
                     gap_ahead,
                     offset,
-                    held: [0.0; 3],
-                    bound: 0.0,
-                    impulse: [0.0; 3],
                     bond: [
                         group.bond[lane] * group.area[lane] * patch.law.tension,
                         group.bond[lane] * group.area[lane] * patch.law.cohesion,
                     ],
-                    part: Part::Away,
-                    slips: false,
-                    slid: false,
-                    best: ([0.0; 3], false),
-                    along: [0.0; 2],
                     index: LANES * at_group + lane,
+                    ..Point::at([at.x, at.y], group.area[lane])
                 });
             }
         }
-        let mass = 1.0 / (p.inverse_mass + s.inverse_mass);
+        // what stands above presses too: the mass that the joint stops is more than that of its two stones
+        let height = motion.origin.z;
+        let above = bodies
+            .iter()
+            .filter(|body| body.position.z > height)
+            .map(|body| body.mass);
+        let mass = above.fold(1.0 / (p.inverse_mass + s.inverse_mass), |sum, mass| sum + mass);
         face.weight_per_area = HARDNESS * mass / area;
         for point in &mut face.points {
             point.weight = face.weight_per_area * point.area;
@@ -416,25 +436,14 @@ impl Face {
         let [x, y] = at.map(|moment| moment / area);
         let closing = -velocity(before, x, y)[2];
         self.points.push(Point {
-            x,
-            y,
-            area,
             weight: self.weight_per_area * area,
             shear_weight: self.weight_per_area * area,
             friction,
-            gap: 0.0,
             gap_ahead: closing, // kept to know when little is left of it
             offset: [0.0, 0.0, -self.restitution * closing],
-            held: [0.0; 3],
-            bound: 0.0,
-            impulse: [0.0; 3],
-            bond: [0.0; 2],
             part: Part::Near,
-            slips: false,
-            slid: false,
-            best: ([0.0; 3], false),
-            along: [0.0; 2],
             index: usize::MAX,
+            ..Point::at([x, y], area)
         });
     }
 
@@ -541,96 +550,4 @@ impl Face {
         }
         self.warm = true;
     }
-}
-
-/// Pressure of a bed at a point, never below 0.
-#[inline]
-pub(super) fn on_bed(bed: &[f64; 3], point: &Point) -> f64 {
-    (bed[0] + bed[1] * point.y - bed[2] * point.x).max(0.0)
-}
-
-/// The pressure that an even bed, which cannot pull, gives to the near points under a normal force and two moments; false if
-/// there is none, for the force passes beside them. Begins from `bed`; `near` is what may be left, in parts of the force.
-///
-/// ```text
-/// Σ a max(c · e, 0) e = (N, M_x, M_y),   e = (1, y, −x),   by Newton steps over the points that press
-/// ```
-pub(super) fn fit_bed(points: &[Point], wrench: &Six, bed: &mut [f64; 3], near: f64) -> bool {
-    let wanted = [wrench[2], wrench[3], wrench[4]];
-    if wanted[0] <= 0.0 {
-        return false;
-    }
-    let size = points
-        .iter()
-        .fold(0.0_f64, |most, p| most.max(p.x.abs()).max(p.y.abs()));
-    let mut first = bed.iter().all(|value| *value == 0.0);
-    for _ in 0..BED_STEPS {
-        let mut k = [0.0; 6];
-        let mut left = wanted;
-        for point in points.iter().filter(|point| point.part == Part::Near) {
-            let pressure = bed[0] + bed[1] * point.y - bed[2] * point.x;
-            if pressure > 0.0 || first {
-                let (a, x, y) = (point.area, point.x, point.y);
-                let p = a * pressure;
-                left[0] -= p;
-                left[1] -= y * p;
-                left[2] += x * p;
-                k[0] += a;
-                k[1] += a * y;
-                k[2] -= a * x;
-                k[3] += a * y * y;
-                k[4] -= a * x * y;
-                k[5] += a * x * x;
-            }
-        }
-        first = false;
-        let off = left[0].abs().max(left[1].abs().max(left[2].abs()) / size);
-        if off < near * wanted[0] {
-            return true;
-        }
-        let Some(step) = solve_3(&k, &left) else {
-            *bed = [0.0; 3];
-            return false;
-        };
-        for (bed, step) in bed.iter_mut().zip(step) {
-            *bed += step;
-        }
-    }
-    *bed = [0.0; 3];
-    false
-}
-
-/// Solves a symmetric 3 × 3 system (00, 01, 02, 11, 12, 22), not of full rank where points lie on a line or are one: then the
-/// rest is left out.
-fn solve_3(k: &[f64; 6], right: &[f64; 3]) -> Option<[f64; 3]> {
-    if k[0] <= 0.0 {
-        return None;
-    }
-    const RANK: f64 = 1e-12;
-    let (a, b) = (k[1] / k[0], k[2] / k[0]);
-    let (c, d, e) = (k[3] - a * k[1], k[4] - a * k[2], k[5] - b * k[2]);
-    let (r_1, r_2) = (right[1] - a * right[0], right[2] - b * right[0]);
-    let scale = k[3].max(k[5]);
-    let (y, z) = if c.max(e) <= RANK * scale {
-        (0.0, 0.0)
-    } else if c >= e {
-        let ratio = d / c;
-        let rest = e - ratio * d;
-        let z = if rest > RANK * scale {
-            (r_2 - ratio * r_1) / rest
-        } else {
-            0.0
-        };
-        ((r_1 - d * z) / c, z)
-    } else {
-        let ratio = d / e;
-        let rest = c - ratio * d;
-        let y = if rest > RANK * scale {
-            (r_1 - ratio * r_2) / rest
-        } else {
-            0.0
-        };
-        (y, (r_2 - d * y) / e)
-    };
-    Some([(right[0] - k[1] * y - k[2] * z) / k[0], y, z])
 }

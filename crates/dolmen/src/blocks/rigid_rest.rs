@@ -2,7 +2,8 @@
 //! force in each joint is known, and it is enough that one spread of it over the points obeys the law.
 
 use super::assembly::{Assembly, Forces};
-use super::rigid_faces::{Face, Part, Six, fit_bed, on_bed};
+use super::rigid_bed::{fit_bed, on_bed};
+use super::rigid_faces::{Face, Part, Six};
 use glam::{DMat3, DVec3};
 
 /// Force that may be left over, in parts of it: rounding. Chosen here.

@@ -12,34 +12,26 @@ use super::history::RigidEvidence;
 use super::patch::{LANES, Motion};
 use super::rigid_faces::{Face, Part, Point, Six, velocity};
 use super::rigid_rest::AtRest;
-use super::rigid_solve::{Inertia, Solver};
+use super::rigid_solve::{Inertia, Momentum, Solver};
 use glam::DVec3;
 
 /// Gap up to which a point counts as touching, m: far above rounding, far below what is seen. Chosen here.
 const TOUCHES_M: f64 = 1e-8;
 /// Gap at which the time of an impact is found, m. Chosen here.
-const FOUND_M: f64 = 1e-10;
-/// Secant steps to find it.
-const FIND_MOST: usize = 30;
+pub(super) const FOUND_M: f64 = 1e-10;
 /// Impacts found in one step; what else meets in it does so at its end. Chosen here.
 const IMPACTS_MOST: usize = 30;
 /// Closing velocity, over g h, from which an impact is found inside the step and restitution counts: slower ones are what a step adds
 /// itself. Chosen here.
-const IMPACT_FROM: f64 = 0.5;
-/// Velocity below which a stack is at rest, m/s: ten times what a solution is off. Chosen here.
-const AT_REST_M_S: f64 = 1e-8;
+pub(super) const IMPACT_FROM: f64 = 0.5;
+/// Velocity below which a stack is at rest, m/s: ten times what a solution may be off. Chosen here: thresholds are that of a step, 1e-5 g.
+const AT_REST_M_S: f64 = 1e-7;
 /// Times that points on their way are added to a solution.
 const ADDED_MOST: usize = 8;
 /// Way along the plane from which a point slips, m/s. Chosen here.
 const SLIPS_FROM_M_S: f64 = 1e-7;
 /// Part of a step that is not begun after an impact: rounding. Chosen here.
 const SHORTEST_PART: f64 = 1e-9;
-/// Impacts nearer in time than this part of a step are one. Chosen here.
-const SAME_TIME: f64 = 0.01;
-/// Times that a rebound is halved until the impact makes no energy; the last time there is none.
-const REBOUNDS_MOST: usize = 6;
-/// Energy that counts as none, in parts. Chosen here.
-const ROUNDING: f64 = 1e-9;
 /// Depth of new points beyond which they are not pushed out, m. Chosen here.
 const HOLDS_FROM_M: f64 = 1e-9;
 
@@ -53,13 +45,13 @@ pub(super) struct Counted {
 
 /// What a pair remembers: the force on S about the frame of its plane, and the bed under it.
 #[derive(Clone, Debug, Default)]
-struct Memory {
+pub(super) struct Memory {
     force: Six,
     bed: [f64; 3],
     plane_body: usize,
     /// Points that slipped.
     slid: Vec<bool>,
-    known: bool,
+    pub(super) known: bool,
 }
 
 /// What open points do in the rest of a step.
@@ -74,32 +66,32 @@ enum Meets {
 pub(super) type Unsolved = f64;
 
 /// Acceleration of the ground at a time.
-type Ground<'a> = &'a dyn Fn(f64) -> DVec3;
+pub(super) type Ground<'a> = &'a dyn Fn(f64) -> DVec3;
 
 /// A run under way.
 pub(super) struct Run {
     pub(super) assembly: Assembly,
     pub(super) evidence: RigidEvidence,
-    h: f64,
-    solver: Solver,
+    pub(super) h: f64,
+    pub(super) solver: Solver,
     /// Pairs of bodies that the solver was made for.
-    touching: Vec<[usize; 2]>,
-    faces: Vec<Face>,
-    memory: Vec<Memory>,
-    inertia: Vec<Inertia>,
+    pub(super) touching: Vec<[usize; 2]>,
+    pub(super) faces: Vec<Face>,
+    pub(super) memory: Vec<Memory>,
+    pub(super) inertia: Vec<Inertia>,
     /// Solution under way, and the momentum without contacts.
-    velocity: Vec<Six>,
-    momentum: Vec<Six>,
-    at_rest: Option<AtRest>,
-    lag_s: f64,
-    kick_s: f64,
+    pub(super) velocity: Vec<Six>,
+    pub(super) momentum: Vec<Six>,
+    pub(super) at_rest: Option<AtRest>,
+    pub(super) lag_s: f64,
+    pub(super) kick_s: f64,
     /// Acceleration of the frame and gravity together, m/s².
-    pull: DVec3,
-    shaking: DVec3,
-    acceleration: Vec<DVec3>,
-    forces: Forces,
-    ties: Forces,
-    counted: Counted,
+    pub(super) pull: DVec3,
+    pub(super) shaking: DVec3,
+    pub(super) acceleration: Vec<DVec3>,
+    pub(super) forces: Forces,
+    pub(super) ties: Forces,
+    pub(super) counted: Counted,
 }
 
 impl Run {
@@ -140,8 +132,10 @@ impl Run {
         &self.forces
     }
 
-    pub(super) fn take_counted(&mut self) -> Counted {
-        std::mem::take(&mut self.counted)
+    /// What the step put in, what contacts did, what friction took, J.
+    pub(super) fn take_counted(&mut self) -> [f64; 3] {
+        let counted = std::mem::take(&mut self.counted);
+        [counted.input, counted.contact, counted.friction]
     }
 
     /// Finds the velocities of the step that begins.
@@ -212,7 +206,7 @@ impl Run {
     }
 
     /// The faces as they are now, for a drift of `h` s.
-    fn see_faces(&mut self, h: f64, same_time_s: f64) {
+    pub(super) fn see_faces(&mut self, h: f64, same_time_s: f64) {
         let mut ahead: Vec<RigidBody> = self.assembly.bodies.clone();
         let moves = |body: &RigidBody| body.velocity != DVec3::ZERO || body.spin != DVec3::ZERO;
         for body in ahead.iter_mut().skip(1) {
@@ -263,7 +257,7 @@ impl Run {
     }
 
     /// Solves for the velocities at the end of a kick, at the faces seen; bodies count as turned on for `ahead_s`.
-    fn kick_over(
+    pub(super) fn kick_over(
         &mut self,
         time_s: f64,
         kick_s: f64,
@@ -310,10 +304,12 @@ impl Run {
         self.solve()
     }
 
-    fn solve(&mut self) -> Result<(), Unsolved> {
-        let solved = self
-            .solver
-            .solve(&self.inertia, &self.momentum, &mut self.faces, &mut self.velocity);
+    pub(super) fn solve(&mut self) -> Result<(), Unsolved> {
+        let of = Momentum {
+            inertia: &self.inertia,
+            free: &self.momentum,
+        };
+        let solved = self.solver.solve(of, &mut self.faces, &mut self.velocity);
         self.evidence.solutions += 1;
         self.evidence.newton_steps += solved.newton_steps;
         if !solved.converged {
@@ -324,7 +320,7 @@ impl Run {
     }
 
     /// Accelerations and forces of the kick just solved, for who looks at it.
-    fn note_forces(&mut self) {
+    pub(super) fn note_forces(&mut self) {
         let per_kick = 1.0 / self.kick_s;
         self.forces.clear(self.assembly.bodies.len());
         for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {
@@ -377,7 +373,7 @@ impl Run {
     }
 
     /// The bodies after a drift of `part_s` at the solved velocities.
-    fn drifted(&self, part_s: f64) -> Vec<RigidBody> {
+    pub(super) fn drifted(&self, part_s: f64) -> Vec<RigidBody> {
         let mut bodies = self.assembly.bodies.clone();
         for (body, velocity) in bodies.iter_mut().zip(&self.velocity).skip(1) {
             (body.velocity, body.spin) = halves(velocity);
@@ -386,128 +382,8 @@ impl Run {
         bodies
     }
 
-    /// Time of the first impact in the rest of the step, by false position (Illinois).
-    fn first_meeting(&self, left_s: f64) -> f64 {
-        let least_gap = |part_s: f64| {
-            let bodies = self.drifted(part_s);
-            let mut least = f64::INFINITY;
-            for ((_, patch, _, _), face) in self.assembly.contacts().zip(&self.faces) {
-                let motion = patch.motion(&bodies);
-                for point in face.points.iter().filter(|point| point.part == Part::Away) {
-                    let (group, lane) = (&patch.points[point.index / LANES], point.index % LANES);
-                    least = least.min(patch.place(group, lane, &motion).z);
-                }
-            }
-            least
-        };
-        let (mut low, mut high) = (0.0, left_s);
-        let (mut at_low, mut at_high) = (least_gap(low), least_gap(high));
-        if at_high > -FOUND_M {
-            return left_s;
-        }
-        for _ in 0..FIND_MOST {
-            let middle = low + (high - low) * at_low / (at_low - at_high);
-            let gap = least_gap(middle);
-            if gap.abs() <= FOUND_M {
-                return middle;
-            }
-            if gap > 0.0 {
-                (low, at_low) = (middle, gap);
-                at_high *= 0.5;
-            } else {
-                (high, at_high) = (middle, gap);
-                at_low *= 0.5;
-            }
-        }
-        low
-    }
-
-    /// Carries the stack to an impact `part_s` from now, and through it.
-    fn strike(&mut self, time_s: f64, part_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
-        let there = self.drifted(part_s);
-        for (body, there) in self.assembly.bodies.iter_mut().zip(&there).skip(1) {
-            (body.position, body.turn, body.rotation) = (there.position, there.turn, there.rotation);
-            body.travel = there.travel;
-        }
-        // up to the impact those act that touched before it
-        let parts = |face: &Face| face.points.iter().map(|point| point.part).collect();
-        let parts_before: Vec<Vec<Part>> = self.faces.iter().map(parts).collect();
-        self.see_faces(self.h, 0.0);
-        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
-            for (point, part) in face.points.iter_mut().zip(parts) {
-                point.part = *part;
-                point.offset = [0.0; 3];
-            }
-        }
-        self.kick_over(time_s, self.lag_s + part_s, 0.0, ground)?;
-        self.note_forces();
-        self.commit();
-        self.lag_s = 0.0;
-        self.evidence.impacts += 1;
-        self.see_faces(self.h, SAME_TIME * self.h);
-        self.kick_s = 0.0;
-        self.pull = DVec3::ZERO;
-        self.shaking = DVec3::ZERO;
-        self.ties.clear(self.assembly.bodies.len());
-        self.inertia.clear();
-        for (index, body) in self.assembly.bodies.iter().enumerate() {
-            self.inertia.push(Inertia {
-                mass: body.mass,
-                turning: body.inertia_after(0.0),
-                radius: body.radius,
-            });
-            self.momentum[index] = six(body.velocity * body.mass, body.momentum);
-            self.velocity[index] = six(body.velocity, body.spin);
-        }
-        (self.momentum[0], self.velocity[0]) = ([0.0; 6], [0.0; 6]);
-        let slow = IMPACT_FROM * self.assembly.gravity * self.h;
-        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
-            let before = face.ahead;
-            for point in &mut face.points {
-                point.offset = [0.0; 3];
-                point.bond = [0.0; 2];
-            }
-            if face
-                .points
-                .iter()
-                .zip(parts)
-                .any(|(point, before)| point.part != *before)
-            {
-                self.memory[face.pair].known = false;
-            }
-            if face.restitution > 0.0 {
-                face.rebound(&before, slow);
-            }
-        }
-        let before = self.kinetic(&self.velocity);
-        let start = self.velocity.clone();
-        for _ in 0..REBOUNDS_MOST {
-            self.solve()?;
-            if self.kinetic(&self.velocity) <= before * (1.0 + ROUNDING) {
-                break;
-            }
-            // stones that strike several others would gain: they rebound less
-            self.velocity.clone_from(&start);
-            for face in &mut self.faces {
-                face.rebound_less();
-            }
-        }
-        self.acceleration.fill(DVec3::ZERO);
-        self.commit();
-        Ok(())
-    }
-
-    /// Kinetic energy at velocities of the bodies, J.
-    fn kinetic(&self, velocity: &[Six]) -> f64 {
-        let each = self.inertia.iter().zip(velocity).map(|(of, velocity)| {
-            let (v, w) = halves(velocity);
-            0.5 * (of.mass * v.length_squared() + w.dot(of.turning * w))
-        });
-        each.sum()
-    }
-
     /// Gives the solved velocities to the bodies, and counts what was done.
-    fn commit(&mut self) {
+    pub(super) fn commit(&mut self) {
         let small = |v: &Six| v.iter().all(|value| value.abs() < AT_REST_M_S);
         let rests = self.velocity.iter().all(small);
         for (index, body) in self.assembly.bodies.iter_mut().enumerate().skip(1) {
@@ -586,11 +462,11 @@ fn closing(ahead: &Six, twist: &Six, point: &Point, left_s: f64) -> Option<f64> 
     (gap < -FOUND_M).then_some(-now)
 }
 
-fn six(linear: DVec3, turning: DVec3) -> Six {
+pub(super) fn six(linear: DVec3, turning: DVec3) -> Six {
     [linear.x, linear.y, linear.z, turning.x, turning.y, turning.z]
 }
 
-fn halves(six: &Six) -> (DVec3, DVec3) {
+pub(super) fn halves(six: &Six) -> (DVec3, DVec3) {
     (
         DVec3::new(six[0], six[1], six[2]),
         DVec3::new(six[3], six[4], six[5]),

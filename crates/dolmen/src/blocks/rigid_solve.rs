@@ -12,7 +12,7 @@ use super::rigid_faces::{Face, Six, Stiffness, Way};
 use glam::{DMat3, DVec3};
 
 /// Momentum left over, over the mass, at which a Newton step is the last, m/s. Chosen here: far below any way that is seen.
-pub(super) const LEFT_MOST_M_S: f64 = 1e-10;
+pub(super) const LEFT_MOST_M_S: f64 = 1e-9;
 /// Distance of a point from its law, m/s, at which a solution is done. Chosen here.
 pub(super) const OFF_MOST_M_S: f64 = 1e-8;
 /// The same that is accepted where further rounds better it no more: a nanometre a step. Chosen here.
@@ -43,6 +43,13 @@ pub(super) struct Inertia {
     pub(super) mass: f64,
     pub(super) turning: DMat3,
     pub(super) radius: f64,
+}
+
+/// Masses of the bodies, and the momentum they would have without contacts.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Momentum<'a> {
+    pub(super) inertia: &'a [Inertia],
+    pub(super) free: &'a [Six],
 }
 
 /// What a solution took.
@@ -89,16 +96,10 @@ impl Solver {
     }
 
     /// Solves from velocities `v` of the bodies (of the ground zeros), which become the solution; the faces keep the impulses.
-    pub(super) fn solve(
-        &mut self,
-        inertia: &[Inertia],
-        momentum: &[Six],
-        faces: &mut [Face],
-        v: &mut Vec<Six>,
-    ) -> Solved {
+    pub(super) fn solve(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &mut Vec<Six>) -> Solved {
         let mut solved = Solved::default();
         let (start, held) = (v.clone(), held_of(faces));
-        self.directly(inertia, momentum, faces, v, DIRECT_STEPS, &mut solved);
+        self.directly(of, faces, v, DIRECT_STEPS, &mut solved);
         if solved.converged {
             return solved;
         }
@@ -117,15 +118,7 @@ impl Solver {
                 face.way = Way::Bounded(softness);
             }
             solved.rounds += 1;
-            let left = self.newton(
-                inertia,
-                momentum,
-                faces,
-                v,
-                false,
-                NEWTON_MOST,
-                &mut solved.newton_steps,
-            );
+            let left = self.newton(of, faces, v, false, NEWTON_MOST, &mut solved.newton_steps);
             let now = faces.iter().map(Face::residual).fold(left, f64::max);
             for face in faces.iter_mut() {
                 face.way = Way::Direct;
@@ -145,7 +138,7 @@ impl Solver {
             set_bounds(faces, if round < DAMPED_FROM { 1.0 } else { DAMPED_PART });
             if round + 1 >= SOFTNESS.len() && (round + 1 - SOFTNESS.len()).is_multiple_of(DIRECT_EVERY) {
                 let (near, held) = (v.clone(), held_of(faces));
-                self.directly(inertia, momentum, faces, v, DIRECT_STEPS, &mut solved);
+                self.directly(of, faces, v, DIRECT_STEPS, &mut solved);
                 if solved.converged {
                     return solved;
                 }
@@ -165,8 +158,7 @@ impl Solver {
     /// Solves by Newton steps on the law itself, at most so many for one set of multipliers.
     fn directly(
         &mut self,
-        inertia: &[Inertia],
-        momentum: &[Six],
+        of: Momentum<'_>,
         faces: &mut [Face],
         v: &mut Vec<Six>,
         most: usize,
@@ -175,18 +167,10 @@ impl Solver {
         let mut off = f64::INFINITY;
         for round in 0..DIRECT_ROUNDS {
             solved.rounds += 1;
-            let left = self.newton(
-                inertia,
-                momentum,
-                faces,
-                v,
-                round == 0,
-                most,
-                &mut solved.newton_steps,
-            );
+            let left = self.newton(of, faces, v, round == 0, most, &mut solved.newton_steps);
             let now = faces.iter().map(Face::residual).fold(0.0, f64::max);
             solved.residual_m_s = left.max(now);
-            let far = !(left <= LEFT_MOST_M_S) || now > SLOWEST * off;
+            let far = left > LEFT_MOST_M_S || now > SLOWEST * off;
             solved.converged = !far && now <= OFF_MOST_M_S;
             if far || solved.converged {
                 return;
@@ -199,8 +183,7 @@ impl Solver {
     /// Newton steps for the multipliers held; what is left of the momentum, m/s.
     fn newton(
         &mut self,
-        inertia: &[Inertia],
-        momentum: &[Six],
+        of: Momentum<'_>,
         faces: &mut [Face],
         v: &mut Vec<Six>,
         presume: bool,
@@ -214,7 +197,7 @@ impl Solver {
         }
         let mut left = f64::INFINITY;
         for _ in 0..most {
-            let [largest, _] = self.balance(inertia, momentum, faces, v, presume, true);
+            let [largest, _] = self.balance(of, faces, v, presume, true);
             let presumed = faces.iter().any(|face| face.swung);
             left = if presumed { f64::INFINITY } else { largest };
             if left <= LEFT_MOST_M_S {
@@ -227,7 +210,7 @@ impl Solver {
             let mut change = std::mem::take(&mut self.right);
             self.matrix.solve(&mut change);
             let part = match bounded {
-                true => self.least_along(inertia, momentum, faces, v, &change),
+                true => self.least_along(of, faces, v, &change),
                 false => 1.0,
             };
             self.ahead(v, &change, part);
@@ -239,18 +222,11 @@ impl Solver {
     }
 
     /// The part of a step up to which a convex problem falls: where its slope along the step is small enough, by false position.
-    fn least_along(
-        &mut self,
-        inertia: &[Inertia],
-        momentum: &[Six],
-        faces: &mut [Face],
-        v: &[Six],
-        change: &[Six],
-    ) -> f64 {
+    fn least_along(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &[Six], change: &[Six]) -> f64 {
         let mut slope = |part: f64| {
             self.ahead(v, change, part);
             let trial = std::mem::take(&mut self.trial);
-            self.balance(inertia, momentum, faces, &trial, false, false);
+            self.balance(of, faces, &trial, false, false);
             self.trial = trial;
             let products = self
                 .right
@@ -298,8 +274,7 @@ impl Solver {
     /// asked for) the matrix of the next Newton step.
     fn balance(
         &mut self,
-        inertia: &[Inertia],
-        momentum: &[Six],
+        of: Momentum<'_>,
         faces: &mut [Face],
         v: &[Six],
         presume: bool,
@@ -308,9 +283,9 @@ impl Solver {
         if with_matrix {
             self.matrix.clear();
         }
-        self.right.resize(momentum.len() - 1, [0.0; SIX]);
-        for body in 1..momentum.len() {
-            let (of, v) = (&inertia[body], &v[body]);
+        let Momentum { inertia, free } = of;
+        self.right.resize(free.len() - 1, [0.0; SIX]);
+        for (body, (of, (v, momentum))) in inertia.iter().zip(v.iter().zip(free)).enumerate().skip(1) {
             let turning = of.turning * DVec3::new(v[3], v[4], v[5]);
             let has = [
                 of.mass * v[0],
@@ -321,7 +296,7 @@ impl Solver {
                 turning.z,
             ];
             let row = self.rows[body];
-            self.right[row] = std::array::from_fn(|i| momentum[body][i] - has[i]);
+            self.right[row] = std::array::from_fn(|i| momentum[i] - has[i]);
             if with_matrix {
                 let block = self.matrix.block_mut(row, row);
                 for i in 0..3 {
@@ -334,8 +309,8 @@ impl Solver {
         }
         for face in faces.iter_mut() {
             let (p, s) = (face.plane_body, face.point_body);
-            let of = |body: usize| (body > 0).then(|| &v[body]);
-            let twist = face.twist(of(p), of(s));
+            let at = |body: usize| (body > 0).then(|| &v[body]);
+            let twist = face.twist(at(p), at(s));
             let mut k: Stiffness = [[0.0; 6]; 6];
             let wrench = face.press(&twist, presume, with_matrix.then_some(&mut k));
             let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
@@ -355,8 +330,8 @@ impl Solver {
             }
         }
         let (mut largest, mut squares) = (0.0_f64, 0.0);
-        for body in 1..momentum.len() {
-            let (of, right) = (&inertia[body], &self.right[self.rows[body]]);
+        for (body, of) in inertia.iter().enumerate().skip(1) {
+            let right = &self.right[self.rows[body]];
             for i in 0..3 {
                 let (slow, turn) = (right[i] / of.mass, right[3 + i] / (of.mass * of.radius));
                 largest = largest.max(slow.abs()).max(turn.abs());

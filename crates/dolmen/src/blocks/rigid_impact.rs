@@ -1,0 +1,139 @@
+//! Impacts of the rigid law: found in time, then carried through.
+
+use super::patch::LANES;
+use super::rigid_faces::{Face, Part, Six};
+use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six};
+use super::rigid_solve::Inertia;
+use glam::DVec3;
+
+/// Impacts nearer in time than this part of a step are one. Chosen here.
+const SAME_TIME: f64 = 0.01;
+/// Times that a rebound is halved until the impact makes no energy; the last time there is none.
+const REBOUNDS_MOST: usize = 6;
+/// Energy that counts as none, in parts. Chosen here.
+const ROUNDING: f64 = 1e-9;
+
+/// False positions tried to find the time of an impact.
+const FIND_MOST: usize = 30;
+
+impl Run {
+    /// Time of the first impact in the rest of the step, by false position (Illinois).
+    pub(super) fn first_meeting(&self, left_s: f64) -> f64 {
+        let least_gap = |part_s: f64| {
+            let bodies = self.drifted(part_s);
+            let mut least = f64::INFINITY;
+            for ((_, patch, _, _), face) in self.assembly.contacts().zip(&self.faces) {
+                let motion = patch.motion(&bodies);
+                for point in face.points.iter().filter(|point| point.part == Part::Away) {
+                    let (group, lane) = (&patch.points[point.index / LANES], point.index % LANES);
+                    least = least.min(patch.place(group, lane, &motion).z);
+                }
+            }
+            least
+        };
+        let (mut low, mut high) = (0.0, left_s);
+        let (mut at_low, mut at_high) = (least_gap(low), least_gap(high));
+        if at_high > -FOUND_M {
+            return left_s;
+        }
+        for _ in 0..FIND_MOST {
+            let middle = low + (high - low) * at_low / (at_low - at_high);
+            let gap = least_gap(middle);
+            if gap.abs() <= FOUND_M {
+                return middle;
+            }
+            if gap > 0.0 {
+                (low, at_low) = (middle, gap);
+                at_high *= 0.5;
+            } else {
+                (high, at_high) = (middle, gap);
+                at_low *= 0.5;
+            }
+        }
+        low
+    }
+
+    /// Carries the stack to an impact `part_s` from now, and through it.
+    pub(super) fn strike(&mut self, time_s: f64, part_s: f64, ground: Ground<'_>) -> Result<(), Unsolved> {
+        let there = self.drifted(part_s);
+        for (body, there) in self.assembly.bodies.iter_mut().zip(&there).skip(1) {
+            (body.position, body.turn, body.rotation) = (there.position, there.turn, there.rotation);
+            body.travel = there.travel;
+        }
+        // up to the impact those act that touched before it
+        let parts = |face: &Face| face.points.iter().map(|point| point.part).collect();
+        let parts_before: Vec<Vec<Part>> = self.faces.iter().map(parts).collect();
+        self.see_faces(self.h, 0.0);
+        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
+            for (point, part) in face.points.iter_mut().zip(parts) {
+                point.part = *part;
+                point.offset = [0.0; 3];
+            }
+        }
+        self.kick_over(time_s, self.lag_s + part_s, 0.0, ground)?;
+        self.note_forces();
+        self.commit();
+        self.lag_s = 0.0;
+        self.evidence.impacts += 1;
+        self.see_faces(self.h, SAME_TIME * self.h);
+        self.kick_s = 0.0;
+        self.pull = DVec3::ZERO;
+        self.shaking = DVec3::ZERO;
+        self.ties.clear(self.assembly.bodies.len());
+        self.inertia.clear();
+        for (index, body) in self.assembly.bodies.iter().enumerate() {
+            self.inertia.push(Inertia {
+                mass: body.mass,
+                turning: body.inertia_after(0.0),
+                radius: body.radius,
+            });
+            self.momentum[index] = six(body.velocity * body.mass, body.momentum);
+            self.velocity[index] = six(body.velocity, body.spin);
+        }
+        (self.momentum[0], self.velocity[0]) = ([0.0; 6], [0.0; 6]);
+        let slow = IMPACT_FROM * self.assembly.gravity * self.h;
+        for (face, parts) in self.faces.iter_mut().zip(&parts_before) {
+            let before = face.ahead;
+            for point in &mut face.points {
+                point.offset = [0.0; 3];
+                point.bond = [0.0; 2];
+            }
+            if face
+                .points
+                .iter()
+                .zip(parts)
+                .any(|(point, before)| point.part != *before)
+            {
+                self.memory[face.pair].known = false;
+            }
+            if face.restitution > 0.0 {
+                face.rebound(&before, slow);
+            }
+        }
+        let before = self.kinetic(&self.velocity);
+        let start = self.velocity.clone();
+        for _ in 0..REBOUNDS_MOST {
+            self.solve()?;
+            if self.kinetic(&self.velocity) <= before * (1.0 + ROUNDING) {
+                break;
+            }
+            // stones that strike several others would gain: they rebound less
+            self.velocity.clone_from(&start);
+            for face in &mut self.faces {
+                face.rebound_less();
+            }
+        }
+        self.acceleration.fill(DVec3::ZERO);
+        self.commit();
+        Ok(())
+    }
+
+    /// Kinetic energy at velocities of the bodies, J.
+    fn kinetic(&self, velocity: &[Six]) -> f64 {
+        let each = self.inertia.iter().zip(velocity).map(|(of, velocity)| {
+            let (v, w) = halves(velocity);
+            0.5 * (of.mass * v.length_squared() + w.dot(of.turning * w))
+        });
+        each.sum()
+    }
+}
