@@ -418,49 +418,6 @@ impl Face {
         .fold(0.0, f64::max)
     }
 
-    /// Adds the rebound of an impact: the mean normal velocity of the points that touch is at least −e times that before, and the
-    /// impulse that makes it so acts evenly on them, that is at their middle.
-    pub(super) fn rebound(&mut self, before: &Six, slow: f64) {
-        let (mut area, mut at) = (0.0, [0.0; 2]);
-        let (mut fastest, mut friction) = (0.0_f64, f64::INFINITY);
-        for point in self.points.iter().filter(|point| point.part == Part::Near) {
-            area += point.area;
-            at[0] += point.area * point.x;
-            at[1] += point.area * point.y;
-            fastest = fastest.max(-velocity(before, point.x, point.y)[2]);
-            friction = friction.min(point.friction);
-        }
-        if area <= 0.0 || fastest <= slow {
-            return;
-        }
-        let [x, y] = at.map(|moment| moment / area);
-        let closing = -velocity(before, x, y)[2];
-        self.points.push(Point {
-            weight: self.weight_per_area * area,
-            shear_weight: self.weight_per_area * area,
-            friction,
-            gap_ahead: closing, // kept to know when little is left of it
-            offset: [0.0, 0.0, -self.restitution * closing],
-            part: Part::Near,
-            index: usize::MAX,
-            ..Point::at([x, y], area)
-        });
-    }
-
-    /// Halves the rebound, and gives it up when it is next to nothing.
-    pub(super) fn rebound_less(&mut self) {
-        const LEAST: f64 = 0.1;
-        let restitution = self.restitution;
-        for point in &mut self.points {
-            point.held = [0.0; 3];
-            if point.index == usize::MAX {
-                let left = point.offset[2] * 0.5;
-                let gone = left.abs() < LEAST * restitution * point.gap_ahead;
-                point.offset[2] = if gone { 0.0 } else { left };
-            }
-        }
-    }
-
     /// What the impulses are on S, summed.
     pub(super) fn wrench(&self) -> Six {
         let mut sum = [0.0; 6];

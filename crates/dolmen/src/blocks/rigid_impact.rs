@@ -1,7 +1,7 @@
 //! Impacts of the rigid law: found in time, then carried through.
 
 use super::patch::LANES;
-use super::rigid_faces::{Face, Part, Six};
+use super::rigid_faces::{Face, Part, Point, Six, velocity};
 use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six};
 use super::rigid_solve::Inertia;
 use glam::DVec3;
@@ -135,5 +135,50 @@ impl Run {
             0.5 * (of.mass * v.length_squared() + w.dot(of.turning * w))
         });
         each.sum()
+    }
+}
+
+impl Face {
+    /// Adds the rebound of an impact: the mean normal velocity of the points that touch is at least −e times that before, and the
+    /// impulse that makes it so acts evenly on them, that is at their middle.
+    fn rebound(&mut self, before: &Six, slow: f64) {
+        let (mut area, mut at) = (0.0, [0.0; 2]);
+        let (mut fastest, mut friction) = (0.0_f64, f64::INFINITY);
+        for point in self.points.iter().filter(|point| point.part == Part::Near) {
+            area += point.area;
+            at[0] += point.area * point.x;
+            at[1] += point.area * point.y;
+            fastest = fastest.max(-velocity(before, point.x, point.y)[2]);
+            friction = friction.min(point.friction);
+        }
+        if area <= 0.0 || fastest <= slow {
+            return;
+        }
+        let [x, y] = at.map(|moment| moment / area);
+        let closing = -velocity(before, x, y)[2];
+        self.points.push(Point {
+            weight: self.weight_per_area * area,
+            shear_weight: self.weight_per_area * area,
+            friction,
+            gap_ahead: closing, // kept to know when little is left of it
+            offset: [0.0, 0.0, -self.restitution * closing],
+            part: Part::Near,
+            index: usize::MAX,
+            ..Point::at([x, y], area)
+        });
+    }
+
+    /// Halves the rebound, and gives it up when it is next to nothing.
+    fn rebound_less(&mut self) {
+        const LEAST: f64 = 0.1;
+        let restitution = self.restitution;
+        for point in &mut self.points {
+            point.held = [0.0; 3];
+            if point.index == usize::MAX {
+                let left = point.offset[2] * 0.5;
+                let gone = left.abs() < LEAST * restitution * point.gap_ahead;
+                point.offset[2] = if gone { 0.0 } else { left };
+            }
+        }
     }
 }
