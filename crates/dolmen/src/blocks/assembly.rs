@@ -182,7 +182,12 @@ impl Assembly {
         self.active.iter().filter_map(|&index| {
             let pair = &self.pairs[index];
             let (patch, outline) = pair.contact.as_ref()?;
-            Some((index, patch, outline, [self.watchfulness.clip_again * pair.size, LOOK_AGAIN]))
+            Some((
+                index,
+                patch,
+                outline,
+                [self.watchfulness.clip_again * pair.size, LOOK_AGAIN],
+            ))
         })
     }
 
