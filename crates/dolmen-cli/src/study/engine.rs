@@ -252,7 +252,7 @@ fn run_batch(
         }
         Ok(())
     };
-    let options = stacks::springs(plan.study)?;
+    let options = stacks::springs(plan.study);
     let mut of_stacks = Vec::new();
     for &(index, scale) in batch {
         let scan = &scans[index];
@@ -279,7 +279,7 @@ fn run_batch(
         })
         .collect();
     let mut failed = None;
-    run_stacks(&runs, &mut |place, history| {
+    run_stacks(plan.study.law, &runs, &mut |place, history| {
         let (index, run, model, _) = &of_stacks[place];
         let kept = keep(*index, stacks::row(run.clone(), (&model.0, &model.1), history));
         if let Err(fault) = kept {

@@ -1,32 +1,42 @@
 //! Runs of stacks, in batches.
 
 use crate::simulate::interrupted;
-use anyhow::{Result, bail};
 use dolmen::assess::{DamageState, stack_damage};
 use dolmen::blocks::{
-    BlocksError, ContactRule, Outcome, Springs, StackHistory, StackRun, simulate_springs_many,
+    BlocksError, ContactRule, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_rigid,
+    simulate_springs_many,
 };
 use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_formats::project::{LawPart, StudyPart};
 use dolmen_formats::study::{Run, RunOutcome};
 
-/// Runs a batch side by side; `each` gets the place of a run in it and its history, in the order in which they end. Each is the same
-/// in any batch. Ctrl-C stops those that are under way.
+/// Runs a batch; `each` gets the place of a run in it and its history, in the order in which they end. Each is the same
+/// in any batch. Ctrl-C stops those that are under way. On springs they go side by side; under the rigid law, which takes its points and
+/// its rest from the same options, one after another.
 pub(super) fn run_stacks(
+    law: LawPart,
     batch: &[StackRun<'_>],
     each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
 ) {
-    simulate_springs_many(batch, &mut |_, _| !interrupted(), each);
+    if law == LawPart::Springs {
+        return simulate_springs_many(batch, &mut |_, _| !interrupted(), each);
+    }
+    for (place, run) in batch.iter().enumerate() {
+        let rigid = Rigid {
+            contact_rule: run.options.contact_rule,
+            rest_s: run.options.rest_s,
+            ..Rigid::default()
+        };
+        let history = simulate_rigid(run.stack, run.motion, &rigid, &mut |_| !interrupted());
+        each(place, history);
+    }
 }
 
 /// How a study runs its stacks.
-pub(super) fn springs(study: &StudyPart) -> Result<Springs> {
-    if study.law == LawPart::Rigid {
-        bail!("law = \"rigid\" is not there yet: take law = \"springs\"");
-    }
+pub(super) fn springs(study: &StudyPart) -> Springs {
     let usual = Springs::default();
-    Ok(Springs {
+    Springs {
         contact_rule: match study.points {
             4 => ContactRule::Corners,
             9 => ContactRule::Three,
@@ -35,7 +45,7 @@ pub(super) fn springs(study: &StudyPart) -> Result<Springs> {
         },
         rest_s: study.rest_s.unwrap_or(usual.rest_s),
         ..usual
-    })
+    }
 }
 
 /// The row of a run; `None` if it was stopped.
@@ -70,6 +80,11 @@ pub(super) fn row(
         }
         Outcome::Diverged { at_s } => {
             run.at_s = *at_s;
+            (RunOutcome::Diverged, String::new())
+        }
+        Outcome::NotConverged { at_s, residual_m_s } => {
+            run.at_s = *at_s;
+            run.why = format!("no solution of the contact law was found: {residual_m_s:.1e} m/s are left");
             (RunOutcome::Diverged, String::new())
         }
         _ => return None,
