@@ -140,7 +140,14 @@ impl<'o> Plan<'o> {
                     .allowed
                     .as_ref()
                     .map_or(String::new(), |allowed| format!(", {allowed}"));
-                format!("{}{allowed} (line {} of {file})", problem.message, problem.line)
+                let help = problem
+                    .help
+                    .as_ref()
+                    .map_or(String::new(), |help| format!("; {help}"));
+                format!(
+                    "{}{allowed}{help} (line {} of {file})",
+                    problem.message, problem.line
+                )
             })
         })
     }
