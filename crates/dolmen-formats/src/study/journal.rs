@@ -75,7 +75,7 @@ pub enum JournalError {
 /// FNV-1a over 128 bits, as 32 hexadecimal digits: tells inputs apart, keeps no secret.
 ///
 /// # Source
-/// Fowler, Noll, Vo, http://www.isthe.com/chongo/tech/comp/fnv/.
+/// Fowler, G., Noll, L. C., Vo, K.-P. and Eastlake, D., The FNV non-cryptographic hash algorithm, IETF draft-eastlake-fnv.
 ///
 /// # Example
 /// ```
