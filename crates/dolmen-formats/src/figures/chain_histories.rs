@@ -1,12 +1,11 @@
 //! A simulated motion of a chain: what the ground did, how the links leaned, loops of moment and rotation, openings, slips, energy.
 
 use super::Figure;
-use super::frame_histories::{loops, rows_of_bands};
+use super::frame_histories::{ground, loops, rows_of_bands};
 use super::stack_histories::{Series, plot};
 use crate::Language;
 use crate::simulation::ChainSimulation;
 use dolmen::dynamics::ChainEnergy;
-use dolmen::known::STANDARD_GRAVITY_M_S2;
 
 /// The figures of a simulation: ground, rotations, one loop a joint, bands of opening and slipping, energy.
 pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<Figure> {
@@ -22,14 +21,7 @@ pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<
         pairs.map(|(t, y)| [*t, factor * y]).collect()
     };
     if let Some((motion, component)) = &simulation.motion {
-        let motion = &motion.motion;
-        let samples = motion.acceleration_m_s2(*component).iter().enumerate();
-        let ground = Series {
-            name: motion.name().to_owned(),
-            points: samples
-                .map(|(i, a)| [i as f64 * motion.time_step_s(), a / STANDARD_GRAVITY_M_S2])
-                .collect(),
-        };
+        let ground = ground(&motion.motion, *component);
         let title = language.pick("Acceleration of the ground", "지반 가속도");
         let name = language.pick("Acceleration (g)", "가속도 (g)");
         add("ground".to_owned(), plot(&[ground], name, language, title));

@@ -8,12 +8,24 @@ use super::stack_histories::{Series, plot};
 use crate::Language;
 use crate::simulation::FrameSimulation;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen::signal::{Component, GroundMotion};
 
 /// Width and height of a loop, px: nearly square.
 const LOOP_PX: [f64; 2] = [420.0, 340.0];
 /// Width of the bands, px, and height of one.
 const BANDS_PX: f64 = 760.0;
 const BAND_PX: f64 = 34.0;
+
+/// Acceleration of the ground in one direction, g.
+pub(super) fn ground(motion: &GroundMotion, component: Component) -> Series {
+    let samples = motion.acceleration_m_s2(component).iter().enumerate();
+    Series {
+        name: motion.name().to_owned(),
+        points: samples
+            .map(|(i, a)| [i as f64 * motion.time_step_s(), a / STANDARD_GRAVITY_M_S2])
+            .collect(),
+    }
+}
 
 /// The figures of a simulation: ground, levels, drifts, one loop a storey, bands of slipping, energy.
 pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<Figure> {
@@ -28,14 +40,7 @@ pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<
         let pairs = history.time_s.iter().zip(values);
         pairs.map(|(t, y)| [*t, factor * y]).collect()
     };
-    let motion = &simulation.motion.motion;
-    let samples = motion.acceleration_m_s2(simulation.component).iter().enumerate();
-    let ground = Series {
-        name: motion.name().to_owned(),
-        points: samples
-            .map(|(i, a)| [i as f64 * motion.time_step_s(), a / STANDARD_GRAVITY_M_S2])
-            .collect(),
-    };
+    let ground = ground(&simulation.motion.motion, simulation.component);
     add(
         "ground".to_owned(),
         plot(

@@ -56,3 +56,32 @@ pub enum BlocksError {
     #[error(transparent)]
     Linalg(#[from] LinalgError),
 }
+
+/// The times that both laws take.
+pub(super) fn check_times(
+    time_step_s: Option<f64>,
+    duration_s: Option<f64>,
+    output_step_s: f64,
+    rest_s: f64,
+) -> Result<(), BlocksError> {
+    let refuse = |option, given, allowed| {
+        Err(BlocksError::Option {
+            option,
+            given,
+            allowed,
+        })
+    };
+    for (option, given) in [
+        ("time_step_s", time_step_s),
+        ("duration_s", duration_s),
+        ("output_step_s", Some(output_step_s)),
+    ] {
+        if let Some(given) = given.filter(|given| !(*given > 0.0 && given.is_finite())) {
+            return refuse(option, given, "a positive number");
+        }
+    }
+    if !(rest_s >= 0.0 && rest_s.is_finite()) {
+        return refuse("rest_s", rest_s, "0 or a positive number");
+    }
+    Ok(())
+}

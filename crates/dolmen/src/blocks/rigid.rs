@@ -5,7 +5,7 @@
 
 use super::assembly::{Assembly, Watchfulness};
 use super::contact_points::ContactRule;
-use super::error::BlocksError;
+use super::error::{BlocksError, check_times};
 use super::history::StackHistory;
 use super::observe::{Observer, whole_at_least};
 use super::rigid_run::Run;
@@ -54,31 +54,6 @@ impl Default for Rigid {
     }
 }
 
-impl Rigid {
-    fn check(&self) -> Result<(), BlocksError> {
-        let refuse = |option, given, allowed| {
-            Err(BlocksError::Option {
-                option,
-                given,
-                allowed,
-            })
-        };
-        for (option, given) in [
-            ("time_step_s", Some(self.time_step_s)),
-            ("duration_s", self.duration_s),
-            ("output_step_s", Some(self.output_step_s)),
-        ] {
-            if let Some(given) = given.filter(|given| !(*given > 0.0 && given.is_finite())) {
-                return refuse(option, given, "a positive number");
-            }
-        }
-        if !(self.rest_s >= 0.0 && self.rest_s.is_finite()) {
-            return refuse("rest_s", self.rest_s, "0 or a positive number");
-        }
-        Ok(())
-    }
-}
-
 /// Motion of a stack of rigid stones under base motion: stones neither give nor overlap.
 ///
 /// `progress` gets the simulated time now and then, and stops the run by returning false. A step that finds no solution ends
@@ -123,8 +98,8 @@ pub fn simulate_rigid(
     options: &Rigid,
     progress: &mut dyn FnMut(f64) -> bool,
 ) -> Result<StackHistory, BlocksError> {
-    options.check()?;
     let h = options.time_step_s;
+    check_times(Some(h), options.duration_s, options.output_step_s, options.rest_s)?;
     let mut assembly = Assembly::of(stack, options.contact_rule);
     assembly.without_springs();
     assembly.watch(WATCHFULNESS);

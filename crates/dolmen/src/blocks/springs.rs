@@ -5,7 +5,7 @@
 
 use super::assembly::{Assembly, Forces};
 use super::contact_points::ContactRule;
-use super::error::BlocksError;
+use super::error::{BlocksError, check_times};
 use super::history::{Outcome, StackHistory};
 use super::matrices::longest_step;
 use super::observe::{Observer, whole_at_least};
@@ -100,31 +100,6 @@ impl Default for Springs {
     }
 }
 
-impl Springs {
-    fn check(&self) -> Result<(), BlocksError> {
-        let refuse = |option, given, allowed| {
-            Err(BlocksError::Option {
-                option,
-                given,
-                allowed,
-            })
-        };
-        for (option, given) in [
-            ("time_step_s", self.time_step_s),
-            ("duration_s", self.duration_s),
-            ("output_step_s", Some(self.output_step_s)),
-        ] {
-            if let Some(given) = given.filter(|given| !(*given > 0.0 && given.is_finite())) {
-                return refuse(option, given, "a positive number");
-            }
-        }
-        if !(self.rest_s >= 0.0 && self.rest_s.is_finite()) {
-            return refuse("rest_s", self.rest_s, "0 or a positive number");
-        }
-        Ok(())
-    }
-}
-
 /// Motion of a stack under base motion, by springs between its stones.
 ///
 /// `progress` gets the simulated time now and then, and stops the run by returning false.
@@ -192,7 +167,13 @@ impl Settled {
     /// # Errors
     /// As [`simulate_springs`], but for its starts.
     pub(super) fn of(stack: &Stack, options: &Springs) -> Result<Self, BlocksError> {
-        options.check()?;
+        let rest_s = options.rest_s;
+        check_times(
+            options.time_step_s,
+            options.duration_s,
+            options.output_step_s,
+            rest_s,
+        )?;
         let mut assembly = Assembly::of(stack, options.contact_rule);
         settle(&mut assembly, stack)?;
         let longest = longest_step(&assembly);

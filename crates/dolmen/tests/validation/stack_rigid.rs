@@ -5,6 +5,7 @@
 // PUBLISHED  T/4 0.490864 s, r 0.942308; peak slip 24.47948 mm; twist 16.339°; overturning: the nonlinear row of known/overturning.rs.
 // TOLERANCE  rocking 0.05 % (measured below .015 %), slip .001 % of peak, twist 3 %, what 4 × 4 points lack, overturning 1 %.
 
+use crate::stack_rocking::pulse;
 use dolmen::blocks::{ContactRule, Outcome, Rigid, StackHistory, Start, simulate_rigid};
 use dolmen::known::overturning::{Equation, Pulse, first_overturning};
 use dolmen::known::rocking::{
@@ -307,22 +308,6 @@ fn holds_a_pagoda_that_rocks_gives_the_same_bits_and_converges_with_the_step() {
     assert!(peaks[0] > 0.01, "{peaks:?}");
     near("peak of the top", peaks[0], peaks[2], 0.02);
     near("peak of the top", peaks[1], peaks[2], 0.005);
-}
-
-/// Base acceleration of a pulse of a/(α g) = `amplitude`, at rest after it.
-fn pulse(shape: Pulse, q: f64, amplitude: f64) -> GroundMotion {
-    const STEP_S: f64 = 5e-4;
-    let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
-    let omega = q * frequency_parameter_rad_s(HALF_WIDTH_M, HALF_HEIGHT_M, GRAVITY_M_S2);
-    let (end, wave): (f64, fn(f64) -> f64) = match shape {
-        Pulse::HalfSine => (std::f64::consts::PI, f64::sin),
-        Pulse::Sine => (std::f64::consts::TAU, f64::sin),
-        Pulse::Cosine => (std::f64::consts::TAU, f64::cos),
-    };
-    let samples = (end / omega / STEP_S) as usize;
-    let acceleration =
-        (0..=samples).map(|i| amplitude * alpha * GRAVITY_M_S2 * wave(omega * i as f64 * STEP_S));
-    GroundMotion::new("pulse", STEP_S, vec![(Component::X, acceleration.collect())]).unwrap()
 }
 
 /// Whether the block falls without having struck its other edge.

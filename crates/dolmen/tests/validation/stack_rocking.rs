@@ -104,7 +104,7 @@ fn agrees_free_rocking_to_the_twentieth_impact() {
 }
 
 /// Base acceleration of a pulse of a/(α g) = `amplitude`, at rest after it.
-fn pulse(shape: Pulse, q: f64, amplitude: f64) -> GroundMotion {
+pub(crate) fn pulse(shape: Pulse, q: f64, amplitude: f64) -> GroundMotion {
     const STEP_S: f64 = 5e-4;
     let alpha = slenderness_rad(HALF_WIDTH_M, HALF_HEIGHT_M);
     let omega = q * frequency_parameter_rad_s(HALF_WIDTH_M, HALF_HEIGHT_M, GRAVITY_M_S2);
