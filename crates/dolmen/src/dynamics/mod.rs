@@ -1,4 +1,4 @@
-//! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall.
+//! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall; one block that rocks.
 
 mod chain_friction;
 mod chain_growth;
@@ -17,6 +17,7 @@ mod frame_motion;
 mod frame_record;
 mod frame_series;
 mod frame_studies;
+mod rocking_block;
 
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
 pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};
@@ -31,3 +32,6 @@ pub use frame_friction::{
 pub use frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
 pub use frame_motion::{FrameRun, simulate_frame};
 pub use frame_studies::{AtAmplitude, HarmonicPoint, amplitude_dependence, harmonic_map};
+pub use rocking_block::{
+    Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome, rock_block,
+};

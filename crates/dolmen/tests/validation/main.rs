@@ -18,6 +18,7 @@ mod made_records;
 mod park_min_2010;
 mod pyoma2;
 mod rocking_and_sliding;
+mod rocking_block;
 mod stack_contacts;
 mod stack_limits;
 mod stack_motion;
