@@ -49,6 +49,22 @@ pub enum BlocksError {
         /// The block that moves farthest as it topples.
         block: String,
     },
+    /// A stack that the sliding model does not describe.
+    #[error("'{block}' cannot be followed by the sliding model: {reason}. Use the springs or the rigid law")]
+    NotAPile {
+        /// The block.
+        block: String,
+        /// What it is that the model does not have.
+        reason: &'static str,
+    },
+    /// The sliding model found no accelerations.
+    #[error(
+        "the sliding model finds no accelerations at {at_s} s: the blocks' masses or friction coefficients lie too far apart; use the rigid law"
+    )]
+    NoSliding {
+        /// When, s.
+        at_s: f64,
+    },
     /// The stack cannot be.
     #[error(transparent)]
     Stack(#[from] StackError),

@@ -19,6 +19,7 @@ mod park_min_2010;
 mod pyoma2;
 mod rocking_and_sliding;
 mod rocking_block;
+mod sliding_pile;
 mod stack_contacts;
 mod stack_limits;
 mod stack_motion;

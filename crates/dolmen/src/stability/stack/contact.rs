@@ -51,7 +51,7 @@ pub(super) fn contact(stack: &Stack, cut: &Cut) -> Contact {
         .collect();
     let hull = match patches.as_slice() {
         [only] => only.clone(),
-        several => hull(several.iter().flat_map(|patch| patch.corners_m.clone()).collect()),
+        several => Polygon::hull(several.iter().flat_map(|patch| patch.corners_m.clone()).collect()),
     };
     Contact {
         origin,
@@ -59,31 +59,6 @@ pub(super) fn contact(stack: &Stack, cut: &Cut) -> Contact {
         patches,
         hull,
     }
-}
-
-/// Convex hull, counterclockwise (Andrew's monotone chain).
-pub(super) fn hull(mut points: Vec<[f64; 2]>) -> Polygon {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    let mut corners: Vec<[f64; 2]> = Vec::with_capacity(points.len() + 1);
-    for pass in 0..2 {
-        let start = corners.len();
-        for &point in &points {
-            while corners.len() >= start + 2 {
-                let (a, b) = (corners[corners.len() - 2], corners[corners.len() - 1]);
-                let turn = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
-                if turn > 0.0 {
-                    break;
-                }
-                corners.pop();
-            }
-            corners.push(point);
-        }
-        corners.pop();
-        if pass == 0 {
-            points.reverse();
-        }
-    }
-    Polygon { corners_m: corners }.cleaned()
 }
 
 /// The bodies below a cut, as words.

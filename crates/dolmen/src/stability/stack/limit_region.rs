@@ -6,9 +6,9 @@
 //! | h(ν) | `bound` | how far it reaches |
 //! | S | `symmetries` | turns and mirrors that leave the region as it is |
 
-use super::contact::hull;
 use super::limit_programme::{ACCELERATION_MOST, Answer, Support};
 use crate::stability::StabilityError;
+use crate::structure::stack::Polygon;
 
 /// A turn or mirror of the plane, by rows.
 pub(super) type Symmetry = [[f64; 2]; 2];
@@ -160,7 +160,7 @@ pub(super) fn nearest(
 
 /// Outward normal of the edge of the points' hull that is nearest to rest, and how far it is; negative beyond it.
 fn nearest_edge(points: &[[f64; 2]]) -> ([f64; 2], f64) {
-    let corners = hull(points.to_vec()).corners_m;
+    let corners = Polygon::hull(points.to_vec()).corners_m;
     let ends = if corners.is_empty() {
         farthest(points)
     } else {

@@ -71,7 +71,7 @@ pub fn no_tension_pressure(
             allowed: "a positive number: a joint without tension bears nothing else",
         });
     }
-    let hull = super::contact::hull(patches.iter().flat_map(|patch| patch.corners_m.clone()).collect());
+    let hull = Polygon::hull(patches.iter().flat_map(|patch| patch.corners_m.clone()).collect());
     let depth = hull.depth_m(resultant_m);
     let size = hull.size_m();
     if depth.is_nan() || depth <= 1e-9 * size || hull.corners_m.len() < 3 {

@@ -27,6 +27,31 @@ fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 }
 
 impl Polygon {
+    /// Convex hull, counterclockwise (Andrew's monotone chain).
+    pub(crate) fn hull(mut points: Vec<[f64; 2]>) -> Polygon {
+        points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+        let mut corners: Vec<[f64; 2]> = Vec::with_capacity(points.len() + 1);
+        for pass in 0..2 {
+            let start = corners.len();
+            for &point in &points {
+                while corners.len() >= start + 2 {
+                    let (a, b) = (corners[corners.len() - 2], corners[corners.len() - 1]);
+                    let turn = (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
+                    if turn > 0.0 {
+                        break;
+                    }
+                    corners.pop();
+                }
+                corners.push(point);
+            }
+            corners.pop();
+            if pass == 0 {
+                points.reverse();
+            }
+        }
+        Polygon { corners_m: corners }.cleaned()
+    }
+
     /// Area, centroid and second moments; all zero for fewer than three corners.
     pub fn moments(&self) -> PolygonMoments {
         let corners = &self.corners_m;

@@ -1,0 +1,585 @@
+//! A pile of flat blocks that slide and twist on each other but do not rock: the second method beside the two laws of contact.
+//!
+//! Between the changes of a joint (it is let go, it stops) the motion is smooth: an implicit Runge–Kutta method of fourth order
+//! with a controlled error. Steps end where a joint changes.
+
+use super::contact_points::ContactRule;
+use super::error::{BlocksError, check_times};
+use super::history::{JointHistory, Pose};
+use super::sliding_bed::Twist;
+use super::sliding_chain::{Chain, Place, Shaking};
+use super::sliding_record::Recorder;
+use super::sliding_solve::{Slide, Stage, Trouble};
+use crate::signal::GroundMotion;
+use crate::structure::stack::Stack;
+use glam::{DVec2, DVec3};
+
+/// Stages, their weights and times, and the weights of the error: SDIRK of five stages, orders 4 and 3, L-stable.
+///
+/// # Source
+/// Hairer, E. & Wanner, G. (1996) Solving Ordinary Differential Equations II, 2nd ed., table IV.6.5.
+const GAMMA: f64 = 0.25;
+const STAGES: [[f64; 4]; 5] = [
+    [0.0, 0.0, 0.0, 0.0],
+    [0.5, 0.0, 0.0, 0.0],
+    [17.0 / 50.0, -1.0 / 25.0, 0.0, 0.0],
+    [371.0 / 1360.0, -137.0 / 2720.0, 15.0 / 544.0, 0.0],
+    [25.0 / 24.0, -49.0 / 48.0, 125.0 / 16.0, -85.0 / 12.0],
+];
+const TIMES: [f64; 5] = [0.25, 0.75, 11.0 / 20.0, 0.5, 1.0];
+const ERROR: [f64; 5] = [-3.0 / 16.0, -27.0 / 32.0, 25.0 / 32.0, 0.0, 0.25];
+
+/// A joint lets go where it would have to give this much more than friction can. Chosen here: 1e-7 s late in an earthquake.
+const LETS_GO: f64 = 1e-6;
+/// Sliding slower than this and slowing down, a joint stops, m/s. Chosen here: 1e-18 m are left.
+const STOPS_M_S: f64 = 1e-9;
+/// Part of the time to its stop that a step goes on while a joint slows down.
+const TOWARDS_STOP: f64 = 0.9;
+/// Smoothing of friction at rest, over gravity, from the first to the last of the steps that bring it down.
+const SMOOTH_FIRST: f64 = 10.0;
+const SMOOTH_LAST: f64 = 1e-13;
+/// Acceleration over gravity from which a joint at rest counts as let go.
+const MOVES: f64 = 1e-8;
+/// Part of the weight that counts as none. Chosen here: what it loses in a shortest step is less.
+const WEIGHTLESS: f64 = 1e-7;
+/// Shortest step, s: what is not solved by then is not solved.
+const STEP_LEAST_S: f64 = 1e-11;
+
+/// Options of [`simulate_sliding`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sliding {
+    /// Points of a bed over which pressure and friction are summed. Default 6 × 6.
+    pub contact_rule: ContactRule,
+    /// Largest error of a velocity in a step, m/s. Default 1e-8.
+    pub tolerance_m_s: f64,
+    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more.
+    pub duration_s: Option<f64>,
+    /// Time after the motion, s. Default 2.
+    pub rest_s: f64,
+    /// Time between samples of the history, s. Default 0.01.
+    pub output_step_s: f64,
+    /// Sliding velocity, m/s, and spin, rad/s, of each block relative to the one below at the start, counted from the bottom; empty,
+    /// the default, for rest.
+    pub starts: Vec<[f64; 3]>,
+}
+
+impl Default for Sliding {
+    fn default() -> Self {
+        Sliding {
+            contact_rule: ContactRule::Six,
+            tolerance_m_s: 1e-8,
+            duration_s: None,
+            rest_s: 2.0,
+            output_step_s: 0.01,
+            starts: Vec::new(),
+        }
+    }
+}
+
+/// How a run of [`simulate_sliding`] ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SlidingOutcome {
+    /// No joint was let go: all blocks moved with the ground.
+    Stuck,
+    /// At least one slid or twisted.
+    Slid,
+    /// The pressure left a bed, so that the blocks above begin to rock, which the model does not follow: the run ends there.
+    Rocks {
+        /// The joint, as an index of the stack's joints.
+        joint: usize,
+        /// When, s.
+        at_s: f64,
+    },
+    /// The ground fell away faster than the blocks, which the model does not follow: the run ends there.
+    LeftTheGround {
+        /// When, s.
+        at_s: f64,
+    },
+    /// The caller stopped it.
+    Stopped {
+        /// When, s.
+        at_s: f64,
+    },
+}
+
+/// A time over which a joint slid or twisted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlidingSpell {
+    /// The joint, as an index of the stack's joints.
+    pub joint: usize,
+    /// From when, s.
+    pub from_s: f64,
+    /// To when, s; the end of the run if it still moved.
+    pub to_s: f64,
+}
+
+/// Motion of a sliding pile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlidingHistory {
+    /// How it ended.
+    pub outcome: SlidingOutcome,
+    /// Times of the samples, s.
+    pub time_s: Vec<f64>,
+    /// Number of blocks, the row length of `poses`.
+    pub blocks: usize,
+    /// Where each block is: samples × blocks, row by row.
+    pub poses: Vec<Pose>,
+    /// One history a joint of the stack; none opens.
+    pub joints: Vec<JointHistory>,
+    /// When joints moved, in the order in which they stopped.
+    pub spells: Vec<SlidingSpell>,
+    /// Work of the shaking in the frame of the ground, J.
+    pub input_j: f64,
+    /// Taken by friction, J.
+    pub friction_j: f64,
+    /// What is left over: |motion + friction − input − start|, largest at any step, J.
+    pub energy_error_j: f64,
+    /// Steps taken.
+    pub steps: usize,
+}
+
+/// Motion of a pile of blocks with level beds that slide and twist on each other under base motion of up to three components.
+///
+/// `progress` gets the simulated time now and then, and stops the run by returning false.
+///
+/// ```text
+/// m_i (v̇_i + a_g) = F_i − F_{i+1},   I_i ω̇_i = T_i − T_{i+1} − d × F_{i+1}
+/// N_i(x, y) = C (1 + α x + β y), nowhere tension, balances the weight and the overturning moment of all above
+/// (F_i, T_i) = −∫ μ N u/|u| dA where the joint slides with u(x, y);  within reach of that where it is stuck
+/// ```
+/// Stick, slide, twist and both are one law; blocks that are stuck to each other move as one.
+///
+/// # Errors
+/// [`BlocksError::Option`]; [`BlocksError::NotAPile`] for a stack that is no single pile of dry level beds;
+/// [`BlocksError::NoSliding`] where no accelerations are found.
+///
+/// # Limits
+/// Blocks neither rock nor jump: where they would, the run ends with a status. Errors of places come to 1e-8 m in 30 s, and to
+/// what the points of a bed leave of a torque: 1 % of pure twisting with 6 × 6.
+///
+/// # Source
+/// Hwang, I. S. & Kim, J. K. (2002), analysis of sliding of piled multi-block systems considering horizontal rotation (in Korean).
+/// Differs from the source: the pressure is a sum of tilts, its eq. for N a product; accelerations and pressures are solved together;
+/// friction is static up to its limit in force and torque together; no smoothing, the ends of steps are the events.
+///
+/// # Example
+/// ```
+/// use dolmen::blocks::{Sliding, SlidingOutcome, simulate_sliding};
+/// use dolmen::structure::stack::{Block, JointMaterial, Solid, Stack};
+/// let stone = Block { name: "stone".into(), solid: Solid::cuboid(0.3, 0.2, 0.1)?, density_kg_m3: 2600.0 };
+/// let stack = Stack::new(vec![stone], JointMaterial::with_friction(0.5), 9.81)?;
+/// let pushed = Sliding { starts: vec![[1.0, 0.0, 0.0]], duration_s: Some(1.0), ..Sliding::default() };
+/// let history = simulate_sliding(&stack, None, &pushed, &mut |_| true)?;
+/// assert_eq!(history.outcome, SlidingOutcome::Slid);
+/// assert!((history.joints[0].residual_slip_m() - 0.5 / (0.5 * 9.81)).abs() < 1e-9); // v²/(2 μ g)
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn simulate_sliding(
+    stack: &Stack,
+    motion: Option<&GroundMotion>,
+    options: &Sliding,
+    progress: &mut dyn FnMut(f64) -> bool,
+) -> Result<SlidingHistory, BlocksError> {
+    check_times(None, options.duration_s, options.output_step_s, options.rest_s)?;
+    if !(options.tolerance_m_s > 0.0 && options.tolerance_m_s.is_finite()) {
+        return Err(BlocksError::Option {
+            option: "tolerance_m_s",
+            given: options.tolerance_m_s,
+            allowed: "a positive number",
+        });
+    }
+    let chain = Chain::of(stack, options.contact_rule)?;
+    let n = chain.stones.len();
+    if options.starts.len() > n || options.starts.iter().flatten().any(|v| !v.is_finite()) {
+        return Err(BlocksError::Option {
+            option: "starts",
+            given: options.starts.len() as f64,
+            allowed: "at most one finite start for each block",
+        });
+    }
+    let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
+    let duration_s = options.duration_s.unwrap_or(shaken_s + options.rest_s);
+    let mut twists: Vec<Twist> = options.starts.iter().map(|start| DVec3::from(*start)).collect();
+    twists.resize(n, DVec3::ZERO);
+    let mut run = Run {
+        state: State {
+            places: chain.drawn(),
+            twists,
+            input: 0.0,
+            friction: 0.0,
+        },
+        record: Recorder::of(stack, &chain, options.output_step_s),
+        chain,
+        motion,
+        gravity: stack.gravity_m_s2(),
+        tolerance: options.tolerance_m_s,
+        time_s: 0.0,
+        duration_s,
+        step_s: duration_s,
+        slides: vec![Slide::Stuck; n],
+        k: vec![DVec3::ZERO; n],
+    };
+    let outcome = run.go(progress)?;
+    Ok(run.record.finish(outcome, &run.state, run.time_s))
+}
+
+/// What changes in time.
+#[derive(Clone, Debug)]
+pub(super) struct State {
+    pub(super) places: Vec<Place>,
+    pub(super) twists: Vec<Twist>,
+    pub(super) input: f64,
+    pub(super) friction: f64,
+}
+
+/// A step that was tried.
+struct Step {
+    state: State,
+    k: Vec<Twist>,
+    error: f64,
+    /// How near the stuck joints are to being let go.
+    gauge: f64,
+}
+
+struct Run<'a> {
+    chain: Chain,
+    motion: Option<&'a GroundMotion>,
+    gravity: f64,
+    tolerance: f64,
+    time_s: f64,
+    duration_s: f64,
+    /// The step that the error allows.
+    step_s: f64,
+    state: State,
+    slides: Vec<Slide>,
+    k: Vec<Twist>,
+    record: Recorder,
+}
+
+impl Run<'_> {
+    fn go(&mut self, progress: &mut dyn FnMut(f64) -> bool) -> Result<SlidingOutcome, BlocksError> {
+        let mut gauge = match self.release() {
+            Ok(gauge) => gauge,
+            Err(trouble) => return self.end(trouble),
+        };
+        self.record.begin(&self.chain, &self.state, &self.slides);
+        loop {
+            if self.shaking(self.time_s).weight <= 0.0 {
+                return Ok(SlidingOutcome::LeftTheGround { at_s: self.time_s });
+            }
+            if self.time_s >= self.duration_s {
+                break;
+            }
+            if !progress(self.time_s) {
+                return Ok(SlidingOutcome::Stopped { at_s: self.time_s });
+            }
+            let next_s = self.next_break_s();
+            let mut h = (next_s - self.time_s).min(self.step_s).min(self.towards_stop());
+            let step = loop {
+                if next_s - self.time_s - h < STEP_LEAST_S {
+                    h = next_s - self.time_s;
+                }
+                let trouble = match self.try_step(h) {
+                    Ok(step) if step.error > self.tolerance => {
+                        h *= (0.9 * (self.tolerance / step.error).powf(0.25)).max(0.1);
+                        None
+                    }
+                    // a joint would have been let go on the way: end where it is
+                    Ok(step) if step.gauge > 1.0 + LETS_GO && h > STEP_LEAST_S => {
+                        let part = (1.0 + 0.5 * LETS_GO - gauge) / (step.gauge - gauge);
+                        h *= part.clamp(0.05, 0.999_999);
+                        None
+                    }
+                    Ok(step) => break step,
+                    Err(trouble) => {
+                        h *= 0.25;
+                        Some(trouble)
+                    }
+                };
+                if h < STEP_LEAST_S {
+                    match trouble {
+                        Some(trouble) => return self.end(trouble),
+                        None => h = STEP_LEAST_S,
+                    }
+                    if let Ok(step) = self.try_step(h) {
+                        break step;
+                    }
+                    return self.end(Trouble::NoConvergence);
+                }
+            };
+            let grown = 0.9 * (self.tolerance / step.error.max(1e-300)).powf(0.25);
+            self.step_s = h * grown.clamp(0.2, 5.0);
+            let before_s = self.time_s;
+            self.time_s = if h == next_s - before_s {
+                next_s
+            } else {
+                before_s + h
+            };
+            let before = std::mem::replace(&mut self.state, step.state);
+            self.k = step.k;
+            let stopped = self.stop();
+            self.record
+                .take(&self.chain, &before, &self.state, [before_s, self.time_s]);
+            gauge = step.gauge;
+            if stopped || gauge >= 1.0 {
+                gauge = match self.release() {
+                    Ok(gauge) => gauge,
+                    Err(trouble) => return self.end(trouble),
+                };
+                self.record.changed(&self.slides, self.time_s);
+                self.step_s = self.duration_s;
+            }
+        }
+        Ok(if self.record.moved() {
+            SlidingOutcome::Slid
+        } else {
+            SlidingOutcome::Stuck
+        })
+    }
+
+    fn end(&self, trouble: Trouble) -> Result<SlidingOutcome, BlocksError> {
+        match trouble {
+            // no pressure either, where nothing presses any more
+            Trouble::Rocks(_) if self.shaking(self.time_s).weight < WEIGHTLESS * self.gravity => {
+                Ok(SlidingOutcome::LeftTheGround { at_s: self.time_s })
+            }
+            Trouble::Rocks(joint) => Ok(SlidingOutcome::Rocks {
+                joint: self.chain.stones[joint].joint,
+                at_s: self.time_s,
+            }),
+            Trouble::NoConvergence => Err(BlocksError::NoSliding { at_s: self.time_s }),
+        }
+    }
+
+    /// The next sample of the ground motion, or the end.
+    fn next_break_s(&self) -> f64 {
+        let Some(motion) = self.motion else {
+            return self.duration_s;
+        };
+        let dt = motion.time_step_s();
+        let mut index = (self.time_s / dt).floor() + 1.0;
+        if index * dt - self.time_s < STEP_LEAST_S {
+            index += 1.0;
+        }
+        if index as usize >= motion.length() {
+            return self.duration_s;
+        }
+        (index * dt).min(self.duration_s)
+    }
+
+    fn shaking(&self, time_s: f64) -> Shaking {
+        let a = self
+            .motion
+            .map_or([0.0; 3], |motion| motion.acceleration_at_m_s2(time_s));
+        Shaking {
+            ground: DVec2::new(a[0], a[1]),
+            weight: self.gravity + a[2],
+        }
+    }
+
+    /// Size of a twist as a velocity: the spin at the half diagonal of a square bed.
+    fn size(&self, joint: usize, twist: Twist) -> f64 {
+        twist
+            .truncate()
+            .length()
+            .hypot(0.5 * self.chain.stones[joint].bed_size * twist.z)
+    }
+
+    /// How long a step may be so as not to pass the stop of a joint that slows down, s.
+    fn towards_stop(&self) -> f64 {
+        let mut most = f64::INFINITY;
+        for i in 0..self.slides.len() {
+            let size = self.size(i, self.state.twists[i]);
+            if size > STOPS_M_S {
+                let rate = self.slowing(i) / size;
+                if rate > 0.0 {
+                    most = most.min((TOWARDS_STOP * size / rate).max(STEP_LEAST_S));
+                }
+            }
+        }
+        most
+    }
+
+    /// −½ d(size²)/dt of a joint's velocity.
+    fn slowing(&self, joint: usize) -> f64 {
+        let (w, k) = (self.state.twists[joint], self.k[joint]);
+        let half = 0.5 * self.chain.stones[joint].bed_size;
+        -(w.truncate().dot(k.truncate()) + half * half * w.z * k.z)
+    }
+
+    /// Stops the joints that have come to rest.
+    fn stop(&mut self) -> bool {
+        let mut stopped = false;
+        for i in 0..self.slides.len() {
+            if self.slides[i] != Slide::Stuck
+                && self.size(i, self.state.twists[i]) <= STOPS_M_S
+                && self.slowing(i) > 0.0
+            {
+                self.state.twists[i] = DVec3::ZERO;
+                stopped = true;
+            }
+        }
+        stopped
+    }
+
+    /// Which of the joints at rest are let go and how all of them then move; how near the others are to it.
+    fn release(&mut self) -> Result<f64, Trouble> {
+        let n = self.slides.len();
+        let at_rest: Vec<bool> = self
+            .state
+            .twists
+            .iter()
+            .map(|twist| *twist == DVec3::ZERO)
+            .collect();
+        let shaking = self.shaking(self.time_s);
+        let mut gone = vec![false; n];
+        // each round lets joints slide that static friction does not hold; then kinetic friction acts in them
+        for _ in 0..=n {
+            let law = |i: usize| {
+                let stone = &self.chain.stones[i];
+                match (at_rest[i], gone[i]) {
+                    (false, _) => Slide::Slides,
+                    (true, true) => Slide::LetsGo {
+                        mu: stone.friction_kinetic,
+                    },
+                    (true, false) => Slide::LetsGo {
+                        mu: stone.friction_static,
+                    },
+                }
+            };
+            let slides: Vec<Slide> = (0..n).map(law).collect();
+            let mut k = vec![DVec3::ZERO; n];
+            let mut smooth = SMOOTH_FIRST * self.gravity;
+            while smooth > SMOOTH_LAST * self.gravity {
+                let stage = self.instant(&slides, shaking, smooth);
+                k = self.chain.accelerations(&stage, &k)?.k;
+                smooth *= 0.1;
+                for i in (0..n).filter(|&i| at_rest[i]) {
+                    if self.size(i, k[i]) < 100.0 * smooth {
+                        k[i] *= 0.1; // what is all but stuck scales with the smoothing
+                    }
+                }
+            }
+            let before = gone.clone();
+            for i in 0..n {
+                gone[i] |= at_rest[i] && self.size(i, k[i]) > MOVES * self.gravity;
+                if at_rest[i] && !gone[i] {
+                    k[i] = DVec3::ZERO;
+                }
+            }
+            self.k = k;
+            if gone == before {
+                break;
+            }
+        }
+        for i in 0..n {
+            self.slides[i] = if at_rest[i] && !gone[i] {
+                Slide::Stuck
+            } else {
+                Slide::Slides
+            };
+        }
+        // once more without smoothing, with what is stuck truly stuck
+        let slides: Vec<Slide> = (0..n)
+            .map(|i| match self.slides[i] {
+                Slide::Slides if at_rest[i] => Slide::LetsGo {
+                    mu: self.chain.stones[i].friction_kinetic,
+                },
+                other => other,
+            })
+            .collect();
+        let stage = self.instant(&slides, shaking, 0.0);
+        let solved = self.chain.accelerations(&stage, &self.k)?;
+        let gauge = self.gauge(&solved, shaking)?;
+        self.k = solved.k;
+        // what the search found to hold does hold: rounding must not let it go again at once
+        Ok(gauge.min(1.0 - LETS_GO))
+    }
+
+    fn instant<'s>(&'s self, slides: &'s [Slide], shaking: Shaking, smooth: f64) -> Stage<'s> {
+        Stage {
+            places: &self.state.places,
+            twists: &self.state.twists,
+            gh: 0.0,
+            shaking,
+            slides,
+            smooth,
+        }
+    }
+
+    /// How near the stuck joints are to being let go.
+    fn gauge(&self, solved: &super::sliding_solve::Solved, shaking: Shaking) -> Result<f64, Trouble> {
+        let mut most: f64 = 0.0;
+        for (i, slide) in self.slides.iter().enumerate() {
+            if *slide == Slide::Stuck {
+                let pressure = self.chain.pressure(i, &solved.motion, &solved.load, shaking)?;
+                most = most.max(pressure.gauge(self.chain.stones[i].friction_static, solved.load.wrench[i]));
+            }
+        }
+        Ok(most)
+    }
+
+    /// One step of the Runge–Kutta method.
+    fn try_step(&self, h: f64) -> Result<Step, Trouble> {
+        let n = self.slides.len();
+        let mut rates: Vec<(Vec<Place>, Vec<Twist>, [f64; 2])> = Vec::with_capacity(5);
+        let mut guess = self.k.clone();
+        let mut last = None;
+        for (weights, time) in STAGES.iter().zip(TIMES) {
+            let mut hat = self.state.clone();
+            for (weight, (places, twists, energies)) in weights.iter().zip(&rates) {
+                add(&mut hat, weight * h, places, twists, *energies);
+            }
+            let shaking = self.shaking(self.time_s + time * h);
+            let stage = Stage {
+                places: &hat.places,
+                twists: &hat.twists,
+                gh: GAMMA * h,
+                shaking,
+                slides: &self.slides,
+                smooth: 0.0,
+            };
+            let solved = self.chain.accelerations(&stage, &guess)?;
+            let lost: f64 = solved
+                .load
+                .wrench
+                .iter()
+                .zip(&solved.twists)
+                .map(|(w, u)| -w.dot(*u))
+                .sum();
+            let energies = [self.chain.power(&solved.motion, shaking), lost];
+            let places = self.chain.rates(&solved.motion, &solved.twists);
+            add(&mut hat, GAMMA * h, &places, &solved.k, energies);
+            rates.push((places, solved.k.clone(), energies));
+            guess.clone_from(&solved.k);
+            last = Some((hat, solved, shaking));
+        }
+        let (state, solved, shaking) = last.ok_or(Trouble::NoConvergence)?;
+        let error = (0..n)
+            .map(|i| {
+                let sum = ERROR.iter().zip(&rates).map(|(weight, (_, k, _))| *weight * k[i]);
+                h * self.size(i, sum.sum())
+            })
+            .fold(0.0, f64::max);
+        let gauge = self.gauge(&solved, shaking)?;
+        Ok(Step {
+            state,
+            k: solved.k,
+            error,
+            gauge,
+        })
+    }
+}
+
+fn add(state: &mut State, h: f64, places: &[Place], twists: &[Twist], energies: [f64; 2]) {
+    for (place, rate) in state.places.iter_mut().zip(places) {
+        place.shift += h * rate.shift;
+        place.yaw += h * rate.yaw;
+    }
+    for (twist, k) in state.twists.iter_mut().zip(twists) {
+        *twist += h * *k;
+    }
+    state.input += h * energies[0];
+    state.friction += h * energies[1];
+}
