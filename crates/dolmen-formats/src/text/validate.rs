@@ -12,11 +12,12 @@ pub fn validation_text(cases: &[Case]) -> String {
     let mut out = String::from(
         "# Validation\n\nNumbers of others beside Dolmen's: this page is what `dolmen validate` prints. `computed` follows the \
          source's own\ndefinition, to show that it is reproduced; where that definition is wrong, `right` is the number to \
-         use.\n",
+         use.\nUnder \"Second methods\" the published number is that of another method of Dolmen's own, which shares neither equations nor \
+         steps with the first.\n",
     );
     let _ = writeln!(
         out,
-        "\n{agree} of {} agree within the digits printed.",
+        "\n{agree} of {} agree within the digits printed, or the tolerance that the notes give.",
         cases.len()
     );
     let mut source = "";

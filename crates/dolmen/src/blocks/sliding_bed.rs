@@ -18,7 +18,8 @@ const GAUGE_STEPS_MOST: usize = 40;
 const GAUGE_SMOOTH: f64 = 1e-6;
 
 /// A point stands for an area that spins about it too: square of its radius of friction, over the area. Without it the centre of
-/// a spin would be caught at a point. Chosen here, a quarter of what a disc of that area has: 6 × 6 points resist .1 % more.
+/// a spin would be caught at a point. Chosen here, a quarter of what a disc of that
+/// area has: pure twisting of 6 × 6 points is then 1.0 % too strong instead of .6 %.
 const CELL: f64 = 1.0 / (16.0 * std::f64::consts::PI);
 
 /// Sliding and spin of one face on another; the third component the spin.

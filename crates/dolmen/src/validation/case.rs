@@ -1,8 +1,9 @@
 use super::{
     ValidationError, choi_2021, columns, dry_friction, kim_koo_hong_2018, park_min_2010, rigid_blocks,
+    second_methods,
 };
 
-/// One number of a source beside ours.
+/// One number of a source, or of a second method of this crate, beside ours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
     /// Author and year.
@@ -54,6 +55,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
         dry_friction::cases()?,
+        second_methods::cases()?,
     ];
     Ok(sources.into_iter().flatten().collect())
 }

@@ -1,6 +1,7 @@
 use crate::assess::AssessError;
 use crate::blocks::BlocksError;
 use crate::dynamics::DynamicsError;
+use crate::signal::SignalError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
 use crate::structure::stack::StackError;
@@ -24,6 +25,9 @@ pub enum ValidationError {
     /// It could not be moved in time.
     #[error(transparent)]
     Dynamics(#[from] DynamicsError),
+    /// A motion was refused.
+    #[error(transparent)]
+    Signal(#[from] SignalError),
     /// It could not be assessed.
     #[error(transparent)]
     Assess(#[from] AssessError),

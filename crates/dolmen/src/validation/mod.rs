@@ -9,6 +9,7 @@ mod error;
 mod kim_koo_hong_2018;
 mod park_min_2010;
 mod rigid_blocks;
+mod second_methods;
 mod stacks;
 
 pub use case::{Case, cases};
