@@ -81,7 +81,8 @@ impl Pressure {
                 sums += DMat3::from_cols(phi * phi.x, phi * phi.y, phi * phi.z) * *area;
             }
             let size = sums.x_axis.x * sums.y_axis.y * sums.z_axis.z;
-            if !(sums.determinant() > 1e-12 * size) {
+            let determinant = sums.determinant();
+            if determinant.is_nan() || determinant <= 1e-12 * size {
                 return None; // the points left lie on a line
             }
             let inverse = sums.inverse();
@@ -210,7 +211,7 @@ impl Pressure {
             let (gb, gc) = (gradient.dot(b), gradient.dot(c));
             let (bb, bc, cc) = (image(b).dot(b), image(b).dot(c), image(c).dot(c));
             let determinant = bb * cc - bc * bc;
-            if !(determinant > 0.0) {
+            if determinant.is_nan() || determinant <= 0.0 {
                 break;
             }
             let step = -DVec2::new(cc * gb - bc * gc, bb * gc - bc * gb) / determinant;

@@ -258,14 +258,14 @@ impl Chain {
         let n = self.stones.len();
         let mut accelerations = Vec::with_capacity(n);
         let (mut linear, mut turning) = (DVec2::ZERO, 0.0);
-        for i in 0..n {
+        for (i, k) in k.iter().enumerate() {
             if i > 0 {
                 let arm = motion.centre_m[i] - motion.centre_m[i - 1];
                 linear += turning * turned(arm)
                     + motion.spin[i - 1] * turned(motion.velocity[i] - motion.velocity[i - 1]);
             }
-            linear += k[i].truncate();
-            turning += k[i].z;
+            linear += k.truncate();
+            turning += k.z;
             accelerations.push((linear, turning));
         }
         let mut load = Load {

@@ -240,7 +240,7 @@ pub fn rock_block(
             allowed: "0 or a positive number",
         });
     }
-    if !(options.start_rad.abs() < FRAC_PI_2) {
+    if options.start_rad.is_nan() || options.start_rad.abs() >= FRAC_PI_2 {
         return Err(DynamicsError::Argument {
             argument: "start_rad",
             given: options.start_rad,
