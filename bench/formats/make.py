@@ -9,6 +9,7 @@ ObsPy 1.5.1, gmprocess 2.8.0 (requirements.txt).
 """
 
 import csv
+import re
 import sys
 import warnings
 from pathlib import Path
@@ -48,7 +49,45 @@ def written():
     north.write(str(folder / "little.sac"), format="SAC", byteorder="<")
     north.write(str(folder / "big.sac"), format="SAC", byteorder=">")
     north.write(str(folder / "text.sac"), format="SACXY")
+    cosmos(folder / "one_channel.v1c", trace(counts.astype(np.float64)))
     print(counts.sum(), counts[0], counts[-1], abs(counts).max())
+
+
+def cosmos(path, tr):
+    """COSMOS V1 by the writer of gmprocess, which takes the mean off and prints cm/s² a hundred times too large, but not the peak."""
+    import tempfile
+
+    from gmprocess.core.scalar_event import ScalarEvent
+    from gmprocess.core.stationstream import StationStream
+    from gmprocess.core.stationtrace import StationTrace
+    from gmprocess.io.asdf.stream_workspace import StreamWorkspace
+    from gmprocess.io.cosmos.cosmos_writer import CosmosWriter, Volume
+    from gmprocess.utils.config import get_config
+
+    coordinates = {"latitude": 32.794, "longitude": -115.549, "elevation": 0.0}
+    standard = {
+        "units": "cm/s^2", "units_type": "acc", "process_level": "uncorrected physical units", "instrument": "", "comments": "",
+        "structure_type": "", "corner_frequency": 0.0, "sensor_serial_number": "", "source": "USGS", "source_format": "csv", "source_file": "",
+        "station_name": "El Centro", "instrument_period": 0.1, "instrument_damping": 0.6, "process_time": "",
+        "horizontal_orientation": 180.0, "vertical_orientation": 0.0, "structure_cosmos_code": 999, "instrument_sensitivity": 1.0,
+        "volts_to_counts": 1.0,
+    }
+    whole = StationTrace(data=tr.data, header={**tr.stats, "coordinates": coordinates, "standard": standard,
+                                               "format_specific": {"stage_1_sensitivity": 1.0, "data_logger_sensitivity": 1.0}})
+    whole.set_parameter("corner_frequencies", {"type": "constant", "highpass": 0.1, "lowpass": 20.0})
+    event = ScalarEvent.from_params("ci1", "1940-05-19T04:36:41", 32.733, -115.5, 6.0, 6.9)
+    with tempfile.TemporaryDirectory() as scratch:
+        book = Path(scratch) / "book.h5"
+        workspace = StreamWorkspace(book)
+        workspace.add_config(get_config())
+        workspace.add_event(event)
+        workspace.add_gmprocess_version("2.8.0.dev0")
+        workspace.add_streams(event, [StationStream([whole])], label="unprocessed", gmprocess_version="2.8.0.dev0")
+        workspace.close()
+        CosmosWriter(Path(scratch), book, label="unprocessed", volume=Volume.CONVERTED).write()
+        [file] = Path(scratch).glob("*.V1c")
+        text = file.read_text()
+        path.write_text(re.sub(r"(<AUTH>) .*", lambda found: found[1].ljust(len(found[0])), text))  # when it was written
 
 
 def peers():

@@ -47,7 +47,12 @@ impl<'o> Plan<'o> {
         let kind = match &opened.project.structure {
             Structure::Stack(_) => StudyKind::Stack,
             Structure::Frame(_) => StudyKind::Frame,
-            Structure::Chain(_) | Structure::Survey => bail!("only stacks and frames can be studied so far"),
+            Structure::Chain(_) => bail!(
+                "only stacks and frames can be studied so far: give this chain to `dolmen simulate` with one --peak after the other"
+            ),
+            Structure::Survey => {
+                bail!("a survey holds no structure that could be studied: kind is stack or frame")
+            }
         };
         let mut motions = Vec::new();
         if study.scan.is_some() {

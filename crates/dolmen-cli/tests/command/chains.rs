@@ -130,6 +130,16 @@ fn holds_friction_of_the_file_sticks_and_slips() {
     // what friction takes is its moment times the way
     let taken = found["energy"]["friction_j"].as_f64().unwrap();
     assert!((taken / (4000.0 * way) - 1.0).abs() < 1e-12, "{taken} {way}");
+    // the page tells both moments
+    for (language, said) in [("en", "5.00 then 4.00"), ("ko", "정지 5.00, 운동 4.00")] {
+        let report = format!(
+            "report examples/naju_flagpole --samples 0 --motion el-centro -o page.html --language {language}"
+        );
+        let answer = scratch.dolmen(&report);
+        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+        assert!(page.contains(said), "{language}: {said}");
+    }
 }
 
 #[test]

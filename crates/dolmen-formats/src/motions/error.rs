@@ -126,7 +126,7 @@ pub enum MotionError {
         given: f64,
     },
     /// Several columns beside the time.
-    #[error("the file has {} columns of numbers ({}): name the one to read as column", names.len(), names.join(", "))]
+    #[error("the file has {} columns of numbers ({}): name the one to read as channel", names.len(), names.join(", "))]
     Columns {
         /// Their names.
         names: Vec<String>,

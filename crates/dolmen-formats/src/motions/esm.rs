@@ -65,21 +65,26 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     };
     let time_step_s = positive("SAMPLING_INTERVAL_S", "a time step in seconds")?;
     let stated = positive("NDATA", "a number of samples")?;
-    match find("DATA_TYPE") {
-        None | Some((_, "ACCELERATION")) => {}
-        Some((line, "VELOCITY")) => {
+    // in capitals in the database, in small letters in what its partners make
+    let data_type = find("DATA_TYPE").map(|(line, text)| (line, text, text.to_ascii_uppercase()));
+    match data_type
+        .as_ref()
+        .map(|(line, text, word)| (*line, *text, word.as_str()))
+    {
+        None | Some((_, _, "ACCELERATION")) => {}
+        Some((line, _, "VELOCITY")) => {
             return Err(MotionError::Quantity {
                 line,
                 what: "velocities",
             });
         }
-        Some((line, "DISPLACEMENT")) => {
+        Some((line, _, "DISPLACEMENT")) => {
             return Err(MotionError::Quantity {
                 line,
                 what: "displacements",
             });
         }
-        Some((line, other)) => {
+        Some((line, other, _)) => {
             let wanted = "\"ACCELERATION\" as the data type";
             return Err(MotionError::Line {
                 line,

@@ -14,7 +14,8 @@ pub struct MotionOptions {
     pub time_step_s: Option<f64>,
     /// The column of accelerations in a text of several. `None`: the only one beside the time.
     pub column: Option<Column>,
-    /// The channel to read of a file of several, by its name or its number from 1. `None`: the only one.
+    /// The channel to read of a file of several, by its name or its number from 1; in a text also a column, by its name. `None`: the
+    /// only one.
     pub channel: Option<String>,
     /// What the numbers are multiplied by to be in the unit: 1 (default), or what one count of a recorder is worth.
     pub factor: f64,

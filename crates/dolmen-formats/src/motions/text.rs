@@ -21,7 +21,7 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
         let names = channels.iter().map(|channel| channel.name.clone()).collect();
         return Err(MotionError::Columns { names });
     }
-    let column = match &options.column {
+    let column = match wanted(options) {
         Some(Column::Number(number)) => layout
             .columns
             .get(number.saturating_sub(1))
@@ -31,6 +31,7 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     };
     let given = options.time_step_s;
     Ok(vec![Raw {
+        name: options.channel.clone().unwrap_or_default(),
         samples: reading.record.samples(0).to_vec(),
         unit: unit_in_name(&column)?,
         ..Raw::new(
@@ -40,13 +41,23 @@ pub(super) fn read(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, Mo
     }])
 }
 
+/// The column to read: the one that is told, or the channel where that is a name. A number counts channels, of which there is one.
+fn wanted(options: &MotionOptions) -> Option<Column> {
+    let named = |name: &&String| name.parse::<usize>().is_err();
+    let channel = options.channel.as_ref().filter(named);
+    options
+        .column
+        .clone()
+        .or_else(|| channel.map(|name| Column::Named(name.clone())))
+}
+
 fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, RecordError> {
-    let pick = options.column.as_ref().map(|column| Pick {
-        channel: Channel::named(match column {
+    let pick = wanted(options).map(|column| Pick {
+        channel: Channel::named(match &column {
             Column::Named(name) => name.clone(),
             Column::Number(number) => format!("column {number}"),
         }),
-        column: column.clone(),
+        column,
     });
     let mut told = RecordOptions {
         sampling_rate_hz: options.time_step_s.map(|step| 1.0 / step),

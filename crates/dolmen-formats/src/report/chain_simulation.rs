@@ -162,6 +162,18 @@ fn kn_m(moment_n_m: f64) -> String {
     significant(1e-3 * moment_n_m, DIGITS)
 }
 
+/// The moment of friction, or the static and the kinetic one.
+fn friction(static_moment_n_m: f64, kinetic_moment_n_m: f64, language: Language) -> String {
+    let (holds, turns) = (kn_m(static_moment_n_m), kn_m(kinetic_moment_n_m));
+    if static_moment_n_m == kinetic_moment_n_m {
+        return turns;
+    }
+    match language {
+        Language::English => format!("{holds} then {turns}"),
+        Language::Korean => format!("정지 {holds}, 운동 {turns}"),
+    }
+}
+
 fn joints_table(simulation: &ChainSimulation, language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("Joint below", "연결부 (부재 하부)"),
@@ -191,8 +203,9 @@ fn joints_table(simulation: &ChainSimulation, language: Language) -> Markup {
                 match joint.friction {
                     JointFriction::None => language.pick("none", "없음").into(),
                     JointFriction::Coulomb {
-                        kinetic_moment_n_m, ..
-                    } => kn_m(kinetic_moment_n_m).into(),
+                        static_moment_n_m,
+                        kinetic_moment_n_m,
+                    } => friction(static_moment_n_m, kinetic_moment_n_m, language).into(),
                 },
             ]
         })

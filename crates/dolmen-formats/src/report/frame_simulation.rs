@@ -159,10 +159,26 @@ fn caption(name: &str, simulation: &FrameSimulation, language: Language) -> Stri
 
 fn korean_friction(friction: &StoreyFriction) -> String {
     let kn = |force: f64| significant(1e-3 * force, DIGITS);
-    match *friction {
-        StoreyFriction::None => "없음".to_owned(),
-        StoreyFriction::Coulomb { kinetic_force_n, .. } => format!("쿨롱, {} kN", kn(kinetic_force_n)),
-        StoreyFriction::Jenkins { kinetic_force_n, .. } => format!("젠킨스, {} kN", kn(kinetic_force_n)),
+    let (law, static_force_n, kinetic_force_n) = match *friction {
+        StoreyFriction::None => return "없음".to_owned(),
+        StoreyFriction::Coulomb {
+            static_force_n,
+            kinetic_force_n,
+        } => ("쿨롱", static_force_n, kinetic_force_n),
+        StoreyFriction::Jenkins {
+            static_force_n,
+            kinetic_force_n,
+            ..
+        } => ("젠킨스", static_force_n, kinetic_force_n),
+    };
+    if static_force_n == kinetic_force_n {
+        format!("{law}, {} kN", kn(kinetic_force_n))
+    } else {
+        format!(
+            "{law}, 정지 {} kN, 운동 {} kN",
+            kn(static_force_n),
+            kn(kinetic_force_n)
+        )
     }
 }
 

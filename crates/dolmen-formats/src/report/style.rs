@@ -44,7 +44,7 @@ caption{caption-side:top;padding-bottom:.35rem}
 th,td{padding:.27rem .55rem;text-align:right;border-bottom:1px solid var(--line);vertical-align:top}
 thead th{border-bottom:1.5px solid var(--text);vertical-align:bottom;font-weight:600}
 tbody tr:last-child td{border-bottom:1.5px solid var(--text)}
-td{white-space:nowrap}.t{text-align:left}td.t:first-child,td.wrap{white-space:normal}td.wrap{min-width:9em}
+td{white-space:nowrap}.t{text-align:left}td.t:first-child,td.wrap{white-space:normal}td.t:first-child{min-width:4.5em}td.wrap{min-width:9em}
 sub{font-size:.75em;line-height:0}
 td.assumed{background:#fff3d6}
 .bad-number{color:#a83f00;font-weight:600}

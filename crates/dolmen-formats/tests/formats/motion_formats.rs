@@ -349,6 +349,70 @@ fn exact_csmip_of_both_versions() {
     );
 }
 
+/// COSMOS that another program wrote: its peak contradicts its samples, which are a hundred times too large.
+fn written_cosmos() -> MotionOptions {
+    MotionOptions {
+        stated_peak: StatedPeak::Ignore,
+        plausible_peak_m_s2: 0.0..=f64::MAX,
+        ..Default::default()
+    }
+}
+
+#[test]
+fn agrees_with_the_cosmos_of_gmprocess() {
+    let bytes = written("one_channel.v1c");
+    let read = read_component(&bytes, &written_cosmos()).unwrap();
+    let counts = millionths();
+    let mean = counts.iter().sum::<f64>() / counts.len() as f64;
+    assert_eq!(read.acceleration_m_s2.len(), counts.len());
+    for (found, count) in read.acceleration_m_s2.iter().zip(&counts) {
+        // seven digits are printed
+        assert!(
+            (found - (count - mean)).abs() <= 5.1e-7 * found.abs(),
+            "{found} {count}"
+        );
+    }
+    assert_eq!(
+        (read.format, read.time_step_s, read.orientation),
+        (
+            MotionFormat::Cosmos,
+            0.02,
+            Some(Orientation::Horizontal { azimuth_deg: 180.0 })
+        )
+    );
+    let refused = MotionOptions {
+        stated_peak: StatedPeak::Check,
+        ..written_cosmos()
+    };
+    assert!(
+        said(&bytes, &refused).contains("the header says that the peak is 318820 cm/s2"),
+        "{}",
+        said(&bytes, &refused)
+    );
+}
+
+#[test]
+fn exact_a_channel_is_also_a_column_by_its_name() {
+    let text = b"time_s,x_m_s2,y_g\n0,0,0\n0.02,0.1,0.1\n0.04,-0.2,0.3\n";
+    assert!(
+        said(text, &MotionOptions::default())
+            .contains("2 columns of numbers (x_m_s2, y_g): name the one to read as channel")
+    );
+    let channel = |name: &str| MotionOptions {
+        channel: Some(name.to_owned()),
+        ..Default::default()
+    };
+    let read = |name: &str| read_component(text, &channel(name)).unwrap().acceleration_m_s2;
+    assert_eq!(read("x_m_s2"), [0.0, 0.1, -0.2]);
+    assert_eq!(read("y_g"), [0.0, 0.1, 0.3].map(|a| a * 9.80665));
+    assert!(said(text, &channel("z")).contains('z'));
+    let one = b"time_s,x_m_s2\n0,0\n0.02,0.1\n0.04,-0.2\n";
+    assert_eq!(
+        read_component(one, &channel("1")).unwrap().acceleration_m_s2,
+        [0.0, 0.1, -0.2]
+    );
+}
+
 fn esm(units: &str) -> String {
     format!(
         "EVENT_NAME: GREECE\nEVENT_DATE_YYYYMMDD: 20190728\nNETWORK: HI\nSTATION_CODE: ARS1\nSTATION_NAME: Town Hall,Argos\n\
@@ -371,6 +435,9 @@ fn exact_esm() {
     );
     assert_eq!(read.begins_s, Some(1_564_330_159.870));
     let plain = MotionOptions::default();
+    // so AFAD's service writes it
+    let small = esm("cm/s^2").replace("TYPE: ACCELERATION", "TYPE: Acceleration");
+    assert_eq!(read_channels(small.as_bytes(), &plain).unwrap()[0], *read);
     assert!(said(esm("cm/s").as_bytes(), &plain).contains("the unit \"cm/s\" is not known"));
     assert!(
         said(esm("cm/s^2").replace("NDATA: 4", "NDATA: 5").as_bytes(), &plain)
@@ -379,7 +446,7 @@ fn exact_esm() {
     assert!(
         said(
             esm("cm/s^2")
-                .replace("TYPE: ACCELERATION", "TYPE: VELOCITY")
+                .replace("TYPE: ACCELERATION", "TYPE: Velocity")
                 .as_bytes(),
             &plain
         )
@@ -413,7 +480,11 @@ fn refuses_what_was_cut_at_any_byte() {
     }
     let told = as_printed();
     for (name, whole) in files {
-        let options = if name == "text" { tiny() } else { told.clone() };
+        let options = match name.as_str() {
+            "text" => tiny(),
+            name if name.ends_with("v1c") => written_cosmos(),
+            _ => told.clone(),
+        };
         let all = read_channels(&whole, &options).unwrap_or_else(|e| panic!("{name}: {e}"));
         let step = (whole.len() / 700).max(1);
         for length in (0..whole.len()).step_by(step) {

@@ -11,7 +11,7 @@
 
 use super::chain_motion::Run;
 use super::chain_series::DEGREE;
-use super::frame_series::Slider;
+use super::frame_model::Slider;
 use super::{ChainSlip, DynamicsError, TimeFunction};
 use crate::numeric::first_descent;
 

@@ -8,7 +8,7 @@ use super::chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, C
 use super::chain_model::{ChainModel, ChainRotations};
 use super::chain_run::ChainRun;
 use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
-use super::frame_series::Slider;
+use super::frame_model::Slider;
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::{first_descent, polynomial};
 

@@ -1,6 +1,7 @@
 //! How a chain is moved: what a run begins with, how long it takes, what counts as a fall.
 
 use super::chain_model::ChainModel;
+use super::frame_motion::SAMPLES_MOST;
 use super::{DynamicsError, TimeFunction};
 
 /// Options of [`simulate_chain`](super::simulate_chain).
@@ -78,10 +79,18 @@ impl ChainRun {
                 });
             }
         }
-        positive(
+        let duration_s = positive(
             "duration_s",
             self.duration_s.unwrap_or(load.duration_s()),
             "a positive number: give it where no sampled load does",
-        )
+        )?;
+        if duration_s / self.output_step_s > SAMPLES_MOST {
+            return Err(DynamicsError::Argument {
+                argument: "output_step_s",
+                given: self.output_step_s,
+                allowed: "long enough for ten million samples at most in the run",
+            });
+        }
+        Ok(duration_s)
     }
 }

@@ -13,7 +13,7 @@
 //! from the balance of each link, from the top down.
 
 use super::chain_model::{ChainModel, ChainRotations};
-use super::frame_series::Slider;
+use super::frame_model::Slider;
 use super::{DynamicsError, TimeFunction};
 use crate::numeric::polynomial;
 use dolmen_linalg::Matrix;

@@ -3,10 +3,11 @@
 use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::{FrictionFrame, StoreyFriction};
+use super::frame_model::{Model, Slider, State};
 use super::frame_motion::FrameRun;
 use super::frame_record::Recorder;
-use super::frame_series::{Model, Series, Slider, State};
-use crate::numeric::{COEFFICIENTS_MOST, first_descent};
+use super::frame_series::Series;
+use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial_most};
 
 /// Changes of sliders closer than this are one event, s: what the problem asks its events to be located to.
 pub(super) const TOGETHER_S: f64 = 1e-12;
@@ -33,6 +34,8 @@ pub(super) struct Motion<'a> {
     pub(super) model: Model,
     pub(super) load: &'a FrameLoad,
     pub(super) state: State,
+    /// Where it is at the end of the step under way.
+    ahead: State,
     pub(super) series: Series,
     pub(super) at_s: f64,
     /// How many first coefficients of what each slider waits for are zero, after an event: there they hold rounding.
@@ -95,6 +98,7 @@ impl<'a> Motion<'a> {
             series: Series::new(n),
             model,
             load,
+            ahead: state.clone(),
             state,
             at_s: 0.0,
             zeros: vec![0; n],
@@ -126,10 +130,10 @@ impl<'a> Motion<'a> {
         if let Some(before) = self.unsettled.take() {
             self.find_state(h)?;
             recorder.changed(&self.model, &self.state, &before, self.at_s);
+            self.series.join(&self.model, &self.state);
         }
         loop {
             self.series.act(self.load, self.at_s, h);
-            self.series.join(&self.model, &self.state);
             if self.series.expand(&self.model, &self.state) {
                 break;
             }
@@ -144,8 +148,18 @@ impl<'a> Motion<'a> {
         let begin_s = self.at_s;
         let ends = self.events.is_empty() && self.leaned.is_none() && end_s - (begin_s + h) <= TOGETHER_S;
         self.at_s = if ends { end_s } else { begin_s + sigma * h };
-        recorder.stretch(&self.model, &self.state, &self.series, begin_s, sigma);
-        self.advance(sigma);
+        self.series.place(sigma, &mut self.ahead);
+        recorder.stretch(
+            &self.model,
+            &self.state,
+            &self.ahead,
+            &self.series,
+            begin_s,
+            sigma,
+        );
+        std::mem::swap(&mut self.state.y, &mut self.ahead.y);
+        std::mem::swap(&mut self.state.v, &mut self.ahead.v);
+        self.series.share_velocity(&self.model, &mut self.state);
         if sigma * h > TOGETHER_S {
             self.zeros.fill(0);
         }
@@ -160,10 +174,10 @@ impl<'a> Motion<'a> {
         let s = &self.series;
         let mut first: Option<(usize, f64)> = None;
         for (storey, &most_m) in self.drift_most_m.iter().enumerate() {
-            let drift = &s.drift[storey][..s.orders];
-            if drift.iter().map(|c| c.abs()).sum::<f64>() < most_m {
+            if s.drift_most[storey] < most_m {
                 continue;
             }
+            let drift = &s.drift[storey][..s.orders];
             for sign in [1.0, -1.0] {
                 let mut c = [0.0; COEFFICIENTS_MOST];
                 let c = &mut c[..s.orders];
@@ -205,15 +219,15 @@ impl<'a> Motion<'a> {
     fn event_of(&self, storey: usize) -> Option<Event> {
         let zeros = self.zeros[storey];
         let s = &self.series;
-        let mut c = [0.0; COEFFICIENTS_MOST];
         match (self.model.friction[storey], self.state.slider[storey]) {
             (_, Slider::Slipping(sign)) => {
                 let across = s.slider_row(&self.model, storey);
+                let mut c = [0.0; COEFFICIENTS_MOST];
                 let c = &mut c[..across.len() - 1];
                 let mut power = 0.0;
                 for (c, across) in c.iter_mut().zip(&across[1..]) {
-                    power += 1.0;
-                    *c = sign * power * across;
+                    power += sign;
+                    *c = power * across;
                 }
                 settle(c, zeros);
                 let sigma = first_descent(c, 0.0)?;
@@ -235,6 +249,7 @@ impl<'a> Motion<'a> {
                 Slider::Stuck,
             ) => {
                 let across = s.slider_row(&self.model, storey);
+                let mut c = [0.0; COEFFICIENTS_MOST];
                 let c = &mut c[..across.len()];
                 for (c, across) in c.iter_mut().zip(across) {
                     *c = stuck_stiffness_n_m * across;
@@ -245,18 +260,11 @@ impl<'a> Motion<'a> {
             (StoreyFriction::None, _) | (_, Slider::Absent) => None,
         }
     }
-
-    /// The state at σ of the step.
-    fn advance(&mut self, sigma: f64) {
-        self.series.place(sigma, &mut self.state);
-        self.series.share_velocity(&self.model, &mut self.state);
-    }
 }
 
 /// First time at which a force, given by its coefficients, reaches the static one in either direction.
 fn goes(storey: usize, force: &[f64], static_force_n: f64, zeros: usize) -> Option<Event> {
-    let rest: f64 = force[1..].iter().map(|c| c.abs()).sum();
-    if force[0].abs() + rest < static_force_n {
+    if polynomial_most(force) < static_force_n {
         return None;
     }
     let mut first: Option<Event> = None;

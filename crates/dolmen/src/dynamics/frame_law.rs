@@ -3,8 +3,8 @@
 use super::DynamicsError;
 use super::frame_events::{Change, Event, Motion};
 use super::frame_friction::StoreyFriction;
+use super::frame_model::Slider;
 use super::frame_record::Recorder;
-use super::frame_series::Slider;
 
 /// Events closer than this count as a pile, s.
 const PILE_S: f64 = 1e-9;

@@ -11,7 +11,7 @@ use super::frame_history::{FrameHistory, FrameOutcome};
 use super::frame_record::Recorder;
 
 /// Samples of a history: above, it is a mistaken unit rather than a wish, and memory ends. Chosen here.
-const SAMPLES_MOST: f64 = 1e7;
+pub(super) const SAMPLES_MOST: f64 = 1e7;
 
 /// Options of [`simulate_frame`].
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,9 @@
 
 use super::frame_friction::StoreyFriction;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
-use super::frame_series::{Model, Series, Slider, State, at_with_rates};
+use super::frame_model::{Model, Slider, State};
+use super::frame_series::{Series, at_with_rates};
+use super::frame_work::Work;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
 
 /// Events closer than this count once, s.
@@ -11,26 +13,17 @@ const ONE_EVENT_S: f64 = 1e-9;
 const REST_M_S: f64 = 1e-13;
 /// Part of the largest speed below which a speed is rounding.
 const ROUNDING: f64 = 1e-12;
-/// Coefficients of the work: a product of two series.
-const WORK_MOST: usize = 2 * COEFFICIENTS_MOST;
-/// Nodes and weights of Gauss and Legendre on [0, 1], 8 points: exact for polynomials of degree 15.
-const GAUSS: [(f64, f64); 4] = [
-    (0.183_434_642_495_649_8, 0.362_683_783_378_362),
-    (0.525_532_409_916_329, 0.313_706_645_877_887_3),
-    (0.796_666_477_413_626_7, 0.222_381_034_453_374_47),
-    (0.960_289_856_497_536_3, 0.101_228_536_290_376_26),
-];
-
+/// Samples that are taken at once.
+const LANES: usize = 2;
 pub(super) struct Recorder {
     history: FrameHistory,
     output_step_s: f64,
     samples: usize,
-    energy: FrameEnergy,
-    /// Work put in since the start of the series under way: coefficients of σ, and how many there are.
-    work: [f64; WORK_MOST],
-    work_orders: usize,
-    /// The state at a place of the series under way.
-    now: State,
+    work: Work,
+    /// How many samples were taken.
+    taken: usize,
+    /// The state at places of the series under way.
+    now: [State; LANES],
     /// Per storey: where and when the slip under way began.
     slipping: Vec<Option<(f64, f64)>>,
     last_event_s: f64,
@@ -44,18 +37,12 @@ impl Recorder {
         let n = model.levels();
         // a sample a little past the end by rounding is the end
         let samples = (duration_s / output_step_s * (1.0 + 1e-12)).floor() as usize + 1;
-        let rows = || vec![Vec::with_capacity(samples); n];
-        let energy = FrameEnergy {
-            kinetic_j: model.kinetic_j(state),
-            stored_j: model.stored_j(state),
-            input_j: model.kinetic_j(state) + model.stored_j(state),
-            ..FrameEnergy::default()
-        };
+        let rows = || vec![vec![0.0; samples]; n];
         let mut recorder = Recorder {
             history: FrameHistory {
                 outcome: FrameOutcome::Finished,
                 duration_s: 0.0,
-                time_s: Vec::with_capacity(samples),
+                time_s: vec![0.0; samples],
                 displacement_m: rows(),
                 velocity_m_s: rows(),
                 acceleration_m_s2: rows(),
@@ -68,14 +55,13 @@ impl Recorder {
                 at_rest: false,
                 events: 0,
                 steps: 0,
-                energy: Vec::with_capacity(samples),
+                energy: vec![FrameEnergy::default(); samples],
             },
             output_step_s,
             samples,
-            energy,
-            work: [0.0; WORK_MOST],
-            work_orders: 0,
-            now: state.clone(),
+            work: Work::start(model, state),
+            taken: 0,
+            now: std::array::from_fn(|_| state.clone()),
             slipping: vec![None; n],
             last_event_s: f64::NEG_INFINITY,
             top_direction: 0.0,
@@ -86,52 +72,69 @@ impl Recorder {
         recorder
     }
 
-    /// Takes up the motion of one series from `begin_s` to σ.
+    /// Takes up the motion of one series from `begin_s` to σ, from one state to the one `ahead`.
     pub(super) fn stretch(
         &mut self,
         model: &Model,
         state: &State,
+        ahead: &State,
         series: &Series,
         begin_s: f64,
         sigma: f64,
     ) {
         self.history.steps += 1;
         let end_s = begin_s + sigma * series.h;
-        let before = self.energy;
         for i in 0..series.n {
-            let (level, drift) = (&series.y[i][..series.orders], &series.drift[i][..series.orders]);
             let history = &mut self.history;
-            extend(
-                &mut history.displacement_peaks[i],
-                level,
-                begin_s,
-                series.h,
-                sigma,
-            );
-            extend(&mut history.drift_peaks[i], drift, begin_s, series.h, sigma);
+            let peaks = [
+                (&mut history.displacement_peaks[i], series.y_most[i], &series.y[i]),
+                (
+                    &mut history.drift_peaks[i],
+                    series.drift_most[i],
+                    &series.drift[i],
+                ),
+            ];
+            for (peak, most, row) in peaks {
+                if most > peak.value_m.abs() {
+                    extend(peak, &row[..series.orders], begin_s, series.h, sigma);
+                }
+            }
         }
-        self.turn(series, begin_s, sigma);
+        self.turn(series, ahead, begin_s, sigma);
         // places and speeds follow at each sample
-        self.now.slider.clone_from(&state.slider);
-        self.now.offset_m.clone_from(&state.offset_m);
-        self.expand_work(model, series);
-        while self.history.time_s.len() < self.samples {
-            let t = self.history.time_s.len() as f64 * self.output_step_s;
-            // the last sample may lie past the end by rounding
-            if t > end_s * (1.0 + 1e-12) {
+        for now in &mut self.now {
+            now.slider.clone_from(&state.slider);
+            now.offset_m.clone_from(&state.offset_m);
+        }
+        self.work.expand(model, series);
+        // the last sample may lie past the end by rounding
+        let last_s = end_s * (1.0 + 1e-12);
+        loop {
+            let mut sigmas = [0.0; LANES];
+            let mut count = 0;
+            for sigma in &mut sigmas {
+                let t = (self.taken + count) as f64 * self.output_step_s;
+                if self.taken + count == self.samples || t > last_s {
+                    break;
+                }
+                self.history.time_s[self.taken + count] = t;
+                *sigma = ((t - begin_s) / series.h).clamp(0.0, 1.0);
+                count += 1;
+            }
+            if count == 0 {
                 break;
             }
-            self.sample(model, state, series, begin_s, t);
+            self.sample(model, state, series, sigmas, count);
+            self.taken += count;
         }
-        self.energy = before;
-        self.add_work(model, state, series, sigma);
+        self.work.energy = self.work.at(model, [state, ahead], series, sigma);
     }
 
     /// A turn of the top level within the stretch: one, since a step is shorter than half a swing of any mode. It counts once the
     /// level moves the other way, so that a stop is none.
-    fn turn(&mut self, series: &Series, begin_s: f64, sigma: f64) {
-        let c = &series.y[series.n - 1][..series.orders];
-        let last = at_with_rates(c, sigma)[1] / series.h;
+    fn turn(&mut self, series: &Series, ahead: &State, begin_s: f64, sigma: f64) {
+        let top = series.n - 1;
+        let last = ahead.v[top];
         self.top_speed = self.top_speed.max(last.abs());
         if last.abs() <= ROUNDING * self.top_speed || last * self.top_direction > 0.0 {
             return;
@@ -140,6 +143,7 @@ impl Recorder {
         if before == 0.0 {
             return;
         }
+        let c = &series.y[top][..series.orders];
         let mut v = [0.0; COEFFICIENTS_MOST];
         let v = &mut v[..c.len() - 1];
         for (k, v) in v.iter_mut().enumerate() {
@@ -152,92 +156,43 @@ impl Recorder {
         });
     }
 
-    fn sample(&mut self, model: &Model, state: &State, series: &Series, begin_s: f64, t: f64) {
-        let sigma = ((t - begin_s) / series.h).clamp(0.0, 1.0);
-        let kept = self.energy;
-        self.add_work(model, state, series, sigma);
-        let (now, history) = (&mut self.now, &mut self.history);
-        history.time_s.push(t);
-        let ground = polynomial(&series.ground[..series.ground_orders], sigma);
-        for i in 0..series.n {
-            let [y, rate, half] = at_with_rates(&series.y[i][..series.orders], sigma);
-            (now.y[i], now.v[i]) = (y, rate / series.h);
-            history.displacement_m[i].push(y);
-            history.velocity_m_s[i].push(now.v[i]);
-            history.acceleration_m_s2[i].push(2.0 * half / (series.h * series.h) + ground);
-            let peak = &mut history.displacement_peaks[i];
-            peak.at_samples_m = peak.at_samples_m.max(y.abs());
-            let drift = y - i.checked_sub(1).map_or(0.0, |j| now.y[j]);
-            let peak = &mut history.drift_peaks[i];
-            peak.at_samples_m = peak.at_samples_m.max(drift.abs());
+    /// Takes the next samples, at places of the series; those past `count` are none.
+    fn sample(&mut self, model: &Model, state: &State, series: &Series, sigmas: [f64; LANES], count: usize) {
+        let Recorder {
+            history, now: nows, ..
+        } = self;
+        let taken = self.taken..self.taken + count;
+        let grounds = sigmas.map(|sigma| polynomial(&series.ground[..series.ground_orders], sigma));
+        let (per_step, per_step_squared) = (1.0 / series.h, 2.0 / (series.h * series.h));
+        for (i, row) in series.y.iter().enumerate() {
+            let [ys, rates, halves] = at_with_rates(&row[..series.orders], sigmas);
+            for (lane, sample) in taken.clone().enumerate() {
+                let (y, v) = (ys[lane], rates[lane] * per_step);
+                (nows[lane].y[i], nows[lane].v[i]) = (y, v);
+                history.displacement_m[i][sample] = y;
+                history.velocity_m_s[i][sample] = v;
+                history.acceleration_m_s2[i][sample] = halves[lane] * per_step_squared + grounds[lane];
+            }
         }
-        for i in 0..series.n {
-            let force = match (model.friction[i], now.slider[i]) {
-                (StoreyFriction::Coulomb { .. }, Slider::Stuck) => {
-                    polynomial(&series.held[i][..series.orders - 2], sigma)
-                }
-                (StoreyFriction::Coulomb { kinetic_force_n, .. }, Slider::Slipping(sign)) => {
-                    sign * kinetic_force_n
-                }
-                _ => model.jenkins_force(i, now),
+        for (i, forces) in history.friction_force_n.iter_mut().enumerate() {
+            for (lane, sample) in taken.clone().enumerate() {
+                forces[sample] = match (model.friction[i], state.slider[i]) {
+                    (StoreyFriction::Coulomb { .. }, Slider::Stuck) => {
+                        polynomial(&series.held[i][..series.orders - 2], sigmas[lane])
+                    }
+                    (StoreyFriction::Coulomb { kinetic_force_n, .. }, Slider::Slipping(sign)) => {
+                        sign * kinetic_force_n
+                    }
+                    _ => model.jenkins_force(i, &nows[lane]),
+                };
+            }
+        }
+        for ((sample, now), sigma) in taken.zip(nows).zip(sigmas) {
+            history.energy[sample] = FrameEnergy {
+                kinetic_j: model.kinetic_j(&now.v),
+                stored_j: model.stored_j(now),
+                ..self.work.at(model, [state, now], series, sigma)
             };
-            history.friction_force_n[i].push(force);
-        }
-        self.energy.kinetic_j = model.kinetic_j(&self.now);
-        self.energy.stored_j = model.stored_j(&self.now);
-        self.history.energy.push(self.energy);
-        self.energy = kept;
-    }
-
-    /// ∫ force dY and −∫ M 1 a_ground dY from the start of the series, as one polynomial in σ.
-    fn expand_work(&mut self, model: &Model, series: &Series) {
-        let products = series.orders + series.ground_orders.max(series.force_orders);
-        self.work[..products].fill(0.0);
-        self.work_orders = 0;
-        let mut add = |p: &[f64], j: usize, slope: f64| {
-            let slope = slope * j as f64;
-            for (work, p) in self.work[j..j + p.len()].iter_mut().zip(p) {
-                *work += p * slope;
-            }
-            self.work_orders = self.work_orders.max(j + p.len());
-        };
-        for j in 1..series.orders {
-            if series.ground_orders > 0 {
-                let momentum: f64 = series.y.iter().zip(&model.mass_kg).map(|(y, m)| y[j] * m).sum();
-                add(&series.ground[..series.ground_orders], j, -momentum);
-            }
-            for (y, force) in series.y.iter().zip(&series.forces) {
-                add(&force[..series.force_orders], j, y[j]);
-            }
-        }
-        for (power, work) in self.work[..self.work_orders].iter_mut().enumerate().skip(1) {
-            *work /= power as f64;
-        }
-    }
-
-    /// Adds work put in and taken from the start of the series to σ.
-    fn add_work(&mut self, model: &Model, state: &State, series: &Series, sigma: f64) {
-        self.energy.input_j += polynomial(&self.work[..self.work_orders], sigma);
-        for i in 0..series.n {
-            if let (
-                StoreyFriction::Coulomb { kinetic_force_n, .. }
-                | StoreyFriction::Jenkins { kinetic_force_n, .. },
-                Slider::Slipping(_),
-            ) = (model.friction[i], state.slider[i])
-            {
-                let way = sigma * polynomial(&series.slider_row(model, i)[1..], sigma);
-                self.energy.friction_j += kinetic_force_n * way.abs();
-            }
-        }
-        if model.damped() {
-            let mut taken = 0.0;
-            for (node, weight) in GAUSS {
-                for node in [node, -node] {
-                    series.place(0.5 * sigma * (1.0 + node), &mut self.now);
-                    taken += 0.5 * weight * model.damping_power(&self.now.v);
-                }
-            }
-            self.energy.damping_j += taken * sigma * series.h;
         }
     }
 
@@ -250,7 +205,7 @@ impl Recorder {
         } = model.friction[storey]
         {
             let squares = static_force_n * static_force_n - kinetic_force_n * kinetic_force_n;
-            self.energy.friction_j += 0.5 * squares / stuck_stiffness_n_m;
+            self.work.energy.friction_j += 0.5 * squares / stuck_stiffness_n_m;
         }
     }
 
@@ -301,6 +256,18 @@ impl Recorder {
         };
         self.follow_slips(model, &ended, &before, at_s);
         let mut history = self.history;
+        let rows = [
+            &mut history.displacement_m,
+            &mut history.velocity_m_s,
+            &mut history.acceleration_m_s2,
+            &mut history.friction_force_n,
+        ];
+        rows.into_iter()
+            .flatten()
+            .chain([&mut history.time_s])
+            .for_each(|row| row.truncate(self.taken));
+        history.energy.truncate(self.taken);
+        peaks_at_samples(&mut history);
         history.outcome = outcome;
         history.duration_s = at_s;
         history.residual_m.clone_from(&state.y);
@@ -311,10 +278,6 @@ impl Recorder {
 
 /// Takes the largest absolute value of a polynomial on [0, σ] into a peak.
 fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
-    let most: f64 = c.iter().map(|x| x.abs()).sum();
-    if most <= peak.value_m.abs() {
-        return;
-    }
     let mut consider = |at: f64| {
         let value = polynomial(c, at);
         if value.abs() > peak.value_m.abs() {
@@ -343,5 +306,21 @@ fn extend(peak: &mut FramePeak, c: &[f64], begin_s: f64, h: f64, sigma: f64) {
             }
             _ => break,
         }
+    }
+}
+
+/// Fills in the largest values at the samples.
+fn peaks_at_samples(history: &mut FrameHistory) {
+    let largest = |most: f64, value: f64| if value > most { value } else { most };
+    let rows = &history.displacement_m;
+    for (i, row) in rows.iter().enumerate() {
+        history.displacement_peaks[i].at_samples_m = row.iter().map(|y| y.abs()).fold(0.0, largest);
+        history.drift_peaks[i].at_samples_m = match i.checked_sub(1) {
+            None => history.displacement_peaks[i].at_samples_m,
+            Some(below) => {
+                let drifts = row.iter().zip(&rows[below]);
+                drifts.map(|(y, below)| (y - below).abs()).fold(0.0, largest)
+            }
+        };
     }
 }

@@ -6,6 +6,7 @@
 //! | σ | `sigma` | time in the step over its length h, 0 … 1 | – |
 //! | c_k | `y[k]` | coefficient of σᵏ of Y | m |
 //! | λ_i | `held` | force of a stuck slider, positive against the storey's motion to the right | N |
+//! | A | `pull` | −K of what moves as one, over its mass | 1/s² |
 //! | z | `offset_m` | place of the slider of a Jenkins element, on the axis of its drift | m |
 //!
 //! ```text
@@ -16,100 +17,29 @@
 //! Levels that stuck Coulomb sliders join move as one mass, or not at all if they are joined to the ground; λ follows from the
 //! balance of each level, from the top down.
 
-use super::DynamicsError;
 use super::excitation::FrameLoad;
-use super::frame_friction::{FrictionFrame, StoreyFriction};
-use crate::numeric::COEFFICIENTS_MOST;
-use dolmen_linalg::Matrix;
+use super::frame_friction::StoreyFriction;
+use super::frame_model::{Model, Rows, Slider, State};
+use crate::numeric::{COEFFICIENTS_MOST, polynomial_most};
+use std::ops::Range;
 
 /// Terms below this part of the largest count as none: a tenth of the rounding of the largest.
 const TERM_LEAST: f64 = 1e-17;
 /// Levels that stand with the ground.
 const GROUND: usize = usize::MAX;
-
-/// What a slider does.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Slider {
-    /// There is none.
-    Absent,
-    /// It sticks.
-    Stuck,
-    /// It slips towards +1 or −1.
-    Slipping(f64),
-}
+/// 1/((k + 1)(k + 2)): what integrating σᵏ twice divides by.
+const TWICE: [f64; COEFFICIENTS_MOST] = {
+    let mut twice = [0.0; COEFFICIENTS_MOST];
+    let mut k = 0;
+    while k < COEFFICIENTS_MOST {
+        twice[k] = 1.0 / ((k + 1) * (k + 2)) as f64;
+        k += 1;
+    }
+    twice
+};
 
 /// Coefficients of one function.
 pub(super) type Coefficients = [f64; COEFFICIENTS_MOST];
-
-/// Rows of a matrix, without its zeros: the entries of all rows behind each other.
-struct Rows {
-    ends: Vec<usize>,
-    entries: Vec<(usize, f64)>,
-}
-
-impl Rows {
-    fn of(matrix: &Matrix) -> Self {
-        let mut rows = Rows {
-            ends: Vec::with_capacity(matrix.rows()),
-            entries: Vec::new(),
-        };
-        for i in 0..matrix.rows() {
-            let row = (0..matrix.columns()).map(|j| (j, matrix[(i, j)]));
-            rows.entries.extend(row.filter(|(_, x)| *x != 0.0));
-            rows.ends.push(rows.entries.len());
-        }
-        rows
-    }
-
-    fn row(&self, i: usize) -> &[(usize, f64)] {
-        let begin = if i == 0 { 0 } else { self.ends[i - 1] };
-        &self.entries[begin..self.ends[i]]
-    }
-
-    fn times(&self, i: usize, x: &[f64]) -> f64 {
-        self.row(i).iter().map(|(j, a)| a * x[*j]).sum()
-    }
-
-    /// The same with coefficient k of each level.
-    fn times_of(&self, i: usize, levels: &[Coefficients], k: usize) -> f64 {
-        self.row(i).iter().map(|(j, a)| a * levels[*j][k]).sum()
-    }
-
-    fn times_sizes(&self, i: usize, levels: &[Coefficients], k: usize) -> f64 {
-        self.row(i).iter().map(|(j, a)| (a * levels[*j][k]).abs()).sum()
-    }
-
-    fn size(&self, i: usize) -> f64 {
-        self.row(i).iter().map(|(_, a)| a.abs()).sum()
-    }
-}
-
-/// A frame as the series need it.
-pub(super) struct Model {
-    pub(super) mass_kg: Vec<f64>,
-    pub(super) friction: Vec<StoreyFriction>,
-    /// Level below each slider; `None` for the ground.
-    pub(super) below: Vec<Option<usize>>,
-    k: Rows,
-    c: Option<Rows>,
-}
-
-/// Where a frame is and what its sliders do.
-#[derive(Clone, Debug)]
-pub(super) struct State {
-    pub(super) y: Vec<f64>,
-    pub(super) v: Vec<f64>,
-    pub(super) slider: Vec<Slider>,
-    pub(super) offset_m: Vec<f64>,
-}
-
-/// A Jenkins slider that sticks: storey, level below it, stiffness and offset.
-struct Spring {
-    upper: usize,
-    lower: Option<usize>,
-    stiffness_n_m: f64,
-    offset_m: f64,
-}
 
 /// The series of one step: one row of coefficients a level or storey.
 pub(super) struct Series {
@@ -120,6 +50,9 @@ pub(super) struct Series {
     pub(super) y: Vec<Coefficients>,
     /// Of the drifts, once the series are expanded.
     pub(super) drift: Vec<Coefficients>,
+    /// What a level, or the drift of a storey, reaches at most within the step, m: the sum of the sizes of its coefficients.
+    pub(super) y_most: Vec<f64>,
+    pub(super) drift_most: Vec<f64>,
     /// Forces of stuck Coulomb sliders; `orders − 2` powers.
     pub(super) held: Vec<Coefficients>,
     /// Acceleration of the ground, and how many of its coefficients are not zero.
@@ -128,141 +61,49 @@ pub(super) struct Series {
     /// Forces at the levels, one row of coefficients a level; empty for none.
     pub(super) forces: Vec<Coefficients>,
     pub(super) force_orders: usize,
+    /// The lowest level that each level moves as one with.
     root: Vec<usize>,
     group_mass: Vec<f64>,
     /// A Coulomb slider sticks: levels move as one.
     joined: bool,
-    /// Forces of slipping sliders on the levels, N.
-    slipping_n: Vec<f64>,
-    springs: Vec<Spring>,
-    rest: Vec<f64>,
-    group: Vec<f64>,
-    carry: Vec<f64>,
-}
-
-impl Model {
-    pub(super) fn of(frame: &FrictionFrame) -> Result<Self, DynamicsError> {
-        let n = frame.frame.storeys().len();
-        let k = frame.frame.stiffness_matrix(&frame.stiffness_n_m)?;
-        Ok(Model {
-            mass_kg: frame.frame.storeys().iter().map(|s| s.mass_kg).collect(),
-            friction: frame.friction.iter().map(|friction| friction.acting()).collect(),
-            below: (0..n).map(|i| frame.below(i)).collect(),
-            k: Rows::of(&k),
-            c: frame.damping_matrix()?.as_ref().map(Rows::of),
-        })
-    }
-
-    pub(super) fn levels(&self) -> usize {
-        self.mass_kg.len()
-    }
-
-    pub(super) fn damped(&self) -> bool {
-        self.c.is_some()
-    }
-
-    /// Upper level less the one below the slider.
-    pub(super) fn across(&self, i: usize, x: &[f64]) -> f64 {
-        x[i] - self.below[i].map_or(0.0, |j| x[j])
-    }
-
-    /// Longest step on which the series converges as fast as that of a sine over one radian, s.
-    pub(super) fn step_most_s(&self) -> f64 {
-        let n = self.levels();
-        let mut stiffness: Vec<f64> = (0..n).map(|i| self.k.size(i)).collect();
-        for (i, friction) in self.friction.iter().enumerate() {
-            if let StoreyFriction::Jenkins {
-                stuck_stiffness_n_m, ..
-            } = *friction
-            {
-                stiffness[i] += 2.0 * stuck_stiffness_n_m;
-                if let Some(j) = self.below[i] {
-                    stiffness[j] += 2.0 * stuck_stiffness_n_m;
-                }
-            }
-        }
-        let mut step = f64::INFINITY;
-        for (i, &mass) in self.mass_kg.iter().enumerate() {
-            if stiffness[i] > 0.0 {
-                step = step.min((mass / stiffness[i]).sqrt());
-            }
-            if let Some(size) = self.c.as_ref().map(|c| c.size(i)).filter(|size| *size > 0.0) {
-                step = step.min(mass / size);
-            }
-        }
-        step
-    }
-
-    /// Power taken by the dashpots, W.
-    pub(super) fn damping_power(&self, v: &[f64]) -> f64 {
-        let Some(c) = &self.c else { return 0.0 };
-        (0..v.len()).map(|i| v[i] * c.times(i, v)).sum()
-    }
-
-    /// Energy of motion relative to the ground, J.
-    pub(super) fn kinetic_j(&self, state: &State) -> f64 {
-        let terms = self.mass_kg.iter().zip(&state.v);
-        0.5 * terms.map(|(m, v)| m * v * v).sum::<f64>()
-    }
-
-    /// Energy in springs less what P-delta gave, J.
-    pub(super) fn stored_j(&self, state: &State) -> f64 {
-        let springs: f64 = (0..self.levels())
-            .map(|i| state.y[i] * self.k.times(i, &state.y))
-            .sum();
-        let series: f64 = (0..self.levels())
-            .map(|i| match self.friction[i] {
-                StoreyFriction::Jenkins {
-                    stuck_stiffness_n_m, ..
-                } => {
-                    let force = self.jenkins_force(i, state);
-                    force * force / stuck_stiffness_n_m
-                }
-                _ => 0.0,
-            })
-            .sum();
-        0.5 * (springs + series)
-    }
-
-    /// Force in the Jenkins element of a storey, N.
-    pub(super) fn jenkins_force(&self, i: usize, state: &State) -> f64 {
-        match (self.friction[i], state.slider[i]) {
-            (
-                StoreyFriction::Jenkins {
-                    stuck_stiffness_n_m, ..
-                },
-                Slider::Stuck,
-            ) => stuck_stiffness_n_m * (self.across(i, &state.y) - state.offset_m[i]),
-            (StoreyFriction::Jenkins { kinetic_force_n, .. }, Slider::Slipping(sign)) => {
-                sign * kinetic_force_n
-            }
-            _ => 0.0,
-        }
-    }
+    /// Springs of stuck Jenkins sliders, N/m, 0 for none.
+    spring_n_m: Vec<f64>,
+    /// Forces that sliders put against the levels where the drift is 0, N.
+    slider_n: Vec<f64>,
+    /// Rows of roots; those of other levels are empty.
+    pull: Rows,
+    drag: Option<Rows>,
+    push: Vec<f64>,
+    /// A row being summed up; zero else.
+    sum: Vec<f64>,
 }
 
 impl Series {
     pub(super) fn new(n: usize) -> Self {
         let rows = vec![[0.0; COEFFICIENTS_MOST]; n];
+        let zero = vec![0.0; n];
         Series {
             n,
             h: 1.0,
             orders: 0,
             y: rows.clone(),
             drift: rows.clone(),
+            y_most: zero.clone(),
+            drift_most: zero.clone(),
             held: rows,
             ground: [0.0; COEFFICIENTS_MOST],
             ground_orders: 0,
             forces: Vec::new(),
             force_orders: 0,
             root: vec![0; n],
-            group_mass: vec![0.0; n],
+            group_mass: zero.clone(),
             joined: false,
-            slipping_n: vec![0.0; n],
-            springs: Vec::with_capacity(n),
-            rest: vec![0.0; n],
-            group: vec![0.0; n],
-            carry: vec![0.0; n],
+            spring_n_m: zero.clone(),
+            slider_n: zero.clone(),
+            pull: Rows::default(),
+            drag: None,
+            push: zero.clone(),
+            sum: zero,
         }
     }
 
@@ -277,36 +118,33 @@ impl Series {
         }
     }
 
-    /// Finds the masses that move as one, and what the other sliders do.
+    /// Finds the masses that move as one and what pulls them, as the sliders are. To be done again when one of them changes.
     pub(super) fn join(&mut self, model: &Model, state: &State) {
         self.group_mass.fill(0.0);
-        self.slipping_n.fill(0.0);
-        self.springs.clear();
+        self.slider_n.fill(0.0);
+        self.spring_n_m.fill(0.0);
         self.joined = false;
         for i in 0..self.n {
-            match (model.friction[i], state.slider[i]) {
+            let force = match (model.friction[i], state.slider[i]) {
                 (
                     StoreyFriction::Jenkins { kinetic_force_n, .. }
                     | StoreyFriction::Coulomb { kinetic_force_n, .. },
                     Slider::Slipping(sign),
-                ) => {
-                    self.slipping_n[i] += sign * kinetic_force_n;
-                    if let Some(j) = model.below[i] {
-                        self.slipping_n[j] -= sign * kinetic_force_n;
-                    }
-                }
+                ) => sign * kinetic_force_n,
                 (
                     StoreyFriction::Jenkins {
                         stuck_stiffness_n_m, ..
                     },
                     Slider::Stuck,
-                ) => self.springs.push(Spring {
-                    upper: i,
-                    lower: model.below[i],
-                    stiffness_n_m: stuck_stiffness_n_m,
-                    offset_m: state.offset_m[i],
-                }),
-                _ => {}
+                ) => {
+                    self.spring_n_m[i] = stuck_stiffness_n_m;
+                    -stuck_stiffness_n_m * state.offset_m[i]
+                }
+                _ => 0.0,
+            };
+            self.slider_n[i] += force;
+            if let Some(j) = model.below[i] {
+                self.slider_n[j] -= force;
             }
             let joined = state.slider[i] == Slider::Stuck
                 && matches!(model.friction[i], StoreyFriction::Coulomb { .. });
@@ -320,23 +158,58 @@ impl Series {
                 self.group_mass[self.root[i]] += model.mass_kg[i];
             }
         }
+        self.pull.clear();
+        let mut drag = model.c.is_some().then(|| self.drag.take().unwrap_or_default());
+        drag.iter_mut().for_each(Rows::clear);
+        for i in 0..self.n {
+            let members = self.members(i);
+            let per_mass = -1.0 / self.group_mass[i].max(f64::MIN_POSITIVE);
+            self.push[i] = per_mass * self.slider_n[members.clone()].iter().sum::<f64>();
+            let mut columns = i..i;
+            for member in members.clone() {
+                columns = both(columns, model.k.sum_up(member, &mut self.sum));
+                for (storey, sign) in [(member, 1.0), (member + 1, -1.0)] {
+                    if storey < self.n && (storey == member || model.below[storey] == Some(member)) {
+                        let spring = sign * self.spring_n_m[storey];
+                        self.sum[storey] += spring;
+                        let below = model.below[storey];
+                        if let Some(j) = below {
+                            self.sum[j] -= spring;
+                        }
+                        columns = both(columns, below.unwrap_or(storey)..storey + 1);
+                    }
+                }
+            }
+            self.pull.add(per_mass, &mut self.sum, columns);
+            if let (Some(drag), Some(c)) = (&mut drag, &model.c) {
+                let mut columns = i..i;
+                for member in members {
+                    columns = both(columns, c.sum_up(member, &mut self.sum));
+                }
+                drag.add(per_mass, &mut self.sum, columns);
+            }
+        }
+        self.drag = drag;
+    }
+
+    /// The levels that move as one with level i, if that is the lowest of them; else none.
+    fn members(&self, i: usize) -> Range<usize> {
+        let others = self.root[i..].iter().take_while(|root| **root == i).count();
+        i..i + others
     }
 
     /// Gives the levels that move as one exactly one velocity: that of their momentum.
     pub(super) fn share_velocity(&mut self, model: &Model, state: &mut State) {
-        self.group.fill(0.0);
         for i in 0..self.n {
-            if self.root[i] != GROUND {
-                self.group[self.root[i]] += model.mass_kg[i] * state.v[i];
+            if self.root[i] == GROUND {
+                state.v[i] = 0.0;
             }
-        }
-        for i in 0..self.n {
-            state.v[i] = match self.root[i] {
-                GROUND => 0.0,
-                // alone: as it is, to the last digit
-                root if self.group_mass[root] == model.mass_kg[i] => state.v[i],
-                root => self.group[root] / self.group_mass[root],
-            };
+            let members = self.members(i);
+            // alone: as it is, to the last digit
+            if members.len() > 1 {
+                let momentum: f64 = members.clone().map(|m| model.mass_kg[m] * state.v[m]).sum();
+                state.v[members].fill(momentum / self.group_mass[i]);
+            }
         }
     }
 
@@ -344,37 +217,152 @@ impl Series {
     /// [`Series::act`] and [`Series::join`] come first.
     pub(super) fn expand(&mut self, model: &Model, state: &State) -> bool {
         self.begin(state);
-        let size = |y: &[Coefficients], k: usize| y.iter().fold(0.0_f64, |most, row| most.max(row[k].abs()));
-        let mut largest = size(&self.y, 1);
-        let mut before = largest;
-        let least = self.orders_least();
-        let mut converged = false;
-        self.orders = COEFFICIENTS_MOST;
-        for k in 0..COEFFICIENTS_MOST - 2 {
-            self.next(model, k);
-            let size = size(&self.y, k + 2);
-            largest = largest.max(size);
-            if k + 1 >= least && size.max(before) <= TERM_LEAST * largest {
-                self.orders = k + 3;
-                converged = true;
-                break;
-            }
-            before = size;
-        }
+        // without dashpots a power follows from the one two before it alone: two at a time
+        let converged = if self.drag.is_some() {
+            self.powers::<1>()
+        } else {
+            self.powers::<2>()
+        };
         let orders = self.orders;
+        if self.joined {
+            self.hold(model, 0, orders - 2);
+        }
         for i in 0..self.n {
             let (below, own) = self.y.split_at(i);
-            let drift = &mut self.drift[i][..orders];
+            let (own, drift) = (&own[0][..orders], &mut self.drift[i][..orders]);
             match below.last() {
-                None => drift.copy_from_slice(&own[0][..orders]),
+                None => drift.copy_from_slice(own),
                 Some(below) => {
-                    for (drift, (own, below)) in drift.iter_mut().zip(own[0][..orders].iter().zip(below)) {
+                    for (drift, (own, below)) in drift.iter_mut().zip(own.iter().zip(below)) {
                         *drift = own - below;
                     }
                 }
             }
+            self.y_most[i] = polynomial_most(own);
+            self.drift_most[i] = polynomial_most(drift);
         }
         converged
+    }
+
+    /// All powers, L at a time, until two of them are too small to count.
+    fn powers<const L: usize>(&mut self) -> bool {
+        let mut largest = self.y.iter().fold(0.0_f64, |most, y| most.max(y[1].abs()));
+        let mut before = largest;
+        let least = self.orders_least();
+        for k in (0..COEFFICIENTS_MOST - 2).step_by(L) {
+            let sizes = self.advance::<L>(k);
+            let now = sizes.into_iter().fold(0.0, larger);
+            largest = larger(largest, now);
+            let last_two = if L == 1 { larger(before, now) } else { now };
+            if k + L >= least && last_two <= TERM_LEAST * largest {
+                self.orders = k + L + 2;
+                return true;
+            }
+            before = now;
+        }
+        self.orders = COEFFICIENTS_MOST;
+        false
+    }
+
+    /// Coefficients k + 2 to k + 1 + L of the motion, from those before; their largest sizes.
+    fn advance<const L: usize>(&mut self, k: usize) -> [f64; L] {
+        let h_squared = self.h * self.h;
+        let steps: [f64; L] = some(&TWICE, k).map(|twice| h_squared * twice);
+        let ground: [f64; L] = some(&self.ground, k);
+        let mut sizes = [0.0; L];
+        for (i, pull) in self.pull.each().enumerate() {
+            let mut new = [0.0; L];
+            if self.root[i] == i {
+                for (j, pull) in pull {
+                    let y: [f64; L] = some(&self.y[*j], k);
+                    for l in 0..L {
+                        new[l] += pull * y[l];
+                    }
+                }
+                if k == 0 {
+                    new[0] += self.push[i];
+                }
+                if let Some(drag) = &self.drag {
+                    let rate = (k + 1) as f64 / self.h;
+                    let sum: f64 = drag.row(i).iter().map(|(j, drag)| drag * self.y[*j][k + 1]).sum();
+                    new[0] += rate * sum;
+                }
+                if !self.forces.is_empty() {
+                    for member in self.members(i) {
+                        let force: [f64; L] = some(&self.forces[member], k);
+                        for l in 0..L {
+                            new[l] += force[l] / self.group_mass[i];
+                        }
+                    }
+                }
+                for l in 0..L {
+                    new[l] = (new[l] - ground[l]) * steps[l];
+                }
+            } else if let Some(root) = self.y.get(self.root[i]) {
+                new = some(root, k + 2);
+            }
+            for l in 0..L {
+                sizes[l] = larger(sizes[l], new[l].abs());
+            }
+            self.y[i][k + 2..k + 2 + L].copy_from_slice(&new);
+        }
+        sizes
+    }
+
+    /// Coefficients `from` to `to` of the forces of stuck Coulomb sliders, from the top down: what the balance of each level
+    /// leaves, m a + rest + λ_i − λ of the stuck slider that stands on it = 0.
+    fn hold(&mut self, model: &Model, from: usize, to: usize) {
+        for i in (0..self.n).rev() {
+            let (lower, upper) = self.held.split_at_mut(i + 1);
+            let held = &mut lower[i][from..to];
+            held.fill(0.0);
+            if self.root[i] == i {
+                continue;
+            }
+            let mut add = |factor: f64, row: &[f64]| {
+                for (held, x) in held.iter_mut().zip(row) {
+                    *held += factor * x;
+                }
+            };
+            if let Some(above) = upper.first().filter(|_| model.below[i + 1] == Some(i)) {
+                add(1.0, &above[from..]);
+            }
+            for (j, k) in model.k.row(i) {
+                add(-k, &self.y[*j][from..]);
+            }
+            for (storey, sign) in [(i, -1.0), (i + 1, 1.0)] {
+                if storey < self.n && (storey == i || model.below[storey] == Some(i)) {
+                    let spring = sign * self.spring_n_m[storey];
+                    if spring != 0.0 {
+                        add(spring, &self.y[storey][from..]);
+                        if let Some(j) = model.below[storey] {
+                            add(-spring, &self.y[j][from..]);
+                        }
+                    }
+                }
+            }
+            add(-model.mass_kg[i], &self.ground[from..]);
+            if let Some(force) = self.forces.get(i) {
+                add(1.0, &force[from..]);
+            }
+            let inertia = model.mass_kg[i] / (self.h * self.h);
+            let second = self.y[i][from + 2..].iter().zip(&TWICE[from..]);
+            for (held, (y, twice)) in held.iter_mut().zip(second) {
+                *held -= inertia * (y / twice);
+            }
+            if let Some(c) = &model.c {
+                for (j, c) in c.row(i) {
+                    let mut power = from as f64;
+                    for (held, y) in held.iter_mut().zip(&self.y[*j][from + 1..]) {
+                        power += 1.0;
+                        *held -= c / self.h * (power * y);
+                    }
+                }
+            }
+            if let Some(held) = held.first_mut().filter(|_| from == 0) {
+                *held -= self.slider_n[i];
+            }
+        }
     }
 
     /// Coefficients of the motion across a slider.
@@ -390,7 +378,7 @@ impl Series {
     /// Displacements and velocities at σ.
     pub(super) fn place(&self, sigma: f64, now: &mut State) {
         for (row, (y, v)) in self.y.iter().zip(now.y.iter_mut().zip(&mut now.v)) {
-            let [at, rate, _] = at_with_rates(&row[..self.orders], sigma);
+            let [at, rate] = at_with_rate(&row[..self.orders], sigma);
             (*y, *v) = (at, rate / self.h);
         }
     }
@@ -412,12 +400,12 @@ impl Series {
     /// Largest force of order k that enters the balance of any level, N: what rounding is measured by.
     pub(super) fn force_scale(&self, model: &Model, state: &State, k: usize) -> f64 {
         let rate = (k + 1) as f64 / self.h;
+        let sizes = |row: &[(usize, f64)], k: usize| -> f64 {
+            row.iter().map(|(j, a)| (a * self.y[*j][k]).abs()).sum()
+        };
         let of_level = |i: usize| {
-            let springs = model.k.times_sizes(i, &self.y, k);
-            let dashpots = model
-                .c
-                .as_ref()
-                .map_or(0.0, |c| rate * c.times_sizes(i, &self.y, k + 1));
+            let springs = sizes(model.k.row(i), k);
+            let dashpots = model.c.as_ref().map_or(0.0, |c| rate * sizes(c.row(i), k + 1));
             let force = self.forces.get(i).map_or(0.0, |force| force[k].abs());
             let slider = match (model.friction[i], state.slider[i]) {
                 (
@@ -434,8 +422,11 @@ impl Series {
 
     /// Powers that what acts needs: a sine goes on until its terms are too small to count.
     fn orders_least(&self) -> usize {
+        if self.ground_orders <= 2 && self.force_orders <= 2 {
+            return 2;
+        }
         let tail = |row: &[f64; COEFFICIENTS_MOST], orders: usize| {
-            let largest = largest_of(row);
+            let largest = row.iter().fold(0.0, |most, x| larger(most, x.abs()));
             (0..orders)
                 .rev()
                 .find(|&k| row[k].abs() > TERM_LEAST * largest)
@@ -449,89 +440,51 @@ impl Series {
 
     /// Coefficient k + 2 of the motion and k of the forces of stuck sliders, from those before. [`Series::join`] comes first.
     pub(super) fn next(&mut self, model: &Model, k: usize) {
-        let factor = self.h * self.h / ((k + 1) * (k + 2)) as f64;
-        let ground = self.ground[k];
-        let mut begin = 0;
-        for ((rest, mass), &end) in self.rest.iter_mut().zip(&model.mass_kg).zip(&model.k.ends) {
-            let mut sum = mass * ground;
-            for (j, a) in &model.k.entries[begin..end] {
-                sum += a * self.y[*j][k];
-            }
-            (*rest, begin) = (sum, end);
-        }
-        if let Some(c) = &model.c {
-            let rate = (k + 1) as f64 / self.h;
-            for (i, rest) in self.rest.iter_mut().enumerate() {
-                *rest += rate * c.times_of(i, &self.y, k + 1);
-            }
-        }
-        for (rest, force) in self.rest.iter_mut().zip(&self.forces) {
-            *rest -= force[k];
-        }
-        if k == 0 {
-            for (rest, force) in self.rest.iter_mut().zip(&self.slipping_n) {
-                *rest += force;
-            }
-        }
-        for spring in &self.springs {
-            let mut across = self.y[spring.upper][k] - spring.lower.map_or(0.0, |j| self.y[j][k]);
-            if k == 0 {
-                across -= spring.offset_m;
-            }
-            let force = spring.stiffness_n_m * across;
-            self.rest[spring.upper] += force;
-            if let Some(j) = spring.lower {
-                self.rest[j] -= force;
-            }
-        }
-        if !self.joined {
-            let rows = self.y.iter_mut().zip(&mut self.held);
-            for ((y, held), (rest, mass)) in rows.zip(self.rest.iter().zip(&model.mass_kg)) {
-                y[k + 2] = -rest / mass * factor;
-                held[k] = 0.0;
-            }
-            return;
-        }
-        self.group.fill(0.0);
-        for (rest, &root) in self.rest.iter().zip(&self.root) {
-            if root != GROUND {
-                self.group[root] += rest;
-            }
-        }
-        self.carry.fill(0.0);
-        for i in (0..self.n).rev() {
-            let root = self.root[i];
-            let acceleration = if root == GROUND {
-                0.0
-            } else {
-                -self.group[root] / self.group_mass[root]
-            };
-            self.y[i][k + 2] = acceleration * factor;
-            // balance of the level: m a + rest + λ_i − Σ λ of the stuck sliders that stand on it = 0
-            let held = if root == i {
-                0.0
-            } else {
-                self.carry[i] - (model.mass_kg[i] * acceleration + self.rest[i])
-            };
-            self.held[i][k] = held;
-            if let Some(j) = model.below[i] {
-                self.carry[j] += held;
-            }
-        }
+        self.advance::<1>(k);
+        self.hold(model, k, k + 1);
     }
 }
 
-/// A polynomial, its derivative and half its second one, by Horner's rule.
-pub(super) fn at_with_rates(c: &[f64], sigma: f64) -> [f64; 3] {
-    let [mut value, mut rate, mut half] = [0.0; 3];
+/// What lies in either range or between them; an empty one counts for nothing.
+fn both(a: Range<usize>, b: Range<usize>) -> Range<usize> {
+    match (a.is_empty(), b.is_empty()) {
+        (true, _) => b,
+        (_, true) => a,
+        _ => a.start.min(b.start)..a.end.max(b.end),
+    }
+}
+
+/// L coefficients from the k-th.
+fn some<const L: usize>(c: &Coefficients, k: usize) -> [f64; L] {
+    let mut some = [0.0; L];
+    some.copy_from_slice(&c[k..k + L]);
+    some
+}
+
+/// The larger of two numbers, in one instruction: what is no number counts as none.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
+/// A polynomial and its derivative, by Horner's rule.
+pub(super) fn at_with_rate(c: &[f64], sigma: f64) -> [f64; 2] {
+    let [mut value, mut rate] = [0.0; 2];
     for c in c.iter().rev() {
-        half = half * sigma + rate;
         rate = rate * sigma + value;
         value = value * sigma + c;
     }
-    [value, rate, half]
+    [value, rate]
 }
 
-fn largest_of(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, x| most.max(x.abs()))
+/// The same with half its second derivative, at several places.
+pub(super) fn at_with_rates<const L: usize>(c: &[f64], sigma: [f64; L]) -> [[f64; L]; 3] {
+    let [mut value, mut rate, mut half] = [[0.0; L]; 3];
+    for c in c.iter().rev() {
+        for l in 0..L {
+            half[l] = half[l] * sigma[l] + rate[l];
+            rate[l] = rate[l] * sigma[l] + value[l];
+            value[l] = value[l] * sigma[l] + c;
+        }
+    }
+    [value, rate, half]
 }

@@ -13,10 +13,12 @@ mod frame_events;
 mod frame_friction;
 mod frame_history;
 mod frame_law;
+mod frame_model;
 mod frame_motion;
 mod frame_record;
 mod frame_series;
 mod frame_studies;
+mod frame_work;
 mod rocking_block;
 
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};

@@ -24,7 +24,7 @@ pub(crate) fn first_descent(c: &[f64], from: f64) -> Option<f64> {
     };
     let (&first, rest) = c.split_first()?;
     // what most calls end with: nothing can bring p down to zero
-    if first > rest.iter().map(|x| x.abs()).sum::<f64>() {
+    if first > falls_most(rest) || stays_up(c) {
         return None;
     }
     let mut bernstein = [0.0; COEFFICIENTS_MOST];
@@ -37,6 +37,25 @@ pub(crate) fn first_descent(c: &[f64], from: f64) -> Option<f64> {
     descend(c, b, from, 1.0, HALVINGS_MOST)
 }
 
+/// What negative coefficients can take away on [0, 1].
+fn falls_most(c: &[f64]) -> f64 {
+    c.iter().map(|c| if *c < 0.0 { -c } else { 0.0 }).sum()
+}
+
+/// Whether the cubic of the first four coefficients stays, by its own basis of Bernstein, above all that the others can take away,
+/// rounding included.
+fn stays_up(c: &[f64]) -> bool {
+    let Some((&[c0, c1, c2, c3], rest)) = c.split_first_chunk::<4>() else {
+        return false;
+    };
+    let rounding = 8.0 * f64::EPSILON * (c0.abs() + c1.abs() + c2.abs() + c3.abs());
+    let floor = falls_most(rest) + rounding;
+    let third = c1 / 3.0;
+    [c0, c0 + third, c0 + 2.0 * third + c2 / 3.0, c0 + c1 + c2 + c3]
+        .into_iter()
+        .all(|b| b > floor)
+}
+
 /// b_j = Σ_{k ≤ j} C(j, k)/C(d, k) c_k on [0, 1], by differences: no binomials are formed.
 fn to_bernstein(c: &[f64], b: &mut [f64]) {
     let degree = c.len() - 1;
@@ -47,8 +66,11 @@ fn to_bernstein(c: &[f64], b: &mut [f64]) {
         binomial *= (degree - k) as f64 / (k + 1) as f64;
     }
     for row in 1..=degree {
-        for j in (row..=degree).rev() {
-            b[j] += b[j - 1];
+        let mut before = b[row - 1];
+        for b in &mut b[row..] {
+            let own = *b;
+            *b += before;
+            before = own;
         }
     }
 }
@@ -134,6 +156,19 @@ fn locate(c: &[f64], mut low: f64, mut high: f64) -> f64 {
         }
     }
     high
+}
+
+/// What |Σ c_k σᵏ| is at most on [0, 1]: Σ |c_k|.
+pub(crate) fn polynomial_most(c: &[f64]) -> f64 {
+    let mut lanes = [0.0; 4];
+    let fours = c.chunks_exact(4);
+    let rest: f64 = fours.remainder().iter().map(|c| c.abs()).sum();
+    for four in fours {
+        for (lane, c) in lanes.iter_mut().zip(four) {
+            *lane += c.abs();
+        }
+    }
+    (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]) + rest
 }
 
 /// Σ c_k σᵏ.

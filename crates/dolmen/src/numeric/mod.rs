@@ -8,7 +8,7 @@ mod random;
 mod roots;
 mod statistics;
 
-pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial};
+pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};
 pub use error::NumericError;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub use random::Random;

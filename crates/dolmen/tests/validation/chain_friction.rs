@@ -7,8 +7,9 @@
 //     ==o==  φ_1
 //
 // PARAMETERS in each test; g = 9.81 m/s².
-// AGREES     two links in four states, SciPy 1.17.1 (DOP853, rtol 3e-14) from event to event: chain_friction_two_links.py beside.
-// TOLERANCE  1e-12 of the amplitude against closed forms; the peer 1e-11, some ten times what its steps leave.
+// AGREES     two links in four states, and three with static moments above the kinetic ones, SciPy 1.17.1 (DOP853, rtol 3e-14 and 1e-13)
+//            from event to event: chain_friction_two_links.py and chain_friction_three_links.py beside.
+// TOLERANCE  1e-12 of the amplitude against closed forms; the peers 1e-11 and 1e-10, some ten times what their steps leave.
 
 use crate::draws::Draws;
 use dolmen::dynamics::{
@@ -327,6 +328,87 @@ const TWO_LINKS: [[f64; 2]; 6] = [
     [-1.768_662_680_523_27e-02, -1.270503948723616e-01],
 ];
 const TWO_LINKS_EVENTS: usize = 24;
+
+#[test]
+fn agrees_three_links_with_scipy_where_static_friction_is_above_kinetic() {
+    let links = vec![
+        link(3.0, 1.5, 0.7, 0.6),
+        link(2.0, 1.0, 0.5, 0.25),
+        link(1.0, 0.8, 0.4, 0.06),
+    ];
+    let joint = |stiffness_n_m_rad, damping_n_m_s_rad, static_moment_n_m, kinetic_moment_n_m| ChainJoint {
+        stiffness_n_m_rad,
+        damping_n_m_s_rad,
+        opening: JointOpening::Held,
+        friction: JointFriction::Coulomb {
+            static_moment_n_m,
+            kinetic_moment_n_m,
+        },
+    };
+    let joints = vec![
+        joint(160.0, 0.5, 5.0, 3.0),
+        joint(50.0, 0.2, 2.5, 1.5),
+        joint(10.0, 0.05, 0.6, 0.4),
+    ];
+    let model = ChainModel::new(Chain::new(links, G).unwrap(), joints, ChainRotations::Large).unwrap();
+    let load = TimeFunction::Sampled {
+        time_step_s: 0.25,
+        values: (0..=24).map(|i| [0.0, 6.0, 0.0, -6.0][i % 4]).collect(),
+    };
+    let options = ChainRun {
+        output_step_s: 1.0,
+        fall_rad: 3.0,
+        ..from(&[], 6.0)
+    };
+    let history = run(&model, &load, &options);
+    for (second, wanted) in THREE_LINKS.iter().enumerate() {
+        for (rows, wanted) in history.rotation_rad.iter().zip(wanted) {
+            let got = rows[second + 1];
+            assert!(
+                (got - wanted).abs() < 1e-10,
+                "{} s: {got:.15e} {wanted:.15e}",
+                second + 1
+            );
+        }
+    }
+    assert_eq!(history.friction_events, THREE_LINKS_EVENTS);
+    assert!(history.energy_left_over_ratio < 1e-13);
+}
+
+/// Rotations at 1, 2 … 6 s, rad, and changes of a joint.
+const THREE_LINKS: [[f64; 3]; 6] = [
+    [
+        -7.489564048827117e-02,
+        -3.871457927254392e-01,
+        -1.105122855396060e+00,
+    ],
+    [
+        -1.817349519800473e-02,
+        -4.496632908824245e-01,
+        -1.417910155788313e+00,
+    ],
+    [
+        1.485553531238671e-01,
+        -1.152203579056898e-01,
+        -1.106729424620028e+00,
+    ],
+    [
+        2.944568150495913e-01,
+        2.384764846567087e-01,
+        -6.260214673744496e-01,
+    ],
+    [
+        3.012195332249586e-01,
+        2.327974375037543e-01,
+        -6.301111908201303e-01,
+    ],
+    [
+        1.441618016038942e-01,
+        -8.519510970616648e-02,
+        -1.048691352935069e+00,
+    ],
+];
+const THREE_LINKS_EVENTS: usize = 39;
 
 /// Random chains whose joints rub, open and damp, under the whole record.
 fn shaken(draw: &mut Draws, rotations: ChainRotations) -> ChainHistory {

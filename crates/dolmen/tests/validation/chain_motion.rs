@@ -494,6 +494,14 @@ fn refuses_what_cannot_move() {
         refused(&ChainRun::default()),
         "duration_s is 0, but must be a positive number: give it where no sampled load does"
     );
+    let endless = ChainRun {
+        output_step_s: 1e-6,
+        ..from(&[], 1e12)
+    };
+    assert_eq!(
+        refused(&endless),
+        "output_step_s is 0.000001, but must be long enough for ten million samples at most in the run"
+    );
     let stiffness: Vec<f64> = weight_times_height().iter().map(|k| 2.0 * k).collect();
     let held = springs(flagpole(), &stiffness, ChainRotations::Large);
     let options = from(&[1e-3; 5], 100.0);
