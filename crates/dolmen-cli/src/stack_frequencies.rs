@@ -6,7 +6,7 @@ use dolmen::assess::StackCheck;
 use dolmen::blocks::{ContactRule, calibrate_springs, first_sway, stack_modes};
 use dolmen::stability::Verdict;
 use dolmen::structure::stack::Stack;
-use dolmen_formats::answer::{MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
+use dolmen_formats::answer::{SpringFit, StackAnswer, StackFrequencies};
 use dolmen_formats::project::Survey;
 
 /// How a joint is made of springs: exact for small motion of faces that stay closed.
@@ -18,11 +18,10 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
         return None;
     }
     Some(match stack_modes(stack, RULE) {
-        Ok(mut modes) => {
+        Ok(modes) => {
             let sways =
                 [0, 1].map(|axis| first_sway(&modes, axis).map(|mode| (mode, modes[mode].frequency_hz)));
-            modes.truncate(MODES_SHOWN);
-            StackFrequencies::Known { lowest: modes, sways }
+            StackFrequencies::Known { modes, sways }
         }
         Err(why) => StackFrequencies::Refused(why.to_string()),
     })
@@ -32,6 +31,10 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
 pub(crate) fn fits(answer: &StackAnswer, surveys: &[Survey]) -> Result<Vec<SpringFit>> {
     let Some(known) = &answer.frequencies else {
         return Ok(Vec::new());
+    };
+    let drawn = match known {
+        StackFrequencies::Known { modes, .. } => Some(modes.as_slice()),
+        StackFrequencies::Refused(_) => None,
     };
     let mut fits = Vec::new();
     for survey in surveys {
@@ -49,7 +52,7 @@ pub(crate) fn fits(answer: &StackAnswer, surveys: &[Survey]) -> Result<Vec<Sprin
         let (factor, frequencies) = if measured.is_empty() {
             (None, Vec::new())
         } else {
-            let found = calibrate_springs(&answer.stack, RULE, &measured)?;
+            let found = calibrate_springs(&answer.stack, RULE, &measured, drawn)?;
             (
                 Some(found.factor),
                 directions.into_iter().zip(found.frequencies).collect(),

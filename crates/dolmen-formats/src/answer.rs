@@ -159,8 +159,8 @@ pub struct StackAnswer {
 pub enum StackFrequencies {
     /// They are known.
     Known {
-        /// The lowest [`MODES_SHOWN`].
-        lowest: Vec<StackMode>,
+        /// All of them, lowest first; [`MODES_SHOWN`] are shown.
+        modes: Vec<StackMode>,
         /// Which of all its modes is the first of swaying along x and along y, and its frequency, Hz.
         sways: [Option<(usize, f64)>; 2],
     },

@@ -1,6 +1,6 @@
 //! The check of a stack, as JSON.
 
-use crate::answer::{StackAnswer, StackFrequencies};
+use crate::answer::{MODES_SHOWN, StackAnswer, StackFrequencies};
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Threshold};
 use dolmen::structure::stack::{Body, Stack};
 use serde_json::{Value, json};
@@ -39,8 +39,8 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
 
 fn frequencies(frequencies: &StackFrequencies) -> Value {
     match frequencies {
-        StackFrequencies::Known { lowest, sways } => json!({
-            "modes": lowest.iter().map(|mode| json!({
+        StackFrequencies::Known { modes, sways } => json!({
+            "modes": modes.iter().take(MODES_SHOWN).map(|mode| json!({
                 "frequency_hz": mode.frequency_hz, "effective_mass_ratio": mode.effective_mass_ratio, "shape": mode.shape,
             })).collect::<Vec<_>>(),
             "sway_x_hz": sways[0].map(|(_, hz)| hz),

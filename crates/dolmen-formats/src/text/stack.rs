@@ -1,7 +1,7 @@
 //! The check of a stack, as text.
 
 use super::Table;
-use crate::answer::{Answer, Check, SpringFit, StackAnswer, StackFrequencies};
+use crate::answer::{Answer, Check, MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
 use dolmen::assess::{StackCheck, StackNote};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, StackLimitStates, Threshold};
@@ -142,13 +142,13 @@ pub(super) fn stack_text(answer: &StackAnswer) -> String {
 }
 
 fn frequencies_text(frequencies: &StackFrequencies) -> String {
-    let lowest = match frequencies {
-        StackFrequencies::Known { lowest, .. } => lowest,
+    let modes = match frequencies {
+        StackFrequencies::Known { modes, .. } => modes,
         StackFrequencies::Refused(why) => return format!("\nNatural frequencies are not known: {why}\n"),
     };
     let heads = ["mode", "f, Hz", "T, s", "mass along x, %", "y, %", "z, %"];
     let mut table = Table::new(&heads, 1);
-    for (i, mode) in lowest.iter().enumerate() {
+    for (i, mode) in modes.iter().take(MODES_SHOWN).enumerate() {
         let mut cells = vec![
             (i + 1).to_string(),
             format!("{:.3}", mode.frequency_hz),

@@ -33,7 +33,8 @@ pub struct SpringCalibration {
 /// Multiplies the springs of all joints by one factor, so that a stack has the frequencies measured.
 ///
 /// `measured` holds pairs of a mode (0 the lowest) and its frequency. With several, the factor is the one with the least
-/// sum of squares of the logarithms; what each is off is in the result.
+/// sum of squares of the logarithms; what each is off is in the result. `drawn` are the modes of the stack as it is, by the same rule,
+/// if they are known already; they are computed otherwise.
 ///
 /// ```text
 /// ω² ∝ k where the same points touch:   ln factor = mean of 2 ln(measured / computed)
@@ -57,7 +58,7 @@ pub struct SpringCalibration {
 /// use dolmen::structure::stack::JointMaterial;
 /// let stack = dolmen::validation::p10(JointMaterial::default(), 9.81)?;
 /// let drawn = stack_modes(&stack, ContactRule::Four)?[0].frequency_hz;
-/// let found = calibrate_springs(&stack, ContactRule::Four, &[(0, 6.0)])?;
+/// let found = calibrate_springs(&stack, ContactRule::Four, &[(0, 6.0)], None)?;
 /// let first = &stack_modes(&found.stack, ContactRule::Four)?[0];
 /// assert!((first.frequency_hz - 6.0).abs() < 1e-9);
 /// assert!((found.factor / (6.0 / drawn).powi(2) - 1.0).abs() < 1e-4); // it settles less than the stack as drawn
@@ -67,6 +68,7 @@ pub fn calibrate_springs(
     stack: &Stack,
     contact_rule: ContactRule,
     measured: &[(usize, f64)],
+    drawn: Option<&[StackMode]>,
 ) -> Result<SpringCalibration, BlocksError> {
     let refuse = |option, given, allowed| {
         Err(BlocksError::Option {
@@ -78,7 +80,10 @@ pub fn calibrate_springs(
     if measured.is_empty() {
         return refuse("number of measured frequencies", 0.0, "at least 1");
     }
-    let mut modes = stack_modes(stack, contact_rule)?;
+    let mut modes = match drawn {
+        Some(modes) => modes.to_vec(),
+        None => stack_modes(stack, contact_rule)?,
+    };
     for &(mode, frequency_hz) in measured {
         if !(frequency_hz > 0.0 && frequency_hz.is_finite()) {
             return refuse("frequency_hz", frequency_hz, "a positive number");
