@@ -10,7 +10,8 @@ use std::path::PathBuf;
 #[command(name = "dolmen", version, max_term_width = 110, propagate_version = true)]
 #[command(
     after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\" or \"below demand\", or a stone fell, 2 bad input, 3 a computation did \
-                        not converge or was stopped.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
+                        not converge, ended undecided or was stopped. A study is done with 0 whatever fell, and ends with 3 where \
+                        a scan is missing or cannot be used.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]

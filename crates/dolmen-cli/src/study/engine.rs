@@ -8,7 +8,7 @@ use super::plan::Plan;
 use super::stacks::{self, run_stacks};
 use crate::simulate::{interrupted, watch_interrupts};
 use anyhow::{Context as _, Result};
-use dolmen::assess::{ScaleTrial, Trial, next_in_bracket};
+use dolmen::assess::{ScaleTrial, next_in_bracket};
 use dolmen::blocks::StackRun;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
@@ -202,11 +202,7 @@ fn stack_model(stack: Stack) -> Result<Model, String> {
 fn trial(run: &Run) -> ScaleTrial {
     ScaleTrial {
         scale: run.scale,
-        trial: match run.outcome {
-            RunOutcome::Fell => Trial::Fell,
-            RunOutcome::Diverged | RunOutcome::Refused => Trial::Unknown,
-            RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid => Trial::Survived,
-        },
+        trial: run.outcome.trial(),
     }
 }
 

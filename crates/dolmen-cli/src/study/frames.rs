@@ -10,11 +10,8 @@ use dolmen::dynamics::{
 };
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_formats::project::{FramePart, Pick, Structure, StudyPart};
-use dolmen_formats::study::{FrameMaps, Run, RunOutcome};
+use dolmen_formats::study::{FRAME_REST_S, FrameMaps, Run, RunOutcome};
 use rayon::prelude::*;
-
-/// Time after the motion in which the frame swings on, s. As for a single simulation.
-const REST_S: f64 = 20.0;
 
 /// A frame in the direction that is shaken.
 pub(super) struct FrameModel {
@@ -75,7 +72,7 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &FrameModel, motion: &
     };
     let load = FrameLoad::of_ground(TimeFunction::of_motion(motion, component));
     let options = FrameRun {
-        duration_s: Some(motion.duration_s() + study.rest_s.unwrap_or(REST_S)),
+        duration_s: Some(motion.duration_s() + study.rest_s.unwrap_or(FRAME_REST_S)),
         output_step_s: 0.02,
         ..FrameRun::default()
     };

@@ -9,12 +9,12 @@ mod plan;
 mod stacks;
 
 use crate::cli::{Study as Options, StudyAction, StudyWhere};
-use crate::{Outcome, files, simulate};
+use crate::{Outcome, files, simulate, tools};
 use anyhow::{Context as _, Result, bail};
 use dolmen_formats::Language;
 use dolmen_formats::json::study_json;
 use dolmen_formats::project::StudyPart;
-use dolmen_formats::study::{Run, RunOutcome, StudyAnswer};
+use dolmen_formats::study::{Run, StudyAnswer};
 use dolmen_formats::text::study_text;
 use folder::StudyFolder;
 use plan::Plan;
@@ -61,19 +61,27 @@ fn each(place: &StudyWhere, act: impl Fn(&Plan, &StudyFolder) -> Result<Outcome>
     if meant.is_empty() {
         bail!("the file has no study: write one as [study.NAME]; docs/study.md has its keys");
     }
-    let mut worst = Outcome::Stands;
+    let mut worst = Ok(Outcome::Stands);
     for study in meant {
-        let plan = Plan::of(&opened, study).with_context(|| format!("study \"{}\"", study.name))?;
-        let folder = StudyFolder::of(place.output.as_deref(), &opened.file, &study.name);
-        let outcome = act(&plan, &folder).with_context(|| format!("study \"{}\"", study.name))?;
-        if outcome != Outcome::Stands {
-            worst = outcome;
-        }
+        let done = Plan::of(&opened, study).and_then(|plan| {
+            let folder = StudyFolder::of(place.output.as_deref(), &opened.file, &study.name);
+            act(&plan, &folder)
+        });
+        let done = done.with_context(|| format!("study \"{}\"", study.name));
+        worst = match (worst, done) {
+            (Ok(Outcome::Stands), done) => done,
+            (Ok(_), Err(fault)) => Err(fault),
+            (worst, Ok(_)) => worst,
+            (Err(first), Err(fault)) => {
+                tools::complain(&fault); // the first is said at the end
+                Err(first)
+            }
+        };
         if simulate::interrupted() {
             break;
         }
     }
-    Ok(worst)
+    worst
 }
 
 fn simulated(
@@ -162,8 +170,8 @@ fn finish(plan: &Plan, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed) 
     let missing = engine::missing(plan, (1, 1), &runs);
     let mut answer = plan.answer(runs, missing);
     answer.maps = frames::maps(plan)?;
-    if let Some(why) = all_refused(&answer) {
-        bail!("every run was refused: {why}");
+    if let Some(why) = inputs_refused(&answer) {
+        bail!("the inputs of every run were refused: {why}");
     }
     folder.write(&answer, printed.language)?;
     if printed.as_json {
@@ -174,15 +182,20 @@ fn finish(plan: &Plan, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed) 
     if !printed.quiet {
         eprintln!("tables and figures are in {}", folder.path().display());
     }
-    Ok(if answer.missing.is_empty() {
-        Outcome::Stands
-    } else {
-        Outcome::Unfinished
-    })
+    // a fall is what a study looks for; a scan without an answer is not
+    let has_scan = answer.study.scan.is_some();
+    Ok(
+        if answer.missing.is_empty() && !(has_scan && answer.left_out() > 0) {
+            Outcome::Stands
+        } else {
+            Outcome::Unfinished
+        },
+    )
 }
 
-fn all_refused(answer: &StudyAnswer) -> Option<&str> {
-    let all = !answer.runs.is_empty() && answer.runs.iter().all(|run| run.outcome == RunOutcome::Refused);
+/// Why nothing could be run, if nothing could.
+fn inputs_refused(answer: &StudyAnswer) -> Option<&str> {
+    let all = !answer.runs.is_empty() && answer.runs.iter().all(|run| run.scale == 0.0);
     all.then(|| answer.runs.first().map_or("", |run| run.why.as_str()))
 }
 

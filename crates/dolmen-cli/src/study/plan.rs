@@ -220,6 +220,8 @@ impl<'o> Plan<'o> {
             study: self.study.clone(),
             kind: self.kind,
             gravity_m_s2: self.opened.project.gravity_m_s2,
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            notes: self.notes(),
             inputs: self.inputs.clone(),
             cases: self.cases.clone(),
             motions: self.motions.iter().map(|(name, _)| name.clone()).collect(),
@@ -227,6 +229,14 @@ impl<'o> Plan<'o> {
             missing,
             maps: Vec::new(),
         }
+    }
+
+    /// Warnings of the file, each with its line.
+    fn notes(&self) -> Vec<String> {
+        let warnings = self.opened.project.warnings.iter();
+        warnings
+            .map(|warning| format!("line {}: {}", warning.line, warning.message))
+            .collect()
     }
 
     pub(super) fn cases(&self) -> usize {

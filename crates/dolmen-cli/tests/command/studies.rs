@@ -179,6 +179,10 @@ fn holds_ctrl_c_keeps_what_is_done() {
     let stdout = String::from_utf8_lossy(&ended.stdout);
     assert_eq!(ended.status.code(), Some(3), "{stdout}");
     assert!(stdout.contains("NOT FINISHED"), "{stdout}");
+    assert!(
+        stdout.contains("not finished") && stdout.contains("UNUSABLE:"),
+        "{stdout}"
+    );
     let whole = scratch.dolmen("study . --study height -o whole");
     let resumed = scratch.dolmen("study . --study height -o cut");
     assert_eq!((whole.status, resumed.status), (0, 0));
@@ -318,11 +322,13 @@ fn holds_samples_depend_on_the_seed_and_their_number_alone() {
 fn holds_a_refused_run_is_a_row_with_its_reason() {
     let scratch = with("refused", TWO_STONES);
     let answer = scratch.dolmen("study . --study refused -o out");
-    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    assert_eq!(answer.status, 3, "{}{}", answer.stdout, answer.stderr);
     for said in [
         "1 stood",
         "3 refused",
         "joint.friction = -1 cannot be, must be 0 or above",
+        "UNUSABLE: 3 of 4 scans are in no quantile and no trend",
+        "scan 2 (joint.friction = 0.5, blocks[2].height = 60): its inputs were refused",
     ] {
         assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
     }
@@ -333,6 +339,63 @@ fn holds_a_refused_run_is_a_row_with_its_reason() {
         "{text}"
     );
     assert!(scratch.dolmen("study missing . --study refused -o out").status == 0);
+    let level = |value: &str| {
+        let line = answer.stdout.lines().find(|line| line.contains(value));
+        line.unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert!(
+        level(" -1 ").starts_with("-1 0 of 2 – unusable – – –"),
+        "{}",
+        level(" -1 ")
+    );
+    let capacities = rows(&scratch.path().join("out/refused/capacities.csv"));
+    let verdicts: Vec<&str> = capacities.iter().map(|row| row["verdict"].as_str()).collect();
+    assert_eq!(verdicts, ["beyond", "refused", "refused", "refused"]);
+    assert!(capacities.iter().all(|row| row["first_fall_m_s2"].is_empty()));
+    // of inputs that are all refused nothing is said but why; the studies after it are run
+    let text = TWO_STONES.replace("[0.5, -1]", "[-1, -2]")
+        + "\n[study.last]\nmotions = [\"el-centro-1940-ns\"]\nscale = [0.1]\npoints = 4\n";
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let both = scratch.dolmen("study . --study refused --study last -o both");
+    assert_eq!(both.status, 2, "{}", both.stdout);
+    assert!(both.stderr.contains("must be 0 or above"), "{}", both.stderr);
+    assert!(both.stdout.contains("Study \"last\""), "{}", both.stdout);
+}
+
+#[test]
+fn holds_results_say_how_they_were_computed_and_few_scans_have_no_tails() {
+    let scratch = with("method", TWO_STONES);
+    let answer = scratch.dolmen("study . --study drawn -o out");
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    let method = format!(
+        "springs law, 4 contact points a joint, 2 s after the motion, first fall to 1/8 of a step, samples from seed 1, noise from seed 1, \
+         Dolmen {}",
+        env!("CARGO_PKG_VERSION")
+    );
+    let note = "normal_stiffness 1e9 Pa/m";
+    let figure = fs::read_to_string(scratch.path().join("out/drawn/capacity-all.svg")).unwrap();
+    let figure = figure.replace("</text>", "").replace('\n', " ");
+    for said in [
+        method.as_str(),
+        note,
+        "5 % and 95 % are said of 20 scans and more",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    for said in ["4 contact points a joint", note, "Dolmen"] {
+        assert!(figure.contains(said), "{said}: {figure}");
+    }
+    let json = scratch.dolmen("study . --study drawn -o out --json");
+    let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();
+    assert_eq!(value["law"], "springs");
+    assert_eq!(value["contact_points_a_joint"], 4);
+    assert_eq!((&value["rest_s"], &value["halvings"]), (&2.0.into(), &3.into()));
+    assert_eq!(value["version"], env!("CARGO_PKG_VERSION"));
+    assert!(value["notes"][0].as_str().unwrap().contains(note));
+    let level = &value["levels"][0];
+    assert_eq!((&level["scans"], &level["scans_usable"]), (&3.into(), &3.into()));
+    assert!(level["first_fall_q05_m_s2"].is_null() && level["first_fall_q05_above_m_s2"].is_null());
+    assert!(level["first_fall_median_m_s2"].is_number() || level["first_fall_median_above_m_s2"].is_number());
 }
 
 #[test]

@@ -20,6 +20,9 @@ const PLOTTERS_FONT: f64 = 1.24;
 /// Length of tick marks, px.
 const TICK_PX: f64 = 4.0;
 
+/// Height of one line below the plot, px.
+const NOTE_PX: f64 = 16.0;
+
 /// Height of one line of the legend, px.
 const LEGEND_PX: f64 = 20.0;
 
@@ -72,6 +75,8 @@ pub(crate) struct Plot {
     pub(crate) y: Axis,
     pub(crate) marks: Vec<Mark>,
     pub(crate) legend: Vec<(Key, String)>,
+    /// Lines below the plot.
+    notes: Vec<String>,
 }
 
 impl Plot {
@@ -88,7 +93,25 @@ impl Plot {
             y,
             marks: Vec::new(),
             legend: Vec::new(),
+            notes: Vec::new(),
         }
+    }
+
+    /// Words below the plot, in as many lines as they need; it grows by them.
+    pub(crate) fn note(&mut self, words: &str) {
+        let mut lines: Vec<String> = Vec::new();
+        for word in words.split_inclusive(' ') {
+            let fits = |line: &String| {
+                let whole = Label::new(format!("{line}{word}"), Anchor::Start).small();
+                whole.width() + 24.0 < self.width
+            };
+            match lines.last_mut().filter(|line| fits(line)) {
+                Some(line) => line.push_str(word),
+                None => lines.push(word.to_owned()),
+            }
+        }
+        self.height += NOTE_PX * lines.len() as f64;
+        self.notes.extend(lines);
     }
 
     pub(crate) fn line(&mut self, points: Vec<[f64; 2]>, line: Line) {
@@ -163,7 +186,8 @@ impl Plot {
         let rows = self.legend_rows();
         let top = 10.0 + rows.len() as f64 * LEGEND_PX;
         let named = if self.x.name.is_empty() { 0.0 } else { 20.0 };
-        let bottom = self.height - 24.0 - named;
+        let end = self.height - NOTE_PX * self.notes.len() as f64;
+        let bottom = end - 24.0 - named;
         let (x0, x1) = (self.left, self.width - self.right);
         let spec = Cartesian2d::<Axis, Axis>::new(
             self.x.clone(),
@@ -238,8 +262,12 @@ impl Plot {
             Line::new(GREY, 1.0),
         )?;
         if !self.x.name.is_empty() {
-            let at = [0.5 * (x0 + x1), self.height - 9.0];
+            let at = [0.5 * (x0 + x1), end - 9.0];
             text(area, at, &Label::new(&self.x.name, Anchor::Middle), Turn::None)?;
+        }
+        for (line, words) in self.notes.iter().enumerate() {
+            let at = [12.0, end + NOTE_PX * (line as f64 + 0.4)];
+            text(area, at, &Label::new(words, Anchor::Start).small(), Turn::None)?;
         }
         if !self.y.name.is_empty() {
             let at = [10.0, 0.5 * (top + bottom)];

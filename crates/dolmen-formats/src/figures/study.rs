@@ -5,7 +5,8 @@ use super::axis::{Axis, Tick};
 use super::ink::{Anchor, BLUE, GREY, Label, Line, ORANGE, SERIES, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use crate::Language;
-use crate::study::{FrameMaps, LevelRow, RunOutcome, StudyAnswer, StudyKind, quantile_of_capacities};
+use crate::study::{FrameMaps, LevelRow, RunOutcome, StudyAnswer, StudyKind};
+use dolmen::assess::{Reached, Trial};
 use std::collections::BTreeMap;
 
 /// Size of a figure, px.
@@ -38,7 +39,13 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
                     let input = &answer.inputs[*input];
                     (input.column.clone(), named(&input.path, &input.unit))
                 }
-                None => ("all".to_owned(), language.pick("variant", "대안").to_owned()),
+                None if answer.study.variants.len() > 1 => {
+                    ("all".to_owned(), language.pick("variant", "대안").to_owned())
+                }
+                None => (
+                    "all".to_owned(),
+                    language.pick("nothing is varied", "변수 없음").to_owned(),
+                ),
             };
             add(
                 format!("capacity-{name}"),
@@ -111,6 +118,14 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
     figures
 }
 
+/// Says below the plot how it was computed.
+fn explain(plot: &mut Plot, answer: &StudyAnswer, language: Language) {
+    plot.note(&answer.method(language));
+    for note in &answer.notes {
+        plot.note(note);
+    }
+}
+
 fn named(path: &str, unit: &str) -> String {
     if unit.is_empty() {
         path.to_owned()
@@ -169,33 +184,44 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
     let y = Axis::linear(y_name, 0.0, 1.06 * largest, 6);
     let mut plot = Plot::new(wide(rows), level_axis(rows, label), y);
     let g = answer.gravity_m_s2;
+    let at = |found: Option<Reached>| {
+        let reached = found.filter(|found| found.is_reached());
+        reached.map(|found| found.value() / g)
+    };
+    let above = |found: Option<Reached>| found.map(|found| at(Some(found)).unwrap_or(1.03 * largest));
+    let (mut tails, mut left_out) = (false, false);
     for (i, row) in rows.iter().enumerate() {
         let place = i as f64;
-        let count = row.first_fall_m_s2.len();
-        let exact = |p| quantile_of_capacities(&row.first_fall_m_s2, p) / g;
-        let quantile = |p| exact(p).min(1.03 * largest);
-        if count > 1 {
-            plot.block(
-                [place - 0.3, quantile(0.05)],
-                [place + 0.3, quantile(0.95)],
-                SKY,
-                0.25,
-            );
+        let tail = |probability| above(row.quantile_m_s2(3, probability));
+        if let (Some(low), Some(high)) = (tail(0.05), tail(0.95)) {
+            plot.block([place - 0.3, low], [place + 0.3, high], SKY, 0.25);
+            tails = true;
         }
-        for (k, value) in row.first_fall_m_s2.iter().enumerate() {
-            let spread = if count > 1 {
-                SPREAD * (2.0 * k as f64 / (count - 1) as f64 - 1.0)
-            } else {
-                0.0
-            };
-            if value.is_finite() {
-                plot.sized_dot([place + spread, value / g], Shape::Circle, 3.0, BLUE);
-            } else {
-                plot.sized_dot([place + spread, 1.03 * largest], Shape::Triangle, 3.5, GREY);
+        let count = row.scans.len();
+        let spread = |k: usize| match count {
+            0 | 1 => 0.0,
+            _ => SPREAD * (2.0 * k as f64 / (count - 1) as f64 - 1.0),
+        };
+        let usable = row.first_m_s2(3);
+        for (k, value) in usable.iter().enumerate() {
+            match value {
+                Reached::At(value) => {
+                    plot.sized_dot([place + spread(k), value / g], Shape::Circle, 3.0, BLUE);
+                }
+                Reached::Above(_) => {
+                    plot.sized_dot([place + spread(k), 1.03 * largest], Shape::Triangle, 3.5, GREY);
+                }
             }
         }
-        let median = exact(0.5);
-        if median.is_finite() {
+        // what is known of a scan that cannot be used: that its capacity lies somewhere here
+        for (k, scan) in row.left_out().enumerate() {
+            let x = place + spread(usable.len() + k);
+            let high = scan.fell_m_s2().map_or(1.06 * largest, |fell| fell / g);
+            let low = scan.survived_m_s2() / g;
+            plot.line(vec![[x, low], [x, high]], Line::new(GREY, 1.2).dashed());
+            left_out = true;
+        }
+        if let Some(median) = at(row.quantile_m_s2(3, 0.5)) {
             plot.line(
                 vec![[place - 0.3, median], [place + 0.3, median]],
                 Line::new(VERMILLION, 2.2),
@@ -205,8 +231,7 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
     let joined: Vec<[f64; 2]> = rows
         .iter()
         .enumerate()
-        .map(|(i, row)| [i as f64, quantile_of_capacities(&row.first_fall_m_s2, 0.5) / g])
-        .filter(|point| point[1].is_finite())
+        .filter_map(|(i, row)| Some([i as f64, at(row.quantile_m_s2(3, 0.5))?]))
         .collect();
     plot.line(joined, Line::new(VERMILLION, 1.0).dashed());
     plot.key(
@@ -215,13 +240,22 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
     );
     plot.key(
         Key::Dot(Shape::Triangle, GREY),
-        language.pick("none up to the largest tried", "최대 입력까지 낙하 없음"),
+        language.pick("not up to the largest tried", "최대 입력까지 낙하 없음"),
     );
+    if left_out {
+        plot.key(
+            Key::Line(Line::new(GREY, 1.2).dashed()),
+            language.pick("unusable: somewhere here", "사용 불가: 이 범위"),
+        );
+    }
     plot.key(
         Key::Line(Line::new(VERMILLION, 2.2)),
         language.pick("median", "중앙값"),
     );
-    plot.key(Key::Block(SKY, 0.4), language.pick("5 to 95 %", "5–95 %"));
+    if tails {
+        plot.key(Key::Block(SKY, 0.4), language.pick("5 to 95 %", "5–95 %"));
+    }
+    explain(&mut plot, answer, language);
     plot.svg(language.pick("Capacity against an input", "입력변수에 따른 내진성능"))
 }
 
@@ -268,9 +302,9 @@ fn survived(
             level as f64 + spread,
             run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2,
         ];
-        let (shape, size, colour) = match (run.outcome, run.damage_state) {
-            (RunOutcome::Fell, _) => (Shape::Cross, 3.0, VERMILLION),
-            (RunOutcome::Diverged | RunOutcome::Refused, _) => (Shape::Ring, 3.0, GREY),
+        let (shape, size, colour) = match (run.outcome.trial(), run.damage_state) {
+            (Trial::Fell, _) => (Shape::Cross, 3.0, VERMILLION),
+            (Trial::Unknown, _) => (Shape::Ring, 3.0, GREY),
             (_, 3) => (Shape::Square, 2.6, ORANGE),
             (_, 0) => (Shape::Circle, 2.0, SKY),
             _ => (Shape::Circle, 2.6, BLUE),
@@ -299,6 +333,14 @@ fn survived(
             );
         }
     }
+    let unusable = |outcome: RunOutcome| outcome.trial() == Trial::Unknown;
+    if answer.outcomes().into_keys().any(unusable) {
+        plot.key(
+            Key::Dot(Shape::Ring, GREY),
+            language.pick("no result", "결과 없음"),
+        );
+    }
+    explain(&mut plot, answer, language);
     plot.svg(language.pick("What fell and what survived", "낙하와 생존"))
 }
 

@@ -1,7 +1,7 @@
 //! A study, as JSON.
 
-use crate::study::{StudyAnswer, quantile_of_capacities};
-use dolmen::assess::{AssessError, Direction};
+use crate::study::StudyAnswer;
+use dolmen::assess::{AssessError, Direction, Reached};
 use serde_json::{Map, Value, json};
 
 /// Everything of a study but its single runs.
@@ -27,6 +27,13 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "study": study.name,
         "kind": answer.kind.word(),
+        "version": answer.version,
+        "law": answer.law(),
+        "contact_points_a_joint": answer.law().map(|_| study.points),
+        "rest_s": answer.rest_s(),
+        "halvings": study.refine,
+        "noise_seed": study.artificial.map(|made| made.seed),
+        "notes": answer.notes,
         "inputs": inputs.collect::<Vec<_>>(),
         "cases": answer.cases.len(),
         "samples": study.samples,
@@ -35,6 +42,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "directions_deg": study.turns_rad.iter().map(|turn| turn.to_degrees()).collect::<Vec<_>>(),
         "scans": answer.jobs(),
         "scans_missing": answer.missing.len(),
+        "scans_left_out": left_out(answer),
         "runs": answer.runs.len(),
         "outcomes": outcomes,
         "refused": refusals.collect::<Vec<_>>(),
@@ -43,31 +51,49 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
     }))
 }
 
-/// An acceleration, `null` beyond the scan.
-fn acceleration(value_m_s2: f64) -> Value {
-    if value_m_s2.is_finite() {
-        json!(value_m_s2)
-    } else {
-        Value::Null
-    }
+/// Scans that are in no quantile and no trend.
+fn left_out(answer: &StudyAnswer) -> Vec<Value> {
+    let scans = answer.capacities().into_iter();
+    let each = scans.filter(|scan| !scan.verdict.is_usable()).map(|scan| {
+        json!({
+            "scan": scan.job + 1,
+            "verdict": scan.verdict.word(),
+            "survived_m_s2": scan.survived_m_s2(),
+            "fell_m_s2": scan.fell_m_s2(),
+        })
+    });
+    each.collect()
 }
 
 fn levels(answer: &StudyAnswer) -> Vec<Value> {
     let each = answer.levels().into_iter().map(|row| {
-        let quantile = |probability| acceleration(quantile_of_capacities(&row.first_fall_m_s2, probability));
-        let [ds1, ds2, ds3] = row.median_states_m_s2.map(acceleration);
-        json!({
+        // where it is only known to lie above, `null`, with how far it was tried under the second name
+        let mut object = json!({
             "input": row.input.map(|input| answer.inputs[input].path.clone()),
             "text": row.text,
             "value": row.value,
-            "scans": row.first_fall_m_s2.len(),
-            "first_fall_q05_m_s2": quantile(0.05),
-            "first_fall_median_m_s2": quantile(0.5),
-            "first_fall_q95_m_s2": quantile(0.95),
-            "not_fallen": row.first_fall_m_s2.iter().filter(|value| value.is_infinite()).count(),
-            "median_ds1_m_s2": ds1, "median_ds2_m_s2": ds2, "median_ds3_m_s2": ds3,
-            "survived_above": row.survived_above,
-        })
+            "scans": row.scans.len(),
+            "scans_usable": row.usable(),
+            "fell": row.fell(),
+            "not_fallen": row.usable() - row.fell(),
+            "first_fall_least_m_s2": row.least_m_s2().filter(|least| least.is_reached()).map(Reached::value),
+            "survived_above": row.survived_above(),
+        });
+        for (name, state, probability) in [
+            ("first_fall_q05", 3, 0.05),
+            ("first_fall_median", 3, 0.5),
+            ("first_fall_q95", 3, 0.95),
+            ("median_ds1", 0, 0.5),
+            ("median_ds2", 1, 0.5),
+            ("median_ds3", 2, 0.5),
+        ] {
+            let found = row.quantile_m_s2(state, probability);
+            let at = found.filter(|found| found.is_reached()).map(Reached::value);
+            let above = found.filter(|found| !found.is_reached()).map(Reached::value);
+            object[format!("{name}_m_s2")] = json!(at);
+            object[format!("{name}_above_m_s2")] = json!(above);
+        }
+        object
     });
     each.collect()
 }

@@ -3,8 +3,8 @@
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::study_figures;
-use crate::study::{RunOutcome, StudyAnswer, StudyKind, TrendVerdict, quantile_of_capacities};
-use dolmen::assess::Direction;
+use crate::study::{CapacityOf, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind, TrendVerdict};
+use dolmen::assess::{Direction, Reached};
 use maud::{Markup, html};
 
 /// Figures of one study that a page takes; all of them lie in the folder of the study. Chosen here.
@@ -27,8 +27,10 @@ fn section(answer: &StudyAnswer, language: Language) -> Markup {
         h2 { (language.pick("Study: ", "변수 연구: ")) (title) }
         @if has_scan {
             p { (what_was_run(answer, language)) }
+            p { (answer.method(language)) "." }
             @if !answer.missing.is_empty() { p { b { (unfinished(answer, language)) } } }
             (capacities(answer, language))
+            (left_out(answer, language))
             (trends(answer, language))
         }
         @for found in study_figures(answer, language).into_iter().take(FIGURES_MOST) {
@@ -39,23 +41,37 @@ fn section(answer: &StudyAnswer, language: Language) -> Markup {
 
 fn what_was_run(answer: &StudyAnswer, language: Language) -> String {
     let (cases, motions, runs) = (answer.cases.len(), answer.motions.len(), answer.runs.len());
-    let refused = answer.outcomes().get(&RunOutcome::Refused).copied().unwrap_or(0);
     let capacities = answer.capacities();
-    let above = capacities
-        .iter()
-        .filter(|c| !c.scan.survived_above.is_empty())
-        .count();
-    let scans = capacities.len();
+    let count = |wanted: fn(&&CapacityOf) -> bool| capacities.iter().filter(wanted).count();
+    let scans = count(|scan| scan.verdict.is_usable());
+    let refused = count(|scan| scan.verdict == ScanVerdict::Refused);
+    let above = count(|scan| scan.verdict.is_usable() && !scan.survived_above_m_s2().is_empty());
     language.pick(
         format!(
-            "{runs} simulations of {cases} cases under {motions} motions, each at growing shaking; the inputs of {refused} were refused. \
+            "{runs} simulations of {cases} cases under {motions} motions, each at growing shaking; the inputs of {refused} scans were refused. \
              {above} of {scans} scans survived a size of shaking above their first failure: one critical acceleration says little."
         ),
         format!(
-            "경우 {cases}개와 지진파 {motions}개에 대해 지진동을 키워 가며 모두 {runs}회 해석하였고, 그중 입력이 허용되지 않은 것은 {refused}건이다. 해석 \
+            "경우 {cases}개와 지진파 {motions}개에 대해 지진동을 키워 가며 모두 {runs}회 해석하였고, 입력이 허용되지 않은 해석은 {refused}조이다. 해석 \
              {scans}조 가운데 {above}조는 처음 무너진 크기보다 더 큰 지진동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다."
         ),
     )
+}
+
+/// Scans that are in no quantile and no trend; nothing if there are none.
+fn left_out(answer: &StudyAnswer, language: Language) -> Markup {
+    let (out, jobs) = (answer.left_out(), answer.jobs());
+    let words = language.pick(
+        format!(
+            "{out} of {jobs} scans cannot be used and are in no quantile and no trend: runs below their first fall were refused, gave no \
+             result or are missing. Their brackets are in capacities.csv."
+        ),
+        format!(
+            "해석 {jobs}조 가운데 {out}조는 최초 낙하보다 작은 지진동에서 결과를 얻지 못하여 사용할 수 없으며, 분위수와 경향에서 제외하였다. 범위는 \
+             capacities.csv에 있다."
+        ),
+    );
+    html! { @if out > 0 { p { b { (words) } } } }
 }
 
 fn unfinished(answer: &StudyAnswer, language: Language) -> String {
@@ -67,17 +83,17 @@ fn unfinished(answer: &StudyAnswer, language: Language) -> String {
 }
 
 fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
-    let in_g = |value: f64| {
-        if value.is_finite() {
-            format!("{:.3}", value / answer.gravity_m_s2)
-        } else {
-            language.pick("none", "없음").to_owned()
-        }
+    let in_g = |value: Option<Reached>| match value {
+        Some(Reached::At(value)) => format!("{:.3}", value / answer.gravity_m_s2),
+        Some(Reached::Above(value)) => format!("> {:.3}", value / answer.gravity_m_s2),
+        None => "–".to_owned(),
     };
     let head = [
         language.pick("input", "입력변수"),
         language.pick("value", "값"),
         language.pick("scans", "해석 조"),
+        language.pick("fell", "낙하"),
+        language.pick("least (g)", "최소 (g)"),
         "5 % (g)",
         language.pick("median (g)", "중앙값 (g)"),
         "95 % (g)",
@@ -88,7 +104,12 @@ fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
         .levels()
         .into_iter()
         .map(|row| {
-            let quantile = |p| in_g(quantile_of_capacities(&row.first_fall_m_s2, p));
+            let quantile = |p| in_g(row.quantile_m_s2(3, p));
+            let (usable, all) = (row.usable(), row.scans.len());
+            let least = match usable {
+                0 => language.pick("unusable", "사용 불가").to_owned(),
+                _ => in_g(row.least_m_s2()),
+            };
             let input = match row.input {
                 Some(input) => answer.inputs[input].path.clone(),
                 None if answer.study.variants.len() > 1 => language.pick("variant", "대안").to_owned(),
@@ -97,25 +118,34 @@ fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
             vec![
                 input.into(),
                 Cell::wrapping(row.text.clone()),
-                row.first_fall_m_s2.len().to_string().into(),
+                language
+                    .pick(format!("{usable} of {all}"), format!("{usable}/{all}"))
+                    .into(),
+                row.fell().to_string().into(),
+                least.into(),
                 quantile(0.05).into(),
                 quantile(0.5).into(),
                 quantile(0.95).into(),
-                row.survived_above.to_string().into(),
+                row.survived_above().to_string().into(),
             ]
         })
         .collect();
-    let caption = match answer.kind {
+    let what = match answer.kind {
         StudyKind::Stack => language.pick(
-            "Peak acceleration of the ground at which a stone first falls. “none”: not up to the largest that was tried.",
-            "돌이 처음 떨어지는 최대지반가속도. ‘없음’은 시도한 최대 크기까지 떨어지지 않은 경우이다.",
+            "Peak acceleration of the ground at which a stone first falls.",
+            "돌이 처음 떨어지는 최대지반가속도.",
         ),
         StudyKind::Frame => language.pick(
-            "Peak acceleration of the ground at which a storey first leans by more than 10 %. “none”: not up to the largest that was tried.",
-            "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도. ‘없음’은 시도한 최대 크기까지 넘지 않은 경우이다.",
+            "Peak acceleration of the ground at which a storey first leans by more than 10 %.",
+            "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도.",
         ),
     };
-    table(caption, 2, &head, &rows)
+    let how = language.pick(
+        format!("“>”: not up to the largest that was tried. 5 % and 95 % are said of {SCANS_OF_TAILS} scans and more."),
+        format!("‘>’는 시도한 최대 크기까지 일어나지 않은 경우이다. 5 %와 95 %는 해석 {SCANS_OF_TAILS}조 이상에서만 제시한다."),
+    );
+    let caption = format!("{what} {how}");
+    table(&caption, 2, &head, &rows)
 }
 
 fn trends(answer: &StudyAnswer, language: Language) -> Markup {

@@ -1,9 +1,10 @@
-//! A study as it is answered: inputs, runs, and the capacities, levels and trends that they show.
+//! A study as it is answered: inputs, runs, levels and trends.
 
 use super::frame_maps::FrameMaps;
 use super::run::{Run, RunOutcome, StudyKind};
+use super::scans::{CapacityOf, LevelRow, capacity_of};
 use crate::project::{ExpectedTrend, Names, StudyPart};
-use dolmen::assess::{AssessError, Capacity, Direction, ScaleTrial, Trend, Trial, capacity, trend};
+use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
 use std::collections::BTreeMap;
 
 /// One input of the runs: varied, or drawn.
@@ -45,6 +46,10 @@ pub struct StudyAnswer {
     pub kind: StudyKind,
     /// Gravity that turns accelerations into g, m/s².
     pub gravity_m_s2: f64,
+    /// Version of the program.
+    pub version: String,
+    /// What is to be known of the project file: values that it does not give, and others.
+    pub notes: Vec<String>,
     /// Inputs, the varied ones first.
     pub inputs: Vec<InputColumn>,
     /// Cases: samples of the first combination, then of the next.
@@ -57,36 +62,6 @@ pub struct StudyAnswer {
     pub missing: Vec<usize>,
     /// Of a frame: maps and releases by case.
     pub maps: Vec<FrameMaps>,
-}
-
-/// What one scan shows.
-#[derive(Clone, Debug)]
-pub struct CapacityOf {
-    /// Its case, motion and direction.
-    pub job: usize,
-    /// First fall and what was survived, as factors on the motion.
-    pub scan: Capacity,
-    /// Largest horizontal peak of the motion at scale 1, m/s².
-    pub peak_of_scale_1_m_s2: f64,
-    /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; infinite where no scale tried did.
-    pub first_m_s2: [f64; 4],
-}
-
-/// Capacities over everything else at one value of an input.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LevelRow {
-    /// The input, an index; `None` for the variant.
-    pub input: Option<usize>,
-    /// The value as it is written.
-    pub text: String,
-    /// In SI, if it is a number.
-    pub value: Option<f64>,
-    /// Peaks of first falls, m/s², rising; infinite where nothing fell.
-    pub first_fall_m_s2: Vec<f64>,
-    /// Medians of the peaks at which DS1, DS2, DS3 are first reached, m/s²; infinite beyond the scan.
-    pub median_states_m_s2: [f64; 3],
-    /// Scans that survived a scale above their first fall.
-    pub survived_above: usize,
 }
 
 /// What is said of an expected trend.
@@ -181,10 +156,21 @@ impl StudyAnswer {
         self.study.turns_rad[job % self.study.turns_rad.len()]
     }
 
-    /// What each scan shows, by job; scans whose inputs were refused are left out.
+    /// What each scan shows, by job; also those that cannot be used.
     pub fn capacities(&self) -> Vec<CapacityOf> {
-        let scans = self.runs.chunk_by(|a, b| a.job == b.job);
-        scans.filter_map(capacity_of).collect()
+        let mut scans = self.runs.chunk_by(|a, b| a.job == b.job).peekable();
+        let each = (0..self.jobs()).map(|job| {
+            let runs = scans.next_if(|runs| runs.first().is_some_and(|run| run.job == job));
+            let is_whole = self.missing.binary_search(&job).is_err();
+            capacity_of(job, runs.unwrap_or_default(), is_whole)
+        });
+        each.collect()
+    }
+
+    /// Scans that cannot be used: refused, with runs lacking below their first fall, or not done.
+    pub fn left_out(&self) -> usize {
+        let scans = self.capacities();
+        scans.iter().filter(|scan| !scan.verdict.is_usable()).count()
     }
 
     /// How many runs ended each way.
@@ -268,10 +254,10 @@ impl StudyAnswer {
             let of_medians = trend(&self.groups(index, &self.medians(&capacities)))?;
             let mut of_each = Vec::new();
             for replicate in 0..self.replicates() * self.samples() {
-                let own: Vec<(usize, f64)> = capacities
+                let own: Vec<(usize, Reached)> = capacities
                     .iter()
                     .filter(|c| self.replicate_of(c.job) == replicate)
-                    .map(|c| (c.job, c.first_m_s2[3]))
+                    .filter_map(|c| Some((c.job, c.first_fall_m_s2()?)))
                     .collect();
                 let tau = trend(&self.groups(index, &own))?;
                 if tau.pairs > 0 {
@@ -308,21 +294,24 @@ impl StudyAnswer {
         self.sample_of(job) * replicates + job % replicates
     }
 
-    /// The median first fall of each combination, with one of its jobs.
-    fn medians(&self, capacities: &[CapacityOf]) -> Vec<(usize, f64)> {
-        let mut by_combination: BTreeMap<usize, (usize, Vec<f64>)> = BTreeMap::new();
+    /// The median first fall of each combination over its scans that can be used, with one of its jobs.
+    fn medians(&self, capacities: &[CapacityOf]) -> Vec<(usize, Reached)> {
+        let mut by_combination: BTreeMap<usize, (usize, Vec<Reached>)> = BTreeMap::new();
         for c in capacities {
+            let Some(first) = c.first_fall_m_s2() else {
+                continue;
+            };
             let entry = by_combination.entry(self.combination_of(c.job));
-            entry.or_insert((c.job, Vec::new())).1.push(c.first_m_s2[3]);
+            entry.or_insert((c.job, Vec::new())).1.push(first);
         }
         let each = by_combination.into_values();
-        each.map(|(job, values)| (job, quantile_of_capacities(&values, 0.5)))
+        each.filter_map(|(job, values)| Some((job, reached_quantile(&values, 0.5)?)))
             .collect()
     }
 
-    /// (input, result) in groups in which the variant and all other inputs are equal.
-    fn groups(&self, index: usize, results: &[(usize, f64)]) -> Vec<Vec<(f64, f64)>> {
-        let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, f64)>> = BTreeMap::new();
+    /// (input, result) in groups in which the variant and all other inputs are equal; infinite where it did not fall.
+    fn groups(&self, index: usize, results: &[(usize, Reached)]) -> Vec<Vec<(f64, f64)>> {
+        let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, Reached)>> = BTreeMap::new();
         for &(job, result) in results {
             let case = self.case(job);
             let Some(value) = case.values.get(index).copied().flatten() else {
@@ -336,84 +325,34 @@ impl StudyAnswer {
             let key = (case.variant.as_deref(), others);
             groups.entry(key).or_default().push((value, result));
         }
-        groups.into_values().collect()
+        groups.into_values().map(ranked).collect()
     }
+}
+
+/// Results by size: what did not fall is larger than all that did. What was tried up to less than another fell at could be smaller or
+/// larger than that one, and is left out.
+fn ranked(group: Vec<(f64, Reached)>) -> Vec<(f64, f64)> {
+    let fell = group.iter().filter(|(_, result)| result.is_reached());
+    let largest_fall = fell.map(|(_, result)| result.value()).fold(0.0, f64::max);
+    let each = group.into_iter().filter_map(|(input, result)| match result {
+        Reached::At(value) => Some((input, value)),
+        Reached::Above(value) => (value >= largest_fall).then_some((input, f64::INFINITY)),
+    });
+    each.collect()
 }
 
 /// What is equal within a group: the variant, and all other inputs as they are written.
 type AllElse<'a> = (Option<&'a str>, Vec<&'a str>);
 
-fn capacity_of(runs: &[Run]) -> Option<CapacityOf> {
-    let job = runs.first()?.job;
-    let usable = runs.iter().filter(|run| run.scale > 0.0);
-    let tried: Vec<ScaleTrial> = usable
-        .clone()
-        .map(|run| ScaleTrial {
-            scale: run.scale,
-            trial: match run.outcome {
-                RunOutcome::Fell => Trial::Fell,
-                RunOutcome::Diverged | RunOutcome::Refused => Trial::Unknown,
-                RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid => Trial::Survived,
-            },
-        })
-        .collect();
-    let peak_of_scale_1_m_s2 = usable
-        .clone()
-        .map(|run| run.peak_ground_acceleration_m_s2 / run.scale)
-        .next()?;
-    let first = |state: u8| {
-        let reached = usable.clone().filter(|run| run.damage_state >= state);
-        reached
-            .map(|run| run.peak_ground_acceleration_m_s2)
-            .fold(f64::INFINITY, f64::min)
-    };
-    Some(CapacityOf {
-        job,
-        scan: capacity(&tried).ok()?,
-        peak_of_scale_1_m_s2,
-        first_m_s2: [first(1), first(2), first(3), first(4)],
-    })
-}
-
 fn level<'c>(
     (input, text, value): (Option<usize>, &str, Option<f64>),
     capacities: impl Iterator<Item = &'c CapacityOf>,
 ) -> LevelRow {
-    let own: Vec<&CapacityOf> = capacities.collect();
-    let of = |state: usize| -> Vec<f64> { own.iter().map(|c| c.first_m_s2[state]).collect() };
-    let median = |state: usize| quantile_of_capacities(&of(state), 0.5);
-    let mut first_fall_m_s2 = of(3);
-    first_fall_m_s2.sort_by(f64::total_cmp);
     LevelRow {
         input,
         text: text.to_owned(),
         value,
-        first_fall_m_s2,
-        median_states_m_s2: [median(0), median(1), median(2)],
-        survived_above: own.iter().filter(|c| !c.scan.survived_above.is_empty()).count(),
-    }
-}
-
-/// The quantile of capacities between order statistics (definition 7 of Hyndman and Fan), infinite as soon as an infinite one has a
-/// part in it; not a number without any.
-pub fn quantile_of_capacities(values: &[f64], probability: f64) -> f64 {
-    let mut sorted = values.to_vec();
-    sorted.sort_by(f64::total_cmp);
-    let Some(last) = sorted.len().checked_sub(1) else {
-        return f64::NAN;
-    };
-    let h = last as f64 * probability;
-    let below = (h.floor() as usize).min(last);
-    let (low, part) = (sorted[below], h - below as f64);
-    match sorted.get(below + 1) {
-        Some(high) if part > 0.0 => {
-            if high.is_finite() {
-                low + part * (high - low)
-            } else {
-                f64::INFINITY
-            }
-        }
-        _ => low,
+        scans: capacities.cloned().collect(),
     }
 }
 
@@ -422,13 +361,12 @@ mod tests {
     use super::*;
 
     #[test]
-    fn exact_quantiles_with_capacities_beyond_the_scan() {
+    fn holds_what_did_not_fall_ranks_above_what_did_if_that_is_known() {
+        use Reached::{Above, At};
         let inf = f64::INFINITY;
-        assert_eq!(quantile_of_capacities(&[3.0, 1.0, 2.0], 0.5), 2.0);
-        assert_eq!(quantile_of_capacities(&[1.0, 2.0], 0.25), 1.25);
-        assert_eq!(quantile_of_capacities(&[1.0, inf, 2.0], 0.5), 2.0);
-        assert_eq!(quantile_of_capacities(&[1.0, inf], 0.5), inf);
-        assert_eq!(quantile_of_capacities(&[1.0, inf, inf], 0.0), 1.0);
-        assert!(quantile_of_capacities(&[], 0.5).is_nan());
+        let known = ranked(vec![(1.0, At(0.4)), (2.0, Above(1.0)), (3.0, At(0.9))]);
+        assert_eq!(known, [(1.0, 0.4), (2.0, inf), (3.0, 0.9)]);
+        let unknown = ranked(vec![(1.0, At(0.4)), (2.0, Above(0.3)), (3.0, Above(0.5))]);
+        assert_eq!(unknown, [(1.0, 0.4), (3.0, inf)]);
     }
 }

@@ -4,7 +4,7 @@
 use super::run::{Run, RunOutcome, StudyKind};
 
 /// First word of a journal, with the version of its layout.
-const MAGIC: &str = "dolmen-study-journal-1";
+const MAGIC: &str = "dolmen-study-journal-2";
 
 /// What decides the results of a study: journals of different ones do not mix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,7 +62,10 @@ pub struct Journal {
 #[non_exhaustive]
 pub enum JournalError {
     /// It has no header, or another program's.
-    #[error("it is no journal of a study: its first line is none of this program's")]
+    #[error(
+        "it is no journal of a study of this program: its first line is another's, or of an older one that judged runs otherwise; --restart throws \
+         it away"
+    )]
     Header,
     /// A line that is not the last is damaged.
     #[error("line {line} is damaged: restore the file, or start anew with --restart")]

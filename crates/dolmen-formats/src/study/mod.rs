@@ -3,16 +3,17 @@
 mod answer;
 mod frame_maps;
 mod journal;
+mod method;
 mod parquet;
 mod run;
+mod scans;
 mod table;
 
-pub use answer::{
-    CapacityOf, CaseInputs, InputColumn, LevelRow, StudyAnswer, TrendAnswer, TrendVerdict,
-    quantile_of_capacities,
-};
+pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
 pub use frame_maps::{FrameMaps, harmonic_columns, release_columns};
 pub use journal::{Journal, JournalError, JournalHeader, fingerprint, header_line, read_journal, run_line};
+pub use method::{FRAME_REST_S, part_of_step};
 pub use parquet::{TableError, parquet};
 pub use run::{Run, RunOutcome, StudyKind};
+pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
 pub use table::{Column, ColumnValues, capacity_columns, run_columns, table_csv};

@@ -2,6 +2,7 @@
 
 use super::answer::StudyAnswer;
 use super::run::Run;
+use super::scans::CapacityOf;
 
 /// The values of a column.
 #[derive(Clone, Debug, PartialEq)]
@@ -121,24 +122,26 @@ pub fn capacity_columns(answer: &StudyAnswer) -> Vec<Column> {
         found: Vec::new(),
     };
     inputs(answer, &mut columns, |row| row.job);
-    let first = |row: &super::CapacityOf, state: usize| number(row.first_m_s2[state]);
+    let first = |row: &CapacityOf, state: usize| {
+        let reached = row.first_m_s2?[state];
+        reached.is_reached().then(|| reached.value())
+    };
+    columns.words("verdict", |row| row.verdict.word().to_owned());
     columns.numbers("first_fall_m_s2", |row| first(row, 3));
-    columns.numbers("first_fall_scale", |row| row.scan.first_fall);
-    columns.numbers("survived_below_m_s2", |row| {
-        number(row.scan.survived_below * row.peak_of_scale_1_m_s2)
+    columns.numbers("first_fall_scale", |row| {
+        let scan = row.scan.as_ref().filter(|_| row.verdict.is_usable())?;
+        scan.first_fall
     });
-    columns.numbers("largest_tried_m_s2", |row| {
-        number(row.scan.largest_tried * row.peak_of_scale_1_m_s2)
-    });
-    columns.counts("survived_above", |row| row.scan.survived_above.len());
+    columns.numbers("survived_below_m_s2", |row| Some(row.survived_m_s2()));
+    columns.numbers("least_fall_m_s2", CapacityOf::fell_m_s2);
+    columns.numbers("largest_tried_m_s2", CapacityOf::largest_m_s2);
+    columns.counts("survived_above", |row| row.survived_above_m_s2().len());
     columns.words("survived_above_m_s2", |row| {
-        let each = row.scan.survived_above.iter();
-        let texts: Vec<String> = each
-            .map(|scale| (scale * row.peak_of_scale_1_m_s2).to_string())
-            .collect();
+        let each = row.survived_above_m_s2();
+        let texts: Vec<String> = each.iter().map(f64::to_string).collect();
         texts.join(" ")
     });
-    columns.counts("unusable", |row| row.scan.unknown.len());
+    columns.counts("unusable", CapacityOf::unusable_runs);
     for state in 0..3 {
         columns.numbers(&format!("first_ds{}_m_s2", state + 1), |row| first(row, state));
     }

@@ -1,12 +1,14 @@
 //! A study, as text: how its runs ended, capacities by value of each input, trends.
 
 use super::Table;
+use crate::Language;
 use crate::number::significant;
 use crate::project::Scan;
 use crate::study::{
-    FrameMaps, LevelRow, Run, RunOutcome, StudyAnswer, StudyKind, TrendAnswer, quantile_of_capacities,
+    CapacityOf, FrameMaps, LevelRow, Run, RunOutcome, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind,
+    TrendAnswer, part_of_step,
 };
-use dolmen::assess::{AssessError, Direction};
+use dolmen::assess::{AssessError, Direction, Reached, reached_quantile};
 use std::fmt::Write as _;
 
 /// Everything that is printed of a study.
@@ -77,15 +79,11 @@ fn heading(answer: &StudyAnswer) -> String {
             }
         }
     }
-    out.push('\n');
-    out
-}
-
-fn part_of_step(halvings: u32) -> String {
-    match halvings {
-        0 => "the whole".to_owned(),
-        n => format!("1/{}", 1_u64 << n.min(63)),
+    let _ = writeln!(out, "\n  {}", answer.method(Language::English));
+    for note in &answer.notes {
+        let _ = writeln!(out, "  note: {note}");
     }
+    out
 }
 
 fn outcomes(answer: &StudyAnswer) -> String {
@@ -115,36 +113,37 @@ fn outcomes(answer: &StudyAnswer) -> String {
     out
 }
 
-/// An acceleration in g; beyond the scan, not a number.
-fn in_g(answer: &StudyAnswer, value_m_s2: f64) -> String {
-    if value_m_s2.is_finite() {
-        format!("{:.3}", value_m_s2 / answer.gravity_m_s2)
-    } else if value_m_s2.is_nan() {
-        "–".to_owned()
-    } else {
-        "none".to_owned()
+/// An acceleration in g; "> " where it is only known to lie above.
+fn in_g(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> String {
+    match value_m_s2 {
+        Some(Reached::At(value)) => format!("{:.3}", value / answer.gravity_m_s2),
+        Some(Reached::Above(value)) => format!("> {:.3}", value / answer.gravity_m_s2),
+        None => "–".to_owned(),
     }
 }
 
-/// The same of a state that is reached at or below the least peak that was tried.
-fn begun_g(answer: &StudyAnswer, value_m_s2: f64) -> String {
+/// The same of a state that is reached at the least peak that was tried, or below.
+fn begun_g(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> String {
+    const ROUNDING: f64 = 1e-9;
     let tried = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
     let least = tried.fold(f64::INFINITY, f64::min);
-    let sign = if value_m_s2 <= least { "≤ " } else { "" };
-    format!("{sign}{}", in_g(answer, value_m_s2))
+    let begun = matches!(value_m_s2, Some(Reached::At(value)) if value <= least * (1.0 + ROUNDING));
+    format!("{}{}", if begun { "≤ " } else { "" }, in_g(answer, value_m_s2))
 }
 
 fn levels(answer: &StudyAnswer) -> String {
     let levels = answer.levels();
     let states = answer.kind.states();
     let mut out = format!(
-        "\nCapacity: peak acceleration of the ground at which it first {}, g; \"none\" beyond the scan\n",
+        "\nCapacity: peak acceleration of the ground at which it first {}, g; \">\": not up to the largest that was tried\n",
         match answer.kind {
             StudyKind::Stack => "sheds a stone",
             StudyKind::Frame => "leans beyond the drift limit",
         }
     );
-    let mut heads = vec!["input", "value", "scans", "5 %", "median", "95 %", states[0]];
+    let mut heads = vec![
+        "input", "value", "scans", "fell", "least", "5 %", "median", "95 %", states[0],
+    ];
     if answer.kind == StudyKind::Stack {
         heads.extend([states[1], states[2]]);
     }
@@ -157,36 +156,99 @@ fn levels(answer: &StudyAnswer) -> String {
     };
     let mut last = String::new();
     for row in &levels {
-        let quantile = |probability| in_g(answer, quantile_of_capacities(&row.first_fall_m_s2, probability));
         let own = name(row);
         let shown = if own == last { String::new() } else { own.clone() };
         last = own;
-        let mut cells = vec![
-            shown,
-            row.text.clone(),
-            row.first_fall_m_s2.len().to_string(),
-            quantile(0.05),
-            quantile(0.5),
-            quantile(0.95),
-            begun_g(answer, row.median_states_m_s2[0]),
-        ];
-        if answer.kind == StudyKind::Stack {
-            cells.extend([1, 2].map(|state| begun_g(answer, row.median_states_m_s2[state])));
+        let (usable, all) = (row.usable(), row.scans.len());
+        let mut cells = vec![shown, row.text.clone(), of_all(usable, all)];
+        if usable == 0 {
+            cells.extend(["–".to_owned(), "unusable".to_owned()]);
+            cells.resize(heads.len(), "–".to_owned());
+            table.row(cells);
+            continue;
         }
-        cells.push(format!("{} of {}", row.survived_above, row.first_fall_m_s2.len()));
+        cells.push(format!("{} of {usable}", row.fell()));
+        cells.push(in_g(answer, row.least_m_s2()));
+        cells.extend([0.05, 0.5, 0.95].map(|p| in_g(answer, row.quantile_m_s2(3, p))));
+        let states = 0..if answer.kind == StudyKind::Stack { 3 } else { 1 };
+        cells.extend(states.map(|state| begun_g(answer, row.quantile_m_s2(state, 0.5))));
+        cells.push(format!("{} of {usable}", row.survived_above()));
         table.row(cells);
     }
     out += &table.text();
-    let of_all = answer.capacities();
-    let above = of_all
-        .iter()
-        .filter(|c| !c.scan.survived_above.is_empty())
+    if levels.iter().any(|row| row.usable() < SCANS_OF_TAILS) {
+        let _ = writeln!(out, "  5 % and 95 % are said of {SCANS_OF_TAILS} scans and more");
+    }
+    if answer.kind == StudyKind::Stack {
+        out += "  DS1 to DS3: medians, to a step of the scan\n";
+    }
+    out += &left_out(answer);
+    let scans = answer.capacities();
+    let usable = scans.iter().filter(|c| c.verdict.is_usable());
+    let above = usable
+        .clone()
+        .filter(|c| !c.survived_above_m_s2().is_empty())
         .count();
     if above > 0 {
         let _ = writeln!(
             out,
             "  {above} of {} scans survived a scale above their first fall: one critical acceleration says little",
-            of_all.len()
+            usable.count()
+        );
+    }
+    out
+}
+
+/// "3 of 5", or "5" where all are.
+fn of_all(some: usize, all: usize) -> String {
+    if some == all {
+        all.to_string()
+    } else {
+        format!("{some} of {all}")
+    }
+}
+
+/// Scans that cannot be used, with what is known of each.
+fn left_out(answer: &StudyAnswer) -> String {
+    const NAMED_MOST: usize = 10;
+    let scans = answer.capacities();
+    let left_out: Vec<&CapacityOf> = scans.iter().filter(|scan| !scan.verdict.is_usable()).collect();
+    if left_out.is_empty() {
+        return String::new();
+    }
+    let mut out = format!(
+        "  UNUSABLE: {} of {} scans are in no quantile and no trend: runs below their first fall were refused, gave no result or are missing\n",
+        left_out.len(),
+        scans.len()
+    );
+    let g = |value_m_s2: f64| format!("{:.3} g", value_m_s2 / answer.gravity_m_s2);
+    for scan in left_out.iter().take(NAMED_MOST) {
+        let words = match scan.verdict {
+            ScanVerdict::Refused => "its inputs were refused".to_owned(),
+            ScanVerdict::Missing => "not finished".to_owned(),
+            _ if scan.survived_m_s2() > 0.0 => {
+                let fell = scan
+                    .fell_m_s2()
+                    .map_or(String::new(), |fell| format!(", fell at {}", g(fell)));
+                format!("survived up to {}, unknown above{fell}", g(scan.survived_m_s2()))
+            }
+            _ => match scan.fell_m_s2() {
+                Some(fell) => format!("unknown below {}, where it fell", g(fell)),
+                None => "no run of it can be used".to_owned(),
+            },
+        };
+        let _ = writeln!(
+            out,
+            "    scan {} ({}): {words}",
+            scan.job + 1,
+            scan_words(answer, scan.job)
+        );
+    }
+    if left_out.len() > NAMED_MOST {
+        let _ = writeln!(
+            out,
+            "    and {} more: capacities.csv",
+            left_out.len() - NAMED_MOST
         );
     }
     out
@@ -242,8 +304,11 @@ fn scan_words(answer: &StudyAnswer, job: usize) -> String {
     let mut words: Vec<String> = case.variant.iter().cloned().collect();
     let each = answer.inputs.iter().zip(&case.texts);
     words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
-    if answer.motions.len() > 1 {
+    if answer.motions.len() > 1 || words.is_empty() {
         words.push(answer.motion_of(job).to_owned());
+    }
+    if answer.study.turns_rad.len() > 1 {
+        words.push(format!("{:.4}°", answer.turn_rad(job).to_degrees()));
     }
     words.join(", ")
 }
@@ -365,15 +430,30 @@ fn trends(answer: &StudyAnswer, trends: &[TrendAnswer]) -> String {
                 (None, true) => Direction::Rising,
                 (None, false) => Direction::Falling,
             };
-            let range = [0.05, 0.95].map(|p| quantile_of_capacities(&trend.of_each, p));
+            let each: Vec<Reached> = trend.of_each.iter().copied().map(Reached::At).collect();
+            let ends = if each.len() < SCANS_OF_TAILS {
+                [0.0, 1.0]
+            } else {
+                [0.05, 0.95]
+            };
+            let range = ends.map(|p| reached_quantile(&each, p).map_or(f64::NAN, Reached::value));
             let _ = write!(
                 out,
-                ", the same way in {} of {} motions, directions and samples ({:+.2} to {:+.2})",
+                ", the same way in {} of {} motions, directions and samples ({:+.2} to {:+.2}{})",
                 trend.same_way(way),
                 trend.of_each.len(),
                 range[0],
-                range[1]
+                range[1],
+                if each.len() < SCANS_OF_TAILS {
+                    ""
+                } else {
+                    ", 5 to 95 %"
+                }
             );
+        }
+        let (left_out, all) = (answer.left_out(), answer.jobs());
+        if left_out > 0 {
+            let _ = write!(out, "; of {} of {all} scans", all - left_out);
         }
         out.push('\n');
     }

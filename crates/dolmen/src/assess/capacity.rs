@@ -12,7 +12,7 @@ pub enum Trial {
     Survived,
     /// It fell.
     Fell,
-    /// The run cannot be used: it diverged.
+    /// The run cannot be used: it was refused, diverged, found no solution, or ended undecided.
     Unknown,
 }
 
@@ -30,7 +30,7 @@ pub struct ScaleTrial {
 pub struct Capacity {
     /// The least scale tried that it fell at; `None` if it fell at none.
     pub first_fall: Option<f64>,
-    /// The largest scale below it that was survived; 0, the stack at rest, if none was tried.
+    /// The largest scale up to which every scale tried was survived; 0, the stack at rest, if there is none.
     pub survived_below: f64,
     /// Scales above the first fall that were survived, rising: the scan is not monotone if there are any.
     pub survived_above: Vec<f64>,
@@ -38,6 +38,101 @@ pub struct Capacity {
     pub largest_tried: f64,
     /// Scales whose runs cannot be used, rising.
     pub unknown: Vec<f64>,
+}
+
+/// What a scan says of the capacity. A run that cannot be used is neither survived nor fallen: below the first fall it leaves the
+/// capacity open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reading {
+    /// It first fell here; every scale tried below was survived.
+    Fell(f64),
+    /// Every scale was survived: the capacity lies above the largest.
+    Beyond(f64),
+    /// The capacity lies above what was survived below the first run that cannot be used, and not above the first fall.
+    Open {
+        /// The largest scale up to which every scale tried was survived; 0 if there is none.
+        survived: f64,
+        /// The least scale that it fell at.
+        fell: Option<f64>,
+    },
+}
+
+impl Capacity {
+    /// What the scan says of the capacity.
+    pub fn reading(&self) -> Reading {
+        let limit = self.first_fall.unwrap_or(f64::INFINITY);
+        match self.first_fall {
+            _ if self.unknown.iter().any(|scale| *scale < limit) => Reading::Open {
+                survived: self.survived_below,
+                fell: self.first_fall,
+            },
+            Some(scale) => Reading::Fell(scale),
+            None => Reading::Beyond(self.largest_tried),
+        }
+    }
+}
+
+/// The size of shaking at which a state is first reached, as far as a scan knows it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Reached {
+    /// Here.
+    At(f64),
+    /// Not up to here, the largest that was tried.
+    Above(f64),
+}
+
+impl Reached {
+    /// The number, whichever it is.
+    pub fn value(self) -> f64 {
+        match self {
+            Reached::At(value) | Reached::Above(value) => value,
+        }
+    }
+
+    /// Whether it was reached.
+    pub fn is_reached(self) -> bool {
+        matches!(self, Reached::At(_))
+    }
+}
+
+/// A quantile of sizes of shaking of which some are only known to lie above what was tried; `None` without any.
+///
+/// ```text
+/// x_(1) ≤ … ≤ x_(n)      what was reached, and what was tried where it was not
+/// h = (n − 1) p          definition 7 of Hyndman and Fan; between two that were reached in proportion, else the lower one
+/// ```
+///
+/// It is `Above` as soon as one that was not reached has its place at or below it: that one may be anything larger.
+///
+/// # Source
+/// Hyndman, R. J. and Fan, Y. (1996) Sample quantiles in statistical packages. Am. Stat. 50(4):361–365. Differs from the source:
+/// the lower order statistic where the upper one is not known.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::{Reached::{Above, At}, reached_quantile};
+/// let one_of_five_fell = [At(1.0), Above(1.0), Above(1.0), Above(1.0), Above(1.0)];
+/// assert_eq!(reached_quantile(&one_of_five_fell, 0.05), Some(At(1.0)));
+/// assert_eq!(reached_quantile(&one_of_five_fell, 0.5), Some(Above(1.0)));
+/// ```
+pub fn reached_quantile(values: &[Reached], probability: f64) -> Option<Reached> {
+    let mut sorted = values.to_vec();
+    // what was not reached at a size is larger than what was
+    sorted.sort_by(|a, b| {
+        let values = a.value().total_cmp(&b.value());
+        values.then(b.is_reached().cmp(&a.is_reached()))
+    });
+    let last = sorted.len().checked_sub(1)?;
+    let h = last as f64 * probability.clamp(0.0, 1.0);
+    let below = (h.floor() as usize).min(last);
+    let (low, part) = (sorted[below].value(), h - below as f64);
+    if !sorted[..=below].iter().all(|value| value.is_reached()) {
+        return Some(Reached::Above(low));
+    }
+    Some(Reached::At(match sorted.get(below + 1) {
+        Some(Reached::At(high)) if part > 0.0 => low + part * (high - low),
+        _ => low,
+    }))
 }
 
 /// The capacity that a scan shows.
@@ -66,10 +161,11 @@ pub fn capacity(tried: &[ScaleTrial]) -> Result<Capacity, AssessError> {
     let limit = first_fall.unwrap_or(f64::INFINITY);
     Ok(Capacity {
         first_fall,
-        survived_below: of(Trial::Survived)
-            .take_while(|scale| *scale < limit)
+        survived_below: sorted
+            .iter()
+            .take_while(|point| point.trial == Trial::Survived)
             .last()
-            .unwrap_or(0.0),
+            .map_or(0.0, |point| point.scale),
         survived_above: of(Trial::Survived).filter(|scale| *scale > limit).collect(),
         largest_tried: sorted.last().map_or(0.0, |point| point.scale),
         unknown: of(Trial::Unknown).collect(),
@@ -185,5 +281,47 @@ mod tests {
         assert_eq!(next_in_bracket(&[1.0, 2.0], &tried, 4).unwrap(), None);
         let found = capacity(&tried).unwrap();
         assert_eq!((found.survived_below, found.unknown), (0.0, vec![1.0]));
+    }
+
+    #[test]
+    fn holds_a_run_that_cannot_be_used_is_never_survived() {
+        let read = |ends: &[Trial]| {
+            let scales = (1..).map(f64::from);
+            let tried: Vec<ScaleTrial> = ends
+                .iter()
+                .zip(scales)
+                .map(|(&trial, scale)| ScaleTrial { scale, trial })
+                .collect();
+            capacity(&tried).unwrap().reading()
+        };
+        use Trial::{Fell, Survived, Unknown};
+        let open = |survived, fell| Reading::Open { survived, fell };
+        assert_eq!(
+            read(&[Survived, Survived, Fell, Unknown, Survived]),
+            Reading::Fell(3.0)
+        );
+        assert_eq!(read(&[Survived, Survived]), Reading::Beyond(2.0));
+        assert_eq!(read(&[Unknown, Unknown]), open(0.0, None));
+        assert_eq!(read(&[Survived, Unknown, Survived]), open(1.0, None));
+        assert_eq!(read(&[Survived, Unknown, Survived, Fell]), open(1.0, Some(4.0)));
+        assert_eq!(read(&[Survived, Survived, Unknown]), open(2.0, None));
+    }
+
+    #[test]
+    fn exact_quantiles_where_some_did_not_fall() {
+        use Reached::{Above, At};
+        let of = |values: &[Reached], p| reached_quantile(values, p).unwrap();
+        assert_eq!(of(&[At(3.0), At(1.0), At(2.0)], 0.5), At(2.0));
+        assert_eq!(of(&[At(1.0), At(2.0)], 0.25), At(1.25));
+        // one of four fell: the least is known, the median is not
+        let four = [Above(2.0), At(0.712), Above(2.0), Above(2.0)];
+        assert_eq!(of(&four, 0.05), At(0.712));
+        assert_eq!(of(&four, 0.5), Above(2.0));
+        assert_eq!(of(&[At(1.0), At(1.2), Above(2.0)], 0.5), At(1.2));
+        // what was survived up to less may have fallen before
+        assert_eq!(of(&[At(0.5), Above(0.3)], 0.0), Above(0.3));
+        assert_eq!(of(&[At(0.5), Above(0.3)], 1.0), Above(0.5));
+        assert_eq!(of(&[Above(1.0), At(1.0)], 0.0), At(1.0));
+        assert_eq!(reached_quantile(&[], 0.5), None);
     }
 }

@@ -11,7 +11,9 @@ mod sensitivity;
 mod stack;
 mod trends;
 
-pub use capacity::{Capacity, ScaleTrial, Trial, capacity, next_in_bracket};
+pub use capacity::{
+    Capacity, Reached, Reading, ScaleTrial, Trial, capacity, next_in_bracket, reached_quantile,
+};
 pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
 pub use damage::{DamageState, SLIP_LEAST_M, StackDamage, stack_damage};
 pub use error::AssessError;
