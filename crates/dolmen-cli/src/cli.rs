@@ -139,7 +139,8 @@ pub(crate) struct Simulate {
     /// Time step, s; the longest stable one times .9 without it, with --law rigid 1e-3
     #[arg(long, value_name = "S")]
     pub(crate) step: Option<f64>,
-    /// Length of the run, s; without it the motion and 2 s more for a stack, 20 s more for a frame or chain, 60 s for a push alone
+    /// Length of the run, s; without it the motion and 2 s more for a stack, then until it rests, 20 s more for a frame or chain, 60 s for a
+    /// push alone
     #[arg(long, value_name = "S")]
     pub(crate) duration: Option<f64>,
     /// Time between samples of the histories, s

@@ -42,8 +42,13 @@ pub(crate) fn read_text(path: &Path) -> Result<String> {
     })
 }
 
-/// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename.
+/// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A device or a pipe is written to as it is.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
+        let opened = fs::OpenOptions::new().write(true).open(path);
+        let written = opened.and_then(|mut file| file.write_all(bytes).and_then(|()| file.flush()));
+        return written.with_context(|| format!("cannot write {}", path.display()));
+    }
     let folder = path
         .parent()
         .filter(|p| !p.as_os_str().is_empty())
@@ -118,6 +123,25 @@ mod tests {
             .map(|e| e.unwrap().file_name())
             .collect();
         assert_eq!(names.len(), 2, "{names:?}");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn holds_a_device_is_written_to_and_stays_one() {
+        use std::os::unix::fs::FileTypeExt as _;
+        let full = Path::new("/dev/full");
+        if !full.exists() {
+            return; // not on every system
+        }
+        // through a link, so that nothing of the system can be lost whatever the code does
+        let folder = scratch("device");
+        let link = folder.join("report.html");
+        std::os::unix::fs::symlink(full, &link).unwrap();
+        let fault = write(&link, b"new").unwrap_err();
+        assert!(fault.to_string().contains("cannot write"), "{fault}");
+        let there = fs::metadata(&link).unwrap().file_type();
+        assert!(there.is_char_device() && fs::symlink_metadata(&link).unwrap().is_symlink());
         fs::remove_dir_all(folder).unwrap();
     }
 

@@ -125,18 +125,18 @@ impl StudyFolder {
 
     /// The runs of all journals of a study: in its folder, and in others that are named.
     pub(super) fn merged(&self, plan: &Plan<'_>, from: &[PathBuf]) -> Result<Vec<Run>> {
-        let mut folders = vec![self.path.clone()];
-        folders.extend(from.iter().cloned());
-        folders.extend(from.iter().map(|folder| folder.join(&plan.study.name)));
-        let mut journals = Vec::new();
-        for folder in &folders {
-            for entry in fs::read_dir(folder).into_iter().flatten() {
-                let path = entry?.path();
-                let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
-                if name.is_some_and(|name| name.starts_with("journal") && name.ends_with(".tsv")) {
-                    journals.push(path);
-                }
+        let mut journals = journals_in(&self.path)?;
+        for folder in from {
+            let mut found = journals_in(folder)?;
+            found.extend(journals_in(&folder.join(&plan.study.name))?);
+            if found.is_empty() {
+                bail!(
+                    "--from {} has no journal of a study, and neither has {} in it",
+                    folder.display(),
+                    plan.study.name
+                );
             }
+            journals.extend(found);
         }
         journals.sort();
         if journals.is_empty() {
@@ -179,6 +179,19 @@ impl StudyFolder {
         }
         put("study.json", format!("{:#}\n", study_json(answer)?).as_bytes())
     }
+}
+
+/// The journals in a folder; none if there is no such folder.
+fn journals_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let path = entry?.path();
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        if name.is_some_and(|name| name.starts_with("journal") && name.ends_with(".tsv")) {
+            found.push(path);
+        }
+    }
+    Ok(found)
 }
 
 fn check(header: &JournalHeader, journal: &Journal, shown: &str) -> Result<()> {

@@ -54,6 +54,19 @@ impl<'o> Plan<'o> {
                 bail!("a survey holds no structure that could be studied: kind is stack or frame")
             }
         };
+        if kind == StudyKind::Stack {
+            for (key, is_given) in [
+                ("direction", study.direction.is_some()),
+                ("harmonic", study.harmonic.is_some()),
+                ("release", study.release_m.is_some()),
+            ] {
+                if is_given {
+                    bail!(
+                        "{key} is for frames, but this file has a stack: leave it out (a stack is turned by directions)"
+                    );
+                }
+            }
+        }
         let mut motions = Vec::new();
         if study.scan.is_some() {
             for name in motion_names(study)? {
@@ -81,6 +94,14 @@ impl<'o> Plan<'o> {
             fingerprints: Vec::new(),
         };
         plan.read_inputs()?;
+        if study.samples.is_some_and(|samples| samples > 1) && !plan.inputs.iter().any(|input| input.is_drawn)
+        {
+            bail!(
+                "samples is {}, but no input has a cov: all samples would be the same. Write joint.friction = {{ value = 0.6, cov = 0.1 }}, or \
+                 leave samples out",
+                study.samples.unwrap_or(1)
+            );
+        }
         plan.fingerprints = plan.fingerprints()?;
         Ok(plan)
     }

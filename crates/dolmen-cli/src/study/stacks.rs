@@ -78,6 +78,16 @@ pub(super) fn row(
             }
             (RunOutcome::Fell, block(*index))
         }
+        Outcome::StillMoving {
+            block: index, at_s, ..
+        } => {
+            run.at_s = *at_s;
+            run.why = format!(
+                "it had not come to rest {:.0} s after the time to rest",
+                StackHistory::LONGER_MOST_S
+            );
+            (RunOutcome::StillMoving, block(*index))
+        }
         Outcome::Diverged { at_s } => {
             run.at_s = *at_s;
             (RunOutcome::Diverged, String::new())

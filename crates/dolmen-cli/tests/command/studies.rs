@@ -340,7 +340,8 @@ fn holds_a_refused_run_is_a_row_with_its_reason() {
     );
     assert!(scratch.dolmen("study missing . --study refused -o out").status == 0);
     let level = |value: &str| {
-        let line = answer.stdout.lines().find(|line| line.contains(value));
+        let found = |line: &&str| line.contains(value) && line.contains("unusable");
+        let line = answer.stdout.lines().find(found);
         line.unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
     };
     assert!(

@@ -83,6 +83,13 @@ fn outcome(simulation: &Simulation) -> Value {
             let [upper, lower] = simulation.joint_names(joint);
             json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
         }
+        Outcome::StillMoving {
+            block,
+            at_s,
+            margin_ratio,
+        } => {
+            json!({ "kind": "still_moving", "block": name(block), "at_s": at_s, "margin_ratio": margin_ratio })
+        }
         Outcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
         Outcome::NotConverged { at_s, residual_m_s } => {
             json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })

@@ -9,6 +9,7 @@ use super::reader::{Reader, names, short};
 use super::study::{ArtificialPart, Axis, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart};
 use super::units::split_number;
 use dolmen::assess::Direction;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::de::DeValue;
@@ -20,6 +21,8 @@ const MADE_MOST: usize = 1000;
 const HALVINGS_MOST: usize = 20;
 /// Halvings of the bracket of the first fall if nothing else is said. Chosen here: an eighth of a step of the scan.
 const HALVINGS: u32 = 3;
+/// Largest peak of the ground that is scanned, m/s²: four times the largest recorded. Chosen here.
+const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
 /// Longest time, s.
 const TIME_MOST_S: f64 = 1e4;
 /// Contact points that a joint can have.
@@ -47,11 +50,42 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     let below = |key: &str| format!("{path}.{key}");
     let set = leaves(reader, given.set.as_ref(), &below("set"));
     let vary = leaves(reader, given.vary.as_ref(), &below("vary"));
-    let set = set.iter().map(|leaf| leaf.value(text)).collect();
+    let set: Vec<Override> = set.iter().map(|leaf| leaf.value(text)).collect();
     let vary: Vec<Axis> = vary
         .iter()
         .filter_map(|leaf| axis(reader, text, &below("vary"), leaf))
         .collect();
+    for axis in &vary {
+        once(
+            reader,
+            &below(&format!("vary.{}", axis.path)),
+            axis.values.iter().map(|value| (value.text.as_str(), &value.span)),
+        );
+    }
+    let named = set.iter().map(|set| (&set.path, &set.span));
+    let named = named.chain(
+        vary.iter()
+            .filter_map(|axis| Some((&axis.path, &axis.values.first()?.span))),
+    );
+    once(
+        reader,
+        &format!("{path}: set and vary"),
+        named.map(|(path, span)| (path.as_str(), span)),
+    );
+    for (key, list) in [("motions", &given.motions), ("variants", &given.variants)] {
+        let items = list.iter().flat_map(|list| &list.value);
+        once(
+            reader,
+            &below(key),
+            items.map(|item| (item.value.as_str(), &item.span)),
+        );
+    }
+    let turns = given.directions.iter().flat_map(|list| &list.value);
+    once(
+        reader,
+        &below("directions"),
+        turns.map(|turn| (text.get(turn.span.clone()).unwrap_or_default(), &turn.span)),
+    );
     let texts = |list: &Option<At<Vec<At<String>>>>| -> Vec<String> {
         let list = list.iter().flat_map(|list| &list.value);
         list.map(|item| item.value.clone()).collect()
@@ -136,6 +170,23 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         harmonic,
         release_m,
     })
+}
+
+/// Refuses what is written twice: it would count as more than it is.
+fn once<'v>(reader: &mut Reader, path: &str, items: impl Iterator<Item = (&'v str, &'v Range<usize>)>) {
+    let mut seen: Vec<&str> = Vec::new();
+    for (item, span) in items {
+        let item = item.trim_matches(['"', '\'', ' ']);
+        if seen.contains(&item) {
+            let fault = Fault::new(span.clone(), path, format!("{path} has {item} twice"));
+            let fault = fault.allowed("must have each once");
+            reader.fault(
+                fault.help("leave one of them out: runs of the same count as more scans than there are"),
+            );
+            return;
+        }
+        seen.push(item);
+    }
 }
 
 /// A value, list or range at the end of a path.
@@ -412,6 +463,15 @@ fn scan(reader: &mut Reader, given: &StudyRaw, path: &str) -> Option<Scan> {
         &format!("{path}.peak"),
         Measure::GroundAcceleration,
     );
+    if let (Some(most), Some(raw)) = (peaks.as_ref().and_then(|peaks| peaks.last()), &given.peak)
+        && *most > PEAK_MOST_M_S2
+    {
+        let path = format!("{path}.peak");
+        let message = format!("{path} goes up to {:.4} g", most / STANDARD_GRAVITY_M_S2);
+        let fault = Fault::new(raw.span.clone(), &path, message).allowed("must be 10 g or below");
+        reader.fault(fault.help("no ground moves like that: is the unit right?"));
+        return None;
+    }
     scales.map(Scan::Scales).or(peaks.map(Scan::Peaks))
 }
 

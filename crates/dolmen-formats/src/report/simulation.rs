@@ -67,6 +67,10 @@ fn ending(simulation: &Simulation, language: Language) -> String {
                 "붕괴. ‘{name}’이(가) {at_s:.2}초에 가장 먼저 떨어졌다. 이때 ‘{lower}’ 위의 ‘{upper}’이(가) 가장 크게 벌어지거나 미끄러졌다."
             )
         }
+        Outcome::StillMoving { block, at_s, .. } => {
+            let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
+            format!("해석이 끝난 {at_s:.2}초에도 ‘{name}’이(가) 정지하지 않아 판정하지 않는다.")
+        }
         Outcome::Stopped { at_s } => format!("{at_s:.2}초에 해석이 중단되어 판정하지 않는다."),
         Outcome::NotConverged { at_s, .. } => {
             format!("{at_s:.2}초에 접촉 조건의 해를 찾지 못하여 해석이 중단되었고 판정하지 않는다.")
@@ -85,6 +89,7 @@ fn english(simulation: &Simulation) -> String {
         Outcome::Uplifted { .. } => "it rocked and stood; ",
         Outcome::Slid { .. } => "it slid and stood; ",
         Outcome::Fell { .. } => "it fell; ",
+        Outcome::StillMoving { .. } => "it still moved; ",
         Outcome::Stopped { .. } => "the run was stopped; ",
         Outcome::NotConverged { .. } => "the run found no solution; ",
         _ => "the run diverged; ",

@@ -49,11 +49,14 @@ impl Simulation {
         matches!(self.history.outcome, Outcome::Fell { .. })
     }
 
-    /// Whether the run came to its end, by standing or by falling.
+    /// Whether the run came to its end, at rest or by falling.
     pub fn is_whole(&self) -> bool {
         !matches!(
             self.history.outcome,
-            Outcome::Stopped { .. } | Outcome::Diverged { .. } | Outcome::NotConverged { .. }
+            Outcome::Stopped { .. }
+                | Outcome::Diverged { .. }
+                | Outcome::NotConverged { .. }
+                | Outcome::StillMoving { .. }
         )
     }
 

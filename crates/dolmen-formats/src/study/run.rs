@@ -66,6 +66,8 @@ pub enum RunOutcome {
     Slid,
     /// A stone fell; a frame: it leaned beyond the drift limit.
     Fell,
+    /// It had not come to rest at its end: undecided.
+    StillMoving,
     /// The run cannot be used.
     Diverged,
     /// Its inputs were refused: nothing was run.
@@ -73,11 +75,12 @@ pub enum RunOutcome {
 }
 
 impl RunOutcome {
-    const ALL: [(RunOutcome, &'static str); 6] = [
+    const ALL: [(RunOutcome, &'static str); 7] = [
         (RunOutcome::Stood, "stood"),
         (RunOutcome::Uplifted, "uplifted"),
         (RunOutcome::Slid, "slid"),
         (RunOutcome::Fell, "fell"),
+        (RunOutcome::StillMoving, "still moving"),
         (RunOutcome::Diverged, "diverged"),
         (RunOutcome::Refused, "refused"),
     ];

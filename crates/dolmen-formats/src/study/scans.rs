@@ -218,7 +218,7 @@ impl RunOutcome {
     pub fn trial(self) -> Trial {
         match self {
             RunOutcome::Fell => Trial::Fell,
-            RunOutcome::Diverged | RunOutcome::Refused => Trial::Unknown,
+            RunOutcome::StillMoving | RunOutcome::Diverged | RunOutcome::Refused => Trial::Unknown,
             RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid => Trial::Survived,
         }
     }

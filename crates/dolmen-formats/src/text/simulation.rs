@@ -107,6 +107,18 @@ pub fn outcome_text(simulation: &Simulation) -> String {
                 "FELL: '{name}' came down, first of all, at {at_s:.2} s; by then '{upper}' on '{lower}' had opened or slipped farthest"
             )
         }
+        Outcome::StillMoving {
+            block,
+            at_s,
+            margin_ratio,
+        } => {
+            let name = simulation.stack.blocks().get(block).map_or("", |b| &b.name);
+            format!(
+                "STILL MOVING at its end, {at_s:.2} s: '{name}' is not at rest, {:.0} % of the way from its plumb line to the edge that carries it \
+                 is left; no verdict. Give a longer --duration",
+                100.0 * margin_ratio
+            )
+        }
         Outcome::Stopped { at_s } => {
             format!(
                 "STOPPED at {at_s:.2} s before its end: what follows is of the part that was done, and no verdict"
@@ -268,7 +280,7 @@ fn run_text(simulation: &Simulation) -> String {
     }
     if matches!(
         history.outcome,
-        Outcome::Uplifted { .. } | Outcome::Slid { .. } | Outcome::Fell { .. }
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } | Outcome::Fell { .. } | Outcome::StillMoving { .. }
     ) {
         out += "  note: a stack that rocks is sensitive to every input: one run is one case, not a probability\n";
     }

@@ -121,7 +121,7 @@ pub fn stack_damage(stack: &Stack, limits: &StackLimitStates, history: &StackHis
 }
 
 fn state(found: &StackDamage, outcome: &Outcome) -> DamageState {
-    let slid = matches!(outcome, Outcome::Slid { .. });
+    let slid = matches!(outcome, Outcome::Slid { .. } | Outcome::StillMoving { .. });
     if matches!(outcome, Outcome::Fell { .. }) {
         DamageState::Fallen
     } else if slid || found.residual_slip_ratio >= DS3_RATIO || found.peak_rocking_ratio >= DS3_TILT {

@@ -27,6 +27,16 @@ pub enum Outcome {
         /// negative where the plumb line passes beside it.
         margin_ratio: f64,
     },
+    /// The run came to its end while stones moved, not less and less, or with a stone whose plumb line lies at or beyond the edge of what carries it: there is
+    /// no verdict.
+    StillMoving {
+        /// The stone, as an index of the stack's blocks.
+        block: usize,
+        /// When, s.
+        at_s: f64,
+        /// What is left of the way from the plumb line of its centroid to the edge of what carries it, over that at rest, –.
+        margin_ratio: f64,
+    },
     /// A stone fell: its centroid dropped by more than a quarter of its smallest dimension, or it turned over by more than
     /// 45°.
     Fell {
@@ -170,6 +180,10 @@ pub struct RigidEvidence {
 impl StackHistory {
     /// Opening of a joint from which it counts as uplifted, m: a tenth of a millimetre. Chosen here.
     pub const UPLIFT_LEAST_M: f64 = 1e-4;
+
+    /// Longest time that a run whose length is not given goes on until the stack is at rest or swings less and less, s. Chosen here: on
+    /// springs a stone of 6 m rocks for a minute.
+    pub const LONGER_MOST_S: f64 = 60.0;
 
     /// Pose of a block at a sample.
     pub fn pose(&self, sample: usize, block: usize) -> Pose {

@@ -10,6 +10,8 @@ use glam::{DMat3, DVec3};
 
 /// Part of the friction from which a point counts as slipping: one that slipped holds all of it but for rounding.
 const SLIPPING: f64 = 1.0 - 1e-9;
+/// Gap up to which a joint as drawn touches, m: rounding of places leaves some 1e-16 m of either sign. Chosen here.
+const ROUNDING_M: f64 = 1e-12;
 /// Steps of the power iteration: the largest frequency need only be known to a per cent.
 const POWER_STEPS: usize = 80;
 
@@ -139,7 +141,7 @@ pub(super) fn contact_matrix(assembly: &Assembly, part: Part, closed: Closed) ->
                 let at = patch.place(group, lane, &motion);
                 let bonded = group.bond[lane] > 0.0;
                 let open = match closed {
-                    Closed::Touching => at.z > 0.0,
+                    Closed::Touching => at.z > ROUNDING_M,
                     Closed::Pressed | Closed::Stuck => at.z >= 0.0,
                 };
                 if group.area[lane] <= 0.0 || (open && !bonded) {

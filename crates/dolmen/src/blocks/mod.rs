@@ -32,6 +32,7 @@ mod sliding_record;
 mod sliding_solve;
 mod springs;
 mod standing;
+mod stillness;
 mod support;
 
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};

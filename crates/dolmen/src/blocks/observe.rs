@@ -5,6 +5,7 @@ use super::bodies::RigidBody;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
 use super::springs::AfterFall;
+use super::stillness::{EDGE, Stillness, Swings};
 use super::support::plumb_margin;
 use crate::structure::stack::{Joint, Stack};
 use glam::{DMat3, DVec3};
@@ -28,6 +29,8 @@ struct Watch {
     axes: DMat3,
     /// Corners of the patch along the first two axes, from the origin, m.
     corners: Vec<[f64; 2]>,
+    /// Way to the farthest corner, m.
+    reach: f64,
     /// Slip and yaw after settlement.
     settled: [f64; 3],
     /// Largest gap at a corner after settlement, m.
@@ -52,6 +55,13 @@ impl Watch {
             origin,
             axes,
             corners: joint.patch.corners_m.clone(),
+            reach: joint
+                .patch
+                .corners_m
+                .iter()
+                .copied()
+                .map(length)
+                .fold(0.0, f64::max),
             settled: [0.0; 3],
             settled_opening: 0.0,
         };
@@ -100,6 +110,8 @@ pub(super) struct Observer {
     /// Looks from one sample to the next, at most as many as steps.
     looks: usize,
     outcome: Option<Outcome>,
+    stillness: Stillness,
+    swings: Swings,
     input: f64,
     contact: f64,
     friction: f64,
@@ -148,6 +160,8 @@ impl Observer {
                 .map(|body| plumb_margin(assembly, body))
                 .collect(),
             outcome: None,
+            stillness: Stillness::of(stack.joints().len()),
+            swings: Swings::none(),
             input: 0.0,
             contact: 0.0,
             friction: 0.0,
@@ -214,8 +228,12 @@ impl Observer {
         [time_s, kick]: [f64; 2],
     ) {
         let sampled = self.samples(self.history.steps);
-        for (watch, joint) in self.watches.iter().zip(&mut self.history.joints) {
+        self.stillness.at(time_s);
+        for (index, (watch, joint)) in self.watches.iter().zip(&mut self.history.joints).enumerate() {
             let seen = watch.see(&assembly.bodies);
+            let [x, y] = seen.slip;
+            self.stillness
+                .see(index, [seen.opening, x, y, seen.yaw * watch.reach]);
             joint.peak_opening_m = joint.peak_opening_m.max(seen.opening);
             joint.peak_slip_m = joint.peak_slip_m.max(length(seen.slip));
             joint.peak_yaw_rad = joint.peak_yaw_rad.max(seen.yaw.abs());
@@ -306,13 +324,18 @@ impl Observer {
         joint
     }
 
+    /// What is left of the way from a stone's plumb line to the edge that carries it, over that at rest; 1 where it had none at rest.
+    fn margin_ratio(&self, assembly: &Assembly, block: usize) -> f64 {
+        let rest = self.margins[block].filter(|margin| *margin > 0.0);
+        let now = plumb_margin(assembly, block + 1);
+        now.zip(rest).map_or(1.0, |(now, rest)| now / rest)
+    }
+
     /// The stone on the brink, if there is one: that with the least left.
     fn on_the_brink(&self, assembly: &Assembly) -> Option<Outcome> {
         let (mut least, mut found) = (f64::INFINITY, None);
-        for (block, rest) in self.margins.iter().enumerate() {
-            let rest = rest.filter(|margin| *margin > 0.0);
-            let now = plumb_margin(assembly, block + 1);
-            let margin_ratio = now.zip(rest).map_or(1.0, |(now, rest)| now / rest);
+        for block in 0..self.margins.len() {
+            let margin_ratio = self.margin_ratio(assembly, block);
             let (mut slip_m, mut far) = (0.0_f64, false);
             for watch in self.watches.iter().filter(|watch| watch.upper == block + 1) {
                 let [x, y] = watch.see(&assembly.bodies).slip;
@@ -329,6 +352,31 @@ impl Observer {
             }
         }
         found
+    }
+
+    /// The stone that is not at rest, if there is one, with what is left of the way from its plumb line to the edge that carries it: the
+    /// one whose plumb line lies at or beyond its edge, or the upper one of the joint that moved farthest.
+    fn moving(&self, assembly: &Assembly) -> Option<(usize, f64)> {
+        let each = (0..self.margins.len()).map(|block| (block, self.margin_ratio(assembly, block)));
+        let least = each.min_by(|a, b| a.1.total_cmp(&b.1));
+        if let Some((block, ratio)) = least.filter(|(_, ratio)| *ratio < EDGE) {
+            return Some((block, ratio));
+        }
+        let block = self.watches[self.stillness.moving_joint()?].upper - 1;
+        Some((block, self.margin_ratio(assembly, block)))
+    }
+
+    /// Whether a run may end here, after its shaking: the stack is at rest or swings less and less, or no verdict is open.
+    pub(super) fn may_end(&mut self, assembly: &Assembly, time_s: f64) -> bool {
+        let is_open = matches!(self.outcome, None | Some(Outcome::Uplifted { .. }));
+        if !is_open {
+            return true;
+        }
+        let way = self.stillness.farthest().map_or(0.0, |(way, _)| way);
+        let each = (0..self.margins.len()).map(|block| self.margin_ratio(assembly, block));
+        let margin_ratio = each.fold(f64::INFINITY, f64::min);
+        self.swings.see(time_s, way, margin_ratio);
+        self.swings.die_down() || self.moving(assembly).is_none()
     }
 
     /// Whether the run is over before its time.
@@ -359,7 +407,14 @@ impl Observer {
             .map(|(index, _)| index)
             .collect();
         let outcome = match self.outcome {
-            None | Some(Outcome::Uplifted { .. }) => self.on_the_brink(assembly).or(self.outcome.clone()),
+            None | Some(Outcome::Uplifted { .. }) => match self.moving(assembly) {
+                Some((block, margin_ratio)) if !self.swings.die_down() => Some(Outcome::StillMoving {
+                    block,
+                    margin_ratio,
+                    at_s: self.history.time_s.last().copied().unwrap_or_default(),
+                }),
+                _ => self.on_the_brink(assembly).or(self.outcome.clone()),
+            },
             _ => self.outcome.clone(),
         };
         StackHistory {

@@ -10,6 +10,7 @@ use super::history::{Outcome, StackHistory};
 use super::matrices::longest_step;
 use super::observe::{Observer, whole_at_least};
 use super::rest::settle;
+use super::stillness::RunLength;
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::DVec3;
@@ -73,9 +74,10 @@ pub struct Springs {
     /// Time step, s; `None`, the default, for .9 of the longest stable one, shortened so that samples are whole steps apart,
     /// and halved up to three times where contacts would make more than a thousandth of the work put in.
     pub time_step_s: Option<f64>,
-    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more.
+    /// Length of the run, s; `None`, the default, for the motion and `rest_s` more, and then until the stack is at rest
+    /// or swings less and less, for up to [`StackHistory::LONGER_MOST_S`].
     pub duration_s: Option<f64>,
-    /// Time after the motion in which the stack comes to rest, s. Default 2.
+    /// Time after the motion that is always run, s. Default 2.
     pub rest_s: f64,
     /// Time between samples of the history, s; with a `time_step_s` that does not divide it, the nearest whole number of
     /// steps. Default 0.01.
@@ -232,7 +234,7 @@ pub(super) struct Run<'a> {
     longest: f64,
     /// Steps done, and to do.
     pub(super) step: usize,
-    pub(super) steps: usize,
+    pub(super) length: RunLength,
     acceleration: Vec<DVec3>,
 }
 
@@ -252,7 +254,7 @@ impl<'a> Run<'a> {
             push(&mut assembly, start)?;
         }
         let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
-        let duration_s = options.duration_s.unwrap_or(shaken_s + options.rest_s);
+        let length = RunLength::of(options.duration_s, [shaken_s, options.rest_s], h);
         Ok(Run {
             acceleration: vec![DVec3::ZERO; assembly.bodies.len()],
             assembly,
@@ -262,7 +264,7 @@ impl<'a> Run<'a> {
             h,
             longest: settled.longest,
             step: 0,
-            steps: whole_at_least(duration_s / h),
+            length,
         })
     }
 
@@ -327,7 +329,12 @@ impl<'a> Run<'a> {
         let work = [0.5 * kick * input, 0.5 * kick * contact, forces.friction_loss];
         self.observer.count(work);
         self.step += 1;
-        self.step <= self.steps
+        !self.is_over()
+    }
+
+    /// Whether all steps are done.
+    pub(super) fn is_over(&mut self) -> bool {
+        self.length.is_over(self.step, &mut self.observer, &self.assembly)
     }
 
     pub(super) fn finish(self) -> StackHistory {

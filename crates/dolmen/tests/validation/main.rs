@@ -21,6 +21,7 @@ mod rocking_and_sliding;
 mod rocking_block;
 mod sliding_pile;
 mod stack_contacts;
+mod stack_ends;
 mod stack_limits;
 mod stack_motion;
 mod stack_rigid;

@@ -344,13 +344,21 @@ impl<'a, S: Simd> Herd<'a, S> {
                 continue;
             };
             ride.run.step += 1;
-            if ride.run.step > ride.run.steps {
-                self.write_back(lane);
-                self.end(lane, queue);
+            if ride.run.length.is_due(ride.run.step) {
+                self.judge(lane, queue);
             }
         }
         if self.freed {
             self.fill(queue);
+        }
+    }
+
+    /// Ends the run of a lane that has done its steps, unless its stones still move.
+    #[inline(never)]
+    fn judge(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
+        self.write_back(lane);
+        if self.rides[lane].as_mut().is_some_and(|ride| ride.run.is_over()) {
+            self.end(lane, queue);
         }
     }
 

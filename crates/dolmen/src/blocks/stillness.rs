@@ -1,0 +1,235 @@
+//! Whether a stack has come to rest: a run that ends while stones move has no verdict, so that it goes on for a while.
+//!
+//! At rest, no joint moves and no plumb line lies at the edge. After the shaking contacts only take energy: a stack that rocks on with
+//! less and less swing, every stone far from its edge for ten seconds, will not fall either.
+
+use super::assembly::Assembly;
+use super::history::StackHistory;
+use super::observe::{Observer, whole_at_least};
+
+/// Time over which joints must not move for a stack to rest, s, in parts; up to a part more is looked at. Chosen here: rocking of a tenth
+/// of a millimetre in half a second is seen but within a thousandth of a radian of the unstable place, which [`EDGE`] catches.
+const STILL_S: f64 = 0.5;
+const PARTS: usize = 5;
+/// Way of a joint, in opening, slip or twist, from which it moves, m: a tenth of a millimetre, as of what counts as uplift. Chosen here:
+/// swaying springs move less.
+const STILL_M: f64 = StackHistory::UPLIFT_LEAST_M;
+/// Part of a stone's way from its plumb line to the edge that must be left for it to rest. Chosen here.
+pub(super) const EDGE: f64 = 0.01;
+/// Time between looks at whether a run may end, s. Chosen here: swings that matter take several times as long.
+const AGAIN_S: f64 = 0.1;
+/// Time over which swings are compared, s: a swing of a stone of 6 m. Chosen here.
+const SWING_S: f64 = 5.0;
+/// Part of every stone's way from its plumb line to the edge that is left in swings that die down. Chosen here: a stone that leans by half
+/// of what overturns it holds three quarters of the energy that does, and gains none.
+const SWINGS_LEFT: f64 = 0.5;
+
+/// Least and largest value of opening, both slips and twist of a joint, m.
+type Range = [[f64; 2]; 4];
+const NOTHING: Range = [[f64::INFINITY, f64::NEG_INFINITY]; 4];
+
+/// How far joints have moved of late.
+#[derive(Clone, Debug)]
+pub(super) struct Stillness {
+    began_s: f64,
+    /// One range a joint, of the part that is under way and of those before.
+    parts: [Vec<Range>; PARTS + 1],
+}
+
+impl Stillness {
+    pub(super) fn of(joints: usize) -> Self {
+        Stillness {
+            began_s: 0.0,
+            parts: std::array::from_fn(|_| vec![NOTHING; joints]),
+        }
+    }
+
+    /// Begins a look.
+    pub(super) fn at(&mut self, time_s: f64) {
+        if time_s - self.began_s >= STILL_S / PARTS as f64 {
+            self.began_s = time_s;
+            self.parts.rotate_right(1);
+            self.parts[0].fill(NOTHING);
+        }
+    }
+
+    /// Opening, slips and twist of a joint at this look, m.
+    pub(super) fn see(&mut self, joint: usize, places: [f64; 4]) {
+        for ([least, largest], place) in self.parts[0][joint].iter_mut().zip(places) {
+            *least = least.min(place);
+            *largest = largest.max(place);
+        }
+    }
+
+    /// The joint that has moved farthest, if it has moved.
+    pub(super) fn moving_joint(&self) -> Option<usize> {
+        let (way, joint) = self.farthest()?;
+        (way > STILL_M).then_some(joint)
+    }
+
+    /// How far the joint that moved farthest has moved, m, and which it is.
+    pub(super) fn farthest(&self) -> Option<(f64, usize)> {
+        let mut found: Option<(f64, usize)> = None;
+        for joint in 0..self.parts[0].len() {
+            for place in 0..NOTHING.len() {
+                let ends = self.parts.iter().map(|part| part[joint][place]);
+                let [least, largest] = ends.fold(NOTHING[0], |[least, largest], end| {
+                    [least.min(end[0]), largest.max(end[1])]
+                });
+                if largest - least > found.map_or(0.0, |(most, _)| most) {
+                    found = Some((largest - least, joint));
+                }
+            }
+        }
+        found
+    }
+}
+
+/// How far a stack swings after its shaking, time by time.
+#[derive(Clone, Debug)]
+pub(super) struct Swings {
+    began_s: Option<f64>,
+    now: Swing,
+    before: Option<Swing>,
+    dies_down: bool,
+}
+
+/// Largest way of a joint, m, and least part of any stone's way to its edge that was left.
+#[derive(Clone, Copy, Debug)]
+struct Swing {
+    way: f64,
+    margin_ratio: f64,
+}
+
+impl Swing {
+    const NONE: Self = Swing {
+        way: 0.0,
+        margin_ratio: f64::INFINITY,
+    };
+}
+
+impl Swings {
+    pub(super) fn none() -> Self {
+        Swings {
+            began_s: None,
+            now: Swing::NONE,
+            before: None,
+            dies_down: false,
+        }
+    }
+
+    /// Takes what is seen at a time after the shaking.
+    pub(super) fn see(&mut self, time_s: f64, way: f64, margin_ratio: f64) {
+        let began_s = *self.began_s.get_or_insert(time_s);
+        self.now.way = self.now.way.max(way);
+        self.now.margin_ratio = self.now.margin_ratio.min(margin_ratio);
+        if time_s - began_s >= SWING_S {
+            let (before, now) = (self.before, self.now);
+            self.dies_down = before.is_some_and(|before| {
+                now.way <= before.way && before.margin_ratio.min(now.margin_ratio) >= SWINGS_LEFT
+            });
+            (self.before, self.now, self.began_s) = (Some(now), Swing::NONE, Some(time_s));
+        }
+    }
+
+    /// Whether it swings less and less, far from falling.
+    pub(super) fn die_down(&self) -> bool {
+        self.dies_down
+    }
+}
+
+/// How long a run is, in steps.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct RunLength {
+    /// After which it is judged next.
+    due: usize,
+    least: usize,
+    most: usize,
+    again: usize,
+    h: f64,
+}
+
+impl RunLength {
+    /// `given_s`; or the shaking, the time to rest, and as much more, up to [`StackHistory::LONGER_MOST_S`], as the stack needs.
+    pub(super) fn of(given_s: Option<f64>, [shaken_s, rest_s]: [f64; 2], h: f64) -> Self {
+        let least = whole_at_least(given_s.unwrap_or(shaken_s + rest_s) / h);
+        let longer = match given_s {
+            Some(_) => 0,
+            None => whole_at_least(StackHistory::LONGER_MOST_S / h),
+        };
+        RunLength {
+            due: whole_at_least(shaken_s / h).min(least),
+            least,
+            most: least + longer,
+            again: whole_at_least(AGAIN_S / h),
+            h,
+        }
+    }
+
+    /// Whether it is to be judged after so many steps.
+    pub(super) fn is_due(&self, step: usize) -> bool {
+        step > self.due
+    }
+
+    /// Whether the run is over after so many steps; one that is not goes on.
+    pub(super) fn is_over(&mut self, step: usize, observer: &mut Observer, assembly: &Assembly) -> bool {
+        if !self.is_due(step) {
+            return false;
+        }
+        let may_end = observer.may_end(assembly, step as f64 * self.h);
+        if self.due >= self.most || (self.due >= self.least && may_end) {
+            return true;
+        }
+        let next = self.due + self.again;
+        self.due = match self.due < self.least {
+            true => next.min(self.least),
+            false => next.min(self.most),
+        };
+        false
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_a_joint_that_moved_within_half_a_second_moves() {
+        let mut stillness = Stillness::of(2);
+        let mut look = |time_s: f64, opening: f64| {
+            stillness.at(time_s);
+            stillness.see(0, [0.01; 4]);
+            stillness.see(1, [opening, 0.0, 0.0, 0.0]);
+            stillness.moving_joint()
+        };
+        assert_eq!(look(0.0, 0.0), None);
+        assert_eq!(look(0.2, 2e-4), Some(1));
+        for i in 0..60 {
+            let time_s = 0.21 + 0.02 * f64::from(i);
+            let moving = look(time_s, 2e-4);
+            if time_s < 0.6 {
+                assert_eq!(moving, Some(1), "{time_s}");
+            }
+            if time_s > 0.85 {
+                assert_eq!(moving, None, "{time_s}");
+            }
+        }
+    }
+
+    #[test]
+    fn holds_swings_die_down_only_far_from_the_edge() {
+        let swings = |way: fn(f64) -> f64, margin: fn(f64) -> f64| {
+            let mut swings = Swings::none();
+            let ends = (0..=112).map(|i| {
+                let time_s = 3.0 + 0.1 * f64::from(i);
+                swings.see(time_s, way(time_s), margin(time_s));
+                swings.die_down()
+            });
+            ends.collect::<Vec<bool>>()
+        };
+        let down = swings(|t| 0.1 / t, |_| 0.6);
+        assert!(!down[99] && down[112]);
+        assert!(!swings(|t| 0.1 * t, |_| 0.6)[112]);
+        assert!(!swings(|t| 0.1 / t, |t| if t < 4.0 { 0.4 } else { 0.9 })[112]);
+    }
+}
