@@ -191,3 +191,69 @@ fn holds_a_report_shows_the_limits_and_the_motion_in_both_languages() {
         );
     }
 }
+
+/// A block of .4 × 2 m that topples slowly: half a sine just above what overturns it.
+const TOPPLES: &str = r#"
+schema = 1
+kind = "stack"
+name = "Block"
+density = 2600
+joint = { friction = 2 }
+blocks = [{ name = "block", width = 0.4, depth = 0.4, height = 2.0 }]
+
+[motion.pulse]
+files = { x = "pulse.csv" }
+
+[study.rest]
+motions = ["pulse"]
+scale = [0.9, 1.0, 1.1]
+law = "rigid"
+points = 4
+refine = 0
+rest_s = 0
+"#;
+
+fn topples(name: &str) -> Scratch {
+    let scratch = Scratch::new(name);
+    fs::write(scratch.path().join("project.toml"), TOPPLES).unwrap();
+    let row = |i: u32| {
+        let t = 0.002 * f64::from(i);
+        let a = 2.634 * (std::f64::consts::PI * t / 1.17).sin().max(0.0);
+        format!("{t},{a}\n")
+    };
+    let text = format!("time_s,x_m_s2\n{}", (0..=586).map(row).collect::<String>());
+    fs::write(scratch.path().join("pulse.csv"), text).unwrap();
+    scratch
+}
+
+#[test]
+fn holds_a_stone_that_still_topples_at_the_end_is_no_survivor() {
+    let scratch = topples("topples");
+    let whole = scratch.dolmen("simulate . --motion pulse --law rigid");
+    assert_eq!(whole.status, 1, "{}{}", whole.stdout, whole.stderr);
+    let at_s = whole
+        .stdout
+        .split(" at ")
+        .nth(1)
+        .and_then(|text| text.split(' ').next());
+    let at_s: f64 = at_s.unwrap().parse().unwrap();
+    assert!(at_s > 1.17 + 0.5, "{at_s}");
+    let cut = scratch.dolmen(&format!(
+        "simulate . --motion pulse --law rigid --duration {}",
+        at_s - 0.1
+    ));
+    assert_eq!(cut.status, 3, "{}{}", cut.stdout, cut.stderr);
+    assert!(cut.stdout.contains("STILL MOVING at its end"), "{}", cut.stdout);
+    assert!(
+        cut.stdout.contains("no verdict. Give a longer --duration"),
+        "{}",
+        cut.stdout
+    );
+    // a study goes on after the motion though its time to rest is 0
+    let study = scratch.dolmen("study . -o out");
+    assert_eq!(study.status, 0, "{}{}", study.stdout, study.stderr);
+    assert!(study.stdout.contains("1 of 1"), "{}", study.stdout);
+    let runs = fs::read_to_string(scratch.path().join("out/rest/runs.csv")).unwrap();
+    let ends: Vec<bool> = runs.lines().skip(1).map(|line| line.contains(",fell,")).collect();
+    assert_eq!(ends, [false, true, true], "{runs}");
+}

@@ -436,6 +436,10 @@ fn refuses_what_is_no_study_and_journals_of_another() {
     journal.try_lock().unwrap();
     refused("study . --study drawn -o out", "is in use");
     drop(journal);
+    refused(
+        "study merge . --study drawn -o out --from nowhere",
+        "--from nowhere has no journal",
+    );
     for (from, to, said) in [
         ("scale = [4]", "scale = [4, 3]", "does not rise"),
         (
@@ -477,6 +481,33 @@ fn refuses_what_is_no_study_and_journals_of_another() {
             "is not varied",
         ),
         ("samples = 3", "expekt = 1", "did you mean \"expect\"?"),
+        (
+            "samples = 3",
+            "set = { \"blocks[2].height\" = 0.9 }\nvary = { \"blocks[2].height\" = [1] }",
+            "set and vary has blocks[2].height twice",
+        ),
+        (
+            "samples = 3",
+            "vary = { \"blocks[2].height\" = [1, 2, 1] }",
+            "vary.blocks[2].height has 1 twice",
+        ),
+        (
+            "samples = 3",
+            "motions = [\"el-centro-1940-ns\", \"el-centro-1940-ns\"]",
+            "has el-centro-1940-ns twice",
+        ),
+        (
+            "samples = 3",
+            "directions = [\"45 deg\", \"45 deg\"]",
+            "has 45 deg twice",
+        ),
+        (
+            "friction = { value = 0.7, cov = 0.1 }",
+            "friction = 0.7",
+            "no input has a cov",
+        ),
+        ("scale = [4]", "peak = [\"100 g\"]", "must be 10 g or below"),
+        ("samples = 3", "direction = \"x\"", "direction is for frames"),
     ] {
         let changed = TWO_STONES.replace(from, to);
         assert_ne!(changed, TWO_STONES, "{from}");

@@ -266,7 +266,7 @@ impl Plot {
             text(area, at, &Label::new(&self.x.name, Anchor::Middle), Turn::None)?;
         }
         for (line, words) in self.notes.iter().enumerate() {
-            let at = [12.0, end + NOTE_PX * (line as f64 + 0.4)];
+            let at = [12.0, end + NOTE_PX * (line as f64 + 0.6)];
             text(area, at, &Label::new(words, Anchor::Start).small(), Turn::None)?;
         }
         if !self.y.name.is_empty() {

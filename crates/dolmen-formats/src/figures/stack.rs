@@ -17,6 +17,9 @@ const TOP_PX: f64 = 34.0;
 const NAMES_PX: f64 = 128.0;
 /// Rows of names are at least so far apart, px.
 const ROW_PX: f64 = 16.5;
+/// Where the first names, and the first numbers of joints may stand, px.
+const FIRST_NAME_PX: f64 = 16.0;
+const FIRST_JOINT_PX: f64 = 34.0;
 /// Stacks of more blocks or joints are drawn without names: they would not be read.
 const NAMED_MOST: usize = 25;
 /// Residual displacements are drawn so many times larger that the largest is this part of the height. Chosen here.
@@ -160,6 +163,16 @@ fn spread(wanted: &[f64], least: f64, most: f64) -> Vec<f64> {
     places
 }
 
+/// How many of so many are named.
+fn named(count: usize) -> usize {
+    if count > NAMED_MOST { 0 } else { count }
+}
+
+/// Where the last of so many rows may stand: beside the foot of the view, or below it if they need more room.
+fn last_row(rows: usize, first: f64, foot: f64) -> f64 {
+    (foot + 10.0).max(first + ROW_PX * rows.saturating_sub(1) as f64)
+}
+
 /// Names of the blocks left of a view.
 fn names(scene: &mut Scene, stack: &Stack, blocks: &[Placed], frame: &Frame, column: f64) {
     if blocks.len() > NAMED_MOST {
@@ -178,7 +191,11 @@ fn names(scene: &mut Scene, stack: &Stack, blocks: &[Placed], frame: &Frame, col
         })
         .collect();
     let wanted: Vec<f64> = points.iter().map(|p| p[1]).collect();
-    let rows = spread(&wanted, 16.0, frame.foot[1] + 10.0);
+    let rows = spread(
+        &wanted,
+        FIRST_NAME_PX,
+        last_row(wanted.len(), FIRST_NAME_PX, frame.foot[1]),
+    );
     for ((point, row), block) in points.iter().zip(&rows).zip(stack.blocks()) {
         let end = [column + 8.0, *row];
         scene.path(
@@ -235,7 +252,9 @@ pub fn stack_view(stack: &Stack, language: Language) -> String {
         camera,
     );
     let foot = frame.foot[1];
-    let mut scene = Scene::new(NAMES_PX + VIEW_PX[0] + 90.0, foot + 56.0);
+    let rows = named(blocks.len());
+    let height = (foot + 56.0).max(last_row(rows, FIRST_NAME_PX, foot) + 14.0);
+    let mut scene = Scene::new(NAMES_PX + VIEW_PX[0] + 90.0, height);
     view(
         &mut scene,
         stack,
@@ -303,7 +322,12 @@ pub fn stack_after(simulation: &Simulation, language: Language) -> String {
     let right = NAMES_PX + 24.0 + views * (VIEW_PX[0] + 14.0);
     let left = NAMES_PX + 24.0;
     let foot = frame(extent, [left, TOP_PX], camera).foot[1];
-    let mut scene = Scene::new(right + 232.0, foot + 72.0);
+    let (names_end, joints_end) = (
+        last_row(named(rest.len()), FIRST_NAME_PX, foot),
+        last_row(named(history.joints.len()), FIRST_JOINT_PX, foot),
+    );
+    let legend_at = (foot + 58.0).max(names_end.max(joints_end) + 24.0);
+    let mut scene = Scene::new(right + 232.0, legend_at + 14.0);
     let heads = [
         language
             .pick("at the end, true scale", "종료 시점, 실제 축척")
@@ -343,7 +367,7 @@ pub fn stack_after(simulation: &Simulation, language: Language) -> String {
             language,
         );
     }
-    legend(&mut scene, [left, foot + 58.0], language);
+    legend(&mut scene, [left, legend_at], language);
     scene.svg(language.pick("The stack after the motion", "지진동 이후의 적층 구조"))
 }
 
@@ -369,7 +393,11 @@ fn joint_column(
         })
         .collect();
     let wanted: Vec<f64> = points.iter().map(|p| p[1]).collect();
-    let rows = spread(&wanted, 34.0, frame.foot[1] + 10.0);
+    let rows = spread(
+        &wanted,
+        FIRST_JOINT_PX,
+        last_row(wanted.len(), FIRST_JOINT_PX, frame.foot[1]),
+    );
     let head = language.pick("peak opening and slip, mm", "최대 벌어짐·미끄러짐 (mm)");
     scene.text(
         [column + 20.0, 14.0],

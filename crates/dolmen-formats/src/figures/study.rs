@@ -5,7 +5,7 @@ use super::axis::{Axis, Tick};
 use super::ink::{Anchor, BLUE, GREY, Label, Line, ORANGE, SERIES, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use crate::Language;
-use crate::study::{FrameMaps, LevelRow, RunOutcome, StudyAnswer, StudyKind};
+use crate::study::{FrameMaps, LevelRow, RunOutcome, StudyAnswer, StudyKind, input_words};
 use dolmen::assess::{Reached, Trial};
 use std::collections::BTreeMap;
 
@@ -37,7 +37,10 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
             let (name, label) = match input {
                 Some(input) => {
                     let input = &answer.inputs[*input];
-                    (input.column.clone(), named(&input.path, &input.unit))
+                    (
+                        input.column.clone(),
+                        named(&input_words(&input.path, language), &input.unit),
+                    )
                 }
                 None if answer.study.variants.len() > 1 => {
                     ("all".to_owned(), language.pick("variant", "대안").to_owned())

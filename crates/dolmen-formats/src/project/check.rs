@@ -307,6 +307,9 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a list" => {
                 Some(format!("put it in brackets: [{written}]"))
             }
+            DeValue::String(_) if needed == "a table" && path.ends_with(".files") => {
+                Some(format!("say which component it is: {{ x = {written} }}"))
+            }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a table" => {
                 let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
                 let named = branches.iter().any(|branch| property(branch, key).is_some());

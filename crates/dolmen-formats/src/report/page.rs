@@ -11,6 +11,7 @@ use crate::answer::{Answer, Check, State};
 use crate::number::beside_one;
 use crate::project::{Quantity, Structure};
 use dolmen::stability::Verdict;
+use dolmen::stability::stack::DemandVerdict;
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 /// Who made the page, and when.
@@ -60,7 +61,10 @@ fn contents(answers: &[Answer], language: Language) -> Markup {
             ol { @for (i, answer) in answers.iter().enumerate() {
                 li {
                     a href=(format!("#report-{}", i + 1)) { (name(answer, language)) }
-                    @if let Some(state) = &answer.state { ": " (verdict_word(state.verdict(), language)) }
+                    @if let Some(state) = &answer.state {
+                        ": " (verdict_word(state.verdict(), language))
+                        @for words in shaken(answer, language) { "; " (words) }
+                    }
                 }
             } }
         }
@@ -122,8 +126,36 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
     }
 }
 
+/// What is worse with shaking than the verdict without it says: demand that is not met, a stone that falls.
+fn shaken(answer: &Answer, language: Language) -> Vec<String> {
+    let demand = answer.state.as_ref().and_then(|state| state.demand.as_ref());
+    let demand = demand
+        .and_then(|demand| demand.stack.as_ref())
+        .map(|stack| stack.verdict);
+    let mut words = Vec::new();
+    if let Some(verdict @ (DemandVerdict::Below | DemandVerdict::Near)) = demand {
+        words.push(demand::verdict_word(verdict, language).to_owned());
+    }
+    if let Some(simulated) = answer.simulation.as_ref().filter(|simulated| simulated.falls()) {
+        let motion = simulated.motion.motion.name();
+        words.push(language.pick(
+            format!("a stone falls under {motion}"),
+            format!("{motion} 작용 시 낙하"),
+        ));
+    }
+    words
+}
+
 fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
     let verdict = state.verdict();
+    let shaken = shaken(answer, language);
+    let only_near =
+        matches!(shaken.as_slice(), [words] if *words == demand::verdict_word(DemandVerdict::Near, language));
+    let class = match verdict {
+        Verdict::Stable | Verdict::Marginal if !shaken.is_empty() && !only_near => Verdict::Unstable.word(),
+        Verdict::Stable if only_near => Verdict::Marginal.word(),
+        verdict => verdict.word(),
+    };
     let stack = match &state.check {
         Check::Stack(answer) => Some(answer),
         _ => None,
@@ -147,9 +179,12 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
         inputs.into_iter().filter(structural).count()
     };
     markup! {
-        div class=(format!("verdict {}", verdict.word())) {
+        div class=(format!("verdict {class}")) {
             div.word { (verdict_sign(verdict)) " " (verdict_word(verdict, language)) }
             div {
+                @if !shaken.is_empty() {
+                    p { b { (language.pick("Without shaking only. With shaking: ", "지진이 없을 때에 한함. 지진 시: ")) (shaken.join("; ")) "." } }
+                }
                 p { b { (sentence) }
                     @if assumed > 0 { " " (language.pick(
                         format!("This rests on {assumed} assumed values; see the findings."),

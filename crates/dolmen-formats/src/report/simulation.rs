@@ -24,8 +24,8 @@ pub(super) fn findings(simulation: &Simulation, language: Language) -> Vec<Findi
     let motion = simulation.motion.motion.name();
     let peak = significant(simulation.peak_horizontal_g(), DIGITS);
     let lead = language.pick(
-        format!("Under {motion} with a horizontal peak of {peak}\u{202f}g: "),
-        format!("{motion}(수평 최대 {peak}\u{202f}g) 작용 시: "),
+        format!("Under {motion} with a horizontal peak of {peak}\u{202f}g (x and y together): "),
+        format!("{motion}(수평 최대 {peak}\u{202f}g, x·y 합성) 작용 시: "),
     );
     let tone = match simulation.history.outcome {
         Outcome::Stood => Tone::Good,

@@ -3,7 +3,9 @@
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::study_figures;
-use crate::study::{CapacityOf, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind, TrendVerdict};
+use crate::study::{
+    CapacityOf, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind, TrendVerdict, input_words,
+};
 use dolmen::assess::{Direction, Reached};
 use maud::{Markup, html};
 
@@ -111,7 +113,7 @@ fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
                 _ => in_g(row.least_m_s2()),
             };
             let input = match row.input {
-                Some(input) => answer.inputs[input].path.clone(),
+                Some(input) => input_words(&answer.inputs[input].path, language),
                 None if answer.study.variants.len() > 1 => language.pick("variant", "대안").to_owned(),
                 None => String::new(),
             };
@@ -168,7 +170,7 @@ fn trends(answer: &StudyAnswer, language: Language) -> Markup {
                 None => ("", language.pick("no trend seen", "경향 없음")),
             };
             vec![
-                answer.inputs[trend.input].path.clone().into(),
+                input_words(&answer.inputs[trend.input].path, language).into(),
                 Cell::wrapping(words),
                 verdict.into(),
                 format!("{:+.2}", tau.tau).into(),

@@ -82,3 +82,54 @@ pub fn part_of_step(halvings: u32) -> String {
         n => format!("1/{}", 1_u64 << n.min(63)),
     }
 }
+
+/// An input in words, with its path; in English, and of what has no words here, the path alone.
+pub fn input_words(path: &str, language: Language) -> String {
+    const WORDS: [(&str, &str); 14] = [
+        ("joint.friction", "접합면 마찰계수"),
+        ("joint.normal_stiffness", "접합면 수직강성"),
+        ("joint.shear_stiffness", "접합면 전단강성"),
+        ("joint.damping_ratio", "접합면 감쇠비"),
+        ("joint.restitution", "접합면 반발계수"),
+        ("density", "밀도"),
+        ("pagoda.storeys", "탑 층수"),
+        ("pagoda.body_height", "탑신 높이"),
+        ("height", "높이"),
+        ("width", "폭"),
+        ("depth", "깊이"),
+        ("diameter", "지름"),
+        ("weight", "무게"),
+        ("tilt", "기울기"),
+    ];
+    let words_of = |name: &str| {
+        WORDS
+            .iter()
+            .find(|(known, _)| *known == name)
+            .map(|(_, words)| *words)
+    };
+    if language == Language::English {
+        return path.to_owned();
+    }
+    let of_stone = || {
+        let (number, rest) = path.strip_prefix("blocks[")?.split_once("].")?;
+        Some(format!("부재 {number} {}", words_of(rest)?))
+    };
+    match words_of(path).map(str::to_owned).or_else(of_stone) {
+        Some(words) => format!("{words}, {path}"),
+        None => path.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_inputs_have_words_beside_their_path() {
+        let korean = |path| input_words(path, Language::Korean);
+        assert_eq!(korean("joint.friction"), "접합면 마찰계수, joint.friction");
+        assert_eq!(korean("blocks[2].height"), "부재 2 높이, blocks[2].height");
+        assert_eq!(korean("links[1].sway"), "links[1].sway");
+        assert_eq!(input_words("density", Language::English), "density");
+    }
+}

@@ -12,7 +12,7 @@ mod table;
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
 pub use frame_maps::{FrameMaps, harmonic_columns, release_columns};
 pub use journal::{Journal, JournalError, JournalHeader, fingerprint, header_line, read_journal, run_line};
-pub use method::{FRAME_REST_S, part_of_step};
+pub use method::{FRAME_REST_S, input_words, part_of_step};
 pub use parquet::{TableError, parquet};
 pub use run::{Run, RunOutcome, StudyKind};
 pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};

@@ -234,7 +234,7 @@ fn energy_text(simulation: &Simulation) -> String {
 fn lost_in(law: &ContactLaw) -> &'static str {
     match law {
         ContactLaw::Springs(_) => "dashpots",
-        ContactLaw::Rigid(_) => "impacts",
+        ContactLaw::Rigid(_) => "impacts, small ones of a step included",
     }
 }
 

@@ -316,7 +316,11 @@ fn holds_a_run_that_makes_energy_is_diverged_or_done_again_at_half_the_step() {
         history.time_step_s
     );
     assert!(history.energy_made_ratio() < MADE_MOST);
-    assert_eq!(history.outcome, Outcome::Stood);
+    assert!(
+        matches!(history.outcome, Outcome::StillMoving { block: 0, .. }),
+        "{:?}",
+        history.outcome
+    );
 }
 
 #[test]
@@ -375,7 +379,7 @@ fn holds_a_stone_on_the_brink_is_named() {
     let stack = stack(blocks, JointMaterial::with_friction(0.5));
     let slides = |slip_m: f64| {
         let options = Springs {
-            duration_s: Some(1.0),
+            duration_s: Some(1.2),
             starts: vec![Start {
                 velocity_m_s: [(2.0 * 0.5 * GRAVITY_M_S2 * slip_m).sqrt(), 0.0, 0.0],
                 ..Start::of(1)
@@ -404,7 +408,7 @@ fn holds_a_stone_on_the_brink_is_named() {
     );
     // on the ground nothing is lost but the place
     let wide = Springs {
-        duration_s: Some(1.0),
+        duration_s: Some(1.2),
         starts: vec![Start {
             velocity_m_s: [1.5, 0.0, 0.0],
             ..Start::of(0)

@@ -3,7 +3,7 @@
 //            less, under both laws; one that is cut short says that they move.
 // PARAMETERS block 0.4 × 1.0 × 2.0 m, 2600 kg/m³, k_n 1e10 Pa/m, half sine of ω/p = 2; time to rest 0, .5, 2 and 15 s.
 // PUBLISHED  –
-// TOLERANCE  .3 % of the amplitude that overturns under the rigid law, 2 % on springs (errors of stack_rigid.rs and stack_rocking.rs).
+// TOLERANCE  .3 % of the amplitude that overturns under the rigid law; on springs 6 % below it, for 4 × 4 points yield under the edge.
 
 use crate::stack_rocking::pulse;
 use dolmen::blocks::{ContactLaw, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_springs_many};
@@ -113,17 +113,17 @@ fn holds_a_run_cut_short_says_that_stones_move() {
         "{:?}",
         rests.outcome
     );
-    // where it rests, it lies still
+    // where it rests, it lies still: an opening of .1 mm moves the centroid by a quarter of a millimetre
     let last = rests.time_s.len() - 1;
     let half_a_second = last - 50;
     let [before, after] = [half_a_second, last].map(|sample| rests.pose(sample, 0).centroid_m);
-    assert!((0..3).all(|axis| (before[axis] - after[axis]).abs() < 1e-4));
+    assert!((0..3).all(|axis| (before[axis] - after[axis]).abs() < 3e-4));
 }
 
 #[test]
 fn holds_runs_side_by_side_go_on_as_long_as_alone() {
     let (stack, options) = (block(), springs(0.0));
-    let parts = [0.4, 0.8, 0.95, 1.05];
+    let parts = [0.4, 0.8, 0.93, 1.05];
     let motions = parts.map(|part| pulse(Pulse::HalfSine, 2.0, part * exact()));
     let runs: Vec<StackRun<'_>> = motions
         .iter()
@@ -140,4 +140,22 @@ fn holds_runs_side_by_side_go_on_as_long_as_alone() {
         lengths_s[index] = history.unwrap().time_s.last().copied().unwrap();
     });
     assert!(lengths_s[0] < 1.5 && lengths_s[2] > 5.0, "{lengths_s:?}");
+}
+
+#[test]
+fn refuses_rigid_steps_that_pass_over_the_motion() {
+    let step = |time_step_s: f64| {
+        let options = ContactLaw::Rigid(Rigid {
+            time_step_s,
+            duration_s: Some(0.1),
+            ..Rigid::default()
+        });
+        simulate_stack(&block(), None, &options, &mut |_| true)
+    };
+    assert!(step(0.005).is_ok());
+    let fault = step(0.05).unwrap_err().to_string();
+    assert!(
+        fault.contains("time_step_s is 0.05, but must be 5e-3 or less"),
+        "{fault}"
+    );
 }

@@ -206,6 +206,11 @@ impl<'a, S: Simd> Herd<'a, S> {
         let mut places: Vec<Place> = Vec::new();
         for lane in 0..S::F64_LANES {
             self.write_back(lane);
+            // what has drifted in the step just done is looked at in the next, whatever its new place
+            if let Some(ride) = &mut self.rides[lane] {
+                let drifted = self.joints.iter().filter(|joint| joint.has_drifted(lane));
+                drifted.for_each(|joint| ride.run.assembly.set_stale(joint.place.pair));
+            }
             let contacts = self.rides[lane]
                 .iter()
                 .flat_map(|ride| ride.run.assembly.contacts());

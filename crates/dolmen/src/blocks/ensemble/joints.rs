@@ -174,6 +174,7 @@ impl<S: Simd> JointLanes<S> {
         frame.size.set(lane, outline.size);
         frame.shift_most.set(lane, most[0]);
         frame.lean_most.set(lane, most[1]);
+        frame.drifted.set(lane, 0.0);
         let same = [DMat3::IDENTITY, DMat3::from_diagonal(DVec3::new(1.0, -1.0, -1.0))]
             .map(|axes| patch.plane_axes == axes && patch.point_axes == axes);
         self.set_axes(
