@@ -3,7 +3,7 @@
 //            less, under both laws; one that is cut short says that they move.
 // PARAMETERS block 0.4 × 1.0 × 2.0 m, 2600 kg/m³, k_n 1e10 Pa/m, half sine of ω/p = 2; time to rest 0, .5, 2 and 15 s.
 // PUBLISHED  –
-// TOLERANCE  .3 % of the amplitude that overturns under the rigid law; on springs 6 % below it, for 4 × 4 points yield under the edge.
+// TOLERANCE  .3 % of the amplitude that overturns under the rigid law; on springs 5 % below it (measured 2 to 4 %: the edge yields).
 
 use crate::stack_rocking::pulse;
 use dolmen::blocks::{ContactLaw, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_springs_many};
@@ -59,16 +59,16 @@ fn springs(rest_s: f64) -> Springs {
 #[test]
 fn agrees_what_overturns_whatever_the_time_to_rest() {
     for rest_s in [0.0, 0.5, 2.0, 15.0] {
-        for (law, near) in [
-            (rigid(rest_s), 0.003),
-            (ContactLaw::Springs(springs(rest_s)), 0.02),
+        for (law, [below, above]) in [
+            (rigid(rest_s), [0.997, 1.003]),
+            (ContactLaw::Springs(springs(rest_s)), [0.95, 1.01]),
         ] {
-            let falls = ends(&law, 1.0 + near).outcome;
+            let falls = ends(&law, above).outcome;
             assert!(
                 matches!(falls, Outcome::Fell { .. }),
                 "{rest_s} {law:?}: {falls:?}"
             );
-            let stands = ends(&law, 1.0 - near).outcome;
+            let stands = ends(&law, below).outcome;
             assert!(
                 matches!(stands, Outcome::Uplifted { .. }),
                 "{rest_s} {law:?}: {stands:?}"
