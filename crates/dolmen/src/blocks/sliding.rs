@@ -5,9 +5,9 @@
 
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
-use super::history::{JointHistory, Pose};
 use super::sliding_bed::Twist;
 use super::sliding_chain::{Chain, Place, Shaking};
+use super::sliding_history::{SlidingHistory, SlidingOutcome};
 use super::sliding_record::Recorder;
 use super::sliding_solve::{Slide, Stage, Trouble};
 use crate::signal::GroundMotion;
@@ -74,69 +74,6 @@ impl Default for Sliding {
             starts: Vec::new(),
         }
     }
-}
-
-/// How a run of [`simulate_sliding`] ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum SlidingOutcome {
-    /// No joint was let go: all blocks moved with the ground.
-    Stuck,
-    /// At least one slid or twisted.
-    Slid,
-    /// The pressure left a bed, so that the blocks above begin to rock, which the model does not follow: the run ends there.
-    Rocks {
-        /// The joint, as an index of the stack's joints.
-        joint: usize,
-        /// When, s.
-        at_s: f64,
-    },
-    /// The ground fell away faster than the blocks, which the model does not follow: the run ends there.
-    LeftTheGround {
-        /// When, s.
-        at_s: f64,
-    },
-    /// The caller stopped it.
-    Stopped {
-        /// When, s.
-        at_s: f64,
-    },
-}
-
-/// A time over which a joint slid or twisted.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SlidingSpell {
-    /// The joint, as an index of the stack's joints.
-    pub joint: usize,
-    /// From when, s.
-    pub from_s: f64,
-    /// To when, s; the end of the run if it still moved.
-    pub to_s: f64,
-}
-
-/// Motion of a sliding pile.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SlidingHistory {
-    /// How it ended.
-    pub outcome: SlidingOutcome,
-    /// Times of the samples, s.
-    pub time_s: Vec<f64>,
-    /// Number of blocks, the row length of `poses`.
-    pub blocks: usize,
-    /// Where each block is: samples × blocks, row by row.
-    pub poses: Vec<Pose>,
-    /// One history a joint of the stack; none opens.
-    pub joints: Vec<JointHistory>,
-    /// When joints moved, in the order in which they stopped.
-    pub spells: Vec<SlidingSpell>,
-    /// Work of the shaking in the frame of the ground, J.
-    pub input_j: f64,
-    /// Taken by friction, J.
-    pub friction_j: f64,
-    /// What is left over: |motion + friction − input − start|, largest at any step, J.
-    pub energy_error_j: f64,
-    /// Steps taken.
-    pub steps: usize,
 }
 
 /// Motion of a pile of blocks with level beds that slide and twist on each other under base motion of up to three components.

@@ -1,8 +1,9 @@
 //! What is kept of a sliding pile: samples between the ends of steps, peaks at them, spells of sliding, the balance of energy.
 
 use super::history::{JointHistory, Pose};
-use super::sliding::{SlidingHistory, SlidingOutcome, SlidingSpell, State};
+use super::sliding::State;
 use super::sliding_chain::{Chain, Place};
+use super::sliding_history::{SlidingHistory, SlidingOutcome, SlidingSpell};
 use super::sliding_solve::Slide;
 use crate::structure::stack::Stack;
 use glam::{DVec2, DVec3};

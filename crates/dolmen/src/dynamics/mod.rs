@@ -20,6 +20,7 @@ mod frame_series;
 mod frame_studies;
 mod frame_work;
 mod rocking_block;
+mod rocking_run;
 
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
 pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};

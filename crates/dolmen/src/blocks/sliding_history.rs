@@ -1,0 +1,66 @@
+//! What a run of the sliding model gives.
+
+use super::history::{JointHistory, Pose};
+
+/// How a run of [`super::simulate_sliding`] ended.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum SlidingOutcome {
+    /// No joint was let go: all blocks moved with the ground.
+    Stuck,
+    /// At least one slid or twisted.
+    Slid,
+    /// The pressure left a bed, so that the blocks above begin to rock, which the model does not follow: the run ends there.
+    Rocks {
+        /// The joint, as an index of the stack's joints.
+        joint: usize,
+        /// When, s.
+        at_s: f64,
+    },
+    /// The ground fell away faster than the blocks, which the model does not follow: the run ends there.
+    LeftTheGround {
+        /// When, s.
+        at_s: f64,
+    },
+    /// The caller stopped it.
+    Stopped {
+        /// When, s.
+        at_s: f64,
+    },
+}
+
+/// A time over which a joint slid or twisted.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SlidingSpell {
+    /// The joint, as an index of the stack's joints.
+    pub joint: usize,
+    /// From when, s.
+    pub from_s: f64,
+    /// To when, s; the end of the run if it still moved.
+    pub to_s: f64,
+}
+
+/// Motion of a sliding pile.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlidingHistory {
+    /// How it ended.
+    pub outcome: SlidingOutcome,
+    /// Times of the samples, s.
+    pub time_s: Vec<f64>,
+    /// Number of blocks, the row length of `poses`.
+    pub blocks: usize,
+    /// Where each block is: samples × blocks, row by row.
+    pub poses: Vec<Pose>,
+    /// One history a joint of the stack; none opens.
+    pub joints: Vec<JointHistory>,
+    /// When joints moved, in the order in which they stopped.
+    pub spells: Vec<SlidingSpell>,
+    /// Work of the shaking in the frame of the ground, J.
+    pub input_j: f64,
+    /// Taken by friction, J.
+    pub friction_j: f64,
+    /// What is left over: |motion + friction − input − start|, largest at any step, J.
+    pub energy_error_j: f64,
+    /// Steps taken.
+    pub steps: usize,
+}

@@ -1,0 +1,344 @@
+//! One rocking block on its way: power series between lift-off, impact and fall.
+
+use super::DynamicsError;
+use super::excitation::TimeFunction;
+use super::rocking_block::{
+    Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome,
+};
+use crate::numeric::{first_descent, polynomial};
+use std::f64::consts::FRAC_PI_2;
+
+/// Coefficients of a series. Chosen here: rounding is reached at steps of 1/p.
+const COEFFICIENTS: usize = 24;
+/// Size of the last coefficients, over the rotation, from which a step is halved.
+const TRUNCATION: f64 = 1e-16;
+/// Angular velocity after an impact, over p, below which the block rests: what is left of its motion is less than that
+/// part of a radian. Chosen here.
+const REST_RATIO: f64 = 1e-10;
+/// Shortest step, over 1/p. Chosen here: shorter ones follow no motion that is meant.
+const STEP_LEAST: f64 = 1e-9;
+/// Impacts after which a run is given up.
+const IMPACTS_MOST: usize = 1_000_000;
+
+/// A run on its way.
+pub(super) struct Run<'a> {
+    block: &'a RockingBlock,
+    ground: [&'a TimeFunction; 2],
+    options: &'a Rocking,
+    breaks_s: Vec<f64>,
+    next_break: usize,
+    pub(super) time_s: f64,
+    /// Side on which it rocks, +1 or −1; 0 at rest on its base.
+    side: f64,
+    u: f64,
+    v: f64,
+    /// It has just been lifted off: rounding must not set it down.
+    lifted: bool,
+    /// When it last came to rest, s.
+    rested_s: f64,
+    pub(super) over: bool,
+    history: RockingHistory,
+}
+
+/// What ends a step.
+#[derive(Clone, Copy, PartialEq)]
+enum Event {
+    None,
+    Impact,
+    Fall,
+    LiftOff { side: f64 },
+    Leaves,
+}
+
+impl<'a> Run<'a> {
+    pub(super) fn of(
+        block: &'a RockingBlock,
+        ground: [&'a TimeFunction; 2],
+        options: &'a Rocking,
+        duration_s: f64,
+    ) -> Self {
+        let mut breaks_s: Vec<f64> = ground.iter().flat_map(|f| f.breaks_s(duration_s)).collect();
+        breaks_s.push(duration_s);
+        breaks_s.sort_by(f64::total_cmp);
+        breaks_s.dedup_by(|b, a| *b - *a < 1e-12 * duration_s); // two components sampled at the same times
+        let start = options.start_rad;
+        Run {
+            block,
+            ground,
+            options,
+            breaks_s,
+            next_break: 0,
+            time_s: 0.0,
+            side: if start == 0.0 { 0.0 } else { start.signum() },
+            u: start.abs(),
+            v: 0.0,
+            lifted: false,
+            rested_s: f64::NEG_INFINITY,
+            over: false,
+            history: RockingHistory {
+                outcome: RockingOutcome::Stood,
+                time_s: Vec::new(),
+                rotation_rad: Vec::new(),
+                peak_rotation_rad: start.abs(),
+                uplift_s: (start != 0.0).then_some(0.0),
+                impacts: Vec::new(),
+                friction_needed: 0.0,
+                least_pressure_ratio: f64::INFINITY,
+            },
+        }
+    }
+
+    pub(super) fn step(&mut self) -> Result<(), DynamicsError> {
+        while self.breaks_s[self.next_break] <= self.time_s {
+            self.next_break += 1;
+        }
+        let to_break = self.breaks_s[self.next_break] - self.time_s;
+        let of_series = self.ground.iter().map(|f| f.step_most_s());
+        let h = of_series
+            .fold(to_break, f64::min)
+            .min(1.0 / self.block.frequency_parameter_rad_s);
+        if self.side == 0.0 {
+            self.rest(h)
+        } else {
+            self.rock(h)
+        }
+    }
+
+    /// At rest on its base until the moment of the ground's acceleration lifts it off.
+    fn rest(&mut self, h: f64) -> Result<(), DynamicsError> {
+        let [x, z] = self.accelerations_over_g(h);
+        let (sin, cos) = match self.options.equation {
+            RockingEquation::Exact => self.block.slenderness_rad.sin_cos(),
+            RockingEquation::Linear => (self.block.slenderness_rad, 1.0),
+        };
+        // a block that has come to rest at this moment must not be lifted by rounding at the same one
+        let from = if self.rested_s == self.time_s { 1e-9 } else { 0.0 };
+        let mut first = (1.0, Event::None);
+        for side in [1.0, -1.0] {
+            let mut holds = [0.0; COEFFICIENTS];
+            for (k, hold) in holds.iter_mut().enumerate() {
+                *hold = sin * z[k] + side * cos * x[k];
+            }
+            if let Some(at) = first_descent(&holds, from).filter(|at| *at < first.0) {
+                first = (at, Event::LiftOff { side });
+            }
+        }
+        if let Some(at) = first_descent(&z, 0.0).filter(|at| *at <= first.0) {
+            first = (at, Event::Leaves);
+        }
+        let (at, event) = first;
+        let [friction, pressure] = [polynomial(&x, 0.0), polynomial(&z, 0.0)];
+        self.see_forces(friction, pressure);
+        self.sample(at * h, |_| 0.0);
+        self.advance(at, h);
+        match event {
+            Event::LiftOff { side } => {
+                (self.side, self.lifted) = (side, true);
+                self.history.uplift_s.get_or_insert(self.time_s);
+            }
+            Event::Leaves => {
+                self.over = true;
+                self.history.outcome = RockingOutcome::LeftTheGround { at_s: self.time_s };
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// On one edge, over a step or up to the event in it.
+    fn rock(&mut self, mut h: f64) -> Result<(), DynamicsError> {
+        let mut u = self.series(h);
+        loop {
+            let last = u[COEFFICIENTS - 1].abs() + u[COEFFICIENTS - 2].abs();
+            if last <= TRUNCATION * u.iter().fold(0.0, |sum, c| sum + c.abs()) {
+                break;
+            }
+            h *= 0.5;
+            if h < STEP_LEAST / self.block.frequency_parameter_rad_s {
+                return Err(DynamicsError::Argument {
+                    argument: "acceleration of the ground over gravity",
+                    given: self.accelerations_over_g(h)[0][0],
+                    allowed: "of a size whose motion can be followed: look at its unit",
+                });
+            }
+            u = self.series(h);
+        }
+        if std::mem::take(&mut self.lifted) {
+            u[2] = u[2].max(0.0);
+        }
+        self.see_edge_forces(&u, h);
+        let mut fall = u.map(|c| -c);
+        fall[0] += FRAC_PI_2;
+        let (mut at, mut event) = (1.0, Event::None);
+        if let Some(sooner) = first_descent(&u, 0.0) {
+            (at, event) = (sooner, Event::Impact);
+        }
+        if let Some(sooner) = first_descent(&fall, 0.0).filter(|sooner| *sooner < at) {
+            (at, event) = (sooner, Event::Fall);
+        }
+        self.see_peak(&u, at);
+        let side = self.side;
+        self.sample(at * h, |t| side * polynomial(&u, t / h));
+        (self.u, self.v) = (polynomial(&u, at), slope(&u, at) / h);
+        self.advance(at, h);
+        match event {
+            Event::Impact => self.impact()?,
+            Event::Fall => {
+                self.over = true;
+                self.history.outcome = RockingOutcome::Fell { at_s: self.time_s };
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    fn impact(&mut self) -> Result<(), DynamicsError> {
+        let before = self.v;
+        self.history.impacts.push(RockingImpact {
+            at_s: self.time_s,
+            velocity_rad_s: self.side * before,
+        });
+        if self.history.impacts.len() > IMPACTS_MOST {
+            return Err(DynamicsError::TooManyEvents {
+                at_s: self.time_s,
+                events: IMPACTS_MOST,
+            });
+        }
+        (self.side, self.u, self.v) = (-self.side, 0.0, -self.block.velocity_ratio * before);
+        if self.v < REST_RATIO * self.block.frequency_parameter_rad_s {
+            self.rested_s = self.time_s;
+            (self.side, self.v) = (0.0, 0.0); // if the ground still lifts it, `rest` finds that at once
+        }
+        Ok(())
+    }
+
+    /// a_x/g and 1 + a_z/g as series over a step.
+    fn accelerations_over_g(&self, h: f64) -> [[f64; COEFFICIENTS]; 2] {
+        let mut series = [[0.0; COEFFICIENTS]; 2];
+        for (series, ground) in series.iter_mut().zip(self.ground) {
+            ground.series(self.time_s, h, series);
+            for c in series.iter_mut() {
+                *c /= self.block.gravity_m_s2;
+            }
+        }
+        series[1][0] += 1.0;
+        series
+    }
+
+    /// Coefficients of u(σ), from the equation of motion term by term.
+    ///
+    /// ```text
+    /// (k+1)(k+2) u_{k+2} = −(h p)² Σ (z_j S_{k−j} + s x_j C_{k−j})
+    /// k S_k = Σ j φ_j C_{k−j},   k C_k = −Σ j φ_j S_{k−j}        φ = α − u;  S = sin φ, C = cos φ  (linear: φ, 1)
+    /// ```
+    fn series(&self, h: f64) -> [f64; COEFFICIENTS] {
+        let [x, z] = self.accelerations_over_g(h);
+        let terms = |c: &[f64]| c.iter().rposition(|c| *c != 0.0).map_or(0, |last| last + 1);
+        let (x, z) = (&x[..terms(&x)], &z[..terms(&z)]);
+        let mut u = [0.0; COEFFICIENTS];
+        let (mut sin, mut cos, mut phi) = ([0.0; COEFFICIENTS], [0.0; COEFFICIENTS], [0.0; COEFFICIENTS]);
+        (u[0], u[1]) = (self.u, self.v * h);
+        let scale = -(h * self.block.frequency_parameter_rad_s).powi(2);
+        for k in 0..COEFFICIENTS {
+            phi[k] = if k == 0 { self.block.slenderness_rad } else { 0.0 } - u[k];
+            match (self.options.equation, k) {
+                (RockingEquation::Linear, _) => {
+                    sin[k] = phi[k];
+                    cos[k] = if k == 0 { 1.0 } else { 0.0 };
+                }
+                (RockingEquation::Exact, 0) => (sin[0], cos[0]) = phi[0].sin_cos(),
+                (RockingEquation::Exact, _) => {
+                    let (mut s, mut c) = (0.0, 0.0);
+                    for j in 1..=k {
+                        s += j as f64 * phi[j] * cos[k - j];
+                        c -= j as f64 * phi[j] * sin[k - j];
+                    }
+                    (sin[k], cos[k]) = (s / k as f64, c / k as f64);
+                }
+            }
+            if k + 2 < COEFFICIENTS {
+                let mut force = 0.0;
+                for (j, z) in z.iter().enumerate().take(k + 1) {
+                    force += z * sin[k - j];
+                }
+                for (j, x) in x.iter().enumerate().take(k + 1) {
+                    force += self.side * x * cos[k - j];
+                }
+                u[k + 2] = scale * force / ((k + 1) * (k + 2)) as f64;
+            }
+        }
+        u
+    }
+
+    /// Forces at the edge where a step begins, over the weight, from the acceleration of the mass centre.
+    ///
+    /// ```text
+    /// a_x + s R (u″ cos φ + u′² sin φ),   g + a_z + R (u″ sin φ − u′² cos φ)      R = g (m R² / I_0) / p²
+    /// ```
+    fn see_edge_forces(&mut self, u: &[f64; COEFFICIENTS], h: f64) {
+        let block = self.block;
+        let [x, z] = self.accelerations_over_g(h);
+        let (sin, cos) = (block.slenderness_rad - self.u).sin_cos();
+        let (turned, square) = (2.0 * u[2] / (h * h), self.v * self.v);
+        let r_over_g = block.inertia_ratio / block.frequency_parameter_rad_s.powi(2);
+        let friction = x[0] + self.side * r_over_g * (turned * cos + square * sin);
+        let pressure = z[0] + r_over_g * (turned * sin - square * cos);
+        self.see_forces(friction, pressure);
+    }
+
+    fn see_forces(&mut self, friction: f64, pressure: f64) {
+        let needed = if pressure > 0.0 {
+            friction.abs() / pressure
+        } else {
+            f64::INFINITY
+        };
+        self.history.friction_needed = self.history.friction_needed.max(needed);
+        self.history.least_pressure_ratio = self.history.least_pressure_ratio.min(pressure);
+    }
+
+    /// Largest rotation up to σ = `at`: at its end or where it turns.
+    fn see_peak(&mut self, u: &[f64; COEFFICIENTS], at: f64) {
+        let mut rate = [0.0; COEFFICIENTS];
+        for k in 1..COEFFICIENTS {
+            rate[k - 1] = k as f64 * u[k];
+        }
+        let turns = first_descent(&rate, 0.0).filter(|turn| *turn <= at);
+        for sigma in [Some(at), turns].into_iter().flatten() {
+            let rotation = polynomial(u, sigma);
+            self.history.peak_rotation_rad = self.history.peak_rotation_rad.max(rotation);
+        }
+    }
+
+    /// Takes the samples up to `until` after the time of the run.
+    fn sample(&mut self, until: f64, value: impl Fn(f64) -> f64) {
+        loop {
+            let at = self.history.time_s.len() as f64 * self.options.output_step_s;
+            if at > self.time_s + until {
+                return;
+            }
+            let rotation = value(at - self.time_s);
+            self.history.time_s.push(at);
+            self.history.rotation_rad.push(rotation);
+        }
+    }
+
+    fn advance(&mut self, at: f64, h: f64) {
+        let to_break = self.breaks_s[self.next_break];
+        self.time_s += at * h;
+        if at == 1.0 && (to_break - self.time_s).abs() < 1e-6 * h {
+            self.time_s = to_break; // so that rounding leaves no sliver of a step
+        }
+    }
+
+    pub(super) fn history(mut self) -> RockingHistory {
+        if self.history.outcome == RockingOutcome::Stood && self.history.uplift_s.is_some() {
+            self.history.outcome = RockingOutcome::Rocked;
+        }
+        self.history
+    }
+}
+
+fn slope(c: &[f64], sigma: f64) -> f64 {
+    let terms = c.iter().enumerate().skip(1).rev();
+    terms.fold(0.0, |sum, (k, c)| sum * sigma + k as f64 * c)
+}
