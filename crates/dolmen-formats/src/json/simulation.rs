@@ -35,6 +35,8 @@ pub fn simulation_json(simulation: &Simulation) -> Value {
             "solutions": rigid.solutions,
             "newton_steps": rigid.newton_steps,
             "steps_at_rest": rigid.steps_at_rest,
+            "loose_solutions": rigid.loose_solutions,
+            "halvings": rigid.halvings,
         })),
     })
 }

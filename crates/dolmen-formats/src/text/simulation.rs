@@ -261,6 +261,13 @@ fn run_text(simulation: &Simulation) -> String {
                  {:.1e} m in another",
                 rigid.steps_at_rest, rigid.impacts, rigid.residual_most_m_s, rigid.penetration_most_m
             );
+            if rigid.loose_solutions + rigid.halvings > 0 {
+                let _ = writeln!(
+                    out,
+                    "  {} of {} solutions are farther than 1e-6 m/s from the law, {} times a step was halved to find one",
+                    rigid.loose_solutions, rigid.solutions, rigid.halvings
+                );
+            }
         }
         None => {
             let _ = writeln!(

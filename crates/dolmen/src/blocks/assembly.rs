@@ -250,17 +250,6 @@ impl Assembly {
         }
     }
 
-    /// Forces of ties and props alone at the bodies' present places.
-    pub(super) fn ties(&mut self, h: f64, forces: &mut Forces) {
-        forces.clear(self.bodies.len());
-        for link in &mut self.links {
-            forces.friction_loss += link.pull(&self.bodies, forces);
-        }
-        for prop in &self.props {
-            prop.push(&self.bodies, forces, h);
-        }
-    }
-
     pub(super) fn links(&self) -> &[Link] {
         &self.links
     }

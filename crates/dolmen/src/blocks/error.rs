@@ -65,6 +65,18 @@ pub enum BlocksError {
         /// When, s.
         at_s: f64,
     },
+    /// Something that only the springs law knows.
+    #[error(
+        "{what} has {quantity} {given:.4e}, but the rigid law, whose stones only press, rub and part, allows 0: set it to 0 or take it out, or simulate with the springs law"
+    )]
+    SpringsOnly {
+        /// What has it: a joint, a dowel or clamp, a side support, and where.
+        what: String,
+        /// The quantity, with its unit.
+        quantity: &'static str,
+        /// Its value.
+        given: f64,
+    },
     /// The stack cannot be.
     #[error(transparent)]
     Stack(#[from] StackError),

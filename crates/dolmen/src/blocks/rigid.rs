@@ -12,7 +12,7 @@ use super::rigid_run::Run;
 use super::springs::{AfterFall, Start, push};
 use super::stillness::RunLength;
 use crate::signal::GroundMotion;
-use crate::structure::stack::Stack;
+use crate::structure::stack::{Body, Stack};
 use glam::DVec3;
 
 /// Closer than the springs do, for the steps are longer. Chosen here: stones that near each other at less than some 2 m/s meet seen.
@@ -72,7 +72,8 @@ impl Default for Rigid {
 /// ```
 ///
 /// # Errors
-/// [`BlocksError`] for options out of range and a block that is not there.
+/// [`BlocksError`] for options out of range, a block that is not there, and what only the springs law knows: bonds (cohesion, tension),
+/// dowels and clamps, side supports.
 ///
 /// # Limits
 /// Stones are rigid; contact is of convex hulls. Impacts are found inside the step, ends of slips are not. What
@@ -112,6 +113,7 @@ pub fn simulate_rigid(
             allowed: "5e-3 or less: longer steps pass over the motion of the ground and what stones do in it",
         });
     }
+    refuse_springs(stack)?;
     let mut assembly = Assembly::of(stack, options.contact_rule);
     assembly.without_springs();
     assembly.watch(WATCHFULNESS);
@@ -163,4 +165,43 @@ pub fn simulate_rigid(
         rigid: Some(evidence),
         ..history
     })
+}
+
+/// Refuses what holds stones together or from aside: the law has no such force.
+fn refuse_springs(stack: &Stack) -> Result<(), BlocksError> {
+    let name = |block: usize| stack.blocks().get(block).map_or("", |block| block.name.as_str());
+    let between = |lower: Body, upper: usize| match lower {
+        Body::Ground => format!("the ground and '{}'", name(upper)),
+        Body::Block(lower) => format!("'{}' and '{}'", name(lower), name(upper)),
+    };
+    let refuse = |what: String, quantity, given| {
+        Err(BlocksError::SpringsOnly {
+            what,
+            quantity,
+            given,
+        })
+    };
+    for joint in stack.joints() {
+        for (quantity, given) in [
+            ("cohesion_pa", joint.material.cohesion_pa),
+            ("tension_pa", joint.material.tension_pa),
+        ] {
+            if given > 0.0 {
+                let what = format!("the joint between {}", between(joint.lower, joint.upper));
+                return refuse(what, quantity, given);
+            }
+        }
+    }
+    if let Some(tie) = stack.ties().first() {
+        let what = format!("the dowel or clamp between {}", between(tie.lower, tie.upper));
+        return match tie.axial_stiffness_n_m > 0.0 {
+            true => refuse(what, "axial_stiffness_n_m", tie.axial_stiffness_n_m),
+            false => refuse(what, "shear_stiffness_n_m", tie.shear_stiffness_n_m),
+        };
+    }
+    if let Some(support) = stack.side_supports().first() {
+        let what = format!("the side support of '{}'", name(support.block));
+        return refuse(what, "stiffness_n_m", support.stiffness_n_m);
+    }
+    Ok(())
 }

@@ -22,6 +22,8 @@ const HARDNESS: f64 = 1e5;
 const HELD_NEAR: f64 = 1e-3;
 /// Least weight along the plane of a point that did not press, in parts of what its area gives it. Chosen here.
 const SHEAR_LEAST: f64 = 0.1;
+/// Least part of a face's weight that one of its points has: slivers that clipping leaves must bear too. Chosen here.
+const WEIGHT_LEAST: f64 = 1e-3;
 
 /// How a point takes part.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -41,6 +43,8 @@ pub(super) struct Point {
     pub(super) weight: f64,
     /// The same along the plane: where the face presses more, more.
     pub(super) shear_weight: f64,
+    /// Part of the force that it is expected to carry; negative if none is expected of the face.
+    pub(super) share: f64,
     pub(super) friction: f64,
     /// Gap now, m.
     pub(super) gap: f64,
@@ -49,17 +53,11 @@ pub(super) struct Point {
     /// Along the two axes of the plane, then the normal.
     pub(super) offset: [f64; 3],
     pub(super) held: [f64; 3],
-    /// Normal impulse that bounds friction while a solution is sought with bounds.
-    pub(super) bound: f64,
     pub(super) impulse: [f64; 3],
-    /// Largest pull and largest shear without pressure, N s: of a bond.
-    pub(super) bond: [f64; 2],
     pub(super) part: Part,
     pub(super) slips: bool,
     /// Whether it slipped in the step before.
     pub(super) slid: bool,
-    /// Impulse of the best solution so far, and whether the point slips in it.
-    pub(super) best: ([f64; 3], bool),
     /// Direction along which it slipped in the last Newton step; zeros if it did not.
     pub(super) along: [f64; 2],
     /// Index in the patch; beyond it for points that are made for an impact.
@@ -75,18 +73,16 @@ impl Point {
             area,
             weight: 0.0,
             shear_weight: 0.0,
+            share: -1.0,
             friction: 0.0,
             gap: 0.0,
             gap_ahead: 0.0,
             offset: [0.0; 3],
             held: [0.0; 3],
-            bound: 0.0,
             impulse: [0.0; 3],
-            bond: [0.0; 2],
             part: Part::Away,
             slips: false,
             slid: false,
-            best: ([0.0; 3], false),
             along: [0.0; 2],
             index: 0,
         }
@@ -113,18 +109,10 @@ pub(super) struct Face {
     pub(super) warm: bool,
     /// Whether the last sum was presumed in part instead of the law's.
     pub(super) swung: bool,
-    /// ρ × mass / area: weight a unit of area.
-    pub(super) weight_per_area: f64,
-    pub(super) way: Way,
-}
-
-/// How a solution is sought.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Way {
-    /// Newton steps on the law itself.
-    Direct,
-    /// Friction has the bounds of the impulses held, and weights are this part of what they are: a convex problem.
-    Bounded(f64),
+    /// Part of the weights that counts.
+    pub(super) softness: f64,
+    /// ρ × mass.
+    pub(super) whole_weight: f64,
 }
 
 /// Derivative of the impulses on S by the twist, with the opposite sign.
@@ -142,7 +130,7 @@ pub(super) fn velocity(twist: &Six, x: f64, y: f64) -> [f64; 3] {
 
 /// Gᵀ p, summed.
 #[inline]
-fn add_wrench(sum: &mut Six, x: f64, y: f64, p: &[f64; 3]) {
+pub(super) fn add_wrench(sum: &mut Six, x: f64, y: f64, p: &[f64; 3]) {
     sum[0] += p[0];
     sum[1] += p[1];
     sum[2] += p[2];
@@ -182,10 +170,9 @@ impl Face {
             restitution: patch.law.restitution,
             warm: false,
             swung: false,
-            weight_per_area: 0.0,
-            way: Way::Direct,
+            softness: 1.0,
+            whole_weight: 0.0,
         };
-        let mut area = 0.0;
         for (at_group, group) in patch.points.iter().enumerate() {
             for lane in (0..LANES).filter(|&lane| group.area[lane] > 0.0) {
                 let at = motion.at(group.x[lane], group.y[lane]);
@@ -200,16 +187,11 @@ impl Face {
                     offset[2] += (then.z - at.z) / h - u[2];
                     gap_ahead += then.z - at.z;
                 }
-                area += group.area[lane];
                 face.points.push(Point {
                     friction: group.friction[lane],
                     gap,
                     gap_ahead,
                     offset,
-                    bond: [
-                        group.bond[lane] * group.area[lane] * patch.law.tension,
-                        group.bond[lane] * group.area[lane] * patch.law.cohesion,
-                    ],
                     index: LANES * at_group + lane,
                     ..Point::at([at.x, at.y], group.area[lane])
                 });
@@ -222,12 +204,22 @@ impl Face {
             .filter(|body| body.position.z > height)
             .map(|body| body.mass);
         let mass = above.fold(1.0 / (p.inverse_mass + s.inverse_mass), |sum, mass| sum + mass);
-        face.weight_per_area = HARDNESS * mass / area;
-        for point in &mut face.points {
-            point.weight = face.weight_per_area * point.area;
-            point.shear_weight = point.weight;
-        }
+        face.whole_weight = HARDNESS * mass;
         face
+    }
+
+    /// Sets the weights of the points that take part: together that of the face.
+    pub(super) fn weigh(&mut self) {
+        let near = |point: &&mut Point| point.part == Part::Near;
+        let area: f64 = self.points.iter_mut().filter(near).map(|point| point.area).sum();
+        let whole = self.whole_weight;
+        for point in self.points.iter_mut().filter(near) {
+            point.weight = whole * (point.area / area).max(WEIGHT_LEAST);
+            point.shear_weight = match point.share < 0.0 {
+                true => point.weight,
+                false => (whole * point.share).max(SHEAR_LEAST * point.weight),
+            };
+        }
     }
 
     /// Twist of S against P at velocities of the bodies (ground: zeros), linear and angular.
@@ -245,10 +237,16 @@ impl Face {
         [w.x, w.y, w.z, spin.x, spin.y, spin.z]
     }
 
-    /// Impulses of the law at a twist, their sum on S, and (if asked for) their derivative.
+    /// Twist of S against P at the velocities of all bodies.
+    pub(super) fn twist_of(&self, velocity: &[Six]) -> Six {
+        let at = |body: usize| (body > 0).then(|| &velocity[body]);
+        self.twist(at(self.plane_body), at(self.point_body))
+    }
+
+    /// Impulses of the law at a twist, their sum on S, and their derivative.
     ///
     /// ```text
-    /// p_n = max(λ_n − ϱ (u_n + s_n), −bond),   p_t = λ_t − ϱ (u_t + s_t), cut to the disc of radius μ p_n + bond
+    /// p_n = max(λ_n − ϱ (u_n + s_n), 0),   p_t = λ_t − ϱ (u_t + s_t), cut to the disc of radius μ p_n
     /// ```
     ///
     /// `presume`: take what pressed and slipped for what will, instead of asking the law: how a solution begins.
@@ -256,21 +254,21 @@ impl Face {
     /// A point that would slip one way and then the other is taken for stuck in the next Newton step: `swung` says that there
     /// was one, so that the sum is not that of the law.
     pub(super) fn press(&mut self, twist: &Six, presume: bool, stiffness: Option<&mut Stiffness>) -> Six {
-        let (bounded, softness) = match self.way {
-            Way::Direct => (false, 1.0),
-            Way::Bounded(softness) => (true, softness),
-        };
-        let presume = presume && self.warm && !bounded;
+        let presume = presume && self.warm;
         self.swung = presume;
-        let mut sum = [0.0; 6];
-        let mut k = [[0.0; 6]; 6];
+        let softness = self.softness;
         let wanted = stiffness.is_some();
+        let (mut sum, mut k) = ([0.0; 6], [[0.0; 6]; 6]);
         for point in &mut self.points {
             if point.part == Part::Away {
                 continue;
             }
-            let (x, y, r) = (point.x, point.y, softness * point.weight);
-            let r_t = softness * point.shear_weight;
+            let (x, y, r, r_t) = (
+                point.x,
+                point.y,
+                softness * point.weight,
+                softness * point.shear_weight,
+            );
             let u = velocity(twist, x, y);
             let way = [
                 u[0] + point.offset[0],
@@ -285,27 +283,25 @@ impl Face {
             let presses = if presume {
                 point.held[2] > 0.0
             } else {
-                trial[2] > -point.bond[0]
+                trial[2] > 0.0
             };
-            let normal = if presses { trial[2] } else { -point.bond[0] };
+            let normal = if presses { trial[2] } else { 0.0 };
             let size = trial[0].hypot(trial[1]);
-            let bound = if bounded { point.bound } else { normal };
-            let limit = point.friction * bound.max(0.0) + point.bond[1];
+            let limit = point.friction * normal.max(0.0);
             let slips = if presume { point.slid } else { size > limit };
             let along = if size > 0.0 {
                 [trial[0] / size, trial[1] / size]
             } else {
                 [0.0; 2]
             };
-            let swings =
-                wanted && slips && !bounded && along[0] * point.along[0] + along[1] * point.along[1] < 0.0;
+            let swings = wanted && slips && along[0] * point.along[0] + along[1] * point.along[1] < 0.0;
             let slips = slips && !swings;
             self.swung |= swings;
             if wanted {
                 point.along = if slips { along } else { [0.0; 2] };
             }
             point.slips = slips;
-            if !presses && limit <= 0.0 {
+            if !presses {
                 point.impulse = [0.0; 3];
                 continue;
             }
@@ -343,21 +339,19 @@ impl Face {
             k[0][5] += b * x - a * y;
             k[1][5] += c * x - b * y;
             k[5][5] += a * y * y - 2.0 * b * x * y + c * x * x;
-            if presses {
-                k[2][2] += r;
-                k[2][3] += r * y;
-                k[2][4] -= r * x;
-                k[3][3] += r * y * y;
-                k[3][4] -= r * x * y;
-                k[4][4] += r * x * x;
-                if slips && normal > 0.0 && !bounded {
-                    let (ex, ey) = (r * point.friction * along[0], r * point.friction * along[1]);
-                    let turn = x * ey - y * ex;
-                    for (row, e) in [(0, ex), (1, ey), (5, turn)] {
-                        k[row][2] += e;
-                        k[row][3] += e * y;
-                        k[row][4] -= e * x;
-                    }
+            k[2][2] += r;
+            k[2][3] += r * y;
+            k[2][4] -= r * x;
+            k[3][3] += r * y * y;
+            k[3][4] -= r * x * y;
+            k[4][4] += r * x * x;
+            if slips && normal > 0.0 {
+                let (ex, ey) = (r * point.friction * along[0], r * point.friction * along[1]);
+                let turn = x * ey - y * ex;
+                for (row, e) in [(0, ex), (1, ey), (5, turn)] {
+                    k[row][2] += e;
+                    k[row][3] += e * y;
+                    k[row][4] -= e * x;
                 }
             }
         }
@@ -371,20 +365,6 @@ impl Face {
             *stiffness = k;
         }
         sum
-    }
-
-    /// Keeps the impulses as the best so far.
-    pub(super) fn keep_best(&mut self) {
-        for point in &mut self.points {
-            point.best = (point.impulse, point.slips);
-        }
-    }
-
-    /// Takes the best back.
-    pub(super) fn take_best(&mut self) {
-        for point in &mut self.points {
-            (point.impulse, point.slips) = point.best;
-        }
     }
 
     /// Forgets which way points slipped.
@@ -404,16 +384,9 @@ impl Face {
                 } else {
                     point.shear_weight
                 };
-                (point.impulse[axis] - point.held[axis]) / weight
+                (point.impulse[axis] - point.held[axis]) / (self.softness * weight)
             };
-            let of_bound = match self.way {
-                Way::Direct => 0.0,
-                Way::Bounded(_) => point.friction * (point.impulse[2].max(0.0) - point.bound) / point.weight,
-            };
-            change(2)
-                .abs()
-                .max(change(0).hypot(change(1)))
-                .max(of_bound.abs())
+            change(2).abs().max(change(0).hypot(change(1)))
         })
         .fold(0.0, f64::max)
     }
@@ -479,9 +452,8 @@ impl Face {
         if sum <= 0.0 {
             return;
         }
-        let whole: f64 = self.points.iter().map(|point| point.weight).sum();
         for point in self.points.iter_mut().filter(near) {
-            point.shear_weight = (whole * point.held[2] / sum).max(SHEAR_LEAST * point.weight);
+            point.share = point.held[2] / sum;
         }
         let at = at.map(|moment| moment / sum);
         let around: f64 = self

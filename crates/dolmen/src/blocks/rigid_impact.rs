@@ -79,7 +79,6 @@ impl Run {
         self.kick_s = 0.0;
         self.pull = DVec3::ZERO;
         self.shaking = DVec3::ZERO;
-        self.ties.clear(self.assembly.bodies.len());
         self.inertia.clear();
         for (index, body) in self.assembly.bodies.iter().enumerate() {
             self.inertia.push(Inertia {
@@ -96,7 +95,6 @@ impl Run {
             let before = face.ahead;
             for point in &mut face.points {
                 point.offset = [0.0; 3];
-                point.bond = [0.0; 2];
             }
             if face
                 .points
@@ -157,8 +155,6 @@ impl Face {
         let [x, y] = at.map(|moment| moment / area);
         let closing = -velocity(before, x, y)[2];
         self.points.push(Point {
-            weight: self.weight_per_area * area,
-            shear_weight: self.weight_per_area * area,
             friction,
             gap_ahead: closing, // kept to know when little is left of it
             offset: [0.0, 0.0, -self.restitution * closing],

@@ -1,7 +1,7 @@
 //! Whether a stack goes on moving with the ground, told from equilibrium alone where every stone stands on one joint: then the
 //! force in each joint is known, and it is enough that one spread of it over the points obeys the law.
 
-use super::assembly::{Assembly, Forces};
+use super::assembly::Assembly;
 use super::rigid_bed::{fit_bed, on_bed};
 use super::rigid_faces::{Face, Part, Six};
 use glam::{DMat3, DVec3};
@@ -32,17 +32,12 @@ pub(super) struct AtRest {
 }
 
 impl AtRest {
-    /// The stack with these faces; `None` if some stone stands on none or on several, or ties pull.
-    pub(super) fn of(assembly: &Assembly, faces: &[Face], ties: &Forces) -> Option<Self> {
-        let pulls = ties
-            .force
-            .iter()
-            .chain(&ties.torque)
-            .any(|force| *force != DVec3::ZERO);
+    /// The stack with these faces; `None` if some stone stands on none or on several.
+    pub(super) fn of(assembly: &Assembly, faces: &[Face]) -> Option<Self> {
         let bodies = assembly.bodies.len();
         let touches = |face: &&Face| face.points.iter().any(|point| point.part == Part::Near);
         let faces: Vec<&Face> = faces.iter().filter(touches).collect();
-        if pulls || faces.len() != bodies - 1 {
+        if faces.len() != bodies - 1 {
             return None;
         }
         // outwards from the ground: (body, the face it stands on, the body that carries it)
@@ -100,6 +95,13 @@ impl AtRest {
         self.held
     }
 
+    /// What each joint would carry, if it could, so that nothing moves: pair, body of the plane, force on S about the plane's frame.
+    pub(super) fn carried(&self, pull: DVec3) -> impl Iterator<Item = (usize, usize, Six)> {
+        self.joints
+            .iter()
+            .map(move |joint| (joint.face.pair, joint.face.plane_body, joint.wrench(pull)))
+    }
+
     /// What it said last.
     pub(super) fn held(&self) -> bool {
         self.held
@@ -107,11 +109,16 @@ impl AtRest {
 }
 
 impl Carries {
-    fn holds(&mut self, pull: DVec3) -> bool {
+    /// Force on S about the plane's frame.
+    fn wrench(&self, pull: DVec3) -> Six {
         let force = pull * (self.mass * self.sign);
         let torque = self.from_ground * self.arm.cross(force);
         let force = self.from_ground * force;
-        let wrench: Six = [force.x, force.y, force.z, torque.x, torque.y, torque.z];
+        [force.x, force.y, force.z, torque.x, torque.y, torque.z]
+    }
+
+    fn holds(&mut self, pull: DVec3) -> bool {
+        let wrench = self.wrench(pull);
         if !fit_bed(&self.face.points, &wrench, &mut self.bed, BALANCED) {
             return false;
         }
@@ -123,8 +130,9 @@ impl Carries {
             at[1] += p * point.y;
         }
         let at = at.map(|moment| moment / sum);
-        let twist = torque.z - (at[0] * force.y - at[1] * force.x);
-        let shear = [force.x / sum, force.y / sum];
+        let [force_x, force_y, _, _, _, torque_z] = wrench;
+        let twist = torque_z - (at[0] * force_y - at[1] * force_x);
+        let shear = [force_x / sum, force_y / sum];
         if twist == 0.0 {
             let size = shear[0].hypot(shear[1]);
             return self

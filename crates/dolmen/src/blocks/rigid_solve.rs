@@ -1,41 +1,37 @@
 //! One step of the rigid law: velocities at which impulses and momentum balance, and every point obeys its law.
 //!
 //! ```text
-//! M v − b − Σ Gᵀ p(v) = 0,   p(v) = the law's projection of λ − ϱ (u + s),   λ ← p until they agree
+//! M v − b − Σ Gᵀ p(v) = 0,   p(v) = the law's projection of λ − σ ϱ (u + s),   λ ← p until they agree
 //! ```
 //!
 //! The inner equation is solved by Newton steps on the blocks of the bodies (LU within their outline: block-tridiagonal on a
-//! chain), the outer by carrying the multipliers over. With λ = p every point obeys unilateral contact and Coulomb's law exactly.
+//! chain), the outer by carrying the multipliers λ over. With λ = p every point obeys unilateral contact and Coulomb's law exactly.
+//! It is tried with the weights ϱ as they are (σ = 1) first; where the Newton steps go round in circles, from soft weights to hard ones.
 
 use super::block_skyline::{Block, BlockSkyline, SIX};
-use super::rigid_faces::{Face, Six, Stiffness, Way};
+use super::rigid_faces::{Face, Six, Stiffness};
 use glam::{DMat3, DVec3};
 
 /// Momentum left over, over the mass, at which a Newton step is the last, m/s. Chosen here: far below any way that is seen.
-pub(super) const LEFT_MOST_M_S: f64 = 1e-9;
-/// Distance of a point from its law, m/s, at which a solution is done. Chosen here.
-pub(super) const OFF_MOST_M_S: f64 = 1e-8;
-/// The same that is accepted where further rounds better it no more: a nanometre a step. Chosen here.
-const OFF_WORST_M_S: f64 = 1e-6;
-/// Newton steps for one set of multipliers, and times that multipliers are carried over. Chosen here.
-const NEWTON_MOST: usize = 120;
-const ROUNDS_MOST: usize = 60;
-/// The same when the law itself is solved. Chosen here.
+const LEFT_MOST_M_S: f64 = 1e-9;
+/// Distance of a point from its law, m/s, at which a solution is done, and at which it is once rounds better it no more. Chosen here.
+const OFF_MOST_M_S: f64 = 1e-8;
+const STAYS_M_S: f64 = 1e-6;
+/// The same from which a solution is counted as loose, if it is accepted. Chosen here.
+pub(super) const LOOSE_FROM_M_S: f64 = 1e-6;
+/// Newton steps for one set of multipliers, and times that multipliers are carried over, with weights as they are. Chosen here.
 const DIRECT_STEPS: usize = 10;
 const DIRECT_ROUNDS: usize = 20;
 /// Part to which the distance from the law must fall each time that multipliers are carried over. Chosen here.
 const SLOWEST: f64 = 0.8;
-/// Parts of the weights with which a solution is approached when the law itself is too far. Chosen here.
-const SOFTNESS: [f64; 6] = [1e-4, 1e-3, 1e-2, 1e-1, 1.0, 1.0];
-const WARM_FROM: usize = 3;
-/// Rounds after which the law itself is tried again. Chosen here.
-const DIRECT_EVERY: usize = 2;
-/// Slope left at the end of a step, in parts of that at its start. Chosen here.
-const SLOPE_LEFT: f64 = 0.5;
-/// Round from which bounds move only a part of their way, and that part: they may chase each other. Chosen here.
-const DAMPED_FROM: usize = 12;
-const DAMPED_PART: f64 = 0.4;
-const LINE_STEPS: usize = 30;
+/// Softer weights: the first σ, by how much harder the next is, Newton steps and halvings of each, sets of multipliers, and
+/// sets without a solution before it is given up. Chosen here, on stacks of 10 to 20 stones that fall.
+const SOFTEST_FIRST: f64 = 1e-2;
+const HARDER: f64 = 10.0;
+const SOFT_STEPS: usize = 20;
+const LINE_STEPS: usize = 5;
+const ROUNDS_MOST: usize = 60;
+const FAILURES_MOST: usize = 12;
 
 /// Mass and moments of inertia of a body in the ground's axes.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +58,33 @@ pub(super) struct Solved {
     pub(super) rounds: usize,
 }
 
+/// How Newton steps are taken.
+#[derive(Clone, Copy, Debug)]
+struct Way {
+    /// Begin with what pressed and slipped before, instead of asking the law.
+    presume: bool,
+    /// Times that a step is halved until it betters the balance.
+    line_steps: usize,
+    steps_most: usize,
+}
+
+/// What is left of the momentum.
+#[derive(Clone, Copy, Debug, Default)]
+struct Left {
+    /// Its largest part, as a velocity, m/s.
+    largest_m_s: f64,
+    /// Kinetic energy of all, J.
+    energy_j: f64,
+}
+
+/// A solution on the way, and how far it is from the law.
+#[derive(Clone, Debug)]
+struct Found {
+    off_m_s: f64,
+    velocity: Vec<Six>,
+    held: Vec<Vec<[f64; 3]>>,
+}
+
 /// Rows of the bodies and their matrix.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solver {
@@ -69,7 +92,6 @@ pub(super) struct Solver {
     /// Row of each body; of the ground none.
     rows: Vec<usize>,
     right: Vec<Six>,
-    trial: Vec<Six>,
 }
 
 impl Solver {
@@ -91,83 +113,110 @@ impl Solver {
             right: vec![[0.0; SIX]; first.len()],
             matrix: BlockSkyline::within(first),
             rows,
-            trial: Vec::new(),
         }
     }
 
-    /// Solves from velocities `v` of the bodies (of the ground zeros), which become the solution; the faces keep the impulses.
-    pub(super) fn solve(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &mut Vec<Six>) -> Solved {
-        let mut solved = Solved::default();
-        let (start, held) = (v.clone(), held_of(faces));
-        self.directly(of, faces, v, DIRECT_STEPS, &mut solved);
-        if solved.converged {
-            return solved;
-        }
-        v.clone_from(&start);
-        hold(faces, &held);
-        let begin = if faces.iter().any(|face| face.warm) {
-            WARM_FROM
-        } else {
-            0
-        };
-        set_bounds(faces, 1.0);
-        let mut best = (f64::INFINITY, start);
-        for round in begin..ROUNDS_MOST {
-            let softness = SOFTNESS.get(round).copied().unwrap_or(1.0);
-            for face in faces.iter_mut() {
-                face.way = Way::Bounded(softness);
-            }
-            solved.rounds += 1;
-            let left = self.newton(of, faces, v, false, NEWTON_MOST, &mut solved.newton_steps);
-            let now = faces.iter().map(Face::residual).fold(left, f64::max);
-            for face in faces.iter_mut() {
-                face.way = Way::Direct;
-            }
-            if round + 1 >= SOFTNESS.len() {
-                if now < best.0 && left <= LEFT_MOST_M_S {
-                    best = (now, v.clone());
-                    for face in faces.iter_mut() {
-                        face.keep_best();
-                    }
-                }
-                if best.0 <= OFF_MOST_M_S {
-                    break;
-                }
-            }
-            hold_impulses(faces);
-            set_bounds(faces, if round < DAMPED_FROM { 1.0 } else { DAMPED_PART });
-            if round + 1 >= SOFTNESS.len() && (round + 1 - SOFTNESS.len()).is_multiple_of(DIRECT_EVERY) {
-                let (near, held) = (v.clone(), held_of(faces));
-                self.directly(of, faces, v, DIRECT_STEPS, &mut solved);
-                if solved.converged {
-                    return solved;
-                }
-                v.clone_from(&near);
-                hold(faces, &held);
-            }
-        }
-        v.clone_from(&best.1);
-        for face in faces.iter_mut() {
-            face.take_best();
-        }
-        solved.residual_m_s = best.0;
-        solved.converged = best.0 <= OFF_WORST_M_S;
-        solved
-    }
-
-    /// Solves by Newton steps on the law itself, at most so many for one set of multipliers.
-    fn directly(
+    /// Solves from velocities `v` of the bodies (of the ground zeros), which become the solution; the faces keep the impulses. What is
+    /// farther than `worst_m_s` from the law is no solution.
+    pub(super) fn solve(
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
         v: &mut Vec<Six>,
-        most: usize,
+        worst_m_s: f64,
+    ) -> Solved {
+        let mut solved = Solved::default();
+        let start = Found {
+            off_m_s: f64::INFINITY,
+            velocity: v.clone(),
+            held: held_of(faces),
+        };
+        self.directly(of, faces, v, &mut solved);
+        if !solved.converged {
+            start.take(faces, v);
+            self.softly(of, faces, v, start, &mut solved);
+            solved.converged = solved.residual_m_s <= worst_m_s;
+        }
+        solved
+    }
+
+    /// Solves by way of softer weights, with which Newton steps seldom go round in circles: multipliers are carried over to ever harder
+    /// ones, as far as there are solutions.
+    fn softly(
+        &mut self,
+        of: Momentum<'_>,
+        faces: &mut [Face],
+        v: &mut Vec<Six>,
+        start: Found,
         solved: &mut Solved,
     ) {
+        let (mut softness, mut harder, mut failures) = (SOFTEST_FIRST, HARDER, 0);
+        // the hardest weights that served last; 0 while none did
+        let mut served = 0.0;
+        let mut best = start.clone();
+        let mut last = start;
+        while failures < FAILURES_MOST {
+            for face in faces.iter_mut() {
+                face.softness = softness;
+            }
+            solved.rounds += 1;
+            let careful = Way {
+                presume: false,
+                line_steps: LINE_STEPS,
+                steps_most: SOFT_STEPS,
+            };
+            let left = self.newton(of, faces, v, careful, &mut solved.newton_steps);
+            if left <= LEFT_MOST_M_S {
+                let before = last.off_m_s;
+                let now = faces.iter().map(Face::residual).fold(0.0, f64::max);
+                hold_impulses(faces);
+                last = Found {
+                    off_m_s: now,
+                    velocity: v.clone(),
+                    held: held_of(faces),
+                };
+                if now < best.off_m_s {
+                    best.clone_from(&last);
+                }
+                let stays = softness == 1.0 && now > SLOWEST * before && now <= STAYS_M_S;
+                if now <= OFF_MOST_M_S || stays || solved.rounds > ROUNDS_MOST {
+                    break;
+                }
+                served = softness;
+                softness = (softness * harder).min(1.0);
+            } else {
+                failures += 1;
+                last.take(faces, v);
+                if softness > served && served > 0.0 {
+                    harder = harder.sqrt();
+                    softness = served;
+                } else {
+                    softness /= HARDER;
+                    served = 0.0;
+                }
+            }
+        }
+        best.take(faces, v);
+        for face in faces.iter_mut() {
+            face.softness = 1.0;
+            for point in &mut face.points {
+                point.impulse = point.held;
+            }
+        }
+        solved.residual_m_s = best.off_m_s;
+    }
+
+    /// Solves by Newton steps on the law itself.
+    fn directly(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &mut [Six], solved: &mut Solved) {
         let mut off = f64::INFINITY;
         for round in 0..DIRECT_ROUNDS {
             solved.rounds += 1;
-            let left = self.newton(of, faces, v, round == 0, most, &mut solved.newton_steps);
+            let way = Way {
+                presume: round == 0,
+                line_steps: 0,
+                steps_most: DIRECT_STEPS,
+            };
+            let left = self.newton(of, faces, v, way, &mut solved.newton_steps);
             let now = faces.iter().map(Face::residual).fold(0.0, f64::max);
             solved.residual_m_s = left.max(now);
             let far = left > LEFT_MOST_M_S || now > SLOWEST * off;
@@ -185,21 +234,21 @@ impl Solver {
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
-        v: &mut Vec<Six>,
-        presume: bool,
-        most: usize,
+        v: &mut [Six],
+        way: Way,
         steps: &mut usize,
     ) -> f64 {
-        let bounded = faces.first().is_some_and(|face| face.way != Way::Direct);
-        let mut presume = presume;
+        let mut presume = way.presume;
         for face in faces.iter_mut() {
             face.forget();
         }
+        let mut change = vec![[0.0; SIX]; v.len()];
+        let mut trial = v.to_vec();
         let mut left = f64::INFINITY;
-        for _ in 0..most {
-            let [largest, _] = self.balance(of, faces, v, presume, true);
+        for _ in 0..way.steps_most {
+            let now = self.balance(of, faces, v, presume, true);
             let presumed = faces.iter().any(|face| face.swung);
-            left = if presumed { f64::INFINITY } else { largest };
+            left = if presumed { f64::INFINITY } else { now.largest_m_s };
             if left <= LEFT_MOST_M_S {
                 return left;
             }
@@ -207,71 +256,29 @@ impl Solver {
             if !self.matrix.factor() {
                 return f64::INFINITY;
             }
-            let mut change = std::mem::take(&mut self.right);
-            self.matrix.solve(&mut change);
-            let part = match bounded {
-                true => self.least_along(of, faces, v, &change),
-                false => 1.0,
-            };
-            self.ahead(v, &change, part);
-            std::mem::swap(v, &mut self.trial);
-            self.right = change;
+            self.matrix.solve(&mut self.right);
+            for (change, row) in change.iter_mut().zip(&self.rows).skip(1) {
+                *change = self.right[*row];
+            }
+            // half the step until less is left; the last half is taken whatever it leaves
+            let mut part = 1.0;
+            ahead(&mut trial, v, &change, part);
+            let halvings = if presumed { 0 } else { way.line_steps };
+            for _ in 0..halvings {
+                if self.balance(of, faces, &trial, false, false).energy_j < now.energy_j {
+                    break;
+                }
+                part *= 0.5;
+                ahead(&mut trial, v, &change, part);
+            }
+            v.copy_from_slice(&trial);
             presume = false;
         }
         left
     }
 
-    /// The part of a step up to which a convex problem falls: where its slope along the step is small enough, by false position.
-    fn least_along(&mut self, of: Momentum<'_>, faces: &mut [Face], v: &[Six], change: &[Six]) -> f64 {
-        let mut slope = |part: f64| {
-            self.ahead(v, change, part);
-            let trial = std::mem::take(&mut self.trial);
-            self.balance(of, faces, &trial, false, false);
-            self.trial = trial;
-            let products = self
-                .right
-                .iter()
-                .zip(change)
-                .map(|(r, c)| -> f64 { r.iter().zip(c).map(|(r, c)| r * c).sum() });
-            products.sum::<f64>()
-        };
-        // the right side is the slope downwards
-        let at_end = slope(1.0);
-        let at_start = slope(0.0);
-        if at_end >= -SLOPE_LEFT * at_start {
-            return 1.0;
-        }
-        let (mut low, mut high) = ((0.0, at_start), (1.0, at_end));
-        for _ in 0..LINE_STEPS {
-            let part = low.0 + (high.0 - low.0) * low.1 / (low.1 - high.1);
-            let at = slope(part);
-            if at.abs() <= SLOPE_LEFT * at_start {
-                return part;
-            }
-            if at > 0.0 {
-                low = (part, at);
-                high.1 *= 0.5;
-            } else {
-                high = (part, at);
-                low.1 *= 0.5;
-            }
-        }
-        low.0
-    }
-
-    /// v + part × change.
-    fn ahead(&mut self, v: &[Six], change: &[Six], part: f64) {
-        self.trial.clear();
-        self.trial.extend_from_slice(v);
-        for (body, v) in self.trial.iter_mut().enumerate().skip(1) {
-            for (v, change) in v.iter_mut().zip(&change[self.rows[body]]) {
-                *v += part * change;
-            }
-        }
-    }
-
-    /// What is left of the momentum at `v`: its largest part and the sum of squares, as velocities; the right side and (if
-    /// asked for) the matrix of the next Newton step.
+    /// What is left of the momentum at `v` with the impulses of the law; the right side and (if asked for) the matrix of the next Newton
+    /// step.
     fn balance(
         &mut self,
         of: Momentum<'_>,
@@ -279,7 +286,22 @@ impl Solver {
         v: &[Six],
         presume: bool,
         with_matrix: bool,
-    ) -> [f64; 2] {
+    ) -> Left {
+        self.momentum_left(of, v, with_matrix);
+        for face in faces.iter_mut() {
+            let twist = face.twist_of(v);
+            let mut k: Stiffness = [[0.0; 6]; 6];
+            let wrench = face.press(&twist, presume, with_matrix.then_some(&mut k));
+            self.push(face, &wrench);
+            if with_matrix {
+                self.add(face, &k);
+            }
+        }
+        self.left(of)
+    }
+
+    /// Makes the right side what is left of the momentum without contacts, and the matrix that of the masses.
+    fn momentum_left(&mut self, of: Momentum<'_>, v: &[Six], with_matrix: bool) {
         if with_matrix {
             self.matrix.clear();
         }
@@ -297,51 +319,54 @@ impl Solver {
             ];
             let row = self.rows[body];
             self.right[row] = std::array::from_fn(|i| momentum[i] - has[i]);
-            if with_matrix {
-                let block = self.matrix.block_mut(row, row);
+            if !with_matrix {
+                continue;
+            }
+            let block = self.matrix.block_mut(row, row);
+            for i in 0..3 {
+                block[i][i] += of.mass;
+                for j in 0..3 {
+                    block[3 + i][3 + j] += of.turning.col(j)[i];
+                }
+            }
+        }
+    }
+
+    /// Adds what a contact does to its two bodies to the right side.
+    fn push(&mut self, face: &Face, wrench: &Six) {
+        let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
+        let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
+        let sides = [
+            (face.plane_body, face.arms[0], -1.0),
+            (face.point_body, face.arms[1], 1.0),
+        ];
+        for (body, arm, sign) in sides {
+            if body > 0 {
+                let about = torque + arm.cross(force);
+                let right = &mut self.right[self.rows[body]];
                 for i in 0..3 {
-                    block[i][i] += of.mass;
-                    for j in 0..3 {
-                        block[3 + i][3 + j] += of.turning.col(j)[i];
-                    }
+                    right[i] += sign * force[i];
+                    right[3 + i] += sign * about[i];
                 }
             }
         }
-        for face in faces.iter_mut() {
-            let (p, s) = (face.plane_body, face.point_body);
-            let at = |body: usize| (body > 0).then(|| &v[body]);
-            let twist = face.twist(at(p), at(s));
-            let mut k: Stiffness = [[0.0; 6]; 6];
-            let wrench = face.press(&twist, presume, with_matrix.then_some(&mut k));
-            let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
-            let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
-            for (body, arm, sign) in [(p, face.arms[0], -1.0), (s, face.arms[1], 1.0)] {
-                if body > 0 {
-                    let about = torque + arm.cross(force);
-                    let right = &mut self.right[self.rows[body]];
-                    for i in 0..3 {
-                        right[i] += sign * force[i];
-                        right[3 + i] += sign * about[i];
-                    }
-                }
-            }
-            if with_matrix {
-                self.add(face, &k);
-            }
-        }
-        let (mut largest, mut squares) = (0.0_f64, 0.0);
-        for (body, of) in inertia.iter().enumerate().skip(1) {
+    }
+
+    /// The size of the right side; infinite if it is no number.
+    fn left(&self, of: Momentum<'_>) -> Left {
+        let mut left = Left::default();
+        for (body, of) in of.inertia.iter().enumerate().skip(1) {
             let right = &self.right[self.rows[body]];
             for i in 0..3 {
                 let (slow, turn) = (right[i] / of.mass, right[3 + i] / (of.mass * of.radius));
-                largest = largest.max(slow.abs()).max(turn.abs());
+                left.largest_m_s = left.largest_m_s.max(slow.abs()).max(turn.abs());
                 if slow.is_nan() || turn.is_nan() {
-                    largest = f64::INFINITY;
+                    left.largest_m_s = f64::INFINITY;
                 }
-                squares += of.mass * (slow * slow + turn * turn);
+                left.energy_j += 0.5 * of.mass * (slow * slow + turn * turn);
             }
         }
-        [largest, squares]
+        left
     }
 
     /// Adds what a contact holds against the motion of its two bodies.
@@ -385,18 +410,29 @@ impl Solver {
     }
 }
 
+impl Found {
+    /// Takes it up again.
+    fn take(&self, faces: &mut [Face], v: &mut Vec<Six>) {
+        v.clone_from(&self.velocity);
+        for (face, held) in faces.iter_mut().zip(&self.held) {
+            for (point, held) in face.points.iter_mut().zip(held) {
+                point.held = *held;
+            }
+        }
+    }
+}
+
+/// v + part × change.
+fn ahead(trial: &mut [Six], v: &[Six], change: &[Six], part: f64) {
+    for (trial, (v, change)) in trial.iter_mut().zip(v.iter().zip(change)).skip(1) {
+        *trial = std::array::from_fn(|i| v[i] + part * change[i]);
+    }
+}
+
 /// Impulses held, face by face.
 fn held_of(faces: &[Face]) -> Vec<Vec<[f64; 3]>> {
     let of = |face: &Face| face.points.iter().map(|point| point.held).collect();
     faces.iter().map(of).collect()
-}
-
-fn hold(faces: &mut [Face], held: &[Vec<[f64; 3]>]) {
-    for (face, held) in faces.iter_mut().zip(held) {
-        for (point, held) in face.points.iter_mut().zip(held) {
-            point.held = *held;
-        }
-    }
 }
 
 /// Carries the multipliers over.
@@ -404,15 +440,6 @@ fn hold_impulses(faces: &mut [Face]) {
     for face in faces {
         for point in &mut face.points {
             point.held = point.impulse;
-        }
-    }
-}
-
-/// Moves the bounds of friction a part of the way to what the normal impulses give.
-fn set_bounds(faces: &mut [Face], part: f64) {
-    for face in faces {
-        for point in &mut face.points {
-            point.bound += part * (point.held[2].max(0.0) - point.bound);
         }
     }
 }
