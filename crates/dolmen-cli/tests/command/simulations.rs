@@ -164,7 +164,7 @@ fn refuses_motions_and_options_that_cannot_be() {
 
 #[test]
 fn holds_a_report_shows_the_limits_and_the_motion_in_both_languages() {
-    let scratch = Scratch::with_examples("report");
+    let scratch = Scratch::with_examples("report_of_a_stack");
     let words = "report examples/piled_blocks --motion el-centro-1940-ns --peak 0.6g -o page.html --language";
     for (language, said) in [
         (
@@ -190,6 +190,24 @@ fn holds_a_report_shows_the_limits_and_the_motion_in_both_languages() {
             page.matches("<svg").count()
         );
     }
+}
+
+#[test]
+fn holds_the_report_puts_stones_that_move_together_beside_the_joints() {
+    let scratch = Scratch::with_examples("together");
+    let answer = scratch.dolmen("report examples/five_storey_pagoda -o page.html");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+    let row = page
+        .split("several stones together (limit analysis)")
+        .nth(1)
+        .unwrap();
+    let row = row.split("</tr>").next().unwrap();
+    assert!(row.contains("0.358"), "{row}"); // what `dolmen check` says; the least of the joints alone is 0.397
+    let answer = scratch.dolmen("report examples/p10 -o alone.html");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let page = fs::read_to_string(scratch.path().join("alone.html")).unwrap();
+    assert!(!page.contains("several stones together (limit analysis)"));
 }
 
 /// A block of .4 × 2 m that topples slowly: half a sine just above what overturns it.

@@ -8,6 +8,7 @@ use crate::Language;
 use crate::answer::{Answer, Check, StackAnswer};
 use crate::figures::{above_words, stack_capacity, stack_directions, stack_governing, stack_view};
 use crate::number::{self, significant};
+use dolmen::assess::{StackCheck, StackNote};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Standing, Threshold};
 use maud::{Markup, html};
@@ -69,8 +70,8 @@ pub(super) fn thresholds(language: Language) -> String {
 pub(super) fn findings(answer: &StackAnswer, language: Language) -> Vec<Finding> {
     let check = &answer.check;
     let mut all = vec![Finding::of(check.verdict, banner(answer, language))];
-    match (&check.limits.governing, &check.capacity) {
-        (Some(first), Some(capacity)) if first.threshold == *capacity => {
+    match (&check.limits.governing, moves_together(check)) {
+        (Some(first), None) => {
             all.push(Finding::new(Tone::Plain, first_words(answer, first, language)));
         }
         (_, Some(_)) => all.push(Finding::new(
@@ -122,7 +123,7 @@ pub(super) fn sections(whole: &Answer, answer: &StackAnswer, language: Language)
                 format!("해석 모델. 블록 {}개, 접합면 {}개; 축척에 맞게 오른쪽 앞에서 본 모습.", answer.stack.blocks().len(), answer.stack.joints().len()),
             ),
         ))
-        (limits_table(&limits.cuts, language))
+        (limits_table(&answer.check, language))
         (figure(
             &stack_governing(limits, peak_g, language),
             language.pick(
@@ -133,8 +134,8 @@ pub(super) fn sections(whole: &Answer, answer: &StackAnswer, language: Language)
         (figure(
             &stack_capacity(limits, peak_g, language),
             language.pick(
-                "Capacity of each joint, lowest at the bottom. In the tinted part the ground alone moves it; elastic joints amplify what the ground does.",
-                "접합면별 저항 가속도(아래가 최하단). 바탕색 범위에서는 지반 가속도만으로 움직이며, 탄성 접합면은 지반 가속도를 증폭시킨다.",
+                "Capacity of each joint alone, lowest at the bottom; several stones may move together before (table above). In the tinted part the ground alone moves it; elastic joints amplify what the ground does.",
+                "접합면별 저항 가속도(아래가 최하단). 여러 부재가 함께 더 일찍 움직일 수 있다(위의 표). 바탕색 범위에서는 지반 가속도만으로 움직이며, 탄성 접합면은 지반 가속도를 증폭시킨다.",
             ),
         ))
         @if let Some(drawn) = stack_directions(limits, peak_g, answer.stack.gravity_m_s2(), language) {
@@ -147,7 +148,7 @@ pub(super) fn sections(whole: &Answer, answer: &StackAnswer, language: Language)
     }
 }
 
-fn limits_table(cuts: &[CutLimits], language: Language) -> Markup {
+fn limits_table(check: &StackCheck, language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("What stands on", "접합면 (아래 부재)"),
         language.pick("weight (kN)", "상부 무게 (kN)"),
@@ -158,7 +159,19 @@ fn limits_table(cuts: &[CutLimits], language: Language) -> Markup {
     ]
     .map(String::from)
     .to_vec();
-    let rows: Vec<Vec<Cell>> = cuts.iter().map(|cut| row(cut, language)).collect();
+    let cuts = check.limits.cuts.iter();
+    let mut rows: Vec<Vec<Cell>> = cuts.map(|cut| row(cut, language)).collect();
+    if let Some(together) = moves_together(check) {
+        let name = language.pick(
+            "several stones together (limit analysis)",
+            "여러 부재가 함께 (한계해석)",
+        );
+        let mut cells: Vec<Cell> = vec![Cell::bad(name)];
+        cells.extend(["–", "–", "–"].map(Cell::from));
+        cells.push(Cell::bad(significant(together.acceleration_g, DIGITS)));
+        cells.push("–".into());
+        rows.push(cells);
+    }
     table(
         language.pick(
             "Limits of each joint. Horizontal acceleration at which what stands on it begins to rock or slide, in the worst direction.",
@@ -168,6 +181,12 @@ fn limits_table(cuts: &[CutLimits], language: Language) -> Markup {
         &head,
         &rows,
     )
+}
+
+/// The acceleration at which several stones move together, where that is before any joint alone.
+fn moves_together(check: &StackCheck) -> Option<Threshold> {
+    let lower = |note: &StackNote| matches!(note, StackNote::AnalysisLower { .. });
+    check.capacity.filter(|_| check.notes.iter().any(lower))
 }
 
 fn row(cut: &CutLimits, language: Language) -> Vec<Cell> {
