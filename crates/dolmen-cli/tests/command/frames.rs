@@ -2,7 +2,9 @@
 // GOAL       What a user reads of a simulated frame, the files it writes, and its exit status follow from what happened.
 // TOLERANCE  none: printed words. Histories against the peaks printed beside them: the sampling of the history.
 
+use super::studies::rows;
 use super::verbs::Scratch;
+use std::collections::BTreeMap;
 use std::fs;
 
 const EL_CENTRO: &str = "--motion el-centro-1940-ns";
@@ -114,4 +116,44 @@ fn refuses_what_cannot_be_simulated() {
         &format!("{gate} --variant soft_below --direction north {EL_CENTRO}"),
         "there is no direction \"north\": the file has weak, strong",
     );
+}
+
+#[test]
+fn holds_frames_are_mapped_released_and_scanned() {
+    let scratch = Scratch::with_examples("frames");
+    let words = "study examples/heunginjimun_gate --study map -o out";
+    let answer = scratch.dolmen(words);
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    for said in [
+        "Let go: apparent frequency",
+        "Harmonic ground",
+        "soft_below",
+        "soft_above",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let folder = scratch.path().join("out/map");
+    // stuck, the frame has its measured frequency; slipping, less
+    let release = rows(&folder.join("release.csv"));
+    let of = |row: &BTreeMap<String, String>, key: &str| row[key].parse::<f64>().unwrap();
+    let below: Vec<_> = release
+        .iter()
+        .filter(|row| row["inputs"] == "soft_below")
+        .collect();
+    let (first, last) = (below.first().unwrap(), below.last().unwrap());
+    assert!(of(first, "apparent_frequency_hz") < 0.9, "{first:?}");
+    assert!((of(last, "apparent_frequency_hz") - 1.1).abs() < 0.02, "{last:?}");
+    let map = rows(&folder.join("harmonic.csv"));
+    assert!(map.iter().any(|row| row["slipping_share"] == "0"));
+    assert!(map.iter().any(|row| of(row, "slipping_share") > 0.2));
+    assert!(
+        fs::read_to_string(folder.join("harmonic-1-1.svg"))
+            .unwrap()
+            .starts_with("<svg")
+    );
+    let grown = scratch.dolmen("study examples/heunginjimun_gate --study growth -o out");
+    assert_eq!(grown.status, 0, "{}{}", grown.stdout, grown.stderr);
+    let runs = rows(&scratch.path().join("out/growth/runs.csv"));
+    let share = |row: &BTreeMap<String, String>| of(row, "slipping_share");
+    assert!(runs.iter().any(|row| share(row) == 0.0) && runs.iter().any(|row| share(row) > 0.05));
 }

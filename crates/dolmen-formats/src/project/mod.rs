@@ -27,6 +27,7 @@ mod read_site;
 mod read_stack;
 mod read_structure;
 mod read_study;
+mod read_study_values;
 mod read_survey;
 mod reader;
 mod records;

@@ -4,6 +4,7 @@
 mod corpus;
 mod csv_records;
 mod motion_formats;
+mod motion_networks;
 mod motions;
 mod npy_records;
 mod palisaden;

@@ -5,7 +5,7 @@
 // PUBLISHED  T/4 0.490864 s, r 0.942308; peak slip 24.47948 mm; twist 16.339°; overturning: the nonlinear row of known/overturning.rs.
 // TOLERANCE  rocking 0.05 % (measured below .015 %), slip .001 % of peak, twist 3 %, what 4 × 4 points lack, overturning 1 %.
 
-use crate::stack_rocking::pulse;
+use crate::stack_rocking::{fell_at_once, pulse, tilts};
 use dolmen::blocks::{ContactRule, Outcome, Rigid, StackHistory, Start, simulate_rigid};
 use dolmen::known::overturning::{Equation, Pulse, first_overturning};
 use dolmen::known::rocking::{
@@ -59,17 +59,6 @@ fn run(stack: &Stack, motion: Option<&GroundMotion>, options: &Rigid) -> StackHi
         history.energy_made_ratio()
     );
     history
-}
-
-/// Turn about y at each sample, rad.
-fn tilts(history: &StackHistory) -> Vec<f64> {
-    let samples = 0..history.time_s.len();
-    samples
-        .map(|sample| {
-            let [w, _, y, _] = history.pose(sample, 0).rotation;
-            2.0 * y.atan2(w)
-        })
-        .collect()
 }
 
 /// Times of impacts and the largest tilt before each.
@@ -349,11 +338,7 @@ fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
     };
     let motion = pulse(shape, q, amplitude);
     let history = run(&block(JointMaterial::with_friction(5.0)), Some(&motion), &options);
-    let first = tilts(&history).into_iter().find(|tilt| tilt.abs() > 0.01);
-    let struck = tilts(&history)
-        .into_iter()
-        .any(|tilt| tilt * first.unwrap_or(0.0) < -1e-4);
-    matches!(history.outcome, Outcome::Fell { block: 0, .. }) && !struck
+    fell_at_once(&history)
 }
 
 #[test]

@@ -44,7 +44,7 @@ fn options(duration_s: f64) -> Springs {
 }
 
 /// Turn about y at each sample, rad.
-fn tilts(history: &StackHistory) -> Vec<f64> {
+pub(crate) fn tilts(history: &StackHistory) -> Vec<f64> {
     let samples = 0..history.time_s.len();
     samples
         .map(|sample| {
@@ -127,8 +127,13 @@ fn falls_at_once(shape: Pulse, q: f64, amplitude: f64) -> bool {
     };
     let motion = pulse(shape, q, amplitude);
     let history = simulate_springs(&block(), Some(&motion), &options, &mut |_| true).unwrap();
-    let first = tilts(&history).into_iter().find(|tilt| tilt.abs() > 0.01);
-    let struck = tilts(&history)
+    fell_at_once(&history)
+}
+
+/// Whether it did.
+pub(crate) fn fell_at_once(history: &StackHistory) -> bool {
+    let first = tilts(history).into_iter().find(|tilt| tilt.abs() > 0.01);
+    let struck = tilts(history)
         .into_iter()
         .any(|tilt| tilt * first.unwrap_or(0.0) < -1e-4);
     matches!(history.outcome, Outcome::Fell { block: 0, .. }) && !struck
