@@ -5,6 +5,7 @@ mod bisection;
 pub mod choi_2021;
 pub mod columns;
 pub mod dry_friction;
+pub mod hwang_min_hong;
 pub mod overturning;
 pub mod park_min_2010;
 pub mod pendulum;

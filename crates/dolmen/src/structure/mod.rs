@@ -1,5 +1,6 @@
 //! Structures as checked values: mass, damping and stiffness matrices; natural modes; stiffness from modes.
 
+pub mod building;
 mod chain;
 mod directional;
 mod error;
@@ -12,6 +13,7 @@ mod stiffness_note;
 mod stiffness_words;
 mod tapered_cantilever;
 
+pub use building::Building;
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
 pub use directional::{DirectionalModes, LeftOut, directional_modes};
 pub use error::StructureError;

@@ -1,0 +1,159 @@
+//! Why a building cannot exist, or does not stand.
+
+/// Why a floor, a storey or a building cannot be. Each variant carries the value that was refused.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum BuildingError {
+    /// No floors.
+    #[error("the building has no floors, but needs at least 1")]
+    Empty,
+    /// Not one storey below each floor.
+    #[error("{storeys} storeys and {floors} floors are given: each floor stands on one storey, lowest first")]
+    Count {
+        /// Storeys given.
+        storeys: usize,
+        /// Floors given.
+        floors: usize,
+    },
+    /// A number of a floor or storey is refused.
+    #[error("{part} {number}: {quantity} is {given}, but must be {allowed}")]
+    Value {
+        /// "floor", "storey", "mode".
+        part: &'static str,
+        /// Which one, from 1 at the bottom.
+        number: usize,
+        /// Name of the quantity with its unit.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A number of a wall or column is refused.
+    #[error("storey {storey}, element {element}: {quantity} is {given}, but must be {allowed}")]
+    Element {
+        /// Which storey, from 1 at the bottom.
+        storey: usize,
+        /// Which element, from 1.
+        element: usize,
+        /// Name of the quantity with its unit.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// A stiffness matrix that is not symmetric.
+    #[error(
+        "storey {storey}: its stiffness matrix has {upper} in row {row}, column {column}, but {lower} across its diagonal: \
+         springs give equal numbers there"
+    )]
+    Asymmetric {
+        /// Which storey, from 1 at the bottom.
+        storey: usize,
+        /// Row, from 1.
+        row: usize,
+        /// Column, from 1.
+        column: usize,
+        /// The number there.
+        upper: f64,
+        /// The number across the diagonal.
+        lower: f64,
+    },
+    /// A storey without stiffness against sway in some direction.
+    #[error(
+        "storey {storey} does not resist sway toward {direction_degrees:.1} degrees from x: its stiffness there is \
+         {stiffness_n_m} N/m; give a wall or column that does"
+    )]
+    Sways {
+        /// Which storey, from 1 at the bottom.
+        storey: usize,
+        /// The direction, degrees from x.
+        direction_degrees: f64,
+        /// Stiffness in it, N/m.
+        stiffness_n_m: f64,
+    },
+    /// A storey without stiffness against twisting.
+    #[error(
+        "storey {storey} does not resist twisting: about its centre of rigidity ({x_m:.3}, {y_m:.3}) m its stiffness is \
+         {stiffness_n_m_rad} N·m/rad; its walls all point at that place, or the matrix is not that of springs"
+    )]
+    Twists {
+        /// Which storey, from 1 at the bottom.
+        storey: usize,
+        /// Centre of rigidity, x, m.
+        x_m: f64,
+        /// Centre of rigidity, y, m.
+        y_m: f64,
+        /// Stiffness against turning about it, N·m/rad.
+        stiffness_n_m_rad: f64,
+    },
+    /// P-delta takes more than a storey has.
+    #[error(
+        "the building falls: storey {storey} {motion} under {load_factor:.4} of the weight above it (P-delta); it needs \
+         stiffer walls there, a lower weight or a lower storey"
+    )]
+    Falls {
+        /// The storey that falls first, from 1 at the bottom.
+        storey: usize,
+        /// "sways", "twists".
+        motion: &'static str,
+        /// Factor on the weight at which it falls.
+        load_factor: f64,
+    },
+    /// An outline that is no plan of a floor.
+    #[error("the outline {why}: give its corners in order, each once")]
+    Outline {
+        /// What is wrong with it.
+        why: String,
+    },
+    /// A point outside a floor.
+    #[error(
+        "the point ({x_m}, {y_m}) m lies {beyond_m:.3} m outside the outline of floor {floor}: give a point on the floor"
+    )]
+    Outside {
+        /// Which floor, from 1 at the bottom.
+        floor: usize,
+        /// The point, m.
+        x_m: f64,
+        /// The point, m.
+        y_m: f64,
+        /// How far outside, m.
+        beyond_m: f64,
+    },
+    /// There is no such part.
+    #[error("{part} {given} was asked for, but they are numbered from 1 to {most}")]
+    Part {
+        /// "floor", "mode".
+        part: &'static str,
+        /// Number given.
+        given: usize,
+        /// Largest number.
+        most: usize,
+    },
+    /// An argument is refused.
+    #[error("{argument} is {given}, but must be {allowed}")]
+    Argument {
+        /// Its name.
+        argument: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// Damping that feeds a mode.
+    #[error("mode {mode} at {frequency_hz:.4} Hz would have a damping ratio of {damping_ratio:.5}: {why}")]
+    Damping {
+        /// Which mode, from 1.
+        mode: usize,
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// The ratio it would have.
+        damping_ratio: f64,
+        /// Why, and what to do.
+        why: &'static str,
+    },
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] dolmen_linalg::LinalgError),
+}

@@ -1,0 +1,210 @@
+//! Mass and stiffness of a building, and the motion of its points.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | M | `mass_matrix` | diagonal: m, m, m ρ² of each floor | kg, kg·m² |
+//! | K | `stiffness_matrix` | with P-delta if the building counts it | N/m, N/rad, N·m/rad |
+//! | q_i | | u, v, θ of the centre of mass of floor i | m, rad |
+//! | T_i | | drift of the reference point that q_i makes: [1 0 y; 0 1 −x; 0 0 1], x, y of the centre from it | – |
+
+use super::error::BuildingError;
+use super::floors::{Building, PDelta};
+use super::stability::geometric;
+use dolmen_linalg::Matrix;
+
+/// A horizontal direction.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum PlanDirection {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// Turned from x, counterclockwise.
+    Degrees(f64),
+}
+
+impl PlanDirection {
+    /// Its unit vector.
+    pub fn unit(self) -> [f64; 2] {
+        match self {
+            PlanDirection::X => [1.0, 0.0],
+            PlanDirection::Y => [0.0, 1.0],
+            PlanDirection::Degrees(degrees) => {
+                let (sin, cos) = sin_cos_degrees(degrees);
+                [cos, sin]
+            }
+        }
+    }
+}
+
+/// Sine and cosine, exact at quarter turns.
+pub(super) fn sin_cos_degrees(degrees: f64) -> (f64, f64) {
+    match degrees.rem_euclid(360.0) {
+        0.0 => (0.0, 1.0),
+        90.0 => (1.0, 0.0),
+        180.0 => (0.0, -1.0),
+        270.0 => (-1.0, 0.0),
+        other => other.to_radians().sin_cos(),
+    }
+}
+
+impl Building {
+    /// M, diagonal, 3N × 3N.
+    pub fn mass_matrix(&self) -> Matrix {
+        Matrix::from_diagonal(&self.masses())
+    }
+
+    /// The diagonal of M: m, m, m ρ² of each floor.
+    pub fn masses(&self) -> Vec<f64> {
+        let each = self
+            .floors()
+            .iter()
+            .flat_map(|floor| [floor.mass_kg, floor.mass_kg, floor.inertia_kg_m2()]);
+        each.collect()
+    }
+
+    /// K, symmetric and positive definite, 3N × 3N.
+    ///
+    /// ```text
+    /// K = Σ_s B_sᵀ (k_s − g_s) B_s,   B_s q = T_s q_s − T_(s−1) q_(s−1),   q_0 = 0        3 × 3N
+    /// ```
+    /// k_s and g_s against the drift at one reference point of the plan, the centre of mass of the lowest floor: so floors
+    /// whose centres do not lie above each other couple as they must.
+    ///
+    /// # Limits
+    /// Rigid floors; walls that bend as one over several storeys are not storeys of this kind.
+    pub fn stiffness_matrix(&self) -> Matrix {
+        let n = self.floors().len();
+        let about = self.floors()[0].centre_m;
+        let taken = match self.p_delta() {
+            PDelta::LeftOut => vec![[[0.0; 3]; 3]; n],
+            PDelta::Weights { gravity_m_s2 } => geometric(self.floors(), self.storeys(), about, gravity_m_s2),
+        };
+        let mut k = Matrix::zeros(3 * n, 3 * n);
+        for (s, storey) in self.storeys().iter().enumerate() {
+            let elastic = storey.stiffness.matrix_about(about);
+            let own: [[f64; 3]; 3] =
+                std::array::from_fn(|i| std::array::from_fn(|j| elastic[i][j] - taken[s][i][j]));
+            let upper = self.to_reference(s);
+            add(&mut k, [s, s], product(&upper, &own, &upper), 1.0);
+            if s > 0 {
+                let lower = self.to_reference(s - 1);
+                add(&mut k, [s - 1, s - 1], product(&lower, &own, &lower), 1.0);
+                let across = product(&upper, &own, &lower);
+                let transposed = std::array::from_fn(|i| std::array::from_fn(|j| across[j][i]));
+                add(&mut k, [s, s - 1], across, -1.0);
+                add(&mut k, [s - 1, s], transposed, -1.0);
+            }
+        }
+        k
+    }
+
+    /// T_i: the motion of the reference point fixed to floor i, numbered from 0.
+    fn to_reference(&self, floor: usize) -> [[f64; 3]; 3] {
+        let (about, centre) = (self.floors()[0].centre_m, self.floors()[floor].centre_m);
+        let (x, y) = (centre[0] - about[0], centre[1] - about[1]);
+        [[1.0, 0.0, y], [0.0, 1.0, -x], [0.0, 0.0, 1.0]]
+    }
+
+    /// The row that gives the displacement of a point of a floor along a direction from all coordinates; as a column, what
+    /// a force there does.
+    ///
+    /// ```text
+    /// cos α (u − (y − y_c) θ) + sin α (v + (x − x_c) θ)                                      3N values
+    /// ```
+    ///
+    /// # Errors
+    /// [`BuildingError::Part`] for a floor that is not there, numbered from 1 at the bottom; [`BuildingError::Outside`] for a
+    /// point outside its outline; [`BuildingError::Argument`] for what is not a number.
+    pub fn point_row(
+        &self,
+        floor: usize,
+        x_m: f64,
+        y_m: f64,
+        direction: PlanDirection,
+    ) -> Result<Vec<f64>, BuildingError> {
+        let index = self.floor_index(floor)?;
+        let [cos, sin] = direction.unit();
+        for (argument, given) in [("x_m", x_m), ("y_m", y_m), ("direction", cos)] {
+            if !given.is_finite() {
+                return Err(BuildingError::Argument {
+                    argument,
+                    given,
+                    allowed: "a number",
+                });
+            }
+        }
+        let part = &self.floors()[index];
+        if let Some(outline) = &part.outline {
+            let beyond_m = outline.beyond_m([x_m, y_m]);
+            if beyond_m > 0.0 {
+                return Err(BuildingError::Outside {
+                    floor,
+                    x_m,
+                    y_m,
+                    beyond_m,
+                });
+            }
+        }
+        let mut row = vec![0.0; self.coordinates()];
+        row[3 * index] = cos;
+        row[3 * index + 1] = sin;
+        row[3 * index + 2] = sin * (x_m - part.centre_m[0]) - cos * (y_m - part.centre_m[1]);
+        Ok(row)
+    }
+
+    /// The row that gives the rotation of a floor.
+    ///
+    /// # Errors
+    /// [`BuildingError::Part`] for a floor that is not there, numbered from 1 at the bottom.
+    pub fn rotation_row(&self, floor: usize) -> Result<Vec<f64>, BuildingError> {
+        let index = self.floor_index(floor)?;
+        let mut row = vec![0.0; self.coordinates()];
+        row[3 * index + 2] = 1.0;
+        Ok(row)
+    }
+
+    /// What the ground moves: all coordinates as it shifts by 1 along a direction with the building rigid on it.
+    pub fn ground_column(&self, direction: PlanDirection) -> Vec<f64> {
+        let [cos, sin] = direction.unit();
+        [cos, sin, 0.0].repeat(self.floors().len())
+    }
+
+    /// All coordinates as the building turns rigidly by 1 about a point of the plan.
+    pub fn turn_column(&self, about_m: [f64; 2]) -> Vec<f64> {
+        let each = self.floors().iter().flat_map(|floor| {
+            [
+                -(floor.centre_m[1] - about_m[1]),
+                floor.centre_m[0] - about_m[0],
+                1.0,
+            ]
+        });
+        each.collect()
+    }
+
+    fn floor_index(&self, floor: usize) -> Result<usize, BuildingError> {
+        if (1..=self.floors().len()).contains(&floor) {
+            return Ok(floor - 1);
+        }
+        Err(BuildingError::Part {
+            part: "floor",
+            given: floor,
+            most: self.floors().len(),
+        })
+    }
+}
+
+/// aᵀ k b.
+fn product(a: &[[f64; 3]; 3], k: &[[f64; 3]; 3], b: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let times = |i: usize, j: usize| (0..3).map(|l| k[i][l] * b[l][j]).sum::<f64>();
+    let kb: [[f64; 3]; 3] = std::array::from_fn(|i| std::array::from_fn(|j| times(i, j)));
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..3).map(|l| a[l][i] * kb[l][j]).sum()))
+}
+
+fn add(k: &mut Matrix, [row, column]: [usize; 2], block: [[f64; 3]; 3], sign: f64) {
+    for (i, values) in block.iter().enumerate() {
+        for (j, value) in values.iter().enumerate() {
+            k[(3 * row + i, 3 * column + j)] += sign * value;
+        }
+    }
+}

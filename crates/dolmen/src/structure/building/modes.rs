@@ -1,0 +1,190 @@
+//! Natural modes of a building: frequencies, shapes, participation, effective mass, mode centres.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | φ_j | `shape` | shape of mode j, φᵀ M φ = 1 | kg^−½, rad kg^−½ m^−1 |
+//! | ω_j | `omega_rad_s` | circular frequency | rad/s |
+//! | ι | | the building shifted by 1 along x, y, or turned by 1 about its centre of mass | – |
+//! | Γ | `participation` | φᵀ M ι: what shakes the mode | √kg, √kg m |
+//! | r_x, r_y | `r_x_m`, `r_y_m` | mode centre from the centre of mass of the floor | m |
+
+use super::error::BuildingError;
+use super::floors::Building;
+use super::matrices::PlanDirection;
+use dolmen_linalg::{Matrix, symmetric_eigen};
+use std::f64::consts::TAU;
+
+/// A floor whose rotation times its radius of gyration is below this part of its displacement moves without turning: its
+/// centre would lie a million radii away. Our choice.
+const WITHOUT_TURNING: f64 = 1e-6;
+/// A floor that moves less than this part of the floor that moves most has no centre either. Our choice.
+const AT_REST: f64 = 1e-9;
+/// Frequencies closer than this part of themselves belong to one pair, whose shapes may be mixed at will. Our choice.
+const REPEATED: f64 = 1e-6;
+
+/// The point about which a floor turns in a mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModeCentre {
+    /// From the centre of mass of the floor along x, m: −φ_y/φ_θ.
+    pub r_x_m: f64,
+    /// From the centre of mass of the floor along y, m: φ_x/φ_θ.
+    pub r_y_m: f64,
+    /// In plan, m.
+    pub x_m: f64,
+    /// In plan, m.
+    pub y_m: f64,
+}
+
+/// One natural mode.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildingMode {
+    /// ω, rad/s.
+    pub omega_rad_s: f64,
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Shape, φᵀ M φ = 1: u, v, θ of each floor, lowest first; its largest of u, v, ρθ is positive.
+    pub shape: Vec<f64>,
+    /// Participation in shaking along x and y, √kg, and in turning about the centre of mass, √kg m.
+    pub participation: [f64; 3],
+    /// Effective mass along x and y, kg, and effective moment of inertia, kg·m²: over all modes they sum to the whole.
+    pub effective_mass: [f64; 3],
+    /// The parts of its kinetic energy in u, v and θ of the centres of mass; their sum is 1.
+    pub energy_shares: [f64; 3],
+    /// How much sway and twist are mixed: 0 for either alone, 1 for half and half. Twice the smaller of the parts of the energy in
+    /// translation and in rotation.
+    pub coupling: f64,
+    /// Where each floor turns about, lowest first; `None` for one that moves without turning, or not at all.
+    pub centres: Vec<Option<ModeCentre>>,
+    /// Whether another mode has the same frequency, to 1e-6: then their shapes are one choice of many.
+    pub repeated: bool,
+}
+
+impl BuildingMode {
+    /// Period, s.
+    pub fn period_s(&self) -> f64 {
+        1.0 / self.frequency_hz
+    }
+}
+
+/// All natural modes, lowest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildingModes {
+    /// The modes, 3 for each floor.
+    pub modes: Vec<BuildingMode>,
+    /// What the effective masses sum to: the mass twice, kg, and the moment of inertia about the centre of mass, kg·m².
+    pub total_mass: [f64; 3],
+    /// Shapes as columns, 3N × 3N.
+    pub shapes: Matrix,
+}
+
+impl Building {
+    /// Natural modes.
+    ///
+    /// ```text
+    /// K φ = ω² M φ,  φᵀ M φ = 1                                                    3N modes of 3N values
+    /// Γ = φᵀ M ι      effective mass Γ²      r_x = −φ_y/φ_θ      r_y = φ_x/φ_θ
+    /// ```
+    /// For one floor whose rotation is mixed with y alone, r_x of the two mixed modes satisfy r_1 r_3 = −ρ².
+    ///
+    /// # Errors
+    /// [`BuildingError::Linalg`] if the values differ by more than the numbers hold.
+    ///
+    /// # Source
+    /// Hwang, Min, Hong: mode centre, eq. 12, from the centre of mass, which is its reference point.
+    pub fn modes(&self) -> Result<BuildingModes, BuildingError> {
+        let masses = self.masses();
+        let root: Vec<f64> = masses.iter().map(|m| m.sqrt()).collect();
+        let n = masses.len();
+        let mut scaled = self.stiffness_matrix();
+        for j in 0..n {
+            for (entry, row) in scaled.column_mut(j).iter_mut().zip(&root) {
+                *entry /= row * root[j];
+            }
+        }
+        let eigen = symmetric_eigen(&scaled)?;
+        let centre = self.centre_of_mass_m();
+        let shakes = [
+            self.ground_column(PlanDirection::X),
+            self.ground_column(PlanDirection::Y),
+            self.turn_column(centre),
+        ];
+        let total = |shake: &[f64]| -> f64 { shake.iter().zip(&masses).map(|(x, m)| m * x * x).sum() };
+        let mut modes = Vec::with_capacity(n);
+        let mut shapes = Matrix::zeros(n, n);
+        for (j, &omega_squared) in eigen.values.iter().enumerate() {
+            let mut shares = [0.0; 3];
+            let (mut largest, vector) = (0.0_f64, eigen.vectors.column(j));
+            for (i, &y) in vector.iter().enumerate() {
+                shares[i % 3] += y * y;
+                let displacement = y / root[i - i % 3]; // u, v, ρθ
+                if displacement.abs() > largest.abs() * (1.0 + 1e-9) {
+                    largest = displacement;
+                }
+            }
+            let shape = shapes.column_mut(j);
+            for ((value, y), root) in shape.iter_mut().zip(vector).zip(&root) {
+                *value = largest.signum() * y / root;
+            }
+            let shape = shape.to_vec();
+            let participation = shakes.each_ref().map(|shake| -> f64 {
+                shape
+                    .iter()
+                    .zip(&masses)
+                    .zip(shake)
+                    .map(|((p, m), s)| p * m * s)
+                    .sum()
+            });
+            let omega_rad_s = omega_squared.max(0.0).sqrt();
+            let turning = shares[2].clamp(0.0, 1.0);
+            modes.push(BuildingMode {
+                omega_rad_s,
+                frequency_hz: omega_rad_s / TAU,
+                effective_mass: participation.map(|gamma| gamma * gamma),
+                participation,
+                energy_shares: shares,
+                coupling: 2.0 * turning.min(1.0 - turning),
+                centres: self.centres(&shape, largest.abs()),
+                shape,
+                repeated: false,
+            });
+        }
+        for j in 1..n {
+            let (before, own) = (modes[j - 1].omega_rad_s, modes[j].omega_rad_s);
+            if own - before <= REPEATED * own {
+                modes[j - 1].repeated = true;
+                modes[j].repeated = true;
+            }
+        }
+        Ok(BuildingModes {
+            modes,
+            total_mass: shakes.each_ref().map(|shake| total(shake)),
+            shapes,
+        })
+    }
+
+    fn centres(&self, shape: &[f64], largest: f64) -> Vec<Option<ModeCentre>> {
+        let each = self.floors().iter().enumerate().map(|(i, floor)| {
+            let [u, v, theta] = [shape[3 * i], shape[3 * i + 1], shape[3 * i + 2]];
+            let turning = floor.gyration_m * theta.abs();
+            if turning <= WITHOUT_TURNING * u.hypot(v) || turning.max(u.hypot(v)) <= AT_REST * largest {
+                return None;
+            }
+            // −0 would print as such
+            let (r_x_m, r_y_m) = (-v / theta + 0.0, u / theta + 0.0);
+            Some(ModeCentre {
+                r_x_m,
+                r_y_m,
+                x_m: floor.centre_m[0] + r_x_m,
+                y_m: floor.centre_m[1] + r_y_m,
+            })
+        });
+        each.collect()
+    }
+}
+
+impl BuildingModes {
+    /// ω of every mode, rad/s.
+    pub fn omegas_rad_s(&self) -> Vec<f64> {
+        self.modes.iter().map(|mode| mode.omega_rad_s).collect()
+    }
+}

@@ -1,0 +1,121 @@
+//! P-delta: what the weight takes from a storey, and the factor on it at which the storey falls.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | w_j | | weight of floor j, m_j g | N |
+//! | k_s | | elastic stiffness of storey s against drift | N/m … |
+//! | g_s | `geometric` | what the weight takes from it | N/m … |
+//! | λ_s | `load_factor` | factor on the weight at which storey s falls | – |
+
+use super::elements::moved;
+use super::error::BuildingError;
+use super::floors::{Floor, Storey};
+use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
+
+/// How and under what weight a storey falls.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StoreyFall {
+    /// Which storey, from 1 at the bottom.
+    pub storey: usize,
+    /// Weight that it carries, N.
+    pub weight_n: f64,
+    /// Factor on the weight at which it falls.
+    pub load_factor: f64,
+    /// Its drift as it falls, u, v at the centre of the weight above it and ρθ, their squares summing to 1, with ρ the radius of
+    /// gyration of that weight.
+    pub drift: [f64; 3],
+}
+
+impl StoreyFall {
+    /// The storey that falls first.
+    pub fn first(all: &[StoreyFall]) -> Option<&StoreyFall> {
+        all.iter().min_by(|a, b| a.load_factor.total_cmp(&b.load_factor))
+    }
+
+    /// "twists" if its rotation is more than half of the square of its drift, else "sways".
+    pub fn motion(&self) -> &'static str {
+        if self.drift[2] * self.drift[2] > 0.5 {
+            "twists"
+        } else {
+            "sways"
+        }
+    }
+}
+
+/// What the weight above takes from each storey, against u, v, θ at `about_m`.
+///
+/// ```text
+/// g_s = 1/h_s Σ_(j ≥ s) w_j [1 0 −y; 0 1 x; −y x ρ² + x² + y²],   x, y of the centre of floor j from the point       3 × 3
+/// ```
+pub(super) fn geometric(
+    floors: &[Floor],
+    storeys: &[Storey],
+    about_m: [f64; 2],
+    gravity_m_s2: f64,
+) -> Vec<[[f64; 3]; 3]> {
+    let mut sums = vec![[[0.0; 3]; 3]; floors.len()];
+    let mut above = [[0.0; 3]; 3];
+    for (s, floor) in floors.iter().enumerate().rev() {
+        let w = floor.mass_kg * gravity_m_s2;
+        let own = [
+            [w, 0.0, 0.0],
+            [0.0, w, 0.0],
+            [0.0, 0.0, w * floor.gyration_m * floor.gyration_m],
+        ];
+        let from = [about_m[0] - floor.centre_m[0], about_m[1] - floor.centre_m[1]];
+        for (row, add) in above.iter_mut().zip(moved(&own, from)) {
+            for (entry, add) in row.iter_mut().zip(add) {
+                *entry += add;
+            }
+        }
+        sums[s] = above.map(|row| row.map(|entry| entry / storeys[s].height_m));
+    }
+    sums
+}
+
+/// Under what factor on the weight each storey falls, lowest first. Storeys fall one by one: in the drifts of the storeys the
+/// stiffness is a block for each.
+///
+/// ```text
+/// det(k_s − λ_s g_s) = 0, the smallest λ_s > 0
+/// ```
+///
+/// # Errors
+/// [`BuildingError::Linalg`] for a storey that does not stand without weight either.
+///
+/// # Limits
+/// Small drifts, linear walls; the weight of a floor is carried where its mass is, straight down.
+pub fn storey_falls(
+    floors: &[Floor],
+    storeys: &[Storey],
+    gravity_m_s2: f64,
+) -> Result<Vec<StoreyFall>, BuildingError> {
+    let mut falls = Vec::with_capacity(storeys.len());
+    for (s, storey) in storeys.iter().enumerate() {
+        let above = &floors[s..];
+        let mass: f64 = above.iter().map(|floor| floor.mass_kg).sum();
+        let centre = [0, 1].map(|axis| {
+            above
+                .iter()
+                .map(|floor| floor.mass_kg * floor.centre_m[axis])
+                .sum::<f64>()
+                / mass
+        });
+        let g = geometric(floors, storeys, centre, gravity_m_s2)[s];
+        let k = storey.stiffness.matrix_about(centre);
+        let rho = (g[2][2] / g[0][0]).sqrt();
+        // θ as ρθ, so that the three are lengths
+        let scale = [1.0, 1.0, 1.0 / rho];
+        let of = |m: &[[f64; 3]; 3]| Matrix::from_fn(3, 3, |i, j| m[i][j] * scale[i] * scale[j]);
+        let eigen = generalized_symmetric_eigen(&of(&g), &of(&k))?;
+        let shape = eigen.vectors.column(2);
+        let norm = shape.iter().map(|x| x * x).sum::<f64>().sqrt();
+        falls.push(StoreyFall {
+            storey: s + 1,
+            weight_n: mass * gravity_m_s2,
+            load_factor: 1.0 / eigen.values[2],
+            drift: [shape[0] / norm, shape[1] / norm, shape[2] / norm],
+        });
+    }
+    Ok(falls)
+}
