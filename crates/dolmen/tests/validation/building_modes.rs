@@ -305,7 +305,12 @@ fn exact_one_storey_falls_by_sway_or_by_twist() {
             height_m: 4.0,
             stiffness,
         };
-        let falls = storey_falls(&[floor.clone()], &[storey.clone()], gravity_m_s2).unwrap();
+        let falls = storey_falls(
+            std::slice::from_ref(&floor),
+            std::slice::from_ref(&storey),
+            gravity_m_s2,
+        )
+        .unwrap();
         let building = Building::new(vec![floor], vec![storey], PDelta::Weights { gravity_m_s2 });
         (falls[0], building)
     };
