@@ -13,11 +13,10 @@ use dolmen_formats::project::{ChainPart, Names, Project, Quantity, parse_angle_r
 use dolmen_formats::simulation::{
     ChainSimulation, MotionAnswer, chain_energy_csv, chain_histories_csv, chain_slips_csv, chain_uplifts_csv,
 };
+use dolmen_formats::study::SWING_REST_S;
 use dolmen_formats::text::chain_simulation_text;
 use std::path::Path;
 
-/// Time after the motion in which the chain swings on, s: as of a frame.
-const REST_S: f64 = 20.0;
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
 const PUSHED_S: f64 = 60.0;
 /// Largest push, rad: a chain that leans more is set up wrongly.
@@ -110,7 +109,7 @@ pub(crate) fn simulation(
     };
     let run_s = wish.duration_s.unwrap_or(match &motion {
         None => PUSHED_S,
-        Some((motion, _)) => motion.motion.duration_s() + REST_S,
+        Some((motion, _)) => motion.motion.duration_s() + SWING_REST_S,
     });
     let options = ChainRun {
         duration_s: Some(run_s),

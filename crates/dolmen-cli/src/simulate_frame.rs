@@ -13,12 +13,9 @@ use dolmen_formats::project::{FramePart, Names, Project, Quantity};
 use dolmen_formats::simulation::{
     FrameSimulation, MotionAnswer, frame_energy_csv, frame_histories_csv, frame_slips_csv,
 };
+use dolmen_formats::study::SWING_REST_S;
 use dolmen_formats::text::frame_simulation_text;
 use std::path::Path;
-
-/// Time after the motion in which the frame swings on, s: with a damping ratio of 2 % a swing of 1 Hz dies down to a tenth.
-/// Chosen here.
-const REST_S: f64 = 20.0;
 
 /// The wish of a user, as far as it concerns frames.
 pub(crate) struct Wish<'a> {
@@ -108,7 +105,9 @@ pub(crate) fn simulations(
         None => known,
     };
     let component = horizontal(motion, "a frame")?;
-    let run_s = wish.duration_s.unwrap_or(motion.motion.duration_s() + REST_S);
+    let run_s = wish
+        .duration_s
+        .unwrap_or(motion.motion.duration_s() + SWING_REST_S);
     let mut found = Vec::new();
     for direction in chosen {
         let Some(frame) = part.with_friction(direction, &mut Quantity::nominal)? else {

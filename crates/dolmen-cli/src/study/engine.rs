@@ -12,7 +12,7 @@ use dolmen::assess::{ScaleTrial, next_in_bracket};
 use dolmen::blocks::StackRun;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
-use dolmen_formats::project::Structure;
+use dolmen_formats::project::{Quantity, Structure, StudyPart};
 use dolmen_formats::study::{Run, RunOutcome};
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -25,9 +25,10 @@ const BATCH: [usize; 2] = [8, 64];
 const CHUNK_A_THREAD: usize = 32;
 
 /// A structure that is ready to be shaken.
-enum Model {
+pub(super) enum Model {
     Stack(Box<(Stack, StackLimitStates)>),
     Frame(Box<super::frames::FrameModel>),
+    Chain(Box<super::chains::MovingChain>),
 }
 
 /// A scan in progress.
@@ -175,20 +176,24 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job> {
     let motion = plan.motion(&project, job / turns % plan.motions.len())?;
     scan.grid = plan.scales(&motion);
     scan.motion = Some(motion);
-    scan.model = match &project.structure {
-        Structure::Stack(part) => match part.build(&mut |quantity| sample.pick(quantity)) {
+    scan.model = model_of(plan.study, &project.structure, &sample);
+    Ok(scan)
+}
+
+/// A structure ready to be shaken, or why it cannot be.
+pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn) -> Result<Model, String> {
+    let pick = &mut |quantity: &Quantity| sample.pick(quantity);
+    match structure {
+        Structure::Stack(part) => match part.build(pick) {
             Ok(stack) => stack_model(stack),
             Err(why) => Err(why.to_string()),
         },
         Structure::Frame(part) => {
-            super::frames::model(plan.study, part, &mut |quantity| sample.pick(quantity))
-                .map(|m| Model::Frame(Box::new(m)))
+            super::frames::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
         }
-        Structure::Chain(_) | Structure::Survey => {
-            Err("only stacks and frames can be studied so far".to_owned())
-        }
-    };
-    Ok(scan)
+        Structure::Chain(part) => super::chains::model(part, pick).map(|model| Model::Chain(Box::new(model))),
+        Structure::Survey => Err("a survey holds no structure".to_owned()),
+    }
 }
 
 fn stack_model(stack: Stack) -> Result<Model, String> {
@@ -263,6 +268,7 @@ fn run_batch(
         match &scan.model {
             Ok(Model::Stack(model)) => of_stacks.push((index, run, model, acting)),
             Ok(Model::Frame(model)) => keep(index, super::frames::row(plan.study, run, model, &acting))?,
+            Ok(Model::Chain(model)) => keep(index, super::chains::row(plan.study, run, model, &acting))?,
             Err(_) => {}
         }
     }

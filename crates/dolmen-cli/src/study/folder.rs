@@ -169,7 +169,7 @@ impl StudyFolder {
             table("capacities", capacity_columns(answer))?;
         }
         if answer.study.harmonic.is_some() {
-            table("harmonic", harmonic_columns(&answer.maps))?;
+            table("harmonic", harmonic_columns(&answer.maps, answer.kind))?;
         }
         if answer.study.release_m.is_some() {
             table("release", release_columns(&answer.maps))?;

@@ -1,22 +1,16 @@
 //! Runs of frames.
 
-use super::inputs::{Drawn, drawn};
-use super::plan::Plan;
+use super::motions::acting_component;
 use crate::simulate;
-use anyhow::{Result, bail};
-use dolmen::dynamics::{
-    FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, amplitude_dependence, harmonic_map,
-    simulate_frame,
-};
-use dolmen::signal::{Component, GroundMotion};
-use dolmen_formats::project::{FramePart, Pick, Structure, StudyPart};
-use dolmen_formats::study::{FRAME_REST_S, FrameMaps, Run, RunOutcome};
-use rayon::prelude::*;
+use dolmen::dynamics::{FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, simulate_frame};
+use dolmen::signal::GroundMotion;
+use dolmen_formats::project::{FramePart, Pick, StudyPart};
+use dolmen_formats::study::{Run, RunOutcome, SWING_REST_S};
 
 /// A frame in the direction that is shaken.
 pub(super) struct FrameModel {
     pub(super) frame: FrictionFrame,
-    storeys: Vec<String>,
+    pub(super) storeys: Vec<String>,
     heights_m: Vec<f64>,
 }
 
@@ -66,13 +60,9 @@ pub(super) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
 
 /// Runs a frame; `None` if it was stopped.
 pub(super) fn row(study: &StudyPart, mut run: Run, model: &FrameModel, motion: &GroundMotion) -> Option<Run> {
-    let component = match (motion.has(Component::X), motion.has(Component::Y)) {
-        (false, true) => Component::Y,
-        _ => Component::X,
-    };
-    let load = FrameLoad::of_ground(TimeFunction::of_motion(motion, component));
+    let load = FrameLoad::of_ground(TimeFunction::of_motion(motion, acting_component(motion)));
     let options = FrameRun {
-        duration_s: Some(motion.duration_s() + study.rest_s.unwrap_or(FRAME_REST_S)),
+        duration_s: Some(motion.duration_s() + study.rest_s.unwrap_or(SWING_REST_S)),
         output_step_s: 0.02,
         ..FrameRun::default()
     };
@@ -114,67 +104,4 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &FrameModel, motion: &
         _ => 1,
     };
     Some(run)
-}
-
-/// Maps and releases of every case that can be, in their order.
-pub(super) fn maps(plan: &Plan<'_>) -> Result<Vec<FrameMaps>> {
-    let study = plan.study;
-    if study.harmonic.is_none() && study.release_m.is_none() {
-        return Ok(Vec::new());
-    }
-    let each = (0..plan.cases())
-        .into_par_iter()
-        .map(|case| -> Result<Option<FrameMaps>> {
-            let Some(model) = case_model(plan, case)? else {
-                return Ok(None);
-            };
-            let harmonic = match &study.harmonic {
-                Some(part) => {
-                    let rows = part.frequencies_hz.par_iter().map(|frequency_hz| {
-                        harmonic_map(
-                            &model.frame,
-                            &[*frequency_hz],
-                            &part.accelerations_m_s2,
-                            &mut |_| !simulate::interrupted(),
-                        )
-                    });
-                    rows.collect::<Result<Vec<_>, _>>()?.concat()
-                }
-                None => Vec::new(),
-            };
-            let release = match study.release_m {
-                Some(displacement_m) => amplitude_dependence(&model.frame, displacement_m)?,
-                None => Vec::new(),
-            };
-            Ok(Some(FrameMaps {
-                case,
-                label: plan.case_words(case),
-                storeys: model.storeys,
-                harmonic,
-                release,
-            }))
-        });
-    let found: Vec<Option<FrameMaps>> = each.collect::<Result<_>>()?;
-    Ok(found.into_iter().flatten().collect())
-}
-
-/// The frame of a case; `None` if its inputs are refused and there are others.
-fn case_model(plan: &Plan<'_>, case: usize) -> Result<Option<FrameModel>> {
-    let project = match plan.project(case / plan.samples()) {
-        Ok(project) => project,
-        Err(why) if plan.cases() == 1 => bail!(why),
-        Err(_) => return Ok(None),
-    };
-    let Structure::Frame(part) = &project.structure else {
-        bail!("harmonic and release are for frames");
-    };
-    let sample = match plan.study.samples {
-        Some(_) => drawn(&project, plan.study.seed, (case % plan.samples()) as u64)?,
-        None => Drawn::default(),
-    };
-    match model(plan.study, part, &mut |quantity| sample.pick(quantity)) {
-        Ok(model) => Ok(Some(model)),
-        Err(why) if plan.cases() == 1 => bail!(why),
-        Err(_) => Ok(None),
-    }
 }

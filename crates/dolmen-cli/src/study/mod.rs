@@ -1,9 +1,11 @@
 //! `dolmen study`: runs over grids of inputs, samples, motions and growing shaking; kept, resumed, shared out and put together.
 
+mod chains;
 mod engine;
 mod folder;
 mod frames;
 mod inputs;
+mod maps;
 mod motions;
 mod plan;
 mod stacks;
@@ -169,7 +171,7 @@ impl Printed {
 fn finish(plan: &Plan, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed) -> Result<Outcome> {
     let missing = engine::missing(plan, (1, 1), &runs);
     let mut answer = plan.answer(runs, missing);
-    answer.maps = frames::maps(plan)?;
+    answer.maps = maps::maps(plan)?;
     if let Some(why) = inputs_refused(&answer) {
         bail!("the inputs of every run were refused: {why}");
     }
@@ -246,7 +248,7 @@ pub(crate) fn of_report(file: &Path, quiet: bool) -> Result<Vec<StudyAnswer>> {
             let runs = folder.merged(&plan, &[])?;
             let missing = engine::missing(&plan, (1, 1), &runs);
             let mut answer = plan.answer(runs, missing);
-            answer.maps = frames::maps(&plan)?;
+            answer.maps = maps::maps(&plan)?;
             Ok(answer)
         };
         match answered() {

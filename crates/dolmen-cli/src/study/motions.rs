@@ -48,6 +48,14 @@ impl PreparedMotion {
     }
 }
 
+/// The component that acts on what moves in one plane: x, or y if there is no other.
+pub(super) fn acting_component(motion: &GroundMotion) -> Component {
+    match (motion.has(Component::X), motion.has(Component::Y)) {
+        (false, true) => Component::Y,
+        _ => Component::X,
+    }
+}
+
 /// Names of the motions in their order.
 pub(super) fn motion_names(study: &StudyPart) -> Result<Vec<String>> {
     let mut names = study.motions.clone();

@@ -47,24 +47,36 @@ impl<'o> Plan<'o> {
         let kind = match &opened.project.structure {
             Structure::Stack(_) => StudyKind::Stack,
             Structure::Frame(_) => StudyKind::Frame,
-            Structure::Chain(_) => bail!(
-                "only stacks and frames can be studied so far: give this chain to `dolmen simulate` with one --peak after the other"
-            ),
+            Structure::Chain(_) => StudyKind::Chain,
             Structure::Survey => {
-                bail!("a survey holds no structure that could be studied: kind is stack or frame")
+                bail!("a survey holds no structure that could be studied: kind is stack, frame or chain")
             }
         };
-        if kind == StudyKind::Stack {
-            for (key, is_given) in [
-                ("direction", study.direction.is_some()),
-                ("harmonic", study.harmonic.is_some()),
-                ("release", study.release_m.is_some()),
-            ] {
-                if is_given {
-                    bail!(
-                        "{key} is for frames, but this file has a stack: leave it out (a stack is turned by directions)"
-                    );
-                }
+        for (key, is_given, is_for, words) in [
+            (
+                "direction",
+                study.direction.is_some(),
+                [StudyKind::Frame].as_slice(),
+                "frames",
+            ),
+            (
+                "harmonic",
+                study.harmonic.is_some(),
+                &[StudyKind::Frame, StudyKind::Chain],
+                "frames and chains",
+            ),
+            (
+                "release",
+                study.release_m.is_some(),
+                &[StudyKind::Frame],
+                "frames",
+            ),
+        ] {
+            if is_given && !is_for.contains(&kind) {
+                bail!(
+                    "{key} is for {words}, but this file has a {}: leave it out (directions turns the motion)",
+                    kind.word()
+                );
             }
         }
         let mut motions = Vec::new();

@@ -2,8 +2,10 @@
 // GOAL       What a user reads of a simulated chain, the files it writes, and its exit status follow from what happened.
 // TOLERANCE  none: printed words. Growth 1 %, what is asked of it. Histories against the peaks printed beside them: their sampling.
 
+use super::studies::rows;
 use super::verbs::Scratch;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::fs;
 
 fn json(scratch: &Scratch, command: &str, status: i32) -> Value {
@@ -200,4 +202,90 @@ fn refuses_what_moves_no_chain() {
         "{}",
         stack.stderr
     );
+}
+
+#[test]
+fn holds_a_study_of_a_chain_says_what_single_runs_say() {
+    let scratch = Scratch::with_examples("chain_study");
+    let pole = "examples/naju_flagpole";
+    let answer = scratch.dolmen(&format!("study {pole} --study growth -o out"));
+    assert_eq!(answer.status, 0, "{}{}", answer.stdout, answer.stderr);
+    for said in [
+        "at which it first falls",
+        "As the shaking grows: largest over the links and joints",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let folder = scratch.path().join("out/growth");
+    for scan in rows(&folder.join("capacities.csv")) {
+        let variant = &scan["variant"];
+        for (key, status) in [("first_fall_m_s2", 1), ("survived_below_m_s2", 0)] {
+            let peak: f64 = scan[key].parse().unwrap();
+            let words =
+                format!("simulate {pole} --variant {variant} --motion el-centro-1940-ns --peak {peak}m/s2");
+            let single = json(&scratch, &words, status);
+            let peaks = single["links"].as_array().unwrap().iter();
+            let across = peaks.map(|link| link["peak_joint_rotation_rad"].as_f64().unwrap().abs());
+            let runs = rows(&folder.join("runs.csv"));
+            let at =
+                |run: &BTreeMap<String, String>| run["peak_ground_acceleration_m_s2"].parse::<f64>().unwrap();
+            let run = runs
+                .iter()
+                .find(|run| run["variant"] == *variant && (at(run) / peak - 1.0).abs() < 1e-9)
+                .unwrap();
+            let of_study: f64 = run["peak_joint_rotation_rad"].parse().unwrap();
+            let off = (across.fold(0.0, f64::max) / of_study - 1.0).abs();
+            assert!(off < 1e-9, "{variant} {key}: {off:e}");
+        }
+    }
+    assert!(
+        fs::read_to_string(folder.join("growth-open_share.svg"))
+            .unwrap()
+            .starts_with("<svg")
+    );
+    let mapped = scratch.dolmen(&format!("study {pole} --study map -o out"));
+    assert_eq!(mapped.status, 0, "{}", mapped.stderr);
+    let map = rows(&scratch.path().join("out/map/harmonic.csv"));
+    for state in ["steady", "fell"] {
+        assert!(map.iter().any(|row| row["state"] == state), "{state}");
+    }
+}
+
+#[test]
+fn refuses_studies_that_a_chain_cannot_have() {
+    let scratch = Scratch::with_examples("chain_study_refused");
+    let file = scratch.path().join("examples/naju_flagpole/project.toml");
+    let whole = fs::read_to_string(&file).unwrap();
+    for (from, to, said) in [
+        ("variants = [\"loose\", \"wedged\"]", "", "the joints are unknown"),
+        (
+            "variants = [\"loose\", \"wedged\"]",
+            "release = 0.1",
+            "release is for frames, but this file has a chain",
+        ),
+        (
+            "variants = [\"loose\", \"wedged\"]",
+            "direction = \"x\"",
+            "direction is for frames, but this file has a chain",
+        ),
+    ] {
+        fs::write(&file, whole.replacen(from, to, 1)).unwrap();
+        let answer = scratch.dolmen("study examples/naju_flagpole --study growth -o out");
+        assert_eq!(answer.status, 2, "{said}: {}", answer.stdout);
+        assert!(answer.stderr.contains(said), "{said}: {}", answer.stderr);
+    }
+}
+
+#[test]
+fn holds_a_run_cut_short_on_the_way_down_is_no_verdict() {
+    let scratch = Scratch::with_examples("chain_cut");
+    let words = "simulate examples/naju_flagpole/published_criterion.toml --push 1e-4rad --duration 2";
+    let answer = scratch.dolmen(words);
+    assert_eq!(answer.status, 3, "{}", answer.stdout);
+    assert!(
+        answer.stdout.contains("STILL LEANING: at the end, 2.00 s"),
+        "{}",
+        answer.stdout
+    );
+    assert_eq!(json(&scratch, words, 3)["outcome"]["kind"], "still leaning");
 }

@@ -20,6 +20,7 @@ mod stack_histories;
 mod stack_limits;
 mod stack_view;
 mod study;
+mod study_growth;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};

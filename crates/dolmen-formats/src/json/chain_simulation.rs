@@ -30,8 +30,8 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
             "peak_rotation_rad": peak.rotation_rad, "peak_rotation_at_s": peak.at_s,
             "peak_joint_rotation_rad": across.rotation_rad, "peak_joint_rotation_at_s": across.at_s,
             "peak_moment_at_samples_n_m": simulation.joint_moment_peak_n_m(i),
-            "open_s": simulation.open_s(i),
-            "slipped_rad": simulation.slipped_rad(i),
+            "open_s": simulation.history.open_s(i),
+            "slipped_rad": simulation.history.slipped_rad(i),
             "residual_rotation_rad": history.rotation_rad[i].last(),
         })
     });
@@ -77,6 +77,9 @@ fn outcome(simulation: &ChainSimulation) -> Value {
         }
         ChainOutcome::Fell { link, at_s } => {
             json!({ "kind": "fell", "link": simulation.links.get(link), "at_s": at_s })
+        }
+        ChainOutcome::StillLeaning { link, at_s } => {
+            json!({ "kind": "still leaning", "link": simulation.links.get(link), "at_s": at_s })
         }
         ChainOutcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
         _ => json!({ "kind": "unknown" }),

@@ -44,11 +44,11 @@ pub(super) struct StudyRaw {
     pub(super) law: Option<At<LawRaw>>,
     /// kind = "stack": contact points of a joint, 4, 9, 16 or 36; 16 if not given.
     pub(super) points: Option<At<i64>>,
-    /// Time after the motion, s; 2 for a stack, 20 for a frame if not given.
+    /// Time after the motion, s; 2 for a stack, 20 for a frame or a chain if not given.
     pub(super) rest_s: Option<At<f64>>,
     /// Trends to look for.
     pub(super) expect: Option<Vec<At<ExpectedRaw>>>,
-    /// kind = "frame": a map of sticking and slipping under harmonic motions of the ground.
+    /// kind = "frame" or "chain": a map of sticking and slipping under harmonic motions of the ground.
     pub(super) harmonic: Option<At<HarmonicRaw>>,
     /// kind = "frame": displacement of the top from which the frame is let go, for apparent frequency and damping.
     pub(super) release: Option<At<NumberRaw>>,

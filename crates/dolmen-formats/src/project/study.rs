@@ -112,7 +112,7 @@ pub struct StudyPart {
     pub turns_rad: Vec<f64>,
     /// Of a frame: the direction that is shaken.
     pub direction: Option<String>,
-    /// How the shaking grows; `None` only for a frame that is mapped or released.
+    /// How the shaking grows; `None` only for a frame or chain that is mapped or released.
     pub scan: Option<Scan>,
     /// How often the bracket of the first fall is halved.
     pub refine: u32,
@@ -124,7 +124,7 @@ pub struct StudyPart {
     pub rest_s: Option<f64>,
     /// What it expects to see.
     pub expect: Vec<ExpectedTrend>,
-    /// Of a frame: a map of sticking and slipping.
+    /// Of a frame or a chain: a map of sticking and slipping.
     pub harmonic: Option<HarmonicPart>,
     /// Of a frame: the displacement of its top from which it is let go, m.
     pub release_m: Option<f64>,

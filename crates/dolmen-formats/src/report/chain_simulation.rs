@@ -76,6 +76,13 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
                 format!("전도된다. ‘{name}’의 회전각이 {at_s:.2}초에 {angle:.0}°를 넘는다."),
             )
         }
+        ChainOutcome::StillLeaning { link, at_s } => {
+            let name = simulation.link(link);
+            language.pick(
+                format!("no verdict: when the run ended, at {at_s:.2}\u{202f}s, ‘{name}’ leaned further out than in the time before and went on; it has to be followed for longer."),
+                format!("판정 불가: 해석이 끝난 {at_s:.2}초에 ‘{name}’의 회전각이 계속 커지고 있었다. 더 오래 해석해야 한다."),
+            )
+        }
         _ => language.pick(
             "the run was stopped: no verdict.".to_owned(),
             "해석이 중단되어 판정하지 않는다.".to_owned(),
@@ -239,8 +246,8 @@ fn links_table(simulation: &ChainSimulation, language: Language) -> Markup {
                 significant(1e3 * history.rotation_peaks[link].rotation_rad.abs(), DIGITS).into(),
                 significant(1e3 * history.joint_peaks[link].rotation_rad.abs(), DIGITS).into(),
                 kn_m(simulation.joint_moment_peak_n_m(link)).into(),
-                number::fixed(simulation.open_s(link), 2).into(),
-                significant(1e3 * simulation.slipped_rad(link), DIGITS).into(),
+                number::fixed(simulation.history.open_s(link), 2).into(),
+                significant(1e3 * simulation.history.slipped_rad(link), DIGITS).into(),
                 significant(1e3 * last, DIGITS).into(),
             ]
         })
@@ -275,6 +282,7 @@ fn compared(simulations: &[ChainSimulation], language: Language) -> Markup {
                 ChainOutcome::Stood => language.pick("stood", "안정 유지"),
                 ChainOutcome::Uplifted { .. } => language.pick("joints opened", "연결부 벌어짐"),
                 ChainOutcome::Fell { .. } => language.pick("fell", "전도"),
+                ChainOutcome::StillLeaning { .. } => language.pick("still leaning", "판정 불가"),
                 _ => language.pick("stopped", "중단"),
             };
             let lean = history.rotation_peaks.iter().map(|peak| peak.rotation_rad.abs());

@@ -137,6 +137,10 @@ fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
             "Peak acceleration of the ground at which a stone first falls.",
             "돌이 처음 떨어지는 최대지반가속도.",
         ),
+        StudyKind::Chain => language.pick(
+            "Peak acceleration of the ground at which the chain first falls.",
+            "처음 전도되는 최대지반가속도.",
+        ),
         StudyKind::Frame => language.pick(
             "Peak acceleration of the ground at which a storey first leans by more than 10 %.",
             "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도.",
@@ -216,10 +220,10 @@ fn caption(name: &str, language: Language) -> String {
             "What failed and what survived. Every dot one simulation; survived sizes can lie above ones that were not.",
             "무너진 경우와 견딘 경우. 점은 해석 1회이며, 무너진 크기보다 큰 지진동을 견디기도 한다.",
         ),
-        "growth" => language.pick("As the shaking grows. Largest over the storeys.", "지진동 증가에 따른 변화. 층 중 최댓값."),
+        "growth" => language.pick("As the shaking grows. Largest over the storeys, or links and joints.", "지진동 증가에 따른 변화. 층(또는 부재·연결부) 중 최댓값."),
         "harmonic" => language.pick(
-            "Sticking and slipping. Share of the time in which a storey slips under a harmonic ground.",
-            "고착과 미끄러짐. 조화 지반운동에서 층이 미끄러지는 시간의 비율.",
+            "Rest and motion. Share of the time in which a storey slips, or a joint opens or slips, under a harmonic ground.",
+            "고착과 움직임. 조화 지반운동에서 층이 미끄러지거나 연결부가 벌어지는 시간의 비율.",
         ),
         _ => language.pick(
             "Let go from a large displacement. Each dot one swing.",

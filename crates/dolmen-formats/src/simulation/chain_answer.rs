@@ -47,9 +47,12 @@ impl ChainSimulation {
         matches!(self.history.outcome, ChainOutcome::Fell { .. })
     }
 
-    /// Whether the run came to its end.
+    /// Whether the run came to an end that says whether it falls.
     pub fn is_whole(&self) -> bool {
-        !matches!(self.history.outcome, ChainOutcome::Stopped { .. })
+        !matches!(
+            self.history.outcome,
+            ChainOutcome::Stopped { .. } | ChainOutcome::StillLeaning { .. }
+        )
     }
 
     /// How long the run was, s.
@@ -60,18 +63,6 @@ impl ChainSimulation {
     /// Name of a link, 0 the lowest.
     pub fn link(&self, link: usize) -> &str {
         self.links.get(link).map_or("", String::as_str)
-    }
-
-    /// Time in which a joint was open, s.
-    pub fn open_s(&self, joint: usize) -> f64 {
-        let of_joint = self.history.uplifts.iter().filter(|uplift| uplift.joint == joint);
-        of_joint.fold(0.0, |time, uplift| time + uplift.to_s - uplift.from_s)
-    }
-
-    /// Whole angle that a joint turned against its friction, both directions added up, rad.
-    pub fn slipped_rad(&self, joint: usize) -> f64 {
-        let of_joint = self.history.slips.iter().filter(|slip| slip.joint == joint);
-        of_joint.fold(0.0, |way, slip| way + slip.slip_rad.abs())
     }
 
     /// Largest moment of a joint at the samples, spring and friction, N m.

@@ -1,6 +1,6 @@
 //! A study as it is answered: inputs, runs, levels and trends.
 
-use super::frame_maps::FrameMaps;
+use super::maps::ResponseMaps;
 use super::run::{Run, RunOutcome, StudyKind};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use crate::project::{ExpectedTrend, Names, StudyPart};
@@ -61,7 +61,7 @@ pub struct StudyAnswer {
     /// Scans that are not done.
     pub missing: Vec<usize>,
     /// Of a frame: maps and releases by case.
-    pub maps: Vec<FrameMaps>,
+    pub maps: Vec<ResponseMaps>,
 }
 
 /// What is said of an expected trend.

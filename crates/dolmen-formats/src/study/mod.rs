@@ -1,8 +1,8 @@
 //! Studies: their runs, the journal that keeps them, and what they say together.
 
 mod answer;
-mod frame_maps;
 mod journal;
+mod maps;
 mod method;
 mod parquet;
 mod run;
@@ -10,9 +10,9 @@ mod scans;
 mod table;
 
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
-pub use frame_maps::{FrameMaps, harmonic_columns, release_columns};
 pub use journal::{Journal, JournalError, JournalHeader, fingerprint, header_line, read_journal, run_line};
-pub use method::{FRAME_REST_S, input_words, part_of_step};
+pub use maps::{ResponseMaps, harmonic_columns, release_columns};
+pub use method::{SWING_REST_S, input_words, part_of_step};
 pub use parquet::{TableError, parquet};
 pub use run::{Run, RunOutcome, StudyKind};
 pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};

@@ -7,6 +7,8 @@ pub enum StudyKind {
     Stack,
     /// A frame with dry friction.
     Frame,
+    /// A chain of links.
+    Chain,
 }
 
 impl StudyKind {
@@ -35,14 +37,24 @@ impl StudyKind {
                 "slipped_way_m",
                 "energy_left_over_ratio",
             ],
+            StudyKind::Chain => &[
+                "peak_top_displacement_m",
+                "peak_rotation_rad",
+                "peak_joint_rotation_rad",
+                "open_share",
+                "slipped_rad",
+                "residual_rotation_rad",
+                "energy_left_over_ratio",
+            ],
         }
     }
 
-    /// "stack" or "frame".
+    /// "stack", "frame" or "chain".
     pub fn word(self) -> &'static str {
         match self {
             StudyKind::Stack => "stack",
             StudyKind::Frame => "frame",
+            StudyKind::Chain => "chain",
         }
     }
 
@@ -51,6 +63,7 @@ impl StudyKind {
         match self {
             StudyKind::Stack => ["DS1", "DS2", "DS3", "falls"],
             StudyKind::Frame => ["slips", "–", "–", "drift limit"],
+            StudyKind::Chain => ["opens", "–", "–", "falls"],
         }
     }
 }
@@ -64,7 +77,7 @@ pub enum RunOutcome {
     Uplifted,
     /// A stone lies on the brink.
     Slid,
-    /// A stone fell; a frame: it leaned beyond the drift limit.
+    /// A stone or a link fell; a frame: it leaned beyond the drift limit.
     Fell,
     /// It had not come to rest at its end: undecided.
     StillMoving,
@@ -110,11 +123,11 @@ pub struct Run {
     pub peak_ground_velocity_m_s: f64,
     /// How it ended.
     pub outcome: RunOutcome,
-    /// 0 to 4 (DS1 to DS4); of a frame 1 if it slips and 4 at the drift limit.
+    /// 0 to 4 (DS1 to DS4); of a frame 1 if it slips and 4 at the drift limit; of a chain 1 if a joint opens or turns against friction.
     pub damage_state: u8,
-    /// When a stone fell or the limit was reached, s; not a number if none.
+    /// When a stone or a link fell or the limit was reached, s; not a number if none.
     pub at_s: f64,
-    /// The stone that fell or lies on the brink; the storey at its limit.
+    /// The stone that fell or lies on the brink; the link that fell; the storey at its limit.
     pub part: String,
     /// The joint that gave way.
     pub gave_way: String,

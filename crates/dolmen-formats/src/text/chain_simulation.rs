@@ -45,6 +45,12 @@ pub fn chain_outcome_text(simulation: &ChainSimulation) -> String {
             simulation.link(link),
             simulation.options.fall_rad.to_degrees()
         ),
+        ChainOutcome::StillLeaning { link, at_s } => format!(
+            "STILL LEANING: at the end, {at_s:.2} s, '{}' leans further out than in the time before and goes on: whether the chain falls \
+             is not known; give a longer --duration; {}",
+            simulation.link(link),
+            state()
+        ),
         ChainOutcome::Stopped { at_s } => format!(
             "STOPPED at {at_s:.2} s before its end: what follows is of the part that was done, and no verdict"
         ),
@@ -158,8 +164,8 @@ fn links_text(simulation: &ChainSimulation) -> String {
             format!("{:.2}", peak.at_s),
             format!("{:.3}", 1e3 * history.joint_peaks[link].rotation_rad.abs()),
             format!("{:.3}", 1e-3 * simulation.joint_moment_peak_n_m(link)),
-            format!("{:.2}", simulation.open_s(link)),
-            format!("{:.3}", 1e3 * simulation.slipped_rad(link)),
+            format!("{:.2}", simulation.history.open_s(link)),
+            format!("{:.3}", 1e3 * simulation.history.slipped_rad(link)),
             format!("{:.3}", 1e3 * last + 0.0),
         ]);
     }

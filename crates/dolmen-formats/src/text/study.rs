@@ -5,7 +5,7 @@ use crate::Language;
 use crate::number::significant;
 use crate::project::Scan;
 use crate::study::{
-    CapacityOf, FrameMaps, LevelRow, Run, RunOutcome, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind,
+    CapacityOf, LevelRow, ResponseMaps, Run, RunOutcome, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind,
     TrendAnswer, part_of_step,
 };
 use dolmen::assess::{AssessError, Direction, Reached, reached_quantile};
@@ -138,6 +138,7 @@ fn levels(answer: &StudyAnswer) -> String {
         "\nCapacity: peak acceleration of the ground at which it first {}, g; \">\": not up to the largest that was tried\n",
         match answer.kind {
             StudyKind::Stack => "sheds a stone",
+            StudyKind::Chain => "falls",
             StudyKind::Frame => "leans beyond the drift limit",
         }
     );
@@ -254,12 +255,34 @@ fn left_out(answer: &StudyAnswer) -> String {
     out
 }
 
-/// How frames behave as the shaking grows, scan by scan: some sizes of each.
+/// How a frame or a chain behaves as the shaking grows, scan by scan: some sizes of each.
 fn growth(answer: &StudyAnswer) -> String {
     const SCANS_MOST: usize = 6;
+    let (over, columns): (&str, &[(&str, &str, f64)]) = match answer.kind {
+        StudyKind::Stack => return String::new(),
+        StudyKind::Frame => (
+            "storeys",
+            &[
+                ("drift, mm", "peak_drift_m", 1e3),
+                ("drift, % of height", "peak_drift_ratio", 100.0),
+                ("slips, % of the time", "slipping_share", 100.0),
+                ("drift left, mm", "residual_drift_m", 1e3),
+            ],
+        ),
+        StudyKind::Chain => (
+            "links and joints",
+            &[
+                ("top moves, mm", "peak_top_displacement_m", 1e3),
+                ("leans, mrad", "peak_rotation_rad", 1e3),
+                ("joint turns, mrad", "peak_joint_rotation_rad", 1e3),
+                ("open, % of the time", "open_share", 100.0),
+                ("slips, mrad", "slipped_rad", 1e3),
+            ],
+        ),
+    };
     let mut scans: Vec<&[Run]> = answer.runs.chunk_by(|a, b| a.job == b.job).collect();
     scans.retain(|runs| runs.iter().any(|run| !run.measures.is_empty()));
-    if answer.kind != StudyKind::Frame || scans.is_empty() || scans.len() > SCANS_MOST {
+    if scans.is_empty() || scans.len() > SCANS_MOST {
         return String::new();
     }
     let at = |run: &Run, name: &str| {
@@ -268,30 +291,30 @@ fn growth(answer: &StudyAnswer) -> String {
             .and_then(|place| run.measures.get(place).copied())
             .unwrap_or(f64::NAN)
     };
-    let mut out = String::from("\nAs the shaking grows: largest over the storeys\n");
-    let heads = [
-        "scan",
-        "peak, g",
-        "drift, mm",
-        "drift, % of height",
-        "slips, % of the time",
-        "drift left, mm",
-    ];
+    let mut out = format!("\nAs the shaking grows: largest over the {over}\n");
+    let mut heads = vec!["scan", "peak, g"];
+    heads.extend(columns.iter().map(|column| column.0));
     let mut table = Table::new(&heads, 1);
     for runs in scans {
         for (i, run) in some(runs).into_iter().enumerate() {
-            table.row(vec![
+            let mut cells = vec![
                 if i == 0 {
                     scan_words(answer, run.job)
                 } else {
                     String::new()
                 },
                 format!("{:.3}", run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2),
-                significant(1e3 * at(run, "peak_drift_m"), 3),
-                format!("{:.2}", 100.0 * at(run, "peak_drift_ratio")),
-                format!("{:.1}", 100.0 * at(run, "slipping_share")),
-                format!("{:.2}", 1e3 * at(run, "residual_drift_m")),
-            ]);
+            ];
+            if answer.kind == StudyKind::Chain && run.outcome == RunOutcome::Fell {
+                cells.push("fell".to_owned());
+                cells.resize(heads.len(), "–".to_owned());
+            } else {
+                let each = columns
+                    .iter()
+                    .map(|(_, name, factor)| significant(factor * at(run, name), 3));
+                cells.extend(each);
+            }
+            table.row(cells);
         }
     }
     out += &table.text();
@@ -313,10 +336,10 @@ fn scan_words(answer: &StudyAnswer, job: usize) -> String {
     words.join(", ")
 }
 
-/// How frames behave as the amplitude grows: the softest and the stiffest swing of each release, and how much of a map slips.
+/// The softest and the stiffest swing of each release, and how much of a map slips.
 fn releases(answer: &StudyAnswer) -> String {
     let mut out = String::new();
-    let released: Vec<&FrameMaps> = answer.maps.iter().filter(|map| map.release.len() > 1).collect();
+    let released: Vec<&ResponseMaps> = answer.maps.iter().filter(|map| map.release.len() > 1).collect();
     if !released.is_empty() {
         out += "\nLet go: apparent frequency and equivalent damping, swing by swing\n";
         let heads = ["case", "swing, mm", "frequency, Hz", "damping, %"];
@@ -333,43 +356,40 @@ fn releases(answer: &StudyAnswer) -> String {
         }
         out += &table.text();
     }
-    let mapped: Vec<&FrameMaps> = answer
+    let mapped: Vec<&ResponseMaps> = answer
         .maps
         .iter()
         .filter(|map| !map.harmonic.is_empty())
         .collect();
     if !mapped.is_empty() {
-        out += "\nHarmonic ground: at how many points of the map each storey slips\n";
-        let mut table = Table::new(
-            &["case", "storey", "points", "slips", "drift limit", "not steady"],
-            2,
+        let (does, heads) = match answer.kind {
+            StudyKind::Chain => ("joint opens or slips", ["joint below", "moves", "falls"]),
+            _ => ("storey slips", ["storey", "slips", "drift limit"]),
+        };
+        let _ = writeln!(
+            out,
+            "\nHarmonic ground: at how many points of the map each {does}"
         );
+        let [part, moves, fell] = heads;
+        let mut table = Table::new(&["case", part, "points", moves, fell, "not steady"], 2);
         for map in mapped {
-            let limit = map
-                .harmonic
-                .iter()
-                .filter(|point| point.beyond_drift_limit)
-                .count();
-            let unsteady = map
-                .harmonic
-                .iter()
-                .filter(|p| !p.steady && !p.beyond_drift_limit)
-                .count();
-            for (storey, name) in map.storeys.iter().enumerate() {
-                let slips = map
+            let fell = map.harmonic.iter().filter(|point| point.fell).count();
+            let unsteady = map.harmonic.iter().filter(|p| !p.steady && !p.fell).count();
+            for (part, name) in map.parts.iter().enumerate() {
+                let moves = map
                     .harmonic
                     .iter()
-                    .filter(|p| p.slipping_share.get(storey).is_some_and(|s| *s > 0.0));
+                    .filter(|p| p.moving_share.get(part).is_some_and(|s| *s > 0.0));
                 table.row(vec![
-                    if storey == 0 {
+                    if part == 0 {
                         map.label.clone()
                     } else {
                         String::new()
                     },
                     name.clone(),
                     map.harmonic.len().to_string(),
-                    slips.count().to_string(),
-                    limit.to_string(),
+                    moves.count().to_string(),
+                    fell.to_string(),
                     unsteady.to_string(),
                 ]);
             }

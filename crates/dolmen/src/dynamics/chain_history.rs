@@ -20,6 +20,13 @@ pub enum ChainOutcome {
         /// When, s.
         at_s: f64,
     },
+    /// The run ended while a link leaned further out than in the time before, and went on: whether it falls is not known.
+    StillLeaning {
+        /// The link, 0 the lowest.
+        link: usize,
+        /// The end of the run, s.
+        at_s: f64,
+    },
     /// The caller stopped it.
     Stopped {
         /// When, s.
@@ -128,16 +135,46 @@ pub struct ChainHistory {
 }
 
 impl ChainHistory {
+    /// Time in which a joint (0 the lowest) was open, s.
+    pub fn open_s(&self, joint: usize) -> f64 {
+        let of_joint = self.uplifts.iter().filter(|uplift| uplift.joint == joint);
+        of_joint.fold(0.0, |time, uplift| time + uplift.to_s - uplift.from_s)
+    }
+
+    /// Whole angle that a joint (0 the lowest) turned against its friction, both directions added up, rad.
+    pub fn slipped_rad(&self, joint: usize) -> f64 {
+        let of_joint = self.slips.iter().filter(|slip| slip.joint == joint);
+        of_joint.fold(0.0, |way, slip| way + slip.slip_rad.abs())
+    }
+
+    /// The link that at the end leans as far as at no sample since `from_s`, and goes on outwards; the one that leans most of several.
+    pub(super) fn leaning_out(&self, from_s: f64) -> Option<usize> {
+        let since = self.times_s.partition_point(|at_s| *at_s < from_s);
+        let leaning = (0..self.rotation_rad.len()).filter_map(|link| {
+            let (angle, rate) = (&self.rotation_rad[link], self.velocity_rad_s[link].last()?);
+            let (end, before) = angle.get(since..)?.split_last()?;
+            let is_out = end * rate > 0.0 && before.iter().all(|earlier| earlier.abs() < end.abs());
+            is_out.then_some((link, end.abs()))
+        });
+        leaning.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(link, _)| link)
+    }
+
     /// Rotation across a joint (0 the lowest) at every sample, rad.
     pub fn across_rad(&self, joint: usize) -> Vec<f64> {
-        let above = &self.rotation_rad[joint];
-        match joint.checked_sub(1) {
-            None => above.clone(),
-            Some(below) => above
-                .iter()
-                .zip(&self.rotation_rad[below])
-                .map(|(a, b)| a - b)
-                .collect(),
-        }
+        across(&self.rotation_rad, joint)
+    }
+
+    /// Its rate, rad/s.
+    pub fn across_rad_s(&self, joint: usize) -> Vec<f64> {
+        across(&self.velocity_rad_s, joint)
+    }
+}
+
+/// Row of a link less that of the link below.
+fn across(rows: &[Vec<f64>], joint: usize) -> Vec<f64> {
+    let above = &rows[joint];
+    match joint.checked_sub(1) {
+        None => above.clone(),
+        Some(below) => above.iter().zip(&rows[below]).map(|(a, b)| a - b).collect(),
     }
 }

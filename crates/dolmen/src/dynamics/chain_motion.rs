@@ -57,7 +57,7 @@ pub fn simulate_chain(
 ) -> Result<ChainHistory, DynamicsError> {
     let load = ground_acceleration_m_s2;
     let duration_s = options.check(model, load)?;
-    let mut run = Run::start(model, options, duration_s);
+    let mut run = Run::start(model, load, options, duration_s);
     let mut ends = load.breaks_s(duration_s);
     ends.push(duration_s);
     let mut try_s = run.series.first_step_s();
@@ -116,11 +116,13 @@ pub(super) struct Run<'a> {
     kinetic_most_j: f64,
     left_over_most_j: f64,
     opened_s: Vec<f64>,
+    /// When the load is over, s; 0 for one that never is.
+    load_end_s: f64,
     history: ChainHistory,
 }
 
 impl<'a> Run<'a> {
-    fn start(model: &'a ChainModel, options: &ChainRun, duration_s: f64) -> Self {
+    fn start(model: &'a ChainModel, load: &TimeFunction, options: &ChainRun, duration_s: f64) -> Self {
         let n = model.chain.links().len();
         let given = |values: &[f64]| {
             if values.is_empty() {
@@ -166,6 +168,7 @@ impl<'a> Run<'a> {
             kinetic_most_j: 0.0,
             left_over_most_j: 0.0,
             opened_s: vec![0.0; n],
+            load_end_s: load.duration_s(),
             history: ChainHistory {
                 outcome: ChainOutcome::Stood,
                 times_s: Vec::with_capacity(samples),
@@ -419,6 +422,22 @@ impl<'a> Run<'a> {
         self.kinetic_most_j = self.kinetic_most_j.max(kinetic);
     }
 
+    /// Says so if the run ended while a link went over. Looks back to the end of the load, and over half of the run at least: a swing
+    /// that dies out has leaned further in that time.
+    fn end_undecided(&mut self) {
+        let is_over = matches!(
+            self.history.outcome,
+            ChainOutcome::Stood | ChainOutcome::Uplifted { .. }
+        );
+        let from_s = self.load_end_s.min(0.5 * self.at_s);
+        if is_over && let Some(link) = self.history.leaning_out(from_s) {
+            self.history.outcome = ChainOutcome::StillLeaning {
+                link,
+                at_s: self.at_s,
+            };
+        }
+    }
+
     fn finish(mut self) -> ChainHistory {
         for joint in 0..self.state.joints.len() {
             if self.state.joints[joint] != JointState::Closed {
@@ -434,6 +453,7 @@ impl<'a> Run<'a> {
             self.sample();
         }
         self.history.at_rest = self.is_at_rest();
+        self.end_undecided();
         self.history.slips = std::mem::take(&mut self.friction.slips);
         self.history.friction_events = self.friction.events;
         if self.kinetic_most_j > 0.0 {

@@ -7,6 +7,7 @@ mod chain_model;
 mod chain_motion;
 mod chain_run;
 mod chain_series;
+mod chain_studies;
 mod error;
 mod excitation;
 mod frame_events;
@@ -19,6 +20,7 @@ mod frame_record;
 mod frame_series;
 mod frame_studies;
 mod frame_work;
+mod harmonic_map;
 mod rocking_block;
 mod rocking_run;
 
@@ -27,6 +29,7 @@ pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, Chai
 pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointFriction, JointOpening};
 pub use chain_motion::simulate_chain;
 pub use chain_run::ChainRun;
+pub use chain_studies::chain_harmonic_map;
 pub use error::DynamicsError;
 pub use excitation::{FrameLoad, TimeFunction};
 pub use frame_friction::{
@@ -34,7 +37,8 @@ pub use frame_friction::{
 };
 pub use frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
 pub use frame_motion::{FrameRun, simulate_frame};
-pub use frame_studies::{AtAmplitude, HarmonicPoint, amplitude_dependence, harmonic_map};
+pub use frame_studies::{AtAmplitude, amplitude_dependence, harmonic_map};
+pub use harmonic_map::HarmonicPoint;
 pub use rocking_block::{
     Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome, rock_block,
 };

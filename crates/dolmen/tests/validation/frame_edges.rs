@@ -279,9 +279,9 @@ fn exact_drift_of_a_map_is_that_between_the_samples() {
     let map = harmonic_map(&linear, &frequencies_hz, &[2.0], &mut |_| true).unwrap();
     for (point, g) in map.iter().zip(frequencies_hz) {
         let wanted = 2.0 / (omega * omega * (1.0 - g * g).hypot(2.0 * zeta * g));
-        let off = (point.drift_m[0] / wanted - 1.0).abs();
+        let off = (point.deformation[0] / wanted - 1.0).abs();
         assert!(off < 3e-6, "{off:e} at {g} Hz");
-        assert!(point.steady && point.slipping_share[0].is_sign_positive());
+        assert!(point.steady && point.moving_share[0].is_sign_positive());
     }
 }
 

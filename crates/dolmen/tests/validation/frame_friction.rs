@@ -517,10 +517,14 @@ fn exact_map_of_sticking_and_slipping() {
     let map = harmonic_map(&oscillator(f), &[g / TAU, 1.5 / TAU], &[0.29, 1.0], &mut |_| true).unwrap();
     assert_eq!(map.len(), 4);
     for still in [&map[0], &map[2]] {
-        assert_eq!((still.drift_m[0], still.slipping_share[0]), (0.0, 0.0));
+        assert_eq!((still.deformation[0], still.moving_share[0]), (0.0, 0.0));
     }
-    assert!(map[1].steady && (map[1].slipping_share[0] - 1.0).abs() < 1e-9);
+    assert!(map[1].steady && (map[1].moving_share[0] - 1.0).abs() < 1e-9);
     // 40 samples a cycle pass the peak by (π/40)²/2 at most
     let wanted = forced_amplitude(g, f).unwrap();
-    assert!((map[1].drift_m[0] / wanted - 1.0).abs() < 4e-3, "{:?}", map[1]);
+    assert!(
+        (map[1].deformation[0] / wanted - 1.0).abs() < 4e-3,
+        "{:?}",
+        map[1]
+    );
 }

@@ -5,6 +5,7 @@ mod building_modes;
 mod chain_friction;
 mod chain_identification;
 mod chain_laws;
+mod chain_maps;
 mod chain_motion;
 mod choi_2021;
 mod columns;

@@ -1,32 +1,37 @@
-//! What a study adds for frames: the map of sticking and slipping under harmonic motions, and releases.
+//! What a study adds: maps of sticking and slipping under harmonic motions, of frames and chains; releases of frames.
 
+use super::run::StudyKind;
 use super::table::{Column, ColumnValues};
 use dolmen::dynamics::{AtAmplitude, HarmonicPoint};
 
 /// The map and the release of one case.
 #[derive(Clone, Debug, PartialEq)]
-pub struct FrameMaps {
+pub struct ResponseMaps {
     /// The case, counted from 0.
     pub case: usize,
     /// What it is, in words: its variant and inputs; empty if there is only one.
     pub label: String,
-    /// Names of the storeys, lowest first.
-    pub storeys: Vec<String>,
+    /// Names of the storeys, or of the links above the joints, lowest first.
+    pub parts: Vec<String>,
     /// Points of the map, rows of one frequency; empty without one.
     pub harmonic: Vec<HarmonicPoint>,
     /// Swings of the release, the largest first; empty without one.
     pub release: Vec<AtAmplitude>,
 }
 
-/// Points of all maps: one row a case, frequency, acceleration and storey.
-pub fn harmonic_columns(maps: &[FrameMaps]) -> Vec<Column> {
-    let mut rows: Vec<(&FrameMaps, &HarmonicPoint, usize)> = Vec::new();
+/// Points of all maps: one row a case, frequency, acceleration and storey or joint.
+pub fn harmonic_columns(maps: &[ResponseMaps], kind: StudyKind) -> Vec<Column> {
+    let [part, deformation, share, fell] = match kind {
+        StudyKind::Chain => ["joint_below", "joint_rotation_rad", "moving_share", "fell"],
+        _ => ["storey", "drift_m", "slipping_share", "beyond the drift limit"],
+    };
+    let mut rows: Vec<(&ResponseMaps, &HarmonicPoint, usize)> = Vec::new();
     for map in maps {
         for point in &map.harmonic {
-            rows.extend((0..point.drift_m.len()).map(|storey| (map, point, storey)));
+            rows.extend((0..point.deformation.len()).map(|part| (map, point, part)));
         }
     }
-    let numbers = |name: &str, of: &dyn Fn(&(&FrameMaps, &HarmonicPoint, usize)) -> f64| Column {
+    let numbers = |name: &str, of: &dyn Fn(&(&ResponseMaps, &HarmonicPoint, usize)) -> f64| Column {
         name: name.to_owned(),
         values: ColumnValues::Numbers(
             rows.iter()
@@ -34,7 +39,7 @@ pub fn harmonic_columns(maps: &[FrameMaps]) -> Vec<Column> {
                 .collect(),
         ),
     };
-    let words = |name: &str, of: &dyn Fn(&(&FrameMaps, &HarmonicPoint, usize)) -> String| Column {
+    let words = |name: &str, of: &dyn Fn(&(&ResponseMaps, &HarmonicPoint, usize)) -> String| Column {
         name: name.to_owned(),
         values: ColumnValues::Words(rows.iter().map(of).collect()),
     };
@@ -48,16 +53,14 @@ pub fn harmonic_columns(maps: &[FrameMaps]) -> Vec<Column> {
         numbers("ground_acceleration_m_s2", &|(_, point, _)| {
             point.ground_acceleration_m_s2
         }),
-        words("storey", &|(map, _, storey)| {
-            map.storeys.get(*storey).cloned().unwrap_or_default()
+        words(part, &|(map, _, part)| {
+            map.parts.get(*part).cloned().unwrap_or_default()
         }),
-        numbers("drift_m", &|(_, point, storey)| point.drift_m[*storey]),
-        numbers("slipping_share", &|(_, point, storey)| {
-            point.slipping_share[*storey]
-        }),
+        numbers(deformation, &|(_, point, part)| point.deformation[*part]),
+        numbers(share, &|(_, point, part)| point.moving_share[*part]),
         words("state", &|(_, point, _)| {
-            let state = match (point.beyond_drift_limit, point.steady) {
-                (true, _) => "beyond the drift limit",
+            let state = match (point.fell, point.steady) {
+                (true, _) => fell,
                 (false, true) => "steady",
                 (false, false) => "not steady",
             };
@@ -67,8 +70,8 @@ pub fn harmonic_columns(maps: &[FrameMaps]) -> Vec<Column> {
 }
 
 /// Swings of all releases: one row a case and swing.
-pub fn release_columns(maps: &[FrameMaps]) -> Vec<Column> {
-    let mut rows: Vec<(&FrameMaps, &AtAmplitude)> = Vec::new();
+pub fn release_columns(maps: &[ResponseMaps]) -> Vec<Column> {
+    let mut rows: Vec<(&ResponseMaps, &AtAmplitude)> = Vec::new();
     for map in maps {
         rows.extend(map.release.iter().map(|swing| (map, swing)));
     }
