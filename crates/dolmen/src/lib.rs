@@ -11,6 +11,7 @@
 
 pub mod assess;
 pub mod blocks;
+pub mod damper;
 pub mod dynamics;
 pub mod known;
 pub mod modal;

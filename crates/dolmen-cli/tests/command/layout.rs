@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The chapters of the science crate: each may import itself and those before it.
-const CHAPTERS: [&str; 10] = [
+const CHAPTERS: [&str; 11] = [
     "known",
     "numeric",
     "signal",
@@ -15,6 +15,7 @@ const CHAPTERS: [&str; 10] = [
     "stability",
     "dynamics",
     "blocks",
+    "damper",
     "assess",
     "validation",
 ];

@@ -11,6 +11,7 @@ pub mod park_min_2010;
 pub mod pendulum;
 pub mod rocking;
 pub mod sliding;
+pub mod tuned_mass;
 pub mod twisting;
 
 /// Standard acceleration of gravity, m/s² (3rd General Conference on Weights and Measures, 1901).

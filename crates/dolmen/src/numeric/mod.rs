@@ -3,14 +3,18 @@
 mod crossing;
 mod elementary;
 mod error;
+mod highest;
 mod levenberg_marquardt;
+mod minimax;
 mod random;
 mod roots;
 mod statistics;
 
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};
 pub use error::NumericError;
+pub(crate) use highest::highest;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
+pub(crate) use minimax::{Piece, Worst, by_differences, minimax};
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};

@@ -28,3 +28,4 @@ mod stack_limits;
 mod stack_motion;
 mod stack_rigid;
 mod stack_rocking;
+mod tuned_mass;
