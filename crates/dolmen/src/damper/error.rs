@@ -1,5 +1,6 @@
 //! Why a damper cannot be designed.
 
+use crate::dynamics::DynamicsError;
 use dolmen_linalg::LinalgError;
 
 /// Why a damper cannot be designed. Each variant carries the value that was refused.
@@ -26,6 +27,70 @@ pub enum DamperError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A row that does not fit the structure.
+    #[error("damper {damper}: its row has {given} values, but the structure needs {needed} finite ones")]
+    Row {
+        /// Which damper, from 1.
+        damper: usize,
+        /// Values given.
+        given: usize,
+        /// Degrees of freedom of the structure.
+        needed: usize,
+    },
+    /// A damper on something that does not move.
+    #[error("damper {damper}: every value of its row is 0, so that nothing moves it")]
+    Unmoved {
+        /// Which damper, from 1.
+        damper: usize,
+    },
+    /// A damper beyond the edge of its floor.
+    #[error(
+        "the damper at x = {x_m} m, y = {y_m} m stands {beyond_m:.3} m outside its floor: move it inside the outline"
+    )]
+    OutsideFloor {
+        /// x in plan, m.
+        x_m: f64,
+        /// y in plan, m.
+        y_m: f64,
+        /// How far outside, m.
+        beyond_m: f64,
+    },
+    /// A damper tuned to a mode that does not move it.
+    #[error(
+        "mode {mode} does not move the damper at x = {x_m} m, y = {y_m} m in direction {direction_degrees}°: {only}; turn the damper, move it, or tune it to another mode"
+    )]
+    ModeStill {
+        /// The mode, from 1.
+        mode: usize,
+        /// x in plan, m.
+        x_m: f64,
+        /// y in plan, m.
+        y_m: f64,
+        /// The damper's direction, degrees.
+        direction_degrees: f64,
+        /// Why.
+        only: &'static str,
+    },
+    /// No points to be calmed.
+    #[error("no points are given: name at least one place whose motion is to be made small")]
+    NoPoints,
+    /// A point that does not move under the loads.
+    #[error("point {point} does not move under the loads: leave it out, or let a load act on it")]
+    Still {
+        /// Which point, from 1.
+        point: usize,
+    },
+    /// Frequencies that the tolerance takes.
+    #[error(
+        "the integral over frequency needs more than {intervals} intervals: raise relative_tolerance, or give the modes more damping"
+    )]
+    TooManyFrequencies {
+        /// Intervals allowed.
+        intervals: usize,
+    },
+    /// A map of peaks.
+    #[error("places are mapped by standard deviations: take the largest or the mean square as the goal")]
+    NoMap,
     /// A search did not find an optimum.
     #[error("no optimum of {what} was found in {iterations} steps: start from another tuning")]
     NoOptimum {
@@ -34,6 +99,9 @@ pub enum DamperError {
         /// Steps that were made.
         iterations: usize,
     },
+    /// The structure or its loads cannot be.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),

@@ -1,9 +1,30 @@
 //! What can calm a structure: tuned masses and liquid columns, their tuning and their place.
 
+mod assembled;
+mod attached;
+mod design;
 mod error;
+mod head_loss;
+mod modal_synthesis;
+mod plan;
+mod position_map;
+mod robustness;
 mod single_mode;
+mod site;
+mod spot;
 mod tuning;
 
+pub use assembled::DampedSystem;
+pub use attached::{AttachedDamper, DamperKind};
+pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design, goal_cost};
 pub use error::DamperError;
+pub use head_loss::{
+    ColumnHistory, ColumnRun, EquivalentColumn, HeadLossColumn, equivalent_column, simulate_column,
+};
+pub use modal_synthesis::ModalSynthesis;
+pub use plan::{DamperProblem, Judged, Plan, PlanOptions, judge};
+pub use position_map::{MapCell, MapTuning, PositionMap, PositionMapOptions, position_map};
+pub use robustness::{Detuned, RobustnessPoint, robustness};
 pub use single_mode::{Aim, OptimalTuning, SingleMode, optimal_tuning};
+pub use site::{DamperSite, PlacedDamper};
 pub use tuning::{Tuning, TuningRule, rule_tuning};

@@ -5,7 +5,7 @@
 use super::tuning::check;
 use super::{DamperError, Tuning, TuningRule, rule_tuning};
 use crate::known::tuned_mass::{Acts, TunedMass, response, variance};
-use crate::numeric::{Piece, Worst, by_differences, minimax};
+use crate::numeric::{Minimax, Piece, Worst, by_differences, minimax};
 
 /// What the tuning keeps small: a response of the structure, under a load.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -145,13 +145,13 @@ pub fn optimal_tuning(mode: &SingleMode, aim: Aim) -> Result<OptimalTuning, Damp
     let start = rule_tuning(rule, mode.mass_ratio, mode.structure_damping_ratio)?;
     let mut problem = Search { mode: *mode, aim };
     let x = vec![start.frequency_ratio.ln(), start.damping_ratio.ln()];
-    let least = minimax(x, ITERATIONS_MOST, &mut problem);
+    let least = minimax(x, &Minimax::steps(ITERATIONS_MOST), &mut problem);
     let failed = |iterations| DamperError::NoOptimum {
         what: aim.name(),
         iterations,
     };
     let least = least.ok_or(failed(0))?;
-    if !(least.last_step <= LAST_STEP_MOST) {
+    if least.last_step.is_nan() || least.last_step > LAST_STEP_MOST {
         return Err(failed(least.iterations));
     }
     let tuning = tuning_of(&least.x);

@@ -139,6 +139,46 @@ pub enum DynamicsError {
         /// The step that was left, s.
         step_s: f64,
     },
+    /// A matrix that is none of a structure.
+    #[error("the {matrix} matrix must be {needed}")]
+    Matrix {
+        /// Which one.
+        matrix: &'static str,
+        /// What is allowed.
+        needed: &'static str,
+    },
+    /// A list of the wrong length for a linear system.
+    #[error("{argument} has {given} entries, but {needed} are needed")]
+    Entries {
+        /// The name of the list.
+        argument: &'static str,
+        /// Its length.
+        given: usize,
+        /// The number needed.
+        needed: usize,
+    },
+    /// A random response without bound.
+    #[error("{quantity} has no standard deviation: {why}")]
+    Unbounded {
+        /// What was asked for.
+        quantity: &'static str,
+        /// Why, and what to do.
+        why: &'static str,
+    },
+    /// Lyapunov's equation needs loads that are filtered white noise.
+    #[error("a spectrum given as a table is no filtered white noise: use the integral over frequency")]
+    NotRational,
+    /// A random motion that does not settle.
+    #[error("the motion does not settle: some mode has no damping; give each one some")]
+    Unstable,
+    /// An integral over frequency that takes too long.
+    #[error(
+        "the integral over frequency needs more than {intervals} intervals: raise relative_tolerance or intervals_most, or give the modes more damping"
+    )]
+    Integral {
+        /// Intervals allowed.
+        intervals: usize,
+    },
     /// The frame cannot be.
     #[error(transparent)]
     Structure(#[from] StructureError),

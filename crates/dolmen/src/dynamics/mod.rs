@@ -21,6 +21,9 @@ mod frame_series;
 mod frame_studies;
 mod frame_work;
 mod harmonic_map;
+mod linear_system;
+mod random_load;
+mod random_vibration;
 mod rocking_block;
 mod rocking_run;
 
@@ -39,6 +42,11 @@ pub use frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip
 pub use frame_motion::{FrameRun, simulate_frame};
 pub use frame_studies::{AtAmplitude, amplitude_dependence, harmonic_map};
 pub use harmonic_map::HarmonicPoint;
+pub use linear_system::{LinearSystem, Pole, SystemModes};
+pub use random_load::{RandomInput, RandomLoad, SpectralMatrix, Spectrum};
+pub use random_vibration::{
+    FrequencyIntegral, Motion, ResponseRow, rms_by_integral, rms_by_lyapunov, rms_by_spectral_matrix,
+};
 pub use rocking_block::{
     Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome, rock_block,
 };

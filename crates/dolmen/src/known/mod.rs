@@ -6,6 +6,7 @@ pub mod choi_2021;
 pub mod columns;
 pub mod dry_friction;
 pub mod hwang_min_hong;
+pub mod liquid_column;
 pub mod overturning;
 pub mod park_min_2010;
 pub mod pendulum;

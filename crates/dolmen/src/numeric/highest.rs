@@ -1,7 +1,7 @@
 //! The top of a smooth hump between two points.
 
 /// Part of an interval that golden sections keep.
-const GOLDEN: f64 = 0.618_033_988_749_894_8;
+const GOLDEN: f64 = 0.618_033_988_749_895;
 
 /// Where `f` is largest between `low` and `high`, where it has one hump, to the square root of rounding.
 pub(crate) fn highest(f: &impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {

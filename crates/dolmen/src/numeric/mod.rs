@@ -1,20 +1,26 @@
 //! Mathematics that knows nothing of structures: roots, statistics, seeded random numbers, Fourier transforms.
 
+mod complex_solve;
 mod crossing;
 mod elementary;
 mod error;
 mod highest;
 mod levenberg_marquardt;
+mod lyapunov;
 mod minimax;
+mod quadrature;
 mod random;
 mod roots;
 mod statistics;
 
+pub(crate) use complex_solve::complex_solve;
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};
 pub use error::NumericError;
 pub(crate) use highest::highest;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
-pub(crate) use minimax::{Piece, Worst, by_differences, minimax};
+pub(crate) use lyapunov::lyapunov;
+pub(crate) use minimax::{Minimax, Piece, Worst, by_differences, minimax};
+pub(crate) use quadrature::adaptive_nodes;
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};

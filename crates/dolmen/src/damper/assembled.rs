@@ -1,0 +1,209 @@
+//! A structure and its dampers as one linear system.
+
+use super::{AttachedDamper, DamperError, DamperKind};
+use crate::dynamics::{LinearSystem, RandomInput, RandomLoad, ResponseRow};
+use dolmen_linalg::Matrix;
+use std::f64::consts::TAU;
+
+/// The structure's degrees of freedom first, then those of each damper in order: z of a mass (relative to the base where
+/// that moves), w of a liquid (relative to its tube), z then w of a liquid column mass.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DampedSystem {
+    /// M, C, K of all of it.
+    pub system: LinearSystem,
+    dampers: Vec<AttachedDamper>,
+    first: Vec<usize>, // of each damper's own
+    structure: usize,
+}
+
+impl DampedSystem {
+    /// The structure with these dampers on it.
+    ///
+    /// ```text
+    /// tuned mass      M: m ż²/2                      K, C: k, c of z − z₀
+    /// liquid column   M: m ż₀²/2 + m α ż₀ ẇ + m ẇ²/2   K, C: m ω², 2 m ζ ω of w
+    /// ```
+    ///
+    /// # Errors
+    /// [`DamperError::Row`] for a row of another length; [`DamperError::Argument`] for a damper that cannot be.
+    pub fn new(structure: &LinearSystem, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
+        let n = structure.degrees_of_freedom();
+        let mut size = n;
+        let mut first = Vec::new();
+        for (i, damper) in dampers.iter().enumerate() {
+            check_row(i + 1, &damper.row, n)?;
+            damper.kind.check()?;
+            first.push(size);
+            size += damper.kind.degrees_of_freedom();
+        }
+        let mut parts =
+            [structure.mass(), structure.damping(), structure.stiffness()].map(|matrix| grown(matrix, size));
+        for (damper, &at) in dampers.iter().zip(&first) {
+            add(&mut parts, damper, at, n);
+        }
+        let [mass, damping, stiffness] = parts;
+        Ok(DampedSystem {
+            system: LinearSystem::new(mass, damping, stiffness)?,
+            dampers: dampers.to_vec(),
+            first,
+            structure: n,
+        })
+    }
+
+    /// A row over the structure as a row over all degrees of freedom.
+    pub fn row(&self, structure_row: &[f64]) -> Vec<f64> {
+        let mut row = structure_row.to_vec();
+        row.resize(self.system.degrees_of_freedom(), 0.0);
+        row
+    }
+
+    /// The row that gives the stroke of a damper, numbered from 0: z − z₀ of a mass, w of a liquid column, the
+    /// elongation of a dashpot; `None` if there is no such damper.
+    pub fn stroke_row(&self, damper: usize) -> Option<Vec<f64>> {
+        let of = self.dampers.get(damper)?;
+        let mut row = self.row(&[0.0].repeat(self.structure));
+        let at = self.first[damper];
+        match of.kind {
+            DamperKind::TunedMass { .. } | DamperKind::LiquidColumnMass { .. } => {
+                for (entry, a) in row.iter_mut().zip(&of.row) {
+                    *entry = -a;
+                }
+                row[at] = 1.0;
+            }
+            DamperKind::LiquidColumn { .. } => row[at] = 1.0,
+            DamperKind::Viscous { .. } => row[..self.structure].copy_from_slice(&of.row),
+        }
+        Some(row)
+    }
+
+    /// A load on the structure as a load on all of it: a moving base carries the dampers along.
+    pub fn load(&self, load: &RandomLoad) -> RandomLoad {
+        let input = match &load.input {
+            RandomInput::Force(force) => RandomInput::Force(self.row(force)),
+            RandomInput::Base(influence) => {
+                let mut all = self.row(influence);
+                for (damper, &at) in self.dampers.iter().zip(&self.first) {
+                    let moves: f64 = damper.row.iter().zip(influence).map(|(a, e)| a * e).sum();
+                    if let DamperKind::TunedMass { .. } | DamperKind::LiquidColumnMass { .. } = damper.kind {
+                        all[at] = moves;
+                    }
+                }
+                RandomInput::Base(all)
+            }
+        };
+        RandomLoad {
+            input,
+            spectrum: load.spectrum.clone(),
+        }
+    }
+
+    /// A response of the structure as one of all of it.
+    pub fn response(&self, response: &ResponseRow) -> ResponseRow {
+        ResponseRow {
+            row: self.row(&response.row),
+            motion: response.motion,
+        }
+    }
+}
+
+pub(super) fn check_row(damper: usize, row: &[f64], needed: usize) -> Result<(), DamperError> {
+    if row.len() != needed || row.iter().any(|a| !a.is_finite()) {
+        return Err(DamperError::Row {
+            damper,
+            given: row.len(),
+            needed,
+        });
+    }
+    if row.iter().all(|a| *a == 0.0) {
+        return Err(DamperError::Unmoved { damper });
+    }
+    Ok(())
+}
+
+fn grown(matrix: &Matrix, size: usize) -> Matrix {
+    let n = matrix.rows();
+    Matrix::from_fn(
+        size,
+        size,
+        |i, j| if i < n && j < n { matrix[(i, j)] } else { 0.0 },
+    )
+}
+
+/// a bᵀ times a factor, symmetrically, for sparse a and b.
+fn outer(matrix: &mut Matrix, a: &[(usize, f64)], factor: f64) {
+    for &(i, x) in a {
+        for &(j, y) in a {
+            matrix[(i, j)] += factor * x * y;
+        }
+    }
+}
+
+fn add([mass, damping, stiffness]: &mut [Matrix; 3], damper: &AttachedDamper, at: usize, n: usize) {
+    let place: Vec<(usize, f64)> = (0..n)
+        .map(|i| (i, damper.row[i]))
+        .filter(|(_, a)| *a != 0.0)
+        .collect();
+    // motion of the end of a spring from the place: z − z₀
+    let relative = |own: usize| -> Vec<(usize, f64)> {
+        let mut all: Vec<(usize, f64)> = place.iter().map(|(i, a)| (*i, -a)).collect();
+        all.push((own, 1.0));
+        all
+    };
+    let mut liquid = |carrier: &[(usize, f64)], own: usize, numbers: [f64; 4]| {
+        let [m, alpha, omega, zeta] = numbers;
+        // m (α ẋ + ẇ)²/2 + m (1 − α²) ẋ²/2
+        let mut moving: Vec<(usize, f64)> = carrier.iter().map(|(i, a)| (*i, alpha * a)).collect();
+        moving.push((own, 1.0));
+        outer(mass, &moving, m);
+        outer(mass, carrier, m * (1.0 - alpha * alpha));
+        stiffness[(own, own)] += m * omega * omega;
+        damping[(own, own)] += 2.0 * m * zeta * omega;
+    };
+    match damper.kind {
+        DamperKind::TunedMass {
+            mass_kg: m,
+            frequency_hz,
+            damping_ratio,
+        } => {
+            let omega = TAU * frequency_hz;
+            mass[(at, at)] += m;
+            outer(stiffness, &relative(at), m * omega * omega);
+            outer(damping, &relative(at), 2.0 * m * damping_ratio * omega);
+        }
+        DamperKind::LiquidColumn {
+            liquid_mass_kg,
+            length_ratio,
+            frequency_hz,
+            damping_ratio,
+        } => {
+            liquid(
+                &place,
+                at,
+                [liquid_mass_kg, length_ratio, TAU * frequency_hz, damping_ratio],
+            );
+        }
+        DamperKind::LiquidColumnMass {
+            container_mass_kg,
+            liquid_mass_kg,
+            length_ratio,
+            frequency_hz,
+            damping_ratio,
+            liquid_frequency_hz,
+            liquid_damping_ratio,
+        } => {
+            let whole = container_mass_kg + liquid_mass_kg;
+            let omega = TAU * frequency_hz;
+            let numbers = [
+                liquid_mass_kg,
+                length_ratio,
+                TAU * liquid_frequency_hz,
+                liquid_damping_ratio,
+            ];
+            liquid(&[(at, 1.0)], at + 1, numbers);
+            mass[(at, at)] += container_mass_kg;
+            outer(stiffness, &relative(at), whole * omega * omega);
+            outer(damping, &relative(at), 2.0 * whole * damping_ratio * omega);
+        }
+        DamperKind::Viscous { coefficient_n_s_m } => outer(damping, &place, coefficient_n_s_m),
+    }
+}

@@ -1,0 +1,496 @@
+//! Mass dampers made the best of: their places, frequencies, damping and shares of the mass.
+//!
+//! The unknowns are x and y over the floor's size, ln f and ln ζ, and ln of shares of the mass; places beyond the edge count
+//! as the nearest point of it.
+
+use super::{DamperError, Judged, PlacedDamper, Plan};
+use crate::numeric::{Minimax, Piece, Worst, by_differences, highest, minimax};
+
+/// What is to be made small.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Goal {
+    /// The largest standard deviation of all points.
+    #[default]
+    LargestRms,
+    /// The root of the mean of all points' variances.
+    MeanSquare,
+    /// The largest amplitude of any point under a harmonic load of amplitude 1 and any frequency, each load by itself.
+    LargestPeak,
+}
+
+/// Where a damper may go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Place {
+    /// Nowhere.
+    Kept,
+    /// Along x.
+    AlongX,
+    /// Along y.
+    AlongY,
+    /// Anywhere on its floor.
+    #[default]
+    Anywhere,
+}
+
+/// Whether a quantity may change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+pub enum Freedom {
+    /// It stays.
+    Kept,
+    /// It may change.
+    #[default]
+    Free,
+}
+
+/// How dampers are made the best of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DesignOptions {
+    /// What is made small; default the largest standard deviation.
+    pub goal: Goal,
+    /// Importance of each point, multiplied with its motion; 1 each where empty.
+    pub weights: Vec<f64>,
+    /// Where dampers may go; default anywhere on their floor.
+    pub place: Place,
+    /// Their frequencies; default free.
+    pub frequency: Freedom,
+    /// Their damping ratios; default free.
+    pub damping: Freedom,
+    /// How the sum of their masses is shared; default free, without effect on a single one.
+    pub mass_split: Freedom,
+    /// How far the dampers' frequencies may be off, relatively: the worst of f (1 − d), f and f (1 + d) is made small. Default 0; standard
+    /// deviations only.
+    pub detuning_ratio: f64,
+    /// Largest standard deviation of a damper's stroke, m; none by default.
+    pub stroke_rms_most_m: Option<f64>,
+    /// Steps of one search; default 200 (our choice).
+    pub iterations_most: usize,
+}
+
+impl Default for DesignOptions {
+    fn default() -> Self {
+        DesignOptions {
+            goal: Goal::default(),
+            weights: Vec::new(),
+            place: Place::default(),
+            frequency: Freedom::default(),
+            damping: Freedom::default(),
+            mass_split: Freedom::default(),
+            detuning_ratio: 0.0,
+            stroke_rms_most_m: None,
+            iterations_most: 200,
+        }
+    }
+}
+
+/// How a search ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DesignEnd {
+    /// At an optimum: no step of 1e-6 in ln f, ln ζ or of the floor's size brings anything.
+    Optimum,
+    /// At the lightest or heaviest damping or farthest frequency that a damper may have, or in a valley too flat to end in: the cost is
+    /// the least that was seen.
+    Limit,
+}
+
+/// Dampers, and what shows what they do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Design {
+    /// The dampers.
+    pub dampers: Vec<PlacedDamper>,
+    /// What was made small.
+    pub cost: f64,
+    /// Standard deviations of points and strokes, by assembled matrices.
+    pub judged: Judged,
+    /// How the search ended.
+    pub end: DesignEnd,
+    /// Steps of the search that led here.
+    pub iterations: usize,
+    /// The last step that was tried, in the unknowns' logarithms and parts of the floor.
+    pub last_step: f64,
+}
+
+/// The dampers that serve the goal best, near those given.
+///
+/// # Errors
+/// [`DamperError`] if a damper to start from cannot be, or the search finds nothing.
+///
+/// # Limits
+/// A local optimum: with places free, start from several, such as the best of a `position_map`. What
+/// [`Plan`] was prepared for bounds the accuracy of the cost; `judged` is computed afresh from assembled matrices.
+pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> Result<Design, DamperError> {
+    plan.judge(start)?;
+    let points = plan.problem().points.len();
+    if !options.weights.is_empty() && options.weights.len() != points {
+        return Err(DamperError::Argument {
+            argument: "number of weights",
+            given: options.weights.len() as f64,
+            allowed: "one a point",
+        });
+    }
+    if let Some(&given) = options.weights.iter().find(|w| !(**w > 0.0 && w.is_finite())) {
+        return Err(DamperError::Argument {
+            argument: "weights",
+            given,
+            allowed: "positive",
+        });
+    }
+    if options.detuning_ratio != 0.0 {
+        let fits = (0.0..0.5).contains(&options.detuning_ratio) && options.goal != Goal::LargestPeak;
+        if !fits {
+            return Err(DamperError::Argument {
+                argument: "detuning_ratio",
+                given: options.detuning_ratio,
+                allowed: "between 0 and 0.5, and 0 where peaks are made small",
+            });
+        }
+    }
+    let mut search = Search {
+        plan,
+        start,
+        options,
+        weights: match options.weights.is_empty() {
+            true => vec![1.0; points],
+            false => options.weights.clone(),
+        },
+    };
+    let none = DamperError::NoOptimum {
+        what: "the dampers' tuning and place",
+        iterations: 0,
+    };
+    let least = minimax(
+        search.unknowns(),
+        &Minimax::steps(options.iterations_most),
+        &mut search,
+    )
+    .ok_or(none)?;
+    let dampers = search.dampers(&least.x);
+    let end = match least.last_step <= LAST_STEP_MOST {
+        true => DesignEnd::Optimum,
+        false => DesignEnd::Limit,
+    };
+    Ok(Design {
+        end,
+        judged: plan.exact(&dampers)?,
+        cost: search.cost(&dampers).ok_or(DamperError::NoOptimum {
+            what: "the dampers' tuning and place",
+            iterations: least.iterations,
+        })?,
+        dampers,
+        iterations: least.iterations,
+        last_step: least.last_step,
+    })
+}
+
+/// The cost of given dampers by a goal, as [`design`] counts it; weights 1.
+///
+/// # Errors
+/// [`DamperError`] if a damper cannot be.
+pub fn goal_cost(plan: &Plan, dampers: &[PlacedDamper], goal: Goal) -> Result<f64, DamperError> {
+    plan.judge(dampers)?;
+    let options = DesignOptions {
+        goal,
+        ..DesignOptions::default()
+    };
+    let search = Search {
+        plan,
+        start: dampers,
+        options: &options,
+        weights: vec![1.0; plan.problem().points.len()],
+    };
+    search.cost(dampers).ok_or(DamperError::NoOptimum {
+        what: "a resonance without damping",
+        iterations: 0,
+    })
+}
+
+/// Of a search that ended at an optimum.
+const LAST_STEP_MOST: f64 = 1e-6;
+
+struct Search<'a> {
+    plan: &'a Plan,
+    start: &'a [PlacedDamper],
+    options: &'a DesignOptions,
+    weights: Vec<f64>,
+}
+
+/// Unknowns beyond these are no dampers: a factor of the frequency at the start, and a damping ratio.
+const FREQUENCY_FACTOR_MOST: f64 = 5.0;
+const DAMPING_MOST: f64 = 3.0;
+/// How steeply a stroke beyond its limit is paid for, in ln of the cost per ln of the stroke: more than any damper gains by it.
+const STROKE_PRICE: f64 = 50.0;
+
+impl Search<'_> {
+    fn size_m(&self, damper: &PlacedDamper) -> f64 {
+        let [x, y] = self.plan.problem().sites[damper.site].extent_m();
+        (x[1] - x[0]).max(y[1] - y[0])
+    }
+
+    fn unknowns(&self) -> Vec<f64> {
+        let mut x = Vec::new();
+        for (k, damper) in self.start.iter().enumerate() {
+            let place = damper.place_m.map(|at| at / self.size_m(damper));
+            match self.options.place {
+                Place::Kept => {}
+                Place::AlongX => x.push(place[0]),
+                Place::AlongY => x.push(place[1]),
+                Place::Anywhere => x.extend(place),
+            }
+            if self.options.frequency == Freedom::Free {
+                x.push(damper.frequency_hz.ln());
+            }
+            if self.options.damping == Freedom::Free {
+                x.push(damper.damping_ratio.max(1.001 * self.plan.damping_least()).ln());
+            }
+            if self.options.mass_split == Freedom::Free && k + 1 < self.start.len() {
+                x.push((damper.mass_kg / self.start[self.start.len() - 1].mass_kg).ln());
+            }
+        }
+        x
+    }
+
+    fn dampers(&self, x: &[f64]) -> Vec<PlacedDamper> {
+        let mut next = x.iter().copied();
+        let mut take = || next.next().unwrap_or(f64::NAN);
+        let whole: f64 = self.start.iter().map(|damper| damper.mass_kg).sum();
+        let mut shares = Vec::new();
+        let mut dampers = Vec::new();
+        for (k, start) in self.start.iter().enumerate() {
+            let mut damper = *start;
+            let size = self.size_m(start);
+            match self.options.place {
+                Place::Kept => {}
+                Place::AlongX => damper.place_m[0] = size * take(),
+                Place::AlongY => damper.place_m[1] = size * take(),
+                Place::Anywhere => damper.place_m = [size * take(), size * take()],
+            }
+            if self.options.place != Place::Kept {
+                damper.place_m = self.plan.problem().sites[damper.site].nearest_m(damper.place_m).0;
+            }
+            if self.options.frequency == Freedom::Free {
+                damper.frequency_hz = take().exp();
+            }
+            if self.options.damping == Freedom::Free {
+                damper.damping_ratio = take().exp();
+            }
+            let shared = self.options.mass_split == Freedom::Free && k + 1 < self.start.len();
+            shares.push(if shared { take().exp() } else { 1.0 });
+            dampers.push(damper);
+        }
+        if self.options.mass_split == Freedom::Free && dampers.len() > 1 {
+            let sum: f64 = shares.iter().sum();
+            for (damper, share) in dampers.iter_mut().zip(&shares) {
+                damper.mass_kg = whole * share / sum;
+            }
+        }
+        dampers
+    }
+
+    fn is_damper(&self, dampers: &[PlacedDamper]) -> bool {
+        dampers.iter().zip(self.start).all(|(damper, start)| {
+            let factor = damper.frequency_hz / start.frequency_hz;
+            (1.0 / FREQUENCY_FACTOR_MOST..=FREQUENCY_FACTOR_MOST).contains(&factor)
+                && (damper.damping_ratio == start.damping_ratio
+                    || (self.plan.damping_least()..=DAMPING_MOST).contains(&damper.damping_ratio))
+        })
+    }
+
+    /// ln of each function whose largest is made small: standard deviations, alone and with what strokes beyond the limit cost.
+    fn values(&self, dampers: &[PlacedDamper]) -> Option<Vec<f64>> {
+        let d = self.options.detuning_ratio;
+        let factors: &[f64] = if d > 0.0 { &[1.0, 1.0 - d, 1.0 + d] } else { &[1.0] };
+        let mut all = Vec::new();
+        for factor in factors {
+            let detuned: Vec<PlacedDamper> = dampers
+                .iter()
+                .map(|damper| PlacedDamper {
+                    frequency_hz: factor * damper.frequency_hz,
+                    ..*damper
+                })
+                .collect();
+            let judged = self.plan.at_nodes(&detuned);
+            let weighted = judged
+                .point_rms
+                .iter()
+                .zip(&self.weights)
+                .map(|(rms, weight)| rms * weight);
+            let values: Vec<f64> = match self.options.goal {
+                Goal::MeanSquare => {
+                    let squares: f64 = weighted.map(|value| value * value).sum();
+                    vec![(squares / judged.point_rms.len() as f64).sqrt().ln()]
+                }
+                _ => weighted.map(f64::ln).collect(),
+            };
+            all.extend(self.priced(values, &judged)?);
+        }
+        Some(all)
+    }
+
+    fn priced(&self, mut values: Vec<f64>, judged: &Judged) -> Option<Vec<f64>> {
+        if let Some(limit) = self.options.stroke_rms_most_m {
+            let count = values.len();
+            for stroke in &judged.stroke_rms_m {
+                let beyond = (stroke / limit).ln();
+                values.extend(
+                    (0..count)
+                        .map(|i| values[i] + STROKE_PRICE * beyond)
+                        .collect::<Vec<f64>>(),
+                );
+            }
+        }
+        values.iter().all(|value| value.is_finite()).then_some(values)
+    }
+
+    /// The cost without what strokes cost.
+    fn cost(&self, dampers: &[PlacedDamper]) -> Option<f64> {
+        if self.options.goal == Goal::LargestPeak {
+            let peaks = self.peaks(dampers)?;
+            return peaks
+                .into_iter()
+                .map(|peak| peak.value)
+                .reduce(f64::max)
+                .map(f64::exp);
+        }
+        let unpriced = DesignOptions {
+            stroke_rms_most_m: None,
+            ..self.options.clone()
+        };
+        let search = Search {
+            options: &unpriced,
+            weights: self.weights.clone(),
+            ..*self
+        };
+        search.values(dampers)?.into_iter().reduce(f64::max).map(f64::exp)
+    }
+
+    /// ln of the weighted amplitude of one point under one load.
+    fn amplitude(&self, dampers: &[PlacedDamper], which: usize, omega: f64) -> Option<f64> {
+        let loads = self.plan.problem().loads.len();
+        let table = self.plan.table(omega, 1.0).ok()?;
+        let response = self.plan.responses(&table, dampers)?[which];
+        Some((self.weights[which / loads] * response.norm()).ln())
+    }
+
+    /// The highest of each hump of each response.
+    fn peaks(&self, dampers: &[PlacedDamper]) -> Option<Vec<Peak>> {
+        let (points, loads) = (self.plan.problem().points.len(), self.plan.problem().loads.len());
+        let tables = &self.plan.nodes;
+        let all: Vec<Vec<f64>> = tables
+            .iter()
+            .map(|table| {
+                Some(
+                    self.plan
+                        .responses(table, dampers)?
+                        .iter()
+                        .map(|h| h.norm())
+                        .collect(),
+                )
+            })
+            .collect::<Option<_>>()?;
+        let mut peaks: Vec<Peak> = Vec::new();
+        for which in 0..points * loads {
+            let size = |i: usize| all[i].get(which).copied().unwrap_or(0.0);
+            for i in 1..tables.len() - 1 {
+                if size(i) > size(i - 1) && size(i) >= size(i + 1) {
+                    let at = |w: f64| self.amplitude(dampers, which, w).unwrap_or(f64::NEG_INFINITY);
+                    let omega = highest(&at, tables[i - 1].omega, tables[i + 1].omega);
+                    peaks.push(Peak {
+                        which,
+                        omega,
+                        value: at(omega),
+                    });
+                }
+            }
+            peaks.push(Peak {
+                which,
+                omega: tables[0].omega, // as good as at rest
+                value: (self.weights[which / loads] * size(0)).ln(),
+            });
+        }
+        Some(peaks)
+    }
+}
+
+struct Peak {
+    which: usize,
+    omega: f64,
+    value: f64,
+}
+
+/// Peaks that lie this far below the highest, in ln, do not hold the optimum.
+const PEAKS_WITHIN: f64 = 1.0;
+
+impl Worst for Search<'_> {
+    fn worst(&mut self, x: &[f64]) -> Option<f64> {
+        let dampers = self.dampers(x);
+        if !self.is_damper(&dampers) {
+            return None;
+        }
+        let values = match self.options.goal {
+            Goal::LargestPeak => {
+                let highest = self
+                    .peaks(&dampers)?
+                    .into_iter()
+                    .map(|peak| peak.value)
+                    .reduce(f64::max)?;
+                match self.options.stroke_rms_most_m {
+                    Some(_) => self.priced(vec![highest], &self.plan.at_nodes(&dampers))?,
+                    None => vec![highest],
+                }
+            }
+            _ => self.values(&dampers)?,
+        };
+        values.into_iter().reduce(f64::max)
+    }
+
+    fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>> {
+        let dampers = self.dampers(x);
+        if self.options.goal == Goal::LargestPeak {
+            let peaks = self.peaks(&dampers)?;
+            let highest = peaks.iter().map(|peak| peak.value).reduce(f64::max)?;
+            let mut pieces: Vec<Piece> = Vec::new();
+            for peak in peaks.iter().filter(|peak| peak.value > highest - PEAKS_WITHIN) {
+                pieces.push(by_differences(x, |x| {
+                    self.amplitude(&self.dampers(x), peak.which, peak.omega)
+                })?);
+            }
+            if let Some(limit) = self.options.stroke_rms_most_m {
+                for k in 0..self.start.len() {
+                    let base = pieces.clone();
+                    let beyond = by_differences(x, |x| {
+                        Some((self.plan.at_nodes(&self.dampers(x)).stroke_rms_m[k] / limit).ln())
+                    })?;
+                    pieces.extend(base.into_iter().map(|mut piece| {
+                        piece.value += STROKE_PRICE * beyond.value;
+                        for (slope, of) in piece.slope.iter_mut().zip(&beyond.slope) {
+                            *slope += STROKE_PRICE * of;
+                        }
+                        piece
+                    }));
+                }
+            }
+            return Some(pieces);
+        }
+        // all functions move together: differences of the whole list
+        const H: f64 = 1e-5;
+        let here = self.values(&dampers)?;
+        let mut pieces: Vec<Piece> = here
+            .into_iter()
+            .map(|value| Piece {
+                value,
+                slope: Vec::with_capacity(x.len()),
+            })
+            .collect();
+        let mut moved = x.to_vec();
+        for i in 0..x.len() {
+            moved[i] = x[i] + H;
+            let above = self.values(&self.dampers(&moved))?;
+            moved[i] = x[i] - H;
+            let below = self.values(&self.dampers(&moved))?;
+            moved[i] = x[i];
+            for (piece, (a, b)) in pieces.iter_mut().zip(above.iter().zip(&below)) {
+                piece.slope.push((a - b) / (2.0 * H));
+            }
+        }
+        Some(pieces)
+    }
+}

@@ -1,0 +1,508 @@
+//! A structure, its random loads and the points to be calmed, so prepared that any mass dampers on its floors can be judged
+//! in microseconds, whatever the number of its degrees of freedom.
+//!
+//! | symbol | code | meaning | shape |
+//! |:--|:--|:--|:--|
+//! | ω, w | `omega`, `weight` | nodes of an integral over frequency | nodes |
+//! | G_cc | `own` | receptances among u, v, θ of the floors with dampers | c × c |
+//! | G_pc | `to_point` | from there to the points | p × c |
+//! | a_cl | `felt` | −(absolute acceleration) there, per load: ω² G_cl − e_c | c × l |
+//! | G_pl | `free` | motion of the points without dampers, per load | p × l |
+
+use super::{
+    AttachedDamper, DampedSystem, DamperError, DamperKind, DamperSite, ModalSynthesis, PlacedDamper,
+};
+use crate::dynamics::{
+    FrequencyIntegral, LinearSystem, RandomInput, RandomLoad, ResponseRow, rms_by_integral, rms_by_lyapunov,
+};
+use crate::numeric::{adaptive_nodes, complex_solve};
+use dolmen_linalg::Complex64;
+use std::f64::consts::TAU;
+
+/// What is to be calmed, and by dampers where.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DamperProblem {
+    /// The structure without dampers.
+    pub structure: LinearSystem,
+    /// Random loads on it, independent of each other.
+    pub loads: Vec<RandomLoad>,
+    /// Displacements to be calmed, one row each over the structure.
+    pub points: Vec<Vec<f64>>,
+    /// Floors that may carry dampers.
+    pub sites: Vec<DamperSite>,
+}
+
+/// How finely frequencies are taken.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanOptions {
+    /// Of variances, without dampers and with those expected; default 1e-4 (our choice), by an estimate that errs on the safe side:
+    /// standard deviations then come out to 1e-5 for any damping above the lightest and frequencies within 30 % of those expected, most
+    /// of them to 1e-9.
+    pub relative_tolerance: f64,
+    /// Lightest damping ratio that a damper may have; default 0.01 (our choice: no spring has less for long). Lighter ones need
+    /// finer frequencies.
+    pub damping_least: f64,
+}
+
+impl Default for PlanOptions {
+    fn default() -> Self {
+        PlanOptions {
+            relative_tolerance: 1e-4,
+            damping_least: 0.01,
+        }
+    }
+}
+
+/// The problem prepared.
+#[derive(Clone, Debug)]
+pub struct Plan {
+    problem: DamperProblem,
+    pub(super) synthesis: ModalSynthesis,
+    pub(super) omega_rad_s: Vec<f64>, // of the structure's modes
+    pub(super) shapes: dolmen_linalg::Matrix,
+    pub(super) nodes: Vec<Table>,
+    without: Vec<f64>,
+    damping_least: f64,
+}
+
+/// Receptances at one frequency, each list row by row.
+#[derive(Clone, Debug)]
+pub(super) struct Table {
+    pub(super) omega: f64,
+    pub(super) densities: Vec<f64>, // 2 w S of each load
+    pub(super) own: Vec<Complex64>,
+    pub(super) to_point: Vec<Complex64>,
+    pub(super) felt: Vec<Complex64>,
+    pub(super) free: Vec<Complex64>,
+}
+
+impl Plan {
+    /// Prepares a problem. `expected` are dampers like those to be judged: frequencies are chosen so that variances with
+    /// them, and with lighter damping, come out to the tolerance.
+    ///
+    /// # Errors
+    /// [`DamperError`] if a row, a site or a load does not fit the structure, or the tolerance takes too many frequencies.
+    pub fn new(
+        problem: DamperProblem,
+        expected: &[PlacedDamper],
+        options: &PlanOptions,
+    ) -> Result<Self, DamperError> {
+        let n = problem.structure.degrees_of_freedom();
+        for site in &problem.sites {
+            site.check(n)?;
+        }
+        if problem.points.is_empty() {
+            return Err(DamperError::NoPoints);
+        }
+        let rows: Vec<ResponseRow> = problem
+            .points
+            .iter()
+            .cloned()
+            .map(ResponseRow::displacement)
+            .collect();
+        let without = rms(&problem.structure, &problem.loads, &rows)?;
+        if let Some(point) = without.iter().position(|rms| rms.is_nan() || *rms <= 0.0) {
+            return Err(DamperError::Still { point: point + 1 });
+        }
+        let synthesis = ModalSynthesis::new(&problem.structure, n)?;
+        let modes = problem.structure.modes()?;
+        let mut plan = Plan {
+            problem,
+            synthesis,
+            omega_rad_s: modes.angular_frequency_rad_s,
+            shapes: modes.shapes,
+            nodes: Vec::new(),
+            without,
+            damping_least: options.damping_least,
+        };
+        plan.choose_frequencies(expected, options)?;
+        Ok(plan)
+    }
+
+    /// The problem as it was given.
+    pub fn problem(&self) -> &DamperProblem {
+        &self.problem
+    }
+
+    /// Standard deviations of the points without dampers.
+    pub fn without(&self) -> &[f64] {
+        &self.without
+    }
+
+    /// Lightest damping ratio that a damper may have.
+    pub(super) fn damping_least(&self) -> f64 {
+        self.damping_least
+    }
+
+    /// Frequencies that integrals are taken over.
+    pub fn frequencies(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Modal mass of a mode, numbered from 0, its shape scaled to 1 at a place along a direction, kg.
+    ///
+    /// # Errors
+    /// [`DamperError::ModeStill`] if the mode does not move there that way.
+    pub fn modal_mass_kg(&self, mode: usize, damper: &PlacedDamper) -> Result<f64, DamperError> {
+        if mode >= self.omega_rad_s.len() {
+            return Err(DamperError::Argument {
+                argument: "mode",
+                given: mode as f64 + 1.0,
+                allowed: "one of the modes of the structure",
+            });
+        }
+        let row = damper
+            .attached(&self.problem.sites, self.problem.structure.degrees_of_freedom())?
+            .row;
+        let shape = self.shapes.column(mode);
+        let moves: f64 = row.iter().zip(shape).map(|(a, p)| a * p).sum();
+        let site = &self.problem.sites[damper.site];
+        let local: Vec<f64> = shape[site.first_degree_of_freedom..][..3].to_vec();
+        // the floor's largest motion of a corner, which a still place is small beside
+        let corners = site.corners_m.iter().flat_map(|corner| {
+            [0.0, 90.0].map(|degrees| {
+                let a = site.coefficients(*corner, degrees);
+                (0..3).map(|i| a[i] * local[i]).sum::<f64>().abs()
+            })
+        });
+        let most = corners.fold(0.0, f64::max);
+        if moves.abs() <= STILL * most || moves == 0.0 {
+            let only = match (local[0].abs() > STILL * most, local[1].abs() > STILL * most) {
+                (true, false) if local[2].abs() * extent(site) <= STILL * most => "it moves only in x here",
+                (false, true) if local[2].abs() * extent(site) <= STILL * most => "it moves only in y here",
+                _ => "its centre lies here",
+            };
+            return Err(DamperError::ModeStill {
+                mode: mode + 1,
+                x_m: damper.place_m[0],
+                y_m: damper.place_m[1],
+                direction_degrees: damper.direction_degrees,
+                only,
+            });
+        }
+        Ok(1.0 / (moves * moves))
+    }
+
+    /// Frequency of a mode, numbered from 0, Hz.
+    pub fn mode_frequency_hz(&self, mode: usize) -> Option<f64> {
+        self.omega_rad_s.get(mode).map(|omega| omega / TAU)
+    }
+
+    /// Standard deviations of the points with dampers, by assembled matrices: Lyapunov's equation, or the integral over
+    /// frequency where a load is a table.
+    ///
+    /// # Errors
+    /// [`DamperError`] if a damper cannot be.
+    pub fn exact(&self, dampers: &[PlacedDamper]) -> Result<Judged, DamperError> {
+        let structure = &self.problem.structure;
+        let n = structure.degrees_of_freedom();
+        let attached: Vec<AttachedDamper> = dampers
+            .iter()
+            .map(|damper| damper.attached(&self.problem.sites, n))
+            .collect::<Result<_, _>>()?;
+        judge(structure, &self.problem.loads, &self.problem.points, &attached)
+    }
+
+    /// Standard deviations of the points and strokes of the dampers, from the prepared frequencies.
+    ///
+    /// # Errors
+    /// [`DamperError`] if a damper cannot be.
+    pub fn judge(&self, dampers: &[PlacedDamper]) -> Result<Judged, DamperError> {
+        let n = self.problem.structure.degrees_of_freedom();
+        for damper in dampers {
+            damper.attached(&self.problem.sites, n)?.kind.check()?;
+        }
+        Ok(self.at_nodes(dampers))
+    }
+
+    fn coordinates(&self) -> usize {
+        3 * self.problem.sites.len()
+    }
+
+    pub(super) fn table(&self, omega: f64, weight: f64) -> Result<Table, DamperError> {
+        let (problem, n) = (&self.problem, self.problem.structure.degrees_of_freedom());
+        let c = self.coordinates();
+        let unit = |k: usize| {
+            let mut row = vec![0.0; n];
+            row[problem.sites[k / 3].first_degree_of_freedom + k % 3] = 1.0;
+            row
+        };
+        let in_modes = |row: &[f64]| self.synthesis.in_modes(row);
+        let places: Vec<Vec<f64>> = (0..c).map(|k| in_modes(&unit(k))).collect();
+        let points: Vec<Vec<f64>> = problem.points.iter().map(|row| in_modes(row)).collect();
+        let along =
+            |row: &[f64], eta: &[Complex64]| -> Complex64 { row.iter().zip(eta).map(|(a, x)| x * *a).sum() };
+        let mut own = vec![Complex64::ZERO; c * c];
+        let mut to_point = vec![Complex64::ZERO; points.len() * c];
+        for (j, place) in places.iter().enumerate() {
+            let eta = self.synthesis.receptance(omega, place)?;
+            for (i, other) in places.iter().enumerate() {
+                own[i * c + j] = along(other, &eta);
+            }
+            for (p, point) in points.iter().enumerate() {
+                to_point[p * c + j] = along(point, &eta);
+            }
+        }
+        let loads = problem.loads.len();
+        let mut felt = vec![Complex64::ZERO; c * loads];
+        let mut free = vec![Complex64::ZERO; points.len() * loads];
+        for (l, load) in problem.loads.iter().enumerate() {
+            let eta = self
+                .synthesis
+                .receptance(omega, &self.synthesis.modal_load(&load.input))?;
+            for (k, place) in places.iter().enumerate() {
+                let base = match &load.input {
+                    RandomInput::Force(_) => 0.0,
+                    RandomInput::Base(e) => unit(k).iter().zip(e).map(|(a, e)| a * e).sum(),
+                };
+                felt[k * loads + l] = omega * omega * along(place, &eta) - base;
+            }
+            for (p, point) in points.iter().enumerate() {
+                free[p * loads + l] = along(point, &eta);
+            }
+        }
+        Ok(Table {
+            omega,
+            densities: problem
+                .loads
+                .iter()
+                .map(|load| 2.0 * weight * load.spectrum.density(omega))
+                .collect(),
+            own,
+            to_point,
+            felt,
+            free,
+        })
+    }
+
+    fn choose_frequencies(
+        &mut self,
+        expected: &[PlacedDamper],
+        options: &PlanOptions,
+    ) -> Result<(), DamperError> {
+        const INTERVALS_MOST: usize = 4000;
+        let points = self.problem.points.len();
+        let mut trials: Vec<Vec<PlacedDamper>> = vec![Vec::new()];
+        for damper in expected {
+            trials.push(vec![*damper]);
+            for factor in [0.8, 1.0, 1.2] {
+                trials.push(vec![PlacedDamper {
+                    damping_ratio: options.damping_least,
+                    frequency_hz: factor * damper.frequency_hz,
+                    ..*damper
+                }]);
+            }
+        }
+        let mut breaks = vec![0.0];
+        breaks.extend(&self.omega_rad_s);
+        breaks.extend(
+            self.problem
+                .loads
+                .iter()
+                .flat_map(|load| load.spectrum.breaks_rad_s()),
+        );
+        breaks.sort_by(f64::total_cmp);
+        let top = 3.0 * breaks.last().copied().unwrap_or(1.0);
+        breaks.push(top);
+        let fault = std::cell::RefCell::new(None);
+        let value = |omega: f64, weight: f64| -> Option<Vec<f64>> {
+            match self.table(omega, weight) {
+                Ok(table) => Some(
+                    trials
+                        .iter()
+                        .flat_map(|dampers| self.at_node(&table, dampers).into_iter().take(points))
+                        .collect(),
+                ),
+                Err(stopped) => {
+                    *fault.borrow_mut() = Some(stopped);
+                    None
+                }
+            }
+        };
+        let mut chosen = Vec::new();
+        for (range, inverse) in [(breaks, false), (vec![0.0, 1.0 / top], true)] {
+            let at = |x: f64| match inverse {
+                false => value(x, 1.0),
+                true => value(1.0 / x, 1.0 / (x * x)),
+            };
+            let nodes = adaptive_nodes(&range, options.relative_tolerance, INTERVALS_MOST, at);
+            let nodes = nodes.ok_or_else(|| {
+                fault
+                    .borrow_mut()
+                    .take()
+                    .unwrap_or(DamperError::TooManyFrequencies {
+                        intervals: INTERVALS_MOST,
+                    })
+            })?;
+            for node in nodes {
+                chosen.push(match inverse {
+                    false => self.table(node.x, node.weight)?,
+                    true => self.table(1.0 / node.x, node.weight / (node.x * node.x))?,
+                });
+            }
+        }
+        chosen.sort_by(|a, b| a.omega.total_cmp(&b.omega));
+        self.nodes = chosen;
+        Ok(())
+    }
+
+    /// Motion of the points and of the masses from their places per unit of each load at one frequency: points × loads,
+    /// then dampers × loads.
+    pub(super) fn responses(&self, table: &Table, dampers: &[PlacedDamper]) -> Option<Vec<Complex64>> {
+        let (c, loads, q) = (self.coordinates(), self.problem.loads.len(), dampers.len());
+        let w2 = table.omega * table.omega;
+        let rows: Vec<(usize, [f64; 3])> = dampers
+            .iter()
+            .map(|damper| {
+                let site = &self.problem.sites[damper.site];
+                let coefficients = site.coefficients(damper.place_m, damper.direction_degrees);
+                (3 * damper.site, coefficients)
+            })
+            .collect();
+        let masses: Vec<Complex64> = dampers
+            .iter()
+            .map(|d| d.kind().apparent_mass(table.omega))
+            .collect();
+        let place = |k: usize, list: &dyn Fn(usize) -> Complex64| -> Complex64 {
+            let (first, a) = rows[k];
+            (0..3).map(|i| list(first + i) * a[i]).sum()
+        };
+        let g: Vec<Vec<Complex64>> = (0..q)
+            .map(|k| {
+                (0..q)
+                    .map(|j| place(k, &|i| place(j, &|m| table.own[i * c + m])))
+                    .collect()
+            })
+            .collect();
+        let mut points = Vec::with_capacity((self.problem.points.len() + q) * loads);
+        points.resize(self.problem.points.len() * loads, Complex64::ZERO);
+        let mut strokes = vec![Complex64::ZERO; q * loads];
+        for l in 0..loads {
+            let felt: Vec<Complex64> = (0..q).map(|k| place(k, &|i| table.felt[i * loads + l])).collect();
+            let mut lambda: Vec<Complex64> = (0..q).map(|k| masses[k] * felt[k]).collect();
+            let mut a: Vec<Vec<Complex64>> = (0..q)
+                .map(|k| (0..q).map(|j| -w2 * masses[k] * g[k][j]).collect())
+                .collect();
+            for (k, row) in a.iter_mut().enumerate() {
+                row[k] += 1.0;
+            }
+            if !complex_solve(&mut a, &mut lambda) {
+                return None;
+            }
+            for p in 0..self.problem.points.len() {
+                let forced: Complex64 = (0..q)
+                    .map(|k| place(k, &|i| table.to_point[p * c + i]) * lambda[k])
+                    .sum();
+                points[p * loads + l] = table.free[p * loads + l] + forced;
+            }
+            for (k, damper) in dampers.iter().enumerate() {
+                // z − z₀ = the place's absolute acceleration over ω_d² − ω² + 2iζω_d ω
+                let acceleration = felt[k] + (0..q).map(|j| w2 * g[k][j] * lambda[j]).sum::<Complex64>();
+                let own = TAU * damper.frequency_hz;
+                let damped = 2.0 * damper.damping_ratio * own * table.omega;
+                strokes[k * loads + l] = acceleration / Complex64::new(own * own - w2, damped);
+            }
+        }
+        points.extend(strokes);
+        Some(points)
+    }
+
+    /// What one frequency adds to the variances of the points and then of the strokes; NaN at a resonance without damping.
+    fn at_node(&self, table: &Table, dampers: &[PlacedDamper]) -> Vec<f64> {
+        let loads = self.problem.loads.len();
+        match self.responses(table, dampers) {
+            Some(responses) => responses
+                .chunks(loads)
+                .map(|each| {
+                    let weighted = each.iter().zip(&table.densities);
+                    weighted.map(|(h, density)| density * h.norm_sqr()).sum()
+                })
+                .collect(),
+            None => vec![f64::NAN; self.problem.points.len() + dampers.len()],
+        }
+    }
+
+    pub(super) fn at_nodes(&self, dampers: &[PlacedDamper]) -> Judged {
+        let mut variances = vec![0.0; self.problem.points.len() + dampers.len()];
+        for table in &self.nodes {
+            for (sum, value) in variances.iter_mut().zip(self.at_node(table, dampers)) {
+                *sum += value;
+            }
+        }
+        let mut point_rms: Vec<f64> = variances.into_iter().map(f64::sqrt).collect();
+        let stroke_rms_m = point_rms.split_off(self.problem.points.len());
+        Judged {
+            point_rms,
+            stroke_rms_m,
+        }
+    }
+}
+
+/// A place that moves less than this, of the floor's largest motion, is taken as still.
+const STILL: f64 = 1e-6;
+
+fn extent(site: &DamperSite) -> f64 {
+    let [x, y] = site.extent_m();
+    (x[1] - x[0]).max(y[1] - y[0])
+}
+
+impl PlacedDamper {
+    pub(super) fn kind(&self) -> DamperKind {
+        DamperKind::TunedMass {
+            mass_kg: self.mass_kg,
+            frequency_hz: self.frequency_hz,
+            damping_ratio: self.damping_ratio,
+        }
+    }
+}
+
+/// What dampers do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judged {
+    /// Standard deviation of each point's displacement.
+    pub point_rms: Vec<f64>,
+    /// Standard deviation of each damper's own motion, that of its mass from its place, m.
+    pub stroke_rms_m: Vec<f64>,
+}
+
+/// What any dampers do to a structure, by assembled matrices.
+///
+/// # Errors
+/// [`DamperError`] if a damper or a load cannot be.
+pub fn judge(
+    structure: &LinearSystem,
+    loads: &[RandomLoad],
+    points: &[Vec<f64>],
+    dampers: &[AttachedDamper],
+) -> Result<Judged, DamperError> {
+    let damped = DampedSystem::new(structure, dampers)?;
+    let loads: Vec<RandomLoad> = loads.iter().map(|load| damped.load(load)).collect();
+    let mut rows: Vec<ResponseRow> = points
+        .iter()
+        .map(|row| ResponseRow::displacement(damped.row(row)))
+        .collect();
+    rows.extend(
+        (0..dampers.len())
+            .filter_map(|k| damped.stroke_row(k))
+            .map(ResponseRow::displacement),
+    );
+    let mut all = rms(&damped.system, &loads, &rows)?;
+    let stroke_rms_m = all.split_off(points.len());
+    Ok(Judged {
+        point_rms: all,
+        stroke_rms_m,
+    })
+}
+
+fn rms(system: &LinearSystem, loads: &[RandomLoad], rows: &[ResponseRow]) -> Result<Vec<f64>, DamperError> {
+    match rms_by_lyapunov(system, loads, rows) {
+        Err(crate::dynamics::DynamicsError::NotRational) => {
+            let options = FrequencyIntegral {
+                relative_tolerance: 1e-7,
+                ..FrequencyIntegral::default()
+            };
+            Ok(rms_by_integral(system, loads, rows, &options)?)
+        }
+        other => Ok(other?),
+    }
+}

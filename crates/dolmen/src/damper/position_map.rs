@@ -1,0 +1,346 @@
+//! What a damper does at each place of its floor.
+
+use super::spot::{Spot, SpotSearch};
+use super::{DamperError, Goal, PlacedDamper, Plan, TuningRule, rule_tuning};
+use crate::numeric::{Minimax, minimax};
+
+/// How the damper is tuned at each place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MapTuning {
+    /// As given, everywhere.
+    Kept,
+    /// By a closed form to a mode (numbered from 0) with the mass ratio that it has at each place; the mode's own damping ratio
+    /// for the forms that know of it.
+    Rule {
+        /// The closed form.
+        rule: TuningRule,
+        /// The mode, from 0.
+        mode: usize,
+        /// Its damping ratio.
+        structure_damping_ratio: f64,
+    },
+    /// The best of each place.
+    Best,
+}
+
+/// Which places are looked at.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PositionMapOptions {
+    /// Along x and y, m.
+    pub x_m: Vec<f64>,
+    /// Along y, m.
+    pub y_m: Vec<f64>,
+    /// How the damper is tuned at each.
+    pub tuning: MapTuning,
+    /// What the best is; [`Goal::LargestRms`] or [`Goal::MeanSquare`].
+    pub goal: Goal,
+    /// Importance of each point, multiplied with its motion; 1 each where empty.
+    pub weights: Vec<f64>,
+}
+
+/// One place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MapCell {
+    /// The damper there.
+    pub damper: PlacedDamper,
+    /// Standard deviation of each point.
+    pub point_rms: Vec<f64>,
+    /// What the goal is there, weighted.
+    pub cost: f64,
+}
+
+/// All places: rows of equal y, from the least.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PositionMap {
+    /// x of the columns, m.
+    pub x_m: Vec<f64>,
+    /// y of the rows, m.
+    pub y_m: Vec<f64>,
+    /// x fastest; none outside the floor, or where a mode to be tuned to does not move.
+    pub cells: Vec<Option<MapCell>>,
+}
+
+impl PositionMap {
+    /// The place with the least cost.
+    pub fn best(&self) -> Option<&MapCell> {
+        let cells = self.cells.iter().flatten();
+        cells.reduce(|best, cell| if cell.cost < best.cost { cell } else { best })
+    }
+}
+
+impl PositionMapOptions {
+    /// `columns` × `rows` places, the middles of equal parts of the box around a site.
+    pub fn over_site(plan: &Plan, site: usize, columns: usize, rows: usize) -> Option<Self> {
+        let extent = plan.problem().sites.get(site)?.extent_m();
+        let middles = |[low, high]: [f64; 2], count: usize| -> Vec<f64> {
+            (0..count)
+                .map(|i| low + (high - low) * (i as f64 + 0.5) / count as f64)
+                .collect()
+        };
+        Some(PositionMapOptions {
+            x_m: middles(extent[0], columns),
+            y_m: middles(extent[1], rows),
+            tuning: MapTuning::Best,
+            goal: Goal::LargestRms,
+            weights: Vec::new(),
+        })
+    }
+}
+
+/// Steps of one search: a neighbour's tuning is near.
+const ITERATIONS_MOST: usize = 60;
+/// Steps in ln f and ln ζ that end it: the cost is then known far better.
+const STEP_LEAST: f64 = 1e-5;
+/// A neighbour's tuning that serves this much better, relatively, leads into another valley.
+const BETTER: f64 = 1e-5;
+/// Places along each side from which valleys are looked for, and the factors of the given frequency to start from there.
+const COARSE: usize = 8;
+const START_FACTORS: [f64; 3] = [0.85, 1.0, 1.2];
+/// Rounds in which valleys spread.
+const SWEEPS_MOST: usize = 4;
+
+/// What a damper does at each place, retuned there as the options say.
+///
+/// # Errors
+/// [`DamperError`] if the damper cannot be, or the goal is a peak, which is not mapped.
+///
+/// # Limits
+/// The best tuning, within a factor of 2 of the frequency given, is searched from three frequencies at 8 × 8 places, from the nearest of
+/// these or the place before at each, and again where a neighbour's serves better: a local optimum, its tuning found to 1e-4.
+pub fn position_map(
+    plan: &Plan,
+    damper: &PlacedDamper,
+    options: &PositionMapOptions,
+) -> Result<PositionMap, DamperError> {
+    plan.judge(std::slice::from_ref(damper))?;
+    if options.goal == Goal::LargestPeak {
+        return Err(DamperError::NoMap);
+    }
+    let points = plan.problem().points.len();
+    let weights = match options.weights.is_empty() {
+        true => vec![1.0; points],
+        false => options.weights.clone(),
+    };
+    if weights.len() != points || weights.iter().any(|w| w.is_nan() || *w <= 0.0) {
+        return Err(DamperError::Argument {
+            argument: "number of positive weights",
+            given: weights.iter().filter(|w| **w > 0.0).count() as f64,
+            allowed: "one a point",
+        });
+    }
+    let site = &plan.problem().sites[damper.site];
+    let (columns, rows) = (options.x_m.len(), options.y_m.len());
+    let looked = Looked {
+        plan,
+        given: *damper,
+        options,
+        weights,
+    };
+    let mut cells: Vec<Option<MapCell>> = vec![None; columns * rows];
+    let coarse = match options.tuning {
+        MapTuning::Best => looked.coarse(),
+        _ => Vec::new(),
+    };
+    let mut before = None;
+    for j in 0..rows {
+        for step in 0..columns {
+            // there and back, so that the place before is a neighbour
+            let i = if j % 2 == 0 { step } else { columns - 1 - step };
+            let place_m = [options.x_m[i], options.y_m[j]];
+            if site.nearest_m(place_m).1 > 0.0 {
+                continue;
+            }
+            let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
+            let far = |cell: &MapCell| {
+                let [x, y] = cell.damper.place_m;
+                (x - place_m[0]).hypot(y - place_m[1])
+            };
+            let near = coarse
+                .iter()
+                .reduce(|best, next| if far(next) < far(best) { next } else { best });
+            let start = near.map(|near| Before::of(&near.damper));
+            before = looked.better(&spot, [before, start]);
+            cells[j * columns + i] = looked.tuned(&spot, place_m, &mut before);
+        }
+    }
+    if options.tuning == MapTuning::Best {
+        looked.spread(&mut cells);
+    }
+    Ok(PositionMap {
+        x_m: options.x_m.clone(),
+        y_m: options.y_m.clone(),
+        cells,
+    })
+}
+
+/// What every place has in common.
+struct Looked<'a> {
+    plan: &'a Plan,
+    given: PlacedDamper,
+    options: &'a PositionMapOptions,
+    weights: Vec<f64>,
+}
+
+/// Where a search ended, for the next one: ln f, ln ζ and the curvature there.
+struct Before {
+    x: Vec<f64>,
+    curvature: Option<Vec<Vec<f64>>>,
+}
+
+impl Before {
+    fn of(damper: &PlacedDamper) -> Self {
+        Before {
+            x: vec![damper.frequency_hz.ln(), damper.damping_ratio.ln()],
+            curvature: None,
+        }
+    }
+}
+
+impl Looked<'_> {
+    fn mean(&self) -> bool {
+        self.options.goal == Goal::MeanSquare
+    }
+
+    /// Tunings of a few places far apart, each from several starts: the valleys that there are.
+    fn coarse(&self) -> Vec<MapCell> {
+        let few = |all: &[f64]| -> Vec<f64> {
+            let step = all.len().div_ceil(COARSE).max(1);
+            all.iter().skip(step / 2).step_by(step).copied().collect()
+        };
+        let mut cells = Vec::new();
+        for &y in &few(&self.options.y_m) {
+            for &x in &few(&self.options.x_m) {
+                let place_m = [x, y];
+                let spot = Spot::new(
+                    self.plan,
+                    &PlacedDamper {
+                        place_m,
+                        ..self.given
+                    },
+                );
+                let found = START_FACTORS.into_iter().filter_map(|factor| {
+                    let start = PlacedDamper {
+                        frequency_hz: factor * self.given.frequency_hz,
+                        ..self.given
+                    };
+                    self.tuned(&spot, place_m, &mut Some(Before::of(&start)))
+                });
+                cells.extend(found.reduce(|best, next| if next.cost < best.cost { next } else { best }));
+            }
+        }
+        cells
+    }
+
+    /// The start that serves better here.
+    fn better(&self, spot: &Spot, starts: [Option<Before>; 2]) -> Option<Before> {
+        let cost = |start: &Before| {
+            let damper = PlacedDamper {
+                frequency_hz: start.x[0].exp(),
+                damping_ratio: start.x[1].exp(),
+                ..self.given
+            };
+            self.cell(spot, damper).cost
+        };
+        let both = starts.into_iter().flatten();
+        both.reduce(|best, next| if cost(&next) < cost(&best) { next } else { best })
+    }
+
+    /// The damper tuned to a place.
+    fn tuned(&self, spot: &Spot, place_m: [f64; 2], before: &mut Option<Before>) -> Option<MapCell> {
+        let mut damper = PlacedDamper {
+            place_m,
+            ..self.given
+        };
+        match self.options.tuning {
+            MapTuning::Kept => {}
+            MapTuning::Rule {
+                rule,
+                mode,
+                structure_damping_ratio,
+            } => {
+                let ratio = damper.mass_kg / self.plan.modal_mass_kg(mode, &damper).ok()?;
+                let tuning = rule_tuning(rule, ratio, structure_damping_ratio).ok()?;
+                damper.frequency_hz = tuning.frequency_ratio * self.plan.mode_frequency_hz(mode)?;
+                damper.damping_ratio = tuning.damping_ratio;
+            }
+            MapTuning::Best => {
+                let mut start = vec![damper.frequency_hz.ln(), damper.damping_ratio.ln()];
+                let mut options = Minimax {
+                    step_least: STEP_LEAST,
+                    ..Minimax::steps(ITERATIONS_MOST)
+                };
+                if let Some(Before { x, curvature }) = before.take() {
+                    (start, options.curvature) = (x, curvature);
+                }
+                let limits = (self.given.frequency_hz, self.plan.damping_least());
+                let mut search = SpotSearch::new(spot, &self.weights, self.mean(), limits);
+                let found = minimax(start, &options, &mut search)?;
+                damper.frequency_hz = found.x[0].exp();
+                damper.damping_ratio = found.x[1].exp();
+                *before = Some(Before {
+                    x: found.x,
+                    curvature: Some(found.curvature),
+                });
+            }
+        }
+        Some(self.cell(spot, damper))
+    }
+
+    fn cell(&self, spot: &Spot, damper: PlacedDamper) -> MapCell {
+        let values = spot.judge(damper.frequency_hz, damper.damping_ratio);
+        let point_rms: Vec<f64> = values.iter().map(|value| value.ln_rms.exp()).collect();
+        let weighted = point_rms
+            .iter()
+            .zip(&self.weights)
+            .map(|(rms, weight)| rms * weight);
+        let cost = match self.mean() {
+            true => (weighted.map(|value| value * value).sum::<f64>() / point_rms.len() as f64).sqrt(),
+            false => weighted.fold(0.0, f64::max),
+        };
+        MapCell {
+            damper,
+            point_rms,
+            cost,
+        }
+    }
+
+    /// Searches again where a neighbour's tuning serves better than the own: one that led into another valley.
+    fn spread(&self, cells: &mut [Option<MapCell>]) {
+        let (columns, rows) = (self.options.x_m.len(), self.options.y_m.len());
+        for _ in 0..SWEEPS_MOST {
+            let mut changed = false;
+            for at in (0..columns * rows).rev() {
+                let Some(own) = cells[at].clone() else { continue };
+                let (i, j) = (at % columns, at / columns);
+                let neighbours = [
+                    (i > 0).then(|| at - 1),
+                    (i + 1 < columns).then(|| at + 1),
+                    (j > 0).then(|| at - columns),
+                    (j + 1 < rows).then(|| at + columns),
+                ];
+                let spot = Spot::new(self.plan, &own.damper);
+                let others = neighbours.into_iter().flatten().filter_map(|k| cells[k].as_ref());
+                let borrowed = others.map(|other| {
+                    let damper = PlacedDamper {
+                        place_m: own.damper.place_m,
+                        ..other.damper
+                    };
+                    self.cell(&spot, damper)
+                });
+                let best = borrowed.reduce(|best, next| if next.cost < best.cost { next } else { best });
+                let Some(best) = best.filter(|best| best.cost < own.cost * (1.0 - BETTER)) else {
+                    continue;
+                };
+                let mut before = Some(Before::of(&best.damper));
+                let found = self.tuned(&spot, own.damper.place_m, &mut before);
+                if let Some(found) = found.filter(|found| found.cost < own.cost) {
+                    cells[at] = Some(found);
+                    changed = true;
+                }
+            }
+            if !changed {
+                break;
+            }
+        }
+    }
+}

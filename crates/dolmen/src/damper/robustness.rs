@@ -1,0 +1,70 @@
+//! What becomes of a design when its dampers are not tuned as designed.
+
+use super::{DamperError, Goal, PlacedDamper, Plan, goal_cost};
+
+/// What is off.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Detuned {
+    /// The dampers' frequencies (springs, or the structure's own stiffness the other way).
+    Frequency,
+    /// Their damping ratios.
+    Damping,
+}
+
+/// One point of a robustness curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RobustnessPoint {
+    /// Factor of the quantity, 1 as designed.
+    pub factor: f64,
+    /// The goal.
+    pub cost: f64,
+    /// Standard deviation of each point.
+    pub point_rms: Vec<f64>,
+    /// Standard deviation of each stroke, m.
+    pub stroke_rms_m: Vec<f64>,
+}
+
+/// The goal, the points and the strokes with every damper's frequency or damping times each factor.
+///
+/// # Errors
+/// [`DamperError`] if a damper cannot be, or a factor is not positive.
+pub fn robustness(
+    plan: &Plan,
+    dampers: &[PlacedDamper],
+    goal: Goal,
+    detuned: Detuned,
+    factors: &[f64],
+) -> Result<Vec<RobustnessPoint>, DamperError> {
+    factors
+        .iter()
+        .map(|&factor| {
+            if !(factor > 0.0 && factor.is_finite()) {
+                return Err(DamperError::Argument {
+                    argument: "factor",
+                    given: factor,
+                    allowed: "positive",
+                });
+            }
+            let changed: Vec<PlacedDamper> = dampers
+                .iter()
+                .map(|damper| match detuned {
+                    Detuned::Frequency => PlacedDamper {
+                        frequency_hz: factor * damper.frequency_hz,
+                        ..*damper
+                    },
+                    Detuned::Damping => PlacedDamper {
+                        damping_ratio: factor * damper.damping_ratio,
+                        ..*damper
+                    },
+                })
+                .collect();
+            let judged = plan.exact(&changed)?;
+            Ok(RobustnessPoint {
+                factor,
+                cost: goal_cost(plan, &changed, goal)?,
+                point_rms: judged.point_rms,
+                stroke_rms_m: judged.stroke_rms_m,
+            })
+        })
+        .collect()
+}

@@ -1,0 +1,222 @@
+//! One mass damper at one place, judged for any tuning in one pass over the prepared frequencies, with derivatives.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | N | `link` | ω_d² + 2iζω_d ω, spring and dashpot over the mass |
+//! | T | `force` | m N / (N − ω² − ω² m N g): force on the structure per felt acceleration, with what it moves of itself |
+//! | g | `own` | receptance of the place along the damper |
+//! | q | `through` | motion of a point per T: receptance from place to point times what the place feels |
+
+use super::{PlacedDamper, Plan};
+use crate::numeric::{Piece, Worst};
+use dolmen_linalg::Complex64;
+use std::f64::consts::TAU;
+
+/// Frequencies worked on at once.
+const LANES: usize = 4;
+type Lane = [f64; LANES];
+
+/// A place on a plan, and the mass there.
+pub(super) struct Spot {
+    mass_kg: f64,
+    points: usize,
+    loads: usize,
+    omega: Vec<Lane>,
+    own: [Vec<Lane>; 2],
+    /// By load: densities; by point and load: q and the motion without the damper, real and imaginary.
+    densities: Vec<Vec<Lane>>,
+    through: Vec<[Vec<Lane>; 2]>,
+    free: Vec<[Vec<Lane>; 2]>,
+}
+
+/// ln of each point's standard deviation and its derivatives with ln f and ln ζ.
+pub(super) struct SpotValue {
+    pub(super) ln_rms: f64,
+    pub(super) slope: [f64; 2],
+}
+
+impl Spot {
+    pub(super) fn new(plan: &Plan, damper: &PlacedDamper) -> Self {
+        let (points, loads) = (plan.problem().points.len(), plan.problem().loads.len());
+        let site = &plan.problem().sites[damper.site];
+        let a = site.coefficients(damper.place_m, damper.direction_degrees);
+        let (first, c) = (3 * damper.site, 3 * plan.problem().sites.len());
+        let dot =
+            |list: &dyn Fn(usize) -> Complex64| -> Complex64 { (0..3).map(|i| list(first + i) * a[i]).sum() };
+        let lanes = plan.nodes.len().div_ceil(LANES);
+        let zero = || vec![[0.0; LANES]; lanes];
+        let mut spot = Spot {
+            mass_kg: damper.mass_kg,
+            points,
+            loads,
+            omega: vec![[1.0; LANES]; lanes],
+            own: [zero(), zero()],
+            densities: (0..loads).map(|_| zero()).collect(),
+            through: (0..points * loads).map(|_| [zero(), zero()]).collect(),
+            free: (0..points * loads).map(|_| [zero(), zero()]).collect(),
+        };
+        for (i, table) in plan.nodes.iter().enumerate() {
+            let (at, lane) = (i / LANES, i % LANES);
+            let put = |target: &mut [Vec<Lane>; 2], z: Complex64| {
+                target[0][at][lane] = z.re;
+                target[1][at][lane] = z.im;
+            };
+            spot.omega[at][lane] = table.omega;
+            put(&mut spot.own, dot(&|i| dot(&|j| table.own[i * c + j])));
+            for l in 0..loads {
+                spot.densities[l][at][lane] = table.densities[l];
+                let felt = dot(&|i| table.felt[i * loads + l]);
+                for p in 0..points {
+                    let to_point = dot(&|i| table.to_point[p * c + i]);
+                    put(&mut spot.through[p * loads + l], to_point * felt);
+                    put(&mut spot.free[p * loads + l], table.free[p * loads + l]);
+                }
+            }
+        }
+        spot
+    }
+
+    /// Each point's standard deviation with a tuning.
+    pub(super) fn judge(&self, frequency_hz: f64, damping_ratio: f64) -> Vec<SpotValue> {
+        let own = TAU * frequency_hz;
+        let (spring, dashpot) = (own * own, 2.0 * damping_ratio * own);
+        let m = self.mass_kg;
+        let count = self.points * self.loads;
+        let mut sums = vec![[[0.0; LANES]; 3]; count];
+        for i in 0..self.omega.len() {
+            let (mut force, mut change) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2]);
+            let mut damped = [0.0; LANES];
+            for k in 0..LANES {
+                let w = self.omega[i][k];
+                let w2 = w * w;
+                let link = dashpot * w;
+                damped[k] = link;
+                let (g_re, g_im) = (self.own[0][i][k] * w2 * m, self.own[1][i][k] * w2 * m);
+                let below_re = spring - w2 - (spring * g_re - link * g_im);
+                let below_im = link - (spring * g_im + link * g_re);
+                let inverse = 1.0 / (below_re * below_re + below_im * below_im);
+                let (r_re, r_im) = (below_re * inverse, -below_im * inverse);
+                force[0][k] = m * (spring * r_re - link * r_im);
+                force[1][k] = m * (spring * r_im + link * r_re);
+                let scale = -m * w2;
+                change[0][k] = scale * (r_re * r_re - r_im * r_im);
+                change[1][k] = scale * (2.0 * r_re * r_im);
+            }
+            for (which, sums) in sums.iter_mut().enumerate() {
+                let density = &self.densities[which % self.loads][i];
+                let (q, free) = (&self.through[which], &self.free[which]);
+                for k in 0..LANES {
+                    let (q_re, q_im) = (q[0][i][k], q[1][i][k]);
+                    let h_re = free[0][i][k] + q_re * force[0][k] - q_im * force[1][k];
+                    let h_im = free[1][i][k] + q_re * force[1][k] + q_im * force[0][k];
+                    // conj(H) q dT/dN
+                    let x_re = h_re * q_re + h_im * q_im;
+                    let x_im = h_re * q_im - h_im * q_re;
+                    let y_re = x_re * change[0][k] - x_im * change[1][k];
+                    let y_im = x_re * change[1][k] + x_im * change[0][k];
+                    sums[0][k] += density[k] * (h_re * h_re + h_im * h_im);
+                    sums[1][k] += density[k] * y_re;
+                    sums[2][k] += density[k] * y_im * damped[k];
+                }
+            }
+        }
+        (0..self.points)
+            .map(|p| {
+                let [mut variance, mut along, mut across] = [0.0; 3];
+                for l in 0..self.loads {
+                    let of = &sums[p * self.loads + l];
+                    variance += of[0].iter().sum::<f64>();
+                    along += of[1].iter().sum::<f64>();
+                    across += of[2].iter().sum::<f64>();
+                }
+                // dN/d ln f = 2 ω_d² + i·link, dN/d ln ζ = i·link; ln rms = ½ ln variance
+                SpotValue {
+                    ln_rms: 0.5 * variance.ln(),
+                    slope: [(2.0 * spring * along - across) / variance, -across / variance],
+                }
+            })
+            .collect()
+    }
+}
+
+/// The tuning of a damper at a spot: ln f and ln ζ; the functions are ln of each point's standard deviation.
+pub(super) struct SpotSearch<'a> {
+    pub(super) spot: &'a Spot,
+    pub(super) weights: &'a [f64],
+    pub(super) mean: bool,
+    given_hz: f64,
+    least_damping: f64,
+    last: Option<(Vec<f64>, Vec<Piece>)>,
+}
+
+/// Beyond this damping ratio, and this factor of the frequency given, nothing is a damper.
+const DAMPING_MOST: f64 = 3.0;
+const FREQUENCY_FACTOR_MOST: f64 = 2.0;
+
+impl<'a> SpotSearch<'a> {
+    pub(super) fn new(
+        spot: &'a Spot,
+        weights: &'a [f64],
+        mean: bool,
+        (given_hz, least_damping): (f64, f64),
+    ) -> Self {
+        SpotSearch {
+            spot,
+            weights,
+            mean,
+            given_hz,
+            least_damping,
+            last: None,
+        }
+    }
+
+    fn look(&mut self, x: &[f64]) -> Option<&Vec<Piece>> {
+        if self.last.as_ref().is_none_or(|(at, _)| at != x) {
+            let factor = x[0].exp() / self.given_hz;
+            let tuned = (1.0 / FREQUENCY_FACTOR_MOST..=FREQUENCY_FACTOR_MOST).contains(&factor);
+            if !tuned || !(self.least_damping..=DAMPING_MOST).contains(&x[1].exp()) {
+                return None;
+            }
+            let values = self.spot.judge(x[0].exp(), x[1].exp());
+            let mut pieces: Vec<Piece> = values
+                .iter()
+                .zip(self.weights)
+                .map(|(value, weight)| Piece {
+                    value: value.ln_rms + weight.ln(),
+                    slope: value.slope.to_vec(),
+                })
+                .collect();
+            if self.mean {
+                let squares: Vec<f64> = pieces.iter().map(|piece| (2.0 * piece.value).exp()).collect();
+                let sum: f64 = squares.iter().sum();
+                let slope = |i: usize| {
+                    pieces
+                        .iter()
+                        .zip(&squares)
+                        .map(|(p, s)| s * p.slope[i])
+                        .sum::<f64>()
+                        / sum
+                };
+                pieces = vec![Piece {
+                    value: 0.5 * (sum / squares.len() as f64).ln(),
+                    slope: vec![slope(0), slope(1)],
+                }];
+            }
+            if pieces.iter().any(|piece| !piece.value.is_finite()) {
+                return None;
+            }
+            self.last = Some((x.to_vec(), pieces));
+        }
+        self.last.as_ref().map(|(_, pieces)| pieces)
+    }
+}
+
+impl Worst for SpotSearch<'_> {
+    fn worst(&mut self, x: &[f64]) -> Option<f64> {
+        self.look(x)?.iter().map(|piece| piece.value).reduce(f64::max)
+    }
+
+    fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>> {
+        self.look(x).cloned()
+    }
+}
