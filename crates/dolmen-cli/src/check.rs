@@ -96,6 +96,7 @@ pub(crate) fn answer(
         simulation: None,
         frame_simulations: Vec::new(),
         chain_simulations: Vec::new(),
+        tunings: Vec::new(),
         studies: Vec::new(),
     })
 }

@@ -37,6 +37,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         simulation: None,
         frame_simulations: Vec::new(),
         chain_simulations: Vec::new(),
+        tunings: Vec::new(),
         studies: Vec::new(),
     };
     let json = identification_json(&answer);

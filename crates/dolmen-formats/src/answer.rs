@@ -3,6 +3,7 @@
 use crate::project::{Names, Project};
 use crate::simulation::{ChainSimulation, FrameSimulation, Simulation};
 use crate::study::StudyAnswer;
+use crate::tune::TuneAnswer;
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
@@ -36,6 +37,8 @@ pub struct Answer {
     pub frame_simulations: Vec<FrameSimulation>,
     /// The chain under a ground motion, as it is and in its variants.
     pub chain_simulations: Vec<ChainSimulation>,
+    /// Dampers of a building beside the rule and the best.
+    pub tunings: Vec<TuneAnswer>,
     /// Studies that were run before, in the order of the file.
     pub studies: Vec<StudyAnswer>,
 }

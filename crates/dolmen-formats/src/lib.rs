@@ -14,6 +14,7 @@ pub mod report;
 pub mod simulation;
 pub mod study;
 pub mod text;
+pub mod tune;
 
 pub use language::Language;
 

@@ -21,6 +21,7 @@ mod stack_limits;
 mod stack_view;
 mod study;
 mod study_growth;
+mod tune;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
@@ -39,3 +40,4 @@ pub use stack_histories::stack_histories;
 pub(crate) use stack_limits::above_words;
 pub use stack_limits::{stack_capacity, stack_governing};
 pub use study::study_figures;
+pub use tune::tune_figures;

@@ -9,6 +9,7 @@ mod motion;
 mod simulation;
 mod stack;
 mod study;
+mod tune;
 
 pub use chain_simulation::chain_simulation_json;
 pub use check::check_json;
@@ -17,3 +18,4 @@ pub use identify::identification_json;
 pub use motion::motion_report_json;
 pub use simulation::simulation_json;
 pub use study::study_json;
+pub use tune::tune_json;

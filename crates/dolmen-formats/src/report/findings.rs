@@ -3,7 +3,7 @@
 use super::given::assumptions;
 use super::{
     chain_findings, chain_simulation, demand, frame, frame_simulation, identification, measured, modal,
-    samples, simulation, stack, variants,
+    samples, simulation, stack, tune, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check};
@@ -67,6 +67,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     }
     all.extend(frame_simulation::findings(&answer.frame_simulations, language));
     all.extend(chain_simulation::findings(&answer.chain_simulations, language));
+    all.extend(tune::findings(&answer.tunings, language));
     for survey in &answer.surveys {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));

@@ -21,6 +21,7 @@ mod stack_notes;
 mod study;
 mod style;
 mod table;
+mod tune;
 mod variants;
 mod words;
 

@@ -4,7 +4,7 @@ use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
 use super::{
     chain, chain_simulation, demand, findings, frame, frame_simulation, given, identification, modal,
-    samples, simulation, stack, study, variants,
+    samples, simulation, stack, study, tune, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check, State};
@@ -114,6 +114,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
         (frame_simulation::sections(&answer.frame_simulations, language))
         (chain_simulation::sections(&answer.chain_simulations, language))
+        (tune::sections(&answer.tunings, language))
         (study::sections(&answer.studies, language))
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))

@@ -110,6 +110,7 @@ fn answer(project: Project, check: Check) -> Answer {
         simulation: None,
         frame_simulations: vec![],
         chain_simulations: vec![],
+        tunings: Vec::new(),
         studies: vec![],
     }
 }
@@ -310,6 +311,7 @@ fn survey() -> Answer {
         simulation: None,
         frame_simulations: vec![],
         chain_simulations: vec![],
+        tunings: Vec::new(),
         studies: vec![],
     }
 }

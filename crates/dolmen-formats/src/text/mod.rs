@@ -11,6 +11,7 @@ mod simulation;
 mod stack;
 mod study;
 mod table;
+mod tune;
 mod validate;
 mod versions;
 
@@ -24,4 +25,5 @@ pub use project::{heading_text, warnings_text};
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
 pub use study::study_text;
 pub use table::Table;
+pub use tune::{choice_words, findings, goal_words, tune_text};
 pub use validate::validation_text;

@@ -2,6 +2,7 @@
 
 mod assembled;
 mod attached;
+mod comparison;
 mod design;
 mod error;
 mod head_loss;
@@ -16,6 +17,7 @@ mod tuning;
 
 pub use assembled::DampedSystem;
 pub use attached::{AttachedDamper, DamperKind};
+pub use comparison::{Choice, Compared, Comparison, ComparisonOptions, TuningRow, compare};
 pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design, goal_cost};
 pub use error::DamperError;
 pub use head_loss::{

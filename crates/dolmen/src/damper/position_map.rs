@@ -173,6 +173,29 @@ pub fn position_map(
     })
 }
 
+/// What a damper does at places in a row, retuned there from several starts; those outside the floor are left out.
+pub(super) fn along_line(
+    plan: &Plan,
+    damper: &PlacedDamper,
+    places_m: &[[f64; 2]],
+    options: &PositionMapOptions,
+) -> Vec<MapCell> {
+    let looked = Looked {
+        plan,
+        given: *damper,
+        options,
+        weights: match options.weights.is_empty() {
+            true => vec![1.0; plan.problem().points.len()],
+            false => options.weights.clone(),
+        },
+    };
+    let each = places_m.iter().filter_map(|&place_m| {
+        let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
+        looked.best_of_several(&spot, place_m)
+    });
+    each.collect()
+}
+
 /// What every place has in common.
 struct Looked<'a> {
     plan: &'a Plan,
@@ -218,17 +241,22 @@ impl Looked<'_> {
                         ..self.given
                     },
                 );
-                let found = START_FACTORS.into_iter().filter_map(|factor| {
-                    let start = PlacedDamper {
-                        frequency_hz: factor * self.given.frequency_hz,
-                        ..self.given
-                    };
-                    self.tuned(&spot, place_m, &mut Some(Before::of(&start)))
-                });
-                cells.extend(found.reduce(|best, next| if next.cost < best.cost { next } else { best }));
+                cells.extend(self.best_of_several(&spot, place_m));
             }
         }
         cells
+    }
+
+    /// The damper tuned to a place, the best of several starts.
+    fn best_of_several(&self, spot: &Spot, place_m: [f64; 2]) -> Option<MapCell> {
+        let found = START_FACTORS.into_iter().filter_map(|factor| {
+            let start = PlacedDamper {
+                frequency_hz: factor * self.given.frequency_hz,
+                ..self.given
+            };
+            self.tuned(spot, place_m, &mut Some(Before::of(&start)))
+        });
+        found.reduce(|best, next| if next.cost < best.cost { next } else { best })
     }
 
     /// The start that serves better here.

@@ -58,7 +58,7 @@ pub fn robustness(
                     },
                 })
                 .collect();
-            let judged = plan.exact(&changed)?;
+            let judged = plan.judge(&changed)?;
             Ok(RobustnessPoint {
                 factor,
                 cost: goal_cost(plan, &changed, goal)?,

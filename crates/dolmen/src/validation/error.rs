@@ -1,5 +1,6 @@
 use crate::assess::AssessError;
 use crate::blocks::BlocksError;
+use crate::damper::DamperError;
 use crate::dynamics::DynamicsError;
 use crate::signal::SignalError;
 use crate::stability::StabilityError;
@@ -28,6 +29,9 @@ pub enum ValidationError {
     /// A motion was refused.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// A damper was refused.
+    #[error(transparent)]
+    Damper(#[from] DamperError),
     /// It could not be assessed.
     #[error(transparent)]
     Assess(#[from] AssessError),

@@ -4,6 +4,7 @@
 mod case;
 mod choi_2021;
 mod columns;
+mod dampers;
 mod dry_friction;
 mod error;
 mod kim_koo_hong_2018;

@@ -1,0 +1,242 @@
+//! A damper beside the rule and the best, as text.
+
+use super::Table;
+use crate::tune::{TuneAnswer, direction_words};
+use dolmen::damper::{Aim, Choice, Compared, DesignEnd, Goal};
+use std::fmt::Write as _;
+
+/// What is compared, what each choice does, tunings with their names, and what being off costs.
+pub fn tune_text(answer: &TuneAnswer) -> String {
+    let mut out = given(answer);
+    out += &choices(answer);
+    out += &sentences(answer);
+    out += &tunings(answer);
+    out += &off(answer);
+    out
+}
+
+/// What the goal is, in words.
+pub fn goal_words(goal: Goal) -> &'static str {
+    match goal {
+        Goal::LargestRms => "the largest standard deviation of the points",
+        Goal::MeanSquare => "the root of the mean variance of the points",
+        Goal::LargestPeak => "the largest amplitude of the points under a harmonic load",
+    }
+}
+
+/// A choice in words; `mode` from 1.
+pub fn choice_words(choice: Choice, mode: usize) -> String {
+    match choice {
+        Choice::Given => "as in the file".to_owned(),
+        Choice::Rule => format!("the rule: farthest from the centre of mode {mode}"),
+        Choice::TunedBest => "where it is, tuned best".to_owned(),
+        Choice::PlacedBest => "placed best, tuned as in the file".to_owned(),
+        Choice::Best => "placed and tuned best".to_owned(),
+    }
+}
+
+fn given(answer: &TuneAnswer) -> String {
+    let comparison = &answer.comparison;
+    let mut out = String::new();
+    if let Some(row) = comparison.row(Choice::Given) {
+        let damper = &row.damper;
+        let of = answer
+            .variant
+            .as_ref()
+            .map_or(String::new(), |name| format!(" (variant {name})"));
+        let _ = writeln!(
+            out,
+            "\nDamper {}{of}: {:.1} kg on floor {} at x = {} m, y = {} m, along {}",
+            answer.damper,
+            damper.mass_kg,
+            answer.floor,
+            damper.place_m[0],
+            damper.place_m[1],
+            direction_words(damper.direction_degrees)
+        );
+    }
+    let centre = match answer.mode_centre_m {
+        Some([x, y]) => format!("its centre at x = {x:.3} m, y = {y:.3} m"),
+        None => "it does not turn".to_owned(),
+    };
+    let _ = writeln!(
+        out,
+        "Mode {}: {:.4} Hz ({:.5} rad/s), damping {:.4}, {centre}; modal mass at the damper {:.1} kg, mass ratio {:.5}",
+        answer.mode,
+        answer.mode_frequency_hz,
+        std::f64::consts::TAU * answer.mode_frequency_hz,
+        answer.mode_damping_ratio,
+        comparison.modal_mass_kg,
+        comparison.mass_ratio
+    );
+    if answer.others > 0 {
+        let _ = writeln!(
+            out,
+            "The other {} dampers of the file are left out: each is judged alone",
+            answer.others
+        );
+    }
+    let names: Vec<&str> = answer.points.iter().map(|point| point.name.as_str()).collect();
+    let _ = writeln!(
+        out,
+        "Load: {}, along {}\nMade small: {} {}, along {}",
+        answer.load.english(),
+        direction_words(answer.load_direction_degrees),
+        goal_words(answer.goal),
+        names.join(", "),
+        direction_words(answer.direction_degrees)
+    );
+    out
+}
+
+fn choices(answer: &TuneAnswer) -> String {
+    let heads: Vec<String> = ["damper", "x, m", "y, m", "frequency, Hz", "damping ratio"]
+        .into_iter()
+        .map(str::to_owned)
+        .chain(answer.points.iter().map(|point| point.name.clone()))
+        .chain(["goal", "stroke"].map(str::to_owned))
+        .collect();
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut table = Table::new(&heads, 1);
+    let given_stroke = answer
+        .comparison
+        .row(Choice::Given)
+        .map_or(f64::NAN, |row| row.judged.stroke_rms_m[0]);
+    let mut none = vec!["none".to_owned()];
+    none.extend(["", "", "", ""].map(str::to_owned));
+    none.extend(answer.points.iter().map(|_| "1.0000".to_owned()));
+    none.extend(["1.0000".to_owned(), String::new()]);
+    table.row(none);
+    for row in &answer.comparison.rows {
+        let mut cells = vec![choice_words(row.choice, answer.mode)];
+        let damper = &row.damper;
+        cells.extend([
+            format!("{:.3}", damper.place_m[0] + 0.0),
+            format!("{:.3}", damper.place_m[1] + 0.0),
+            format!("{:.5}", damper.frequency_hz),
+            format!("{:.5}", damper.damping_ratio),
+        ]);
+        cells.extend(answer.ratios(row).iter().map(|ratio| format!("{ratio:.4}")));
+        cells.push(format!("{:.4}", row.cost / answer.comparison.cost_without));
+        cells.push(format!("{:.3}", row.judged.stroke_rms_m[0] / given_stroke));
+        table.row(cells);
+    }
+    format!(
+        "\nMotion over that without a damper; the stroke over that of the damper as in the file\n{}",
+        table.text()
+    )
+}
+
+/// What to take from it, one sentence a line.
+fn sentences(answer: &TuneAnswer) -> String {
+    let mut out = String::from("\n");
+    for sentence in findings(answer) {
+        let _ = writeln!(out, "{sentence}");
+    }
+    out
+}
+
+/// What the comparison says, in sentences: points made worse than without a damper, and what each choice costs.
+pub fn findings(answer: &TuneAnswer) -> Vec<String> {
+    let mut all = Vec::new();
+    for row in &answer.comparison.rows {
+        for (point, ratio) in answer.worse(row) {
+            all.push(format!(
+                "WORSE THAN NO DAMPER: {}, {} moves {ratio:.4} of what it moves without",
+                choice_words(row.choice, answer.mode),
+                point.name
+            ));
+        }
+    }
+    let more = |choice: Choice, words: &str| -> Option<String> {
+        let share = answer.costs(choice, Choice::Best)?;
+        Some(format!(
+            "{words} leaves {:.1} % more than the best",
+            100.0 * share
+        ))
+    };
+    all.extend(more(Choice::Rule, "The rule, far from the centre of the mode,"));
+    all.extend(more(Choice::Given, "The file's damper"));
+    let limit = |row: &&Compared| row.end == Some(DesignEnd::Limit);
+    for row in answer.comparison.rows.iter().filter(limit) {
+        all.push(format!(
+            "'{}' lies at the limit of damping or frequency that a damper may have: less of a damper would be better there",
+            choice_words(row.choice, answer.mode)
+        ));
+    }
+    all
+}
+
+fn tunings(answer: &TuneAnswer) -> String {
+    let heads = [
+        "tuning, where the damper is",
+        "made for",
+        "f/f of the mode",
+        "c/(2 m ω)",
+        "c/(2 m Ω)",
+        "goal",
+    ];
+    let mut table = Table::new(&heads, 2);
+    for row in &answer.comparison.tunings {
+        let (name, aim) = match (row.rule, row.aim) {
+            (Some(rule), _) => (rule.source().to_owned(), rule.aim().to_owned()),
+            (None, aim) => (
+                "exact, with the mode's damping".to_owned(),
+                aim_words(aim).to_owned(),
+            ),
+        };
+        table.row(vec![
+            name,
+            aim,
+            format!("{:.7}", row.tuning.frequency_ratio),
+            format!("{:.7}", row.tuning.damping_ratio),
+            format!("{:.7}", row.tuning.damping_ratio_on_structure()),
+            format!("{:.4}", row.cost / answer.comparison.cost_without),
+        ]);
+    }
+    format!(
+        "\nω is the damper's own frequency, Ω that of the mode: Den Hartog's book and Hwang, Min & Hong divide by the second\n{}",
+        table.text()
+    )
+}
+
+fn aim_words(aim: Option<Aim>) -> &'static str {
+    match aim {
+        Some(Aim::ForceHarmonic) => "peak under a harmonic force",
+        Some(Aim::ForceRandom) => "variance under a white-noise force",
+        Some(Aim::BaseHarmonic) => "peak under a harmonic base acceleration",
+        Some(Aim::BaseRandom) => "variance under a white-noise base acceleration",
+        None => "",
+    }
+}
+
+fn off(answer: &TuneAnswer) -> String {
+    let mut table = Table::new(
+        &[
+            "frequency off by",
+            "-20 %",
+            "-10 %",
+            "-4 %",
+            "+4 %",
+            "+10 %",
+            "+20 %",
+        ],
+        1,
+    );
+    for (which, name) in ["as in the file", "placed and tuned best"]
+        .into_iter()
+        .enumerate()
+    {
+        let mut cells = vec![name.to_owned()];
+        cells.extend([0.8, 0.9, 0.96, 1.04, 1.1, 1.2].map(|factor| {
+            answer
+                .detuned(which, factor)
+                .map_or(String::new(), |share| format!("{:+.1} %", 100.0 * share))
+        }));
+        table.row(cells);
+    }
+    format!(
+        "\nWhat the goal grows by when the damper is out of tune\n{}",
+        table.text()
+    )
+}

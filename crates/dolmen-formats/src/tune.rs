@@ -1,0 +1,168 @@
+//! A damper of a building beside the rule and the best: what `dolmen tune` computes, and text, JSON, figures and report print.
+
+use crate::project::Names;
+use dolmen::damper::{Choice, Compared, Comparison, Goal};
+
+/// What acts while a damper is judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TuneLoad {
+    /// The same white-noise force on every floor, at its centre of mass.
+    Force,
+    /// The same force of gusts, its density falling beyond a corner, Hz.
+    Wind {
+        /// Corner, Hz.
+        corner_hz: f64,
+    },
+    /// White-noise acceleration of the base.
+    Base,
+    /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping .6, the second filter at a tenth.
+    Ground {
+        /// Of the soil, Hz.
+        ground_hz: f64,
+    },
+}
+
+impl TuneLoad {
+    /// Whether the base moves.
+    pub fn is_base(self) -> bool {
+        matches!(self, TuneLoad::Base | TuneLoad::Ground { .. })
+    }
+
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            TuneLoad::Force => "force",
+            TuneLoad::Wind { .. } => "wind",
+            TuneLoad::Base => "base",
+            TuneLoad::Ground { .. } => "ground",
+        }
+    }
+
+    /// What it is.
+    pub fn english(self) -> String {
+        match self {
+            TuneLoad::Force => "white-noise force, the same on every floor, at its centre of mass".to_owned(),
+            TuneLoad::Wind { corner_hz } => {
+                format!(
+                    "force of gusts (low pass at {corner_hz} Hz), the same on every floor, at its centre of mass"
+                )
+            }
+            TuneLoad::Base => "white-noise acceleration of the base".to_owned(),
+            TuneLoad::Ground { ground_hz } => {
+                format!("acceleration of the ground after Clough & Penzien, soil at {ground_hz} Hz")
+            }
+        }
+    }
+
+    /// The same in Korean.
+    pub fn korean(self) -> String {
+        match self {
+            TuneLoad::Force => "각 층 질량중심에 동일하게 작용하는 백색잡음 하중".to_owned(),
+            TuneLoad::Wind { corner_hz } => {
+                format!("각 층 질량중심에 동일하게 작용하는 풍하중형 하중(저역통과 {corner_hz} Hz)")
+            }
+            TuneLoad::Base => "백색잡음 지반가속도".to_owned(),
+            TuneLoad::Ground { ground_hz } => {
+                format!("Clough–Penzien 지반가속도(지반 진동수 {ground_hz} Hz)")
+            }
+        }
+    }
+}
+
+/// A point whose motion is made small.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TunePoint {
+    /// Its name.
+    pub name: String,
+    /// Its floor, from 1.
+    pub floor: usize,
+    /// Its place in plan, m.
+    pub place_m: [f64; 2],
+}
+
+/// One damper of a project, tuned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TuneAnswer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// The building.
+    pub name: Names,
+    /// The variant of the file; `None`: as it is.
+    pub variant: Option<String>,
+    /// The damper's table.
+    pub damper: String,
+    /// Other dampers of the file, which are left out while this one is judged.
+    pub others: usize,
+    /// Its floor, from 1.
+    pub floor: usize,
+    /// Corners of the floor, m.
+    pub corners_m: Vec<[f64; 2]>,
+    /// The mode that it is for, from 1.
+    pub mode: usize,
+    /// Its frequency, Hz.
+    pub mode_frequency_hz: f64,
+    /// Its own damping ratio.
+    pub mode_damping_ratio: f64,
+    /// Where its centre on that floor lies in plan, m; `None` if it does not turn.
+    pub mode_centre_m: Option<[f64; 2]>,
+    /// What acts.
+    pub load: TuneLoad,
+    /// Its direction, degrees from x.
+    pub load_direction_degrees: f64,
+    /// The points.
+    pub points: Vec<TunePoint>,
+    /// Direction in which their motion is taken, degrees from x: that of the damper.
+    pub direction_degrees: f64,
+    /// What is made small.
+    pub goal: Goal,
+    /// All that was found.
+    pub comparison: Comparison,
+}
+
+impl TuneAnswer {
+    /// A row's standard deviations over those without a damper.
+    pub fn ratios(&self, row: &Compared) -> Vec<f64> {
+        self.over_without(&row.judged.point_rms)
+    }
+
+    /// Standard deviations over those without a damper.
+    pub fn over_without(&self, point_rms: &[f64]) -> Vec<f64> {
+        let each = point_rms.iter().zip(&self.comparison.without);
+        each.map(|(with, without)| with / without).collect()
+    }
+
+    /// The points that a row makes worse than no damper, with their ratios.
+    pub fn worse(&self, row: &Compared) -> Vec<(&TunePoint, f64)> {
+        let ratios = self.ratios(row);
+        self.points
+            .iter()
+            .zip(ratios)
+            .filter(|(_, ratio)| *ratio > 1.0)
+            .collect()
+    }
+
+    /// How much more of the goal one choice leaves than another: 0.02 for 2 % more.
+    pub fn costs(&self, choice: Choice, than: Choice) -> Option<f64> {
+        let of = |choice| self.comparison.row(choice).map(|row| row.cost);
+        Some(of(choice)? / of(than)? - 1.0)
+    }
+
+    /// By how much the goal grows where the frequency of the given damper (0) or the best one (1) is off by the factor nearest to `factor`.
+    pub fn detuned(&self, which: usize, factor: f64) -> Option<f64> {
+        let curve = &self.comparison.off_frequency[which];
+        let near = |of: f64| {
+            let each = curve.iter();
+            each.min_by(|a, b| (a.factor - of).abs().total_cmp(&(b.factor - of).abs()))
+        };
+        Some(near(factor)?.cost / near(1.0)?.cost - 1.0)
+    }
+}
+
+/// A direction in words: "x", "y", or degrees.
+pub fn direction_words(degrees: f64) -> String {
+    match degrees.rem_euclid(180.0) {
+        0.0 => "x".to_owned(),
+        90.0 => "y".to_owned(),
+        turned => format!("{turned}° from x"),
+    }
+}

@@ -1,0 +1,417 @@
+//! A damper as it is given beside the rule of Hwang, Min & Hong and beside the best: where, how tuned, and what each costs.
+
+use super::position_map::along_line;
+use super::{Aim, DamperSite};
+use super::{
+    DamperError, Design, DesignEnd, DesignOptions, Detuned, Freedom, Goal, Judged, MapCell, MapTuning,
+    OptimalTuning, Place, PlacedDamper, Plan, PositionMap, PositionMapOptions, RobustnessPoint, SingleMode,
+    Tuning, TuningRule, design, goal_cost, optimal_tuning, position_map, robustness, rule_tuning,
+};
+
+/// What is compared, and how finely.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComparisonOptions {
+    /// The mode that the damper is for, from 0.
+    pub mode: usize,
+    /// That mode's own damping ratio.
+    pub structure_damping_ratio: f64,
+    /// Whether the load is an acceleration of the base: which exact tunings of one mode stand in the table.
+    pub base: bool,
+    /// What is made small; [`Goal::LargestRms`] by default.
+    pub goal: Goal,
+    /// Places of the map along x and along y; 60 each by default (our choice).
+    pub map_places: [usize; 2],
+    /// Places of the line; 61 by default (our choice).
+    pub line_places: usize,
+    /// Largest factor that frequencies and damping are off by in the robustness curves: 1 ± it; 0.2 by default (our choice).
+    pub detuning: f64,
+    /// Largest standard deviation of the stroke of what is designed, m; none by default.
+    pub stroke_rms_most_m: Option<f64>,
+}
+
+impl Default for ComparisonOptions {
+    fn default() -> Self {
+        ComparisonOptions {
+            mode: 0,
+            structure_damping_ratio: 0.0,
+            base: false,
+            goal: Goal::LargestRms,
+            map_places: [60, 60],
+            line_places: 61,
+            detuning: 0.2,
+            stroke_rms_most_m: None,
+        }
+    }
+}
+
+/// Which damper a row of the comparison shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Choice {
+    /// As given.
+    Given,
+    /// Where the rule puts it, farthest from the centre of its mode; tuned as given.
+    Rule,
+    /// Where it is given, tuned best.
+    TunedBest,
+    /// Where it serves best, tuned as given.
+    PlacedBest,
+    /// Place and tuning best together.
+    Best,
+}
+
+impl Choice {
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            Choice::Given => "given",
+            Choice::Rule => "rule",
+            Choice::TunedBest => "tuned_best",
+            Choice::PlacedBest => "placed_best",
+            Choice::Best => "best",
+        }
+    }
+}
+
+/// One damper of the comparison.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Compared {
+    /// Which.
+    pub choice: Choice,
+    /// The damper.
+    pub damper: PlacedDamper,
+    /// Standard deviations by assembled matrices.
+    pub judged: Judged,
+    /// The goal.
+    pub cost: f64,
+    /// How a search ended; `None` for what was not searched.
+    pub end: Option<DesignEnd>,
+}
+
+/// One row of the table of tunings: of one mode with the mass ratio of the damper at its place.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TuningRow {
+    /// The closed form; `None` for the exact optimum of the mode with its own damping.
+    pub rule: Option<TuningRule>,
+    /// What the exact one makes small; `None` for a closed form.
+    pub aim: Option<Aim>,
+    /// Frequency and damping.
+    pub tuning: Tuning,
+    /// The damper with it, where it is given.
+    pub damper: PlacedDamper,
+    /// Standard deviations with it.
+    pub judged: Judged,
+    /// The goal.
+    pub cost: f64,
+}
+
+/// All of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Comparison {
+    /// Modal mass of the mode at the damper's place, kg.
+    pub modal_mass_kg: f64,
+    /// Damper's mass over it.
+    pub mass_ratio: f64,
+    /// Standard deviations without a damper.
+    pub without: Vec<f64>,
+    /// The goal without a damper.
+    pub cost_without: f64,
+    /// Given, rule, tuned, placed, both.
+    pub rows: Vec<Compared>,
+    /// Closed forms and exact optima.
+    pub tunings: Vec<TuningRow>,
+    /// Places across the damper's direction through its own, tuned as given.
+    pub line_given: Vec<MapCell>,
+    /// The same, tuned best at each.
+    pub line_best: Vec<MapCell>,
+    /// Places in plan, tuned best at each.
+    pub map: PositionMap,
+    /// The given damper and the best one with their frequencies off.
+    pub off_frequency: [Vec<RobustnessPoint>; 2],
+    /// The same with their damping off.
+    pub off_damping: [Vec<RobustnessPoint>; 2],
+}
+
+impl Comparison {
+    /// The row of a choice.
+    pub fn row(&self, choice: Choice) -> Option<&Compared> {
+        self.rows.iter().find(|row| row.choice == choice)
+    }
+}
+
+/// Points of the robustness curves.
+const DETUNINGS: usize = 21;
+/// Places along each side of the floor that the rule chooses among.
+const SIDE_PLACES: usize = 40;
+/// Two costs this near, relatively, are the same.
+const SAME: f64 = 1e-6;
+
+/// Compares a damper with the rule and with the best.
+///
+/// # Errors
+/// [`DamperError::ModeStill`] if the mode does not move the damper; [`DamperError::MassRatio`] if it is heavier than the mode;
+/// else as [`design`].
+pub fn compare(
+    plan: &Plan,
+    given: &PlacedDamper,
+    options: &ComparisonOptions,
+) -> Result<Comparison, DamperError> {
+    let modal_mass_kg = plan.modal_mass_kg(options.mode, given)?;
+    let mode = SingleMode {
+        mass_ratio: given.mass_kg / modal_mass_kg,
+        structure_damping_ratio: options.structure_damping_ratio,
+    };
+    super::tuning::check(mode.mass_ratio, mode.structure_damping_ratio)?;
+    let random = match options.goal {
+        Goal::LargestPeak => Goal::LargestRms, // maps and lines are of standard deviations
+        goal => goal,
+    };
+    let mut over =
+        PositionMapOptions::over_site(plan, given.site, options.map_places[0], options.map_places[1])
+            .unwrap_or(PositionMapOptions {
+                x_m: Vec::new(),
+                y_m: Vec::new(),
+                tuning: MapTuning::Best,
+                goal: random,
+                weights: Vec::new(),
+            });
+    over.goal = random;
+    let map = position_map(plan, given, &over)?;
+    over.tuning = MapTuning::Kept;
+    let kept = position_map(plan, given, &over)?;
+    let line = line(plan, given, options.line_places);
+    let line_given = along_line(plan, given, &line, &over);
+    over.tuning = MapTuning::Best;
+    let line_best = along_line(plan, given, &line, &over);
+    let rows = rows(plan, given, options, [&kept, &map])?;
+    let best = rows.last().map_or(*given, |row| row.damper);
+    let factors: Vec<f64> = (0..DETUNINGS)
+        .map(|i| 1.0 + options.detuning * (2.0 * i as f64 / (DETUNINGS - 1) as f64 - 1.0))
+        .collect();
+    let off = |damper: PlacedDamper, detuned| robustness(plan, &[damper], options.goal, detuned, &factors);
+    Ok(Comparison {
+        modal_mass_kg,
+        mass_ratio: mode.mass_ratio,
+        without: plan.without().to_vec(),
+        cost_without: goal_cost(plan, &[], options.goal)?,
+        tunings: tunings(plan, given, &mode, options)?,
+        off_frequency: [off(*given, Detuned::Frequency)?, off(best, Detuned::Frequency)?],
+        off_damping: [off(*given, Detuned::Damping)?, off(best, Detuned::Damping)?],
+        rows,
+        line_given,
+        line_best,
+        map,
+    })
+}
+
+fn rows(
+    plan: &Plan,
+    given: &PlacedDamper,
+    options: &ComparisonOptions,
+    [kept, best]: [&PositionMap; 2],
+) -> Result<Vec<Compared>, DamperError> {
+    let as_is = |choice, damper: PlacedDamper| -> Result<Compared, DamperError> {
+        Ok(Compared {
+            choice,
+            damper,
+            judged: plan.exact(&[damper])?,
+            cost: goal_cost(plan, &[damper], options.goal)?,
+            end: None,
+        })
+    };
+    let searched = |choice, starts: &[PlacedDamper], place, tuning| -> Result<Compared, DamperError> {
+        let how = DesignOptions {
+            goal: options.goal,
+            place,
+            frequency: tuning,
+            damping: tuning,
+            stroke_rms_most_m: options.stroke_rms_most_m,
+            ..DesignOptions::default()
+        };
+        let mut found: Option<Design> = None;
+        // of places as good the one on the line through the damper is preferred, and is looked at first
+        for start in starts
+            .iter()
+            .flat_map(|start| [on_line(plan, given, start), *start])
+        {
+            let next = design(plan, &[start], &how)?;
+            if found
+                .as_ref()
+                .is_none_or(|found| next.cost < found.cost * (1.0 - SAME))
+            {
+                found = Some(next);
+            }
+        }
+        let found = found.ok_or(DamperError::NoOptimum {
+            what: "the damper's place",
+            iterations: 0,
+        })?;
+        Ok(Compared {
+            choice,
+            damper: found.dampers[0],
+            judged: found.judged,
+            cost: found.cost,
+            end: Some(found.end),
+        })
+    };
+    let near = |map: &PositionMap| best_near(map, given).map_or(*given, |cell| cell.damper);
+    let retuned = best.cells.iter().flatten().reduce(|a, b| {
+        if far(&b.damper, given) < far(&a.damper, given) {
+            b
+        } else {
+            a
+        }
+    });
+    let here = PlacedDamper {
+        place_m: given.place_m,
+        ..retuned.map_or(*given, |cell| cell.damper)
+    };
+    let tuned = searched(Choice::TunedBest, &[*given, here], Place::Kept, Freedom::Free)?;
+    let placed = searched(Choice::PlacedBest, &[near(kept)], Place::Anywhere, Freedom::Kept)?;
+    let starts = [tuned.damper, near(best)];
+    let both = searched(Choice::Best, &starts, Place::Anywhere, Freedom::Free)?;
+    Ok(vec![
+        as_is(Choice::Given, *given)?,
+        as_is(Choice::Rule, rule_place(plan, given, options.mode))?,
+        tuned,
+        placed,
+        both,
+    ])
+}
+
+/// A damper moved along its direction onto the line across it through where it is given: its own mode of motion is the same there.
+fn on_line(plan: &Plan, given: &PlacedDamper, damper: &PlacedDamper) -> PlacedDamper {
+    let site = &plan.problem().sites[given.site];
+    let [cos, sin, _] = site.coefficients(site.reference_m, given.direction_degrees);
+    let apart = [0, 1].map(|i| damper.place_m[i] - given.place_m[i]);
+    let along = apart[0] * cos + apart[1] * sin;
+    let place_m = [damper.place_m[0] - along * cos, damper.place_m[1] - along * sin];
+    match site.nearest_m(place_m).1 > 0.0 {
+        true => *damper,
+        false => PlacedDamper { place_m, ..*damper },
+    }
+}
+
+fn far(a: &PlacedDamper, b: &PlacedDamper) -> f64 {
+    (a.place_m[0] - b.place_m[0]).hypot(a.place_m[1] - b.place_m[1])
+}
+
+/// The best place of a map; of those that are as good, the nearest to where the damper is.
+fn best_near<'a>(map: &'a PositionMap, given: &PlacedDamper) -> Option<&'a MapCell> {
+    let least = map.best()?.cost;
+    let as_good = map
+        .cells
+        .iter()
+        .flatten()
+        .filter(|cell| cell.cost <= least * (1.0 + SAME));
+    as_good.reduce(
+        |best, next| match far(&next.damper, given) < far(&best.damper, given) {
+            true => next,
+            false => best,
+        },
+    )
+}
+
+/// The damper where its mode moves most along it: farthest from the centre of the mode; of places as far, the nearest.
+fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
+    let site: &DamperSite = &plan.problem().sites[given.site];
+    let sides = site.corners_m.iter().zip(site.corners_m.iter().cycle().skip(1));
+    let mut best = (*given, 0.0);
+    for (a, b) in sides {
+        let foot = nearest_on(*a, *b, given.place_m);
+        let shares = (0..=SIDE_PLACES).map(|i| i as f64 / SIDE_PLACES as f64);
+        let places = shares.map(|t| [0, 1].map(|i| a[i] + t * (b[i] - a[i])));
+        for place_m in places.chain([foot]) {
+            let damper = PlacedDamper { place_m, ..*given };
+            let moves = plan
+                .modal_mass_kg(mode, &damper)
+                .map_or(0.0, |mass| 1.0 / mass.sqrt());
+            let same = (moves / best.1 - 1.0).abs() < SAME;
+            let nearer = far(&damper, given) < far(&best.0, given) * (1.0 - SAME);
+            if (moves > best.1 && !same) || (same && nearer) {
+                best = (damper, moves);
+            }
+        }
+    }
+    best.0
+}
+
+/// The point of a side that is nearest.
+fn nearest_on(a: [f64; 2], b: [f64; 2], to: [f64; 2]) -> [f64; 2] {
+    let along = [b[0] - a[0], b[1] - a[1]];
+    let squared = along[0] * along[0] + along[1] * along[1];
+    let t = (((to[0] - a[0]) * along[0] + (to[1] - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
+    [a[0] + t * along[0], a[1] + t * along[1]]
+}
+
+/// Places on the floor across the damper's direction through its own, from end to end.
+fn line(plan: &Plan, given: &PlacedDamper, places: usize) -> Vec<[f64; 2]> {
+    let site = &plan.problem().sites[given.site];
+    let [cos, sin, _] = site.coefficients(site.reference_m, given.direction_degrees);
+    let across = match sin >= 0.0 {
+        true => [sin, -cos],
+        false => [-sin, cos],
+    };
+    let [x, y] = site.extent_m();
+    let reach = (x[1] - x[0]).hypot(y[1] - y[0]);
+    // of a fine walk both ways, the part on the floor without a gap
+    const WALK: i32 = 4000;
+    let at = |s: f64| [0, 1].map(|i| given.place_m[i] + s * across[i]);
+    let on = |s: f64| site.nearest_m(at(s)).1 < 1e-9 * reach;
+    let walk = |sign: f64| {
+        let steps = (1..=WALK).map(|i| sign * reach * f64::from(i) / f64::from(WALK));
+        let mut inside = steps.take_while(|s| on(*s)).last().unwrap_or(0.0);
+        let mut outside = inside + sign * reach / f64::from(WALK);
+        for _ in 0..60 {
+            let middle = 0.5 * (inside + outside);
+            if on(middle) {
+                inside = middle;
+            } else {
+                outside = middle;
+            }
+        }
+        inside
+    };
+    let (low, high) = (walk(-1.0), walk(1.0));
+    (0..places)
+        .map(|i| at(low + (high - low) * i as f64 / (places.max(2) - 1) as f64))
+        .map(|place_m| site.nearest_m(place_m).0)
+        .collect()
+}
+
+fn tunings(
+    plan: &Plan,
+    given: &PlacedDamper,
+    mode: &SingleMode,
+    options: &ComparisonOptions,
+) -> Result<Vec<TuningRow>, DamperError> {
+    let own = plan.mode_frequency_hz(options.mode).unwrap_or(f64::NAN);
+    let row = |rule, aim, tuning: Tuning| -> Result<TuningRow, DamperError> {
+        let damper = PlacedDamper {
+            frequency_hz: tuning.frequency_ratio * own,
+            damping_ratio: tuning.damping_ratio,
+            ..*given
+        };
+        Ok(TuningRow {
+            rule,
+            aim,
+            tuning,
+            damper,
+            judged: plan.judge(&[damper])?,
+            cost: goal_cost(plan, &[damper], options.goal)?,
+        })
+    };
+    let mut rows = Vec::new();
+    for rule in TuningRule::ALL {
+        let tuning = rule_tuning(rule, mode.mass_ratio, mode.structure_damping_ratio)?;
+        rows.push(row(Some(rule), None, tuning)?);
+    }
+    let aims = match options.base {
+        false => [Aim::ForceRandom, Aim::ForceHarmonic],
+        true => [Aim::BaseRandom, Aim::BaseHarmonic],
+    };
+    for aim in aims {
+        let OptimalTuning { tuning, .. } = optimal_tuning(mode, aim)?;
+        rows.push(row(None, Some(aim), tuning)?);
+    }
+    Ok(rows)
+}
