@@ -22,3 +22,8 @@ pub use language::Language;
 #[cfg(doctest)]
 #[doc = include_str!("../../../docs/library.md")]
 pub struct LibraryPage;
+
+/// The same of fragility.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/fragility.md")]
+pub struct FragilityPage;

@@ -253,6 +253,12 @@ impl<'o> Plan<'o> {
             study: self.study.clone(),
             kind: self.kind,
             gravity_m_s2: self.opened.project.gravity_m_s2,
+            hazard: self
+                .opened
+                .project
+                .site
+                .as_ref()
+                .and_then(|site| site.hazard.clone()),
             version: env!("CARGO_PKG_VERSION").to_owned(),
             notes: self.notes(),
             inputs: self.inputs.clone(),

@@ -3,6 +3,7 @@
 
 mod answers;
 mod chains;
+mod decisions;
 mod demands;
 mod docs;
 mod frames;

@@ -5,6 +5,7 @@ mod axis;
 mod chain;
 mod chain_histories;
 mod demand;
+mod fragility;
 mod frame;
 mod frame_histories;
 mod identification;

@@ -2,6 +2,7 @@
 
 use super::Figure;
 use super::axis::{Axis, Tick};
+use super::fragility::fragility_figures;
 use super::ink::{BLUE, GREY, Line, ORANGE, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::study_growth::growth_figures;
@@ -52,6 +53,7 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
             );
         }
     }
+    figures.extend(fragility_figures(answer, &answer.fragilities(), language));
     figures.extend(growth_figures(answer, language));
     figures
 }

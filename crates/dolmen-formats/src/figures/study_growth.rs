@@ -1,4 +1,4 @@
-//! Figures of a study of a frame or a chain: what its runs reach as the shaking grows, maps of slipping, releases.
+//! Figures of a study: what its runs reach as the shaking grows (incremental dynamic analysis), maps of slipping, releases.
 
 use super::Figure;
 use super::axis::Axis;
@@ -22,7 +22,10 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
     let mut figures = Vec::new();
     let mut add = |name: String, svg: String| figures.push(Figure { name, svg });
     if answer.study.scan.is_some() {
-        for (name, label, factor) in grown(answer.kind, language) {
+        let told = grown(answer.kind, language)
+            .iter()
+            .filter(|(name, ..)| is_reached(answer, name));
+        for (name, label, factor) in told {
             add(
                 format!("growth-{name}"),
                 growth(answer, name, (label, *factor), language),
@@ -66,10 +69,36 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
     figures
 }
 
+/// Whether a number is anything but 0 in some run.
+fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
+    const NOTHING: f64 = 1e-6;
+    let place = answer.kind.measures().iter().position(|known| *known == measure);
+    let of = |run: &Run| place.and_then(|place| run.measures.get(place).copied());
+    answer
+        .runs
+        .iter()
+        .any(|run| of(run).is_some_and(|value| value > NOTHING))
+}
+
 /// The numbers of a run that are drawn as the shaking grows, with their labels and the factor to the label's unit.
 fn grown(kind: StudyKind, language: Language) -> &'static [(&'static str, &'static str, f64)] {
     match (kind, language) {
-        (StudyKind::Stack, _) => &[],
+        (StudyKind::Stack, Language::English) => &[
+            (
+                "peak_rocking_ratio",
+                "Rocking of a joint over its slenderness angle",
+                1.0,
+            ),
+            (
+                "residual_slip_ratio",
+                "Offset left, % of the joint's width",
+                100.0,
+            ),
+        ],
+        (StudyKind::Stack, Language::Korean) => &[
+            ("peak_rocking_ratio", "접합면 로킹각 / 세장각", 1.0),
+            ("residual_slip_ratio", "잔류 변위 (접합면 폭의 %)", 100.0),
+        ],
         (StudyKind::Frame, Language::English) => &[
             ("peak_drift_m", "Largest drift (mm)", 1e3),
             ("slipping_share", "Slips, % of the time", 100.0),
@@ -241,11 +270,11 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
     let mut plot = Plot::new(SIZE_PX, x, Axis::linear(label, 0.0, 1.16 * most, 6));
     let few = scans.len() <= NAMED_MOST;
     for (i, (job, points)) in scans.into_iter().enumerate() {
-        let colour = if few { SERIES[i % SERIES.len()] } else { BLUE };
-        for point in &points {
+        let colour = if few { SERIES[i % SERIES.len()] } else { SKY };
+        for point in points.iter().filter(|_| few) {
             plot.sized_dot(*point, Shape::Circle, 2.5, colour);
         }
-        plot.line(points, Line::new(colour, 1.2));
+        plot.line(points, Line::new(colour, if few { 1.2 } else { 0.8 }));
         let fell = answer
             .runs
             .iter()
@@ -271,15 +300,63 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
             );
         }
     }
+    if !few && let Some(place) = place {
+        fractiles(&mut plot, answer, (place, factor), 1.04 * most, language);
+    }
     if answer.runs.iter().any(|run| falls(answer.kind, run)) {
         plot.key(Key::Dot(Shape::Cross, GREY), language.pick("fell", "전도"));
     }
     plot.svg(label)
 }
 
+/// Half of the scans, and the middle two thirds, at the peaks at which every scan was run; a fall is larger than any number.
+fn fractiles(
+    plot: &mut Plot,
+    answer: &StudyAnswer,
+    (place, factor): (usize, f64),
+    most: f64,
+    language: Language,
+) {
+    let scans = answer.runs.chunk_by(|a, b| a.job == b.job).count();
+    let usable = |run: &&Run| falls(answer.kind, run) || !run.measures.is_empty();
+    let mut runs: Vec<&Run> = answer.runs.iter().filter(usable).collect();
+    runs.sort_by(|a, b| {
+        let [a, b] = [a, b].map(|run| run.peak_ground_acceleration_m_s2);
+        a.total_cmp(&b)
+    });
+    let same = |a: &&Run, b: &&Run| {
+        let [a, b] = [a, b].map(|run| run.peak_ground_acceleration_m_s2);
+        (a - b).abs() <= 1e-9 * b
+    };
+    let mut lines = [const { Vec::new() }; 3];
+    for at_peak in runs.chunk_by(same).filter(|runs| runs.len() == scans) {
+        let value = |run: &&Run| match falls(answer.kind, run) {
+            true => f64::INFINITY,
+            false => factor * run.measures.get(place).copied().unwrap_or(f64::NAN),
+        };
+        let mut values: Vec<f64> = at_peak.iter().map(value).collect();
+        values.sort_by(f64::total_cmp);
+        let x = at_peak[0].peak_ground_acceleration_m_s2 / answer.gravity_m_s2;
+        for (line, part) in lines.iter_mut().zip([0.16, 0.5, 0.84]) {
+            let value = values[((values.len() - 1) as f64 * part).round() as usize];
+            if value <= most {
+                line.push([x, value]);
+            }
+        }
+    }
+    for (line, dashed) in lines.into_iter().zip([true, false, true]) {
+        let stroke = Line::new(VERMILLION, 2.0);
+        plot.line(line, if dashed { stroke.dashed() } else { stroke });
+    }
+    plot.key(
+        Key::Line(Line::new(VERMILLION, 2.0)),
+        language.pick("median; 16 % and 84 %", "중앙값, 16 %와 84 %"),
+    );
+}
+
 /// Whether a run ended in a fall, at whatever angle a fall is counted: what it reached by then tells nothing.
 fn falls(kind: StudyKind, run: &Run) -> bool {
-    kind == StudyKind::Chain && run.outcome == RunOutcome::Fell
+    kind != StudyKind::Frame && run.outcome == RunOutcome::Fell
 }
 
 /// Half way between values, and as far beyond the ends.

@@ -1,5 +1,6 @@
 //! A study, as JSON.
 
+use super::fragility::fragilities_json;
 use crate::study::StudyAnswer;
 use dolmen::assess::{AssessError, Direction, Reached};
 use serde_json::{Map, Value, json};
@@ -48,6 +49,8 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "refused": refusals.collect::<Vec<_>>(),
         "levels": levels(answer),
         "trends": trends(answer)?,
+        "fragility": fragilities_json(answer, &answer.fragilities())?,
+        "hazard": answer.hazard.as_ref().map(|hazard| hazard.curve.points().iter().map(|[peak, rate]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate })).collect::<Vec<_>>()),
     }))
 }
 

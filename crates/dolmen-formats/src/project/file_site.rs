@@ -62,6 +62,20 @@ pub(super) enum GroundRaw {
     E,
 }
 
+/// How often the ground shakes: peaks with their return periods.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct HazardRaw {
+    /// Peak accelerations of the ground, rising, with their unit: ["0.06 g", "0.11 g"].
+    #[schemars(required)]
+    pub(super) peaks: Option<At<Vec<At<NumberRaw>>>>,
+    /// Their return periods.
+    #[schemars(required)]
+    pub(super) return_periods_years: Option<At<Vec<f64>>>,
+    /// With one peak: k of the power law rate ~ peak^-k.
+    pub(super) k: Option<At<f64>>,
+}
+
 /// Where the structure stands, and what an earthquake asks for there.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -99,6 +113,8 @@ pub(super) struct SiteRaw {
     pub(super) source: Option<At<String>>,
     /// Damping ratio that the spectrum is read at (a table holds for it alone); 0.05 if not given.
     pub(super) damping_ratio: Option<At<NumberRaw>>,
+    /// How often the ground shakes, for the risk; KDS: the code's own return periods if not given.
+    pub(super) hazard: Option<At<HazardRaw>>,
     /// Vertical over horizontal acceleration of the ground; that of the code if not given.
     pub(super) vertical_ratio: Option<At<NumberRaw>>,
 }

@@ -57,7 +57,7 @@ pub use records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
 pub use schema::json_schema;
-pub use site::{MotionPart, MotionSize, MotionSource, SitePart};
+pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
 pub use stack::{
     BedPart, BlockPart, ContactPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
     ShapePart, SideSupportPart, StackPart, TiePart, TopPart,

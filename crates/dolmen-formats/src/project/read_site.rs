@@ -2,13 +2,13 @@
 
 use super::error::Fault;
 use super::file_number::At;
-use super::file_site::{CodeRaw, GroundRaw, SiteRaw, SoilRaw, ZoneRaw};
+use super::file_site::{CodeRaw, GroundRaw, HazardRaw, SiteRaw, SoilRaw, ZoneRaw};
 use super::measure::{Bound, Measure};
 use super::reader::Reader;
-use super::site::SitePart;
+use super::site::{HazardPart, HazardSource, SitePart};
 use crate::records::Unit;
-use dolmen::assess::AssessError;
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, KoreanZone, Site};
+use dolmen::assess::{AssessError, Hazard};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::numeric::NumericError;
 use dolmen::signal::Quantity;
@@ -104,6 +104,7 @@ pub(super) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         ratio,
         zero,
     );
+    let hazard = raw.value.hazard.as_ref().and_then(|raw| hazard(reader, raw));
     if reader.faults.len() > before {
         return None;
     }
@@ -112,7 +113,11 @@ pub(super) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         site: site?,
         damping_ratio,
         vertical_ratio,
+        hazard,
     };
+    if part.hazard.is_none() {
+        part.hazard = code_hazard(&part.site);
+    }
     if let Site::Table {
         damping_ratio: of_table,
         ..
@@ -128,6 +133,82 @@ pub(super) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
         return None;
     }
     Some(part)
+}
+
+/// The hazard of the Korean code, from its own return periods.
+fn code_hazard(site: &Site) -> Option<HazardPart> {
+    let (Site::Kds17 {
+        zone_factor_g, soil, ..
+    }
+    | Site::Kds41 { zone_factor_g, soil }) = site
+    else {
+        return None;
+    };
+    Some(HazardPart {
+        curve: Hazard::kds_17(*zone_factor_g, *soil).ok()?,
+        source: HazardSource::Kds17,
+    })
+}
+
+/// A hazard as it is written.
+fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
+    const PATH: &str = "site.hazard";
+    let given = &raw.value;
+    let (peaks, periods) = (given.peaks.as_ref()?, given.return_periods_years.as_ref()?);
+    let mut peaks_m_s2 = Vec::with_capacity(peaks.value.len());
+    for (i, peak) in peaks.value.iter().enumerate() {
+        let path = format!("{PATH}.peaks[{}]", i + 1);
+        peaks_m_s2.push(reader.plain(Some(peak), &path, Measure::GroundAcceleration, Bound::Positive)?);
+    }
+    let mut refuse = |message: String, help: &str| {
+        reader.fault(Fault::new(raw.span.clone(), PATH, format!("{PATH}: {message}")).help(help));
+    };
+    if peaks_m_s2.len() != periods.value.len() {
+        refuse(
+            format!(
+                "{} peaks, but {} return periods",
+                peaks_m_s2.len(),
+                periods.value.len()
+            ),
+            "give each peak its return period",
+        );
+        return None;
+    }
+    let curve = match (peaks_m_s2.as_slice(), &given.k) {
+        ([only], Some(k)) => Hazard::through(*only, periods.value[0], k.value),
+        ([_], None) => {
+            refuse(
+                "one peak alone tells no slope".to_owned(),
+                "give a second one, or k",
+            );
+            return None;
+        }
+        (_, Some(_)) => {
+            refuse(
+                "k goes with one peak alone".to_owned(),
+                "take it out: two peaks and more have slopes of their own",
+            );
+            return None;
+        }
+        (several, None) => {
+            let points: Vec<[f64; 2]> = several
+                .iter()
+                .zip(&periods.value)
+                .map(|(peak, years)| [*peak, 1.0 / years])
+                .collect();
+            Hazard::of_points(&points)
+        }
+    };
+    match curve {
+        Ok(curve) => Some(HazardPart {
+            curve,
+            source: HazardSource::File,
+        }),
+        Err(why) => {
+            refuse(why.to_string(), "peaks rise, and so do their return periods");
+            None
+        }
+    }
 }
 
 /// The key that a complaint is about.

@@ -1,7 +1,7 @@
 //! The site and the ground motions of a project file.
 
-use dolmen::assess::AssessError;
 use dolmen::assess::demand::{Site, SiteDemand, site_demand};
+use dolmen::assess::{AssessError, Hazard};
 use dolmen::signal::Component;
 
 /// Where the structure stands, and by what it is judged: `[site]`.
@@ -13,6 +13,26 @@ pub struct SitePart {
     pub damping_ratio: f64,
     /// Vertical over horizontal acceleration; `None`: that of the code.
     pub vertical_ratio: Option<f64>,
+    /// How often the ground shakes there: as written, or by the return periods of KDS 17 10 00.
+    pub hazard: Option<HazardPart>,
+}
+
+/// How often the peak acceleration of the ground is exceeded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct HazardPart {
+    /// Intensities in m/s².
+    pub curve: Hazard,
+    /// Where it comes from.
+    pub source: HazardSource,
+}
+
+/// Where a hazard comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum HazardSource {
+    /// The file.
+    File,
+    /// The return periods of KDS 17 10 00, soil included.
+    Kds17,
 }
 
 impl SitePart {

@@ -6,6 +6,7 @@ mod chain_findings;
 mod chain_simulation;
 mod demand;
 mod findings;
+mod fragility;
 mod frame;
 mod frame_simulation;
 mod given;

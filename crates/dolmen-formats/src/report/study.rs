@@ -1,5 +1,6 @@
 //! Studies in the report: capacities by value of each input, trends, figures.
 
+use super::fragility::fragility;
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::study_figures;
@@ -34,6 +35,7 @@ fn section(answer: &StudyAnswer, language: Language) -> Markup {
             (capacities(answer, language))
             (left_out(answer, language))
             (trends(answer, language))
+            (fragility(answer, &answer.fragilities(), language))
         }
         @for found in study_figures(answer, language).into_iter().take(FIGURES_MOST) {
             (figure(&found.svg, &caption(&found.name, language)))
@@ -48,16 +50,26 @@ fn what_was_run(answer: &StudyAnswer, language: Language) -> String {
     let scans = count(|scan| scan.verdict.is_usable());
     let refused = count(|scan| scan.verdict == ScanVerdict::Refused);
     let above = count(|scan| scan.verdict.is_usable() && !scan.survived_above_m_s2().is_empty());
-    language.pick(
+    let run = language.pick(
         format!(
-            "{runs} simulations of {cases} cases under {motions} motions, each at growing shaking; the inputs of {refused} scans were refused. \
-             {above} of {scans} scans survived a size of shaking above their first failure: one critical acceleration says little."
+            "{runs} simulations of {cases} cases under {motions} motions, each at growing shaking; the inputs of {refused} scans were refused."
         ),
         format!(
-            "경우 {cases}개와 지진파 {motions}개에 대해 지진동을 키워 가며 모두 {runs}회 해석하였고, 입력이 허용되지 않은 해석은 {refused}조이다. 해석 \
-             {scans}조 가운데 {above}조는 처음 무너진 크기보다 더 큰 지진동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다."
+            "경우 {cases}개와 지진파 {motions}개에 대해 지진동을 키워 가며 모두 {runs}회 해석하였고, 입력이 허용되지 않은 해석은 {refused}조이다."
         ),
-    )
+    );
+    if above == 0 {
+        return run;
+    }
+    let survived = language.pick(
+        format!(
+            "{above} of {scans} scans survived a size of shaking above their first failure: one critical acceleration says little."
+        ),
+        format!(
+            "해석 {scans}조 가운데 {above}조는 처음 무너진 크기보다 더 큰 지진동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다."
+        ),
+    );
+    format!("{run} {survived}")
 }
 
 /// Scans that are in no quantile and no trend; nothing if there are none.
@@ -219,6 +231,10 @@ fn caption(name: &str, language: Language) -> String {
         "survived" => language.pick(
             "What failed and what survived. Every dot one simulation; survived sizes can lie above ones that were not.",
             "무너진 경우와 견딘 경우. 점은 해석 1회이며, 무너진 크기보다 큰 지진동을 견디기도 한다.",
+        ),
+        "fragility" => language.pick(
+            "Fragility. The probability that a state is reached, by the peak of the ground; bands of resampled motions.",
+            "취약도. 최대지반가속도에 따른 손상 상태 도달 확률과 지진동 재표집에 따른 범위.",
         ),
         "growth" => language.pick("As the shaking grows. Largest over the storeys, or links and joints.", "지진동 증가에 따른 변화. 층(또는 부재·연결부) 중 최댓값."),
         "harmonic" => language.pick(

@@ -3,7 +3,7 @@
 use super::maps::ResponseMaps;
 use super::run::{Run, RunOutcome, StudyKind};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
-use crate::project::{ExpectedTrend, Names, StudyPart};
+use crate::project::{ExpectedTrend, HazardPart, Names, StudyPart};
 use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
 use std::collections::BTreeMap;
 
@@ -46,6 +46,8 @@ pub struct StudyAnswer {
     pub kind: StudyKind,
     /// Gravity that turns accelerations into g, m/s².
     pub gravity_m_s2: f64,
+    /// How often the ground shakes at the site, if that is known.
+    pub hazard: Option<HazardPart>,
     /// Version of the program.
     pub version: String,
     /// What is to be known of the project file: values that it does not give, and others.
@@ -133,6 +135,17 @@ impl StudyAnswer {
     /// The inputs of a job.
     pub fn case(&self, job: usize) -> &CaseInputs {
         &self.cases[self.case_of(job)]
+    }
+
+    /// The varied inputs of a job in words, without what is drawn; empty if nothing is varied.
+    pub fn combination_words(&self, job: usize) -> String {
+        let case = self.case(job);
+        let several = self.study.variants.len() > 1;
+        let mut words: Vec<String> = case.variant.iter().filter(|_| several).cloned().collect();
+        let each = self.inputs.iter().zip(&case.texts);
+        let varied = each.filter(|(input, _)| !input.is_drawn);
+        words.extend(varied.map(|(input, text)| format!("{} = {text}", input.path)));
+        words.join(", ")
     }
 
     /// The sample of a job, from 0.

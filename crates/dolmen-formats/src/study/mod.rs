@@ -1,6 +1,7 @@
 //! Studies: their runs, the journal that keeps them, and what they say together.
 
 mod answer;
+mod fragility;
 mod journal;
 mod maps;
 mod method;
@@ -10,6 +11,7 @@ mod scans;
 mod table;
 
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
+pub use fragility::{CombinationFragility, StateFragility, YEARS, fragility_columns};
 pub use journal::{Journal, JournalError, JournalHeader, fingerprint, header_line, read_journal, run_line};
 pub use maps::{ResponseMaps, harmonic_columns, release_columns};
 pub use method::{SWING_REST_S, input_words, part_of_step};

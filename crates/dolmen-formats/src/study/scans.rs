@@ -53,8 +53,12 @@ pub struct CapacityOf {
     pub scan: Option<Capacity>,
     /// Largest horizontal peak of the motion at scale 1, m/s²; not a number where nothing was run.
     pub peak_of_scale_1_m_s2: f64,
+    /// Largest velocity of that component at scale 1, m/s.
+    pub velocity_of_scale_1_m_s: f64,
     /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; of scans that can be used.
     pub first_m_s2: Option<[Reached; 4]>,
+    /// The largest peak that was tried below each of them, m/s²; 0 if none was.
+    pub below_m_s2: Option<[f64; 4]>,
 }
 
 impl CapacityOf {
@@ -200,6 +204,11 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
             false => Reached::Above(largest),
         }
     };
+    let below = |state: u8| {
+        let first = first(state).value();
+        let tried = usable.iter().map(|run| run.peak_ground_acceleration_m_s2);
+        tried.filter(|peak| *peak < first).fold(0.0, f64::max)
+    };
     CapacityOf {
         job,
         verdict,
@@ -207,9 +216,15 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
         peak_of_scale_1_m_s2: usable
             .first()
             .map_or(f64::NAN, |run| run.peak_ground_acceleration_m_s2 / run.scale),
+        velocity_of_scale_1_m_s: usable
+            .first()
+            .map_or(f64::NAN, |run| run.peak_ground_velocity_m_s / run.scale),
         first_m_s2: verdict
             .is_usable()
             .then(|| [first(1), first(2), first(3), first(4)]),
+        below_m_s2: verdict
+            .is_usable()
+            .then(|| [below(1), below(2), below(3), below(4)]),
     }
 }
 

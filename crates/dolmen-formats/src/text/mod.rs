@@ -3,6 +3,7 @@
 mod chain_simulation;
 mod check;
 mod demand;
+mod fragility;
 mod frame_simulation;
 mod identify;
 mod motion;

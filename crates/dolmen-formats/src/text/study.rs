@@ -1,6 +1,7 @@
 //! A study, as text: how its runs ended, capacities by value of each input, trends.
 
 use super::Table;
+use super::fragility::fragility_text;
 use crate::Language;
 use crate::number::significant;
 use crate::project::Scan;
@@ -24,6 +25,7 @@ pub fn study_text(answer: &StudyAnswer) -> Result<String, AssessError> {
     out += &levels(answer);
     out += &growth(answer);
     out += &trends(answer, &answer.trends()?);
+    out += &fragility_text(answer, &answer.fragilities())?;
     Ok(out + &releases(answer))
 }
 

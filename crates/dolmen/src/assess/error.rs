@@ -1,3 +1,4 @@
+use super::fragility::FragilityBound;
 use crate::numeric::NumericError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
@@ -72,4 +73,76 @@ pub enum AssessError {
         /// The value given.
         given: f64,
     },
+    /// A parameter of a fragility curve that cannot be.
+    #[error("{parameter} of a fragility curve is {given}, but must be a positive number")]
+    FragilityParameter {
+        /// Its name.
+        parameter: &'static str,
+        /// The value given.
+        given: f64,
+    },
+    /// An observation that cannot be.
+    #[error("observation {number} has {given}, but must have {allowed}")]
+    Observation {
+        /// Which, from 1.
+        number: usize,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// Too few motions for a fragility curve.
+    #[error("{given} motions are too few for a fragility curve: give 3 or more, and 22 or more to rank with")]
+    TooFewMotions {
+        /// How many there are.
+        given: usize,
+    },
+    /// Observations that allow no fragility curve, and what they say all the same.
+    #[error("{}", no_fragility(.0))]
+    NoFragility(FragilityBound),
+    /// Observations whose likeliest curve does not rise.
+    #[error(
+        "the state is reached no more often at high intensities than at low ones: no fragility curve rises through these \
+         observations; is the intensity measure the right one?"
+    )]
+    FragilityFalls,
+    /// A hazard that cannot be.
+    #[error("{what} of the hazard is {given}, but must be {allowed}")]
+    Hazard {
+        /// What is wrong.
+        what: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+}
+
+fn no_fragility(bound: &FragilityBound) -> String {
+    match bound {
+        FragilityBound::NoneReached {
+            intensity,
+            motions,
+            probability_most,
+        } => format!(
+            "none of {motions} motions reached the state: no curve can be fitted. With 95 % confidence its probability at an intensity of \
+             {intensity:.4} is at most {probability_most:.3}; try stronger shaking"
+        ),
+        FragilityBound::AllReached {
+            intensity,
+            motions,
+            probability_least,
+        } => format!(
+            "all of {motions} motions reached the state: no curve can be fitted. With 95 % confidence its probability at an intensity of \
+             {intensity:.4} is at least {probability_least:.3}; try weaker shaking"
+        ),
+        FragilityBound::Separated { survived, reached } if survived == reached => format!(
+            "the state is reached at an intensity of {reached:.4} and not below: its scatter is smaller than the steps tell, and no curve can be \
+             fitted; try more motions, or finer steps"
+        ),
+        FragilityBound::Separated { survived, reached } => format!(
+            "nothing reached the state up to an intensity of {survived:.4} and everything from {reached:.4} on: its scatter is smaller than the \
+             steps tell, and no curve can be fitted; try finer steps between"
+        ),
+    }
 }

@@ -5,8 +5,10 @@ mod chain;
 mod damage;
 pub mod demand;
 mod error;
+mod fragility;
 mod frame;
 mod probability;
+mod risk;
 mod sensitivity;
 mod stack;
 mod trends;
@@ -17,8 +19,13 @@ pub use capacity::{
 pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
 pub use damage::{DamageState, SLIP_LEAST_M, StackDamage, stack_damage};
 pub use error::AssessError;
+pub use fragility::{
+    Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, bootstrap_fragility,
+    crossing, fit_fragility, fit_fragility_by_moments, motions_needed,
+};
 pub use frame::{FrameCheck, FrameNote, check_frame};
 pub use probability::{Distribution, Probability, probability, sampled};
+pub use risk::{AnnualRisk, Hazard, annual_risk};
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};
 pub use trends::{Direction, Trend, trend};

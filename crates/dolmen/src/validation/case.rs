@@ -1,5 +1,5 @@
 use super::{
-    ValidationError, choi_2021, columns, dampers, dry_friction, kim_koo_hong_2018, park_min_2010,
+    ValidationError, choi_2021, columns, dampers, dry_friction, fragility, kim_koo_hong_2018, park_min_2010,
     rigid_blocks, second_methods,
 };
 
@@ -56,6 +56,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         rigid_blocks::cases(),
         dry_friction::cases()?,
         dampers::cases()?,
+        fragility::cases()?,
         second_methods::cases()?,
     ];
     Ok(sources.into_iter().flatten().collect())

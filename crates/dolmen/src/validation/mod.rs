@@ -7,6 +7,7 @@ mod columns;
 mod dampers;
 mod dry_friction;
 mod error;
+mod fragility;
 mod kim_koo_hong_2018;
 mod park_min_2010;
 mod rigid_blocks;

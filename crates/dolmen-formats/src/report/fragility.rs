@@ -1,0 +1,105 @@
+//! Fragility and risk of a study in the report.
+
+use super::table::{Cell, table};
+use crate::Language;
+use crate::number::percent;
+use crate::study::{CombinationFragility, StudyAnswer, YEARS};
+use maud::{Markup, html};
+
+/// Combinations in the table; all are in fragility.csv.
+const SHOWN_MOST: usize = 8;
+
+/// The table of curves and what it rests on; nothing without a curve.
+pub(super) fn fragility(answer: &StudyAnswer, found: &[CombinationFragility], language: Language) -> Markup {
+    let has_curve = |one: &&CombinationFragility| one.states.iter().any(|s| s.by_acceleration.is_ok());
+    let shown: Vec<&CombinationFragility> = found.iter().filter(has_curve).take(SHOWN_MOST).collect();
+    let mut head = vec![
+        language.pick("case", "경우").to_owned(),
+        language.pick("state", "손상 상태").to_owned(),
+        "θ (g)".to_owned(),
+        "95 %".to_owned(),
+        "β".to_owned(),
+        language.pick("β of velocity", "β (속도)").to_owned(),
+    ];
+    if answer.hazard.is_some() {
+        head.push(language.pick("a year", "연간 발생률").to_owned());
+        head.push(language.pick("in 50 years", "50년 확률").to_owned());
+    }
+    let in_g = |value: f64| format!("{:.3}", value / answer.gravity_m_s2);
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    for one in &shown {
+        for (i, state) in one.states.iter().enumerate() {
+            let label = if i == 0 {
+                answer.combination_words(one.job)
+            } else {
+                String::new()
+            };
+            let mut row = vec![
+                Cell::wrapping(label),
+                answer.state_words(language)[state.state].into(),
+            ];
+            match &state.by_acceleration {
+                Ok(fit) => {
+                    let interval = fit.theta_interval(0.95).ok();
+                    row.push(in_g(fit.curve.theta()).into());
+                    row.push(
+                        interval
+                            .map_or(String::new(), |i| {
+                                format!("{} – {}", in_g(i.lower), in_g(i.upper))
+                            })
+                            .into(),
+                    );
+                    row.push(format!("{:.2}", fit.curve.beta()).into());
+                    let velocity = state.by_velocity.as_ref().ok();
+                    row.push(
+                        velocity
+                            .map_or("–".to_owned(), |fit| format!("{:.2}", fit.curve.beta()))
+                            .into(),
+                    );
+                }
+                Err(why) => {
+                    row.push(answer.bound_words(why, language).into());
+                    row.extend(["–", "–", "–"].map(Cell::from));
+                }
+            }
+            if let Some(risk) = state.risk {
+                row.push(format!("{:.1e}", risk.annual_rate).into());
+                row.push(percent(risk.probability_in(YEARS), 2).into());
+            }
+            row.resize(head.len(), "–".into());
+            rows.push(row);
+        }
+    }
+    html! {
+        @if !rows.is_empty() {
+            (table(language.pick(
+                "Fragility and risk. θ is the peak acceleration of the ground that half of the scans reach the state by, β the scatter of its logarithm; 95 % interval of θ.",
+                "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, θ의 95 % 구간을 함께 제시한다.",
+            ), 2, &head, &rows))
+            @for one in &shown {
+                @for (mild, severe, at) in one.crossings() {
+                    p { b { (crossing_words(answer, (mild, severe), at.intensity, language)) } }
+                }
+            }
+        }
+    }
+}
+
+fn crossing_words(
+    answer: &StudyAnswer,
+    (mild, severe): (usize, usize),
+    intensity: f64,
+    language: Language,
+) -> String {
+    let (states, g) = (answer.state_words(language), intensity / answer.gravity_m_s2);
+    language.pick(
+        format!(
+            "The curves of {} and {} cross at {g:.3} g: beyond it the worse state is called likelier than the milder one, which cannot be.",
+            states[mild], states[severe]
+        ),
+        format!(
+            "{}와 {}의 곡선이 {g:.3} g에서 교차한다. 그 너머에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
+            states[mild], states[severe]
+        ),
+    )
+}

@@ -1,0 +1,285 @@
+//! Fragility of what was studied: one curve a combination of inputs and state, over motions, directions and samples.
+
+use super::answer::StudyAnswer;
+use super::scans::CapacityOf;
+use super::table::{Column, ColumnValues};
+use crate::Language;
+use dolmen::assess::{
+    AnnualRisk, AssessError, Crossing, FragilityBand, FragilityBound, FragilityFit, Observation, Reached,
+    annual_risk, bootstrap_fragility, crossing, fit_fragility, motions_needed,
+};
+
+/// Resamples of a band, and their seed. Chosen here.
+const RESAMPLES: usize = 200;
+const SEED: u64 = 1;
+/// Standard error of ln θ that counts as enough. Chosen here: a median that is known to a tenth.
+const ERROR_WANTED: f64 = 0.1;
+/// A crossing of two curves matters where both probabilities lie between this and what is left of 1. Chosen here.
+const CROSSING_LEAST: f64 = 0.01;
+/// Years of the probability that is said.
+pub const YEARS: f64 = 50.0;
+
+/// The curve of one state of one combination of inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StateFragility {
+    /// The state, 0 to 3: DS1 to DS3, fall.
+    pub state: usize,
+    /// What was seen, intensities as peak accelerations of the ground, m/s².
+    pub observations: Vec<Observation>,
+    /// The curve over peak acceleration, m/s², or why there is none.
+    pub by_acceleration: Result<FragilityFit, AssessError>,
+    /// The curve over peak velocity, m/s.
+    pub by_velocity: Result<FragilityFit, AssessError>,
+    /// How often it is reached, if the site has a hazard.
+    pub risk: Option<AnnualRisk>,
+}
+
+impl StateFragility {
+    /// Bands of the curve over peak acceleration.
+    ///
+    /// # Errors
+    /// Those of the curve.
+    pub fn band(&self) -> Result<FragilityBand, AssessError> {
+        bootstrap_fragility(&self.observations, RESAMPLES, SEED)
+    }
+
+    /// Motions that make the standard error of ln θ a tenth; `None` without a curve.
+    pub fn motions_enough(&self) -> Option<usize> {
+        let fit = self.by_acceleration.as_ref().ok()?;
+        // what one motion tells, with those that are censored: σ² falls as 1/n
+        let of_one = fit.ln_theta_error * (fit.motions as f64).sqrt();
+        motions_needed(of_one, ERROR_WANTED).ok()
+    }
+}
+
+/// The curves of one combination of inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CombinationFragility {
+    /// The combination, from 0.
+    pub combination: usize,
+    /// One of its jobs, to read its inputs from.
+    pub job: usize,
+    /// Scans that can be used.
+    pub usable: usize,
+    /// States that have a name, the mildest first.
+    pub states: Vec<StateFragility>,
+}
+
+impl CombinationFragility {
+    /// Pairs of states whose curves cross where it matters: there the worse state is called likelier than the milder one.
+    pub fn crossings(&self) -> Vec<(usize, usize, Crossing)> {
+        let mut found = Vec::new();
+        for (i, mild) in self.states.iter().enumerate() {
+            for severe in &self.states[i + 1..] {
+                let (Ok(a), Ok(b)) = (&mild.by_acceleration, &severe.by_acceleration) else {
+                    continue;
+                };
+                let at = crossing(&a.curve, &b.curve)
+                    .filter(|at| (CROSSING_LEAST..=1.0 - CROSSING_LEAST).contains(&at.probability));
+                found.extend(at.map(|at| (mild.state, severe.state, at)));
+            }
+        }
+        found
+    }
+}
+
+impl StudyAnswer {
+    /// Fragility of each combination of inputs that has a scan which can be used; nothing for a study without a scan.
+    pub fn fragilities(&self) -> Vec<CombinationFragility> {
+        if self.study.scan.is_none() {
+            return Vec::new();
+        }
+        let scans = self.capacities();
+        let named = self.kind.states().map(|name| name != "–");
+        let mut found: Vec<CombinationFragility> = Vec::new();
+        for combination in 0..self.study.combinations() {
+            let own = scans
+                .iter()
+                .filter(|scan| scan.verdict.is_usable() && self.combination_of(scan.job) == combination);
+            let own: Vec<&CapacityOf> = own.collect();
+            let Some(first) = own.first() else { continue };
+            let states = (0..4)
+                .filter(|state| named[*state])
+                .map(|state| self.state_fragility(state, &own));
+            found.push(CombinationFragility {
+                combination,
+                job: first.job,
+                usable: own.len(),
+                states: states.collect(),
+            });
+        }
+        found
+    }
+
+    /// What is known of θ where there is no curve, in g.
+    pub fn bound_words(&self, why: &AssessError, language: Language) -> String {
+        let g = |value: f64| format!("{:.3}", value / self.gravity_m_s2);
+        match why {
+            AssessError::NoFragility(FragilityBound::NoneReached {
+                intensity,
+                probability_most: p,
+                ..
+            }) => {
+                let x = g(*intensity);
+                language.pick(format!("at {x}: P < {p:.2}"), format!("{x}에서 P < {p:.2}"))
+            }
+            AssessError::NoFragility(FragilityBound::AllReached {
+                intensity,
+                probability_least: p,
+                ..
+            }) => {
+                let x = g(*intensity);
+                language.pick(format!("at {x}: P > {p:.2}"), format!("{x}에서 P > {p:.2}"))
+            }
+            AssessError::NoFragility(FragilityBound::Separated { survived, reached }) => {
+                let (from, to) = (g(*survived), g(*reached));
+                if from == to {
+                    language.pick(format!("about {to}"), format!("약 {to}"))
+                } else {
+                    language.pick(format!("{from} to {to}"), format!("{from} – {to}"))
+                }
+            }
+            AssessError::TooFewMotions { .. } => language.pick("too few", "자료 부족").to_owned(),
+            _ => language.pick("no curve", "곡선 없음").to_owned(),
+        }
+    }
+
+    /// What the damage states are called, the first state first.
+    pub fn state_words(&self, language: Language) -> [&'static str; 4] {
+        let words = self.kind.states();
+        words.map(|word| match (word, language) {
+            (_, Language::English) => word,
+            ("falls", _) => "낙하·전도",
+            ("slips", _) => "미끄러짐",
+            ("opens", _) => "벌어짐",
+            ("drift limit", _) => "층간변위 한계",
+            (word, _) => word,
+        })
+    }
+
+    fn state_fragility(&self, state: usize, scans: &[&CapacityOf]) -> StateFragility {
+        let seen = |scan: &&CapacityOf| scan.observation(state);
+        let observations: Vec<Observation> = scans.iter().filter_map(seen).collect();
+        let velocities: Vec<Observation> = scans
+            .iter()
+            .filter_map(|scan| {
+                let factor = scan.velocity_of_scale_1_m_s / scan.peak_of_scale_1_m_s2;
+                Some(times(scan.observation(state)?, factor))
+            })
+            .collect();
+        let by_acceleration = fit_fragility(&observations);
+        let risk = self.hazard.as_ref().zip(by_acceleration.as_ref().ok());
+        StateFragility {
+            state,
+            risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
+            by_velocity: fit_fragility(&velocities),
+            by_acceleration,
+            observations,
+        }
+    }
+}
+
+impl CapacityOf {
+    /// What the scan says of a state, 0 to 3, as peak acceleration of the ground, m/s².
+    fn observation(&self, state: usize) -> Option<Observation> {
+        let below = self.below_m_s2?[state];
+        Some(match self.first_m_s2?[state] {
+            Reached::Above(largest) => Observation::Above(largest),
+            Reached::At(first) if below > 0.0 => Observation::Between(below, first),
+            Reached::At(first) => Observation::Below(first),
+        })
+    }
+}
+
+fn times(observation: Observation, factor: f64) -> Observation {
+    match observation {
+        Observation::Stripe {
+            intensity,
+            motions,
+            reached,
+        } => Observation::Stripe {
+            intensity: factor * intensity,
+            motions,
+            reached,
+        },
+        Observation::At(x) => Observation::At(factor * x),
+        Observation::Above(x) => Observation::Above(factor * x),
+        Observation::Below(x) => Observation::Below(factor * x),
+        Observation::Between(low, high) => Observation::Between(factor * low, factor * high),
+    }
+}
+
+/// Every curve, a row a combination and state: inputs, what it rests on, median, dispersion, errors, risk; why where there is none.
+pub fn fragility_columns(answer: &StudyAnswer, found: &[CombinationFragility]) -> Vec<Column> {
+    let rows: Vec<(&CombinationFragility, &StateFragility)> = found
+        .iter()
+        .flat_map(|one| one.states.iter().map(move |state| (one, state)))
+        .collect();
+    let words = |name: &str, of: &dyn Fn(&(&CombinationFragility, &StateFragility)) -> String| Column {
+        name: name.to_owned(),
+        values: ColumnValues::Words(rows.iter().map(of).collect()),
+    };
+    let counts = |name: &str, of: &dyn Fn(&(&CombinationFragility, &StateFragility)) -> usize| Column {
+        name: name.to_owned(),
+        values: ColumnValues::Counts(rows.iter().map(|row| of(row) as i64).collect()),
+    };
+    let numbers = |name: &str, of: &dyn Fn(&StateFragility) -> Option<f64>| Column {
+        name: name.to_owned(),
+        values: ColumnValues::Numbers(rows.iter().map(|(_, state)| of(state)).collect()),
+    };
+    let fit = |of: fn(&FragilityFit) -> f64| {
+        move |state: &StateFragility| state.by_acceleration.as_ref().ok().map(of)
+    };
+    let states = answer.kind.states();
+    let mut columns = vec![counts("combination", &|(one, _)| one.combination + 1)];
+    if !answer.study.variants.is_empty() {
+        columns.push(words("variant", &|(one, _)| {
+            answer.case(one.job).variant.clone().unwrap_or_default()
+        }));
+    }
+    for (index, input) in answer
+        .inputs
+        .iter()
+        .enumerate()
+        .filter(|(_, input)| !input.is_drawn)
+    {
+        columns.push(words(&input.column, &|(one, _)| {
+            let texts = &answer.case(one.job).texts;
+            texts.get(index).cloned().unwrap_or_default()
+        }));
+    }
+    columns.extend([
+        words("state", &|(_, state)| states[state.state].to_owned()),
+        counts("scans", &|(one, _)| one.usable),
+        counts("reached", &|(_, state)| {
+            let reached = state.observations.iter();
+            reached
+                .filter(|seen| !matches!(seen, Observation::Above(_)))
+                .count()
+        }),
+        numbers("theta_pga_m_s2", &fit(|fit| fit.curve.theta())),
+        numbers("beta_pga", &fit(|fit| fit.curve.beta())),
+        numbers("ln_theta_error", &fit(|fit| fit.ln_theta_error)),
+        numbers("beta_error", &fit(|fit| fit.beta_error)),
+        numbers("theta_pgv_m_s", &|state| {
+            state.by_velocity.as_ref().ok().map(|fit| fit.curve.theta())
+        }),
+        numbers("beta_pgv", &|state| {
+            state.by_velocity.as_ref().ok().map(|fit| fit.curve.beta())
+        }),
+        numbers("annual_rate", &|state| state.risk.map(|risk| risk.annual_rate)),
+        numbers("probability_in_50_years", &|state| {
+            state.risk.map(|risk| risk.probability_in(YEARS))
+        }),
+        numbers("rate_share_beyond_hazard", &|state| {
+            state
+                .risk
+                .map(|risk| risk.share_below_points + risk.share_above_points)
+        }),
+        words("why_not", &|(_, state)| match &state.by_acceleration {
+            Ok(_) => String::new(),
+            Err(why) => why.to_string(),
+        }),
+    ]);
+    columns
+}

@@ -1,0 +1,178 @@
+//! Fragility and risk of a study, as text.
+
+use super::Table;
+use crate::Language;
+use crate::number::{percent, significant};
+use crate::project::HazardSource;
+use crate::study::{CombinationFragility, StudyAnswer, YEARS};
+use dolmen::assess::AssessError;
+use std::fmt::Write as _;
+
+/// Combinations that are printed; more are in fragility.csv.
+const PRINTED_MOST: usize = 6;
+/// Confidence of intervals.
+const CONFIDENCE: f64 = 0.95;
+/// Share of a rate from beyond the points of the hazard that is said. Chosen here.
+const BEYOND_SAID: f64 = 0.1;
+
+/// The curves of a study, the first combinations of many; nothing without a scan.
+///
+/// # Errors
+/// None for curves as they are fitted.
+pub(super) fn fragility_text(
+    answer: &StudyAnswer,
+    found: &[CombinationFragility],
+) -> Result<String, AssessError> {
+    let few = |one: &CombinationFragility| one.states.iter().all(|s| is_too_few(&s.by_acceleration));
+    if found.is_empty() {
+        return Ok(String::new());
+    }
+    if found.iter().all(few) {
+        let most = found.iter().map(|one| one.usable).max().unwrap_or(0);
+        return Ok(format!(
+            "\nNo fragility curves: {most} usable scan{} a combination of inputs, 3 or more are needed\n",
+            if most == 1 { "" } else { "s" }
+        ));
+    }
+    let mut out = String::from(
+        "\nFragility: lognormal in the peak of the ground; θ is reached by half of the scans, β is the scatter of ln; 95 % intervals\n",
+    );
+    out += &curves(answer, found)?;
+    out += &notes(answer, found);
+    Ok(out)
+}
+
+fn is_too_few<T>(fit: &Result<T, AssessError>) -> bool {
+    matches!(fit, Err(AssessError::TooFewMotions { .. }))
+}
+
+fn curves(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String, AssessError> {
+    let has_risk = answer.hazard.is_some();
+    let mut heads = vec![
+        "case",
+        "state",
+        "reached",
+        "θ, g",
+        "95 %",
+        "β",
+        "95 %",
+        "θ, m/s",
+        "β of velocity",
+        "enough",
+    ];
+    if has_risk {
+        heads.extend(["a year", "in 50 years"]);
+    }
+    let mut table = Table::new(&heads, 2);
+    let in_g = |value: f64| format!("{:.3}", value / answer.gravity_m_s2);
+    for one in found.iter().take(PRINTED_MOST) {
+        for (i, state) in one.states.iter().enumerate() {
+            let reached = state.observations.iter();
+            let reached = reached.filter(|seen| !matches!(seen, dolmen::assess::Observation::Above(_)));
+            let label = if i == 0 {
+                answer.combination_words(one.job)
+            } else {
+                String::new()
+            };
+            let mut cells = vec![
+                label,
+                answer.kind.states()[state.state].to_owned(),
+                format!("{} of {}", reached.count(), one.usable),
+            ];
+            match &state.by_acceleration {
+                Ok(fit) => {
+                    let (theta, beta) = (fit.theta_interval(CONFIDENCE)?, fit.beta_interval(CONFIDENCE)?);
+                    cells.extend([
+                        in_g(fit.curve.theta()),
+                        format!("{} to {}", in_g(theta.lower), in_g(theta.upper)),
+                        format!("{:.2}", fit.curve.beta()),
+                        format!("{:.2} to {:.2}", beta.lower, beta.upper),
+                    ]);
+                }
+                Err(why) => {
+                    cells.push(answer.bound_words(why, Language::English));
+                    cells.resize(7, "–".to_owned());
+                }
+            }
+            match &state.by_velocity {
+                Ok(fit) => cells.extend([
+                    significant(fit.curve.theta(), 3),
+                    format!("{:.2}", fit.curve.beta()),
+                ]),
+                Err(_) => cells.extend(["–".to_owned(), "–".to_owned()]),
+            }
+            cells.push(state.motions_enough().map_or("–".to_owned(), |n| n.to_string()));
+            if let Some(risk) = state.risk {
+                cells.extend([
+                    format!("{:.1e}", risk.annual_rate),
+                    percent(risk.probability_in(YEARS), 2),
+                ]);
+            }
+            cells.resize(heads.len(), "–".to_owned());
+            table.row(cells);
+        }
+    }
+    let mut out = table.text();
+    if found.len() > PRINTED_MOST {
+        let _ = writeln!(out, "  and {} more: fragility.csv", found.len() - PRINTED_MOST);
+    }
+    out += "  \"enough\": motions by which θ is known to 10 % (one standard error)\n";
+    Ok(out)
+}
+
+fn notes(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
+    let mut out = String::new();
+    let has_bound = |one: &CombinationFragility| {
+        one.states
+            .iter()
+            .any(|state| matches!(state.by_acceleration, Err(AssessError::NoFragility(_))))
+    };
+    if found.iter().take(PRINTED_MOST).any(has_bound) {
+        out += "  where none or all reached a state, or its scatter is below the steps: what is known with 95 % confidence, and no curve\n";
+    }
+    let states = answer.kind.states();
+    for one in found.iter().take(PRINTED_MOST) {
+        for (mild, severe, at) in one.crossings() {
+            let _ = writeln!(
+                out,
+                "  WARNING: the curves of {} and {} cross at {:.3} g, where both have {:.2}: beyond it the worse state is called likelier{}",
+                states[mild],
+                states[severe],
+                at.intensity / answer.gravity_m_s2,
+                at.probability,
+                match answer.combination_words(one.job) {
+                    words if words.is_empty() => words,
+                    words => format!(" ({words})"),
+                }
+            );
+        }
+    }
+    if let Some(hazard) = &answer.hazard {
+        let points = hazard.curve.points();
+        let words = match hazard.source {
+            HazardSource::Kds17 => "the return periods of KDS 17 10 00, 50 to 2400 years, soil included",
+            HazardSource::File => "the hazard of the file",
+        };
+        let ends =
+            [points.first(), points.last()].map(|point| point.map_or(0.0, |p| p[0] / answer.gravity_m_s2));
+        let _ = writeln!(
+            out,
+            "  a year, in 50 years: by {words}, {:.3} to {:.3} g",
+            ends[0], ends[1]
+        );
+        let beyond = found
+            .iter()
+            .flat_map(|one| &one.states)
+            .filter_map(|state| state.risk)
+            .map(|risk| risk.share_below_points + risk.share_above_points)
+            .fold(0.0, f64::max);
+        if beyond > BEYOND_SAID {
+            let _ = writeln!(
+                out,
+                "  up to {} of a rate comes from shaking beyond these peaks, where the slope of the ends goes on: nobody gave it",
+                percent(beyond, 2)
+            );
+        }
+    }
+    out
+}

@@ -1,0 +1,111 @@
+//! Bands of a fragility curve: what other motions of the same kind could have given.
+
+use super::curve::Fragility;
+use super::fit::fit_fragility;
+use super::observation::Observation;
+use crate::assess::AssessError;
+use crate::numeric::{Interval, Random, quantile};
+
+/// Curves of resampled observations.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FragilityBand {
+    /// The curves that could be fitted.
+    pub curves: Vec<Fragility>,
+    /// Resamples that allowed no curve: none or all reached the state, or the intensity told them apart.
+    pub without_curve: usize,
+    /// Seed of the resamples.
+    pub seed: u64,
+}
+
+impl FragilityBand {
+    /// The middle part of the probabilities at an intensity that holds so much of the curves; `None` without a curve.
+    ///
+    /// # Errors
+    /// [`AssessError::Numeric`] unless 0 < confidence < 1.
+    pub fn probability(&self, intensity: f64, confidence: f64) -> Result<Option<Interval>, AssessError> {
+        self.middle(confidence, |curve| curve.probability(intensity))
+    }
+
+    /// The same of θ.
+    ///
+    /// # Errors
+    /// As [`FragilityBand::probability`].
+    pub fn theta(&self, confidence: f64) -> Result<Option<Interval>, AssessError> {
+        self.middle(confidence, Fragility::theta)
+    }
+
+    /// The same of β.
+    ///
+    /// # Errors
+    /// As [`FragilityBand::probability`].
+    pub fn beta(&self, confidence: f64) -> Result<Option<Interval>, AssessError> {
+        self.middle(confidence, Fragility::beta)
+    }
+
+    fn middle(
+        &self,
+        confidence: f64,
+        of: impl Fn(&Fragility) -> f64,
+    ) -> Result<Option<Interval>, AssessError> {
+        if self.curves.is_empty() {
+            return Ok(None);
+        }
+        let values: Vec<f64> = self.curves.iter().map(of).collect();
+        Ok(Some(Interval {
+            lower: quantile(&values, 0.5 - 0.5 * confidence)?,
+            upper: quantile(&values, 0.5 + 0.5 * confidence)?,
+        }))
+    }
+}
+
+/// Fits curves to resampled observations: single motions are drawn with replacement, of each stripe as many reach the state as of
+/// as many draws with its share. Resample i draws from stream i of the seed.
+///
+/// # Errors
+/// Those of [`fit_fragility`] for the observations as they are; resamples without a curve are counted.
+///
+/// # Source
+/// Efron, B. and Tibshirani, R. (1993) An Introduction to the Bootstrap, ch. 6 and 13.
+pub fn bootstrap_fragility(
+    observations: &[Observation],
+    resamples: usize,
+    seed: u64,
+) -> Result<FragilityBand, AssessError> {
+    fit_fragility(observations)?;
+    let single: Vec<Observation> = observations
+        .iter()
+        .copied()
+        .filter(|o| !matches!(o, Observation::Stripe { .. }))
+        .collect();
+    let mut band = FragilityBand {
+        curves: Vec::with_capacity(resamples),
+        without_curve: 0,
+        seed,
+    };
+    for resample in 0..resamples as u64 {
+        let mut random = Random::new(seed, resample);
+        let mut below = |n: usize| ((random.uniform() * n as f64) as usize).min(n - 1);
+        let mut drawn: Vec<Observation> = (0..single.len()).map(|_| single[below(single.len())]).collect();
+        for observation in observations {
+            if let Observation::Stripe {
+                intensity,
+                motions,
+                reached,
+            } = *observation
+            {
+                let reached = (0..motions).filter(|_| below(motions) < reached).count();
+                drawn.push(Observation::Stripe {
+                    intensity,
+                    motions,
+                    reached,
+                });
+            }
+        }
+        match fit_fragility(&drawn) {
+            Ok(fit) => band.curves.push(fit.curve),
+            Err(AssessError::NoFragility(_) | AssessError::FragilityFalls) => band.without_curve += 1,
+            Err(error) => return Err(error),
+        }
+    }
+    Ok(band)
+}

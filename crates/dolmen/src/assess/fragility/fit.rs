@@ -1,0 +1,550 @@
+//! Fits of a lognormal fragility curve.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | z = a x − c | `[slope, offset]` | probit; x = ln IM less its middle, a = 1/β, c = ln θ/β |
+//! | n, k | `motions`, `reached` | motions at an intensity, and those that reached the state |
+
+use super::curve::Fragility;
+use super::observation::{Observation, bound};
+use crate::assess::AssessError;
+use crate::numeric::{
+    Interval, ln_normal_density, ln_normal_probability, mean, normal_hazard, normal_quantile, variance,
+};
+
+/// Fewest motions that a curve is fitted to.
+const MOTIONS_LEAST: usize = 3;
+/// Newton's steps, and the one that is small enough.
+const STEPS_MOST: usize = 200;
+const STEP_LEAST: f64 = 1e-13;
+
+/// A curve with what is to be known of how it was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FragilityFit {
+    /// The curve.
+    pub curve: Fragility,
+    /// Standard error of ln θ.
+    pub ln_theta_error: f64,
+    /// Standard error of β.
+    pub beta_error: f64,
+    /// Covariance of ln θ and β.
+    pub covariance: f64,
+    /// Logarithm of the likelihood; `None` of a fit by moments.
+    pub log_likelihood: Option<f64>,
+    /// Motions it rests on: of stripes those of the largest.
+    pub motions: usize,
+    /// Observations that reached the state, of all.
+    pub reached: usize,
+    /// All observations: of stripes every motion at every intensity.
+    pub observations: usize,
+}
+
+impl FragilityFit {
+    /// Interval of θ with a confidence: θ exp(± z σ).
+    ///
+    /// # Errors
+    /// [`AssessError::Numeric`] unless 0 < confidence < 1.
+    pub fn theta_interval(&self, confidence: f64) -> Result<Interval, AssessError> {
+        Ok(around(
+            self.curve.theta(),
+            self.ln_theta_error,
+            two_sided(confidence)?,
+        ))
+    }
+
+    /// Interval of β with a confidence: β exp(± z σ/β), positive at both ends.
+    ///
+    /// # Errors
+    /// As [`FragilityFit::theta_interval`].
+    pub fn beta_interval(&self, confidence: f64) -> Result<Interval, AssessError> {
+        let relative = self.beta_error / self.curve.beta();
+        Ok(around(self.curve.beta(), relative, two_sided(confidence)?))
+    }
+
+    /// Interval of the probability at an intensity with a confidence, from the covariance of both parameters.
+    ///
+    /// # Errors
+    /// As [`FragilityFit::theta_interval`].
+    pub fn probability_interval(&self, intensity: f64, confidence: f64) -> Result<Interval, AssessError> {
+        let beta = self.curve.beta();
+        let z = (intensity / self.curve.theta()).ln() / beta;
+        // dz = −(d ln θ + z dβ)/β
+        let variance =
+            self.ln_theta_error.powi(2) + z * (2.0 * self.covariance + z * self.beta_error.powi(2));
+        let half = two_sided(confidence)? * variance.max(0.0).sqrt() / beta;
+        let at = |z: f64| ln_normal_probability(z).exp();
+        Ok(Interval {
+            lower: at(z - half),
+            upper: at(z + half),
+        })
+    }
+}
+
+fn two_sided(confidence: f64) -> Result<f64, AssessError> {
+    Ok(normal_quantile(0.5 + 0.5 * confidence)?)
+}
+
+fn around(value: f64, relative: f64, times: f64) -> Interval {
+    Interval {
+        lower: value * (-times * relative).exp(),
+        upper: value * (times * relative).exp(),
+    }
+}
+
+/// The likeliest lognormal curve of observations of any kind, mixed as they come.
+///
+/// ```text
+/// stripe     ln L = k ln Φ(z) + (n − k) ln Φ(−z)
+/// at x       ln L = ln φ(z) − ln(β x)                    the state was first reached here
+/// above x    ln L = ln Φ(−z)                             censored: not reached up to here
+/// between    ln L = ln(Φ(z_high) − Φ(z_low))             z = ln(x/θ)/β
+/// below x    ln L = ln Φ(z)
+/// errors: the inverse of the observed information
+/// ```
+///
+/// # Errors
+/// [`AssessError::TooFewMotions`] for fewer than 3; [`AssessError::NoFragility`] with a bound where none or all reached the state, or where
+/// the intensity alone tells them apart; [`AssessError::FragilityFalls`]; [`AssessError::Observation`].
+///
+/// # Limits
+/// Observations count as independent: stripes of the same motions are not quite, and their errors come out too small. One curve
+/// is monotone; rocking is not: take the first intensity at which a motion reached the state, and say how many survived one above.
+///
+/// # Source
+/// Baker, J. W. (2015) Efficient analytical fragility function fitting using dynamic structural analysis. Earthq. Spectra
+/// 31(1):579–599. Differs from the source: censored and bracketed motions, and errors.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::{Observation, fit_fragility};
+/// let intensity = [0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9, 1.0];
+/// let reached = [0, 0, 0, 4, 6, 13, 12, 16];
+/// let stripes: Vec<Observation> = intensity.iter().zip(reached)
+///     .map(|(&intensity, reached)| Observation::Stripe { intensity, motions: 40, reached }).collect();
+/// let fit = fit_fragility(&stripes)?;
+/// assert!((fit.curve.theta() - 1.076116).abs() < 1e-6 && (fit.curve.beta() - 0.429237).abs() < 1e-6);
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn fit_fragility(observations: &[Observation]) -> Result<FragilityFit, AssessError> {
+    for (i, observation) in observations.iter().enumerate() {
+        observation.check(i + 1)?;
+    }
+    let motions = motions_of(observations);
+    if motions < MOTIONS_LEAST {
+        return Err(AssessError::TooFewMotions { given: motions });
+    }
+    if let Some(bound) = bound(observations) {
+        return Err(AssessError::NoFragility(bound));
+    }
+    let logs = observations.iter().flat_map(|o| o.intensities().map(f64::ln));
+    let logs: Vec<f64> = logs.collect();
+    let middle = mean(&logs)?;
+    let likelihood = |at: [f64; 2]| likelihood(observations, middle, at);
+    let mut at = [1.0 / variance(&logs)?.sqrt().max(1e-3), 0.0];
+    let mut here = likelihood(at);
+    for _ in 0..STEPS_MOST {
+        let step = here.newton();
+        // halved until it rises: the likelihood is concave, so that this ends at its top
+        let mut part = 1.0;
+        let (next, there) = loop {
+            let next = [at[0] + part * step[0], at[1] + part * step[1]];
+            let there = likelihood(next);
+            if there.value >= here.value || part < 1e-12 {
+                break (next, there);
+            }
+            part *= 0.5;
+        };
+        let moved = (next[0] - at[0]).abs() / at[0].abs() + (next[1] - at[1]).abs() / (1.0 + at[1].abs());
+        (at, here) = (next, there);
+        if moved <= STEP_LEAST {
+            break;
+        }
+    }
+    let [slope, offset] = at;
+    if slope <= 0.0 {
+        return Err(AssessError::FragilityFalls);
+    }
+    let beta = 1.0 / slope;
+    let curve = Fragility::new((middle + offset * beta).exp(), beta)?;
+    // d ln θ = (dc − (c/a) da)/a, dβ = −da/a²
+    let [aa, ac, cc] = here.covariance();
+    let ratio = offset / slope;
+    let ln_theta = (cc - 2.0 * ratio * ac + ratio * ratio * aa) / (slope * slope);
+    let both = (ratio * aa - ac) / (slope * slope * slope);
+    let jacobian: f64 = observations
+        .iter()
+        .map(|o| match o {
+            Observation::At(x) => x.ln(),
+            _ => 0.0,
+        })
+        .sum();
+    Ok(FragilityFit {
+        curve,
+        ln_theta_error: ln_theta.sqrt(),
+        beta_error: aa.sqrt() / (slope * slope),
+        covariance: both,
+        log_likelihood: Some(here.value - jacobian),
+        motions,
+        reached: observations.iter().map(Observation::reached).sum(),
+        observations: observations.iter().map(Observation::motions).sum(),
+    })
+}
+
+/// Median and dispersion of capacities that are all known, by their moments.
+///
+/// ```text
+/// ln θ = Σ ln x / n,   β² = Σ (ln x − ln θ)²/(n − 1),   σ(ln θ) = β/√n,   σ(β) = β/√(2(n − 1))
+/// ```
+///
+/// # Errors
+/// [`AssessError::TooFewMotions`] for fewer than 3; [`AssessError::Observation`]; [`AssessError::FragilityParameter`] if all are equal.
+///
+/// # Source
+/// Ibarra, L. F. and Krawinkler, H. (2005), as method A of Baker (2015).
+pub fn fit_fragility_by_moments(capacities: &[f64]) -> Result<FragilityFit, AssessError> {
+    for (i, &x) in capacities.iter().enumerate() {
+        Observation::At(x).check(i + 1)?;
+    }
+    let n = capacities.len();
+    if n < MOTIONS_LEAST {
+        return Err(AssessError::TooFewMotions { given: n });
+    }
+    let logs: Vec<f64> = capacities.iter().map(|x| x.ln()).collect();
+    let beta = variance(&logs)?.sqrt();
+    Ok(FragilityFit {
+        curve: Fragility::new(mean(&logs)?.exp(), beta)?,
+        ln_theta_error: beta / (n as f64).sqrt(),
+        beta_error: beta / (2.0 * (n as f64 - 1.0)).sqrt(),
+        covariance: 0.0,
+        log_likelihood: None,
+        motions: n,
+        reached: n,
+        observations: n,
+    })
+}
+
+/// How many motions make the standard error of ln θ as small as is asked: (β/σ)².
+///
+/// # Errors
+/// [`AssessError::FragilityParameter`] unless both are positive.
+pub fn motions_needed(beta: f64, ln_theta_error: f64) -> Result<usize, AssessError> {
+    for (parameter, given) in [("beta", beta), ("ln_theta_error", ln_theta_error)] {
+        if !(given > 0.0 && given.is_finite()) {
+            return Err(AssessError::FragilityParameter { parameter, given });
+        }
+    }
+    Ok((beta / ln_theta_error).powi(2).ceil() as usize)
+}
+
+/// Different motions: single ones, and those of the largest stripe, for stripes are of the same.
+fn motions_of(observations: &[Observation]) -> usize {
+    let (mut single, mut stripe) = (0, 0);
+    for observation in observations {
+        match observation {
+            Observation::Stripe { motions, .. } => stripe = stripe.max(*motions),
+            _ => single += 1,
+        }
+    }
+    single + stripe
+}
+
+/// The logarithm of the likelihood with its gradient and its curvature (aa, ac, cc).
+#[derive(Clone, Copy, Debug, Default)]
+struct Likelihood {
+    value: f64,
+    gradient: [f64; 2],
+    curvature: [f64; 3],
+}
+
+impl Likelihood {
+    /// Adds a function of z = a x − c with its first and second derivative.
+    fn add(&mut self, x: f64, [value, slope, curve]: [f64; 3]) {
+        self.value += value;
+        self.gradient[0] += slope * x;
+        self.gradient[1] -= slope;
+        self.curvature[0] += curve * x * x;
+        self.curvature[1] -= curve * x;
+        self.curvature[2] += curve;
+    }
+
+    /// Inverse of what is lost around the top.
+    fn covariance(&self) -> [f64; 3] {
+        let [aa, ac, cc] = self.curvature;
+        let determinant = aa * cc - ac * ac;
+        [-cc / determinant, ac / determinant, -aa / determinant]
+    }
+
+    fn newton(&self) -> [f64; 2] {
+        let [aa, ac, cc] = self.covariance();
+        let [a, c] = self.gradient;
+        [aa * a + ac * c, ac * a + cc * c]
+    }
+}
+
+fn likelihood(observations: &[Observation], middle: f64, [slope, offset]: [f64; 2]) -> Likelihood {
+    let mut sum = Likelihood::default();
+    let place = |intensity: f64| {
+        let x = intensity.ln() - middle;
+        (x, slope * x - offset)
+    };
+    for observation in observations {
+        match *observation {
+            Observation::Stripe {
+                intensity,
+                motions,
+                reached,
+            } => {
+                let (x, z) = place(intensity);
+                sum.add(x, below(z).map(|part| reached as f64 * part));
+                sum.add(x, above(z).map(|part| (motions - reached) as f64 * part));
+            }
+            Observation::Above(intensity) => {
+                let (x, z) = place(intensity);
+                sum.add(x, above(z));
+            }
+            Observation::Below(intensity) => {
+                let (x, z) = place(intensity);
+                sum.add(x, below(z));
+            }
+            Observation::Between(low, high) if low < high => between(&mut sum, place(low), place(high)),
+            // ln φ(z) + ln a
+            Observation::At(intensity) | Observation::Between(intensity, _) => {
+                let (x, z) = place(intensity);
+                sum.add(x, [ln_normal_density(z), -z, -1.0]);
+                sum.value += slope.ln();
+                sum.gradient[0] += 1.0 / slope;
+                sum.curvature[0] -= 1.0 / (slope * slope);
+            }
+        }
+    }
+    if sum.value.is_nan() {
+        sum.value = f64::NEG_INFINITY; // a slope that is not positive, where a density needs one
+    }
+    sum
+}
+
+/// ln Φ(z) with its derivatives: m, −m (z + m), m = φ/Φ.
+fn below(z: f64) -> [f64; 3] {
+    let m = normal_hazard(z);
+    [ln_normal_probability(z), m, -m * (z + m)]
+}
+
+/// ln Φ(−z) with its derivatives by z.
+fn above(z: f64) -> [f64; 3] {
+    let [value, slope, curve] = below(-z);
+    [value, -slope, curve]
+}
+
+/// ln(Φ(z_high) − Φ(z_low)) of two places that move with the parameters.
+fn between(sum: &mut Likelihood, (x_low, z_low): (f64, f64), (x_high, z_high): (f64, f64)) {
+    // on the side where both tails are small, so that their difference keeps its digits
+    let (outer, inner) = if z_low > 0.0 {
+        (-z_low, -z_high)
+    } else {
+        (z_high, z_low)
+    };
+    let (ln_outer, ln_inner) = (ln_normal_probability(outer), ln_normal_probability(inner));
+    let value = ln_outer + (-(ln_inner - ln_outer).exp()).ln_1p();
+    let (r_low, r_high) = (
+        (ln_normal_density(z_low) - value).exp(),
+        (ln_normal_density(z_high) - value).exp(),
+    );
+    // first derivatives by (a, c), and second ones
+    let first = [r_high * x_high - r_low * x_low, r_low - r_high];
+    let second = [
+        -r_high * z_high * x_high * x_high + r_low * z_low * x_low * x_low,
+        r_high * z_high * x_high - r_low * z_low * x_low,
+        -r_high * z_high + r_low * z_low,
+    ];
+    sum.value += value;
+    sum.gradient[0] += first[0];
+    sum.gradient[1] += first[1];
+    sum.curvature[0] += second[0] - first[0] * first[0];
+    sum.curvature[1] += second[1] - first[0] * first[1];
+    sum.curvature[2] += second[2] - first[1] * first[1];
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::assess::bootstrap_fragility;
+    use crate::numeric::Random;
+
+    fn stripes(reached: &[usize]) -> Vec<Observation> {
+        const INTENSITY: [f64; 8] = [0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9, 1.0];
+        let each = INTENSITY.iter().zip(reached);
+        each.map(|(&intensity, &reached)| Observation::Stripe {
+            intensity,
+            motions: 40,
+            reached,
+        })
+        .collect()
+    }
+
+    const BAKER: [usize; 8] = [0, 0, 0, 4, 6, 13, 12, 16];
+
+    #[test]
+    fn published_fit_of_baker_with_its_errors() {
+        let fit = fit_fragility(&stripes(&BAKER)).unwrap();
+        assert!((fit.curve.theta() - 1.076_116).abs() < 5e-7, "{fit:?}");
+        assert!((fit.curve.beta() - 0.429_237).abs() < 5e-7, "{fit:?}");
+        assert!((fit.ln_theta_error - 0.0717).abs() < 5e-5, "{fit:?}");
+        assert!((fit.beta_error - 0.0839).abs() < 5e-5, "{fit:?}");
+        assert_eq!((fit.motions, fit.reached, fit.observations), (40, 51, 320));
+        let capacities = [0.31, 0.36, 0.42, 0.44, 0.47, 0.52, 0.55, 0.58, 0.66, 0.83];
+        let fit = fit_fragility_by_moments(&capacities).unwrap();
+        assert!((fit.curve.theta() - 0.494_866).abs() < 5e-7, "{fit:?}");
+        assert!((fit.curve.beta() - 0.289_162).abs() < 5e-7, "{fit:?}");
+    }
+
+    #[test]
+    fn exact_where_all_capacities_are_known() {
+        // the likeliest β of n known capacities is that of moments times √((n − 1)/n), with errors β/√n and β/√(2 n)
+        let capacities = [0.31, 0.36, 0.42, 0.44, 0.47, 0.52, 0.55, 0.58, 0.66, 0.83];
+        let moments = fit_fragility_by_moments(&capacities).unwrap();
+        let fit = fit_fragility(&capacities.map(Observation::At)).unwrap();
+        let beta = moments.curve.beta() * 0.9_f64.sqrt();
+        assert!((fit.curve.theta() / moments.curve.theta() - 1.0).abs() < 1e-12);
+        assert!((fit.curve.beta() / beta - 1.0).abs() < 1e-12);
+        assert!((fit.ln_theta_error / (beta / 10.0_f64.sqrt()) - 1.0).abs() < 1e-10);
+        assert!((fit.beta_error / (beta / 20.0_f64.sqrt()) - 1.0).abs() < 1e-10);
+        assert!(fit.covariance.abs() < 1e-12);
+        let density = |x: &f64| {
+            let z = (x / fit.curve.theta()).ln() / fit.curve.beta();
+            ln_normal_density(z) - (x * fit.curve.beta()).ln()
+        };
+        let value: f64 = capacities.iter().map(density).sum();
+        assert!((fit.log_likelihood.unwrap() - value).abs() < 1e-12);
+    }
+
+    #[test]
+    fn holds_every_kind_of_observation_has_its_derivatives() {
+        let mixed = [
+            Observation::At(0.5),
+            Observation::Above(0.7),
+            Observation::Below(0.4),
+            Observation::Between(0.45, 0.6),
+            Observation::Between(0.9, 1.4),
+            stripes(&BAKER)[4],
+        ];
+        let at = [2.1, 0.3];
+        let h = 1e-5;
+        let of = |da: f64, dc: f64| likelihood(&mixed, -0.5, [at[0] + da * h, at[1] + dc * h]);
+        let here = of(0.0, 0.0);
+        for (direction, [da, dc]) in [[1.0, 0.0], [0.0, 1.0]].into_iter().enumerate() {
+            let (up, down) = (of(da, dc), of(-da, -dc));
+            let slope = (up.value - down.value) / (2.0 * h);
+            assert!((slope - here.gradient[direction]).abs() < 1e-8, "{direction}");
+            for other in 0..2 {
+                let curve = (up.gradient[other] - down.gradient[other]) / (2.0 * h);
+                let wanted = here.curvature[direction + other];
+                assert!(
+                    (curve - wanted).abs() < 1e-7,
+                    "{direction} {other}: {curve} {wanted}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn holds_the_intervals_hold_the_truth_as_often_as_they_say() {
+        // 2000 trials of 8 stripes of 40 motions each, from θ = 0.7, β = 0.4
+        let truth = Fragility::new(0.7, 0.4).unwrap();
+        let (mut theta, mut beta, mut probability) = (0, 0, 0);
+        const TRIALS: u64 = 2000;
+        for trial in 0..TRIALS {
+            let mut random = Random::new(11, trial);
+            let mut drawn = stripes(&[0; 8]);
+            for observation in &mut drawn {
+                if let Observation::Stripe {
+                    intensity,
+                    motions,
+                    reached,
+                } = observation
+                {
+                    let p = truth.probability(*intensity);
+                    *reached = (0..*motions).filter(|_| random.uniform() < p).count();
+                }
+            }
+            let fit = fit_fragility(&drawn).unwrap();
+            let holds = |interval: Interval, value: f64| {
+                usize::from(interval.lower <= value && value <= interval.upper)
+            };
+            theta += holds(fit.theta_interval(0.95).unwrap(), 0.7);
+            beta += holds(fit.beta_interval(0.95).unwrap(), 0.4);
+            let at = fit.probability_interval(0.5, 0.95).unwrap();
+            probability += holds(at, truth.probability(0.5));
+        }
+        for (what, count) in [("theta", theta), ("beta", beta), ("probability", probability)] {
+            let share = count as f64 / TRIALS as f64;
+            assert!((0.93..=0.97).contains(&share), "{what}: {share}");
+        }
+    }
+
+    #[test]
+    fn holds_censored_scans_find_what_made_them() {
+        // 4000 capacities, known to a step of the scan and not beyond its end
+        let mut random = Random::new(5, 0);
+        let grid: Vec<f64> = (0..9).map(|i| 0.2 * 1.25_f64.powi(i)).collect();
+        let drawn: Vec<Observation> = (0..4000)
+            .map(|_| {
+                let capacity = 0.7 * (0.4 * random.normal()).exp();
+                match grid.iter().position(|x| capacity <= *x) {
+                    Some(0) => Observation::Below(grid[0]),
+                    Some(i) => Observation::Between(grid[i - 1], grid[i]),
+                    None => Observation::Above(grid[8]),
+                }
+            })
+            .collect();
+        let fit = fit_fragility(&drawn).unwrap();
+        assert!(
+            (fit.curve.theta() / 0.7).ln().abs() < 3.0 * fit.ln_theta_error,
+            "{fit:?}"
+        );
+        assert!((fit.curve.beta() - 0.4).abs() < 3.0 * fit.beta_error, "{fit:?}");
+        assert!(fit.ln_theta_error < 0.009 && fit.beta_error < 0.009, "{fit:?}");
+    }
+
+    #[test]
+    fn holds_bands_of_resamples_are_as_wide_as_the_errors() {
+        let band = bootstrap_fragility(&stripes(&BAKER), 400, 1).unwrap();
+        let fit = fit_fragility(&stripes(&BAKER)).unwrap();
+        assert_eq!(band.curves.len() + band.without_curve, 400);
+        let (boot, wald) = (
+            band.theta(0.95).unwrap().unwrap(),
+            fit.theta_interval(0.95).unwrap(),
+        );
+        let ratio = (boot.upper / boot.lower).ln() / (wald.upper / wald.lower).ln();
+        assert!((0.85..1.2).contains(&ratio), "{ratio}");
+        assert_eq!(band, bootstrap_fragility(&stripes(&BAKER), 400, 1).unwrap());
+    }
+
+    #[test]
+    fn refuses_what_has_no_curve_with_what_it_says_all_the_same() {
+        let said = |observations: &[Observation]| fit_fragility(observations).unwrap_err().to_string();
+        assert!(said(&[Observation::At(0.3), Observation::At(0.4)]).starts_with("2 motions are too few"));
+        let none = said(&stripes(&[0; 8]));
+        assert!(
+            none.contains("at an intensity of 1.0000 is at most 0.072"),
+            "{none}"
+        );
+        let all = said(&stripes(&[40; 8]));
+        assert!(
+            all.contains("at an intensity of 0.2000 is at least 0.928"),
+            "{all}"
+        );
+        let apart = said(&stripes(&[0, 0, 0, 40, 40, 40, 40, 40]));
+        assert!(
+            apart.contains("up to an intensity of 0.4000 and everything from 0.6000 on"),
+            "{apart}"
+        );
+        let falling = said(&stripes(&[9, 8, 8, 7, 6, 5, 4, 3]));
+        assert!(
+            falling.starts_with("the state is reached no more often"),
+            "{falling}"
+        );
+        assert!(said(&[Observation::At(-0.3); 3]).contains("observation 1 has -0.3"));
+        assert!(fit_fragility_by_moments(&[0.4; 5]).is_err());
+        assert_eq!(motions_needed(0.4, 0.1).unwrap(), 16);
+    }
+}

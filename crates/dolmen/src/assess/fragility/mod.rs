@@ -1,0 +1,11 @@
+//! From how structures ended under shaking of known size to the probability that one reaches a state: lognormal fragility curves.
+
+mod bootstrap;
+mod curve;
+mod fit;
+mod observation;
+
+pub use bootstrap::{FragilityBand, bootstrap_fragility};
+pub use curve::{Crossing, Fragility, crossing};
+pub use fit::{FragilityFit, fit_fragility, fit_fragility_by_moments, motions_needed};
+pub use observation::{FragilityBound, Observation};

@@ -1,0 +1,274 @@
+//! What is known of a structure under shaking of a size, and what can be said where no curve can be fitted.
+
+use crate::assess::AssessError;
+
+/// One thing seen. Intensities are positive, in one unit for all observations of a fit.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Observation {
+    /// At one intensity, `reached` of `motions` reached the state: a stripe.
+    Stripe {
+        /// The intensity.
+        intensity: f64,
+        /// How many motions were run at it.
+        motions: usize,
+        /// How many of them reached the state.
+        reached: usize,
+    },
+    /// A motion first reached the state at this intensity.
+    At(f64),
+    /// A motion had not reached it at the largest intensity that was tried.
+    Above(f64),
+    /// A motion reached it above the first and not above the second.
+    Between(f64, f64),
+    /// A motion reached it at the least intensity that was tried.
+    Below(f64),
+}
+
+impl Observation {
+    /// How many motions it speaks of.
+    pub(super) fn motions(&self) -> usize {
+        match self {
+            Observation::Stripe { motions, .. } => *motions,
+            _ => 1,
+        }
+    }
+
+    /// How many of them reached the state.
+    pub(super) fn reached(&self) -> usize {
+        match self {
+            Observation::Stripe { reached, .. } => *reached,
+            Observation::Above(_) => 0,
+            _ => 1,
+        }
+    }
+
+    /// Intensities it names.
+    pub(super) fn intensities(&self) -> [f64; 2] {
+        match *self {
+            Observation::Stripe { intensity: x, .. }
+            | Observation::At(x)
+            | Observation::Above(x)
+            | Observation::Below(x) => [x, x],
+            Observation::Between(low, high) => [low, high],
+        }
+    }
+
+    /// # Errors
+    /// [`AssessError::Observation`].
+    pub(super) fn check(&self, number: usize) -> Result<(), AssessError> {
+        let refuse = |given: f64, allowed| {
+            Err(AssessError::Observation {
+                number,
+                given,
+                allowed,
+            })
+        };
+        let [low, high] = self.intensities();
+        for x in [low, high] {
+            if !(x > 0.0 && x.is_finite()) {
+                return refuse(x, "a positive intensity");
+            }
+        }
+        if low > high {
+            return refuse(low, "below the end of its interval");
+        }
+        match *self {
+            Observation::Stripe { motions: 0, .. } => refuse(0.0, "of one motion or more"),
+            Observation::Stripe { motions, reached, .. } if reached > motions => {
+                refuse(reached as f64, "no more than its motions that reached the state")
+            }
+            _ => Ok(()),
+        }
+    }
+}
+
+/// What observations say that allow no curve.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum FragilityBound {
+    /// No motion reached the state. At the intensity that the most reached up to, its probability is below a bound.
+    NoneReached {
+        /// The intensity.
+        intensity: f64,
+        /// Motions that went up to it.
+        motions: usize,
+        /// With 95 % confidence the probability there is at most this.
+        probability_most: f64,
+    },
+    /// Every motion reached it, at every intensity.
+    AllReached {
+        /// The least intensity.
+        intensity: f64,
+        /// Motions at it.
+        motions: usize,
+        /// With 95 % confidence the probability there is at least this.
+        probability_least: f64,
+    },
+    /// All up to one intensity survived, and all from another on reached the state: the curve is steeper than they can tell.
+    Separated {
+        /// The largest intensity at which none had reached it.
+        survived: f64,
+        /// The least at which all had.
+        reached: f64,
+    },
+}
+
+/// 1 − 0.95: what is left out by a bound of 95 %.
+const LEFT_OUT: f64 = 0.05;
+
+/// The bound of observations of which none, or all, reached the state; `None` if some did.
+pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
+    let motions: usize = observations.iter().map(Observation::motions).sum();
+    let reached: usize = observations.iter().map(Observation::reached).sum();
+    let tail = |motions: usize| LEFT_OUT.powf(1.0 / motions as f64);
+    let stripes = || {
+        observations
+            .iter()
+            .filter(|o| matches!(o, Observation::Stripe { .. }))
+    };
+    let single = || {
+        observations
+            .iter()
+            .filter(|o| !matches!(o, Observation::Stripe { .. }))
+    };
+    let intensity = |o: &Observation| o.intensities()[1];
+    if reached == 0 {
+        // single motions all went up to the least of their ends; of stripes, which are of the same motions, the strongest counts
+        let ends = single().map(intensity).fold(f64::INFINITY, f64::min);
+        let strongest = stripes().max_by(|a, b| intensity(a).total_cmp(&intensity(b)));
+        let (intensity, motions) = match strongest {
+            Some(stripe) => (intensity(stripe), stripe.motions()),
+            None => (ends, motions),
+        };
+        return Some(FragilityBound::NoneReached {
+            intensity,
+            motions,
+            probability_most: 1.0 - tail(motions),
+        });
+    }
+    let only_below = |o: &Observation| matches!(o, Observation::Stripe { .. } | Observation::Below(_));
+    if reached == motions && observations.iter().all(only_below) {
+        let starts = single().map(intensity).fold(0.0, f64::max);
+        let weakest = stripes().min_by(|a, b| intensity(a).total_cmp(&intensity(b)));
+        let (intensity, motions) = match weakest {
+            Some(stripe) => (intensity(stripe), stripe.motions()),
+            None => (starts, motions),
+        };
+        return Some(FragilityBound::AllReached {
+            intensity,
+            motions,
+            probability_least: tail(motions),
+        });
+    }
+    separated(observations)
+}
+
+/// Whether survivors and others are told apart by the intensity alone: then β → 0 is the likeliest, and no curve can be had.
+fn separated(observations: &[Observation]) -> Option<FragilityBound> {
+    let (mut survived, mut reached) = (0.0_f64, f64::INFINITY);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for observation in observations {
+        match *observation {
+            Observation::Stripe {
+                intensity,
+                motions,
+                reached: own,
+            } => {
+                if own < motions {
+                    survived = survived.max(intensity);
+                }
+                if own > 0 {
+                    reached = reached.min(intensity);
+                }
+            }
+            Observation::Above(x) => survived = survived.max(x),
+            Observation::Below(x) => reached = reached.min(x),
+            Observation::Between(low, high) => {
+                survived = survived.max(low);
+                reached = reached.min(high);
+            }
+            Observation::At(x) => {
+                (survived, reached) = (survived.max(x), reached.min(x));
+                (least, most) = (least.min(x), most.max(x));
+            }
+        }
+    }
+    // capacities seen at two or more intensities have a scatter; one alone has not
+    (survived <= reached && least >= most).then_some(FragilityBound::Separated { survived, reached })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn stripe(intensity: f64, motions: usize, reached: usize) -> Observation {
+        Observation::Stripe {
+            intensity,
+            motions,
+            reached,
+        }
+    }
+
+    #[test]
+    fn exact_bounds_of_none_and_all() {
+        // the rule of three: 1 − 0.05^(1/n), 3/n for many
+        let none = bound(&[stripe(0.2, 22, 0), stripe(0.6, 22, 0)]).unwrap();
+        let FragilityBound::NoneReached {
+            intensity,
+            motions,
+            probability_most,
+        } = none
+        else {
+            panic!("{none:?}");
+        };
+        assert_eq!((intensity, motions), (0.6, 22));
+        assert!(
+            (probability_most - 0.127_305_4).abs() < 1e-6,
+            "{probability_most}"
+        );
+        assert!(matches!(
+            bound(&[
+                Observation::Above(1.0),
+                Observation::Above(0.8),
+                Observation::Above(2.0)
+            ]),
+            Some(FragilityBound::NoneReached {
+                intensity: 0.8,
+                motions: 3,
+                ..
+            })
+        ));
+        assert!(matches!(
+            bound(&[stripe(0.2, 22, 22), stripe(0.6, 22, 22)]),
+            Some(FragilityBound::AllReached { intensity: 0.2, motions: 22, probability_least }) if (probability_least - 0.872_694_6).abs() < 1e-6
+        ));
+    }
+
+    #[test]
+    fn holds_what_is_told_apart_by_size_alone_has_no_curve() {
+        for told_apart in [
+            vec![stripe(0.2, 5, 0), stripe(0.4, 5, 5)],
+            vec![stripe(0.2, 5, 0), stripe(0.4, 5, 2), stripe(0.6, 5, 5)],
+            vec![
+                Observation::Above(0.3),
+                Observation::Below(0.5),
+                Observation::Above(0.4),
+            ],
+            vec![Observation::At(0.3); 4],
+            vec![Observation::Between(0.3, 0.4), Observation::Between(0.35, 0.45)],
+        ] {
+            let found = bound(&told_apart);
+            assert!(
+                matches!(found, Some(FragilityBound::Separated { .. })),
+                "{found:?}"
+            );
+        }
+        for overlapping in [
+            vec![stripe(0.2, 5, 1), stripe(0.4, 5, 4)],
+            vec![Observation::At(0.3), Observation::At(0.31)],
+            vec![Observation::Between(0.3, 0.4), Observation::Between(0.5, 0.6)],
+            vec![Observation::At(0.3), Observation::Above(0.5)],
+        ] {
+            assert_eq!(bound(&overlapping), None, "{overlapping:?}");
+        }
+    }
+}

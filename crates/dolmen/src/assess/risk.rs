@@ -1,0 +1,284 @@
+//! From a hazard curve and a fragility curve to how often a state is reached.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | H(x) | [`Hazard::annual_rate`] | rate at which an intensity x is exceeded | 1/year |
+//! | k₀, k | `k0`, `k` | H = k₀ x^−k | 1/year, – |
+//! | λ | `annual_rate` | rate at which the state is reached | 1/year |
+
+use super::AssessError;
+use super::demand::{KoreanSite, Site, site_demand};
+use super::fragility::Fragility;
+use crate::numeric::normal_probability;
+
+/// Return periods of the Korean code whose factors have a source, years.
+const KOREAN_PERIODS: [u32; 6] = [50, 100, 200, 500, 1000, 2400];
+
+/// Damping ratio at which the code is asked; the peak of the ground does not depend on it.
+const CODE_DAMPING: f64 = 0.05;
+
+/// A hazard curve: straight pieces in logarithms of rate and intensity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Hazard {
+    /// Intensity, rising, and annual rate of exceedance, falling.
+    points: Vec<[f64; 2]>,
+}
+
+impl Hazard {
+    /// A power law H = k₀ x^−k.
+    ///
+    /// # Errors
+    /// [`AssessError::Hazard`] unless both are positive.
+    pub fn power_law(k0: f64, k: f64) -> Result<Self, AssessError> {
+        for (what, given) in [("k0", k0), ("k", k)] {
+            if !(given > 0.0 && given.is_finite()) {
+                return Err(AssessError::Hazard {
+                    what,
+                    given,
+                    allowed: "a positive number",
+                });
+            }
+        }
+        let x = (k0 / 1e-3).powf(1.0 / k); // any two points of it: those of a thousand and ten thousand years
+        Hazard::of_points(&[[x, 1e-3], [x * 10.0_f64.powf(1.0 / k), 1e-4]])
+    }
+
+    /// A power law through one point: an intensity with its return period.
+    ///
+    /// # Errors
+    /// As [`Hazard::power_law`].
+    pub fn through(intensity: f64, return_period_years: f64, k: f64) -> Result<Self, AssessError> {
+        for (what, given) in [("intensity", intensity), ("return period", return_period_years)] {
+            if !(given > 0.0 && given.is_finite()) {
+                return Err(AssessError::Hazard {
+                    what,
+                    given,
+                    allowed: "a positive number",
+                });
+            }
+        }
+        Hazard::power_law(intensity.powf(k) / return_period_years, k)
+    }
+
+    /// Points (intensity, annual rate of exceedance), by rising intensity; the first and last slope go on beyond them.
+    ///
+    /// # Errors
+    /// [`AssessError::Hazard`] for fewer than two, numbers that are not positive, and a rate that does not fall.
+    pub fn of_points(points: &[[f64; 2]]) -> Result<Self, AssessError> {
+        let refuse = |what, given, allowed| Err(AssessError::Hazard { what, given, allowed });
+        if points.len() < 2 {
+            return refuse("the number of points", points.len() as f64, "2 or more");
+        }
+        for [intensity, rate] in points {
+            for (what, given) in [("an intensity", *intensity), ("a rate", *rate)] {
+                if !(given > 0.0 && given.is_finite()) {
+                    return refuse(what, given, "a positive number");
+                }
+            }
+        }
+        for pair in points.windows(2) {
+            if pair[1][0] <= pair[0][0] {
+                return refuse("an intensity", pair[1][0], "above the one before it");
+            }
+            if pair[1][1] >= pair[0][1] {
+                return refuse(
+                    "a rate",
+                    pair[1][1],
+                    "below the one before it: stronger shaking is rarer",
+                );
+            }
+        }
+        Ok(Hazard {
+            points: points.to_vec(),
+        })
+    }
+
+    /// Peak ground acceleration, m/s², soil included, by the return periods of KDS 17 10 00 from 50 to 2400 years.
+    ///
+    /// # Errors
+    /// Those of [`site_demand`]; [`AssessError::Hazard`] should amplification fall faster than shaking grows, which it does not.
+    pub fn kds_17(zone_factor_g: f64, soil: KoreanSite) -> Result<Self, AssessError> {
+        let mut points = Vec::with_capacity(KOREAN_PERIODS.len());
+        for return_period_years in KOREAN_PERIODS {
+            let site = Site::Kds17 {
+                zone_factor_g,
+                return_period_years,
+                soil,
+            };
+            let demand = site_demand(&site, CODE_DAMPING, None)?;
+            if let Some(peak_m_s2) = demand.peak_ground_acceleration_m_s2 {
+                points.push([peak_m_s2, 1.0 / f64::from(return_period_years)]);
+            }
+        }
+        Hazard::of_points(&points)
+    }
+
+    /// The points.
+    pub fn points(&self) -> &[[f64; 2]] {
+        &self.points
+    }
+
+    /// Rate at which an intensity is exceeded, 1/year; infinite at 0.
+    pub fn annual_rate(&self, intensity: f64) -> f64 {
+        let last = self.points.len() - 2;
+        let piece = self.points[1..=last].partition_point(|point| point[0] < intensity);
+        let (k, [x, rate]) = self.piece(piece);
+        rate * (intensity / x).powf(-k)
+    }
+
+    /// Slope and a point of a piece.
+    fn piece(&self, piece: usize) -> (f64, [f64; 2]) {
+        let ([x0, r0], [x1, r1]) = (self.points[piece], self.points[piece + 1]);
+        ((r0 / r1).ln() / (x1 / x0).ln(), [x0, r0])
+    }
+}
+
+/// How often a state is reached.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct AnnualRisk {
+    /// λ, 1/year.
+    pub annual_rate: f64,
+    /// Share of λ that comes from intensities below the first point of the hazard, where its first slope goes on.
+    pub share_below_points: f64,
+    /// Share of λ that comes from intensities above its last point.
+    pub share_above_points: f64,
+}
+
+impl AnnualRisk {
+    /// Probability that the state is reached in so many years, if the structure stays as it is: 1 − e^(−λ n).
+    pub fn probability_in(&self, years: f64) -> f64 {
+        -(-self.annual_rate * years).exp_m1()
+    }
+}
+
+/// Rate at which a state is reached: the hazard at the capacity, over the scatter of the capacity. Exact, piece by piece.
+///
+/// ```text
+/// λ = ∫ H(x) f(x) dx,   f the density of the capacity, lognormal (θ, β)
+/// H = r₀ (x/x₀)^−k from x_a to x_b:   r₀ (θ/x₀)^−k e^(k²β²/2) [Φ(z_b + kβ) − Φ(z_a + kβ)],   z = ln(x/θ)/β
+/// one power law:   λ = k₀ θ^−k e^(k²β²/2)
+/// ```
+///
+/// # Limits
+/// Where much of λ lies beyond the points of the hazard, it rests on slopes that nobody gave: both shares are in the answer. The
+/// structure is as it was before each earthquake.
+///
+/// # Source
+/// Cornell, C. A. (1996) Calculating building seismic performance reliability. Proc. 11th WCEE.
+///
+/// # Example
+/// ```
+/// use dolmen::assess::{Fragility, Hazard, annual_risk};
+/// let hazard = Hazard::through(0.11, 475.0, 2.2)?; // g, years
+/// let risk = annual_risk(&hazard, &Fragility::new(0.40, 0.40)?);
+/// assert!((risk.annual_rate - 1.811328e-4).abs() < 1e-10);
+/// assert!((risk.probability_in(50.0) - 0.00902).abs() < 5e-6);
+/// # Ok::<(), dolmen::assess::AssessError>(())
+/// ```
+pub fn annual_risk(hazard: &Hazard, fragility: &Fragility) -> AnnualRisk {
+    let (theta, beta) = (fragility.theta(), fragility.beta());
+    // the part of λ between two intensities of one piece
+    let part = |piece: usize, from: f64, to: f64| {
+        let (k, [x0, rate]) = hazard.piece(piece);
+        let z = |x: f64| (x / theta).ln() / beta + k * beta;
+        let front = rate * (-k * (theta / x0).ln() + 0.5 * (k * beta).powi(2)).exp();
+        front * between(z(from), z(to))
+    };
+    let points = &hazard.points;
+    let last = points.len() - 2;
+    let inside: f64 = (0..=last).map(|i| part(i, points[i][0], points[i + 1][0])).sum();
+    let below = part(0, 0.0, points[0][0]);
+    let above = part(last, points[last + 1][0], f64::INFINITY);
+    let annual_rate = below + inside + above;
+    AnnualRisk {
+        annual_rate,
+        share_below_points: below / annual_rate,
+        share_above_points: above / annual_rate,
+    }
+}
+
+/// Φ(b) − Φ(a) with a ≤ b, on the side where both are small.
+fn between(a: f64, b: f64) -> f64 {
+    if a > 0.0 {
+        normal_probability(-a) - normal_probability(-b)
+    } else {
+        normal_probability(b) - normal_probability(a)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// ∫ H(x) f(x) dx by the trapezoidal rule in z, which converges faster than any power for what dies out at both ends.
+    fn by_quadrature(hazard: &Hazard, fragility: &Fragility) -> f64 {
+        const STEP: f64 = 1e-3;
+        (-20_000..=20_000)
+            .map(|i| {
+                let z = STEP * f64::from(i);
+                let density = (-0.5 * z * z).exp() / std::f64::consts::TAU.sqrt();
+                STEP * density * hazard.annual_rate(fragility.theta() * (fragility.beta() * z).exp())
+            })
+            .sum()
+    }
+
+    #[test]
+    fn published_risk_of_a_power_law_and_its_integral() {
+        let hazard = Hazard::through(0.11, 475.0, 2.2).unwrap();
+        let fragility = Fragility::new(0.40, 0.40).unwrap();
+        let risk = annual_risk(&hazard, &fragility);
+        assert!((risk.annual_rate - 1.811_328e-4).abs() < 5e-11, "{risk:?}");
+        assert!((risk.probability_in(50.0) - 0.009_02).abs() < 5e-6);
+        // the closed form of the page
+        let k0 = 0.11_f64.powf(2.2) / 475.0;
+        let closed = k0 * 0.4_f64.powf(-2.2) * (0.5 * 2.2_f64.powi(2) * 0.4_f64.powi(2)).exp();
+        assert!((risk.annual_rate / closed - 1.0).abs() < 1e-12);
+        let integral = by_quadrature(&hazard, &fragility);
+        assert!((integral / closed - 1.0).abs() < 1e-10, "{integral:e} {closed:e}");
+    }
+
+    #[test]
+    fn agrees_pieces_with_quadrature() {
+        let of_code = Hazard::kds_17(0.11, KoreanSite::S1).unwrap();
+        assert_eq!(of_code.points().len(), 6);
+        // F_a 1.12 on rock, I = 1 for 500 years
+        assert!((of_code.annual_rate(0.11 * 1.12 * 9.80665) * 500.0 - 1.0).abs() < 1e-12);
+        let in_g: Vec<[f64; 2]> = of_code
+            .points()
+            .iter()
+            .map(|[x, rate]| [x / 1.12 / 9.80665, *rate])
+            .collect();
+        let hazard = Hazard::of_points(&in_g).unwrap();
+        for (theta, beta) in [(0.2, 0.4), (0.05, 0.6), (1.5, 0.2)] {
+            let fragility = Fragility::new(theta, beta).unwrap();
+            let risk = annual_risk(&hazard, &fragility);
+            let integral = by_quadrature(&hazard, &fragility);
+            // kinks of the hazard: second order in the step
+            assert!(
+                (risk.annual_rate / integral - 1.0).abs() < 1e-6,
+                "{theta}: {risk:?} {integral:e}"
+            );
+        }
+        // a strong structure's risk lies beyond the points
+        let strong = annual_risk(&hazard, &Fragility::new(1.5, 0.2).unwrap());
+        assert!(
+            strong.share_above_points > 0.99 && strong.share_below_points < 1e-6,
+            "{strong:?}"
+        );
+        let weak = annual_risk(&hazard, &Fragility::new(0.02, 0.2).unwrap());
+        assert!(weak.share_below_points > 0.9, "{weak:?}");
+    }
+
+    #[test]
+    fn refuses_hazards_that_cannot_be() {
+        let said = |points: &[[f64; 2]]| Hazard::of_points(points).unwrap_err().to_string();
+        assert_eq!(
+            said(&[[0.1, 1e-2], [0.2, 1e-2]]),
+            "a rate of the hazard is 0.01, but must be below the one before it: stronger shaking is rarer"
+        );
+        assert!(said(&[[0.1, 1e-2]]).contains("2 or more"));
+        assert!(said(&[[0.2, 1e-2], [0.1, 1e-3]]).contains("above the one before it"));
+        assert!(said(&[[0.0, 1e-2], [0.1, 1e-3]]).contains("a positive number"));
+        assert!(Hazard::power_law(0.0, 2.0).is_err() && Hazard::power_law(1e-5, f64::NAN).is_err());
+    }
+}

@@ -1,0 +1,103 @@
+//! Fragility and risk: Baker (2015), Cornell (1996).
+
+use super::{Case, ValidationError};
+use crate::assess::{Fragility, Hazard, Observation, annual_risk, fit_fragility, fit_fragility_by_moments};
+
+/// Half of the last digit that is printed.
+const SIX_DIGITS: f64 = 5e-7;
+const FOUR_DIGITS: f64 = 5e-5;
+
+/// Stripes of 40 motions, and how many of each collapsed.
+const STRIPES: [(f64, usize); 8] = [
+    (0.2, 0),
+    (0.3, 0),
+    (0.4, 0),
+    (0.6, 4),
+    (0.7, 6),
+    (0.8, 13),
+    (0.9, 12),
+    (1.0, 16),
+];
+const CAPACITIES: [f64; 10] = [0.31, 0.36, 0.42, 0.44, 0.47, 0.52, 0.55, 0.58, 0.66, 0.83];
+
+pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
+    let stripes = STRIPES.map(|(intensity, reached)| Observation::Stripe {
+        intensity,
+        motions: 40,
+        reached,
+    });
+    let stripes = fit_fragility(&stripes)?;
+    let moments = fit_fragility_by_moments(&CAPACITIES)?;
+    let hazard = Hazard::through(0.11, 475.0, 2.2)?;
+    let risk = annual_risk(&hazard, &Fragility::new(0.40, 0.40)?);
+    let row = |source, what: &str, published: f64, computed: f64, tolerance: f64| Case {
+        source,
+        what: what.to_owned(),
+        unit: "",
+        published,
+        computed,
+        tolerance,
+        corrected: None,
+        note: "",
+    };
+    const BAKER: &str = "Baker (2015)";
+    const BY_HAND: &str = "By hand";
+    Ok(vec![
+        row(
+            BAKER,
+            "θ, 8 stripes of 40 motions, by likelihood",
+            1.076116,
+            stripes.curve.theta(),
+            SIX_DIGITS,
+        ),
+        row(BAKER, "β of the same", 0.429237, stripes.curve.beta(), SIX_DIGITS),
+        row(
+            BY_HAND,
+            "standard error of ln θ of the same",
+            0.0717,
+            stripes.ln_theta_error,
+            FOUR_DIGITS,
+        ),
+        row(
+            BY_HAND,
+            "standard error of β of the same",
+            0.0839,
+            stripes.beta_error,
+            FOUR_DIGITS,
+        ),
+        row(
+            BY_HAND,
+            "θ of 10 capacities, by moments",
+            0.494866,
+            moments.curve.theta(),
+            SIX_DIGITS,
+        ),
+        row(
+            BY_HAND,
+            "β of the same",
+            0.289162,
+            moments.curve.beta(),
+            SIX_DIGITS,
+        ),
+        Case {
+            unit: "1e-4/year",
+            ..row(
+                BY_HAND,
+                "rate of a state, θ .40 g, β .40, .11 g in 475 years, k 2.2",
+                1.811328,
+                1e4 * risk.annual_rate,
+                SIX_DIGITS,
+            )
+        },
+        Case {
+            unit: "%",
+            ..row(
+                BY_HAND,
+                "its probability in 50 years",
+                0.902,
+                100.0 * risk.probability_in(50.0),
+                5e-4,
+            )
+        },
+    ])
+}
