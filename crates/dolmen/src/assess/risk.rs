@@ -241,12 +241,12 @@ mod tests {
     fn agrees_pieces_with_quadrature() {
         let of_code = Hazard::kds_17(0.11, KoreanSite::S1).unwrap();
         assert_eq!(of_code.points().len(), 6);
-        // F_a 1.12 on rock, I = 1 for 500 years
-        assert!((of_code.annual_rate(0.11 * 1.12 * 9.80665) * 500.0 - 1.0).abs() < 1e-12);
+        // rock: S = Z I itself, I = 1 for 500 years
+        assert!((of_code.annual_rate(0.11 * 9.80665) * 500.0 - 1.0).abs() < 1e-12);
         let in_g: Vec<[f64; 2]> = of_code
             .points()
             .iter()
-            .map(|[x, rate]| [x / 1.12 / 9.80665, *rate])
+            .map(|[x, rate]| [x / 9.80665, *rate])
             .collect();
         let hazard = Hazard::of_points(&in_g).unwrap();
         for (theta, beta) in [(0.2, 0.4), (0.05, 0.6), (1.5, 0.2)] {
