@@ -22,6 +22,9 @@ fn build(project: &Project) {
             let built = stack.build(&mut Quantity::nominal);
             assert!(built.is_ok(), "{built:?}");
         }
+        Structure::Building(part) => {
+            let _ = part.build(&mut Quantity::nominal);
+        }
         Structure::Survey => {}
     }
     assert!(project.inputs().iter().all(|input| input.value.is_finite()));

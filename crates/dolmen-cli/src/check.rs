@@ -1,13 +1,14 @@
 //! `dolmen check`: is the file right, does it stand.
 
 use crate::cli::Check as Options;
-use crate::{Outcome, demand, files, open, stack_frequencies};
+use crate::{Outcome, building, demand, files, open, stack_frequencies};
 use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{
     Sensitivity, StackCheckOptions, check_chain, check_frame, check_stack, elasticity, probability,
 };
 use dolmen::numeric::Random;
 use dolmen::stability::{chain_limits, chain_stability, frame_stability};
+use dolmen::structure::building::{StoreyFall, storey_falls};
 use dolmen_formats::answer::{
     Answer, Check, DirectionCheck, FREQUENCY_RATIO_MOST, FrequencyContradiction, Sampled, SensitivityOf,
     StackAnswer, State, TiltCheck, VariantAnswer,
@@ -97,6 +98,7 @@ pub(crate) fn answer(
         frame_simulations: Vec::new(),
         chain_simulations: Vec::new(),
         tunings: Vec::new(),
+        building_simulations: Vec::new(),
         studies: Vec::new(),
     })
 }
@@ -143,7 +145,7 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
             .limits
             .uplift
             .map(|first| first.threshold.acceleration_g),
-        Check::Frame(_) => return Vec::new(),
+        Check::Frame(_) | Check::Building(_) => return Vec::new(),
     };
     let each = survey.tilt.iter().map(|(direction, tilt)| TiltCheck {
         survey: survey.name.clone(),
@@ -167,6 +169,7 @@ fn contradictions(project: &Project, check: &Check) -> Vec<FrequencyContradictio
             let known = stack.frequencies.as_ref();
             known.and_then(|known| known.sway(direction)).map(|(_, hz)| hz)
         }
+        Check::Building(answer) => demand::first_sway(answer, direction),
     };
     let mut found = Vec::new();
     for survey in &project.surveys {
@@ -235,6 +238,7 @@ fn check_of(project: &Project, pick: Pick<'_>) -> Result<Option<Check>> {
                 frequencies,
             })))
         }
+        Structure::Building(part) => Some(Check::Building(Box::new(building::check(project, part, pick)?))),
     })
 }
 
@@ -258,6 +262,11 @@ fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
                 least = Some(least.map_or(factor, |other| other.min(factor)));
             }
             least
+        }
+        Structure::Building(part) => {
+            let (floors, storeys) = part.floors_and_storeys(pick)?;
+            let falls = storey_falls(&floors, &storeys, part.gravity_m_s2)?;
+            StoreyFall::first(&falls).map(|first| first.load_factor)
         }
     })
 }

@@ -5,6 +5,7 @@ use dolmen::assess::demand::{SiteDemand, stack_against_site};
 use dolmen::assess::{AssessError, StackCheckOptions};
 use dolmen::stability::Verdict;
 use dolmen_formats::answer::{Check, DemandAnswer, SpectralAt};
+use dolmen_formats::building::BuildingAnswer;
 use dolmen_formats::project::Project;
 
 /// The demand of the project's site on its structure; `None` if the file has no site.
@@ -76,6 +77,13 @@ fn periods(check: &Check) -> Vec<(String, f64)> {
             });
             each.collect()
         }
+        Check::Building(answer) => {
+            let each = ["x", "y"].into_iter().filter_map(|direction| {
+                let hz = first_sway(answer, direction)?;
+                Some((direction.to_owned(), of(hz)?))
+            });
+            each.collect()
+        }
         Check::Stack(stack) => {
             let known = stack.frequencies.as_ref();
             let sway = |direction: &str| known.and_then(|known| known.sway(direction));
@@ -86,4 +94,19 @@ fn periods(check: &Check) -> Vec<(String, f64)> {
             each.collect()
         }
     }
+}
+
+/// The frequency of the mode that has the most mass along "x" or "y", Hz.
+pub(crate) fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
+    let axis = match direction {
+        "x" => 0,
+        "y" => 1,
+        _ => return None,
+    };
+    let modes = &answer.stands.as_ref()?.modes.modes;
+    let largest = modes.iter().reduce(|most, mode| {
+        let more = mode.effective_mass[axis] > most.effective_mass[axis];
+        if more { mode } else { most }
+    });
+    largest.map(|mode| mode.frequency_hz)
 }

@@ -38,6 +38,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         frame_simulations: Vec::new(),
         chain_simulations: Vec::new(),
         tunings: Vec::new(),
+        building_simulations: Vec::new(),
         studies: Vec::new(),
     };
     let json = identification_json(&answer);
@@ -184,7 +185,7 @@ fn from_record(
     let parts = match &project.structure {
         Structure::Chain(part) => part.links.len(),
         Structure::Frame(part) => part.storeys.len(),
-        Structure::Stack(_) | Structure::Survey => return Ok(Vec::new()),
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => return Ok(Vec::new()),
     };
     found.modes.truncate(parts); // a model of n parts has n modes: the lowest ones
     if found.modes.is_empty() {
@@ -218,7 +219,7 @@ fn stiffness_of(
         }
     };
     match &project.structure {
-        Structure::Stack(_) | Structure::Survey => Ok(Vec::new()),
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Ok(Vec::new()),
         Structure::Chain(part) => {
             let chain: Chain = part.build(pick)?;
             let found = chain_stiffness(&chain, modes, &ChainStiffness::default())?;

@@ -1,5 +1,6 @@
 //! The command `dolmen`: opens the files, calls the science, prints the answer.
 
+mod building;
 mod check;
 mod cli;
 mod demand;
@@ -11,6 +12,7 @@ mod new;
 mod open;
 mod report;
 mod simulate;
+mod simulate_building;
 mod simulate_chain;
 mod simulate_frame;
 mod stack_frequencies;

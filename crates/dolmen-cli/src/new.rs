@@ -18,6 +18,7 @@ fn example_of(kind: Kind) -> &'static str {
         Kind::Flagpole => "naju_flagpole",
         Kind::Gate => "heunginjimun_gate",
         Kind::Pagoda => "three_storey_pagoda",
+        Kind::Building => "twisting_floor",
         Kind::Survey => "palisaden",
     }
 }
@@ -62,11 +63,11 @@ pub(crate) fn run(options: &New, quiet: bool) -> Result<Outcome> {
         );
         println!("Next: put your own numbers in it (its README.md says what each means), then");
         let verb = match options.kind {
-            Kind::Flagpole | Kind::Pagoda => "check",
+            Kind::Flagpole | Kind::Pagoda | Kind::Building => "check",
             Kind::Gate | Kind::Survey => "identify",
         };
         println!("    dolmen {verb} {shown}");
-        let motion = if options.kind == Kind::Pagoda {
+        let motion = if matches!(options.kind, Kind::Pagoda | Kind::Building) {
             " --motion el-centro-1940-ns"
         } else {
             ""

@@ -3,7 +3,10 @@
 use crate::check::{self, Sampling};
 use crate::cli::{Demo, Motion, Report};
 use crate::simulate::language;
-use crate::{Outcome, files, identify, motion, new, open, simulate, simulate_chain, simulate_frame, study};
+use crate::{
+    Outcome, files, identify, motion, new, open, simulate, simulate_building, simulate_chain, simulate_frame,
+    study,
+};
 use anyhow::{Result, bail};
 use dolmen::dynamics::ChainRotations;
 use dolmen::stability::Verdict;
@@ -11,7 +14,7 @@ use dolmen::structure::{Choice, Convention};
 use dolmen_formats::answer::Answer;
 use dolmen_formats::project::{Names, Project, Structure};
 use dolmen_formats::report::{Imprint, html};
-use dolmen_formats::simulation::{ChainSimulation, FrameSimulation, Simulation};
+use dolmen_formats::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use std::path::{Path, PathBuf};
 
 /// Samples of the demo: enough for a figure, few enough for a blink.
@@ -74,6 +77,7 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
     if let Some(options) = motion.filter(|options| motion::is_given(options)) {
         answer.frame_simulations = frames(&answer.project, &file, options, quiet)?;
         answer.chain_simulations = chains(&answer.project, &file, options, quiet)?;
+        answer.building_simulations = buildings(&answer.project, &file, options)?;
     }
     answer.studies = study::of_report(&file, quiet)?;
     Ok(answer)
@@ -137,6 +141,31 @@ fn chains(project: &Project, file: &Path, options: &Motion, quiet: bool) -> Resu
             Some(motion),
             &wish,
             quiet,
+        )?);
+    }
+    Ok(found)
+}
+
+/// The building, as it is and in its variants, under the motion: each that stands.
+fn buildings(project: &Project, file: &Path, options: &Motion) -> Result<Vec<BuildingSimulation>> {
+    let mut found = Vec::new();
+    for (version, variant) in versions(project) {
+        let Structure::Building(part) = &version.structure else {
+            continue;
+        };
+        let motion = motion::motion(options, version, file)?;
+        let wish = simulate_building::Wish {
+            variant,
+            duration_s: None,
+            step_s: REPORT_STEP_S,
+            compare: true,
+        };
+        let shown = file.display().to_string();
+        found.extend(simulate_building::simulation(
+            (version, part),
+            &shown,
+            &motion,
+            &wish,
         )?);
     }
     Ok(found)

@@ -1,7 +1,7 @@
 //! `dolmen simulate`: a stack under a ground motion; frames and chains have files of their own.
 
 use crate::cli::{Language as Chosen, Law, Points, Simulate as Options};
-use crate::{Outcome, files, motion, open, simulate_chain, simulate_frame};
+use crate::{Outcome, files, motion, open, simulate_building, simulate_chain, simulate_frame};
 use anyhow::{Result, bail};
 use dolmen::blocks::{
     AfterFall, ContactLaw, ContactRule, Pose, Rigid, Springs, StackHistory, simulate_stack,
@@ -59,6 +59,10 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     if let Structure::Frame(part) = &chosen.structure {
         let output = (as_json, quiet);
         return simulate_frame::run(options, (chosen, part), (&shown, title), &motion, output);
+    }
+    if let Structure::Building(part) = &chosen.structure {
+        let output = (as_json, quiet);
+        return simulate_building::run(options, (chosen, part), (&shown, title), &motion, output);
     }
     let stack = stack_of(chosen)?;
     let limits = stack_limits(&stack, &StackLimits::default())?;
@@ -154,7 +158,9 @@ fn variant<'p>(project: &'p Project, name: Option<&str>) -> Result<(&'p Project,
 fn stack_of(project: &Project) -> Result<Stack> {
     match &project.structure {
         Structure::Stack(part) => Ok(part.build(&mut Quantity::nominal)?),
-        _ => bail!("only stacks, frames and chains can be simulated: the file has kind = \"survey\""),
+        _ => bail!(
+            "only stacks, frames, chains and buildings can be simulated: the file has kind = \"survey\""
+        ),
     }
 }
 

@@ -1,7 +1,8 @@
 //! Everything that was computed for one project: what the command fills, and text, JSON and report print.
 
+use crate::building::BuildingAnswer;
 use crate::project::{Names, Project};
-use crate::simulation::{ChainSimulation, FrameSimulation, Simulation};
+use crate::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use crate::study::StudyAnswer;
 use crate::tune::TuneAnswer;
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
@@ -39,6 +40,8 @@ pub struct Answer {
     pub chain_simulations: Vec<ChainSimulation>,
     /// Dampers of a building beside the rule and the best.
     pub tunings: Vec<TuneAnswer>,
+    /// The building under a ground motion, as it is and in its variants.
+    pub building_simulations: Vec<BuildingSimulation>,
     /// Studies that were run before, in the order of the file.
     pub studies: Vec<StudyAnswer>,
 }
@@ -144,6 +147,8 @@ pub enum Check {
     Frame(Vec<DirectionCheck>),
     /// A stack of blocks.
     Stack(Box<StackAnswer>),
+    /// A building.
+    Building(Box<BuildingAnswer>),
 }
 
 /// A stack and its check.
@@ -292,6 +297,7 @@ impl State {
                 let known = directions.iter().filter_map(|d| d.check.stability.as_ref());
                 known.map(|s| s.load_factor).min_by(f64::total_cmp)
             }
+            Check::Building(building) => Some(building.load_factor()),
             Check::Stack(_) => None,
         }
     }
@@ -324,6 +330,7 @@ impl State {
                     .flat_map(|d| [&d.check].into_iter().chain(&d.slipping));
                 worst(checks.map(of))
             }
+            Check::Building(building) => Verdict::of_load_factor(building.load_factor()),
             Check::Stack(answer) => answer.check.verdict,
         }
     }

@@ -1,6 +1,7 @@
 //! Bytes to values and back: records, project files, results, figures, reports. Opens no file.
 
 pub mod answer;
+pub mod building;
 pub mod explain;
 pub mod figures;
 pub mod json;

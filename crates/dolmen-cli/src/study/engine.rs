@@ -192,6 +192,7 @@ pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn)
             super::frames::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
         }
         Structure::Chain(part) => super::chains::model(part, pick).map(|model| Model::Chain(Box::new(model))),
+        Structure::Building(_) => Err("buildings cannot be studied so far".to_owned()),
         Structure::Survey => Err("a survey holds no structure".to_owned()),
     }
 }

@@ -48,6 +48,9 @@ impl<'o> Plan<'o> {
             Structure::Stack(_) => StudyKind::Stack,
             Structure::Frame(_) => StudyKind::Frame,
             Structure::Chain(_) => StudyKind::Chain,
+            Structure::Building(_) => bail!(
+                "only stacks, frames and chains can be studied so far: give this building to `dolmen simulate` with one --peak after the other"
+            ),
             Structure::Survey => {
                 bail!("a survey holds no structure that could be studied: kind is stack, frame or chain")
             }

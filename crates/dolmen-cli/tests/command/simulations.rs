@@ -148,7 +148,7 @@ fn refuses_motions_and_options_that_cannot_be() {
     assert!(
         answer
             .stderr
-            .contains("only stacks, frames and chains can be simulated"),
+            .contains("only stacks, frames, chains and buildings can be simulated"),
         "{}",
         answer.stderr
     );

@@ -127,7 +127,7 @@ fn heights_m(structure: &Structure) -> Option<Vec<f64>> {
             });
             Some(tops.collect())
         }
-        Structure::Stack(_) | Structure::Survey => None,
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod assess;
 mod axis;
+mod building;
 mod chain;
 mod chain_histories;
 mod demand;
@@ -25,6 +26,7 @@ mod study_growth;
 mod tune;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
+pub use building::{building_histories, building_plan};
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
 pub use chain_histories::chain_histories;
 pub use demand::design_spectrum;

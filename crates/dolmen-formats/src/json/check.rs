@@ -1,5 +1,6 @@
 //! `dolmen check` as JSON.
 
+use super::building::building;
 use super::demand::demand;
 use super::stack::stack;
 use crate::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
@@ -54,6 +55,7 @@ fn state(state: &State) -> Value {
         Check::Chain(check) => json!({ "chain": chain(check) }),
         Check::Frame(directions) => json!({ "frame": directions.iter().map(direction).collect::<Vec<_>>() }),
         Check::Stack(check) => json!({ "stack": stack(check) }),
+        Check::Building(check) => json!({ "building": building(check) }),
     };
     json!({
         "verdict": state.verdict().word(),

@@ -1,5 +1,6 @@
 //! Answers as JSON: keys are the fields' names with the unit last, values in SI, `null` for what is not known.
 
+mod building;
 mod chain_simulation;
 mod check;
 mod demand;
@@ -12,6 +13,7 @@ mod stack;
 mod study;
 mod tune;
 
+pub use building::building_simulation_json;
 pub use chain_simulation::chain_simulation_json;
 pub use check::check_json;
 pub use frame_simulation::frame_simulation_json;

@@ -1,5 +1,6 @@
 //! A project: everything one file says, checked.
 
+use super::building::BuildingPart;
 use super::chain::ChainPart;
 use super::frame::FramePart;
 use super::quantity::Quantity;
@@ -40,6 +41,8 @@ pub enum Structure {
     Frame(FramePart),
     /// `kind = "stack"`: blocks of stone on each other.
     Stack(Box<StackPart>),
+    /// `kind = "building"`: rigid floors on walls that sway and twist.
+    Building(Box<BuildingPart>),
     /// `kind = "survey"`: measured but not modelled.
     Survey,
 }
@@ -134,6 +137,7 @@ impl Project {
             Structure::Chain(chain) => chain.inputs(&mut all),
             Structure::Frame(frame) => frame.inputs(&mut all),
             Structure::Stack(stack) => stack.inputs(&mut all),
+            Structure::Building(building) => building.inputs(&mut all),
             Structure::Survey => {}
         }
         all

@@ -2,6 +2,7 @@
 //! that one problem does not hide the next; which keys are required stands in the schema, where the check against
 //! the schema finds it.
 
+use super::file_building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::file_site::{MotionRaw, SiteRaw};
 use super::file_stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
@@ -70,6 +71,16 @@ pub(super) struct FileRaw {
     pub(super) ties: Option<Vec<At<TieRaw>>>,
     /// kind = "stack": what stands beside blocks and holds them.
     pub(super) side_supports: Option<Vec<At<SideSupportRaw>>>,
+    /// kind = "building": the floors, each with the storey below it, lowest first.
+    pub(super) floors: Option<At<Vec<At<FloorRaw>>>>,
+    /// kind = "building": whether the weight takes part of the stiffness (P-delta); true if not given.
+    pub(super) p_delta: Option<At<bool>>,
+    /// kind = "building": damping of its modes; 5 % in every mode if not given.
+    pub(super) damping: Option<At<DampingRaw>>,
+    /// kind = "building": tuned mass dampers by name: [damper.NAME].
+    pub(super) damper: Option<BTreeMap<String, At<DamperRaw>>>,
+    /// kind = "building": points of floors whose motion is reported.
+    pub(super) points: Option<At<Vec<At<WatchedRaw>>>>,
     /// Motions of the ground by name, for `dolmen simulate --motion NAME`: [motion.NAME]. Not for kind = "survey".
     pub(super) motion: Option<BTreeMap<String, At<MotionRaw>>>,
     /// Where it stands, and what an earthquake asks for there.
@@ -90,6 +101,8 @@ pub(super) enum KindRaw {
     Frame,
     /// Blocks of stone on each other: pagoda, cairn, wall, column of drums.
     Stack,
+    /// Rigid floors on walls and columns that sway and twist: houses, halls, high buildings.
+    Building,
     /// Measured but not modelled: records and modes only.
     Survey,
 }

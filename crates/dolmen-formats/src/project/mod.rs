@@ -1,11 +1,14 @@
 //! Project files: one TOML a structure, with its surveys, variants and the evidence of each number.
 
+mod building;
+mod building_damper;
 mod chain;
 mod check;
 mod combine;
 mod content;
 mod error;
 mod file;
+mod file_building;
 mod file_number;
 mod file_site;
 mod file_stack;
@@ -18,6 +21,8 @@ mod merge;
 mod quantity;
 mod read;
 mod read_block;
+mod read_building;
+mod read_damper;
 mod read_friction;
 mod read_motion;
 mod read_pagoda;
@@ -35,6 +40,7 @@ mod schema;
 mod schema_tree;
 mod site;
 mod slips;
+mod slips_building;
 mod slips_chain;
 mod slips_frame;
 mod slips_stack;
@@ -45,6 +51,10 @@ mod survey;
 mod units;
 mod written;
 
+pub use building::{
+    BuildingPart, DampingPart, FloorPart, GyrationPart, StoreyStiffnessPart, WallPart, WatchedPart,
+};
+pub use building_damper::{BuiltDamper, DamperFault, DamperFrequency, DamperMass, DamperPart, Tuning};
 pub use chain::{Cap, ChainPart, Heaviness, JointFrictionPart, JointPart, LinkPart};
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};

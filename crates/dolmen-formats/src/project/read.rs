@@ -9,6 +9,7 @@ use super::files::Files;
 use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::quantity::Quantity;
+use super::read_building::{buildable as building_buildable, building};
 use super::read_motion::motions;
 use super::read_site::site;
 use super::read_stack::stack;
@@ -285,6 +286,9 @@ fn of_raw(
         Some(KindRaw::Stack) => {
             stack(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Stack(Box::new(part)))
         }
+        Some(KindRaw::Building) => {
+            building(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Building(Box::new(part)))
+        }
         Some(KindRaw::Survey) => Some(Structure::Survey),
         None => None,
     };
@@ -331,6 +335,10 @@ fn buildable(reader: &mut Reader, structure: Option<&Structure>) {
                 let path = why.path();
                 reader.fault(Fault::new(reader.place(path), path, why.to_string()));
             }
+            return;
+        }
+        Some(Structure::Building(part)) => {
+            building_buildable(reader, part);
             return;
         }
         Some(Structure::Survey) | None => return,
@@ -482,6 +490,7 @@ impl Project {
             Structure::Chain(_) => KindRaw::Chain,
             Structure::Frame(_) => KindRaw::Frame,
             Structure::Stack(_) => KindRaw::Stack,
+            Structure::Building(_) => KindRaw::Building,
             Structure::Survey => KindRaw::Survey,
         })
     }

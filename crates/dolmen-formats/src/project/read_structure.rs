@@ -21,7 +21,7 @@ use std::ops::Range;
 const PARTS_MOST: usize = 1000;
 
 /// A part's weight or mass: exactly one of the two.
-fn heaviness(
+pub(super) fn heaviness(
     reader: &mut Reader,
     weight: Option<&At<QuantityRaw>>,
     mass: Option<&At<QuantityRaw>>,

@@ -52,7 +52,7 @@ impl Reader {
             return reader;
         };
         let stiffness = match kind {
-            KindRaw::Frame => Measure::StoreyStiffness,
+            KindRaw::Frame | KindRaw::Building => Measure::StoreyStiffness,
             KindRaw::Stack => Measure::BedStiffness,
             KindRaw::Chain | KindRaw::Survey => Measure::JointStiffness,
         };

@@ -57,6 +57,7 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "side_supports",
         ],
     ),
+    ("building", &["floors", "p_delta", "damping", "damper", "points"]),
 ];
 
 /// The word of a kind.
@@ -65,6 +66,7 @@ pub(super) fn kind_word(kind: KindRaw) -> &'static str {
         KindRaw::Chain => "chain",
         KindRaw::Frame => "frame",
         KindRaw::Stack => "stack",
+        KindRaw::Building => "building",
         KindRaw::Survey => "survey",
     }
 }

@@ -20,6 +20,7 @@ use super::chain::Heaviness;
 use super::content::Structure;
 use super::quantity::Quantity;
 use super::reader::{Reader, short};
+use super::slips_building::judge_building;
 use super::slips_chain::judge_chain;
 use super::slips_frame::judge_frame;
 use super::slips_stack::judge_stack;
@@ -56,6 +57,7 @@ pub(super) fn judge(
         Some(Structure::Chain(chain)) => judge_chain(reader, chain),
         Some(Structure::Frame(frame)) => judge_frame(reader, frame),
         Some(Structure::Stack(stack)) => judge_stack(reader, stack),
+        Some(Structure::Building(building)) => judge_building(reader, building),
         Some(Structure::Survey) | None => {}
     }
     for survey in surveys {

@@ -2,8 +2,8 @@
 
 use super::given::assumptions;
 use super::{
-    chain_findings, chain_simulation, demand, frame, frame_simulation, identification, measured, modal,
-    samples, simulation, stack, tune, variants,
+    building, building_simulation, chain_findings, chain_simulation, demand, frame, frame_simulation,
+    identification, measured, modal, samples, simulation, stack, tune, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check};
@@ -56,6 +56,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
             Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
             Check::Stack(check) => all.extend(stack::findings(check, language)),
+            Check::Building(check) => all.extend(building::findings(check, language)),
         }
         all.extend(demand::findings(state.demand.as_ref(), language));
         all.extend(measured::findings(state, language));
@@ -68,6 +69,10 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     all.extend(frame_simulation::findings(&answer.frame_simulations, language));
     all.extend(chain_simulation::findings(&answer.chain_simulations, language));
     all.extend(tune::findings(&answer.tunings, language));
+    all.extend(building_simulation::findings(
+        &answer.building_simulations,
+        language,
+    ));
     for survey in &answer.surveys {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));

@@ -195,7 +195,12 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
             format!("고유진동수 {surveyed}개(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)"),
         ));
     }
-    if damping > 0 && stack {
+    if damping > 0 && matches!(project.structure, Structure::Building(_)) {
+        parts.push(language.pick(
+            format!("{damping} damping values (the response to spectra and motions rests on them; verdict and modes do not)"),
+            format!("감쇠 {damping}개(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)"),
+        ));
+    } else if damping > 0 && stack {
         parts.push(language.pick(
             format!("{damping} damping values (simulated motion alone rests on them)"),
             format!("감쇠 {damping}개(지진응답만 이에 의존한다)"),

@@ -1,5 +1,7 @@
 //! One self-contained HTML page, English or Korean, that an engineer hands over.
 
+mod building;
+mod building_simulation;
 mod chain;
 mod chain_centroids;
 mod chain_findings;

@@ -3,8 +3,8 @@
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
 use super::{
-    chain, chain_simulation, demand, findings, frame, frame_simulation, given, identification, modal,
-    samples, simulation, stack, study, tune, variants,
+    building, building_simulation, chain, chain_simulation, demand, findings, frame, frame_simulation, given,
+    identification, modal, samples, simulation, stack, study, tune, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check, State};
@@ -88,6 +88,10 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             "강체 층 골조 모델의 안정성 검토",
         ),
         Structure::Stack(_) => language.pick("Stability of a stack of stones", "적층 석조물의 안정성 검토"),
+        Structure::Building(_) => language.pick(
+            "Stability and twist of a building of rigid floors",
+            "강체 바닥 건물 모델의 안정성과 비틀림 검토",
+        ),
         Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
     };
     markup! {
@@ -108,6 +112,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
             (Structure::Chain(part), Some(Check::Chain(check))) => (chain::sections(part, check, language)),
             (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
             (Structure::Stack(_), Some(Check::Stack(check))) => (stack::sections(answer, check, language)),
+            (Structure::Building(_), Some(Check::Building(check))) => (building::sections(check, language)),
             _ => {}
         }
         (demand::section(answer.state.as_ref().and_then(|state| state.demand.as_ref()), language))
@@ -115,6 +120,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         (frame_simulation::sections(&answer.frame_simulations, language))
         (chain_simulation::sections(&answer.chain_simulations, language))
         (tune::sections(&answer.tunings, language))
+        (building_simulation::sections(&answer.building_simulations, language))
         (study::sections(&answer.studies, language))
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))
@@ -242,6 +248,20 @@ fn method(answer: &Answer, language: Language) -> Markup {
                 "검토 범위 밖: 석재의 균열과 압괴, 지진 중 지반의 침하와 변형, 노후. 한계 가속도는 최초 거동의 값이며 붕괴의 값이 아니다.",
             ),
         ],
+        Structure::Building(_) => vec![
+            language.pick(
+                "Floors are rigid in their plane and rest on linear walls and columns: two displacements and a rotation each. The weight acts where the mass is (P-delta), straight down.",
+                "바닥은 면내 강체이고 선형의 벽체와 기둥이 지지하며, 층마다 두 변위와 한 회전을 가진다. 무게는 질량이 있는 위치에서 연직으로 작용한다(P-델타).",
+            ),
+            language.pick(
+                "λ is the smallest factor on the weight at which a storey sways or twists without end; storeys fall one by one.",
+                "λ는 어느 한 층이 횡변위 또는 비틀림으로 무너지는 가장 작은 무게의 배수이다.",
+            ),
+            language.pick(
+                "Not covered: walls that bend over several storeys as one, floors that are soft in their plane, rocking of the foundation, yielding and cracking, strength.",
+                "검토 범위 밖: 여러 층에 걸친 벽체의 휨, 면내로 유연한 바닥, 기초의 회전, 항복과 균열, 강도.",
+            ),
+        ],
         Structure::Survey => vec![language.pick(
             "Only what was measured is reported; no model was made, so that nothing is said about stability.",
             "계측 결과만 보고한다. 해석 모델이 없으므로 안정성은 판단하지 않는다.",
@@ -257,6 +277,7 @@ fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
     let chain = matches!(answer.project.structure, Structure::Chain(_));
     let frame = matches!(answer.project.structure, Structure::Frame(_));
     let stack = matches!(answer.project.structure, Structure::Stack(_));
+    let building = matches!(answer.project.structure, Structure::Building(_));
     markup! {
         h2 { (language.pick("Evidence and sources", "근거와 출처")) }
         ul {
@@ -273,6 +294,11 @@ fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
                 li { "Kim, N., Koo, I. Y. & Hong, S. G. (2018) Assessment factors for seismic performance of multi-block stone pagodas. "
                     (language.pick("Rocking and sliding of joints: sec. 3, Figs 10 and 12; joint stiffness: Fig. 17.", "접합면의 로킹과 미끄러짐: 3절, 그림 10, 12; 접합면 강성: 그림 17.")) }
                 li { "Housner, G. W. (1963) The behavior of inverted pendulum structures during earthquakes. Bull. Seism. Soc. Am. 53(2):403–417." }
+            }
+            @if building {
+                li { "황재승, 민경원, 홍성목: 동적 하중을 받는 횡-비틀림 방향이 조합된 고층건물의 진동 제어에 관한 연구 / Hwang, J.-S., Min, K.-W. & Hong, S.-M. Control of coupled lateral torsional vibration of tall building under dynamic lateral loads. "
+                    (language.pick("Mode centre: eq. 12.", "모드 중심: 식 12.")) }
+                li { "Der Kiureghian, A. (1981) A response spectrum method for random vibration analysis of MDF systems. Earthquake Engng Struct. Dyn. 9:419–435." }
             }
             @if frame {
                 li { "박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction. "

@@ -168,6 +168,19 @@ fn rows(state: &State, name: &str) -> Vec<Row> {
                 }
             })
             .collect(),
+        Check::Building(answer) => {
+            let factor = answer.load_factor();
+            let modes = answer.stands.as_ref().map(|standing| &standing.modes.modes);
+            vec![Row {
+                name: name.to_string(),
+                load_factor: Some(factor),
+                verdict: Verdict::of_load_factor(factor),
+                margins: answer.falls.iter().map(|fall| Some(fall.load_factor)).collect(),
+                frequency_hz: modes
+                    .and_then(|modes| modes.first())
+                    .map(|mode| mode.frequency_hz),
+            }]
+        }
         Check::Stack(_) => Vec::new(),
     }
 }

@@ -130,6 +130,15 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             "openings" => format!("{} {number}", language.pick("opening", "개구부")),
             "contacts" => format!("{} {number}", language.pick("contact", "접촉면")),
             "ties" => format!("{} {number}", language.pick("tie", "연결재")),
+            "floors" => format!("{} {number}", language.pick("floor", "바닥")),
+            "walls" => format!("{} {number}", language.pick("wall", "벽체")),
+            "damping" => language.pick("damping", "감쇠").to_owned(),
+            "ratio" => language.pick("ratio", "비").to_owned(),
+            "stiffness_x" => language.pick("stiffness x", "강성 x").to_owned(),
+            "stiffness_y" => language.pick("stiffness y", "강성 y").to_owned(),
+            "rotation" if path.starts_with("floors") => language.pick("against turning", "회전").to_owned(),
+            "centre" => format!("{} {}", language.pick("centre", "중심"), axis(number)?),
+            "place" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
             "side_supports" => format!("{} {number}", language.pick("side support", "측면 지지")),
             "pagoda" => language.pick("pagoda:", "석탑").to_owned(),
             "joint" => language.pick("joint", "접합면").to_owned(),
@@ -138,6 +147,7 @@ fn stack_words(path: &str, language: Language) -> Option<String> {
             "position" => format!("{} {}", language.pick("position", "위치"), axis(number)?),
             "at" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
             "offset" => format!("{} {}", language.pick("offset", "편심"), axis(number)?),
+            "points" if path.starts_with("points") => format!("{} {number}", language.pick("point", "점")),
             "points" => {
                 let (point, coordinate) = number.split_once("][")?;
                 format!("{} {point} {}", language.pick("point", "점"), axis(coordinate)?)

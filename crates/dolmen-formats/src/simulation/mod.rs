@@ -1,6 +1,8 @@
-//! Simulated motions of stacks, frames and chains with everything that their text, JSON, tables, figures and films need.
+//! Simulated motions of stacks, frames, chains and buildings with everything that their text, JSON, tables, figures and films need.
 
 mod answer;
+mod building_answer;
+mod building_tables;
 mod chain_answer;
 mod chain_tables;
 mod film;
@@ -9,6 +11,8 @@ mod frame_tables;
 mod tables;
 
 pub use answer::{MotionAnswer, Simulation};
+pub use building_answer::{BuildingSimulation, WatchedPoint};
+pub use building_tables::{building_histories_csv, building_peaks_csv};
 pub use chain_answer::ChainSimulation;
 pub use chain_tables::{chain_energy_csv, chain_histories_csv, chain_slips_csv, chain_uplifts_csv};
 pub use film::{FILM_STEP_S, stack_film};

@@ -1,6 +1,7 @@
 //! `dolmen check` as text.
 
 use super::Table;
+use super::building::building_text;
 use super::demand::demand_text;
 use super::project::{heading_text, made_stones_text, warnings_text};
 use super::stack::{spring_fits_text, stack_text, stack_verdict};
@@ -84,6 +85,7 @@ fn same_limits(one: &State, other: &State) -> bool {
             a == b
         }
         (Check::Stack(a), Check::Stack(b)) => a == b,
+        (Check::Building(a), Check::Building(b)) => a == b,
         _ => false,
     }
 }
@@ -93,7 +95,7 @@ fn verdict_line(state: &State) -> String {
     let why = match (state.stability_verdict(), state.load_factor()) {
         (_, None) if matches!(state.check, Check::Stack(_)) => match &state.check {
             Check::Stack(answer) => stack_verdict(answer),
-            Check::Chain(_) | Check::Frame(_) => String::new(),
+            Check::Chain(_) | Check::Frame(_) | Check::Building(_) => String::new(),
         },
         (_, Some(f64::INFINITY)) => {
             "no axial force is given, so P-delta says nothing of stability".to_owned()
@@ -178,6 +180,7 @@ fn limits_of(state: &State) -> String {
             .first()
             .map_or_else(String::new, |d| frame_limits_text(&d.check)),
         Check::Stack(answer) => stack_text(answer),
+        Check::Building(answer) => building_text(answer),
     }
 }
 
@@ -211,7 +214,7 @@ fn stiffness_of(state: &State) -> String {
                 }
             }
         }
-        Check::Stack(_) => {}
+        Check::Stack(_) | Check::Building(_) => {}
     }
     if let Some(sampled) = &state.sampled {
         out += &sampled_text(sampled);

@@ -1,5 +1,7 @@
 //! Answers as text for a terminal: plain characters, columns that line up, units in the heads.
 
+mod building;
+mod building_simulation;
 mod chain_simulation;
 mod check;
 mod demand;
@@ -16,6 +18,7 @@ mod tune;
 mod validate;
 mod versions;
 
+pub use building_simulation::{building_outcome_text, building_simulation_text};
 pub use chain_simulation::{chain_outcome_text, chain_simulation_text};
 pub use check::check_text;
 pub(crate) use demand::{STANDARD_GRAVITY_M_S2, ground_word, type_word};

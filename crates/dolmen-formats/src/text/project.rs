@@ -63,6 +63,23 @@ fn size(project: &Project) -> String {
             }
             Err(fault) => format!("stack that cannot be: {fault}"),
         },
+        Structure::Building(part) => match part.floors_and_storeys(pick) {
+            Ok((floors, storeys)) => {
+                let height: f64 = storeys.iter().map(|storey| storey.height_m).sum();
+                let mass: f64 = floors.iter().map(|floor| floor.mass_kg).sum();
+                let n = floors.len();
+                let p_delta = if part.p_delta {
+                    "P-delta from the masses"
+                } else {
+                    "P-delta left out"
+                };
+                format!(
+                    "building of {n} floors, {height:.2} m high, {:.1} t, {p_delta}",
+                    mass / 1e3
+                )
+            }
+            Err(fault) => format!("building that cannot be: {fault}"),
+        },
         Structure::Survey => "measured, not modelled".to_owned(),
     }
 }

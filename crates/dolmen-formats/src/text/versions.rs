@@ -54,14 +54,23 @@ pub(super) fn comparison(answer: &Answer) -> String {
         let first = match &state.check {
             Check::Chain(check) => check.modes.first(),
             Check::Frame(directions) => directions.iter().find_map(|d| d.check.modes.first()),
-            Check::Stack(_) => None,
+            Check::Stack(_) | Check::Building(_) => None,
+        };
+        let building = match &state.check {
+            Check::Building(answer) => {
+                let modes = answer.stands.as_ref().map(|standing| &standing.modes.modes);
+                modes
+                    .and_then(|modes| modes.first())
+                    .map(|mode| format!("{:.4}", mode.frequency_hz))
+            }
+            _ => None,
         };
         let dash = || "-".to_owned();
         table.row(vec![
             name.to_owned(),
             state.verdict().word().to_owned(),
             state.load_factor().map_or_else(dash, |x| format!("{x:.4}")),
-            first.map_or_else(dash, first_frequency),
+            building.unwrap_or_else(|| first.map_or_else(dash, first_frequency)),
             state
                 .sampled
                 .as_ref()

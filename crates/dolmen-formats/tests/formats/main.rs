@@ -10,6 +10,7 @@ mod npy_records;
 mod palisaden;
 mod project;
 mod project_book;
+mod project_building;
 mod project_chain_motion;
 mod project_friction;
 mod project_keys;

@@ -16,7 +16,7 @@ fn holds_the_listings_of_the_book_are_read_and_its_errors_are_what_is_said() {
             .collect()
     };
     let listings = blocks("```toml\n");
-    assert_eq!(listings.len(), 3);
+    assert_eq!(listings.len(), 4);
     for listing in listings {
         read(&listing);
     }

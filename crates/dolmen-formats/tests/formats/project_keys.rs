@@ -154,7 +154,7 @@ error: kind = "chian" is not known
   --> project.toml:2:8
    |
  2 | kind = "chian"
-   |        ^^^^^^^ must be "chain", "frame", "stack" or "survey"
+   |        ^^^^^^^ must be "chain", "frame", "stack", "building" or "survey"
    = help: did you mean "chain"?
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));

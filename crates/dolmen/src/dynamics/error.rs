@@ -29,6 +29,9 @@ pub enum DynamicsError {
         /// What is allowed.
         allowed: &'static str,
     },
+    /// A building that cannot be, or a place that is not on it.
+    #[error(transparent)]
+    Building(#[from] crate::structure::building::BuildingError),
     /// A list of the wrong length.
     #[error("{argument} has {given} entries, but the frame has {needed} storeys: give one for each")]
     Count {

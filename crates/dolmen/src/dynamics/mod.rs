@@ -1,5 +1,6 @@
 //! Structures in time: exact between events, with the events located. Frames with dry friction; chains up to their fall; one block that rocks.
 
+mod building;
 mod chain_friction;
 mod chain_growth;
 mod chain_history;
@@ -27,6 +28,11 @@ mod random_vibration;
 mod rocking_block;
 mod rocking_run;
 
+pub use building::{
+    BuildingHistory, BuildingPeaks, BuildingRun, DirectionalCombination, FloorPeak, HistoryMethod,
+    ModalCombination, Peak, SpectralAnalysis, SpectralMode, StoreyPeak, TunedMass, VibratingBuilding,
+    building_history, correlation_coefficient, spectral_analysis,
+};
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
 pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};
 pub use chain_model::{ChainJoint, ChainModel, ChainRotations, JointFriction, JointOpening};

@@ -1,6 +1,6 @@
 use super::{
-    ValidationError, choi_2021, columns, dampers, dry_friction, fragility, kim_koo_hong_2018, park_min_2010,
-    rigid_blocks, second_methods,
+    ValidationError, choi_2021, chopra_2017, columns, dampers, dry_friction, fragility, hwang_min_hong,
+    kim_koo_hong_2018, park_min_2010, rigid_blocks, second_methods,
 };
 
 /// One number of a source, or of a second method of this crate, beside ours.
@@ -55,6 +55,8 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
         dry_friction::cases()?,
+        hwang_min_hong::cases()?,
+        chopra_2017::cases()?,
         dampers::cases()?,
         fragility::cases()?,
         second_methods::cases()?,

@@ -17,6 +17,9 @@ pub enum ValidationError {
     /// A stack of a source was refused.
     #[error(transparent)]
     Stack(#[from] StackError),
+    /// A building of a source was refused.
+    #[error(transparent)]
+    Building(#[from] crate::structure::building::BuildingError),
     /// Its stability could not be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),

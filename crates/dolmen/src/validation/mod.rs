@@ -1,19 +1,23 @@
 //! Every number of others that this crate must reproduce: published beside computed, and where the published one is
 //! wrong the right one beside it.
 
+mod buildings;
 mod case;
 mod choi_2021;
+mod chopra_2017;
 mod columns;
 mod dampers;
 mod dry_friction;
 mod error;
 mod fragility;
+mod hwang_min_hong;
 mod kim_koo_hong_2018;
 mod park_min_2010;
 mod rigid_blocks;
 mod second_methods;
 mod stacks;
 
+pub use buildings::{twenty_storeys, twenty_storeys_mass, twisting_floor};
 pub use case::{Case, cases};
 pub use choi_2021::naju_flagpole;
 pub use error::ValidationError;

@@ -15,32 +15,8 @@ use dolmen::structure::building::{
 };
 use dolmen_linalg::Matrix;
 
-/// The reconstructed example, of 1000 kg, made of four walls.
 fn twisting_floor() -> Building {
-    let mass = 1000.0;
-    let [kx, ky] = paper::STIFFNESS.map(|k| k * mass);
-    // k_y at e: left and right walls of ky (1 ∓ e/5)/2
-    let share = 0.5 * (1.0 - paper::RIGIDITY_X_M / 5.0);
-    let wall = |x_m, y_m, stiffness_x_n_m, stiffness_y_n_m| Element {
-        x_m,
-        y_m,
-        stiffness_x_n_m,
-        stiffness_y_n_m,
-        stiffness_rotation_n_m_rad: 0.0,
-        angle_degrees: 0.0,
-    };
-    let walls = vec![
-        wall(0.0, -4.0, 0.5 * kx, 0.0),
-        wall(0.0, 4.0, 0.5 * kx, 0.0),
-        wall(-5.0, 0.0, 0.0, ky * share),
-        wall(5.0, 0.0, 0.0, ky * (1.0 - share)),
-    ];
-    let outline = Outline::rectangle([0.0, 0.0], 10.0, 8.0).unwrap();
-    let storey = Storey {
-        height_m: 3.0,
-        stiffness: StoreyStiffness::of_elements(walls).unwrap(),
-    };
-    Building::new(vec![Floor::uniform(mass, outline)], vec![storey], PDelta::LeftOut).unwrap()
+    dolmen::validation::twisting_floor(1000.0).unwrap()
 }
 
 #[test]

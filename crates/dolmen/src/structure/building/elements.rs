@@ -39,6 +39,8 @@ pub struct Element {
 pub struct StoreyStiffness {
     about_m: [f64; 2],
     matrix: [[f64; 3]; 3],
+    /// What rotation stiffness is measured by: that of all elements if nothing cancelled, N·m/rad.
+    turning_scale: f64,
     elements: Vec<Element>,
 }
 
@@ -91,6 +93,7 @@ impl StoreyStiffness {
             elements.iter().map(|e| e.y_m).sum::<f64>() / count,
         ];
         let mut matrix = [[0.0; 3]; 3];
+        let mut turning_scale = 0.0;
         for element in &elements {
             let (sin, cos) = super::matrices::sin_cos_degrees(element.angle_degrees);
             let (k1, k2) = (element.stiffness_x_n_m, element.stiffness_y_n_m);
@@ -100,6 +103,8 @@ impl StoreyStiffness {
                 [0.0, 0.0, element.stiffness_rotation_n_m_rad],
             ];
             let from = [element.x_m - about_m[0], element.y_m - about_m[1]];
+            let reach = from[0].hypot(from[1]);
+            turning_scale += (k1 + k2) * reach * reach + element.stiffness_rotation_n_m_rad;
             let moved = moved(&own, [-from[0], -from[1]]);
             for (row, add) in matrix.iter_mut().zip(moved) {
                 for (entry, add) in row.iter_mut().zip(add) {
@@ -110,6 +115,7 @@ impl StoreyStiffness {
         Ok(StoreyStiffness {
             about_m,
             matrix,
+            turning_scale,
             elements,
         })
     }
@@ -126,6 +132,7 @@ impl StoreyStiffness {
         StoreyStiffness {
             about_m: centre_of_rigidity_m,
             matrix: std::array::from_fn(|i| std::array::from_fn(|j| entry(i, j))),
+            turning_scale: stiffness_rotation_n_m_rad.abs(),
             elements: Vec::new(),
         }
     }
@@ -134,6 +141,7 @@ impl StoreyStiffness {
     pub fn about_point(matrix: [[f64; 3]; 3], point_m: [f64; 2]) -> Self {
         StoreyStiffness {
             about_m: point_m,
+            turning_scale: matrix[2][2].abs(),
             matrix,
             elements: Vec::new(),
         }
@@ -202,7 +210,8 @@ impl StoreyStiffness {
             .into_iter()
             .enumerate()
         {
-            if k[row][row] < 0.0 {
+            let rounding = if row == 2 { NONE * self.turning_scale } else { 0.0 };
+            if k[row][row] < -rounding {
                 return Err(BuildingError::Value {
                     part: "storey",
                     number: storey,
@@ -230,8 +239,7 @@ impl StoreyStiffness {
             });
         };
         let about_centre = self.matrix_about(centre)[2][2];
-        let largest = k[2][2].abs();
-        if about_centre <= NONE * largest || about_centre <= 0.0 {
+        if about_centre <= NONE * self.turning_scale.max(k[2][2].abs()) || about_centre <= 0.0 {
             return Err(BuildingError::Twists {
                 storey,
                 x_m: centre[0],

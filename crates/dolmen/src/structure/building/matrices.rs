@@ -182,6 +182,60 @@ impl Building {
         each.collect()
     }
 
+    /// Rows of the drift of a storey at the edges of the floor above it: along x where y is least and most, along y where x is least
+    /// and most. The largest drift along x or y anywhere on the floor is at one of the two. At the centre of mass if its outline is not
+    /// known.
+    ///
+    /// # Errors
+    /// [`BuildingError::Part`] for a storey that is not there, numbered from 1 at the bottom.
+    pub fn edge_drift_rows(&self, storey: usize) -> Result<[Vec<f64>; 4], BuildingError> {
+        let index = self.floor_index(storey)?;
+        let upper = &self.floors()[index];
+        let corners = upper
+            .outline
+            .as_ref()
+            .map_or(&[][..], |outline| outline.corners_m());
+        let extent = |axis: usize| {
+            let all = corners.iter().map(|corner| corner[axis]);
+            all.fold([upper.centre_m[axis]; 2], |[least, most], at| {
+                [least.min(at), most.max(at)]
+            })
+        };
+        let row = |axis: usize, at: f64| {
+            let mut row = vec![0.0; self.coordinates()];
+            let mut add = |floor: usize, sign: f64| {
+                let centre = self.floors()[floor].centre_m;
+                row[3 * floor + axis] = sign;
+                // u − (y − y_c) θ and v + (x − x_c) θ
+                let arm = at - centre[1 - axis];
+                row[3 * floor + 2] = if axis == 0 { -sign * arm } else { sign * arm };
+            };
+            add(index, 1.0);
+            if index > 0 {
+                add(index - 1, -1.0);
+            }
+            row
+        };
+        let ([left, right], [front, back]) = (extent(0), extent(1));
+        Ok([row(0, front), row(0, back), row(1, left), row(1, right)])
+    }
+
+    /// Rows of the elastic base shear along x and y and of the base torque about the centre of all mass: ιᵀ K. Rigid motion strains
+    /// nothing but the lowest storey, so that only its three coordinates are in them.
+    pub fn base_rows(&self) -> [Vec<f64>; 3] {
+        let k = self.stiffness_matrix();
+        let shakes = [
+            self.ground_column(PlanDirection::X),
+            self.ground_column(PlanDirection::Y),
+            self.turn_column(self.centre_of_mass_m()),
+        ];
+        shakes.map(|shake| {
+            let mut row = k.times(&shake);
+            row[3..].fill(0.0);
+            row
+        })
+    }
+
     fn floor_index(&self, floor: usize) -> Result<usize, BuildingError> {
         if (1..=self.floors().len()).contains(&floor) {
             return Ok(floor - 1);

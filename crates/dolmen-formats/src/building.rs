@@ -1,0 +1,89 @@
+//! What `dolmen check` found of a building.
+
+use crate::project::{BuiltDamper, StoreyStiffnessPart};
+use dolmen::dynamics::SpectralMode;
+use dolmen::structure::Building;
+use dolmen::structure::building::{BuildingModes, StoreyFall};
+
+/// Share of the mass, along x and along y, that the shown modes have at least. Chosen here: what codes ask for.
+const MASS_SHOWN: f64 = 0.9;
+/// Fewest and most modes shown. Chosen here: swaying both ways and twisting; a page.
+const MODES_SHOWN: [usize; 2] = [3, 12];
+
+/// A building and its check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildingAnswer {
+    /// Names of the floors, lowest first.
+    pub floors: Vec<String>,
+    /// The building without P-delta.
+    pub elastic: Building,
+    /// How each storey falls, and under what factor on the weight, lowest first.
+    pub falls: Vec<StoreyFall>,
+    /// What is known of it if it stands.
+    pub stands: Option<Box<StandingBuilding>>,
+}
+
+/// A building that stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StandingBuilding {
+    /// With P-delta, if the file counts it.
+    pub building: Building,
+    /// Its modes without dampers.
+    pub modes: BuildingModes,
+    /// Damping ratio of each.
+    pub damping_ratios: Vec<f64>,
+    /// Dampers of the file, every number worked out.
+    pub dampers: Vec<BuiltDamper>,
+    /// Against the spectrum of its site, without dampers; `None` without a site.
+    pub spectral: Option<BuildingSpectral>,
+}
+
+/// Largest responses by the spectrum of the site, modes put together by CQC, shaking along x and y by the square root of the
+/// sum of squares.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildingSpectral {
+    /// The modes in the spectrum.
+    pub modes: Vec<SpectralMode>,
+    /// Base shear along x under shaking along x and along y under shaking along y, N: absolute sum, SRSS, CQC.
+    pub base_shear_n: [[f64; 2]; 3],
+    /// Base torque about the centre of mass, N·m.
+    pub base_torque_n_m: f64,
+    /// Displacement of the centre of mass of each floor along x and y, m.
+    pub displacement_m: Vec<[f64; 2]>,
+    /// Largest drift of each storey at an edge of its floor along x and y, m.
+    pub edge_drift_m: Vec<[f64; 2]>,
+    /// Displacement of the points of the file along x and y, m.
+    pub points_m: Vec<(String, [f64; 2])>,
+}
+
+impl BuildingAnswer {
+    /// Smallest factor on the weight at which a storey falls.
+    pub fn load_factor(&self) -> f64 {
+        StoreyFall::first(&self.falls).map_or(f64::NAN, |first| first.load_factor)
+    }
+}
+
+impl StandingBuilding {
+    /// How many of the lowest modes are shown.
+    pub fn shown(&self) -> usize {
+        let mut sums = [0.0; 2];
+        let modes = &self.modes;
+        let enough = modes.modes.iter().position(|mode| {
+            (0..2).for_each(|axis| sums[axis] += mode.effective_mass[axis] / modes.total_mass[axis]);
+            sums.iter().all(|sum| *sum >= MASS_SHOWN)
+        });
+        let wanted = enough.map_or(modes.modes.len(), |last| last + 1);
+        wanted
+            .clamp(MODES_SHOWN[0], MODES_SHOWN[1])
+            .min(modes.modes.len())
+    }
+}
+
+/// How the stiffness of a storey is given, in a word.
+pub fn stiffness_word(part: &StoreyStiffnessPart) -> &'static str {
+    match part {
+        StoreyStiffnessPart::Walls(_) => "walls",
+        StoreyStiffnessPart::Whole { .. } => "whole",
+        StoreyStiffnessPart::Matrix { .. } => "matrix",
+    }
+}

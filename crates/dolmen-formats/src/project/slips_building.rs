@@ -1,0 +1,74 @@
+//! Probable slips in a building.
+
+use super::building::{BuildingPart, StoreyStiffnessPart};
+use super::reader::Reader;
+use super::slips::{guess, mass_kg, rounded_length, unit_of, within};
+
+/// Mass of a floor, kg.
+const FLOOR_MASS_KG: (f64, f64) = (1e3, 2e7);
+/// Height of a storey, m.
+const STOREY_HEIGHT_M: (f64, f64) = (0.1, 50.0);
+/// What a slip of height is compared with, m.
+const STOREY_HEIGHT_USUAL_M: f64 = 3.5;
+/// √(k/m)/2π of a storey with its own floor alone, Hz: a storey that carries many more is stiffer.
+const STOREY_FREQUENCY_HZ: (f64, f64) = (0.02, 200.0);
+
+pub(super) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
+    for floor in &building.floors {
+        let height = &floor.height;
+        if !within(height.value, STOREY_HEIGHT_M) {
+            let (least, most) = STOREY_HEIGHT_M;
+            let message = format!(
+                "{} = {}, but storeys are {least} to {most} m high",
+                height.path, height.written
+            );
+            let help = guess(height.value / STOREY_HEIGHT_USUAL_M, unit_of(height));
+            reader.slip(&height.path, message, help);
+        }
+        let mass = mass_kg(&floor.heaviness, building.gravity_m_s2);
+        let given = floor.heaviness.quantity();
+        if !within(mass, FLOOR_MASS_KG) {
+            let message = format!(
+                "{} = {}, but floors have 1 t to 20 000 t",
+                given.path, given.written
+            );
+            let ratio = if mass > 1e5 { 1000.0 } else { 0.001 };
+            reader.slip(&given.path, message, guess(ratio, unit_of(given)));
+            continue; // stiffness is compared with masses
+        }
+        let each = match &floor.stiffness {
+            StoreyStiffnessPart::Walls(walls) => {
+                let sum = |of: fn(&super::building::WallPart) -> &Option<super::quantity::Quantity>| {
+                    let values = walls.iter().filter_map(|wall| of(wall).as_ref());
+                    values.map(|given| given.value).sum::<f64>()
+                };
+                let largest = walls
+                    .iter()
+                    .flat_map(|wall| [&wall.stiffness_x, &wall.stiffness_y])
+                    .flatten()
+                    .max_by(|a, b| a.value.total_cmp(&b.value));
+                let whole = sum(|wall| &wall.stiffness_x).max(sum(|wall| &wall.stiffness_y));
+                largest.map(|quantity| (quantity, whole))
+            }
+            StoreyStiffnessPart::Whole { x, .. } => Some((&**x, x.value)),
+            StoreyStiffnessPart::Matrix { .. } => None,
+        };
+        if let Some((quantity, stiffness)) = each {
+            let frequency_hz = (stiffness / mass).sqrt() / std::f64::consts::TAU;
+            if !within(frequency_hz, STOREY_FREQUENCY_HZ) {
+                let (least, most) = STOREY_FREQUENCY_HZ;
+                let message = format!(
+                    "{} = {}: the storey with its own floor alone would sway at {} Hz, but storeys sway at {least} to {most} Hz",
+                    quantity.path,
+                    quantity.written,
+                    rounded_length(frequency_hz)
+                );
+                reader.slip(
+                    &quantity.path,
+                    message,
+                    "is it in N/mm, kN/mm or kN/m?".to_owned(),
+                );
+            }
+        }
+    }
+}

@@ -1,0 +1,252 @@
+//! Buildings in the project file: what they become, and every refusal at its line.
+
+use super::project::{example, read, refused};
+use dolmen::structure::building::PlanDirection;
+use dolmen_formats::project::{Project, Quantity, Structure, Tuning};
+
+const BUILDING: &str = r#"schema = 1
+kind = "building"
+name = "hall"
+units = { mass = "t", stiffness = "kN/mm" }
+floors = [
+  { mass = 100, sides = [10, 8], height = 4, walls = [
+    { x = 0, y = -4, stiffness_x = 20 },
+    { x = 0, y = 4, stiffness_x = 20 },
+    { x = -5, y = 0, stiffness_y = 24 },
+    { x = 5, y = 0, stiffness_y = 12 },
+  ] },
+  { mass = 80, outline = [[-5, -4], [5, -4], [5, 4], [-5, 4]], height = 3.5, count = 2, stiffness = { x = 30, y = 20, rotation = "500 MN*m/rad", centre = [-1, 0] } },
+]
+damping.ratio = "2 %"
+points = [{ name = "corner", floor = 3, place = [5, 4] }]
+[damper.top]
+kind = "tmd"
+floor = 3
+place = [4, 0]
+direction = "y"
+mass_ratio = 0.05
+tuning = "den_hartog"
+"#;
+
+fn with(from: &str, to: &str) -> String {
+    assert!(BUILDING.contains(from), "{from}");
+    BUILDING.replacen(from, to, 1)
+}
+
+fn part(project: &Project) -> &dolmen_formats::project::BuildingPart {
+    let Structure::Building(part) = &project.structure else {
+        panic!("no building");
+    };
+    part
+}
+
+#[test]
+fn exact_floors_storeys_and_a_damper_in_si() {
+    let project = read(BUILDING);
+    let part = part(&project);
+    assert_eq!(project.kind(), "building");
+    let pick = &mut Quantity::nominal;
+    let building = part.build(pick).unwrap();
+    assert_eq!(building.floors().len(), 3);
+    assert_eq!(
+        (building.mass_kg(), building.floor_heights_m()),
+        (260e3, vec![4.0, 7.5, 11.0])
+    );
+    assert!((building.floors()[1].gyration_m.powi(2) - 164.0 / 12.0).abs() < 1e-12);
+    let lowest = building.storeys()[0].stiffness.matrix_about([0.0, 0.0]);
+    // rows by hand: 40 along x, 36 along y, coupling (−5·24 + 5·12), turning 40·16 + 36·25, in kN/mm
+    let by_hand = [[40.0, 0.0, 0.0], [0.0, 36.0, -60.0], [0.0, -60.0, 1540.0]];
+    for i in 0..3 {
+        for j in 0..3 {
+            assert!((lowest[i][j] - 1e6 * by_hand[i][j]).abs() < 1e-6, "{lowest:?}");
+        }
+    }
+    assert_eq!(
+        building.storeys()[2].stiffness.centre_of_rigidity_m(),
+        Some([-1.0, 0.0])
+    );
+    let modes = building.modes().unwrap();
+    let damper = &part.dampers(&building, &modes, pick).unwrap()[0];
+    let row = building.point_row(3, 4.0, 0.0, PlanDirection::Y).unwrap();
+    let along: f64 = row
+        .iter()
+        .zip(&modes.modes[0].shape)
+        .map(|(r, phi)| r * phi)
+        .sum();
+    assert!((damper.tuned.mass_kg * along * along - 0.05).abs() < 1e-14);
+    assert!((damper.tuned.frequency_hz * 1.05 / modes.modes[0].frequency_hz - 1.0).abs() < 1e-14);
+    assert!((damper.tuned.damping_ratio - 0.1336306).abs() < 0.5e-7);
+    assert_eq!(part.floor_names(), ["1", "2", "3"]);
+    assert!(
+        project
+            .input("floors[1].walls[3].stiffness_y")
+            .is_some_and(|q| q.value == 24e6)
+    );
+}
+
+#[test]
+fn published_tunings_of_a_mass_ratio_of_5_percent() {
+    for (tuning, f, zeta) in [
+        (Tuning::DenHartog, 0.952_381_0, 0.133_630_6),
+        (Tuning::WarburtonForce, 0.964_212_2, 0.109_772_2),
+        (Tuning::WarburtonBase, 0.940_400_8, 0.109_806_1),
+    ] {
+        let [ratio, damping] = tuning.of(0.05);
+        assert!(
+            (ratio - f).abs() < 0.5e-7 && (damping - zeta).abs() < 0.5e-7,
+            "{}: {ratio} {damping}",
+            tuning.word()
+        );
+    }
+}
+
+#[test]
+fn exact_a_matrix_is_the_storey_that_it_is_of() {
+    let whole = r#"stiffness = { x = 30, y = 20, rotation = "500 MN*m/rad", centre = [-1, 0] }"#;
+    // about the origin: k_yθ = 20e6 (−1), k_θ = 5e8 + 20e6
+    let matrix = "stiffness = { matrix = [[30e6, 0.0, 0.0], [0.0, 20e6, -20e6], [0.0, -20e6, 520e6]], centre = [0, 0] }";
+    let (one, other) = (read(BUILDING), read(&with(whole, matrix)));
+    let build = |project: &Project| {
+        part(project)
+            .build(&mut Quantity::nominal)
+            .unwrap()
+            .stiffness_matrix()
+    };
+    let (a, b) = (build(&one), build(&other));
+    for (a, b) in a.as_slice().iter().zip(b.as_slice()) {
+        assert!((a - b).abs() < 1e-6, "{a} {b}");
+    }
+}
+
+#[test]
+fn holds_the_examples_are_read_and_the_floor_has_the_modes_of_its_source() {
+    let project = read(&example("twisting_floor"));
+    let modes = part(&project)
+        .build(&mut Quantity::nominal)
+        .unwrap()
+        .modes()
+        .unwrap();
+    for (mode, known) in modes.modes.iter().zip([1.84707, 2.28210, 3.60553]) {
+        assert!((mode.omega_rad_s - known).abs() < 0.5e-5);
+    }
+    let tall = read(&example("twenty_storeys"));
+    let building = part(&tall).build(&mut Quantity::nominal).unwrap();
+    let known = dolmen::validation::twenty_storeys().unwrap();
+    let largest = known
+        .stiffness_matrix()
+        .as_slice()
+        .iter()
+        .fold(0.0_f64, |most, x| most.max(x.abs()));
+    for (a, b) in building
+        .stiffness_matrix()
+        .as_slice()
+        .iter()
+        .zip(known.stiffness_matrix().as_slice())
+    {
+        assert!((a - b).abs() < 1e-9 * largest);
+    }
+}
+
+#[test]
+fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
+    for (from, to, said) in [
+        (
+            "stiffness_y = 24",
+            "stiffness_y = -24",
+            "floors[1].walls[3].stiffness_y = -24 kN/mm cannot be",
+        ),
+        (
+            "floor = 3\nplace = [4, 0]",
+            "floor = 3\nplace = [6, 0]",
+            "lies 1.000 m outside the outline of floor 3",
+        ),
+        (
+            "floor = 3\nplace = [4, 0]",
+            "floor = 4\nplace = [4, 0]",
+            "damper.top.floor = 4, but the building has 3 floors",
+        ),
+        (
+            "mass_ratio = 0.05",
+            "mass_ratio = 1.5",
+            "a damper is lighter than what it damps",
+        ),
+        ("mass_ratio = 0.05", "mass = 5000", "more than 1"),
+        (
+            "mass_ratio = 0.05",
+            "",
+            "damper.top has neither mass nor mass_ratio",
+        ),
+        ("tuning = \"den_hartog\"", "", "damper.top has no frequency"),
+        (
+            "direction = \"y\"",
+            "direction = \"up\"",
+            "must be \"x\", \"y\", or an angle from x",
+        ),
+        (
+            "place = [5, 4] }",
+            "place = [5, 5] }",
+            "points[1]: the point (5, 5) m lies 1.000 m outside the outline of floor 3",
+        ),
+        (
+            "sides = [10, 8], ",
+            "",
+            "has neither sides nor outline, so that its centre of mass is not known",
+        ),
+        (
+            "[[-5, -4], [5, -4], [5, 4], [-5, 4]]",
+            "[[-5, -4], [5, 4], [5, -4], [-5, 4]]",
+            "crosses itself",
+        ),
+        (
+            "rotation = \"500 MN*m/rad\", ",
+            "",
+            "floors[2].stiffness.rotation is missing",
+        ),
+        (
+            "damping.ratio = \"2 %\"",
+            "damping = { ratio = 0.02, ratios = [0.02] }",
+            "damping needs one of",
+        ),
+        (
+            "damping.ratio = \"2 %\"",
+            "damping.caughey = [0.05, 0.001]",
+            "damping: mode",
+        ),
+        ("height = 4,", "height = 4000,", "did you mean"),
+        (
+            "kind = \"building\"",
+            "kind = \"frame\"",
+            "belongs to kind = \"building\"",
+        ),
+        (
+            "stiffness_y = 24 },",
+            "stiffness_x = 24 },",
+            "storey 1 does not resist twisting",
+        ),
+    ] {
+        let mut text = with(from, to);
+        if said.contains("twisting") {
+            // all walls along x but one through the origin along y
+            text = text.replace(
+                "{ x = 5, y = 0, stiffness_y = 12 }",
+                "{ x = 0, y = 0, stiffness_y = 12 }",
+            );
+            text = text
+                .replace("y = -4, stiffness_x", "y = 0, stiffness_x")
+                .replace("y = 4, stiffness_x", "y = 0, stiffness_x");
+        }
+        let answer = refused(&text);
+        assert!(answer.contains(said), "{said}: {answer}");
+        assert!(answer.contains("project.toml:"), "{answer}");
+    }
+    // a mode that does not move where the damper is: x alone in mode 2 of the shipped floor
+    let floor = example("twisting_floor").replace(
+        "direction = \"y\"\nmass = 5.125",
+        "direction = \"y\"\nmode = 2\nmass = 5.125",
+    );
+    let answer = refused(&floor);
+    assert!(
+        answer.contains("mode 2 does not move at its place along its direction (it moves only in x here)"),
+        "{answer}"
+    );
+}

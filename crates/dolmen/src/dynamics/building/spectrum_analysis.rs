@@ -1,0 +1,186 @@
+//! Response spectrum analysis: the largest response of each mode by a spectrum, put together.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | r_n | | row · φ_n Γ_n S_a(T_n, ζ_n)/ω_n²: the largest response in mode n, with its sign | of the row |
+//! | ρ_in | [`correlation_coefficient`] | correlation of modes i and n | – |
+//! | β | | ω_i/ω_n | – |
+//! | r_x, r_y | | the response to shaking along x and along y | of the row |
+
+use super::vibrating::VibratingBuilding;
+use crate::dynamics::DynamicsError;
+
+/// How the modes are put together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModalCombination {
+    /// Σ |r_n|: never exceeded.
+    AbsoluteSum,
+    /// √Σ r_n²: for modes far apart.
+    Srss,
+    /// √ΣΣ ρ_in r_i r_n, the full equation with unequal damping.
+    Cqc,
+}
+
+/// How shaking along x and along y is put together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DirectionalCombination {
+    /// Along x alone.
+    XAlone,
+    /// Along y alone.
+    YAlone,
+    /// √(r_x² + r_y²).
+    Srss,
+    /// The larger of r_x + 0.3 r_y and r_y + 0.3 r_x.
+    HundredThirty,
+}
+
+/// Correlation coefficient of two modes under wide-band shaking.
+///
+/// ```text
+/// ρ = 8 √(ζ_i ζ_n) (β ζ_i + ζ_n) β^(3/2) / [(1 − β²)² + 4 ζ_i ζ_n β (1 + β²) + 4 (ζ_i² + ζ_n²) β²],  β = ω_i/ω_n
+/// ```
+///
+/// # Source
+/// Der Kiureghian (1981) Earthquake Engng Struct. Dyn. 9:419-435; Chopra (2017), eq. 13.7.10. The same whichever of the two comes first.
+///
+/// # Example
+/// ```
+/// // the lower mode with 2 %, the higher with 5 %
+/// let rho = dolmen::dynamics::correlation_coefficient([0.8, 0.02], [1.0, 0.05]);
+/// assert!((rho - 0.0839749).abs() < 0.5e-7);
+/// ```
+pub fn correlation_coefficient([omega_i, zeta_i]: [f64; 2], [omega_n, zeta_n]: [f64; 2]) -> f64 {
+    let beta = omega_i / omega_n;
+    let above = 8.0 * (zeta_i * zeta_n).sqrt() * (beta * zeta_i + zeta_n) * beta.powf(1.5);
+    let below = (1.0 - beta * beta).powi(2)
+        + 4.0 * zeta_i * zeta_n * beta * (1.0 + beta * beta)
+        + 4.0 * (zeta_i * zeta_i + zeta_n * zeta_n) * beta * beta;
+    if above == 0.0 && below == 0.0 {
+        return 1.0; // one frequency, no damping
+    }
+    above / below
+}
+
+/// One mode in a spectrum.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SpectralMode {
+    /// Period, s.
+    pub period_s: f64,
+    /// Damping ratio.
+    pub damping_ratio: f64,
+    /// S_a of the spectrum along x and along y, m/s².
+    pub acceleration_m_s2: [f64; 2],
+}
+
+/// The largest response of every mode, to be put together for any quantity.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectralAnalysis {
+    /// The modes in the spectrum, lowest first.
+    pub modes: Vec<SpectralMode>,
+    /// Largest Γ_n S_a/ω_n² of each mode, along x and y, m √kg.
+    amplitudes: Vec<[f64; 2]>,
+    omegas: Vec<f64>,
+    shapes: dolmen_linalg::Matrix,
+    /// ρ_in, made once.
+    correlation: dolmen_linalg::Matrix,
+}
+
+/// Reads a spectrum at every mode: `acceleration_m_s2(period_s, damping_ratio)` gives S_a along x and along y.
+///
+/// # Errors
+/// [`DynamicsError::Argument`] for a building with tuned masses, whose modes are not its own, or a spectrum that is not a positive
+/// number; what the spectrum itself refuses, as it says it.
+///
+/// # Limits
+/// The building alone: tuned masses need a time history. All modes are counted, none left out.
+///
+/// # Source
+/// Chopra (2017), chapter 13.
+pub fn spectral_analysis<E: From<DynamicsError>>(
+    building: &VibratingBuilding,
+    mut acceleration_m_s2: impl FnMut(f64, f64) -> Result<[f64; 2], E>,
+) -> Result<SpectralAnalysis, E> {
+    if !building.tuned_masses().is_empty() {
+        let refused = DynamicsError::Argument {
+            argument: "the number of tuned masses",
+            given: building.tuned_masses().len() as f64,
+            allowed: "0 for response spectra, whose modes are those of the building alone: use a time history",
+        };
+        return Err(refused.into());
+    }
+    let mut modes = Vec::new();
+    let mut amplitudes = Vec::new();
+    for (mode, &damping_ratio) in building.modes().modes.iter().zip(building.damping_ratios()) {
+        let period_s = mode.period_s();
+        let acceleration = acceleration_m_s2(period_s, damping_ratio)?;
+        if let Some(&given) = acceleration.iter().find(|a| !(**a >= 0.0 && a.is_finite())) {
+            let refused = DynamicsError::Argument {
+                argument: "spectral acceleration",
+                given,
+                allowed: "0 or a positive number",
+            };
+            return Err(refused.into());
+        }
+        let square = mode.omega_rad_s * mode.omega_rad_s;
+        amplitudes.push([0, 1].map(|axis| mode.participation[axis] * acceleration[axis] / square));
+        modes.push(SpectralMode {
+            period_s,
+            damping_ratio,
+            acceleration_m_s2: acceleration,
+        });
+    }
+    let omegas = building.modes().omegas_rad_s();
+    let n = omegas.len();
+    let of = |i: usize| [omegas[i], building.damping_ratios()[i]];
+    let correlation = dolmen_linalg::Matrix::from_fn(n, n, |i, j| {
+        if i == j {
+            1.0
+        } else {
+            correlation_coefficient(of(i), of(j))
+        }
+    });
+    Ok(SpectralAnalysis {
+        modes,
+        amplitudes,
+        omegas,
+        shapes: building.modes().shapes.clone(),
+        correlation,
+    })
+}
+
+impl SpectralAnalysis {
+    /// Largest response of each mode to shaking along an axis (0 x, 1 y), with its sign: what `row` gives from all coordinates.
+    pub fn of_modes(&self, row: &[f64], axis: usize) -> Vec<f64> {
+        let each = (0..self.omegas.len()).map(|n| {
+            let along: f64 = row
+                .iter()
+                .zip(self.shapes.column(n))
+                .map(|(r, phi)| r * phi)
+                .sum();
+            along * self.amplitudes[n][axis]
+        });
+        each.collect()
+    }
+
+    /// The largest response of what `row` gives from all coordinates.
+    pub fn largest(&self, row: &[f64], modal: ModalCombination, directional: DirectionalCombination) -> f64 {
+        let along = |axis: usize| self.combined(&self.of_modes(row, axis), modal);
+        match directional {
+            DirectionalCombination::XAlone => along(0),
+            DirectionalCombination::YAlone => along(1),
+            DirectionalCombination::Srss => along(0).hypot(along(1)),
+            DirectionalCombination::HundredThirty => {
+                let (x, y) = (along(0), along(1));
+                (x + 0.3 * y).max(y + 0.3 * x)
+            }
+        }
+    }
+
+    fn combined(&self, r: &[f64], modal: ModalCombination) -> f64 {
+        match modal {
+            ModalCombination::AbsoluteSum => r.iter().map(|r| r.abs()).sum(),
+            ModalCombination::Srss => r.iter().map(|r| r * r).sum::<f64>().sqrt(),
+            ModalCombination::Cqc => self.correlation.form(r, r).max(0.0).sqrt(),
+        }
+    }
+}
