@@ -18,6 +18,7 @@ mod simulate_frame;
 mod stack_frequencies;
 mod study;
 mod tools;
+mod tune;
 mod validate;
 
 use clap::Parser as _;
@@ -55,6 +56,7 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
         Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
         Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
         Verb::Study(options) => study::run(options, cli.json, cli.quiet),
+        Verb::Tune(options) => tune::run(options, cli.json, cli.quiet),
         Verb::Motion(options) => motion_verb::run(options, cli.json, cli.quiet),
         Verb::Report(options) => report::run(options, cli.quiet),
         Verb::Demo(options) => report::demo(options, cli.quiet),

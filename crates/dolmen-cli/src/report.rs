@@ -5,7 +5,7 @@ use crate::cli::{Demo, Motion, Report};
 use crate::simulate::language;
 use crate::{
     Outcome, files, identify, motion, new, open, simulate, simulate_building, simulate_chain, simulate_frame,
-    study,
+    study, tune,
 };
 use anyhow::{Result, bail};
 use dolmen::dynamics::ChainRotations;
@@ -79,6 +79,7 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
         answer.chain_simulations = chains(&answer.project, &file, options, quiet)?;
         answer.building_simulations = buildings(&answer.project, &file, options)?;
     }
+    answer.tunings = tune::of_report(&answer.project, &file)?;
     answer.studies = study::of_report(&file, quiet)?;
     Ok(answer)
 }

@@ -13,4 +13,5 @@ mod safety;
 mod simulations;
 mod stacks;
 mod studies;
+mod tunings;
 mod verbs;

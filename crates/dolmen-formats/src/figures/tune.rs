@@ -12,7 +12,7 @@ use dolmen::damper::{Choice, MapCell};
 const SIZE_PX: [f64; 2] = [680.0, 400.0];
 /// Longer side of the floor in plan, px, and the room around it.
 const PLAN_PX: f64 = 460.0;
-const AROUND_PX: f64 = 46.0;
+const AROUND_PX: f64 = 84.0;
 /// Steps of the shading of the plan, light (small) to dark (large): one hue, so that grey print keeps the order.
 const SHADES: [&str; 8] = [
     "#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594",
@@ -119,7 +119,7 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
     let scale = PLAN_PX / (x[1] - x[0]).max(y[1] - y[0]);
     let (width, height) = (scale * (x[1] - x[0]), scale * (y[1] - y[0]));
     let px = |[a, b]: [f64; 2]| [AROUND_PX + scale * (a - x[0]), AROUND_PX + scale * (y[1] - b)];
-    let legend = 240.0;
+    let legend = 250.0;
     let total_height = (height + 2.0 * AROUND_PX).max(330.0);
     let mut scene = Scene::new(width + 2.0 * AROUND_PX + legend, total_height);
     let over = |cost: f64| cost / comparison.cost_without;
@@ -223,7 +223,7 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
         }
     }
     // legend and shades, right of the floor
-    let left = AROUND_PX * 2.0 + width + 6.0;
+    let left = AROUND_PX * 2.0 + width;
     let mut down = AROUND_PX;
     for (shape, colour, words) in keys {
         scene.marker([left, down], shape, 6.0, colour);

@@ -96,6 +96,7 @@ fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
         "end": row.end.map(|end| match end {
             DesignEnd::Optimum => "optimum",
             DesignEnd::Limit => "limit",
+            DesignEnd::Stalled => "stalled",
         }),
     })
 }

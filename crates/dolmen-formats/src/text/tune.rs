@@ -157,12 +157,15 @@ pub fn findings(answer: &TuneAnswer) -> Vec<String> {
     };
     all.extend(more(Choice::Rule, "The rule, far from the centre of the mode,"));
     all.extend(more(Choice::Given, "The file's damper"));
-    let limit = |row: &&Compared| row.end == Some(DesignEnd::Limit);
-    for row in answer.comparison.rows.iter().filter(limit) {
-        all.push(format!(
-            "'{}' lies at the limit of damping or frequency that a damper may have: less of a damper would be better there",
-            choice_words(row.choice, answer.mode)
-        ));
+    let unsettled = |row: &&Compared| !matches!(row.end, None | Some(DesignEnd::Optimum));
+    for row in answer.comparison.rows.iter().filter(unsettled) {
+        let words = match row.end {
+            Some(DesignEnd::Limit) => {
+                "lies at the limit of damping or frequency that a damper may have: less of a damper would be better there"
+            }
+            _ => "is the best that was seen, but its search did not settle to 1e-6",
+        };
+        all.push(format!("'{}' {words}", choice_words(row.choice, answer.mode)));
     }
     all
 }

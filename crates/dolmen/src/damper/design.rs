@@ -87,9 +87,10 @@ impl Default for DesignOptions {
 pub enum DesignEnd {
     /// At an optimum: no step of 1e-6 in ln f, ln ζ or of the floor's size brings anything.
     Optimum,
-    /// At the lightest or heaviest damping or farthest frequency that a damper may have, or in a valley too flat to end in: the cost is
-    /// the least that was seen.
+    /// At the lightest or heaviest damping or farthest frequency that a damper may have: less of a damper would be better.
     Limit,
+    /// Where no step brought anything, but not to 1e-6: the cost is the least that was seen.
+    Stalled,
 }
 
 /// Dampers, and what shows what they do.
@@ -157,16 +158,41 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
         what: "the dampers' tuning and place",
         iterations: 0,
     };
-    let least = minimax(
-        search.unknowns(),
-        &Minimax::steps(options.iterations_most),
-        &mut search,
-    )
-    .ok_or(none)?;
-    let dampers = search.dampers(&least.x);
-    let end = match least.last_step <= LAST_STEP_MOST {
-        true => DesignEnd::Optimum,
-        false => DesignEnd::Limit,
+    let how = Minimax::steps(options.iterations_most);
+    let mut least = minimax(search.unknowns(), &how, &mut search).ok_or(none)?;
+    let mut dampers = search.dampers(&least.x);
+    let mut at_limit = search.at_limit(&dampers);
+    if options.place != Place::Kept {
+        // at the edge of a floor only the tuning is left to settle
+        let there = DesignOptions {
+            place: Place::Kept,
+            ..options.clone()
+        };
+        let mut search = Search {
+            plan,
+            start: &dampers,
+            options: &there,
+            weights: search.weights.clone(),
+        };
+        let at_edge = dampers.iter().all(|damper| {
+            let site = &plan.problem().sites[damper.site];
+            site.to_edge_m(damper.place_m) <= 1e-9 * search.size_m(damper)
+        });
+        let settled = minimax(search.unknowns(), &how, &mut search);
+        if let Some(settled) = settled.filter(|settled| settled.worst <= least.worst) {
+            let tuned = search.dampers(&settled.x);
+            at_limit |= search.at_limit(&tuned);
+            least.iterations += settled.iterations;
+            if at_edge {
+                least.last_step = settled.last_step;
+            }
+            dampers = tuned;
+        }
+    }
+    let end = match (at_limit, least.last_step <= LAST_STEP_MOST) {
+        (true, _) => DesignEnd::Limit,
+        (false, true) => DesignEnd::Optimum,
+        (false, false) => DesignEnd::Stalled,
     };
     Ok(Design {
         end,
@@ -267,10 +293,14 @@ impl Search<'_> {
                 damper.place_m = self.plan.problem().sites[damper.site].nearest_m(damper.place_m).0;
             }
             if self.options.frequency == Freedom::Free {
-                damper.frequency_hz = take().exp();
+                damper.frequency_hz = take()
+                    .exp()
+                    .clamp(self.limits(start)[0][0], self.limits(start)[0][1]);
             }
             if self.options.damping == Freedom::Free {
-                damper.damping_ratio = take().exp();
+                damper.damping_ratio = take()
+                    .exp()
+                    .clamp(self.limits(start)[1][0], self.limits(start)[1][1]);
             }
             let shared = self.options.mass_split == Freedom::Free && k + 1 < self.start.len();
             shares.push(if shared { take().exp() } else { 1.0 });
@@ -285,12 +315,21 @@ impl Search<'_> {
         dampers
     }
 
-    fn is_damper(&self, dampers: &[PlacedDamper]) -> bool {
-        dampers.iter().zip(self.start).all(|(damper, start)| {
-            let factor = damper.frequency_hz / start.frequency_hz;
-            (1.0 / FREQUENCY_FACTOR_MOST..=FREQUENCY_FACTOR_MOST).contains(&factor)
-                && (damper.damping_ratio == start.damping_ratio
-                    || (self.plan.damping_least()..=DAMPING_MOST).contains(&damper.damping_ratio))
+    /// Frequency, Hz, and damping ratio that a damper may have, from that at the start.
+    fn limits(&self, start: &PlacedDamper) -> [[f64; 2]; 2] {
+        let factor = FREQUENCY_FACTOR_MOST;
+        [
+            [start.frequency_hz / factor, start.frequency_hz * factor],
+            [self.plan.damping_least().min(start.damping_ratio), DAMPING_MOST],
+        ]
+    }
+
+    /// Whether a search drove a damper to one of its limits.
+    fn at_limit(&self, dampers: &[PlacedDamper]) -> bool {
+        dampers.iter().zip(self.start).any(|(damper, start)| {
+            let [frequency, damping] = self.limits(start);
+            let tuned = self.options.frequency == Freedom::Free && frequency.contains(&damper.frequency_hz);
+            tuned || (self.options.damping == Freedom::Free && damping.contains(&damper.damping_ratio))
         })
     }
 
@@ -422,9 +461,6 @@ const PEAKS_WITHIN: f64 = 1.0;
 impl Worst for Search<'_> {
     fn worst(&mut self, x: &[f64]) -> Option<f64> {
         let dampers = self.dampers(x);
-        if !self.is_damper(&dampers) {
-            return None;
-        }
         let values = match self.options.goal {
             Goal::LargestPeak => {
                 let highest = self

@@ -95,7 +95,7 @@ const STEP_LEAST: f64 = 1e-5;
 const BETTER: f64 = 1e-5;
 /// Places along each side from which valleys are looked for, and the factors of the given frequency to start from there.
 const COARSE: usize = 8;
-const START_FACTORS: [f64; 3] = [0.85, 1.0, 1.2];
+const START_FACTORS: [f64; 6] = [0.75, 0.87, 1.0, 1.15, 1.35, 1.6];
 /// Rounds in which valleys spread.
 const SWEEPS_MOST: usize = 4;
 
@@ -105,7 +105,7 @@ const SWEEPS_MOST: usize = 4;
 /// [`DamperError`] if the damper cannot be, or the goal is a peak, which is not mapped.
 ///
 /// # Limits
-/// The best tuning, within a factor of 2 of the frequency given, is searched from three frequencies at 8 × 8 places, from the nearest of
+/// The best tuning, within a factor of 2 of the frequency given, is searched from six frequencies at 8 × 8 places, from the nearest of
 /// these or the place before at each, and again where a neighbour's serves better: a local optimum, its tuning found to 1e-4.
 pub fn position_map(
     plan: &Plan,
@@ -300,13 +300,23 @@ impl Looked<'_> {
                 if let Some(Before { x, curvature }) = before.take() {
                     (start, options.curvature) = (x, curvature);
                 }
+                // a start at a limit would see nothing change
+                let least = (1.02 * self.plan.damping_least()).ln();
+                start[1] = start[1].max(least);
+                for sign in [-1.0, 1.0] {
+                    let limit = self.given.frequency_hz.ln() + sign * 1.95_f64.ln();
+                    start[0] = if sign > 0.0 {
+                        start[0].min(limit)
+                    } else {
+                        start[0].max(limit)
+                    };
+                }
                 let limits = (self.given.frequency_hz, self.plan.damping_least());
                 let mut search = SpotSearch::new(spot, &self.weights, self.mean(), limits);
                 let found = minimax(start, &options, &mut search)?;
-                damper.frequency_hz = found.x[0].exp();
-                damper.damping_ratio = found.x[1].exp();
+                [damper.frequency_hz, damper.damping_ratio] = search.within(&found.x);
                 *before = Some(Before {
-                    x: found.x,
+                    x: vec![damper.frequency_hz.ln(), damper.damping_ratio.ln()],
                     curvature: Some(found.curvature),
                 });
             }

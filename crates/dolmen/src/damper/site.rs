@@ -70,6 +70,18 @@ impl DamperSite {
         if inside { (place_m, 0.0) } else { nearest }
     }
 
+    /// How far the edge is, m, from within or without.
+    pub(super) fn to_edge_m(&self, [x, y]: [f64; 2]) -> f64 {
+        let sides = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
+        let each = sides.map(|(a, b)| {
+            let along = [b[0] - a[0], b[1] - a[1]];
+            let squared = along[0] * along[0] + along[1] * along[1];
+            let t = (((x - a[0]) * along[0] + (y - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
+            (x - a[0] - t * along[0]).hypot(y - a[1] - t * along[1])
+        });
+        each.fold(f64::INFINITY, f64::min)
+    }
+
     pub(super) fn check(&self, degrees_of_freedom: usize) -> Result<(), DamperError> {
         if self.first_degree_of_freedom + 3 > degrees_of_freedom {
             return Err(DamperError::Row {

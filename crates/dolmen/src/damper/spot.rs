@@ -170,20 +170,27 @@ impl<'a> SpotSearch<'a> {
         }
     }
 
+    /// Frequency, Hz, and damping ratio, within their limits.
+    pub(super) fn within(&self, x: &[f64]) -> [f64; 2] {
+        let factor = FREQUENCY_FACTOR_MOST;
+        [
+            x[0].exp().clamp(self.given_hz / factor, self.given_hz * factor),
+            x[1].exp().clamp(self.least_damping, DAMPING_MOST),
+        ]
+    }
+
     fn look(&mut self, x: &[f64]) -> Option<&Vec<Piece>> {
         if self.last.as_ref().is_none_or(|(at, _)| at != x) {
-            let factor = x[0].exp() / self.given_hz;
-            let tuned = (1.0 / FREQUENCY_FACTOR_MOST..=FREQUENCY_FACTOR_MOST).contains(&factor);
-            if !tuned || !(self.least_damping..=DAMPING_MOST).contains(&x[1].exp()) {
-                return None;
-            }
-            let values = self.spot.judge(x[0].exp(), x[1].exp());
+            let tuning = self.within(x);
+            // beyond a limit nothing changes any more
+            let moves = [0, 1].map(|i| if tuning[i] == x[i].exp() { 1.0 } else { 0.0 });
+            let values = self.spot.judge(tuning[0], tuning[1]);
             let mut pieces: Vec<Piece> = values
                 .iter()
                 .zip(self.weights)
                 .map(|(value, weight)| Piece {
                     value: value.ln_rms + weight.ln(),
-                    slope: value.slope.to_vec(),
+                    slope: vec![value.slope[0] * moves[0], value.slope[1] * moves[1]],
                 })
                 .collect();
             if self.mean {

@@ -207,6 +207,9 @@ fn exact_sadek_makes_two_modes_of_one_frequency_and_damping() {
 
 #[test]
 fn exact_villaverde_gives_both_modes_the_mean_damping() {
+    let published = rule_tuning(TuningRule::Villaverde, 0.05, 0.02).unwrap();
+    close(published.frequency_ratio, 1.0, 0.0);
+    close(published.damping_ratio, 0.243_606_8, SEVEN);
     // in resonance and with ζ = β + √μ both roots have the mean damping to first order in √μ
     let (mu, beta) = (1e-6, 0.02);
     let t = rule_tuning(TuningRule::Villaverde, mu, beta).unwrap();
