@@ -20,6 +20,49 @@ pub enum AssessError {
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] dolmen_linalg::LinalgError),
+    /// A factor of the score is refused.
+    #[error("{factor} is {given}, but must be {allowed}")]
+    Factor {
+        /// Which.
+        factor: &'static str,
+        /// Its value.
+        given: f64,
+        /// What it may be.
+        allowed: &'static str,
+    },
+    /// A factor of the score lies outside what was trained.
+    #[error(
+        "{factor} is {given}, but the score was trained from {least} to {most}: simulate this pagoda (dolmen study), or allow          extrapolation, which is marked"
+    )]
+    OutsideTraining {
+        /// Which.
+        factor: &'static str,
+        /// Its value.
+        given: f64,
+        /// Least value trained.
+        least: f64,
+        /// Largest value trained.
+        most: f64,
+    },
+    /// No order can be made.
+    #[error("{candidates} structures and {draws} draws, but a ranking needs 1 structure and 20 draws or more")]
+    NothingToRank {
+        /// Structures given.
+        candidates: usize,
+        /// Draws asked for.
+        draws: usize,
+    },
+    /// Too few designs to train a score on.
+    #[error("{given} designs, but the score needs {least} and more: simulate more")]
+    TooFewDesigns {
+        /// Designs given.
+        given: usize,
+        /// Designs needed.
+        least: usize,
+    },
     /// A site class for which the code gives no numbers.
     #[error(
         "site class S6 is site-specific: the code gives no factors for it; have the site studied and give its spectrum as \

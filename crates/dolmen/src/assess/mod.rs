@@ -7,8 +7,10 @@ pub mod demand;
 mod error;
 mod fragility;
 mod frame;
+mod portfolio;
 mod probability;
 mod risk;
+mod score;
 mod sensitivity;
 mod stack;
 mod trends;
@@ -24,8 +26,13 @@ pub use fragility::{
     crossing, fit_fragility, fit_fragility_by_moments, motions_needed,
 };
 pub use frame::{FrameCheck, FrameNote, check_frame};
+pub use portfolio::{Candidate, KnownCapacity, Place, Ranked, RankedBy, rank};
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};
+pub use score::{
+    Factor, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore, Ranking, ScoreModel, SixFactors, TrainedDesign,
+    factor_shares, held_out, shapley_shares,
+};
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};
 pub use trends::{Direction, Trend, trend};

@@ -1,0 +1,127 @@
+//! The six factors of a pagoda.
+
+use crate::assess::AssessError;
+use crate::structure::stack::{PagodaFactors, pagoda};
+
+/// One of the six factors.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Factor {
+    /// N_f, storeys.
+    Storeys,
+    /// H_t, height of all storeys without the base.
+    BodyHeight,
+    /// tan α, least half width over the height of the centroid above it, over the joints.
+    SlendernessAngle,
+    /// λ, H_t over the width of the first body.
+    BodySlenderness,
+    /// φ, by which the body's width shrinks.
+    Taper,
+    /// γ_H, H_t over the height of the base.
+    BodyBaseHeightRatio,
+}
+
+impl Factor {
+    /// All, in the source's order.
+    pub const ALL: [Factor; 6] = [
+        Factor::Storeys,
+        Factor::BodyHeight,
+        Factor::SlendernessAngle,
+        Factor::BodySlenderness,
+        Factor::Taper,
+        Factor::BodyBaseHeightRatio,
+    ];
+
+    /// Its name in files and results.
+    pub fn name(self) -> &'static str {
+        match self {
+            Factor::Storeys => "storeys",
+            Factor::BodyHeight => "body_height_m",
+            Factor::SlendernessAngle => "slenderness_angle",
+            Factor::BodySlenderness => "body_slenderness",
+            Factor::Taper => "taper_rad",
+            Factor::BodyBaseHeightRatio => "body_base_height_ratio",
+        }
+    }
+
+    /// Which way capacity goes as the factor grows, as the source found: 1 better, −1 worse.
+    ///
+    /// # Source
+    /// N. Kim, I. Y. Koo, S.-G. Hong (2018), sec. 4.3.3: fewer storeys, a larger body, a larger slenderness angle, hence a smaller body
+    /// slenderness, less taper, and a lower base are better.
+    pub fn published_direction(self) -> f64 {
+        match self {
+            Factor::Storeys | Factor::BodySlenderness | Factor::Taper => -1.0,
+            Factor::BodyHeight | Factor::SlendernessAngle | Factor::BodyBaseHeightRatio => 1.0,
+        }
+    }
+}
+
+/// The six factors of one pagoda, all consistent with each other.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SixFactors {
+    /// N_f.
+    pub storeys: u32,
+    /// H_t, m.
+    pub body_height_m: f64,
+    /// tan α.
+    pub slenderness_angle: f64,
+    /// λ.
+    pub body_slenderness: f64,
+    /// φ, rad.
+    pub taper_rad: f64,
+    /// γ_H.
+    pub body_base_height_ratio: f64,
+}
+
+impl SixFactors {
+    /// The factors of a made pagoda: of tan α and λ the one that was not given follows from its blocks.
+    ///
+    /// # Errors
+    /// [`AssessError::Stack`] for factors that no pagoda has.
+    pub fn of_pagoda(factors: &PagodaFactors) -> Result<Self, AssessError> {
+        let made = pagoda(factors)?;
+        Ok(SixFactors {
+            storeys: factors.storeys,
+            body_height_m: factors.body_height_m,
+            slenderness_angle: made.slenderness_angle,
+            body_slenderness: made.body_slenderness,
+            taper_rad: factors.taper_rad,
+            body_base_height_ratio: factors.body_base_height_ratio,
+        })
+    }
+
+    /// The numbers, in the order of [`Factor::ALL`].
+    pub fn values(&self) -> [f64; 6] {
+        [
+            f64::from(self.storeys),
+            self.body_height_m,
+            self.slenderness_angle,
+            self.body_slenderness,
+            self.taper_rad,
+            self.body_base_height_ratio,
+        ]
+    }
+
+    /// Coordinates in which capacity is a smooth surface: ln of each, φ as it is.
+    ///
+    /// # Errors
+    /// [`AssessError::Factor`] for one that is not positive (φ: negative).
+    pub(super) fn coordinates(&self) -> Result<[f64; 6], AssessError> {
+        let mut values = self.values();
+        for (factor, value) in Factor::ALL.iter().zip(&mut values) {
+            let is_taper = *factor == Factor::Taper;
+            let holds = if is_taper { *value >= 0.0 } else { *value > 0.0 };
+            if !(holds && value.is_finite()) {
+                return Err(AssessError::Factor {
+                    factor: factor.name(),
+                    given: *value,
+                    allowed: if is_taper { "0 or more" } else { "a positive number" },
+                });
+            }
+            if !is_taper {
+                *value = value.ln();
+            }
+        }
+        Ok(values)
+    }
+}

@@ -1,0 +1,14 @@
+//! The six-factor score: capacity of a pagoda from six numbers, trained on simulated pagodas.
+
+mod factors;
+mod held_out;
+mod model;
+mod shapley;
+mod shares;
+mod surface;
+
+pub use factors::{Factor, SixFactors};
+pub use held_out::{HeldOut, Ranking, held_out};
+pub use model::{OutsideFactor, PagodaScore, ScoreModel, TrainedDesign};
+pub use shapley::shapley_shares;
+pub use shares::{FactorShare, FactorShares, factor_shares};

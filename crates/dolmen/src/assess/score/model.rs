@@ -1,0 +1,288 @@
+//! Capacity of a pagoda from its six factors, with an interval and with reasons.
+
+use super::factors::{Factor, SixFactors};
+use super::shapley::shapley_shares;
+use super::surface::Surface;
+use crate::assess::{AssessError, Fragility};
+use crate::numeric::{Interval, normal_quantile};
+
+/// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Chosen here; 150 are wanted.
+const DESIGNS_LEAST: usize = 28;
+/// Designs whose factors are the background that reasons are given against: more change nothing that is seen. Chosen here.
+const BACKGROUND_MOST: usize = 64;
+
+/// A simulated pagoda: its factors, and the fragility that its runs gave.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrainedDesign {
+    /// Its factors.
+    pub factors: SixFactors,
+    /// Its fragility in one damage state over peak ground acceleration, m/s².
+    pub fragility: Fragility,
+}
+
+/// A factor that lies outside what was trained.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutsideFactor {
+    /// Which.
+    pub factor: Factor,
+    /// Its value.
+    pub given: f64,
+    /// The range trained.
+    pub trained: Interval,
+}
+
+/// What the score says of one pagoda in one damage state.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PagodaScore {
+    /// θ: half of the motions bring it to the state at this peak ground acceleration, m/s².
+    pub capacity_m_s2: f64,
+    /// Standard deviation of ln θ: what the surface misses of designs it has not seen, and where this one lies.
+    pub ln_capacity_sd: f64,
+    /// Mean β of the designs: scatter from motion to motion.
+    pub beta: f64,
+    /// Designs trained on with a lower capacity, %.
+    pub percentile: f64,
+    /// The same at both ends of the interval of θ, %.
+    pub percentile_interval: Interval,
+    /// What each factor adds to ln θ against the mean of the designs, in the order of [`Factor::ALL`]; they sum to the difference.
+    pub reasons: [f64; 6],
+    /// Factors outside the range trained: not empty only if that was allowed.
+    pub outside: Vec<OutsideFactor>,
+}
+
+impl PagodaScore {
+    /// Interval of θ with a confidence, m/s².
+    ///
+    /// # Errors
+    /// [`AssessError::Numeric`] unless 0 < confidence < 1.
+    pub fn capacity_interval_m_s2(&self, confidence: f64) -> Result<Interval, AssessError> {
+        let half = normal_quantile(0.5 + 0.5 * confidence)? * self.ln_capacity_sd;
+        Ok(Interval {
+            lower: self.capacity_m_s2 * (-half).exp(),
+            upper: self.capacity_m_s2 * half.exp(),
+        })
+    }
+}
+
+/// The score of one damage state.
+///
+/// ```text
+/// ln θ = quadratic surface of (ln N_f, ln H_t, ln tan α, ln λ, φ, ln γ_H),   fitted to designs that were simulated
+/// ```
+#[derive(Clone, Debug)]
+pub struct ScoreModel {
+    designs: Vec<TrainedDesign>,
+    surface: Surface,
+    range: [Interval; 6],
+    /// ln θ of the designs, rising.
+    sorted: Vec<f64>,
+    background: Vec<[f64; 6]>,
+    beta: f64,
+}
+
+impl ScoreModel {
+    /// Trains the score of one state on designs.
+    ///
+    /// # Errors
+    /// [`AssessError::TooFewDesigns`] below 28; [`AssessError::Factor`].
+    pub fn train(designs: &[TrainedDesign]) -> Result<Self, AssessError> {
+        let n = designs.len();
+        if n < DESIGNS_LEAST {
+            return Err(AssessError::TooFewDesigns {
+                given: n,
+                least: DESIGNS_LEAST,
+            });
+        }
+        let (x, y) = coordinates(designs)?;
+        let mut range = [Interval {
+            lower: f64::INFINITY,
+            upper: f64::NEG_INFINITY,
+        }; 6];
+        for design in designs {
+            for (range, value) in range.iter_mut().zip(design.factors.values()) {
+                range.lower = range.lower.min(value);
+                range.upper = range.upper.max(value);
+            }
+        }
+        let surface = Surface::fit(&x, &y, 0b11_1111)?;
+        let mut sorted = y;
+        sorted.sort_by(f64::total_cmp);
+        let every = n.div_ceil(BACKGROUND_MOST);
+        Ok(ScoreModel {
+            designs: designs.to_vec(),
+            surface,
+            range,
+            sorted,
+            background: x.into_iter().step_by(every).collect(),
+            beta: designs.iter().map(|design| design.fragility.beta()).sum::<f64>() / n as f64,
+        })
+    }
+
+    /// The designs.
+    pub fn designs(&self) -> &[TrainedDesign] {
+        &self.designs
+    }
+
+    /// Share of the variance of ln θ that the surface explains of designs left out of it, –.
+    pub fn explained(&self) -> f64 {
+        self.surface.explained
+    }
+
+    /// The range of each factor trained, in the order of [`Factor::ALL`].
+    pub fn trained_range(&self) -> &[Interval; 6] {
+        &self.range
+    }
+
+    /// The score of a pagoda; with `outside_too`, also of one with factors outside the range trained, which the result names.
+    ///
+    /// # Errors
+    /// [`AssessError::OutsideTraining`] for a factor outside the range trained unless `outside_too`; [`AssessError::Factor`].
+    ///
+    /// # Limits
+    /// Of pagodas like those trained on: square, whole stones, one stack, their friction and stiffness, undamaged. The range is checked
+    /// factor by factor; combinations that no design comes near show in `ln_capacity_sd`.
+    pub fn score(&self, factors: &SixFactors, outside_too: bool) -> Result<PagodaScore, AssessError> {
+        let x = factors.coordinates()?;
+        let mut outside = Vec::new();
+        for ((factor, given), trained) in Factor::ALL.into_iter().zip(factors.values()).zip(self.range) {
+            if given < trained.lower || given > trained.upper {
+                outside.push(OutsideFactor {
+                    factor,
+                    given,
+                    trained,
+                });
+            }
+        }
+        if let Some(first) = outside.first().filter(|_| !outside_too) {
+            return Err(AssessError::OutsideTraining {
+                factor: first.factor.name(),
+                given: first.given,
+                least: first.trained.lower,
+                most: first.trained.upper,
+            });
+        }
+        let found = self.surface.predict(&x);
+        let rank = |ln_theta: f64| {
+            let below = self.sorted.partition_point(|own| *own < ln_theta);
+            100.0 * below as f64 / self.sorted.len() as f64
+        };
+        let half = normal_quantile(0.95)? * found.sd; // 90 % of the interval
+        Ok(PagodaScore {
+            capacity_m_s2: found.value.exp(),
+            ln_capacity_sd: found.sd,
+            beta: self.beta,
+            percentile: rank(found.value),
+            percentile_interval: Interval {
+                lower: rank(found.value - half),
+                upper: rank(found.value + half),
+            },
+            reasons: self.reasons(&x),
+            outside,
+        })
+    }
+
+    /// What each factor adds: coalitions take its own values, the others those of the background, one design after the other.
+    fn reasons(&self, x: &[f64; 6]) -> [f64; 6] {
+        let shares = shapley_shares(6, |own| {
+            let mixed = self.background.iter().map(|other| {
+                let place =
+                    std::array::from_fn(|axis| if own & (1 << axis) == 0 { other[axis] } else { x[axis] });
+                self.surface.value(&place)
+            });
+            mixed.sum::<f64>() / self.background.len() as f64
+        });
+        std::array::from_fn(|axis| shares[axis])
+    }
+}
+
+/// Coordinates and ln θ of designs.
+pub(super) fn coordinates(designs: &[TrainedDesign]) -> Result<(Vec<[f64; 6]>, Vec<f64>), AssessError> {
+    let x = designs.iter().map(|design| design.factors.coordinates());
+    let y = designs.iter().map(|design| design.fragility.theta().ln());
+    Ok((x.collect::<Result<_, _>>()?, y.collect()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::stack::{PagodaFactors, PagodaSlenderness};
+
+    /// Designs over the five independent factors, with capacities of a law written here: g tan α (1 + H/10) less storeys.
+    fn designs(count: usize) -> Vec<TrainedDesign> {
+        let mut random = crate::numeric::Random::new(2, 0);
+        (0..count)
+            .map(|i| {
+                let factors = SixFactors::of_pagoda(&PagodaFactors {
+                    storeys: [3, 5, 7][i % 3],
+                    body_height_m: 3.0 + 5.0 * random.uniform(),
+                    slenderness: PagodaSlenderness::Body(2.6 + 2.0 * random.uniform()),
+                    taper_rad: 0.06 + 0.08 * random.uniform(),
+                    body_base_height_ratio: 1.2 + 2.5 * random.uniform(),
+                    density_kg_m3: 2600.0,
+                })
+                .unwrap();
+                let fragility = Fragility::new(law(&factors), 0.35).unwrap();
+                TrainedDesign { factors, fragility }
+            })
+            .collect()
+    }
+
+    fn law(factors: &SixFactors) -> f64 {
+        9.81 * factors.slenderness_angle * (factors.body_height_m / 3.0).sqrt()
+            / f64::from(factors.storeys).powf(0.3)
+    }
+
+    #[test]
+    fn exact_scores_of_a_law_of_powers() {
+        let designs = designs(90);
+        let model = ScoreModel::train(&designs).unwrap();
+        assert!(model.explained() > 1.0 - 1e-6, "{}", model.explained());
+        let own = SixFactors::of_pagoda(&PagodaFactors::default()).unwrap();
+        let found = model.score(&own, true).unwrap();
+        assert!((found.capacity_m_s2 / law(&own) - 1.0).abs() < 1e-3, "{found:?}");
+        assert!((found.beta - 0.35).abs() < 1e-12);
+        let below = designs.iter().filter(|design| law(&design.factors) < law(&own)).count();
+        assert!((found.percentile - 100.0 * below as f64 / 90.0).abs() < 1.2, "{found:?}");
+        // the reasons are those of a law of powers: each ln against the mean ln of the background
+        let x = own.coordinates().unwrap();
+        let mean = |axis: usize| {
+            model.background.iter().map(|place| place[axis]).sum::<f64>() / model.background.len() as f64
+        };
+        for (axis, power) in [(0, -0.3), (1, 0.5), (2, 1.0), (5, 0.0)] {
+            let exact = power * (x[axis] - mean(axis));
+            assert!((found.reasons[axis] - exact).abs() < 2e-3, "{axis} {found:?} {exact}");
+        }
+    }
+
+    #[test]
+    fn holds_reasons_sum_to_what_sets_a_pagoda_apart() {
+        let model = ScoreModel::train(&designs(60)).unwrap();
+        let own = model.designs()[17].factors;
+        let found = model.score(&own, false).unwrap();
+        let mean = model.background.iter().map(|place| model.surface.value(place)).sum::<f64>()
+            / model.background.len() as f64;
+        let sum: f64 = found.reasons.iter().sum();
+        assert!((mean + sum - found.capacity_m_s2.ln()).abs() < 1e-9);
+        let interval = found.capacity_interval_m_s2(0.9).unwrap();
+        assert!(interval.lower < found.capacity_m_s2 && found.capacity_m_s2 < interval.upper);
+    }
+
+    #[test]
+    fn refuses_what_was_not_trained_unless_told() {
+        let model = ScoreModel::train(&designs(60)).unwrap();
+        let mut own = model.designs()[3].factors;
+        own.body_height_m = 14.0;
+        let fault = model.score(&own, false).unwrap_err().to_string();
+        assert!(fault.starts_with("body_height_m is 14, but the score was trained from 3."), "{fault}");
+        let marked = model.score(&own, true).unwrap();
+        assert_eq!(marked.outside.len(), 1);
+        assert_eq!(marked.outside[0].factor, Factor::BodyHeight);
+        own.body_height_m = -1.0;
+        let fault = model.score(&own, true).unwrap_err().to_string();
+        assert_eq!(fault, "body_height_m is -1, but must be a positive number");
+        assert!(matches!(
+            ScoreModel::train(&designs(20)),
+            Err(AssessError::TooFewDesigns { given: 20, least: 28 })
+        ));
+    }
+}

@@ -1,0 +1,202 @@
+//! A quadratic response surface: ridge regression with the penalty that predicts left-out points best.
+//!
+//! | symbol | code | meaning | shape |
+//! |:--|:--|:--|:--|
+//! | z | `z` | coordinates less their mean, over their standard deviation | d |
+//! | Φ | `features` | 1, z_i, z_i z_j | n × p, p = 1 + d + d(d+1)/2 |
+//! | κ | `penalty` | penalty of all terms but the constant | – |
+//! | M | `inverse` | (ΦᵀΦ + κ I₀)⁻¹ | p × p |
+//! | h_i | `leverage` | φ_iᵀ M φ_i | – |
+
+use crate::assess::AssessError;
+use dolmen_linalg::{Matrix, solve};
+
+/// Penalties that are tried, in units of the number of points: from none that matters to one that flattens everything. Chosen here.
+const PENALTIES: [f64; 9] = [1e-8, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 3e-2, 1e-1, 3e-1];
+/// A coordinate that varies less than this does not vary.
+const SPREAD_LEAST: f64 = 1e-12;
+
+/// A fitted surface y(x).
+#[derive(Clone, Debug)]
+pub(super) struct Surface {
+    middle: Vec<f64>,
+    spread: Vec<f64>,
+    coefficients: Vec<f64>,
+    inverse: Matrix,
+    /// Mean of the squares of what left-out points were missed by.
+    pub(super) left_out_variance: f64,
+    /// 1 less `left_out_variance` over the variance of y left out likewise: 0 or less explains nothing.
+    pub(super) explained: f64,
+    /// y of each point as the other points predict it.
+    pub(super) left_out: Vec<f64>,
+}
+
+/// y at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Predicted {
+    pub(super) value: f64,
+    /// Standard deviation of a new observation there.
+    pub(super) sd: f64,
+}
+
+impl Surface {
+    /// The surface through points `x` (n × d, row by row) with values `y`. Coordinates that do not vary, and `used` does not name, are
+    /// left out.
+    ///
+    /// # Errors
+    /// [`AssessError::TooFewDesigns`] for fewer points than 3; a failed solution.
+    pub(super) fn fit(x: &[[f64; 6]], y: &[f64], used: u32) -> Result<Self, AssessError> {
+        let n = x.len();
+        if n < 3 {
+            return Err(AssessError::TooFewDesigns { given: n, least: 3 });
+        }
+        let count = n as f64;
+        let mean = y.iter().sum::<f64>() / count;
+        let (mut middle, mut spread) = (vec![0.0; 6], vec![0.0; 6]);
+        for axis in (0..6).filter(|axis| used & (1 << axis) != 0) {
+            middle[axis] = x.iter().map(|point| point[axis]).sum::<f64>() / count;
+            let squares = x.iter().map(|point| (point[axis] - middle[axis]).powi(2));
+            let sd = (squares.sum::<f64>() / count).sqrt();
+            spread[axis] = if sd > SPREAD_LEAST { sd } else { 0.0 };
+        }
+        let mut surface = Surface {
+            middle,
+            spread,
+            coefficients: Vec::new(),
+            inverse: Matrix::zeros(0, 0),
+            left_out_variance: f64::INFINITY,
+            explained: 0.0,
+            left_out: Vec::new(),
+        };
+        let rows: Vec<Vec<f64>> = x.iter().map(|point| surface.features(point)).collect();
+        let p = rows[0].len();
+        let features = Matrix::from_fn(n, p, |i, j| rows[i][j]);
+        let gram = features.transpose_times(&features);
+        let right = features.transpose_times(&Matrix::from_column(y));
+        for penalty in PENALTIES {
+            let penalised = Matrix::from_fn(p, p, |i, j| {
+                let extra = if i == j && i > 0 { penalty * count } else { 0.0 };
+                gram[(i, j)] + extra
+            });
+            let inverse = solve(&penalised, &Matrix::identity(p))?;
+            let coefficients = inverse.times(right.column(0));
+            let left_out: Vec<f64> = rows
+                .iter()
+                .zip(y)
+                .map(|(row, y)| {
+                    let leverage = inverse.form(row, row).min(1.0 - 1e-9);
+                    let fitted: f64 = dot(row, &coefficients);
+                    y - (y - fitted) / (1.0 - leverage)
+                })
+                .collect();
+            let missed = left_out.iter().zip(y).map(|(found, y)| (found - y).powi(2));
+            let variance = missed.sum::<f64>() / count;
+            if variance < surface.left_out_variance {
+                surface.left_out_variance = variance;
+                (surface.coefficients, surface.inverse, surface.left_out) =
+                    (coefficients, inverse, left_out);
+            }
+        }
+        // the mean alone misses a left-out point by n/(n − 1) of its deviation
+        let own = y.iter().map(|y| ((y - mean) * count / (count - 1.0)).powi(2));
+        let alone = own.sum::<f64>() / count;
+        surface.explained = if alone > 0.0 {
+            1.0 - surface.left_out_variance / alone
+        } else {
+            0.0
+        };
+        Ok(surface)
+    }
+
+    fn features(&self, x: &[f64; 6]) -> Vec<f64> {
+        let axes = self.middle.iter().zip(&self.spread).zip(x);
+        let z: Vec<f64> = axes
+            .filter(|((_, spread), _)| **spread > 0.0)
+            .map(|((middle, spread), x)| (x - middle) / spread)
+            .collect();
+        let mut features = vec![1.0];
+        features.extend(&z);
+        for (i, a) in z.iter().enumerate() {
+            features.extend(z[i..].iter().map(|b| a * b));
+        }
+        features
+    }
+
+    /// y alone, without its deviation.
+    pub(super) fn value(&self, x: &[f64; 6]) -> f64 {
+        dot(&self.features(x), &self.coefficients)
+    }
+
+    /// y of a new observation at `x`, with its deviation from leaving points out.
+    pub(super) fn predict(&self, x: &[f64; 6]) -> Predicted {
+        let features = self.features(x);
+        let leverage = self.inverse.form(&features, &features).max(0.0);
+        Predicted {
+            value: dot(&features, &self.coefficients),
+            sd: (self.left_out_variance * (1.0 + leverage)).sqrt(),
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+
+    fn points(count: usize) -> Vec<[f64; 6]> {
+        let mut random = Random::new(3, 0);
+        (0..count)
+            .map(|_| std::array::from_fn(|_| random.uniform()))
+            .collect()
+    }
+
+    #[test]
+    fn exact_quadratics_are_found_again() {
+        let of = |x: &[f64; 6]| 2.0 - x[0] + 3.0 * x[1] * x[4] - 0.5 * x[3] * x[3];
+        let x = points(60);
+        let y: Vec<f64> = x.iter().map(of).collect();
+        let surface = Surface::fit(&x, &y, 0b11_1111).unwrap();
+        assert!(surface.explained > 1.0 - 1e-8, "{}", surface.explained);
+        let place = [0.3, 0.7, 0.1, 0.9, 0.5, 0.4];
+        let found = surface.predict(&place);
+        assert!((found.value - of(&place)).abs() < 1e-4 && found.sd < 1e-4, "{found:?}");
+    }
+
+    #[test]
+    fn holds_left_out_points_are_what_a_fit_without_them_predicts() {
+        let x = points(40);
+        let mut random = Random::new(4, 0);
+        let y: Vec<f64> = x.iter().map(|x| x[0] + 0.1 * random.normal()).collect();
+        let surface = Surface::fit(&x, &y, 0b11).unwrap();
+        // the same features and penalty without point 7: solved again, not downdated
+        let rows: Vec<Vec<f64>> = x.iter().map(|point| surface.features(point)).collect();
+        let without: Vec<usize> = (0..40).filter(|i| *i != 7).collect();
+        let p = rows[0].len();
+        let found = PENALTIES.iter().any(|penalty| {
+            let features = Matrix::from_fn(39, p, |i, j| rows[without[i]][j]);
+            let mut gram = features.transpose_times(&features);
+            for i in 1..p {
+                gram[(i, i)] += penalty * 40.0;
+            }
+            let right: Vec<f64> = without.iter().map(|i| y[*i]).collect();
+            let right = features.transpose_times(&Matrix::from_column(&right));
+            let solved = solve(&gram, &right).unwrap();
+            (dot(&rows[7], solved.column(0)) - surface.left_out[7]).abs() < 1e-10
+        });
+        assert!(found);
+    }
+
+    #[test]
+    fn holds_noise_is_not_explained() {
+        let x = points(120);
+        let mut random = Random::new(5, 0);
+        let y: Vec<f64> = (0..120).map(|_| random.normal()).collect();
+        let surface = Surface::fit(&x, &y, 0b11_1111).unwrap();
+        assert!(surface.explained < 0.1, "{}", surface.explained);
+        assert!(Surface::fit(&x[..2], &y[..2], 1).is_err());
+    }
+}
