@@ -1,5 +1,6 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
+use crate::cli_portfolio::{Rank, Score};
 use clap::builder::TypedValueParser as _;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -38,6 +39,10 @@ pub(crate) enum Verb {
     Study(Study),
     /// Dampers of a building: where they serve best and how tuned, beside the rules and what each costs
     Tune(Tune),
+    /// Six-factor score of a pagoda against simulated ones; without a project, its weights and what it is worth
+    Score(Score),
+    /// Many structures in the order in which they should be looked at, with intervals and reasons
+    Rank(Rank),
     /// Ground motions: read, measure, spectrum, match to a demand, make, convert
     Motion(GroundMotionVerb),
     /// One self-contained HTML page, in English or Korean

@@ -3,6 +3,7 @@
 mod building;
 mod check;
 mod cli;
+mod cli_portfolio;
 mod demand;
 mod files;
 mod identify;
@@ -10,7 +11,9 @@ mod motion;
 mod motion_verb;
 mod new;
 mod open;
+mod rank;
 mod report;
+mod score;
 mod simulate;
 mod simulate_building;
 mod simulate_chain;
@@ -57,6 +60,8 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
         Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
         Verb::Study(options) => study::run(options, cli.json, cli.quiet),
         Verb::Tune(options) => tune::run(options, cli.json, cli.quiet),
+        Verb::Score(options) => score::run(options, cli.json, cli.quiet),
+        Verb::Rank(options) => rank::run(options, cli.json, cli.quiet),
         Verb::Motion(options) => motion_verb::run(options, cli.json, cli.quiet),
         Verb::Report(options) => report::run(options, cli.quiet),
         Verb::Demo(options) => report::demo(options, cli.quiet),

@@ -20,7 +20,9 @@ const BODY_BASE_HEIGHT_RATIO: [f64; 2] = [1.1, 4.0];
 /// Width at the top of the body over that at its foot.
 const TOP_WIDTH: [f64; 2] = [0.3, 0.8];
 /// First seconds of each record that are kept: to 95 % of its Arias intensity and past its peak velocity, and 1 s more.
-const KEEP_FIRST_S: [u32; 22] = [14, 12, 19, 18, 61, 16, 17, 24, 21, 22, 32, 23, 17, 12, 37, 24, 20, 21, 60, 51, 14, 9];
+const KEEP_FIRST_S: [u32; 22] = [
+    14, 12, 19, 18, 61, 16, 17, 24, 21, 22, 32, 23, 17, 12, 37, 24, 20, 21, 60, 51, 14, 9,
+];
 
 fn main() {
     println!(
@@ -44,7 +46,10 @@ refine = 0
 points = 4
 vary.pagoda = ["#,
         KEEP_FIRST_S.len(),
-        names().map(|name| format!("\"{name}\"")).collect::<Vec<_>>().join(", ")
+        names()
+            .map(|name| format!("\"{name}\""))
+            .collect::<Vec<_>>()
+            .join(", ")
     );
     // the root of x⁵ = x + 1: fractional parts of its powers fill four dimensions evenly
     let mut root = 1.2_f64;

@@ -22,7 +22,10 @@ const HALVINGS: u32 = 6;
 fn main() {
     let folder = std::env::args().nth(1).unwrap_or("data/cache/far-field".into());
     let motions = read(&folder);
-    println!("{} motions of {folder}; θ by the likeliest lognormal curve", motions.len());
+    println!(
+        "{} motions of {folder}; θ by the likeliest lognormal curve",
+        motions.len()
+    );
     println!("block          fell  θ of PGA  β      θ of PGV   β      θ of p·PGV/(g tan α)  survived above");
     for (width_m, height_m) in [(0.5, 2.0), (1.0, 3.0)] {
         let block = RockingBlock::rectangle(width_m, height_m, GRAVITY_M_S2).unwrap();
@@ -60,7 +63,10 @@ fn scan(block: &RockingBlock, motion: &GroundMotion, lift_off: f64) -> dolmen::a
     let run = |scale: f64| {
         let scaled = motion.clone().scaled(scale).unwrap();
         let ground = TimeFunction::of_motion(&scaled, Component::X);
-        let options = Rocking { rest_s: 5.0, ..Rocking::default() };
+        let options = Rocking {
+            rest_s: 5.0,
+            ..Rocking::default()
+        };
         let history = rock_block(block, &ground, &TimeFunction::Zero, &options).unwrap();
         let trial = match history.outcome {
             RockingOutcome::Fell { .. } => Trial::Fell,
@@ -69,7 +75,9 @@ fn scan(block: &RockingBlock, motion: &GroundMotion, lift_off: f64) -> dolmen::a
         };
         ScaleTrial { scale, trial }
     };
-    let grid: Vec<f64> = (0..STEPS).map(|i| lift_off * (1.0 + STEP * f64::from(i))).collect();
+    let grid: Vec<f64> = (0..STEPS)
+        .map(|i| lift_off * (1.0 + STEP * f64::from(i)))
+        .collect();
     let mut tried: Vec<ScaleTrial> = grid.iter().map(|&scale| run(scale)).collect();
     while let Some(scale) = next_in_bracket(&grid, &tried, HALVINGS).unwrap() {
         tried.push(run(scale));

@@ -284,7 +284,10 @@ fn run_batch(
     let mut failed = None;
     run_stacks(plan.study.law, &runs, &mut |place, history| {
         let (index, run, model, _) = &of_stacks[place];
-        let kept = keep(*index, stacks::row(run.clone(), (&model.0, &model.1), history));
+        let kept = keep(
+            *index,
+            stacks::row(plan.study, run.clone(), (&model.0, &model.1), history),
+        );
         if let Err(fault) = kept {
             failed = Some(fault);
         }

@@ -11,15 +11,17 @@ mod plan;
 mod stacks;
 
 use crate::cli::{Study as Options, StudyAction, StudyWhere};
-use crate::{Outcome, files, simulate, tools};
+use crate::{Outcome, files, score, simulate, tools};
 use anyhow::{Context as _, Result, bail};
 use dolmen_formats::Language;
 use dolmen_formats::json::study_json;
 use dolmen_formats::project::StudyPart;
+use dolmen_formats::score::{ScoreDesign, ScoreDesigns};
 use dolmen_formats::study::{Run, StudyAnswer};
 use dolmen_formats::text::study_text;
 use folder::StudyFolder;
 use plan::Plan;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
@@ -259,6 +261,53 @@ pub(crate) fn of_report(file: &Path, quiet: bool) -> Result<Vec<StudyAnswer>> {
     }
     Ok(found)
 }
+
+/// Simulated designs of a study, for the score.
+pub(crate) struct StudyDesigns {
+    pub(crate) designs: ScoreDesigns,
+    /// Combinations without enough scans that can be used.
+    pub(crate) left_out: usize,
+}
+
+/// The pagodas that a study ran with their fragilities, from its journals beside the project file or below `output`.
+pub(crate) fn designs(path: &Path, name: &str, output: Option<&Path>) -> Result<StudyDesigns> {
+    let opened = plan::open(path)?;
+    let studies = &opened.project.studies;
+    let Some(study) = studies.iter().find(|study| study.name == name) else {
+        bail!("there is no study \"{name}\" in {}", opened.file.display());
+    };
+    let plan = Plan::of(&opened, study)?;
+    let runs = StudyFolder::of(output, &opened.file, name).merged(&plan, &[])?;
+    let missing = engine::missing(&plan, (1, 1), &runs);
+    let unfinished: BTreeSet<usize> = missing
+        .iter()
+        .map(|job| job * study.combinations() / plan.jobs().max(1))
+        .collect();
+    let answer = plan.answer(runs, missing);
+    let enough = (USABLE_LEAST * answer.motions.len() as f64).ceil() as usize;
+    let mut designs = Vec::new();
+    for found in answer.fragilities() {
+        if unfinished.contains(&found.combination) || found.usable < enough {
+            continue;
+        }
+        let project = plan.project(found.combination).map_err(anyhow::Error::msg)?;
+        let Some(factors) = score::factors(&project)? else {
+            bail!("study \"{name}\" has no pagoda of six factors: write pagoda = {{ storeys = 5, … }}");
+        };
+        let mut states = [None; 4];
+        for state in &found.states {
+            states[state.state] = state.by_acceleration.as_ref().ok().map(|fit| fit.curve);
+        }
+        designs.push(ScoreDesign { factors, states });
+    }
+    Ok(StudyDesigns {
+        left_out: study.combinations() - designs.len(),
+        designs: ScoreDesigns { designs },
+    })
+}
+
+/// Share of the motions whose scans must be usable for a design to count. Chosen here.
+const USABLE_LEAST: f64 = 0.75;
 
 /// Missing scans that are named; more are counted.
 const MISSING_SHOWN: usize = 20;

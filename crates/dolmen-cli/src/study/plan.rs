@@ -4,6 +4,7 @@ use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, v
 use super::motions::{PreparedMotion, motion_names, prepared};
 use crate::{files, open};
 use anyhow::{Context as _, Result, bail};
+use dolmen::assess::DamageThresholds;
 use dolmen_formats::project::{
     Files, Override, Project, Scan, Structure, StudyPart, canonical_text, parse_combination,
 };
@@ -67,6 +68,12 @@ impl<'o> Plan<'o> {
                 study.harmonic.is_some(),
                 &[StudyKind::Frame, StudyKind::Chain],
                 "frames and chains",
+            ),
+            (
+                "damage",
+                study.damage != DamageThresholds::default(),
+                &[StudyKind::Stack],
+                "stacks",
             ),
             (
                 "release",

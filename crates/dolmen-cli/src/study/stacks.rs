@@ -50,6 +50,7 @@ pub(super) fn springs(study: &StudyPart) -> Springs {
 
 /// The row of a run; `None` if it was stopped.
 pub(super) fn row(
+    study: &StudyPart,
     mut run: Run,
     (stack, limits): (&Stack, &StackLimitStates),
     history: Result<StackHistory, BlocksError>,
@@ -99,7 +100,7 @@ pub(super) fn row(
         }
         _ => return None,
     };
-    let damage = stack_damage(stack, limits, &history);
+    let damage = stack_damage(stack, limits, &history, &study.damage);
     let state = if run.outcome == RunOutcome::Diverged {
         DamageState::None
     } else {

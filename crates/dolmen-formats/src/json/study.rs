@@ -33,6 +33,10 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "contact_points_a_joint": answer.law().map(|_| study.points),
         "rest_s": answer.rest_s(),
         "halvings": study.refine,
+        "damage": answer.law().map(|_| json!({
+            "slip_begun_m": study.damage.slip_begun_m, "offset_ratio": study.damage.offset_ratio, "offset_m": study.damage.offset_m,
+            "severe_offset_ratio": study.damage.severe_offset_ratio, "severe_rocking_ratio": study.damage.severe_rocking_ratio,
+        })),
         "noise_seed": study.artificial.map(|made| made.seed),
         "notes": answer.notes,
         "inputs": inputs.collect::<Vec<_>>(),

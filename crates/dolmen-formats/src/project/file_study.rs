@@ -44,6 +44,8 @@ pub(super) struct StudyRaw {
     pub(super) law: Option<At<LawRaw>>,
     /// kind = "stack": contact points of a joint, 4, 9, 16 or 36; 16 if not given.
     pub(super) points: Option<At<i64>>,
+    /// kind = "stack": where damage states begin.
+    pub(super) damage: Option<At<DamageRaw>>,
     /// Time after the motion, s; 2 for a stack, 20 for a frame or a chain if not given.
     pub(super) rest_s: Option<At<f64>>,
     /// Trends to look for.
@@ -52,6 +54,22 @@ pub(super) struct StudyRaw {
     pub(super) harmonic: Option<At<HarmonicRaw>>,
     /// kind = "frame": displacement of the top from which the frame is let go, for apparent frequency and damping.
     pub(super) release: Option<At<NumberRaw>>,
+}
+
+/// Where damage states of a stack begin.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct DamageRaw {
+    /// DS1: slip that counts as begun; 0.5 mm if not given.
+    pub(super) slip_begun: Option<At<NumberRaw>>,
+    /// DS2: offset left over the width of its joint; 0.005 if not given.
+    pub(super) offset_ratio: Option<At<f64>>,
+    /// DS2: offset left; 10 mm if not given.
+    pub(super) offset: Option<At<NumberRaw>>,
+    /// DS3: offset left over the width of its joint; 0.02 if not given.
+    pub(super) severe_offset_ratio: Option<At<f64>>,
+    /// DS3: rocking of a joint over the slenderness angle of what stands on it; 0.35 if not given.
+    pub(super) severe_rocking_ratio: Option<At<f64>>,
 }
 
 /// Motions made for a study.

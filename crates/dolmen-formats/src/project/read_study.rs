@@ -1,13 +1,13 @@
 //! Studies from what is written. Values of inputs are kept as text: each run lays them over the file and reads it again.
 
 use super::error::Fault;
-use super::file_number::At;
-use super::file_study::{ExpectedRaw, LawRaw, SeriesRaw, StudyRaw, TrendRaw};
+use super::file_number::{At, NumberRaw};
+use super::file_study::{DamageRaw, ExpectedRaw, LawRaw, SeriesRaw, StudyRaw, TrendRaw};
 use super::measure::{Bound, Measure};
 use super::read_study_values::{axis, leaves, series};
 use super::reader::{Reader, names};
 use super::study::{ArtificialPart, Axis, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart};
-use dolmen::assess::Direction;
+use dolmen::assess::{DamageThresholds, Direction};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -20,6 +20,8 @@ const HALVINGS_MOST: usize = 20;
 const HALVINGS: u32 = 3;
 /// Largest peak of the ground that is scanned, m/s²: four times the largest recorded. Chosen here.
 const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
+/// Least ratio at which a damage state may begin: below it every stack is damaged. Chosen here.
+const RATIO_LEAST: f64 = 1e-4;
 /// Longest time, s.
 const TIME_MOST_S: f64 = 1e4;
 /// Contact points that a joint can have.
@@ -141,6 +143,10 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     let refine = reader.count(given.refine.as_ref(), &below("refine"), 0, HALVINGS_MOST);
     let points = points(reader, given.points.as_ref(), &below("points"));
     let rest_s = reader.within(given.rest_s.as_ref(), &below("rest_s"), 0.0, TIME_MOST_S);
+    let damage = given
+        .damage
+        .as_ref()
+        .map(|raw| damage(reader, raw, &below("damage")));
     let expect = expected(reader, given.expect.as_deref(), &vary, &path);
     (reader.faults.len() == before).then_some(())?;
     Some(StudyPart {
@@ -163,10 +169,54 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         },
         points,
         rest_s,
+        damage: damage.unwrap_or_default(),
         expect,
         harmonic,
         release_m,
     })
+}
+
+/// Where damage states begin: what is not given is as usual.
+fn damage(reader: &mut Reader, raw: &At<DamageRaw>, path: &str) -> DamageThresholds {
+    let (given, usual) = (&raw.value, DamageThresholds::default());
+    let mut length = |value: &Option<At<NumberRaw>>, key: &str, usual: f64| {
+        let path = format!("{path}.{key}");
+        let found = reader.plain(value.as_ref(), &path, Measure::Length, Bound::Positive);
+        found.unwrap_or(usual)
+    };
+    let slip_begun_m = length(&given.slip_begun, "slip_begun", usual.slip_begun_m);
+    let offset_m = length(&given.offset, "offset", usual.offset_m);
+    let mut ratio = |value: &Option<At<f64>>, key: &str, usual: f64| {
+        let found = reader.within(value.as_ref(), &format!("{path}.{key}"), RATIO_LEAST, 1.0);
+        found.unwrap_or(usual)
+    };
+    let found = DamageThresholds {
+        slip_begun_m,
+        offset_m,
+        offset_ratio: ratio(&given.offset_ratio, "offset_ratio", usual.offset_ratio),
+        severe_offset_ratio: ratio(
+            &given.severe_offset_ratio,
+            "severe_offset_ratio",
+            usual.severe_offset_ratio,
+        ),
+        severe_rocking_ratio: ratio(
+            &given.severe_rocking_ratio,
+            "severe_rocking_ratio",
+            usual.severe_rocking_ratio,
+        ),
+    };
+    if found.severe_offset_ratio < found.offset_ratio {
+        let fault = Fault::new(
+            raw.span.clone(),
+            path,
+            format!(
+                "{path}: severe_offset_ratio is {}, below offset_ratio, {}",
+                found.severe_offset_ratio, found.offset_ratio
+            ),
+        );
+        reader.fault(fault.help("DS3 is worse than DS2: give both, the larger one for DS3"));
+    }
+    found
 }
 
 /// Refuses what is written twice: it would count as more than it is.

@@ -76,8 +76,16 @@ impl PagodaPart {
     /// # Errors
     /// [`StackError`] for factors that cannot be together.
     pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Pagoda, StackError> {
-        let usual = PagodaFactors::default();
         pagoda(&PagodaFactors {
+            density_kg_m3,
+            ..self.factors(pick)
+        })
+    }
+
+    /// Its factors, each with the value that `pick` chooses; the density is the usual one.
+    pub fn factors(&self, pick: Pick<'_>) -> PagodaFactors {
+        let usual = PagodaFactors::default();
+        PagodaFactors {
             storeys: self.storeys,
             body_height_m: pick(&self.body_height),
             slenderness: match &self.slenderness {
@@ -90,8 +98,8 @@ impl PagodaPart {
                 .body_base_height_ratio
                 .as_ref()
                 .map_or(usual.body_base_height_ratio, &mut *pick),
-            density_kg_m3,
-        })
+            ..usual
+        }
     }
 }
 

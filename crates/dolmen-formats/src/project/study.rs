@@ -1,7 +1,7 @@
 //! A study of a project file: `[study.NAME]`.
 
 use super::content::Names;
-use dolmen::assess::Direction;
+use dolmen::assess::{DamageThresholds, Direction};
 use std::ops::Range;
 
 /// A value laid over the file for a run, with the place of the study that writes it.
@@ -122,6 +122,8 @@ pub struct StudyPart {
     pub points: u32,
     /// Time after the motion, s; `None`: 2 for a stack, 20 for a frame.
     pub rest_s: Option<f64>,
+    /// Where damage states of a stack begin.
+    pub damage: DamageThresholds,
     /// What it expects to see.
     pub expect: Vec<ExpectedTrend>,
     /// Of a frame or a chain: a map of sticking and slipping.

@@ -17,6 +17,7 @@ mod measured;
 mod modal;
 mod notes;
 mod page;
+mod rank;
 mod samples;
 mod simulation;
 mod stack;
@@ -32,3 +33,4 @@ mod words;
 mod tests;
 
 pub use page::{Imprint, html};
+pub use rank::ranking_html;

@@ -32,6 +32,19 @@ pub fn html(answers: &[Answer], language: Language, imprint: &Imprint) -> String
         [one] => name(one, language).to_string(),
         _ => language.pick("Reports", "보고서 모음").to_string(),
     };
+    let body = markup! {
+        @if answers.len() > 1 { (contents(answers, language)) }
+        @for (i, answer) in answers.iter().enumerate() {
+            article id=(format!("report-{}", i + 1)) { (article(answer, language, imprint)) }
+        }
+    };
+    whole(&title, language, &body)
+        .replace("k_cr", "k<sub>cr</sub>")
+        .replace("k_min", "k<sub>min</sub>")
+}
+
+/// A page that needs nothing else.
+pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
     markup! {
         (DOCTYPE)
         html lang=(language.code()) {
@@ -41,17 +54,10 @@ pub fn html(answers: &[Answer], language: Language, imprint: &Imprint) -> String
                 title { (title) }
                 style { (PreEscaped(STYLE)) }
             }
-            body {
-                @if answers.len() > 1 { (contents(answers, language)) }
-                @for (i, answer) in answers.iter().enumerate() {
-                    article id=(format!("report-{}", i + 1)) { (article(answer, language, imprint)) }
-                }
-            }
+            body { (body) }
         }
     }
     .into_string()
-    .replace("k_cr", "k<sub>cr</sub>")
-    .replace("k_min", "k<sub>min</sub>")
 }
 
 fn contents(answers: &[Answer], language: Language) -> Markup {

@@ -5,6 +5,7 @@ use super::run::StudyKind;
 use crate::Language;
 use crate::number::trimmed;
 use crate::project::LawPart;
+use dolmen::assess::DamageThresholds;
 use dolmen::blocks::Springs;
 
 /// Time after the motion in which a frame or a chain swings on if nothing else is said, s, in a study and a single
@@ -44,6 +45,13 @@ impl StudyAnswer {
                 format!("{points} contact points a joint"),
                 format!("접합면당 접촉점 {points}개"),
             ));
+        }
+        if study.damage != DamageThresholds::default() {
+            words.push(
+                language
+                    .pick("damage states of its own", "손상 상태 기준 별도 지정")
+                    .to_owned(),
+            );
         }
         if study.scan.is_some() {
             let rest = trimmed(self.rest_s(), 3);

@@ -10,6 +10,8 @@ mod frame_simulation;
 mod identify;
 mod motion;
 mod project;
+mod rank;
+mod score;
 mod simulation;
 mod stack;
 mod study;
@@ -26,6 +28,8 @@ pub use frame_simulation::{frame_outcome_text, frame_simulation_text, friction_w
 pub use identify::identification_text;
 pub use motion::motion_report_text;
 pub use project::{heading_text, warnings_text};
+pub use rank::rank_text;
+pub use score::{score_quality_text, score_text};
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
 pub use study::study_text;
 pub use table::Table;

@@ -8,6 +8,7 @@ mod motion_networks;
 mod motions;
 mod npy_records;
 mod palisaden;
+mod portfolios;
 mod project;
 mod project_book;
 mod project_building;

@@ -4,26 +4,44 @@ use crate::blocks::{Outcome, Pose, StackHistory};
 use crate::stability::stack::StackLimitStates;
 use crate::structure::stack::{Joint, Stack};
 
-/// Slip from which sliding counts as begun, m: below it lies the shear of the springs of a joint (0.15 mm at 100 kPa, friction
-/// 0.6, 4e8 Pa/m). Chosen here.
-pub const SLIP_LEAST_M: f64 = 5e-4;
-/// Residual offset over the joint's width, and in m, from which a stack is at DS2.
-const DS2_RATIO: f64 = 0.005;
-const DS2_M: f64 = 0.010;
-/// Residual offset over the joint's width, and tilt over the slenderness angle, from which it is at DS3.
-const DS3_RATIO: f64 = 0.02;
-const DS3_TILT: f64 = 0.35;
+/// Where damage states begin.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DamageThresholds {
+    /// DS1: slip from which sliding counts as begun, m, positive. Default 0.5 mm, chosen here: below it lies the shear of the springs of a
+    /// joint (0.15 mm at 100 kPa, friction 0.6, 4e8 Pa/m).
+    pub slip_begun_m: f64,
+    /// DS2: offset left over the joint's width, –, positive. Default 0.005.
+    pub offset_ratio: f64,
+    /// DS2: offset left, m, positive. Default 10 mm.
+    pub offset_m: f64,
+    /// DS3: offset left over the joint's width, –, not below that of DS2. Default 0.02.
+    pub severe_offset_ratio: f64,
+    /// DS3: rocking of a joint over the slenderness angle of what stands on it, –, positive. Default 0.35.
+    pub severe_rocking_ratio: f64,
+}
+
+impl Default for DamageThresholds {
+    fn default() -> Self {
+        DamageThresholds {
+            slip_begun_m: 5e-4,
+            offset_ratio: 0.005,
+            offset_m: 0.010,
+            severe_offset_ratio: 0.02,
+            severe_rocking_ratio: 0.35,
+        }
+    }
+}
 
 /// How far a stack is damaged.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum DamageState {
     /// Nothing moved.
     None,
-    /// DS1: a joint opened by [`StackHistory::UPLIFT_LEAST_M`], or slipped by [`SLIP_LEAST_M`].
+    /// DS1: a joint opened by [`StackHistory::UPLIFT_LEAST_M`], or slipped by [`DamageThresholds::slip_begun_m`].
     Begun,
-    /// DS2: an offset of 0.5 % of the joint's width, or 10 mm, is left.
+    /// DS2: an offset is left, by default 0.5 % of the joint's width, or 10 mm.
     Offset,
-    /// DS3: an offset of 2 % of the width is left, a joint rocked to 0.35 of its slenderness angle, or a stone lies on the brink.
+    /// DS3: a large offset is left, by default 2 % of the width, a joint rocked to 0.35 of its slenderness angle, or a stone lies on the brink.
     Severe,
     /// DS4: a stone fell.
     Fallen,
@@ -68,14 +86,19 @@ pub struct StackDamage {
 /// The damage that a history shows.
 ///
 /// ```text
-/// DS1  uplift or slip begins       DS2  u_left ≥ 0.005 b or 10 mm       DS3  u_left ≥ 0.02 b, or θ ≥ 0.35 α       DS4  a stone falls
+/// DS1  uplift or slip begins       DS2  u_left ≥ 0.005 b or 10 mm       DS3  u_left ≥ 0.02 b, or θ ≥ 0.35 α       DS4  a stone falls     by default
 /// θ = opening / least width of the joint,   α = atan(a_uplift / g) of the part above it
 /// ```
 ///
 /// # Limits
 /// Where several joints carry one part, or none is cut through alone, α of the cut that holds the joint and fewest blocks is taken.
 /// Of a run that was ended early only what happened until then counts.
-pub fn stack_damage(stack: &Stack, limits: &StackLimitStates, history: &StackHistory) -> StackDamage {
+pub fn stack_damage(
+    stack: &Stack,
+    limits: &StackLimitStates,
+    history: &StackHistory,
+    thresholds: &DamageThresholds,
+) -> StackDamage {
     let mut found = StackDamage {
         state: DamageState::None,
         peak_uplift_m: 0.0,
@@ -116,19 +139,22 @@ pub fn stack_damage(stack: &Stack, limits: &StackLimitStates, history: &StackHis
     for (start, pose) in first.iter().zip(last.unwrap_or_default()) {
         found.residual_tilt_rad = found.residual_tilt_rad.max(lean(start, pose));
     }
-    found.state = state(&found, &history.outcome);
+    found.state = state(&found, &history.outcome, thresholds);
     found
 }
 
-fn state(found: &StackDamage, outcome: &Outcome) -> DamageState {
+fn state(found: &StackDamage, outcome: &Outcome, from: &DamageThresholds) -> DamageState {
     let slid = matches!(outcome, Outcome::Slid { .. } | Outcome::StillMoving { .. });
     if matches!(outcome, Outcome::Fell { .. }) {
         DamageState::Fallen
-    } else if slid || found.residual_slip_ratio >= DS3_RATIO || found.peak_rocking_ratio >= DS3_TILT {
+    } else if slid
+        || found.residual_slip_ratio >= from.severe_offset_ratio
+        || found.peak_rocking_ratio >= from.severe_rocking_ratio
+    {
         DamageState::Severe
-    } else if found.residual_slip_ratio >= DS2_RATIO || found.residual_slip_m >= DS2_M {
+    } else if found.residual_slip_ratio >= from.offset_ratio || found.residual_slip_m >= from.offset_m {
         DamageState::Offset
-    } else if found.peak_uplift_m > StackHistory::UPLIFT_LEAST_M || found.peak_slip_m > SLIP_LEAST_M {
+    } else if found.peak_uplift_m > StackHistory::UPLIFT_LEAST_M || found.peak_slip_m > from.slip_begun_m {
         DamageState::Begun
     } else {
         DamageState::None
@@ -225,7 +251,8 @@ mod tests {
     #[test]
     fn holds_rocking_of_a_joint_is_the_lean_of_its_stone_over_alpha() {
         let (stack, limits) = stone();
-        let found = stack_damage(&stack, &limits, &pulse(&stack, 1.6));
+        let usual = DamageThresholds::default();
+        let found = stack_damage(&stack, &limits, &pulse(&stack, 1.6), &usual);
         let alpha = 0.2_f64.atan();
         let by_lean = found.peak_tilt_rad / alpha;
         assert!(by_lean > 0.02, "{found:?}");
@@ -234,9 +261,9 @@ mod tests {
             "{found:?} {by_lean}"
         );
         assert!(found.state >= DamageState::Begun);
-        let fallen = stack_damage(&stack, &limits, &pulse(&stack, 3.0));
+        let fallen = stack_damage(&stack, &limits, &pulse(&stack, 3.0), &usual);
         assert_eq!(fallen.state, DamageState::Fallen);
-        let quiet = stack_damage(&stack, &limits, &pulse(&stack, 0.3));
+        let quiet = stack_damage(&stack, &limits, &pulse(&stack, 0.3), &usual);
         assert_eq!(quiet.state, DamageState::None, "{quiet:?}");
     }
 
@@ -245,13 +272,14 @@ mod tests {
         let (stack, limits) = stone();
         let still = pulse(&stack, 0.1);
         let alpha = 0.2_f64.atan();
-        let of = |slip_m: f64, left_m: f64, opening_m: f64| {
+        let of_thresholds = |from: DamageThresholds, slip_m: f64, left_m: f64, opening_m: f64| {
             let mut history = still.clone();
             history.joints[0].peak_slip_m = slip_m;
             history.joints[0].peak_opening_m = opening_m;
             *history.joints[0].slip_m.last_mut().unwrap() = [left_m, 0.0];
-            stack_damage(&stack, &limits, &history).state
+            stack_damage(&stack, &limits, &history, &from).state
         };
+        let of = |slip, left, opening| of_thresholds(DamageThresholds::default(), slip, left, opening);
         assert_eq!(of(0.0, 0.0, 0.0), DamageState::None);
         assert_eq!(of(0.00051, 0.0, 0.0), DamageState::Begun);
         assert_eq!(of(0.0, 0.0, 0.00011), DamageState::Begun);
@@ -260,5 +288,27 @@ mod tests {
         assert_eq!(of(0.0081, 0.0081, 0.0), DamageState::Severe); // 2 % is 8 mm
         assert_eq!(of(0.0, 0.0, 0.4 * (0.349 * alpha).tan()), DamageState::Begun);
         assert_eq!(of(0.0, 0.0, 0.4 * (0.351 * alpha).tan()), DamageState::Severe);
+        // each threshold moves its own state alone
+        let own = DamageThresholds {
+            slip_begun_m: 2e-3,
+            offset_ratio: 0.1,
+            offset_m: 0.02,
+            severe_offset_ratio: 0.2,
+            severe_rocking_ratio: 0.6,
+        };
+        assert_eq!(of_thresholds(own, 0.0019, 0.0, 0.0), DamageState::None);
+        assert_eq!(of_thresholds(own, 0.0021, 0.0, 0.0), DamageState::Begun);
+        assert_eq!(of_thresholds(own, 0.0199, 0.0199, 0.0), DamageState::Begun); // 10 % of 0.4 m is 40 mm
+        assert_eq!(of_thresholds(own, 0.0201, 0.0201, 0.0), DamageState::Offset);
+        assert_eq!(of_thresholds(own, 0.0799, 0.0799, 0.0), DamageState::Offset);
+        assert_eq!(of_thresholds(own, 0.0801, 0.0801, 0.0), DamageState::Severe);
+        assert_eq!(
+            of_thresholds(own, 0.0, 0.0, 0.4 * (0.599 * alpha).tan()),
+            DamageState::Begun
+        );
+        assert_eq!(
+            of_thresholds(own, 0.0, 0.0, 0.4 * (0.601 * alpha).tan()),
+            DamageState::Severe
+        );
     }
 }

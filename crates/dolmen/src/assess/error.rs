@@ -35,7 +35,8 @@ pub enum AssessError {
     },
     /// A factor of the score lies outside what was trained.
     #[error(
-        "{factor} is {given}, but the score was trained from {least} to {most}: simulate this pagoda (dolmen study), or allow          extrapolation, which is marked"
+        "{factor} is {given}, but the score was trained from {least} to {most}: simulate this pagoda (dolmen study), or allow extrapolation, \
+         which is marked"
     )]
     OutsideTraining {
         /// Which.
@@ -48,7 +49,9 @@ pub enum AssessError {
         most: f64,
     },
     /// No order can be made.
-    #[error("{candidates} structures and {draws} draws, but a ranking needs 1 structure and 20 draws or more")]
+    #[error(
+        "{candidates} structures and {draws} draws, but a ranking needs 1 structure and 20 draws or more"
+    )]
     NothingToRank {
         /// Structures given.
         candidates: usize,

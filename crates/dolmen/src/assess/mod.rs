@@ -19,19 +19,19 @@ pub use capacity::{
     Capacity, Reached, Reading, ScaleTrial, Trial, capacity, next_in_bracket, reached_quantile,
 };
 pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
-pub use damage::{DamageState, SLIP_LEAST_M, StackDamage, stack_damage};
+pub use damage::{DamageState, DamageThresholds, StackDamage, stack_damage};
 pub use error::AssessError;
 pub use fragility::{
     Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, bootstrap_fragility,
     crossing, fit_fragility, fit_fragility_by_moments, motions_needed,
 };
 pub use frame::{FrameCheck, FrameNote, check_frame};
-pub use portfolio::{Candidate, KnownCapacity, Place, Ranked, RankedBy, rank};
+pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, rank};
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};
 pub use score::{
-    Factor, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore, Ranking, ScoreModel, SixFactors, TrainedDesign,
-    factor_shares, held_out, shapley_shares,
+    Factor, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore, Ranking, ScoreModel, SixFactors,
+    TrainedDesign, factor_shares, held_out, shapley_shares,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};

@@ -10,8 +10,19 @@ pub struct KnownCapacity {
     pub fragility: Fragility,
     /// Standard deviation of ln θ: what is not known of it; 0 or more.
     pub ln_theta_sd: f64,
-    /// θ is only known to be this or more: the structure is ranked as if it were this.
-    pub is_bound: bool,
+    /// How θ is known.
+    pub known: Known,
+}
+
+/// How a median is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Known {
+    /// Found.
+    Found,
+    /// It is this or more: no motion reached the state. Ranked as if it were this.
+    AtLeast,
+    /// It is this or less: every motion reached the state at the least shaking tried. Ranked as if it were this: look at it first.
+    AtMost,
 }
 
 /// A structure to be ranked.
@@ -87,11 +98,19 @@ pub fn rank(candidates: &[Candidate], draws: usize, seed: u64) -> Result<Ranked,
         }
     }
     let has_all = candidates.iter().all(|candidate| candidate.hazard.is_some());
-    let by = if has_all { RankedBy::AnnualRate } else { RankedBy::Capacity };
+    let by = if has_all {
+        RankedBy::AnnualRate
+    } else {
+        RankedBy::Capacity
+    };
     let mut rates = Vec::with_capacity(candidates.len());
     for Candidate { capacity, hazard } in candidates {
         let whole = capacity.fragility.with_more_dispersion(capacity.ln_theta_sd)?;
-        rates.push(hazard.as_ref().map(|hazard| annual_risk(hazard, &whole).annual_rate));
+        rates.push(
+            hazard
+                .as_ref()
+                .map(|hazard| annual_risk(hazard, &whole).annual_rate),
+        );
     }
     // small is bad: θ, or a rate turned round
     let badness = |theta: f64, rate: Option<f64>| match (by, rate) {
@@ -155,7 +174,7 @@ mod tests {
         let capacity = KnownCapacity {
             fragility: Fragility::new(theta, beta).unwrap(),
             ln_theta_sd: sd,
-            is_bound: false,
+            known: Known::Found,
         };
         Candidate { capacity, hazard }
     }
@@ -174,7 +193,10 @@ mod tests {
         let order: Vec<usize> = found.places.iter().map(|place| place.candidate).collect();
         assert_eq!(order, [2, 0, 1]);
         for (place, (theta, sd, period)) in
-            found.places.iter().zip([(2.5, 0.3, 500.0), (3.0, 0.1, 500.0), (2.0, 0.1, 5000.0_f64)])
+            found
+                .places
+                .iter()
+                .zip([(2.5, 0.3, 500.0), (3.0, 0.1, 500.0), (2.0, 0.1, 5000.0_f64)])
         {
             let (theta, sd): (f64, f64) = (theta, sd);
             let exact = theta.powi(-2) / period * (2.0 * (0.16 + sd * sd)).exp();
@@ -198,17 +220,37 @@ mod tests {
         let swapped = 0.357_6; // Φ(−ln 1.2/.5), tables
         assert!((found.places[1].worst_tenth - swapped).abs() < 0.02, "{found:?}");
         assert!((found.places[0].worst_tenth + found.places[1].worst_tenth - 1.0).abs() < 1e-12);
-        assert_eq!(found.places[0].rank_interval, Interval { lower: 1.0, upper: 2.0 });
+        assert_eq!(
+            found.places[0].rank_interval,
+            Interval {
+                lower: 1.0,
+                upper: 2.0
+            }
+        );
         let sure = [candidate(1.0, 0.4, 0.0, None), candidate(1.2, 0.4, 0.0, None)];
         let found = rank(&sure, 20, 3).unwrap();
-        assert_eq!(found.places[0].rank_interval, Interval { lower: 1.0, upper: 1.0 });
+        assert_eq!(
+            found.places[0].rank_interval,
+            Interval {
+                lower: 1.0,
+                upper: 1.0
+            }
+        );
         assert_eq!(found.places[0].candidate, 0);
     }
 
     #[test]
     fn refuses_nothing_and_deviations_that_cannot_be() {
-        assert!(matches!(rank(&[], 100, 1), Err(AssessError::NothingToRank { candidates: 0, .. })));
+        assert!(matches!(
+            rank(&[], 100, 1),
+            Err(AssessError::NothingToRank { candidates: 0, .. })
+        ));
         let bad = [candidate(1.0, 0.4, f64::NAN, None)];
-        assert!(rank(&bad, 100, 1).unwrap_err().to_string().starts_with("ln_theta_sd is NaN"));
+        assert!(
+            rank(&bad, 100, 1)
+                .unwrap_err()
+                .to_string()
+                .starts_with("ln_theta_sd is NaN")
+        );
     }
 }

@@ -115,7 +115,11 @@ impl SixFactors {
                 return Err(AssessError::Factor {
                     factor: factor.name(),
                     given: *value,
-                    allowed: if is_taper { "0 or more" } else { "a positive number" },
+                    allowed: if is_taper {
+                        "0 or more"
+                    } else {
+                        "a positive number"
+                    },
                 });
             }
             if !is_taper {

@@ -111,7 +111,9 @@ mod tests {
                     body_base_height_ratio: 2.0 * u(),
                 };
                 // the height counts twice as much as α; the rest nothing
-                let ln = 2.0 * factors.body_height_m.ln() + factors.slenderness_angle.ln() + noise * random.normal();
+                let ln = 2.0 * factors.body_height_m.ln()
+                    + factors.slenderness_angle.ln()
+                    + noise * random.normal();
                 let fragility = Fragility::new(ln.exp(), 0.4).unwrap();
                 TrainedDesign { factors, fragility }
             })
@@ -123,7 +125,10 @@ mod tests {
         let found = held_out(&designs(100, 0.0), 5).unwrap();
         assert!(found.score.kendall_tau > 0.995, "{found:?}");
         assert_eq!(found.score.worst_fifth_found, 1.0);
-        assert!(found.equal_weights.kendall_tau < 0.7 && found.slenderness_angle.kendall_tau < 0.6, "{found:?}");
+        assert!(
+            found.equal_weights.kendall_tau < 0.7 && found.slenderness_angle.kendall_tau < 0.6,
+            "{found:?}"
+        );
         assert!(found.slenderness_angle.kendall_tau > 0.1);
     }
 

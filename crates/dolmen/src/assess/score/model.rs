@@ -8,8 +8,6 @@ use crate::numeric::{Interval, normal_quantile};
 
 /// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Chosen here; 150 are wanted.
 const DESIGNS_LEAST: usize = 28;
-/// Designs whose factors are the background that reasons are given against: more change nothing that is seen. Chosen here.
-const BACKGROUND_MOST: usize = 64;
 
 /// A simulated pagoda: its factors, and the fragility that its runs gave.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,7 +42,8 @@ pub struct PagodaScore {
     pub percentile: f64,
     /// The same at both ends of the interval of θ, %.
     pub percentile_interval: Interval,
-    /// What each factor adds to ln θ against the mean of the designs, in the order of [`Factor::ALL`]; they sum to the difference.
+    /// What each factor adds to ln θ against the mean of the designs, in the order of [`Factor::ALL`]; they sum to the difference. Shapley
+    /// shares of what surfaces of some factors alone say: of factors that go together each gets its part.
     pub reasons: [f64; 6],
     /// Factors outside the range trained: not empty only if that was allowed.
     pub outside: Vec<OutsideFactor>,
@@ -72,11 +71,11 @@ impl PagodaScore {
 #[derive(Clone, Debug)]
 pub struct ScoreModel {
     designs: Vec<TrainedDesign>,
-    surface: Surface,
+    /// Of each coalition of factors, as a bit mask; that of all is the last.
+    surfaces: Vec<Surface>,
     range: [Interval; 6],
     /// ln θ of the designs, rising.
     sorted: Vec<f64>,
-    background: Vec<[f64; 6]>,
     beta: f64,
 }
 
@@ -104,16 +103,15 @@ impl ScoreModel {
                 range.upper = range.upper.max(value);
             }
         }
-        let surface = Surface::fit(&x, &y, 0b11_1111)?;
+        let fits = (0..64).map(|used| Surface::fit(&x, &y, used));
+        let surfaces = fits.collect::<Result<Vec<_>, _>>()?;
         let mut sorted = y;
         sorted.sort_by(f64::total_cmp);
-        let every = n.div_ceil(BACKGROUND_MOST);
         Ok(ScoreModel {
             designs: designs.to_vec(),
-            surface,
+            surfaces,
             range,
             sorted,
-            background: x.into_iter().step_by(every).collect(),
             beta: designs.iter().map(|design| design.fragility.beta()).sum::<f64>() / n as f64,
         })
     }
@@ -125,7 +123,12 @@ impl ScoreModel {
 
     /// Share of the variance of ln θ that the surface explains of designs left out of it, –.
     pub fn explained(&self) -> f64 {
-        self.surface.explained
+        self.whole().map_or(0.0, |surface| surface.explained)
+    }
+
+    /// The surface of all factors.
+    fn whole(&self) -> Option<&Surface> {
+        self.surfaces.last()
     }
 
     /// The range of each factor trained, in the order of [`Factor::ALL`].
@@ -161,7 +164,13 @@ impl ScoreModel {
                 most: first.trained.upper,
             });
         }
-        let found = self.surface.predict(&x);
+        let Some(surface) = self.whole() else {
+            return Err(AssessError::TooFewDesigns {
+                given: 0,
+                least: DESIGNS_LEAST,
+            });
+        };
+        let found = surface.predict(&x);
         let rank = |ln_theta: f64| {
             let below = self.sorted.partition_point(|own| *own < ln_theta);
             100.0 * below as f64 / self.sorted.len() as f64
@@ -181,15 +190,12 @@ impl ScoreModel {
         })
     }
 
-    /// What each factor adds: coalitions take its own values, the others those of the background, one design after the other.
+    /// What each factor adds.
     fn reasons(&self, x: &[f64; 6]) -> [f64; 6] {
-        let shares = shapley_shares(6, |own| {
-            let mixed = self.background.iter().map(|other| {
-                let place =
-                    std::array::from_fn(|axis| if own & (1 << axis) == 0 { other[axis] } else { x[axis] });
-                self.surface.value(&place)
-            });
-            mixed.sum::<f64>() / self.background.len() as f64
+        let shares = shapley_shares(6, |used| {
+            self.surfaces
+                .get(used as usize)
+                .map_or(0.0, |surface| surface.value(x))
         });
         std::array::from_fn(|axis| shares[axis])
     }
@@ -241,17 +247,14 @@ mod tests {
         let found = model.score(&own, true).unwrap();
         assert!((found.capacity_m_s2 / law(&own) - 1.0).abs() < 1e-3, "{found:?}");
         assert!((found.beta - 0.35).abs() < 1e-12);
-        let below = designs.iter().filter(|design| law(&design.factors) < law(&own)).count();
-        assert!((found.percentile - 100.0 * below as f64 / 90.0).abs() < 1.2, "{found:?}");
-        // the reasons are those of a law of powers: each ln against the mean ln of the background
-        let x = own.coordinates().unwrap();
-        let mean = |axis: usize| {
-            model.background.iter().map(|place| place[axis]).sum::<f64>() / model.background.len() as f64
-        };
-        for (axis, power) in [(0, -0.3), (1, 0.5), (2, 1.0), (5, 0.0)] {
-            let exact = power * (x[axis] - mean(axis));
-            assert!((found.reasons[axis] - exact).abs() < 2e-3, "{axis} {found:?} {exact}");
-        }
+        let below = designs
+            .iter()
+            .filter(|design| law(&design.factors) < law(&own))
+            .count();
+        assert!(
+            (found.percentile - 100.0 * below as f64 / 90.0).abs() < 1.2,
+            "{found:?}"
+        );
     }
 
     #[test]
@@ -259,12 +262,51 @@ mod tests {
         let model = ScoreModel::train(&designs(60)).unwrap();
         let own = model.designs()[17].factors;
         let found = model.score(&own, false).unwrap();
-        let mean = model.background.iter().map(|place| model.surface.value(place)).sum::<f64>()
-            / model.background.len() as f64;
+        let logs = model.designs().iter().map(|design| design.fragility.theta().ln());
+        let mean = logs.sum::<f64>() / 60.0;
         let sum: f64 = found.reasons.iter().sum();
         assert!((mean + sum - found.capacity_m_s2.ln()).abs() < 1e-9);
         let interval = found.capacity_interval_m_s2(0.9).unwrap();
         assert!(interval.lower < found.capacity_m_s2 && found.capacity_m_s2 < interval.upper);
+    }
+
+    /// Factors that do not depend on each other, and a law of powers: each adds its power times its ln against the mean.
+    #[test]
+    fn exact_reasons_of_independent_factors() {
+        let mut random = crate::numeric::Random::new(9, 0);
+        let designs: Vec<TrainedDesign> = (0..400)
+            .map(|_| {
+                let mut u = || 0.7 + 0.6 * random.uniform();
+                let factors = SixFactors {
+                    storeys: 3,
+                    body_height_m: 4.0 * u(),
+                    slenderness_angle: 0.3 * u(),
+                    body_slenderness: 3.0 * u(),
+                    taper_rad: 0.1,
+                    body_base_height_ratio: 2.0 * u(),
+                };
+                let fragility = Fragility::new(law(&factors), 0.4).unwrap();
+                TrainedDesign { factors, fragility }
+            })
+            .collect();
+        let model = ScoreModel::train(&designs).unwrap();
+        let own = SixFactors {
+            body_height_m: 5.0,
+            slenderness_angle: 0.22,
+            ..designs[0].factors
+        };
+        let found = model.score(&own, false).unwrap();
+        let mean = |of: fn(&SixFactors) -> f64| {
+            designs.iter().map(|design| of(&design.factors).ln()).sum::<f64>() / 400.0
+        };
+        let height = 0.5 * (5.0_f64.ln() - mean(|f| f.body_height_m));
+        let angle = 0.22_f64.ln() - mean(|f| f.slenderness_angle);
+        // 400 draws: what chance correlates them by
+        assert!((found.reasons[1] - height).abs() < 0.02, "{found:?} {height}");
+        assert!((found.reasons[2] - angle).abs() < 0.02, "{found:?} {angle}");
+        for idle in [0, 3, 4, 5] {
+            assert!(found.reasons[idle].abs() < 0.02, "{found:?}");
+        }
     }
 
     #[test]
@@ -273,7 +315,10 @@ mod tests {
         let mut own = model.designs()[3].factors;
         own.body_height_m = 14.0;
         let fault = model.score(&own, false).unwrap_err().to_string();
-        assert!(fault.starts_with("body_height_m is 14, but the score was trained from 3."), "{fault}");
+        assert!(
+            fault.starts_with("body_height_m is 14, but the score was trained from 3."),
+            "{fault}"
+        );
         let marked = model.score(&own, true).unwrap();
         assert_eq!(marked.outside.len(), 1);
         assert_eq!(marked.outside[0].factor, Factor::BodyHeight);

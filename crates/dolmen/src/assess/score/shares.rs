@@ -171,7 +171,10 @@ mod tests {
         assert!((found.explained - 1.0).abs() < 1e-6);
         // 3000 draws: each correlation to .01
         assert!((found.shares[2].share - first).abs() < 0.02, "{found:?} {first}");
-        assert!((found.shares[3].share - second).abs() < 0.02, "{found:?} {second}");
+        assert!(
+            (found.shares[3].share - second).abs() < 0.02,
+            "{found:?} {second}"
+        );
         for idle in [0, 1, 4, 5] {
             assert!(found.shares[idle].share.abs() < 0.005, "{found:?}");
         }

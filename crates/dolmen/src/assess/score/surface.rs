@@ -93,8 +93,7 @@ impl Surface {
             let variance = missed.sum::<f64>() / count;
             if variance < surface.left_out_variance {
                 surface.left_out_variance = variance;
-                (surface.coefficients, surface.inverse, surface.left_out) =
-                    (coefficients, inverse, left_out);
+                (surface.coefficients, surface.inverse, surface.left_out) = (coefficients, inverse, left_out);
             }
         }
         // the mean alone misses a left-out point by n/(n − 1) of its deviation
@@ -163,7 +162,10 @@ mod tests {
         assert!(surface.explained > 1.0 - 1e-8, "{}", surface.explained);
         let place = [0.3, 0.7, 0.1, 0.9, 0.5, 0.4];
         let found = surface.predict(&place);
-        assert!((found.value - of(&place)).abs() < 1e-4 && found.sd < 1e-4, "{found:?}");
+        assert!(
+            (found.value - of(&place)).abs() < 1e-4 && found.sd < 1e-4,
+            "{found:?}"
+        );
     }
 
     #[test]

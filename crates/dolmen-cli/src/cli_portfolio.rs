@@ -1,0 +1,62 @@
+//! Arguments of the verbs that put structures into order.
+
+use crate::cli::Language;
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+
+#[derive(Debug, Args)]
+pub(crate) struct Score {
+    /// Project file of a stack with a pagoda of six factors; without it, the weights of the factors and what the score is worth
+    pub(crate) project: Option<PathBuf>,
+    /// Designs to train on (CSV), instead of those that come with Dolmen
+    #[arg(long, value_name = "FILE")]
+    pub(crate) designs: Option<PathBuf>,
+    /// Also for factors outside the range trained; the answer marks them
+    #[arg(long)]
+    pub(crate) extrapolate: bool,
+    /// Make designs of this study of the project, and write them to -o
+    #[arg(long, value_name = "STUDY", requires_all = ["project", "output"])]
+    pub(crate) train: Option<String>,
+    /// Folder that `dolmen study -o` was given for it; without it, studies beside the project file
+    #[arg(long, value_name = "DIR", requires = "train")]
+    pub(crate) from: Option<PathBuf>,
+    /// File for the designs of --train (CSV)
+    #[arg(long, short, value_name = "FILE", requires = "train")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Rank {
+    /// Table of structures (CSV), or a folder of project folders
+    pub(crate) source: PathBuf,
+    /// Damage state to rank by
+    #[arg(long, value_enum, default_value_t = State::Ds3)]
+    pub(crate) state: State,
+    /// Designs to train the score on (CSV), instead of those that come with Dolmen
+    #[arg(long, value_name = "FILE")]
+    pub(crate) designs: Option<PathBuf>,
+    /// Also rank pagodas with factors outside the range trained; the answer marks them
+    #[arg(long)]
+    pub(crate) extrapolate: bool,
+    /// Draws of what is not known, behind the intervals of the places
+    #[arg(long, value_name = "N", default_value_t = 200, value_parser = clap::value_parser!(u16).range(20..=10_000))]
+    pub(crate) draws: u16,
+    /// Write the ranking (CSV, JSON), a figure (SVG) and a page (HTML) into this folder
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+    /// Language of figure and page
+    #[arg(long, value_enum, default_value_t = Language::En)]
+    pub(crate) language: Language,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub(crate) enum State {
+    /// A joint opens or slips
+    Ds1,
+    /// An offset is left
+    Ds2,
+    /// A large offset is left, or a joint rocked far
+    Ds3,
+    /// A stone falls
+    Falls,
+}

@@ -1,0 +1,106 @@
+//! `dolmen score`: the six-factor score of a pagoda, what it is worth, and designs to train it on.
+
+use crate::cli_portfolio::Score as Options;
+use crate::{Outcome, files, open, study};
+use anyhow::{Context as _, Result, bail};
+use dolmen::assess::SixFactors;
+use dolmen_formats::json::{score_json, score_quality_json};
+use dolmen_formats::project::{Project, Quantity, Structure};
+use dolmen_formats::score::{ScoreAnswer, ScoreDesigns, ScoreQuality};
+use dolmen_formats::text::{score_quality_text, score_text};
+use rayon::prelude::*;
+use std::path::Path;
+
+pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
+    match (&options.train, &options.project, &options.output) {
+        (Some(name), Some(project), Some(output)) => train(options, project, name, output, quiet)?,
+        (_, Some(project), _) => one(options, project, as_json)?,
+        _ => quality(options, as_json)?,
+    }
+    Ok(Outcome::Stands)
+}
+
+/// The designs of a file, or those that come with Dolmen.
+pub(crate) fn designs(path: Option<&Path>) -> Result<ScoreDesigns> {
+    match path {
+        Some(path) => ScoreDesigns::read(&files::read(path)?).with_context(|| path.display().to_string()),
+        None => Ok(ScoreDesigns::shipped()?),
+    }
+}
+
+/// The six factors of the pagoda of a project; `None` if it has another structure, or blocks.
+pub(crate) fn factors(project: &Project) -> Result<Option<SixFactors>> {
+    let Structure::Stack(part) = &project.structure else {
+        return Ok(None);
+    };
+    let Some(pagoda) = &part.pagoda else {
+        return Ok(None);
+    };
+    Ok(Some(SixFactors::of_pagoda(
+        &pagoda.factors(&mut Quantity::nominal),
+    )?))
+}
+
+fn one(options: &Options, path: &Path, as_json: bool) -> Result<()> {
+    let designs = designs(options.designs.as_deref())?;
+    let open::Opened { project, file } = open::project(path)?;
+    let Some(factors) = factors(&project)? else {
+        bail!(
+            "{} has no pagoda of six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with \
+             dolmen study",
+            file.display()
+        );
+    };
+    let (trained, states) = ScoreAnswer::states_of(&designs, &factors, options.extrapolate)?;
+    let answer = ScoreAnswer {
+        file: file.display().to_string(),
+        name: project.name.clone(),
+        factors,
+        trained,
+        designs: designs.designs.len(),
+        states,
+        gravity_m_s2: project.gravity_m_s2,
+    };
+    if as_json {
+        files::say(&format!("{:#}\n", score_json(&answer)))
+    } else {
+        files::say(&score_text(&answer))
+    }
+}
+
+fn quality(options: &Options, as_json: bool) -> Result<()> {
+    let designs = designs(options.designs.as_deref())?;
+    let found: Vec<Option<ScoreQuality>> = (0..4)
+        .into_par_iter()
+        .map(|state| ScoreQuality::of(&designs, state).ok())
+        .collect();
+    let found: Vec<ScoreQuality> = found.into_iter().flatten().collect();
+    if found.is_empty() {
+        bail!(
+            "{} designs are too few for a score: 50 and more with a curve are needed",
+            designs.designs.len()
+        );
+    }
+    if as_json {
+        files::say(&format!(
+            "{:#}\n",
+            score_quality_json(&found, designs.designs.len())
+        ))
+    } else {
+        files::say(&score_quality_text(&found, designs.designs.len()))
+    }
+}
+
+fn train(options: &Options, project: &Path, name: &str, output: &Path, quiet: bool) -> Result<()> {
+    let found = study::designs(project, name, options.from.as_deref())?;
+    files::write(output, found.designs.csv().as_bytes())?;
+    if !quiet {
+        eprintln!(
+            "{} designs are in {}; {} were left out: scans are missing or cannot be used",
+            found.designs.designs.len(),
+            output.display(),
+            found.left_out
+        );
+    }
+    Ok(())
+}

@@ -1,0 +1,66 @@
+//! The ranking as columns, for CSV: a row a structure, units in the names.
+
+use super::answer::{PortfolioAnswer, PortfolioEntry};
+use super::words::{basis_words, known_word, probability_in_years, reason_words};
+use crate::Language;
+use crate::score::SCORE_STATES;
+use crate::study::{Column, ColumnValues};
+use dolmen::assess::{KnownCapacity, Place};
+
+/// Everything that was found, the worst structure first.
+pub fn ranking_columns(answer: &PortfolioAnswer) -> Vec<Column> {
+    let rows: Vec<(&Place, &PortfolioEntry)> =
+        answer.rows().map(|(place, entry, _)| (place, entry)).collect();
+    let words = |name: &str, of: &dyn Fn(&PortfolioEntry) -> String| Column {
+        name: name.to_owned(),
+        values: ColumnValues::Words(rows.iter().map(|row| of(row.1)).collect()),
+    };
+    let numbers = |name: &str, of: &dyn Fn(&Place) -> Option<f64>| Column {
+        name: name.to_owned(),
+        values: ColumnValues::Numbers(rows.iter().map(|row| of(row.0)).collect()),
+    };
+    let known = |name: String, state: usize, of: fn(&KnownCapacity) -> f64| Column {
+        name,
+        values: ColumnValues::Numbers(
+            rows.iter()
+                .map(|row| row.1.states[state].as_ref().map(of))
+                .collect(),
+        ),
+    };
+    let mut columns = vec![
+        Column {
+            name: "place".to_owned(),
+            values: ColumnValues::Counts(rows.iter().map(|row| row.0.rank as i64).collect()),
+        },
+        numbers("place_5_percent", &|place| Some(place.rank_interval.lower)),
+        numbers("place_95_percent", &|place| Some(place.rank_interval.upper)),
+        words("name", &|entry| entry.name.clone()),
+        words("rests_on", &|entry| basis_words(entry, Language::English)),
+        words("what_lowers_it", &|entry| reason_words(entry, Language::English)),
+    ];
+    for (state, name) in SCORE_STATES.iter().enumerate() {
+        columns.extend([
+            known(format!("theta_{name}_m_s2"), state, |known| {
+                known.fragility.theta()
+            }),
+            known(format!("beta_{name}"), state, |known| known.fragility.beta()),
+            known(format!("ln_theta_sd_{name}"), state, |known| known.ln_theta_sd),
+            words(&format!("known_{name}"), &|entry| {
+                let known = entry.states[state].as_ref();
+                known.map_or(String::new(), |known| known_word(known.known).to_owned())
+            }),
+        ]);
+    }
+    columns.extend([
+        numbers("annual_rate", &|place| place.annual_rate),
+        numbers("probability_in_50_years", &|place| {
+            place.annual_rate.map(probability_in_years)
+        }),
+        numbers("share_in_worst_tenth", &|place| Some(place.worst_tenth)),
+        numbers("place_by_falls", &|place| {
+            let falls = answer.by_falls.get(place.candidate).copied().flatten();
+            falls.map(|rank| rank as f64)
+        }),
+    ]);
+    columns
+}

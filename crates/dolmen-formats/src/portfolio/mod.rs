@@ -1,0 +1,14 @@
+//! Many structures: the table that names them, and the order in which they should be looked at.
+
+mod answer;
+mod columns;
+mod table;
+mod words;
+
+pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
+pub use columns::ranking_columns;
+pub use table::{PortfolioError, PortfolioRow, RowSource, read_portfolio};
+pub use words::{
+    basis_words, capacity_words, factor_words, known_word, misjudged, probability_in_years, reason_words,
+    state_words,
+};

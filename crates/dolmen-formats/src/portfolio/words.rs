@@ -1,0 +1,116 @@
+//! What stands in the cells of a ranking, in English and Korean.
+
+use super::answer::{Basis, PortfolioAnswer, PortfolioEntry};
+use crate::Language;
+use crate::number::significant;
+use crate::study::YEARS;
+use dolmen::assess::{Factor, Known, KnownCapacity};
+
+/// Places by which falls alone must differ to be spoken of: a third of all. Chosen here.
+const PART_APART: f64 = 1.0 / 3.0;
+
+/// What a factor is called, with its unit.
+pub fn factor_words(factor: Factor, language: Language) -> &'static str {
+    match factor {
+        Factor::Storeys => language.pick("storeys", "층수"),
+        Factor::BodyHeight => language.pick("body height, m", "탑신 높이 (m)"),
+        Factor::SlendernessAngle => language.pick("tan α", "세장각 tan α"),
+        Factor::BodySlenderness => language.pick("body slenderness λ", "탑신 세장비 λ"),
+        Factor::Taper => language.pick("taper φ, deg", "체감도 φ (°)"),
+        Factor::BodyBaseHeightRatio => language.pick("body/base height", "탑신/기단 높이비"),
+    }
+}
+
+/// What a damage state is called, 0 to 3.
+pub fn state_words(state: usize, language: Language) -> &'static str {
+    match state {
+        0 => "DS1",
+        1 => "DS2",
+        2 => "DS3",
+        _ => language.pick("falls", "낙하·전도"),
+    }
+}
+
+/// Probability that something of a rate comes true in [`YEARS`].
+pub fn probability_in_years(annual_rate: f64) -> f64 {
+    -(-annual_rate * YEARS).exp_m1()
+}
+
+/// How a capacity is known, as a word of tables.
+pub fn known_word(known: Known) -> &'static str {
+    match known {
+        Known::Found => "found",
+        Known::AtLeast => "at_least",
+        Known::AtMost => "at_most",
+    }
+}
+
+/// What a capacity rests on.
+pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
+    match &entry.basis {
+        Basis::Study { name, scans } => language.pick(
+            format!("study {name}, {scans} scans"),
+            format!("해석 {name}, {scans}조"),
+        ),
+        Basis::Score { outside, .. } if outside.is_empty() => language.pick("score", "점수").to_owned(),
+        Basis::Score { outside, .. } => {
+            let names: Vec<&str> = outside
+                .iter()
+                .map(|factor| factor_words(*factor, language))
+                .collect();
+            let names = names.join("; ");
+            language.pick(
+                format!("score, EXTRAPOLATED: {names}"),
+                format!("점수(학습 범위 밖: {names})"),
+            )
+        }
+    }
+}
+
+/// θ in g, with the sign of a bound.
+pub fn capacity_words(capacity: &KnownCapacity, gravity_m_s2: f64) -> String {
+    let g = significant(capacity.fragility.theta() / gravity_m_s2, 2);
+    match capacity.known {
+        Known::Found => g,
+        Known::AtLeast => format!("> {g}"),
+        Known::AtMost => format!("< {g}"),
+    }
+}
+
+/// The factor that lowers the capacity most, and by how much.
+pub fn reason_words(entry: &PortfolioEntry, language: Language) -> String {
+    match entry.worst_factor() {
+        Some((factor, share)) => {
+            let percent = 100.0 * share.exp_m1();
+            format!("{}: {percent:+.0} %", factor_words(factor, language))
+        }
+        None => "–".to_owned(),
+    }
+}
+
+/// Structures that falls alone would put far further back than the state does, each in a sentence.
+pub fn misjudged(answer: &PortfolioAnswer, language: Language) -> Vec<String> {
+    let apart = (PART_APART * answer.entries.len() as f64).max(1.0);
+    let mut found = Vec::new();
+    if answer.state == 3 {
+        return found;
+    }
+    let state = state_words(answer.state, language);
+    for (place, entry, _) in answer.rows() {
+        let Some(falls) = answer.by_falls.get(place.candidate).copied().flatten() else {
+            continue;
+        };
+        if falls as f64 - place.rank as f64 >= apart {
+            let (name, rank) = (&entry.name, place.rank);
+            found.push(language.pick(
+                format!(
+                    "{name}: place {rank} by {state}, but {falls} by falls alone: it is damaged long before anything falls"
+                ),
+                format!(
+                    "{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 떨어지기 훨씬 전에 손상된다"
+                ),
+            ));
+        }
+    }
+    found
+}

@@ -1,0 +1,7 @@
+//! The six-factor score: simulated designs as a table, and what the score says of a pagoda.
+
+mod answer;
+mod designs;
+
+pub use answer::{ScoreAnswer, ScoreQuality, StateScore};
+pub use designs::{SCORE_STATES, ScoreDesign, ScoreDesigns, ScoreDesignsError};
