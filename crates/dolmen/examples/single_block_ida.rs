@@ -96,7 +96,7 @@ fn read(folder: &str) -> Vec<GroundMotion> {
         let rows: Vec<(f64, f64)> = text.lines().skip(1).map(pair).collect();
         let step_s = (rows[rows.len() - 1].0 - rows[0].0) / (rows.len() - 1) as f64;
         let ground = rows.iter().map(|row| row.1 * GRAVITY_M_S2).collect();
-        GroundMotion::new(&path.display().to_string(), step_s, vec![(Component::X, ground)]).unwrap()
+        GroundMotion::new(path.display().to_string(), step_s, vec![(Component::X, ground)]).unwrap()
     };
     paths.iter().map(motion).collect()
 }

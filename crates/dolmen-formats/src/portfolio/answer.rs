@@ -53,7 +53,7 @@ impl PortfolioEntry {
         };
         let all = Factor::ALL.into_iter().zip(*reasons);
         all.min_by(|a, b| a.1.total_cmp(&b.1))
-            .filter(|worst| worst.1 < 0.0)
+            .filter(|worst| worst.1 < -REASON_LEAST)
     }
 }
 

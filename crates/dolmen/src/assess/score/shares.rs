@@ -49,7 +49,7 @@ pub fn factor_shares(
 ) -> Result<FactorShares, AssessError> {
     let (x, y) = coordinates(designs)?;
     let whole = shares_of(&x, &y)?;
-    let mut drawn = vec![Vec::with_capacity(resamples); 6];
+    let mut drawn: Vec<Vec<f64>> = vec![Vec::new(); 6];
     for resample in 0..resamples {
         let half = random_half(designs.len(), &mut Random::new(seed, resample as u64));
         let half_x: Vec<[f64; 6]> = half.iter().map(|i| x[*i]).collect();
