@@ -21,4 +21,4 @@ pub use identify::identification_json;
 pub use motion::motion_report_json;
 pub use simulation::simulation_json;
 pub use study::study_json;
-pub use tune::tune_json;
+pub use tune::{together_json, tune_json};
