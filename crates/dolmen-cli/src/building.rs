@@ -1,11 +1,11 @@
 //! The check of a building: storeys, modes, dampers, the spectrum of its site.
 
-use anyhow::Result;
+use anyhow::{Context as _, Result};
 use dolmen::assess::demand::SiteDemand;
 use dolmen::dynamics::{DirectionalCombination, ModalCombination, SpectralAnalysis, spectral_analysis};
 use dolmen::structure::Building;
 use dolmen::structure::building::{PDelta, PlanDirection, StoreyFall, storey_falls};
-use dolmen_formats::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
+use dolmen_formats::building::{BuildingAnswer, BuildingSpectral, MINOR_RATIO, StandingBuilding};
 use dolmen_formats::project::{BuildingPart, Pick, Project};
 
 /// What is known of a building, each input with the value that `pick` chooses.
@@ -28,28 +28,36 @@ pub(crate) fn check(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> R
 
 fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<StandingBuilding> {
     let building = part.build(pick)?;
-    let vibrating = part.vibrating(building, &[], pick)?;
+    let vibrating = part.vibrating(building, pick)?;
     let dampers = part.dampers(vibrating.building(), vibrating.modes(), pick)?;
-    let spectral = match &project.site {
-        None => None,
-        // what the spectrum refuses is said with the demand of the site
-        Some(site) => site.demand().ok().and_then(|site| {
-            let read = |period_s: f64, damping_ratio: f64| -> Result<[f64; 2]> {
-                Ok([spectral_acceleration(&site, period_s, damping_ratio)?; 2])
+    let mut spectral_refused = None;
+    let mut spectral = None;
+    // a site that is refused is said with its demand
+    if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
+        let read = |period_s: f64, damping_ratio: f64| -> Result<[f64; 2]> {
+            let read = spectral_acceleration(&site, period_s, damping_ratio);
+            let of = || {
+                format!(
+                    "a mode has a period of {period_s:.4} s and {:.3} % damping, and every mode counts",
+                    100.0 * damping_ratio
+                )
             };
-            spectral_analysis(&vibrating, read).ok()
-        }),
-    };
-    let spectral = match spectral {
-        None => None,
-        Some(analysis) => Some(by_spectrum(part, vibrating.building(), &analysis, pick)?),
-    };
+            Ok([read.with_context(of)?; 2])
+        };
+        match spectral_analysis(&vibrating, read) {
+            Ok(analysis) => {
+                spectral = Some(by_spectrum(part, vibrating.building(), &analysis, pick)?);
+            }
+            Err(why) => spectral_refused = Some(format!("{why:#}")),
+        }
+    }
     Ok(StandingBuilding {
         building: vibrating.building().clone(),
         modes: vibrating.modes().clone(),
         damping_ratios: vibrating.damping_ratios().to_vec(),
         dampers,
         spectral,
+        spectral_refused,
     })
 }
 
@@ -73,8 +81,8 @@ fn by_spectrum(
     ]
     .map(|modal| {
         [
-            analysis.largest(&shear_x, modal, DirectionalCombination::XAlone),
-            analysis.largest(&shear_y, modal, DirectionalCombination::YAlone),
+            analysis.largest(&shear_x, modal, DirectionalCombination::Srss),
+            analysis.largest(&shear_y, modal, DirectionalCombination::Srss),
         ]
     });
     let (mut displacement_m, mut edge_drift_m) = (Vec::new(), Vec::new());
@@ -85,8 +93,10 @@ fn by_spectrum(
             both(&row)
         };
         displacement_m.push([centre(0), centre(1)]);
-        let [front, back, left, right] = building.edge_drift_rows(i + 1)?;
-        edge_drift_m.push([both(&front).max(both(&back)), both(&left).max(both(&right))]);
+        let rows = building.edge_drift_rows(i + 1)?;
+        edge_drift_m.push(rows.map(|[front, back, left, right]| {
+            [both(&front).max(both(&back)), both(&left).max(both(&right))]
+        }));
     }
     let mut points_m = Vec::new();
     for point in &part.points {
@@ -102,6 +112,10 @@ fn by_spectrum(
         modes: analysis.modes.clone(),
         base_shear_n,
         base_torque_n_m: both(&torque),
+        least_favourable: [
+            analysis.least_favourable(&shear_x, MINOR_RATIO)?,
+            analysis.least_favourable(&shear_y, MINOR_RATIO)?,
+        ],
         displacement_m,
         edge_drift_m,
         points_m,

@@ -98,6 +98,7 @@ pub(crate) fn answer(
         frame_simulations: Vec::new(),
         chain_simulations: Vec::new(),
         tunings: Vec::new(),
+        together: Vec::new(),
         building_simulations: Vec::new(),
         studies: Vec::new(),
     })

@@ -33,7 +33,7 @@ pub(crate) enum Verb {
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
-    /// A stack, frame or chain under a ground motion: rocking, sliding, slipping, falling
+    /// A stack, frame, chain or building under a ground motion: rocking, sliding, slipping, swaying, falling
     Simulate(Simulate),
     /// Runs over grids of inputs, samples, motions and growing shaking; resumable, in shards
     Study(Study),
@@ -123,7 +123,7 @@ pub(crate) struct Identify {
 
 #[derive(Debug, Args)]
 pub(crate) struct Simulate {
-    /// Project file of a stack, frame or chain, or a folder that holds project.toml
+    /// Project file of a stack, frame, chain or building, or a folder that holds project.toml
     pub(crate) project: PathBuf,
     #[command(flatten)]
     pub(crate) motion: Motion,
@@ -146,11 +146,11 @@ pub(crate) struct Simulate {
     #[arg(long, value_enum, default_value_t = Points::P16)]
     pub(crate) points: Points,
     /// Time step, s; the longest stable one times .9 without it, with --law rigid 1e-3; of a building that of the histories
-    #[arg(long, value_name = "S")]
+    #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) step: Option<f64>,
     /// Length of the run, s; without it the motion and 2 s more for a stack, then until it rests, 20 s more for a frame or chain, 60 s for a
-    /// push alone
-    #[arg(long, value_name = "S")]
+    /// push alone; for a building 20 s more, and ten periods of its slowest mode or damper at least
+    #[arg(long, value_name = "S", value_parser = positive)]
     pub(crate) duration: Option<f64>,
     /// Time between samples of the histories, s
     #[arg(long, value_name = "S", default_value_t = 0.01)]
@@ -194,6 +194,15 @@ pub(crate) struct Tune {
     /// Places of the map along each side of the floor
     #[arg(long, value_name = "N", default_value_t = 60, value_parser = clap::value_parser!(u16).range(2..=400).map(usize::from))]
     pub(crate) map: usize,
+    /// What is designed keeps its stroke's standard deviation to this part of that of the damper as in the file
+    #[arg(long, value_name = "RATIO", value_parser = positive)]
+    pub(crate) stroke_most: Option<f64>,
+    /// What is designed is the best for frequencies off by so much either way, 0.1 for 10 %
+    #[arg(long, value_name = "RATIO", default_value_t = 0.0, value_parser = below_half)]
+    pub(crate) off: f64,
+    /// With several dampers: also share the sum of their masses anew
+    #[arg(long)]
+    pub(crate) share_mass: bool,
     /// Write results (JSON) and figures (SVG) into this folder, one below it a damper
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
@@ -215,9 +224,20 @@ impl Tune {
             load_direction: None,
             goal: TuneGoal::LargestRms,
             map: 24,
+            stroke_most: None,
+            off: 0.0,
+            share_mass: false,
             output: None,
             language: Language::En,
         }
+    }
+}
+
+/// 0 or more, below one half.
+fn below_half(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(value) if (0.0..0.5).contains(&value) => Ok(value),
+        _ => Err("must be 0 or more, below 0.5".to_owned()),
     }
 }
 
@@ -254,7 +274,7 @@ pub(crate) enum TuneGoal {
 }
 
 /// The law of contact.
-#[derive(Clone, Copy, Debug, ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub(crate) enum Law {
     /// Springs, dashpots, friction
     Springs,

@@ -1,8 +1,8 @@
 //! What an earthquake asks for at the site of a project.
 
 use anyhow::Result;
-use dolmen::assess::demand::{SiteDemand, stack_against_site};
-use dolmen::assess::{AssessError, StackCheckOptions};
+use dolmen::assess::StackCheckOptions;
+use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
 use dolmen_formats::answer::{Check, DemandAnswer, SpectralAt};
 use dolmen_formats::building::BuildingAnswer;
@@ -20,10 +20,17 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
         refused: None,
     };
     for (direction, period_s) in periods(check) {
-        match read(&answer.site, period_s) {
+        // of a building the modes' own damping is known, and its response is read at that
+        let own = match check {
+            Check::Building(building) => sway(building, &direction).map(|(_, damping_ratio)| damping_ratio),
+            _ => None,
+        };
+        let damping_ratio = own.unwrap_or(answer.site.damping_ratio);
+        match answer.site.spectrum.acceleration_m_s2(period_s, damping_ratio) {
             Ok(acceleration_m_s2) => answer.spectral.push(SpectralAt {
                 direction,
                 period_s,
+                damping_ratio,
                 acceleration_m_s2,
             }),
             Err(why) => answer.refused = Some(why.to_string()),
@@ -47,10 +54,6 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
         }
     }
     Ok(Some(answer))
-}
-
-fn read(site: &SiteDemand, period_s: f64) -> Result<f64, AssessError> {
-    site.spectrum.acceleration_m_s2(period_s, site.damping_ratio)
 }
 
 /// First periods that are known, by direction, s.
@@ -98,15 +101,21 @@ fn periods(check: &Check) -> Vec<(String, f64)> {
 
 /// The frequency of the mode that has the most mass along "x" or "y", Hz.
 pub(crate) fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<f64> {
+    sway(answer, direction).map(|(frequency_hz, _)| frequency_hz)
+}
+
+/// That mode's frequency, Hz, and damping ratio.
+fn sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)> {
     let axis = match direction {
         "x" => 0,
         "y" => 1,
         _ => return None,
     };
-    let modes = &answer.stands.as_ref()?.modes.modes;
-    let largest = modes.iter().reduce(|most, mode| {
-        let more = mode.effective_mass[axis] > most.effective_mass[axis];
-        if more { mode } else { most }
+    let standing = answer.stands.as_ref()?;
+    let pairs = standing.modes.modes.iter().zip(&standing.damping_ratios);
+    let largest = pairs.reduce(|most, own| {
+        let more = own.0.effective_mass[axis] > most.0.effective_mass[axis];
+        if more { own } else { most }
     });
-    largest.map(|mode| mode.frequency_hz)
+    largest.map(|(mode, damping_ratio)| (mode.frequency_hz, *damping_ratio))
 }

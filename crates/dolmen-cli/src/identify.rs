@@ -38,6 +38,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         frame_simulations: Vec::new(),
         chain_simulations: Vec::new(),
         tunings: Vec::new(),
+        together: Vec::new(),
         building_simulations: Vec::new(),
         studies: Vec::new(),
     };

@@ -22,6 +22,7 @@ mod stack_frequencies;
 mod study;
 mod tools;
 mod tune;
+mod tune_together;
 mod validate;
 
 use clap::Parser as _;

@@ -79,7 +79,7 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
         answer.chain_simulations = chains(&answer.project, &file, options, quiet)?;
         answer.building_simulations = buildings(&answer.project, &file, options)?;
     }
-    answer.tunings = tune::of_report(&answer.project, &file)?;
+    (answer.tunings, answer.together) = tune::of_report(&answer.project, &file)?;
     answer.studies = study::of_report(&file, quiet)?;
     Ok(answer)
 }

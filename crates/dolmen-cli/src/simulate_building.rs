@@ -1,15 +1,17 @@
 //! `dolmen simulate` of a building.
 
-use crate::cli::Simulate as Options;
+use crate::cli::{Law, Points, Rotations, Simulate as Options};
 use crate::simulate::language;
 use crate::{Outcome, files};
 use anyhow::{Result, bail};
-use dolmen::dynamics::{BuildingRun, building_history};
+use dolmen::damper::{AttachedDamper, damped_building_history};
+use dolmen::dynamics::{BuildingHistory, BuildingRun, TunedMass, VibratingBuilding, building_history};
+use dolmen::signal::GroundMotion;
 use dolmen::structure::building::{BuildingError, PlanDirection};
 use dolmen_formats::Language;
 use dolmen_formats::figures::building_histories;
 use dolmen_formats::json::building_simulation_json;
-use dolmen_formats::project::{BuildingPart, Names, Project, Quantity};
+use dolmen_formats::project::{BuildingPart, BuiltDamper, Names, Project, Quantity};
 use dolmen_formats::simulation::{
     BuildingSimulation, MotionAnswer, WatchedPoint, building_histories_csv, building_peaks_csv,
 };
@@ -33,6 +35,7 @@ pub(crate) fn run(
     motion: &MotionAnswer,
     (as_json, quiet): (bool, bool),
 ) -> Result<Outcome> {
+    refuse_others(options)?;
     let wish = Wish {
         variant: options.variant.as_deref().map(|name| (name, title)),
         duration_s: options.duration,
@@ -71,34 +74,30 @@ pub(crate) fn simulation(
         Err(BuildingError::Falls { .. }) => return Ok(None),
         Err(why) => return Err(why.into()),
     };
-    let alone = part.vibrating(building, &[], pick)?;
+    let alone = part.vibrating(building, pick)?;
     let dampers = part.dampers(alone.building(), alone.modes(), pick)?;
     let sample_s = motion.motion.time_step_s();
     let run = BuildingRun {
         steps_per_sample: (sample_s / wish.step_s * (1.0 - 1e-9)).ceil().max(1.0) as usize,
         end_s: wish.duration_s,
+        watched: watched(&alone, part)?,
     };
     let without_dampers = match !dampers.is_empty() && wish.compare {
         true => Some(Box::new(building_history(&alone, &motion.motion, &run)?)),
         false => None,
     };
-    let tuned = dampers.iter().map(|damper| damper.tuned.clone()).collect();
-    let vibrating = alone.with_tuned_masses(tuned)?;
-    let history = building_history(&vibrating, &motion.motion, &run)?;
+    let (vibrating, mut history) = moved(alone, &dampers, &motion.motion, &run)?;
+    let mut along = std::mem::take(&mut history.watched).into_iter();
     let mut points = Vec::with_capacity(part.points.len());
     for point in &part.points {
-        let place_m = [point.place[0].value, point.place[1].value];
-        let along = |direction| -> Result<Vec<f64>> {
-            let row = vibrating
-                .building()
-                .point_row(point.floor, place_m[0], place_m[1], direction)?;
-            Ok(history.along(&row))
+        let (Some(x), Some(y)) = (along.next(), along.next()) else {
+            bail!("a point of the file was not watched");
         };
         points.push(WatchedPoint {
             name: point.name.clone(),
             floor: point.floor,
-            place_m,
-            displacement_m: [along(PlanDirection::X)?, along(PlanDirection::Y)?],
+            place_m: [point.place[0].value, point.place[1].value],
+            along: [x, y],
         });
     }
     Ok(Some(BuildingSimulation {
@@ -114,6 +113,65 @@ pub(crate) fn simulation(
         without_dampers,
         points,
     }))
+}
+
+/// Options that are of other kinds would be without effect.
+fn refuse_others(options: &Options) -> Result<()> {
+    let stack = "is for stacks: this file has a building";
+    for (is_given, option, words) in [
+        (options.law != Law::Springs, "--law", stack),
+        (options.points != Points::P16, "--points", stack),
+        (options.to_the_end, "--to-the-end", stack),
+        (
+            options.rotations != Rotations::Large,
+            "--rotations",
+            "is for chains: a building's displacements are small",
+        ),
+        (
+            options.direction.is_some(),
+            "--direction",
+            "names a direction of a frame: a building moves in plan, --turn turns the motion",
+        ),
+    ] {
+        if is_given {
+            bail!("{option} {words}");
+        }
+    }
+    Ok(())
+}
+
+/// Rows of the points of the file, along x and along y.
+fn watched(building: &VibratingBuilding, part: &BuildingPart) -> Result<Vec<Vec<f64>>> {
+    let mut rows = Vec::new();
+    for point in &part.points {
+        let (x, y) = (point.place[0].value, point.place[1].value);
+        for direction in [PlanDirection::X, PlanDirection::Y] {
+            rows.push(building.building().point_row(point.floor, x, y, direction)?);
+        }
+    }
+    Ok(rows)
+}
+
+/// The building in time: mode by mode with tuned masses alone, else everything at once.
+pub(crate) fn moved(
+    building: VibratingBuilding,
+    dampers: &[BuiltDamper],
+    motion: &GroundMotion,
+    run: &BuildingRun,
+) -> Result<(VibratingBuilding, BuildingHistory)> {
+    let masses: Option<Vec<TunedMass>> = dampers.iter().map(BuiltDamper::tuned_mass).collect();
+    match masses {
+        Some(masses) => {
+            let with = building.with_tuned_masses(masses)?;
+            let history = building_history(&with, motion, run)?;
+            Ok((with, history))
+        }
+        None => {
+            let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
+            let history = damped_building_history(&building, &attached, motion, run)?;
+            Ok((building, history))
+        }
+    }
 }
 
 fn write(simulation: &BuildingSimulation, folder: &Path, language: Language) -> Result<()> {

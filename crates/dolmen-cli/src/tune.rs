@@ -2,18 +2,19 @@
 
 use crate::cli::{Tune as Options, TuneGoal, TuneLoad as Load};
 use crate::simulate::language;
+use crate::tune_together::of_all;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::damper::{
-    ComparisonOptions, DamperProblem, DamperSite, Goal, PlacedDamper, Plan, PlanOptions, compare,
+    ComparisonOptions, DamperKind, DamperProblem, DamperSite, Goal, PlacedDamper, Plan, PlanOptions, compare,
 };
 use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
-use dolmen::structure::building::{Building, PlanDirection};
+use dolmen::structure::building::{Building, BuildingModes, PlanDirection};
 use dolmen_formats::figures::tune_figures;
-use dolmen_formats::json::tune_json;
+use dolmen_formats::json::{together_json, tune_json};
 use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
-use dolmen_formats::text::tune_text;
-use dolmen_formats::tune::{TuneAnswer, TuneLoad, TunePoint};
+use dolmen_formats::text::{together_text, tune_text};
+use dolmen_formats::tune::{TogetherAnswer, TuneAnswer, TuneLoad, TunePoint};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -26,13 +27,19 @@ const FILTER_PART: f64 = 0.1;
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
     let open::Opened { project, file } = open::project(&options.project)?;
     let shown = file.display().to_string();
-    let mut answers = Vec::new();
+    let (mut answers, mut together) = (Vec::new(), Vec::new());
     for (version, variant) in versions(&project, options.variant.as_deref())? {
-        answers.extend(answers_of(version, variant, &shown, options)?);
+        answers.extend(answers_of(version, variant.clone(), &shown, options)?);
+        if options.damper.is_none() {
+            together.extend(of_all((version, variant), &shown, options)?);
+        }
     }
-    if answers.is_empty() {
+    if answers.is_empty() && together.is_empty() {
         match &options.damper {
-            Some(name) => bail!("there is no damper \"{name}\" in {shown}"),
+            Some(name) => bail!(
+                "there is no damper \"{name}\" in {shown} that stands at a place to be found: \"tmd\" and \"tlcd\" do, \"tlcmd\" and \"link\" are \
+                 tuned with the others, without --damper"
+            ),
             None => bail!(
                 "{shown} has no damper to tune: write a table such as [damper.roof] with kind = \"tmd\", floor, place, direction, mass_ratio \
                  and tuning, in the file or in a variant"
@@ -41,15 +48,28 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     }
     if as_json {
         let all: Vec<_> = answers.iter().map(tune_json).collect();
-        files::say(&format!("{:#}\n", serde_json::json!({ "dampers": all })))?;
+        let of_all: Vec<_> = together.iter().map(together_json).collect();
+        let json = serde_json::json!({ "dampers": all, "together": of_all });
+        files::say(&format!("{json:#}\n"))?;
     } else {
         for answer in &answers {
             files::say(&tune_text(answer))?;
+        }
+        for answer in &together {
+            files::say(&together_text(answer))?;
         }
     }
     if let Some(folder) = &options.output {
         for answer in &answers {
             write(answer, &folder.join(&answer.damper), options)?;
+        }
+        for answer in &together {
+            let json = format!("{:#}\n", together_json(answer));
+            let name = match &answer.variant {
+                None => "together.json".to_owned(),
+                Some(variant) => format!("together-{variant}.json"),
+            };
+            files::write(&folder.join(name), json.as_bytes())?;
         }
         if !quiet {
             eprintln!("results and figures are in {}", folder.display());
@@ -59,20 +79,17 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
 }
 
 /// The dampers that a report shows, each under a white-noise force along it.
-pub(crate) fn of_report(project: &Project, file: &Path) -> Result<Vec<TuneAnswer>> {
+pub(crate) fn of_report(project: &Project, file: &Path) -> Result<(Vec<TuneAnswer>, Vec<TogetherAnswer>)> {
     let options = Options::of_report(file);
-    let mut answers = Vec::new();
+    let shown = file.display().to_string();
+    let (mut answers, mut together) = (Vec::new(), Vec::new());
     if matches!(project.structure, Structure::Building(_)) {
         for (version, variant) in versions(project, None)? {
-            answers.extend(answers_of(
-                version,
-                variant,
-                &file.display().to_string(),
-                &options,
-            )?);
+            answers.extend(answers_of(version, variant.clone(), &shown, &options)?);
+            together.extend(of_all((version, variant), &shown, &options)?);
         }
     }
-    Ok(answers)
+    Ok((answers, together))
 }
 
 /// The variant that is asked for; else the file as it is if it has dampers; else its variants that do.
@@ -99,7 +116,7 @@ fn versions<'p>(project: &'p Project, variant: Option<&str>) -> Result<Vec<(&'p 
         .collect())
 }
 
-fn part_of(project: &Project) -> Result<&BuildingPart> {
+pub(crate) fn part_of(project: &Project) -> Result<&BuildingPart> {
     match &project.structure {
         Structure::Building(part) => Ok(part),
         _ => bail!(
@@ -121,20 +138,42 @@ fn answers_of(
     let wished = dampers
         .iter()
         .filter(|damper| options.damper.as_ref().is_none_or(|name| *name == damper.name));
-    wished
-        .map(|damper| {
-            let of = Of {
-                project,
-                part,
-                building: &building,
-                variant: variant.clone(),
-                file,
-                options,
-            };
-            of.answer(damper, &modes)
-                .with_context(|| format!("damper.{}", damper.name))
-        })
-        .collect()
+    let mut answers = Vec::new();
+    for damper in wished {
+        let of = Of {
+            project,
+            part,
+            building: &building,
+            variant: variant.clone(),
+            file,
+            options,
+        };
+        let Some(given) = placed(damper, 0) else { continue };
+        let answer = of.answer((damper, given), &modes);
+        let mut answer = answer.with_context(|| format!("damper.{}", damper.name))?;
+        answer.others = dampers.len() - 1;
+        answers.push(answer);
+    }
+    Ok(answers)
+}
+
+/// A damper as one whose place can be found: a mass or a liquid column.
+pub(crate) fn placed(damper: &BuiltDamper, site: usize) -> Option<PlacedDamper> {
+    let length_ratio = match damper.kind {
+        DamperKind::TunedMass { .. } => 1.0,
+        DamperKind::LiquidColumn { length_ratio, .. } => length_ratio,
+        DamperKind::LiquidColumnMass { .. } | DamperKind::Viscous { .. } => return None,
+    };
+    let [frequency_hz, damping_ratio] = damper.own()?;
+    Some(PlacedDamper {
+        site,
+        place_m: damper.place_m,
+        direction_degrees: degrees(damper.direction),
+        mass_kg: damper.kind.mass_kg(),
+        frequency_hz,
+        damping_ratio,
+        length_ratio,
+    })
 }
 
 /// Everything around one damper.
@@ -147,7 +186,7 @@ struct Of<'a> {
     options: &'a Options,
 }
 
-fn degrees(direction: PlanDirection) -> f64 {
+pub(crate) fn degrees(direction: PlanDirection) -> f64 {
     match direction {
         PlanDirection::X => 0.0,
         PlanDirection::Y => 90.0,
@@ -158,75 +197,46 @@ fn degrees(direction: PlanDirection) -> f64 {
 impl Of<'_> {
     fn answer(
         &self,
-        damper: &BuiltDamper,
-        modes: &dolmen::structure::building::BuildingModes,
+        (damper, given): (&BuiltDamper, PlacedDamper),
+        modes: &BuildingModes,
     ) -> Result<TuneAnswer> {
-        let (tuned, building, options) = (&damper.tuned, self.building, self.options);
-        let floor = &building.floors()[tuned.floor - 1];
-        let Some(outline) = &floor.outline else {
-            bail!(
-                "floor {} has no outline, so that places on it are not known: give sides or outline in its table",
-                tuned.floor
-            );
-        };
-        let corners_m = outline.corners_m().to_vec();
+        let (building, options) = (self.building, self.options);
+        let site = site(building, damper.floor)?;
+        let corners_m = site.corners_m.clone();
         let damping = self.part.damping(&mut Quantity::nominal);
-        let structure = LinearSystem::new(
-            building.mass_matrix(),
-            building.damping_matrix(&damping)?,
-            building.stiffness_matrix(),
-        )?;
-        let points = self.points(tuned.floor, &corners_m)?;
+        let Some(aim) = damper.tuned_to else {
+            bail!("it is tuned to no mode");
+        };
+        let points = points(self.part, damper.floor, &corners_m);
         let rows = points.iter().map(|point| {
-            building.point_row(point.floor, point.place_m[0], point.place_m[1], tuned.direction)
+            building.point_row(point.floor, point.place_m[0], point.place_m[1], damper.direction)
         });
         let load_direction = options
             .load_direction
-            .map_or(tuned.direction, PlanDirection::Degrees);
+            .map_or(damper.direction, PlanDirection::Degrees);
         let load = load(options);
-        let column = building.ground_column(load_direction);
         let problem = DamperProblem {
-            structure,
-            loads: vec![RandomLoad {
-                input: match load.is_base() {
-                    true => RandomInput::Base(column),
-                    false => RandomInput::Force(column),
-                },
-                spectrum: spectrum(load),
-            }],
+            structure: structure(building, self.part)?,
+            loads: vec![random_load(building, load, load_direction)],
             points: rows.collect::<Result<_, _>>()?,
-            sites: vec![DamperSite {
-                first_degree_of_freedom: 3 * (tuned.floor - 1),
-                reference_m: floor.centre_m,
-                corners_m: corners_m.clone(),
-            }],
-        };
-        let given = PlacedDamper {
-            site: 0,
-            place_m: [tuned.x_m, tuned.y_m],
-            direction_degrees: degrees(tuned.direction),
-            mass_kg: tuned.mass_kg,
-            frequency_hz: tuned.frequency_hz,
-            damping_ratio: tuned.damping_ratio,
+            sites: vec![site],
+            fixed: Vec::new(),
         };
         let plan = Plan::new(problem, &[given], &PlanOptions::default())?;
-        let mode = &modes.modes[damper.mode - 1];
+        let mode = &modes.modes[aim.mode - 1];
         let ratios = modes.damping_ratios(&damping)?;
-        let goal = match options.goal {
-            TuneGoal::LargestRms => Goal::LargestRms,
-            TuneGoal::MeanSquare => Goal::MeanSquare,
-            TuneGoal::LargestPeak => Goal::LargestPeak,
-        };
+        let goal = goal(options);
         let comparison = compare(
             &plan,
             &given,
             &ComparisonOptions {
-                mode: damper.mode - 1,
-                structure_damping_ratio: ratios[damper.mode - 1],
+                mode: aim.mode - 1,
+                structure_damping_ratio: ratios[aim.mode - 1],
                 base: load.is_base(),
                 goal,
                 map_places: [options.map; 2],
-                stroke_rms_most_m: None,
+                stroke_most: options.stroke_most,
+                off_by: options.off,
                 ..ComparisonOptions::default()
             },
         )?;
@@ -235,46 +245,90 @@ impl Of<'_> {
             name: self.project.name.clone(),
             variant: self.variant.clone(),
             damper: damper.name.clone(),
-            others: self.part.dampers.len() - 1,
-            floor: tuned.floor,
+            others: 0,
+            stroke_most: options.stroke_most,
+            off_by: options.off,
+            floor: damper.floor,
             corners_m,
-            mode: damper.mode,
+            mode: aim.mode,
             mode_frequency_hz: mode.frequency_hz,
-            mode_damping_ratio: ratios[damper.mode - 1],
-            mode_centre_m: mode.centres[tuned.floor - 1].map(|centre| [centre.x_m, centre.y_m]),
+            mode_damping_ratio: ratios[aim.mode - 1],
+            mode_centre_m: mode.centres[damper.floor - 1].map(|centre| [centre.x_m, centre.y_m]),
             load,
             load_direction_degrees: degrees(load_direction),
             points,
-            direction_degrees: degrees(tuned.direction),
+            direction_degrees: degrees(damper.direction),
             goal,
             comparison,
         })
     }
+}
 
-    /// The points of the file, or the corners of the damper's floor.
-    fn points(&self, floor: usize, corners_m: &[[f64; 2]]) -> Result<Vec<TunePoint>> {
-        if self.part.points.is_empty() {
-            let corners = corners_m.iter();
-            return Ok(corners
-                .map(|corner| TunePoint {
-                    name: format!("({}, {})", corner[0], corner[1]),
-                    floor,
-                    place_m: *corner,
-                })
-                .collect());
-        }
-        let each = self.part.points.iter();
-        Ok(each
-            .map(|point| TunePoint {
-                name: point.name.clone(),
-                floor: point.floor,
-                place_m: [point.place[0].value, point.place[1].value],
-            })
-            .collect())
+/// The building with its damping, as the dampers see it.
+pub(crate) fn structure(building: &Building, part: &BuildingPart) -> Result<LinearSystem> {
+    Ok(LinearSystem::new(
+        building.mass_matrix(),
+        building.damping_matrix(&part.damping(&mut Quantity::nominal))?,
+        building.stiffness_matrix(),
+    )?)
+}
+
+/// A floor as a place for dampers.
+pub(crate) fn site(building: &Building, floor: usize) -> Result<DamperSite> {
+    let own = &building.floors()[floor - 1];
+    let Some(outline) = &own.outline else {
+        bail!(
+            "floor {floor} has no outline, so that places on it are not known: give sides or outline in its table"
+        );
+    };
+    Ok(DamperSite {
+        first_degree_of_freedom: 3 * (floor - 1),
+        reference_m: own.centre_m,
+        corners_m: outline.corners_m().to_vec(),
+    })
+}
+
+pub(crate) fn random_load(building: &Building, load: TuneLoad, direction: PlanDirection) -> RandomLoad {
+    let column = building.ground_column(direction);
+    RandomLoad {
+        input: match load.is_base() {
+            true => RandomInput::Base(column),
+            false => RandomInput::Force(column),
+        },
+        spectrum: spectrum(load),
     }
 }
 
-fn load(options: &Options) -> TuneLoad {
+pub(crate) fn goal(options: &Options) -> Goal {
+    match options.goal {
+        TuneGoal::LargestRms => Goal::LargestRms,
+        TuneGoal::MeanSquare => Goal::MeanSquare,
+        TuneGoal::LargestPeak => Goal::LargestPeak,
+    }
+}
+
+/// The points of the file, or the corners of a floor.
+pub(crate) fn points(part: &BuildingPart, floor: usize, corners_m: &[[f64; 2]]) -> Vec<TunePoint> {
+    if part.points.is_empty() {
+        let corners = corners_m.iter();
+        return corners
+            .map(|corner| TunePoint {
+                name: format!("({}, {})", corner[0], corner[1]),
+                floor,
+                place_m: *corner,
+            })
+            .collect();
+    }
+    let each = part.points.iter();
+    each.map(|point| TunePoint {
+        name: point.name.clone(),
+        floor: point.floor,
+        place_m: [point.place[0].value, point.place[1].value],
+    })
+    .collect()
+}
+
+pub(crate) fn load(options: &Options) -> TuneLoad {
     match options.load {
         Load::Force => TuneLoad::Force,
         Load::Wind => TuneLoad::Wind {

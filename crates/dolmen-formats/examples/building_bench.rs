@@ -34,10 +34,14 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let pick = &mut Quantity::nominal;
     let building = part.build(pick)?;
     let dampers = part.dampers(&building, &building.modes()?, pick)?;
-    let vibrating = part.vibrating(building, &dampers, pick)?;
+    let masses: Option<Vec<_>> = dampers.iter().map(|damper| damper.tuned_mass()).collect();
+    let vibrating = part
+        .vibrating(building, pick)?
+        .with_tuned_masses(masses.ok_or("not all dampers are masses")?)?;
     let run = BuildingRun {
         steps_per_sample: 4,
         end_s: Some(40.0),
+        ..BuildingRun::default()
     };
     let (start, mut runs, mut top) = (cpu_s(), 0, 0.0);
     while runs == 0 || cpu_s() - start < AT_LEAST_S {

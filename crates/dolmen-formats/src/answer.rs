@@ -4,7 +4,7 @@ use crate::building::BuildingAnswer;
 use crate::project::{Names, Project};
 use crate::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use crate::study::StudyAnswer;
-use crate::tune::TuneAnswer;
+use crate::tune::{TogetherAnswer, TuneAnswer};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
@@ -40,6 +40,8 @@ pub struct Answer {
     pub chain_simulations: Vec<ChainSimulation>,
     /// Dampers of a building beside the rule and the best.
     pub tunings: Vec<TuneAnswer>,
+    /// All dampers of a version at once, where there are several.
+    pub together: Vec<TogetherAnswer>,
     /// The building under a ground motion, as it is and in its variants.
     pub building_simulations: Vec<BuildingSimulation>,
     /// Studies that were run before, in the order of the file.
@@ -95,6 +97,8 @@ pub struct SpectralAt {
     pub direction: String,
     /// T₁, s.
     pub period_s: f64,
+    /// ζ at which the spectrum is read: that of the mode of a building, else that of the site.
+    pub damping_ratio: f64,
     /// S_a(T₁, ζ), m/s².
     pub acceleration_m_s2: f64,
 }

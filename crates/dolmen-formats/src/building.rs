@@ -1,7 +1,7 @@
 //! What `dolmen check` found of a building.
 
 use crate::project::{BuiltDamper, StoreyStiffnessPart};
-use dolmen::dynamics::SpectralMode;
+use dolmen::dynamics::{LeastFavourable, SpectralMode};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, StoreyFall};
 
@@ -36,7 +36,12 @@ pub struct StandingBuilding {
     pub dampers: Vec<BuiltDamper>,
     /// Against the spectrum of its site, without dampers; `None` without a site.
     pub spectral: Option<BuildingSpectral>,
+    /// Why there is none although the site has one.
+    pub spectral_refused: Option<String>,
 }
+
+/// The weaker horizontal component over the stronger: Menun & Der Kiureghian (1998) give 0.5 to 0.85; the larger is taken.
+pub const MINOR_RATIO: f64 = 0.85;
 
 /// Largest responses by the spectrum of the site, modes put together by CQC, shaking along x and y by the square root of the
 /// sum of squares.
@@ -44,14 +49,16 @@ pub struct StandingBuilding {
 pub struct BuildingSpectral {
     /// The modes in the spectrum.
     pub modes: Vec<SpectralMode>,
-    /// Base shear along x under shaking along x and along y under shaking along y, N: absolute sum, SRSS, CQC.
+    /// Shear in the walls of the lowest storey along x and y, N: modes by absolute sum, SRSS, CQC.
     pub base_shear_n: [[f64; 2]; 3],
-    /// Base torque about the centre of mass, N·m.
+    /// Their torque about the vertical through the centre of all mass, N·m.
     pub base_torque_n_m: f64,
+    /// The base shear along x and y in the least favourable direction of shaking, the weaker component [`MINOR_RATIO`] of the stronger.
+    pub least_favourable: [LeastFavourable; 2],
     /// Displacement of the centre of mass of each floor along x and y, m.
     pub displacement_m: Vec<[f64; 2]>,
-    /// Largest drift of each storey at an edge of its floor along x and y, m.
-    pub edge_drift_m: Vec<[f64; 2]>,
+    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
+    pub edge_drift_m: Vec<Option<[f64; 2]>>,
     /// Displacement of the points of the file along x and y, m.
     pub points_m: Vec<(String, [f64; 2])>,
 }

@@ -1,7 +1,7 @@
 //! A damper of a building beside the rule and the best: what `dolmen tune` computes, and text, JSON, figures and report print.
 
-use crate::project::Names;
-use dolmen::damper::{Choice, Compared, Comparison, Goal};
+use crate::project::{BuiltDamper, Names};
+use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, Goal};
 
 /// What acts while a damper is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,8 +91,12 @@ pub struct TuneAnswer {
     pub variant: Option<String>,
     /// The damper's table.
     pub damper: String,
-    /// Other dampers of the file, which are left out while this one is judged.
+    /// Other dampers of the file, which are left out while this one is judged alone.
     pub others: usize,
+    /// What is designed keeps to this stroke, over that of the file's damper.
+    pub stroke_most: Option<f64>,
+    /// What is designed is the best for frequencies off by so much either way.
+    pub off_by: f64,
     /// Its floor, from 1.
     pub floor: usize,
     /// Corners of the floor, m.
@@ -120,14 +124,14 @@ pub struct TuneAnswer {
 }
 
 impl TuneAnswer {
-    /// A row's standard deviations over those without a damper.
+    /// What the goal is made of at each point, over that without a damper: standard deviations, or largest amplitudes.
     pub fn ratios(&self, row: &Compared) -> Vec<f64> {
-        self.over_without(&row.judged.point_rms)
+        self.over_without(&row.point_values)
     }
 
-    /// Standard deviations over those without a damper.
-    pub fn over_without(&self, point_rms: &[f64]) -> Vec<f64> {
-        let each = point_rms.iter().zip(&self.comparison.without);
+    /// Values of the points over those without a damper.
+    pub fn over_without(&self, values: &[f64]) -> Vec<f64> {
+        let each = values.iter().zip(&self.comparison.without);
         each.map(|(with, without)| with / without).collect()
     }
 
@@ -155,6 +159,93 @@ impl TuneAnswer {
             each.min_by(|a, b| (a.factor - of).abs().total_cmp(&(b.factor - of).abs()))
         };
         Some(near(factor)?.cost / near(1.0)?.cost - 1.0)
+    }
+}
+
+/// What a row of all dampers shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TogetherChoice {
+    /// None of them.
+    Without,
+    /// All as in the file.
+    Given,
+    /// One alone as in the file, by its name.
+    Only(String),
+    /// All but one as in the file.
+    AllBut(String),
+    /// All where they are, their tunings searched together.
+    TunedBest,
+    /// Masses and liquid columns placed and tuned best together, the rest tuned before.
+    Best,
+    /// The same, the sum of the masses shared anew.
+    BestShared,
+}
+
+impl TogetherChoice {
+    /// Its name in JSON.
+    pub fn name(&self) -> &'static str {
+        match self {
+            TogetherChoice::Without => "without",
+            TogetherChoice::Given => "given",
+            TogetherChoice::Only(_) => "only",
+            TogetherChoice::AllBut(_) => "all_but",
+            TogetherChoice::TunedBest => "tuned_best",
+            TogetherChoice::Best => "best",
+            TogetherChoice::BestShared => "best_shared",
+        }
+    }
+}
+
+/// One row of all dampers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TogetherRow {
+    /// Which.
+    pub choice: TogetherChoice,
+    /// The dampers that are there, with their places and directions.
+    pub dampers: Vec<BuiltDamper>,
+    /// Standard deviation of each point along each direction, by assembled matrices.
+    pub point_rms: Vec<f64>,
+    /// Standard deviation of each stroke, m.
+    pub stroke_rms_m: Vec<f64>,
+    /// The goal.
+    pub cost: f64,
+    /// How a search ended; `None` for what was not searched.
+    pub end: Option<DesignEnd>,
+}
+
+/// All dampers of a project at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TogetherAnswer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// The building.
+    pub name: Names,
+    /// The variant of the file; `None`: as it is.
+    pub variant: Option<String>,
+    /// What acts.
+    pub load: TuneLoad,
+    /// Along each of these, degrees from x, independently.
+    pub load_directions_degrees: Vec<f64>,
+    /// Points with the direction in which each is taken, degrees from x.
+    pub points: Vec<(TunePoint, f64)>,
+    /// What is made small: standard deviations.
+    pub goal: Goal,
+    /// What is designed keeps to this stroke, over those of the file's dampers.
+    pub stroke_most: Option<f64>,
+    /// Without, given, each alone, all but each, tuned, placed, shared.
+    pub rows: Vec<TogetherRow>,
+}
+
+impl TogetherAnswer {
+    /// Standard deviations over those without dampers.
+    pub fn ratios(&self, row: &TogetherRow) -> Vec<f64> {
+        let without = self.rows.first().map_or(&[][..], |row| &row.point_rms);
+        row.point_rms.iter().zip(without).map(|(a, b)| a / b).collect()
+    }
+
+    /// The goal over that without dampers.
+    pub fn cost_ratio(&self, row: &TogetherRow) -> f64 {
+        row.cost / self.rows.first().map_or(f64::NAN, |row| row.cost)
     }
 }
 

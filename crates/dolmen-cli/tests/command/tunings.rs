@@ -6,7 +6,7 @@ use super::verbs::Scratch;
 use std::fs;
 
 fn ratios(choice: &serde_json::Value) -> Vec<f64> {
-    let list = choice["point_rms_ratio"].as_array().unwrap();
+    let list = choice["point_ratio"].as_array().unwrap();
     list.iter().map(|ratio| ratio.as_f64().unwrap()).collect()
 }
 
@@ -97,4 +97,123 @@ fn refuses_what_has_no_damper_to_tune() {
         "{}",
         answer.stderr
     );
+}
+
+#[test]
+fn holds_all_dampers_are_judged_together_and_apart() {
+    let scratch = Scratch::with_examples("tune_together");
+    let answer = scratch.dolmen("--json tune examples/several_dampers --map 3 --share-mass");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let names: Vec<&str> = json["dampers"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|one| one["damper"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["pair-1", "pair-2", "tank"]);
+    let rows = json["together"][0]["rows"].as_array().unwrap();
+    let choices: Vec<&str> = rows.iter().map(|row| row["choice"].as_str().unwrap()).collect();
+    let mut expected = vec!["without", "given"];
+    expected.extend(["only"; 5]);
+    expected.extend(["all_but"; 5]);
+    expected.extend(["tuned_best", "best", "best_shared"]);
+    assert_eq!(choices, expected);
+    let cost = |choice: &str| {
+        let row = rows.iter().find(|row| row["choice"] == choice).unwrap();
+        row["cost_ratio"].as_f64().unwrap()
+    };
+    assert_eq!(cost("without"), 1.0);
+    assert!(cost("given") < 1.0 && cost("tuned_best") < cost("given"));
+    assert!(cost("best") <= cost("tuned_best") * (1.0 + 1e-6));
+    assert!(cost("best_shared") <= cost("best") * (1.0 + 1e-6));
+    // one alone in the table of all is the one judged alone
+    let alone = &json["dampers"][2]["choices"][0];
+    let only = rows.iter().find(|row| row["damper"] == "tank").unwrap();
+    let ratios = only["point_ratio"].as_array().unwrap();
+    for (a, b) in ratios.iter().zip(alone["point_ratio"].as_array().unwrap()) {
+        assert!((a.as_f64().unwrap() - b.as_f64().unwrap()).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn regress_a_damper_far_out_of_tune_is_tuned_as_well_as_one_in_tune() {
+    let scratch = Scratch::with_examples("tune_far_off");
+    let path = scratch.path().join("examples/far_from_the_centre/project.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let off = text.replace("tuning = \"den_hartog\"", "frequency = 1.2\ndamping_ratio = 0.1");
+    fs::write(&path, off).unwrap();
+    let answer = scratch.dolmen("--json tune examples/far_from_the_centre --map 10");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let damper = &json["dampers"][0];
+    let best = &damper["choices"][4];
+    close(&ratios(best), &[0.5642, 0.4621]);
+    let tuned = damper["choices"][2]["cost_ratio"].as_f64().unwrap();
+    assert!((tuned - 0.469_26).abs() < 5e-5, "{tuned}");
+    let without = damper["cost_without_damper"].as_f64().unwrap();
+    let cells = damper["map"]["cells"].as_array().unwrap();
+    let costs = cells.iter().map(|cell| cell["cost"].as_f64().unwrap() / without);
+    let least = costs.fold(f64::INFINITY, f64::min);
+    assert!(least > 0.4620 && least < 0.4680, "{least}");
+}
+
+#[test]
+fn regress_peaks_are_compared_with_peaks() {
+    let scratch = Scratch::with_examples("tune_peak");
+    let answer = scratch.dolmen("tune examples/far_from_the_centre --goal largest-peak -o out");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(
+        answer.stdout.contains("Largest amplitude under a harmonic load"),
+        "{}",
+        answer.stdout
+    );
+    let out = scratch.path().join("out/tmd");
+    let text = fs::read_to_string(out.join("tune.json")).unwrap();
+    let json: serde_json::Value = serde_json::from_str(&text).unwrap();
+    assert!(json["map"]["cells"].as_array().unwrap().is_empty());
+    assert!(!out.join("plan.svg").exists() && !out.join("position.svg").exists());
+    // the goal is the largest of the points, over the largest without
+    let without: Vec<f64> = json["points"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|point| point["without_damper"].as_f64().unwrap())
+        .collect();
+    for row in json["choices"].as_array().unwrap() {
+        let each = ratios(row)
+            .into_iter()
+            .zip(&without)
+            .map(|(ratio, without)| ratio * without);
+        let largest = each.fold(0.0, f64::max);
+        let cost = row["cost"].as_f64().unwrap();
+        assert!((largest / cost - 1.0).abs() < 1e-9, "{largest} {cost}");
+    }
+}
+
+#[test]
+fn regress_a_mode_that_does_not_turn_has_no_farthest_place() {
+    let scratch = Scratch::new("tune_rule");
+    let text = r#"schema = 1
+kind = "building"
+name = "rule"
+p_delta = false
+floors = [
+  { mass = 1e5, sides = [12, 8], height = 30, stiffness = { x = 4e6, y = 5.4e6, rotation = 2e8, centre = [0, 0] } },
+]
+damping.ratio = 0.02
+[damper.d0]
+kind = "tmd"
+floor = 1
+place = [1, 0]
+direction = "x"
+mass_ratio = 0.05
+tuning = "den_hartog"
+"#;
+    fs::write(scratch.path().join("rule.toml"), text).unwrap();
+    let answer = scratch.dolmen("--json tune rule.toml --map 4");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let rule = &json["dampers"][0]["choices"][1];
+    assert_eq!(rule["damper"]["place_m"], serde_json::json!([1.0, 0.0]));
 }

@@ -10,6 +10,7 @@ use crate::building::StandingBuilding;
 use crate::number::significant;
 use crate::simulation::BuildingSimulation;
 use dolmen::dynamics::BuildingHistory;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 
 /// Largest width and height of the drawn floor, px.
@@ -150,8 +151,8 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
         );
     }
     for damper in &standing.dampers {
-        let at = view.px([damper.tuned.x_m, damper.tuned.y_m]);
-        let [cos, sin] = damper.tuned.direction.unit();
+        let at = view.px(damper.place_m);
+        let [cos, sin] = damper.direction.unit();
         let line = Line::new(ORANGE, 2.0);
         for sign in [-1.0, 1.0] {
             let to = [at[0] + sign * 24.0 * cos, at[1] - sign * 24.0 * sin];
@@ -159,10 +160,7 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
         }
         scene.marker(at, Shape::Square, 5.0, ORANGE);
         let word = language.pick("damper", "제진장치");
-        let floor = language.pick(
-            format!("floor {}", damper.tuned.floor),
-            format!("{}층", damper.tuned.floor),
-        );
+        let floor = language.pick(format!("floor {}", damper.floor), format!("{}층", damper.floor));
         words.line(
             &mut scene,
             Some((Shape::Square, ORANGE)),
@@ -314,10 +312,10 @@ pub fn building_histories(simulation: &BuildingSimulation, language: Language) -
         language.pick("Base shear", "밑면전단력"),
     );
     let strokes: Vec<Series> = simulation
-        .dampers
-        .iter()
+        .stroke_names()
+        .into_iter()
         .enumerate()
-        .map(|(d, damper)| of(history, top + 3 + d, 1e3, damper.name.clone()))
+        .map(|(d, name)| of(history, top + 3 + d, 1e3, name))
         .collect();
     if !strokes.is_empty() {
         add(
@@ -328,22 +326,40 @@ pub fn building_histories(simulation: &BuildingSimulation, language: Language) -
         );
     }
     for (i, point) in simulation.points.iter().enumerate() {
-        let along = |axis: usize, name: &str| Series {
+        let along = |values: &[f64], name: &str, factor: f64| Series {
             name: name.to_owned(),
-            points: point.displacement_m[axis]
+            points: values
                 .iter()
                 .enumerate()
-                .map(|(step, value)| [history.time_s(step), 1e3 * value])
+                .map(|(step, value)| [history.time_s(step), factor * value])
                 .collect(),
         };
+        let [x, y] = &point.along;
         let title = language.pick(
             format!("Displacement of point {}", point.name),
             format!("{} 지점의 변위", point.name),
         );
         add(
             &format!("point-{}", i + 1),
-            &[along(0, "x"), along(1, "y")],
+            &[
+                along(&x.displacement_m, "x", 1e3),
+                along(&y.displacement_m, "y", 1e3),
+            ],
             displacement,
+            &title,
+        );
+        let title = language.pick(
+            format!("Acceleration of point {}, with that of the ground", point.name),
+            format!("{} 지점의 절대가속도", point.name),
+        );
+        let in_g = 1.0 / STANDARD_GRAVITY_M_S2;
+        add(
+            &format!("acceleration-{}", i + 1),
+            &[
+                along(&x.acceleration_m_s2, "x", in_g),
+                along(&y.acceleration_m_s2, "y", in_g),
+            ],
+            acceleration,
             &title,
         );
     }

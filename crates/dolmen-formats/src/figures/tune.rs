@@ -30,7 +30,9 @@ pub fn tune_figures(answer: &TuneAnswer, language: Language) -> Vec<Figure> {
     if answer.comparison.line_given.len() > 1 {
         add("position", position(answer, language));
     }
-    add("plan", plan(answer, language));
+    if !answer.comparison.map.cells.is_empty() {
+        add("plan", plan(answer, language));
+    }
     add("robustness", robustness(answer, language));
     figures
 }

@@ -1,9 +1,10 @@
 //! A building as JSON: its check, its simulation.
 
 use super::simulation::motion_json;
-use crate::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
+use crate::building::{BuildingAnswer, BuildingSpectral, MINOR_RATIO, StandingBuilding};
 use crate::project::BuiltDamper;
 use crate::simulation::BuildingSimulation;
+use dolmen::damper::DamperKind;
 use dolmen::dynamics::{BuildingPeaks, HistoryMethod, Peak};
 use serde_json::{Value, json};
 
@@ -47,17 +48,41 @@ fn standing(standing: &StandingBuilding) -> Value {
         "total_mass": standing.modes.total_mass,
         "dampers": standing.dampers.iter().map(damper).collect::<Vec<_>>(),
         "spectral": standing.spectral.as_ref().map(spectral),
+        "spectral_refused": standing.spectral_refused,
     })
 }
 
-fn damper(damper: &BuiltDamper) -> Value {
-    let tuned = &damper.tuned;
-    json!({
-        "name": damper.name, "floor": tuned.floor, "x_m": tuned.x_m, "y_m": tuned.y_m, "direction": tuned.direction.unit(),
-        "mode": damper.mode, "mass_ratio": damper.mass_ratio, "mass_kg": tuned.mass_kg,
-        "frequency_hz": tuned.frequency_hz, "damping_ratio": tuned.damping_ratio,
-        "tuning": damper.tuning.map(|tuning| tuning.word()),
-    })
+pub(super) fn damper(damper: &BuiltDamper) -> Value {
+    let mut value = json!({
+        "name": damper.name, "kind": damper.word(),
+        "floor": damper.floor, "x_m": damper.place_m[0], "y_m": damper.place_m[1], "direction": damper.direction.unit(),
+        "mode": damper.tuned_to.map(|tuned| tuned.mode), "mass_ratio": damper.tuned_to.map(|tuned| tuned.mass_ratio),
+        "mass_kg": damper.kind.mass_kg(),
+        "frequency_hz": damper.own().map(|own| own[0]), "damping_ratio": damper.own().map(|own| own[1]),
+        "tuning": damper.tuning.map(|tuning| tuning.name()), "room_m": damper.room_m,
+    });
+    let rest = match damper.kind {
+        DamperKind::TunedMass { .. } => json!({}),
+        DamperKind::LiquidColumn { length_ratio, .. } => json!({ "length_ratio": length_ratio }),
+        DamperKind::LiquidColumnMass {
+            liquid_mass_kg,
+            length_ratio,
+            liquid_frequency_hz,
+            liquid_damping_ratio,
+            ..
+        } => json!({
+            "length_ratio": length_ratio, "liquid_mass_kg": liquid_mass_kg,
+            "liquid_frequency_hz": liquid_frequency_hz, "liquid_damping_ratio": liquid_damping_ratio,
+        }),
+        DamperKind::Viscous { coefficient_n_s_m } => json!({
+            "coefficient_n_s_m": coefficient_n_s_m,
+            "to_floor": damper.to.map(|to| to.0), "to_place_m": damper.to.map(|to| to.1),
+        }),
+    };
+    if let (Some(value), Value::Object(rest)) = (value.as_object_mut(), rest) {
+        value.extend(rest);
+    }
+    value
 }
 
 fn spectral(spectral: &BuildingSpectral) -> Value {
@@ -68,6 +93,9 @@ fn spectral(spectral: &BuildingSpectral) -> Value {
         })).collect::<Vec<_>>(),
         "base_shear_n": { "absolute_sum": sum, "srss": srss, "cqc": cqc },
         "base_torque_n_m": spectral.base_torque_n_m,
+        "base_shear_least_favourable": spectral.least_favourable.map(|of| json!({
+            "base_shear_n": of.largest, "direction_degrees": of.direction_degrees, "minor_ratio": MINOR_RATIO,
+        })),
         "displacement_m": spectral.displacement_m,
         "edge_drift_m": spectral.edge_drift_m,
         "points": spectral.points_m.iter().map(|(name, at)| json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
@@ -78,10 +106,10 @@ fn spectral(spectral: &BuildingSpectral) -> Value {
 pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
     let history = &simulation.history;
     let points = simulation.points.iter().map(|point| {
-        let largest = |values: &Vec<f64>| values.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
         json!({
             "name": point.name, "floor": point.floor, "place_m": point.place_m,
-            "peak_displacement_m": point.displacement_m.each_ref().map(largest),
+            "peak_displacement_m": point.along.each_ref().map(|along| along.displacement_peak_m.value.abs()),
+            "peak_acceleration_m_s2": point.along.each_ref().map(|along| along.acceleration_peak_m_s2.value.abs()),
         })
     });
     json!({
@@ -99,7 +127,15 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "peaks": peaks(&history.peaks, simulation),
         "peaks_without_dampers": simulation.without_dampers.as_ref().map(|other| peaks(&other.peaks, simulation)),
         "points": points.collect::<Vec<_>>(),
-        "drift_ratio": simulation.drift_ratio().1,
+        "drift_ratio": simulation.drift().ratio,
+        "drift_at": if simulation.drift().at_edge { "edge" } else { "centre_of_mass" },
+        "against_without": simulation.against_without().iter().map(|of| json!({
+            "what": of.what[0], "ratio": of.ratio,
+        })).collect::<Vec<_>>(),
+        "grows_at_the_end": history.grows_at_the_end(),
+        "beyond_room": simulation.beyond_room().iter().map(|beyond| json!({
+            "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
+        })).collect::<Vec<_>>(),
     })
 }
 
@@ -115,12 +151,13 @@ fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
             "displacement_x_m": peak(&floor.displacement_x_m), "displacement_y_m": peak(&floor.displacement_y_m),
             "rotation_rad": peak(&floor.rotation_rad),
             "drift_x_m": peak(&storey.drift_x_m), "drift_y_m": peak(&storey.drift_y_m), "twist_rad": peak(&storey.twist_rad),
-            "edge_drift_x_m": peak(&storey.edge_drift_x_m), "edge_drift_y_m": peak(&storey.edge_drift_y_m),
+            "edge_drift_x_m": storey.edge_drift_x_m.as_ref().map(peak), "edge_drift_y_m": storey.edge_drift_y_m.as_ref().map(peak),
         })
     });
     json!({
         "floors": floors.collect::<Vec<_>>(),
         "strokes_m": peaks.strokes_m.iter().map(peak).collect::<Vec<_>>(),
+        "stroke_names": simulation.stroke_names(),
         "base_shear_x_n": peak(&peaks.base_shear_n[0]), "base_shear_y_n": peak(&peaks.base_shear_n[1]),
         "base_torque_n_m": peak(&peaks.base_torque_n_m),
     })

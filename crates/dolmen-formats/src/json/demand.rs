@@ -18,7 +18,7 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "vertical": site.vertical.map(|v| json!({ "ratio": v.ratio, "verified": v.verified })),
         "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "spectral": answer.spectral.iter().map(|at| json!({
-            "direction": at.direction, "period_s": at.period_s, "acceleration_m_s2": at.acceleration_m_s2,
+            "direction": at.direction, "period_s": at.period_s, "damping_ratio": at.damping_ratio, "acceleration_m_s2": at.acceleration_m_s2,
         })).collect::<Vec<_>>(),
         "refused": answer.refused,
         "stack": answer.stack.as_ref().map(stack),

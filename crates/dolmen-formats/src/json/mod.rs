@@ -25,4 +25,4 @@ pub use rank::rank_json;
 pub use score::{score_json, score_quality_json};
 pub use simulation::simulation_json;
 pub use study::study_json;
-pub use tune::tune_json;
+pub use tune::{together_json, tune_json};

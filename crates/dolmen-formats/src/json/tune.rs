@@ -1,6 +1,6 @@
 //! A damper beside the rule and the best, as JSON.
 
-use crate::tune::{TuneAnswer, TuneLoad};
+use crate::tune::{TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
 use dolmen::damper::{Compared, DesignEnd, Goal, MapCell, PlacedDamper, RobustnessPoint};
 use serde_json::{Value, json};
 
@@ -15,7 +15,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
             "frequency_ratio": row.tuning.frequency_ratio,
             "damping_ratio": row.tuning.damping_ratio,
             "damping_ratio_on_structure": row.tuning.damping_ratio_on_structure(),
-            "point_rms_ratio": answer.over_without(&row.judged.point_rms),
+            "point_ratio": answer.over_without(&row.point_values),
             "cost": row.cost,
         })
     });
@@ -33,7 +33,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
             .map(|point| {
                 json!({
                     "factor": point.factor, "cost": point.cost,
-                    "point_rms_ratio": answer.over_without(&point.point_rms),
+                    "point_rms": point.point_rms,
                     "stroke_rms_m": point.stroke_rms_m[0],
                 })
             })
@@ -57,15 +57,14 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
             "corner_hz": match answer.load { TuneLoad::Wind { corner_hz } => Some(corner_hz), _ => None },
             "ground_hz": match answer.load { TuneLoad::Ground { ground_hz } => Some(ground_hz), _ => None },
         },
-        "goal": match answer.goal {
-            Goal::LargestRms => "largest_rms",
-            Goal::MeanSquare => "mean_square",
-            Goal::LargestPeak => "largest_peak",
-        },
+        "goal": goal_word(answer.goal),
+        "stroke_most": answer.stroke_most, "off_by": answer.off_by,
+        "prepared_frequencies_apart": comparison.apart,
         "points": answer.points.iter().zip(&comparison.without).map(|(point, without)| json!({
             "name": point.name, "floor": point.floor, "place_m": point.place_m,
-            "direction_degrees": answer.direction_degrees, "rms_without_damper": without,
+            "direction_degrees": answer.direction_degrees, "without_damper": without,
         })).collect::<Vec<_>>(),
+        "value_is": match answer.goal { Goal::LargestPeak => "largest_amplitude", _ => "rms" },
         "cost_without_damper": comparison.cost_without,
         "choices": comparison.rows.iter().map(|row| row_json(answer, row)).collect::<Vec<_>>(),
         "tunings": tunings.collect::<Vec<_>>(),
@@ -79,7 +78,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
 fn damper_json(damper: &PlacedDamper) -> Value {
     json!({
         "place_m": damper.place_m, "direction_degrees": damper.direction_degrees, "mass_kg": damper.mass_kg,
-        "frequency_hz": damper.frequency_hz, "damping_ratio": damper.damping_ratio,
+        "frequency_hz": damper.frequency_hz, "damping_ratio": damper.damping_ratio, "length_ratio": damper.length_ratio,
     })
 }
 
@@ -88,22 +87,63 @@ fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
         "choice": row.choice.name(),
         "damper": damper_json(&row.damper),
         "point_rms": row.judged.point_rms,
-        "point_rms_ratio": answer.ratios(row),
+        "point_ratio": answer.ratios(row),
         "worse_than_none": !answer.worse(row).is_empty(),
         "stroke_rms_m": row.judged.stroke_rms_m[0],
         "cost": row.cost,
         "cost_ratio": row.cost / answer.comparison.cost_without,
-        "end": row.end.map(|end| match end {
-            DesignEnd::Optimum => "optimum",
-            DesignEnd::Limit => "limit",
-            DesignEnd::Stalled => "stalled",
-        }),
+        "end": row.end.map(end_word),
     })
 }
 
 fn cell_json(answer: &TuneAnswer, cell: &MapCell) -> Value {
     json!({
         "place_m": cell.damper.place_m, "frequency_hz": cell.damper.frequency_hz, "damping_ratio": cell.damper.damping_ratio,
-        "point_rms_ratio": answer.over_without(&cell.point_rms), "cost": cell.cost,
+        "point_rms_ratio": answer.over_without(&cell.point_rms), "cost": cell.cost, "at_limit": cell.at_limit,
     })
+}
+
+/// All dampers at once.
+pub fn together_json(answer: &TogetherAnswer) -> Value {
+    let rows = answer.rows.iter().map(|row| {
+        json!({
+            "choice": row.choice.name(),
+            "damper": match &row.choice {
+                TogetherChoice::Only(name) | TogetherChoice::AllBut(name) => Some(name),
+                _ => None,
+            },
+            "dampers": row.dampers.iter().map(super::building::damper).collect::<Vec<_>>(),
+            "point_rms": row.point_rms, "point_ratio": answer.ratios(row), "stroke_rms_m": row.stroke_rms_m,
+            "cost": row.cost, "cost_ratio": answer.cost_ratio(row),
+            "end": row.end.map(end_word),
+        })
+    });
+    json!({
+        "file": answer.file,
+        "name": { "en": answer.name.en, "ko": answer.name.ko },
+        "variant": answer.variant,
+        "load": { "kind": answer.load.name(), "directions_degrees": answer.load_directions_degrees },
+        "goal": goal_word(answer.goal),
+        "stroke_most": answer.stroke_most,
+        "points": answer.points.iter().map(|(point, degrees)| json!({
+            "name": point.name, "floor": point.floor, "place_m": point.place_m, "direction_degrees": degrees,
+        })).collect::<Vec<_>>(),
+        "rows": rows.collect::<Vec<_>>(),
+    })
+}
+
+fn goal_word(goal: Goal) -> &'static str {
+    match goal {
+        Goal::LargestRms => "largest_rms",
+        Goal::MeanSquare => "mean_square",
+        Goal::LargestPeak => "largest_peak",
+    }
+}
+
+fn end_word(end: DesignEnd) -> &'static str {
+    match end {
+        DesignEnd::Optimum => "optimum",
+        DesignEnd::Limit => "limit",
+        DesignEnd::Stalled => "stalled",
+    }
 }

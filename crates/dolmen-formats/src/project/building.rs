@@ -1,6 +1,7 @@
 //! The building of a project file, and the building of the science it makes.
 
-use super::building_damper::{BuiltDamper, DamperFault, DamperFrequency, DamperMass, DamperPart};
+use super::building_damper::{Around, DamperFault, DamperPart};
+use super::built_damper::BuiltDamper;
 use super::chain::Heaviness;
 use super::quantity::{Pick, Quantity};
 use dolmen::dynamics::{DynamicsError, VibratingBuilding};
@@ -205,25 +206,34 @@ impl BuildingPart {
         modes: &BuildingModes,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
+        let ratios = modes
+            .damping_ratios(&self.damping(pick))
+            .map_err(|why| DamperFault::Place {
+                name: self
+                    .dampers
+                    .first()
+                    .map_or(String::new(), |part| part.name.clone()),
+                why,
+            })?;
+        let around = Around {
+            building,
+            modes,
+            damping_ratios: &ratios,
+            gravity_m_s2: self.gravity_m_s2,
+        };
         let mut built = Vec::with_capacity(self.dampers.len());
         for part in &self.dampers {
-            built.push(part.build(building, modes, pick)?);
+            built.extend(part.build(&around, pick)?);
         }
         Ok(built)
     }
 
-    /// The building with its damping, and with its dampers if they are wished.
+    /// The building with its damping, without its dampers.
     ///
     /// # Errors
     /// As [`VibratingBuilding::new`].
-    pub fn vibrating(
-        &self,
-        building: Building,
-        dampers: &[BuiltDamper],
-        pick: Pick<'_>,
-    ) -> Result<VibratingBuilding, DynamicsError> {
-        let tuned = dampers.iter().map(|damper| damper.tuned.clone()).collect();
-        VibratingBuilding::new(building, &self.damping(pick), tuned)
+    pub fn vibrating(&self, building: Building, pick: Pick<'_>) -> Result<VibratingBuilding, DynamicsError> {
+        VibratingBuilding::new(building, &self.damping(pick), Vec::new())
     }
 
     /// The part that floor `floor`, from 1, comes from: its number from 1.
@@ -292,15 +302,7 @@ impl BuildingPart {
             Some(DampingPart::Rayleigh(anchors)) => all.extend(anchors.iter().flatten()),
         }
         for damper in &self.dampers {
-            all.extend(damper.place.iter());
-            match &damper.mass {
-                DamperMass::Mass(given) | DamperMass::Ratio(given) => all.push(given),
-            }
-            match &damper.frequency {
-                DamperFrequency::Frequency(given) | DamperFrequency::Ratio(given) => all.push(given),
-                DamperFrequency::Tuned => {}
-            }
-            all.extend(&damper.damping_ratio);
+            damper.inputs(all);
         }
         all.extend(self.points.iter().flat_map(|point| point.place.iter()));
     }

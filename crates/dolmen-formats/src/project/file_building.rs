@@ -1,4 +1,4 @@
-//! A building as it is written: floors with the storey below each, damping, tuned masses, points.
+//! A building as it is written: floors with the storey below each, damping, dampers, points.
 
 use super::file_number::{At, QuantityRaw};
 use schemars::JsonSchema;
@@ -102,11 +102,11 @@ pub(super) struct AnchorRaw {
     pub(super) ratio: Option<At<QuantityRaw>>,
 }
 
-/// A tuned mass damper on a floor.
+/// A damper: a tuned mass or a liquid column on a floor, a dashpot between floors.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct DamperRaw {
-    /// "tmd": a mass on a spring and a dashpot.
+    /// "tmd", "tlcd", "tlcmd" or "link".
     #[schemars(required)]
     pub(super) kind: Option<At<DamperKindRaw>>,
     /// Its floor, from 1 at the bottom.
@@ -118,13 +118,13 @@ pub(super) struct DamperRaw {
     /// "x", "y", or an angle from x ("30 deg").
     #[schemars(required)]
     pub(super) direction: Option<At<String>>,
-    /// Its mass; or mass_ratio.
+    /// All of its mass, of a tlcd that of the liquid; or mass_ratio.
     pub(super) mass: Option<At<QuantityRaw>>,
     /// Its mass over the modal mass of its mode, the shape 1 at its place along its direction.
     pub(super) mass_ratio: Option<At<QuantityRaw>>,
     /// The mode that it is for, from 1; 1 if not given.
     pub(super) mode: Option<At<i64>>,
-    /// Frequency on its own spring; or frequency_ratio, or tuning.
+    /// Frequency on its own spring, of a tlcd that of the liquid; or frequency_ratio, length, or tuning.
     pub(super) frequency: Option<At<QuantityRaw>>,
     /// The same over the frequency of its mode.
     pub(super) frequency_ratio: Option<At<QuantityRaw>>,
@@ -132,6 +132,43 @@ pub(super) struct DamperRaw {
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
     /// Frequency and damping ratio by a closed form from its mass ratio.
     pub(super) tuning: Option<At<TuningRaw>>,
+    /// Room that it has to move, each way; a run that needs more is reported.
+    pub(super) stroke: Option<At<QuantityRaw>>,
+    /// Of a tmd: the masses that it is made of, their shares adding up to 1.
+    pub(super) masses: Option<At<Vec<At<MassRaw>>>>,
+    /// Of a tlcd or tlcmd: horizontal length of the column over its total length.
+    pub(super) length_ratio: Option<At<QuantityRaw>>,
+    /// Of a tlcd or tlcmd: total length L of the column, which sets the liquid's frequency √(2g/L)/2π.
+    pub(super) length: Option<At<QuantityRaw>>,
+    /// Of a tlcmd: the liquid's part of its mass.
+    pub(super) liquid_share: Option<At<QuantityRaw>>,
+    /// Of a tlcmd: the liquid's frequency; or length.
+    pub(super) liquid_frequency: Option<At<QuantityRaw>>,
+    /// Of a tlcmd: the liquid's damping ratio.
+    pub(super) liquid_damping_ratio: Option<At<QuantityRaw>>,
+    /// Of a link: force per velocity, "500 kN*s/m".
+    pub(super) coefficient: Option<At<QuantityRaw>>,
+    /// Of a link: floor of its other end, 0 for the ground; the floor below if not given.
+    pub(super) to_floor: Option<At<i64>>,
+    /// Of a link: place of its other end, [x, y]; under its own if not given.
+    pub(super) to_place: Option<At<Vec<At<QuantityRaw>>>>,
+}
+
+/// One of several masses of a damper.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct MassRaw {
+    /// Its part of the damper's mass.
+    #[schemars(required)]
+    pub(super) share: Option<At<QuantityRaw>>,
+    /// Its place in plan, [x, y]; that of the damper if not given.
+    pub(super) place: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Its frequency; that of the damper if not given.
+    pub(super) frequency: Option<At<QuantityRaw>>,
+    /// The same over the frequency of the damper's mode.
+    pub(super) frequency_ratio: Option<At<QuantityRaw>>,
+    /// Its damping ratio; that of the damper if not given.
+    pub(super) damping_ratio: Option<At<QuantityRaw>>,
 }
 
 /// What a damper is.
@@ -140,6 +177,12 @@ pub(super) struct DamperRaw {
 pub(super) enum DamperKindRaw {
     /// A mass on a spring and a dashpot.
     Tmd,
+    /// Liquid in a U-shaped tube.
+    Tlcd,
+    /// Such a tube on a spring and a dashpot.
+    Tlcmd,
+    /// A dashpot to another floor or the ground.
+    Link,
 }
 
 /// A closed form of tuning.
@@ -148,10 +191,20 @@ pub(super) enum DamperKindRaw {
 pub(super) enum TuningRaw {
     /// Least peak under a harmonic force, undamped structure.
     DenHartog,
+    /// The same exactly.
+    NishiharaAsami,
     /// Least variance under a white force.
     WarburtonForce,
     /// Least variance under a white base acceleration.
     WarburtonBase,
+    /// Least peak under a harmonic base acceleration.
+    WarburtonBaseHarmonic,
+    /// Both modes that it makes of one equally damped.
+    Sadek,
+    /// In resonance, the mean damping of both modes.
+    Villaverde,
+    /// As Hwang, Min & Hong print it, on the damper's own frequency.
+    HwangMinHong,
 }
 
 /// A point of a floor whose motion is reported.

@@ -2,6 +2,7 @@
 
 mod building;
 mod building_damper;
+mod built_damper;
 mod chain;
 mod check;
 mod combine;
@@ -54,7 +55,10 @@ mod written;
 pub use building::{
     BuildingPart, DampingPart, FloorPart, GyrationPart, StoreyStiffnessPart, WallPart, WatchedPart,
 };
-pub use building_damper::{BuiltDamper, DamperFault, DamperFrequency, DamperMass, DamperPart, Tuning};
+pub use building_damper::{
+    DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart,
+};
+pub use built_damper::{BuiltDamper, TunedTo};
 pub use chain::{Cap, ChainPart, Heaviness, JointFrictionPart, JointPart, LinkPart};
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};

@@ -31,7 +31,7 @@ impl Evidence {
 /// weights, lengths, stiffnesses and frequencies are, and close to normal when the cov is small.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Quantity {
-    /// In SI units: N, kg, m, N/m, N m/rad, N m s/rad, kg m², Hz; a ratio as it is.
+    /// In SI units: N, kg, m, N/m, N m/rad, N m s/rad, N s/m, kg m², Hz; a ratio as it is.
     pub value: f64,
     /// The SI unit of `value`, "N m/rad"; "" for a ratio.
     pub unit: &'static str,

@@ -14,6 +14,10 @@ use super::reader::Reader;
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingError, Outline, PDelta, PlanDirection};
 
+/// A damper heavier than this part of the building. Our choice: built ones have a hundredth.
+const HEAVY: f64 = 0.25;
+/// A damper whose frequency is beyond this factor of its mode's is none for it. Our choice: 2π, rad/s for Hz, is beyond.
+const OUT_OF_TUNE: f64 = 5.0;
 /// Most floors of a building. Our choice: none has more than 200.
 const FLOORS_MOST: usize = 300;
 
@@ -435,9 +439,42 @@ pub(super) fn buildable(reader: &mut Reader, part: &BuildingPart) {
             dampers: vec![damper.clone()],
             ..part.clone()
         };
-        if let Err(why) = alone.dampers(&building, &modes, pick) {
-            let path = format!("damper.{}", damper.name);
-            reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+        let path = format!("damper.{}", damper.name);
+        match alone.dampers(&building, &modes, pick) {
+            Err(why) => reader.fault(Fault::new(reader.place(&path), &path, why.to_string())),
+            Ok(built) => {
+                let mass_kg: f64 = built.iter().map(|own| own.kind.mass_kg()).sum();
+                if mass_kg > HEAVY * building.mass_kg() {
+                    let message = format!(
+                        "{path} weighs {:.1} t, {:.0} % of the building",
+                        1e-3 * mass_kg,
+                        100.0 * mass_kg / building.mass_kg()
+                    );
+                    reader.slip(
+                        &path,
+                        message,
+                        "does its mode hardly move at its place?".to_owned(),
+                    );
+                }
+                for own in built {
+                    let mode = own.tuned_to.and_then(|to| modes.modes.get(to.mode - 1));
+                    let (Some(mode), Some([hz, _])) = (mode, own.own()) else {
+                        continue;
+                    };
+                    let ratio = hz / mode.frequency_hz;
+                    if !(1.0 / OUT_OF_TUNE..=OUT_OF_TUNE).contains(&ratio) {
+                        let message = format!(
+                            "{path}: its frequency is {hz:.4} Hz, {ratio:.2} of that of its mode, {:.4} Hz",
+                            mode.frequency_hz
+                        );
+                        reader.slip(
+                            &path,
+                            message,
+                            "is it in Hz, not rad/s, and for this mode?".to_owned(),
+                        );
+                    }
+                }
+            }
         }
     }
 }

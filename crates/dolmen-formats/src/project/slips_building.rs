@@ -1,6 +1,6 @@
 //! Probable slips in a building.
 
-use super::building::{BuildingPart, StoreyStiffnessPart};
+use super::building::{BuildingPart, FloorPart, StoreyStiffnessPart};
 use super::reader::Reader;
 use super::slips::{guess, mass_kg, rounded_length, unit_of, within};
 
@@ -13,8 +13,14 @@ const STOREY_HEIGHT_USUAL_M: f64 = 3.5;
 /// √(k/m)/2π of a storey with its own floor alone, Hz: a storey that carries many more is stiffer.
 const STOREY_FREQUENCY_HZ: (f64, f64) = (0.02, 200.0);
 
+/// Longest side of a floor, m.
+const FLOOR_SIDE_MOST_M: f64 = 300.0;
+/// Walls stand on the floor, and a centre of rigidity lies on it, or not farther off than this part of its longer side.
+const OFF_FLOOR_MOST: f64 = 0.25;
+
 pub(super) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
     for floor in &building.floors {
+        judge_plan(reader, floor);
         let height = &floor.height;
         if !within(height.value, STOREY_HEIGHT_M) {
             let (least, most) = STOREY_HEIGHT_M;
@@ -69,6 +75,53 @@ pub(super) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
                     "is it in N/mm, kN/mm or kN/m?".to_owned(),
                 );
             }
+        }
+    }
+}
+
+/// Places in plan: walls and centres of rigidity far off the floor, floors larger than any.
+fn judge_plan(reader: &mut Reader, floor: &FloorPart) {
+    let Some(outline) = &floor.outline else { return };
+    let extent = |axis: usize| {
+        let values = outline.corners_m().iter().map(|corner| corner[axis]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        high - low
+    };
+    let side_m = extent(0).max(extent(1));
+    if side_m > FLOOR_SIDE_MOST_M {
+        let path = floor.height.path.replace(".height", "");
+        let message = format!(
+            "{path} is {} m long, but floors are at most {FLOOR_SIDE_MOST_M} m",
+            rounded_length(side_m)
+        );
+        reader.slip(&path, message, "are its sides in mm?".to_owned());
+        return;
+    }
+    let mut places = Vec::new();
+    match &floor.stiffness {
+        StoreyStiffnessPart::Walls(walls) => places.extend(walls.iter().map(|wall| [&wall.x, &wall.y])),
+        StoreyStiffnessPart::Whole { centre, .. } => places.push([&centre[0], &centre[1]]),
+        // about any point
+        StoreyStiffnessPart::Matrix { .. } => {}
+    }
+    for [x, y] in places {
+        let beyond_m = outline.beyond_m([x.value, y.value]);
+        if beyond_m > OFF_FLOOR_MOST * side_m {
+            let given = if x.value.abs() > y.value.abs() { x } else { y };
+            let message = format!(
+                "{} = {} lies {} m off its floor, which is {} m long",
+                given.path,
+                given.written,
+                rounded_length(beyond_m),
+                rounded_length(side_m)
+            );
+            reader.slip(
+                &given.path,
+                message,
+                "is it in m, and from the same origin as the outline?".to_owned(),
+            );
         }
     }
 }

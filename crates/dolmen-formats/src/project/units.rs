@@ -28,6 +28,7 @@ impl Dimension {
     pub(super) const MOMENT: Dimension = dimension(2, 1, -2);
     pub(super) const FORCE_PER_LENGTH: Dimension = dimension(0, 1, -2);
     pub(super) const ROTATIONAL_DAMPING: Dimension = dimension(2, 1, -1);
+    pub(super) const DASHPOT: Dimension = dimension(0, 1, -1);
     pub(super) const INERTIA: Dimension = dimension(2, 1, 0);
     pub(super) const VELOCITY: Dimension = dimension(1, 0, -1);
     pub(super) const ACCELERATION: Dimension = dimension(1, 0, -2);
@@ -57,6 +58,7 @@ impl fmt::Display for Dimension {
             Dimension::MOMENT => "a moment (or rotational stiffness)",
             Dimension::FORCE_PER_LENGTH => "a force per length (lateral stiffness)",
             Dimension::ROTATIONAL_DAMPING => "a rotational damping",
+            Dimension::DASHPOT => "a force per velocity (dashpot)",
             Dimension::INERTIA => "a moment of inertia",
             Dimension::VELOCITY => "a velocity",
             Dimension::ACCELERATION => "an acceleration",

@@ -81,8 +81,17 @@ fn spectral_finding(answer: &BuildingAnswer, spectral: &BuildingSpectral, langua
         .zip(&spectral.edge_drift_m)
         .enumerate();
     let worst = storeys
-        .map(|(i, (storey, drift))| (i, drift[0].max(drift[1]) / storey.height_m))
-        .fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most });
+        .filter_map(|(i, (storey, drift))| drift.map(|[x, y]| (i, x.max(y) / storey.height_m)))
+        .reduce(|most, own| if own.1 > most.1 { own } else { most });
+    let Some(worst) = worst else {
+        return Finding::new(
+            Tone::Warn,
+            language.pick(
+                "No floor has an outline: drifts at the edges, the largest where it twists, are not known.",
+                "바닥 외곽선이 없어 비틀림 때 가장 큰 단부 층간변위를 알 수 없다.",
+            ),
+        );
+    };
     let (name, ratio) = (&answer.floors[worst.0], percent(worst.1, 3));
     Finding::new(
         Tone::Plain,
@@ -117,6 +126,9 @@ pub(super) fn sections(answer: &BuildingAnswer, language: Language) -> Markup {
             (modes(standing, language))
             (dampers(&standing.dampers, language))
             @if let Some(spectral) = &standing.spectral { (spectrum(answer, spectral, language)) }
+            @if let Some(why) = &standing.spectral_refused {
+                p { b { (language.pick("The response to the spectrum of the site is not computed: ", "부지 스펙트럼에 대한 응답을 계산하지 않았다: ")) (why) } }
+            }
         }
     }
 }
@@ -229,6 +241,7 @@ pub(super) fn dampers(dampers: &[BuiltDamper], language: Language) -> Markup {
     }
     let head = [
         language.pick("Damper", "제진장치").to_owned(),
+        language.pick("kind", "종류").to_owned(),
         language.pick("floor", "층").to_owned(),
         "x, y (m)".to_owned(),
         language.pick("for mode", "대상 모드").to_owned(),
@@ -236,27 +249,37 @@ pub(super) fn dampers(dampers: &[BuiltDamper], language: Language) -> Markup {
         language.pick("mass (t)", "질량 (t)").to_owned(),
         language.pick("f (Hz)", "진동수 (Hz)").to_owned(),
         language.pick("damping", "감쇠비").to_owned(),
+        language.pick("besides", "기타").to_owned(),
     ];
     let rows: Vec<Vec<Cell>> = dampers
         .iter()
         .map(|damper| {
+            let none = || "–".to_owned();
+            let tuned = damper.tuned_to;
+            let own = damper.own();
             vec![
                 damper.name.clone().into(),
-                damper.tuned.floor.to_string().into(),
-                format!("{:.2}, {:.2}", damper.tuned.x_m, damper.tuned.y_m).into(),
-                damper.mode.to_string().into(),
-                percent(damper.mass_ratio, 3).into(),
-                significant(1e-3 * damper.tuned.mass_kg, 4).into(),
-                significant(damper.tuned.frequency_hz, 4).into(),
-                percent(damper.tuned.damping_ratio, 3).into(),
+                damper.word().to_owned().into(),
+                damper.floor.to_string().into(),
+                format!("{:.2}, {:.2}", damper.place_m[0], damper.place_m[1]).into(),
+                tuned.map_or_else(none, |tuned| tuned.mode.to_string()).into(),
+                tuned
+                    .map_or_else(none, |tuned| percent(tuned.mass_ratio, 3))
+                    .into(),
+                tuned
+                    .map_or_else(none, |_| significant(1e-3 * damper.kind.mass_kg(), 4))
+                    .into(),
+                own.map_or_else(none, |own| significant(own[0], 4)).into(),
+                own.map_or_else(none, |own| percent(own[1], 3)).into(),
+                damper.rest().into(),
             ]
         })
         .collect();
     let caption = language.pick(
-        "Tuned mass dampers. The mass ratio is of the modal mass at the damper's place, the damping ratio on its own frequency.",
-        "동조질량감쇠기. 질량비는 장치 위치에서의 모드질량에 대한 값이고 감쇠비는 장치 자신의 진동수에 대한 값이다.",
+        "Dampers: tmd, a mass on a spring; tlcd, a liquid column; tlcmd, such a column on a spring; link, a dashpot. The mass ratio is of the modal mass at the damper's place, the damping ratio on its own frequency.",
+        "제진장치. tmd 동조질량감쇠기, tlcd 동조액체기둥감쇠기, tlcmd 그 혼합형, link 점성감쇠기. 질량비는 장치 위치에서의 모드질량에 대한 값이고 감쇠비는 장치 자신의 진동수에 대한 값이다.",
     );
-    table(caption, 1, &head, &rows)
+    table(caption, 2, &head, &rows)
 }
 
 fn spectrum(answer: &BuildingAnswer, spectral: &BuildingSpectral, language: Language) -> Markup {
@@ -274,25 +297,24 @@ fn spectrum(answer: &BuildingAnswer, spectral: &BuildingSpectral, language: Lang
     let rows: Vec<Vec<Cell>> = (0..storeys.len())
         .rev()
         .map(|i| {
-            let ([x, y], [drift_x, drift_y]) = (spectral.displacement_m[i], spectral.edge_drift_m[i]);
+            let [x, y] = spectral.displacement_m[i];
             let mm = |value: f64| significant(1e3 * value, 3);
-            vec![
-                answer.floors[i].clone().into(),
-                mm(x).into(),
-                mm(y).into(),
-                mm(drift_x).into(),
-                mm(drift_y).into(),
-                percent(drift_x.max(drift_y) / storeys[i].height_m, 3).into(),
-            ]
+            let mut row: Vec<Cell> = vec![answer.floors[i].clone().into(), mm(x).into(), mm(y).into()];
+            row.extend(match spectral.edge_drift_m[i] {
+                Some([x, y]) => [mm(x), mm(y), percent(x.max(y) / storeys[i].height_m, 3)].map(Cell::from),
+                None => ["–", "–", "–"].map(|none| none.to_owned().into()),
+            });
+            row
         })
         .collect();
     let [sum, srss, cqc] = spectral.base_shear_n;
     let kn = |value: f64| significant(1e-3 * value, 4);
+    let worst = spectral.least_favourable.map(|of| of.largest);
     html! {
         h2 { (language.pick("Response to the spectrum of the site", "부지 스펙트럼에 대한 응답")) }
         p { (language.pick(
-            format!("Base shear along x {} kN, along y {} kN by CQC (SRSS {} and {}, absolute sums {} and {} kN); base torque {} kN·m.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m)),
-            format!("CQC에 의한 밑면전단력은 x 방향 {} kN, y 방향 {} kN(SRSS {}, {}; 절대합 {}, {} kN)이고 밑면 비틀림모멘트는 {} kN·m이다.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m)),
+            format!("Base shear along x {} kN, along y {} kN by CQC (SRSS {} and {}, absolute sums {} and {} kN); torque about the centre of all mass {} kN·m. In the least favourable direction of shaking, the weaker component .85 of the stronger, {} and {} kN.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m), kn(worst[0]), kn(worst[1])),
+            format!("CQC에 의한 밑면전단력은 x 방향 {} kN, y 방향 {} kN(SRSS {}, {}; 절대합 {}, {} kN)이고 전체 질량중심에 대한 비틀림모멘트는 {} kN·m이다. 가장 불리한 지진 방향(약축 성분 0.85)에서는 {}, {} kN이다.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m), kn(worst[0]), kn(worst[1])),
         )) }
         (table(language.pick(
             "Largest elastic response, without dampers. Modes by CQC with the damping of each, shaking along x and y by the root of the sum of squares.",

@@ -8,8 +8,9 @@ use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::building_histories;
 use crate::number::{percent, significant};
-use crate::simulation::BuildingSimulation;
-use dolmen::dynamics::BuildingHistory;
+use crate::simulation::{Against, BuildingSimulation};
+use crate::text::GROWN;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use maud::{Markup, html};
 
 /// How each moved, as findings.
@@ -21,38 +22,62 @@ pub(super) fn findings(simulations: &[BuildingSimulation], language: Language) -
             Some(variant) => format!("{variant}, "),
         };
         let lead = language.pick(format!("Under {motion}, {of}"), format!("{of}{motion} 작용 시: "));
-        Finding::new(Tone::Plain, lead + &moved(simulation, language))
+        let grown = simulation.against_without().iter().any(|of| of.ratio > GROWN);
+        let tone = if grown { Tone::Warn } else { Tone::Plain };
+        Finding::new(tone, lead + &moved(simulation, language))
     });
     each.collect()
 }
 
 /// How it moved, in a sentence.
 fn moved(simulation: &BuildingSimulation, language: Language) -> String {
-    let (storey, ratio) = simulation.drift_ratio();
+    let drift = simulation.drift();
     let name = simulation
         .floors
-        .get(storey.saturating_sub(1))
+        .get(drift.storey.saturating_sub(1))
         .map_or("", String::as_str);
-    let ratio = percent(ratio, 3);
+    let ratio = percent(drift.ratio, 3);
+    let (place, place_ko) = match drift.at_edge {
+        true => ("at an edge", "단부"),
+        false => (
+            "of a centre of mass (its outline is not known)",
+            "질량 중심, 평면 외곽선 없음",
+        ),
+    };
     let mut text = language.pick(
         format!(
-            "the largest drift at an edge is {ratio} of the height of the storey below floor {}.",
+            "the largest drift {place} is {ratio} of the height of the storey below floor {}.",
             floor_words(name, language)
         ),
         format!(
-            "최대 층간변위(단부)는 {} 바닥 아래에서 층고의 {ratio}이다.",
+            "최대 층간변위({place_ko})는 {} 바닥 아래에서 층고의 {ratio}이다.",
             floor_words(name, language)
         ),
     );
-    if let Some(without) = &simulation.without_dampers {
-        let top = |history: &BuildingHistory| {
-            let peak = history.peaks.floors.last().copied().unwrap_or_default();
-            peak.displacement_x_m.value.hypot(peak.displacement_y_m.value)
-        };
-        let share = percent(top(&simulation.history) / top(without), 3);
+    let against = simulation.against_without();
+    let pick = |of: &Against| language.pick(of.what[0].clone(), of.what[1].clone());
+    let top: Vec<String> = against
+        .iter()
+        .filter(|of| of.what[0].starts_with("the top"))
+        .map(|of| format!("{} {}", pick(of), percent(of.ratio, 3)))
+        .collect();
+    if !top.is_empty() {
+        let list = top.join(", ");
         text += &language.pick(
-            format!(" The top moves {share} of what it would without dampers."),
-            format!(" 최상층 변위는 제진장치가 없을 때의 {share}이다."),
+            format!(" Of what it would move without dampers: {list}."),
+            format!(" 제진장치가 없을 때에 대한 비: {list}."),
+        );
+    }
+    let grown: Vec<String> = against
+        .iter()
+        .filter(|of| of.ratio > GROWN)
+        .map(|of| format!("{} {}", pick(of), percent(of.ratio, 4)))
+        .collect();
+    if !grown.is_empty() {
+        let list = grown.join(", ");
+        text += &language.pick(
+            format!(" More than without dampers: {list}."),
+            format!(" 제진장치가 없을 때보다 큰 값: {list}."),
         );
     }
     text
@@ -73,6 +98,13 @@ fn section(simulation: &BuildingSimulation, language: Language) -> Markup {
         (floors_table(simulation, language))
         @for found in building_histories(simulation, language) {
             (figure(&found.svg, &caption(&found.name, simulation, language)))
+        }
+        (points_table(simulation, language))
+        @for beyond in simulation.beyond_room() {
+            p { b { (language.pick(
+                format!("Damper {} moves {:.0} mm and has {:.0} mm: it meets its stops, which this run does not have.", beyond.name, 1e3 * beyond.stroke_m, 1e3 * beyond.room_m),
+                format!("제진장치 {}의 행정 {:.0} mm가 여유 {:.0} mm를 넘는다. 이 해석은 스토퍼 충돌을 고려하지 않는다.", beyond.name, 1e3 * beyond.stroke_m, 1e3 * beyond.room_m),
+            )) } }
         }
         p { (run(simulation, language)) }
     }
@@ -102,9 +134,16 @@ fn caption(name: &str, simulation: &BuildingSimulation, language: Language) -> S
             "제진장치의 행정. 바닥에 대한 상대변위로서 필요한 여유 공간이다.",
         ),
         other => {
-            let number = other.strip_prefix("point-").and_then(|n| n.parse::<usize>().ok());
+            let (kind, number) = other.rsplit_once('-').unwrap_or((other, ""));
+            let number = number.parse::<usize>().ok();
             let point = number.and_then(|n| simulation.points.get(n.checked_sub(1)?));
             let name = point.map_or(other, |point| point.name.as_str());
+            if kind == "acceleration" {
+                return language.pick(
+                    format!("Acceleration of point {name}. With that of the ground: what stands there feels it."),
+                    format!("{name} 지점의 가속도. 지반 가속도를 포함한 절대가속도."),
+                );
+            }
             return language.pick(
                 format!("Displacement of point {name}. Relative to the ground."),
                 format!("{name} 지점의 변위. 지반에 대한 값."),
@@ -133,19 +172,26 @@ fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {
         .map(|i| {
             let (floor, storey) = (&peaks.floors[i], &peaks.storeys[i]);
             let milli = |value: f64| significant(1e3 * value.abs(), 3);
-            let (x, y) = (
-                storey.edge_drift_x_m.value.abs(),
-                storey.edge_drift_y_m.value.abs(),
-            );
-            vec![
+            let edges = storey.edge_drift_x_m.zip(storey.edge_drift_y_m);
+            let mut row: Vec<Cell> = vec![
                 simulation.floors[i].clone().into(),
                 milli(floor.displacement_x_m.value).into(),
                 milli(floor.displacement_y_m.value).into(),
                 milli(floor.rotation_rad.value).into(),
-                milli(x).into(),
-                milli(y).into(),
-                percent(x.max(y) / storeys[i].height_m, 3).into(),
-            ]
+            ];
+            row.extend(match edges {
+                Some((x, y)) => {
+                    let most = x.value.abs().max(y.value.abs());
+                    [
+                        milli(x.value),
+                        milli(y.value),
+                        percent(most / storeys[i].height_m, 3),
+                    ]
+                    .map(Cell::from)
+                }
+                None => ["–", "–", "–"].map(|none| none.to_owned().into()),
+            });
+            row
         })
         .collect();
     let caption = language.pick(
@@ -155,11 +201,52 @@ fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {
     table(caption, 1, &head, &rows)
 }
 
+fn points_table(simulation: &BuildingSimulation, language: Language) -> Markup {
+    if simulation.points.is_empty() {
+        return html! {};
+    }
+    let head = [
+        language.pick("Point", "지점").to_owned(),
+        language.pick("floor", "층").to_owned(),
+        language.pick("x (mm)", "변위 x (mm)").to_owned(),
+        "y (mm)".to_owned(),
+        language.pick("acceleration x (g)", "절대가속도 x (g)").to_owned(),
+        "y (g)".to_owned(),
+    ];
+    let rows: Vec<Vec<Cell>> = simulation
+        .points
+        .iter()
+        .map(|point| {
+            let moved = point
+                .along
+                .each_ref()
+                .map(|along| along.displacement_peak_m.value.abs());
+            let felt = point
+                .along
+                .each_ref()
+                .map(|along| along.acceleration_peak_m_s2.value.abs());
+            vec![
+                point.name.clone().into(),
+                point.floor.to_string().into(),
+                significant(1e3 * moved[0], 3).into(),
+                significant(1e3 * moved[1], 3).into(),
+                significant(felt[0] / STANDARD_GRAVITY_M_S2, 3).into(),
+                significant(felt[1] / STANDARD_GRAVITY_M_S2, 3).into(),
+            ]
+        })
+        .collect();
+    let caption = language.pick(
+        "Points of the file. Largest displacement relative to the ground, and acceleration with that of the ground: what stands there feels it.",
+        "입력한 지점. 지반에 대한 최대 변위와 지반 가속도를 포함한 절대가속도.",
+    );
+    table(caption, 1, &head, &rows)
+}
+
 fn run(simulation: &BuildingSimulation, language: Language) -> String {
     let history = &simulation.history;
     let (steps, step) = (history.length() - 1, history.time_step_s);
     language.pick(
-        format!("Linear, exact between the samples of the motion; {steps} steps of {step} s, peaks at the steps."),
-        format!("선형 해석이며 지진파 표본 사이에서 엄밀해이다. {step}초 간격 {steps}단계, 최대값은 각 단계에서의 값이다."),
+        format!("Linear, exact between the samples of the motion; {steps} steps of {step} s, peaks between the steps."),
+        format!("선형 해석이며 지진파 표본 사이에서 엄밀해이다. {step}초 간격 {steps}단계, 최대값은 단계 사이까지 찾은 값이다."),
     )
 }

@@ -126,6 +126,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         (frame_simulation::sections(&answer.frame_simulations, language))
         (chain_simulation::sections(&answer.chain_simulations, language))
         (tune::sections(&answer.tunings, language))
+        (tune::together(&answer.together, language))
         (building_simulation::sections(&answer.building_simulations, language))
         (study::sections(&answer.studies, language))
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }

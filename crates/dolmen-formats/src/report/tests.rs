@@ -111,6 +111,7 @@ fn answer(project: Project, check: Check) -> Answer {
         frame_simulations: vec![],
         chain_simulations: vec![],
         tunings: Vec::new(),
+        together: Vec::new(),
         building_simulations: vec![],
         studies: vec![],
     }
@@ -313,6 +314,7 @@ fn survey() -> Answer {
         frame_simulations: vec![],
         chain_simulations: vec![],
         tunings: Vec::new(),
+        together: Vec::new(),
         building_simulations: vec![],
         studies: vec![],
     }

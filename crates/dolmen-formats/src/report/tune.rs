@@ -4,8 +4,8 @@ use super::findings::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::tune_figures;
-use crate::text::{choice_words, findings as sentences};
-use crate::tune::{TuneAnswer, direction_words};
+use crate::text::{choice_words, findings as sentences, together_words};
+use crate::tune::{TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use dolmen::damper::{Aim, Choice, DesignEnd, TuningRule};
 use maud::{Markup, html};
 
@@ -275,4 +275,58 @@ fn caption(name: &str, language: Language) -> &'static str {
             "동조 오차의 영향. 제어기의 진동수와 감쇠가 어긋난 경우이다.",
         ),
     }
+}
+
+/// All dampers of a version at once.
+pub(super) fn together(answers: &[TogetherAnswer], language: Language) -> Markup {
+    html! { @for answer in answers { (all_of(answer, language)) } }
+}
+
+fn all_of(answer: &TogetherAnswer, language: Language) -> Markup {
+    let mut head = vec![language.pick("Dampers", "제진장치").to_owned()];
+    for (point, degrees) in &answer.points {
+        head.push(format!("{} ({})", point.name, direction_words(*degrees)));
+    }
+    head.push(language.pick("goal", "목표값").to_owned());
+    let rows: Vec<Vec<Cell>> = answer
+        .rows
+        .iter()
+        .map(|row| {
+            let mut cells: Vec<Cell> = vec![together_cell(&row.choice, language).into()];
+            cells.extend(answer.ratios(row).into_iter().map(|ratio| {
+                let text = format!("{ratio:.3}");
+                if ratio > 1.0 + 1e-12 {
+                    Cell::bad(text)
+                } else {
+                    text.into()
+                }
+            }));
+            cells.push(format!("{:.3}", answer.cost_ratio(row)).into());
+            cells
+        })
+        .collect();
+    let caption = language.pick(
+        "Motion of the points over that without dampers, with all of them at once, with each alone, and designed together.",
+        "제진장치 전체, 개별, 동시 설계에 대한 관측점 응답의 비제어 대비 비.",
+    );
+    html! {
+        h2 {
+            (language.pick("All dampers together", "제진장치 전체"))
+            @if let Some(variant) = &answer.variant { ": " (variant) }
+        }
+        (table(caption, 1, &head, &rows))
+    }
+}
+
+fn together_cell(choice: &TogetherChoice, language: Language) -> String {
+    let korean = match choice {
+        TogetherChoice::Without => "없음".to_owned(),
+        TogetherChoice::Given => "입력한 전체".to_owned(),
+        TogetherChoice::Only(name) => format!("{name}만"),
+        TogetherChoice::AllBut(name) => format!("{name} 제외"),
+        TogetherChoice::TunedBest => "위치 유지, 동시 최적 동조".to_owned(),
+        TogetherChoice::Best => "위치와 동조 동시 최적".to_owned(),
+        TogetherChoice::BestShared => "위치, 동조와 질량 배분 최적".to_owned(),
+    };
+    language.pick(together_words(choice), korean)
 }

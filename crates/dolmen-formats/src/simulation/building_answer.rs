@@ -2,7 +2,7 @@
 
 use super::MotionAnswer;
 use crate::project::{BuiltDamper, Names};
-use dolmen::dynamics::{BuildingHistory, VibratingBuilding};
+use dolmen::dynamics::{BuildingHistory, BuildingPeaks, VibratingBuilding, WatchedHistory};
 
 /// A point of a floor that is watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +13,39 @@ pub struct WatchedPoint {
     pub floor: usize,
     /// Its place in plan, m.
     pub place_m: [f64; 2],
-    /// Displacement along x and y at every step, m.
-    pub displacement_m: [Vec<f64>; 2],
+    /// Displacement and absolute acceleration along x and y.
+    pub along: [WatchedHistory; 2],
+}
+
+/// The largest drift of a storey over its height.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LargestDrift {
+    /// The storey, from 1.
+    pub storey: usize,
+    /// Drift over height.
+    pub ratio: f64,
+    /// Whether at an edge of the floor above, or, its outline unknown, at its centre of mass.
+    pub at_edge: bool,
+}
+
+/// A largest value with dampers over that without.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Against {
+    /// What, in English and Korean.
+    pub what: [String; 2],
+    /// With over without.
+    pub ratio: f64,
+}
+
+/// A damper that needs more room than it has.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BeyondRoom {
+    /// The damper.
+    pub name: String,
+    /// Its largest stroke, m.
+    pub stroke_m: f64,
+    /// Its room each way, m.
+    pub room_m: f64,
 }
 
 /// A simulation of a building, and its inputs.
@@ -30,7 +61,7 @@ pub struct BuildingSimulation {
     pub variant_title: Option<Names>,
     /// Names of the floors, lowest first.
     pub floors: Vec<String>,
-    /// The building with its dampers.
+    /// The building; tuned masses alone are in it, other dampers beside it.
     pub building: VibratingBuilding,
     /// The dampers.
     pub dampers: Vec<BuiltDamper>,
@@ -45,18 +76,117 @@ pub struct BuildingSimulation {
 }
 
 impl BuildingSimulation {
-    /// Largest drift of all storeys at an edge over the height of the storey: the storey, from 1, and the ratio.
-    pub fn drift_ratio(&self) -> (usize, f64) {
+    /// Largest drift of all storeys over the height of the storey, at an edge where the outline of the floor above is known.
+    pub fn drift(&self) -> LargestDrift {
         let storeys = self.building.building().storeys();
         let each = self.history.peaks.storeys.iter().zip(storeys).enumerate();
-        let ratios = each.map(|(i, (peak, storey))| {
-            let drift = peak
-                .edge_drift_x_m
-                .value
-                .abs()
-                .max(peak.edge_drift_y_m.value.abs());
-            (i + 1, drift / storey.height_m)
+        let drifts = each.map(|(i, (peak, storey))| {
+            let edges = peak.edge_drift_x_m.zip(peak.edge_drift_y_m);
+            let (x, y) = edges.unwrap_or((peak.drift_x_m, peak.drift_y_m));
+            LargestDrift {
+                storey: i + 1,
+                ratio: x.value.abs().max(y.value.abs()) / storey.height_m,
+                at_edge: edges.is_some(),
+            }
         });
-        ratios.fold((0, 0.0), |most, own| if own.1 > most.1 { own } else { most })
+        drifts.fold(LargestDrift::default(), |most, own| {
+            if own.ratio > most.ratio { own } else { most }
+        })
+    }
+
+    /// Largest values with dampers over those without: the top along x and y, the worst drift of all storeys along each, each point along
+    /// each. What hardly moves without, less than a thousandth of the largest of its kind, is left out; empty without dampers.
+    pub fn against_without(&self) -> Vec<Against> {
+        const HARDLY: f64 = 1e-3;
+        let Some(without) = &self.without_dampers else {
+            return Vec::new();
+        };
+        let mut all = Vec::new();
+        let mut add = |pairs: Vec<([String; 2], f64, f64)>| {
+            let largest = pairs
+                .iter()
+                .map(|(_, _, without)| without.abs())
+                .fold(0.0, f64::max);
+            for (what, with, without) in pairs {
+                if without.abs() > HARDLY * largest {
+                    all.push(Against {
+                        what,
+                        ratio: (with / without).abs(),
+                    });
+                }
+            }
+        };
+        let axes = ["x", "y"];
+        let peaks = [&self.history.peaks, &without.peaks];
+        let top = peaks.map(|peaks| {
+            let floor = peaks.floors.last().copied().unwrap_or_default();
+            [floor.displacement_x_m.value, floor.displacement_y_m.value]
+        });
+        add((0..2)
+            .map(|axis| {
+                let words = [
+                    format!("the top along {}", axes[axis]),
+                    format!("최상층 {} 방향", axes[axis]),
+                ];
+                (words, top[0][axis], top[1][axis])
+            })
+            .collect());
+        let drift = |peaks: &BuildingPeaks, storey: usize, axis: usize| {
+            let own = &peaks.storeys[storey];
+            let edge = [own.edge_drift_x_m, own.edge_drift_y_m][axis];
+            edge.unwrap_or([own.drift_x_m, own.drift_y_m][axis]).value
+        };
+        let storeys = (0..self.floors.len()).flat_map(|storey| (0..2).map(move |axis| (storey, axis)));
+        add(storeys
+            .map(|(storey, axis)| {
+                let name = &self.floors[storey];
+                let words = [
+                    format!("the drift along {} below floor {name}", axes[axis]),
+                    format!("{name} 바닥 아래 {} 방향 층간변위", axes[axis]),
+                ];
+                (
+                    words,
+                    drift(peaks[0], storey, axis),
+                    drift(peaks[1], storey, axis),
+                )
+            })
+            .collect());
+        let points = self.points.iter().zip(without.watched.chunks_exact(2));
+        let each = points.flat_map(|(point, other)| (0..2).map(move |axis| (point, axis, other)));
+        add(each
+            .map(|(point, axis, other)| {
+                let words = [
+                    format!("point {} along {}", point.name, axes[axis]),
+                    format!("{} 지점 {} 방향", point.name, axes[axis]),
+                ];
+                let with = point.along[axis].displacement_peak_m.value;
+                (words, with, other[axis].displacement_peak_m.value)
+            })
+            .collect());
+        all
+    }
+
+    /// What each stroke is of: the dampers, then the liquids of columns on springs.
+    pub fn stroke_names(&self) -> Vec<String> {
+        let own = self.dampers.iter().map(|damper| damper.name.clone());
+        let apart = self.dampers.iter().filter(|damper| damper.has_liquid_apart());
+        own.chain(apart.map(|damper| format!("{} liquid", damper.name)))
+            .collect()
+    }
+
+    /// Dampers that move further than their room: the run does not know their stops.
+    pub fn beyond_room(&self) -> Vec<BeyondRoom> {
+        let pairs = self.dampers.iter().zip(&self.history.peaks.strokes_m);
+        pairs
+            .filter_map(|(damper, stroke)| {
+                let room_m = damper.room_m?;
+                let stroke_m = stroke.value.abs();
+                (stroke_m > room_m).then(|| BeyondRoom {
+                    name: damper.name.clone(),
+                    stroke_m,
+                    room_m,
+                })
+            })
+            .collect()
     }
 }

@@ -14,12 +14,15 @@ pub fn building_histories_csv(simulation: &BuildingSimulation) -> String {
             ",floor_{floor}_displacement_x_m,floor_{floor}_displacement_y_m,floor_{floor}_rotation_rad"
         );
     }
-    for damper in &simulation.dampers {
-        let _ = write!(out, ",damper_{}_stroke_m", damper.name);
+    for name in simulation.stroke_names() {
+        let _ = write!(out, ",damper_{}_stroke_m", name.replace(' ', "_"));
     }
     for point in &simulation.points {
         let name = point.name.replace([',', '"', '\n'], "_");
-        let _ = write!(out, ",{name}_displacement_x_m,{name}_displacement_y_m");
+        let _ = write!(
+            out,
+            ",{name}_displacement_x_m,{name}_displacement_y_m,{name}_acceleration_x_m_s2,{name}_acceleration_y_m_s2"
+        );
     }
     out.push('\n');
     for step in 0..history.length() {
@@ -33,15 +36,19 @@ pub fn building_histories_csv(simulation: &BuildingSimulation) -> String {
             let _ = write!(out, ",{value}");
         }
         for point in &simulation.points {
-            let [x, y] = &point.displacement_m;
-            let _ = write!(out, ",{},{}", x[step], y[step]);
+            for along in &point.along {
+                let _ = write!(out, ",{}", along.displacement_m[step]);
+            }
+            for along in &point.along {
+                let _ = write!(out, ",{}", along.acceleration_m_s2[step]);
+            }
         }
         out.push('\n');
     }
     out
 }
 
-/// Largest values of each floor and the storey below it.
+/// Largest values of each floor and the storey below it; edge drifts empty where the outline of the floor is not known.
 pub fn building_peaks_csv(simulation: &BuildingSimulation) -> String {
     let mut out = String::from(
         "floor,displacement_x_m,displacement_y_m,rotation_rad,drift_x_m,drift_y_m,twist_rad,edge_drift_x_m,edge_drift_y_m\n",
@@ -49,18 +56,22 @@ pub fn building_peaks_csv(simulation: &BuildingSimulation) -> String {
     let peaks = &simulation.history.peaks;
     for (i, (floor, storey)) in peaks.floors.iter().zip(&peaks.storeys).enumerate() {
         let values = [
-            floor.displacement_x_m,
-            floor.displacement_y_m,
-            floor.rotation_rad,
-            storey.drift_x_m,
-            storey.drift_y_m,
-            storey.twist_rad,
+            Some(floor.displacement_x_m),
+            Some(floor.displacement_y_m),
+            Some(floor.rotation_rad),
+            Some(storey.drift_x_m),
+            Some(storey.drift_y_m),
+            Some(storey.twist_rad),
             storey.edge_drift_x_m,
             storey.edge_drift_y_m,
         ];
         let _ = write!(out, "{}", i + 1);
         for peak in values {
-            let _ = write!(out, ",{}", peak.value);
+            let _ = write!(
+                out,
+                ",{}",
+                peak.map_or(String::new(), |peak| peak.value.to_string())
+            );
         }
         out.push('\n');
     }

@@ -11,7 +11,7 @@ mod frame_tables;
 mod tables;
 
 pub use answer::{MotionAnswer, Simulation};
-pub use building_answer::{BuildingSimulation, WatchedPoint};
+pub use building_answer::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
 pub use building_tables::{building_histories_csv, building_peaks_csv};
 pub use chain_answer::ChainSimulation;
 pub use chain_tables::{chain_energy_csv, chain_histories_csv, chain_slips_csv, chain_uplifts_csv};

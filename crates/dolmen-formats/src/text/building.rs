@@ -1,7 +1,7 @@
 //! `dolmen check` of a building as text.
 
 use super::Table;
-use crate::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
+use crate::building::{BuildingAnswer, BuildingSpectral, MINOR_RATIO, StandingBuilding};
 use crate::number::{beside_one, significant};
 use crate::project::BuiltDamper;
 use std::f64::consts::TAU;
@@ -13,10 +13,15 @@ pub(super) fn building_text(answer: &BuildingAnswer) -> String {
     if let Some(standing) = &answer.stands {
         out += &modes_text(standing);
         out += &dampers_text(&standing.dampers);
-        out += &standing
-            .spectral
-            .as_ref()
-            .map_or_else(String::new, |spectral| spectral_text(answer, spectral));
+        out += &standing.spectral.as_ref().map_or_else(String::new, |spectral| {
+            spectral_text(answer, spectral, &standing.dampers)
+        });
+        if let Some(why) = &standing.spectral_refused {
+            let _ = writeln!(
+                out,
+                "\nResponse to the spectrum of the site: NOT COMPUTED: {why}. Give the modes damping that the spectrum is for, or `dolmen simulate` a motion"
+            );
+        }
     }
     out
 }
@@ -132,6 +137,7 @@ pub(super) fn dampers_text(dampers: &[BuiltDamper]) -> String {
     }
     let heads = [
         "damper",
+        "kind",
         "floor",
         "x, m",
         "y, m",
@@ -143,31 +149,51 @@ pub(super) fn dampers_text(dampers: &[BuiltDamper]) -> String {
         "damping, %",
         "tuning",
     ];
-    let mut table = Table::new(&heads, 1);
+    let mut table = Table::new(&heads, 2);
+    let none = || "none".to_owned();
     for damper in dampers {
-        let [cos, sin] = damper.tuned.direction.unit();
+        let [cos, sin] = damper.direction.unit();
+        let [own_hz, own_ratio] = damper.own().map_or([none(), none()], |[hz, ratio]| {
+            [significant(hz, 5), format!("{:.3}", 100.0 * ratio)]
+        });
+        let tuned = damper.tuned_to;
         table.row(vec![
             damper.name.clone(),
-            damper.tuned.floor.to_string(),
-            format!("{:.3}", damper.tuned.x_m),
-            format!("{:.3}", damper.tuned.y_m),
+            damper.word().to_owned(),
+            damper.floor.to_string(),
+            format!("{:.3}", damper.place_m[0]),
+            format!("{:.3}", damper.place_m[1]),
             format!("{:.0} deg", sin.atan2(cos).to_degrees() + 0.0),
-            damper.mode.to_string(),
-            significant(damper.mass_ratio, 4),
-            significant(1e-3 * damper.tuned.mass_kg, 4),
-            significant(damper.tuned.frequency_hz, 5),
-            format!("{:.3}", 100.0 * damper.tuned.damping_ratio),
-            damper.tuning.map_or("given", |tuning| tuning.word()).to_owned(),
+            tuned.map_or_else(none, |tuned| tuned.mode.to_string()),
+            tuned.map_or_else(none, |tuned| significant(tuned.mass_ratio, 4)),
+            tuned.map_or_else(none, |_| significant(1e-3 * damper.kind.mass_kg(), 4)),
+            own_hz,
+            own_ratio,
+            damper.tuning.map_or("given", |tuning| tuning.name()).to_owned(),
         ]);
     }
-    format!(
+    let mut out = format!(
         "\nDampers: mass over the modal mass at their place; damping on their own frequency\n{}",
         table.text()
-    )
+    );
+    for damper in dampers.iter().filter(|damper| !damper.rest().is_empty()) {
+        let _ = writeln!(out, "  {}: {}", damper.name, damper.rest());
+    }
+    out
 }
 
-fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral) -> String {
-    let mut out = String::from("\nResponse to the spectrum of the site, without dampers, all modes\n");
+fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral, dampers: &[BuiltDamper]) -> String {
+    let mut out = String::from(
+        "\nResponse to the spectrum of the site, all modes; shaking along x and y together by the root of the sum of squares\n",
+    );
+    if !dampers.is_empty() {
+        let names: Vec<&str> = dampers.iter().map(|damper| damper.name.as_str()).collect();
+        let _ = writeln!(
+            out,
+            "  LEFT OUT: {}. A spectrum is read at modes of the building alone, and no combination of them holds a damper: `dolmen simulate` has it",
+            names.join(", ")
+        );
+    }
     let mut table = Table::new(&["base shear, kN", "along x", "along y"], 1);
     for (word, [x, y]) in ["absolute sum", "SRSS", "CQC"]
         .into_iter()
@@ -182,8 +208,17 @@ fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral) -> String
     out += &table.text();
     let _ = writeln!(
         out,
-        "  base torque {} kN·m; below: CQC, x and y together by the root of the sum of squares",
+        "  what the walls of the lowest storey carry; torque about the vertical through the centre of all mass {} kN·m (CQC, as all below)",
         significant(1e-3 * spectral.base_torque_n_m, 5)
+    );
+    let [x, y] = spectral.least_favourable;
+    let _ = writeln!(
+        out,
+        "  least favourable direction, the weaker component {MINOR_RATIO} of the stronger (CQC3): x {} kN with the stronger at {:.0} deg, y {} kN at {:.0} deg",
+        significant(1e-3 * x.largest, 5),
+        x.direction_degrees,
+        significant(1e-3 * y.largest, 5),
+        y.direction_degrees
     );
     let heads = [
         "floor",
@@ -195,15 +230,17 @@ fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral) -> String
     ];
     let mut table = Table::new(&heads, 1);
     for (i, storey) in answer.elastic.storeys().iter().enumerate().rev() {
-        let ([x, y], [drift_x, drift_y]) = (spectral.displacement_m[i], spectral.edge_drift_m[i]);
-        table.row(vec![
+        let [x, y] = spectral.displacement_m[i];
+        let mut row = vec![
             answer.floors[i].clone(),
             format!("{:.3}", 1e3 * x),
             format!("{:.3}", 1e3 * y),
-            format!("{:.3}", 1e3 * drift_x),
-            format!("{:.3}", 1e3 * drift_y),
-            format!("{:.3}", 100.0 * drift_x.max(drift_y) / storey.height_m),
-        ]);
+        ];
+        row.extend(match spectral.edge_drift_m[i] {
+            Some([x, y]) => [1e3 * x, 1e3 * y, 100.0 * x.max(y) / storey.height_m].map(|v| format!("{v:.3}")),
+            None => ["unknown", "unknown", "no outline"].map(str::to_owned),
+        });
+        table.row(row);
     }
     out += &table.text();
     for (name, [x, y]) in &spectral.points_m {

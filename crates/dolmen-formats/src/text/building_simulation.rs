@@ -4,7 +4,8 @@ use super::Table;
 use super::building::dampers_text;
 use crate::number::significant;
 use crate::simulation::BuildingSimulation;
-use dolmen::dynamics::{BuildingHistory, HistoryMethod};
+use dolmen::dynamics::HistoryMethod;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::fmt::Write as _;
 
 /// How it moved: base, floors, storeys, dampers, points.
@@ -14,26 +15,43 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
     out += &floors_text(simulation);
     out += &base_text(simulation);
     let peaks = &simulation.history.peaks;
-    for (damper, stroke) in simulation.dampers.iter().zip(&peaks.strokes_m) {
+    for (name, stroke) in simulation.stroke_names().iter().zip(&peaks.strokes_m) {
         let _ = writeln!(
             out,
-            "Damper {}: stroke {:.2} mm at {:.3} s",
-            damper.name,
+            "Damper {name}: stroke {:.2} mm at {:.3} s",
             1e3 * stroke.value.abs(),
             stroke.at_s
         );
     }
-    for point in &simulation.points {
-        let [x, y] = point.displacement_m.each_ref().map(|values| largest(values));
+    for beyond in simulation.beyond_room() {
         let _ = writeln!(
             out,
-            "Point {} (floor {}, {:.3}, {:.3} m): x {:.3} mm, y {:.3} mm",
+            "BEYOND ITS ROOM: damper {} moves {:.2} mm and has {:.2} mm: it meets its stops, which this run does not have",
+            beyond.name,
+            1e3 * beyond.stroke_m,
+            1e3 * beyond.room_m
+        );
+    }
+    for point in &simulation.points {
+        let [x, y] = point
+            .along
+            .each_ref()
+            .map(|along| along.displacement_peak_m.value.abs());
+        let [a_x, a_y] = point
+            .along
+            .each_ref()
+            .map(|along| along.acceleration_peak_m_s2.value.abs());
+        let _ = writeln!(
+            out,
+            "Point {} (floor {}, {:.3}, {:.3} m): x {:.3} mm, y {:.3} mm; acceleration with the ground x {:.4} g, y {:.4} g",
             point.name,
             point.floor,
             point.place_m[0],
             point.place_m[1],
             1e3 * x,
-            1e3 * y
+            1e3 * y,
+            a_x / STANDARD_GRAVITY_M_S2,
+            a_y / STANDARD_GRAVITY_M_S2
         );
     }
     let history = &simulation.history;
@@ -43,37 +61,54 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
     };
     let _ = writeln!(
         out,
-        "Run: exact {method}, {} steps of {} s; peaks are those at the steps",
+        "Run: exact {method}, {} steps of {} s, to {:.2} s; peaks are looked for between the steps",
         history.length() - 1,
-        history.time_step_s
+        history.time_step_s,
+        history.time_s(history.length() - 1)
     );
+    if history.grows_at_the_end() {
+        out += "STILL GROWING: a displacement is largest where the run ends, and may grow on: give a longer --duration\n";
+    }
     out
 }
 
-fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| most.max(value.abs()))
-}
+/// From this ratio on a value counts as grown: what is printed with four digits.
+pub(crate) const GROWN: f64 = 1.0005;
 
-/// How it moved, in one sentence that begins with a fixed word.
+/// How it moved, in one sentence that begins with a fixed word; and what dampers make more, a line each.
 pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
-    let (storey, ratio) = simulation.drift_ratio();
+    let drift = simulation.drift();
     let name = simulation
         .floors
-        .get(storey.saturating_sub(1))
+        .get(drift.storey.saturating_sub(1))
         .map_or("", String::as_str);
+    let place = if drift.at_edge {
+        "at an edge"
+    } else {
+        "of a centre of mass"
+    };
     let mut out = format!(
-        "MOVED: the largest drift at an edge is {} % of the height of the storey below floor {name}",
-        significant(100.0 * ratio, 3)
+        "MOVED: the largest drift {place} is {} % of the height of the storey below floor {name}",
+        significant(100.0 * drift.ratio, 3)
     );
-    if let Some(without) = &simulation.without_dampers {
-        let top = |history: &BuildingHistory| {
-            let peak = history.peaks.floors.last().copied().unwrap_or_default();
-            peak.displacement_x_m.value.hypot(peak.displacement_y_m.value)
-        };
+    if !drift.at_edge {
+        out += " (its outline is not known: edges drift more where it twists; give sides or outline)";
+    }
+    let against = simulation.against_without();
+    let top: Vec<String> = against
+        .iter()
+        .filter(|of| of.what[0].starts_with("the top"))
+        .map(|of| format!("{} {}", of.what[0], significant(of.ratio, 3)))
+        .collect();
+    if !top.is_empty() {
+        let _ = write!(out, "; {} of what it would move without dampers", top.join(", "));
+    }
+    for of in against.iter().filter(|of| of.ratio > GROWN) {
         let _ = write!(
             out,
-            "; the top moves {} of what it would without dampers",
-            significant(top(&simulation.history) / top(without), 3)
+            "\nMORE THAN WITHOUT DAMPERS: {} moves {} of what it would",
+            of.what[0],
+            significant(of.ratio, 4)
         );
     }
     out
@@ -96,18 +131,23 @@ fn floors_text(simulation: &BuildingSimulation) -> String {
     let storeys = simulation.building.building().storeys();
     for (i, storey) in storeys.iter().enumerate().rev() {
         let (floor, drift) = (&peaks.floors[i], &peaks.storeys[i]);
-        let (edge_x, edge_y) = (drift.edge_drift_x_m.value.abs(), drift.edge_drift_y_m.value.abs());
-        table.row(vec![
+        let edges = drift.edge_drift_x_m.zip(drift.edge_drift_y_m);
+        let mut row = vec![
             simulation.floors[i].clone(),
             format!("{:.3}", 1e3 * floor.displacement_x_m.value.abs()),
             format!("{:.3}", 1e3 * floor.displacement_y_m.value.abs()),
             format!("{:.4}", 1e3 * floor.rotation_rad.value.abs()),
             format!("{:.3}", 1e3 * drift.drift_x_m.value.abs()),
             format!("{:.3}", 1e3 * drift.drift_y_m.value.abs()),
-            format!("{:.3}", 1e3 * edge_x),
-            format!("{:.3}", 1e3 * edge_y),
-            format!("{:.3}", 100.0 * edge_x.max(edge_y) / storey.height_m),
-        ]);
+        ];
+        row.extend(match edges {
+            Some((x, y)) => {
+                let (x, y) = (x.value.abs(), y.value.abs());
+                [1e3 * x, 1e3 * y, 100.0 * x.max(y) / storey.height_m].map(|value| format!("{value:.3}"))
+            }
+            None => ["unknown", "unknown", "no outline"].map(str::to_owned),
+        });
+        table.row(row);
     }
     format!(
         "\nLargest displacement of the centres of mass relative to the ground, drift of the storey below each floor there and at its edges\n{}",
@@ -120,7 +160,7 @@ fn base_text(simulation: &BuildingSimulation) -> String {
     let weight_n = simulation.building.building().mass_kg() * 9.806_65;
     let [x, y] = peaks.base_shear_n;
     format!(
-        "Base shear: x {} kN at {:.3} s, y {} kN at {:.3} s ({} and {} % of the weight); torque {} kN·m at {:.3} s\n",
+        "Shear in the walls of the lowest storey: x {} kN at {:.3} s, y {} kN at {:.3} s ({} and {} % of the weight); torque about the vertical through the centre of all mass {} kN·m at {:.3} s\n",
         significant(1e-3 * x.value.abs(), 5),
         x.at_s,
         significant(1e-3 * y.value.abs(), 5),

@@ -216,11 +216,12 @@ fn cells(row: &StackDemandRow, site: &SiteDemand) -> Vec<String> {
 fn spectral_text(spectral: &[SpectralAt], with_note: bool) -> String {
     let mut out = String::new();
     if !spectral.is_empty() {
-        let mut table = Table::new(&["direction", "T1, s", "S_a, g"], 1);
+        let mut table = Table::new(&["direction", "T1, s", "damping, %", "S_a, g"], 1);
         for at in spectral {
             table.row(vec![
                 at.direction.clone(),
                 format!("{:.4}", at.period_s),
+                trimmed(100.0 * at.damping_ratio, 4),
                 format!("{:.4}", in_g(at.acceleration_m_s2)),
             ]);
         }

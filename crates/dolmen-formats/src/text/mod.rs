@@ -20,6 +20,7 @@ mod tune;
 mod validate;
 mod versions;
 
+pub(crate) use building_simulation::GROWN;
 pub use building_simulation::{building_outcome_text, building_simulation_text};
 pub use chain_simulation::{chain_outcome_text, chain_simulation_text};
 pub use check::check_text;
@@ -33,5 +34,5 @@ pub use score::{score_quality_text, score_text};
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
 pub use study::study_text;
 pub use table::Table;
-pub use tune::{choice_words, findings, goal_words, tune_text};
+pub use tune::{choice_words, findings, goal_words, together_text, together_words, tune_text};
 pub use validate::validation_text;

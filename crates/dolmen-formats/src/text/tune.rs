@@ -1,7 +1,7 @@
 //! A damper beside the rule and the best, as text.
 
 use super::Table;
-use crate::tune::{TuneAnswer, direction_words};
+use crate::tune::{TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use dolmen::damper::{Aim, Choice, Compared, DesignEnd, Goal};
 use std::fmt::Write as _;
 
@@ -14,6 +14,9 @@ pub fn tune_text(answer: &TuneAnswer) -> String {
     out += &off(answer);
     out
 }
+
+/// From this relative difference on numbers at prepared frequencies are called rough.
+const ROUGH: f64 = 1e-3;
 
 /// What the goal is, in words.
 pub fn goal_words(goal: Goal) -> &'static str {
@@ -72,8 +75,21 @@ fn given(answer: &TuneAnswer) -> String {
     if answer.others > 0 {
         let _ = writeln!(
             out,
-            "The other {} dampers of the file are left out: each is judged alone",
+            "The other {} dampers of the file are left out here: each is judged alone first, and all together below",
             answer.others
+        );
+    }
+    if let Some(most) = answer.stroke_most {
+        let _ = writeln!(
+            out,
+            "What is designed keeps to {most} of the stroke of the file's damper"
+        );
+    }
+    if answer.off_by > 0.0 {
+        let _ = writeln!(
+            out,
+            "What is designed is the best with its frequency off by {:.1} % either way, the goal at its own",
+            100.0 * answer.off_by
         );
     }
     let names: Vec<&str> = answer.points.iter().map(|point| point.name.as_str()).collect();
@@ -122,7 +138,11 @@ fn choices(answer: &TuneAnswer) -> String {
         table.row(cells);
     }
     format!(
-        "\nMotion over that without a damper; the stroke over that of the damper as in the file\n{}",
+        "\n{} over that without a damper; the stroke over that of the damper as in the file\n{}",
+        match answer.goal {
+            Goal::LargestPeak => "Largest amplitude under a harmonic load",
+            Goal::LargestRms | Goal::MeanSquare => "Standard deviation of the motion",
+        },
         table.text()
     )
 }
@@ -157,13 +177,21 @@ pub fn findings(answer: &TuneAnswer) -> Vec<String> {
     };
     all.extend(more(Choice::Rule, "The rule, far from the centre of the mode,"));
     all.extend(more(Choice::Given, "The file's damper"));
+    if answer.comparison.apart > ROUGH {
+        all.push(format!(
+            "ROUGH: maps, lines, tunings, curves of being out of tune and searches are off by up to {:.1} %: something is damped too lightly for them; \
+             the rows of the table are computed afresh",
+            100.0 * answer.comparison.apart
+        ));
+    }
     let unsettled = |row: &&Compared| !matches!(row.end, None | Some(DesignEnd::Optimum));
     for row in answer.comparison.rows.iter().filter(unsettled) {
         let words = match row.end {
-            Some(DesignEnd::Limit) => {
-                "lies at the limit of damping or frequency that a damper may have: less of a damper would be better there"
-            }
-            _ => "is the best that was seen, but its search did not settle to 1e-6",
+            Some(DesignEnd::Limit) => format!(
+                "ended where its search is bounded, at {:.5} Hz and damping ratio {:.5}: there may be better beyond",
+                row.damper.frequency_hz, row.damper.damping_ratio
+            ),
+            _ => "is the best that was seen, but its search did not settle to 1e-6".to_owned(),
         };
         all.push(format!("'{}' {words}", choice_words(row.choice, answer.mode)));
     }
@@ -242,4 +270,116 @@ fn off(answer: &TuneAnswer) -> String {
         "\nWhat the goal grows by when the damper is out of tune\n{}",
         table.text()
     )
+}
+
+/// All dampers of a building at once.
+pub fn together_text(answer: &TogetherAnswer) -> String {
+    let mut out = String::new();
+    let of = answer
+        .variant
+        .as_ref()
+        .map_or(String::new(), |name| format!(" (variant {name})"));
+    let directions: Vec<String> = answer
+        .load_directions_degrees
+        .iter()
+        .map(|degrees| direction_words(*degrees))
+        .collect();
+    let _ = writeln!(
+        out,
+        "\nAll dampers together{of}\nLoad: {}, along {}{}\nMade small: {}",
+        answer.load.english(),
+        directions.join(" and "),
+        if directions.len() > 1 {
+            ", independently"
+        } else {
+            ""
+        },
+        goal_words(answer.goal)
+    );
+    if let Some(most) = answer.stroke_most {
+        let _ = writeln!(
+            out,
+            "What is designed keeps to {most} of the strokes of the file's dampers"
+        );
+    }
+    let mut heads = vec!["dampers".to_owned()];
+    for (point, degrees) in &answer.points {
+        heads.push(format!("{} {}", point.name, direction_words(*degrees)));
+    }
+    heads.push("goal".to_owned());
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut table = Table::new(&heads, 1);
+    for row in &answer.rows {
+        let mut cells = vec![together_words(&row.choice)];
+        cells.extend(answer.ratios(row).iter().map(|ratio| format!("{ratio:.4}")));
+        cells.push(format!("{:.4}", answer.cost_ratio(row)));
+        table.row(cells);
+    }
+    let _ = write!(out, "\nMotion over that without dampers\n{}", table.text());
+    let mut table = Table::new(
+        &[
+            "as designed",
+            "damper",
+            "x, m",
+            "y, m",
+            "mass, t",
+            "f, Hz",
+            "damping, %",
+            "besides",
+        ],
+        2,
+    );
+    for row in answer.rows.iter().filter(|row| row.end.is_some()) {
+        for damper in &row.dampers {
+            let [hz, ratio] = damper
+                .own()
+                .map_or(["none".to_owned(), "none".to_owned()], |[hz, ratio]| {
+                    [format!("{hz:.5}"), format!("{:.3}", 100.0 * ratio)]
+                });
+            table.row(vec![
+                together_words(&row.choice),
+                damper.name.clone(),
+                format!("{:.3}", damper.place_m[0] + 0.0),
+                format!("{:.3}", damper.place_m[1] + 0.0),
+                format!("{:.4}", 1e-3 * damper.kind.mass_kg()),
+                hz,
+                ratio,
+                damper.rest(),
+            ]);
+        }
+    }
+    let _ = write!(out, "\n{}", table.text());
+    for row in &answer.rows {
+        for ((point, degrees), ratio) in answer.points.iter().zip(answer.ratios(row)) {
+            if ratio > 1.0 + 1e-12 {
+                let _ = writeln!(
+                    out,
+                    "WORSE THAN NO DAMPER: {}, {} along {} moves {ratio:.4} of what it moves without",
+                    together_words(&row.choice),
+                    point.name,
+                    direction_words(*degrees)
+                );
+            }
+        }
+        let words = match row.end {
+            Some(DesignEnd::Limit) => "lies at the limit of a tuning that a damper may have",
+            Some(DesignEnd::Stalled) => "is the best that was seen, but its search did not settle to 1e-6",
+            None | Some(DesignEnd::Optimum) => continue,
+        };
+        let _ = writeln!(out, "'{}' {words}", together_words(&row.choice));
+    }
+    out
+}
+
+/// A choice of all dampers in words.
+pub fn together_words(choice: &TogetherChoice) -> String {
+    match choice {
+        TogetherChoice::Without => "none".to_owned(),
+        TogetherChoice::Given => "all as in the file".to_owned(),
+        TogetherChoice::Only(name) => format!("{name} alone"),
+        TogetherChoice::AllBut(name) => format!("all but {name}"),
+        TogetherChoice::TunedBest => "all where they are, tuned best together".to_owned(),
+        TogetherChoice::Best => "placed and tuned best together".to_owned(),
+        TogetherChoice::BestShared => "the same, their mass shared anew".to_owned(),
+    }
 }

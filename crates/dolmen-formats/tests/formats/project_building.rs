@@ -1,8 +1,9 @@
 //! Buildings in the project file: what they become, and every refusal at its line.
 
 use super::project::{example, read, refused};
+use dolmen::damper::{DamperKind, TuningRule, rule_tuning};
 use dolmen::structure::building::PlanDirection;
-use dolmen_formats::project::{Project, Quantity, Structure, Tuning};
+use dolmen_formats::project::{Project, Quantity, Structure};
 
 const BUILDING: &str = r#"schema = 1
 kind = "building"
@@ -73,9 +74,9 @@ fn exact_floors_storeys_and_a_damper_in_si() {
         .zip(&modes.modes[0].shape)
         .map(|(r, phi)| r * phi)
         .sum();
-    assert!((damper.tuned.mass_kg * along * along - 0.05).abs() < 1e-14);
-    assert!((damper.tuned.frequency_hz * 1.05 / modes.modes[0].frequency_hz - 1.0).abs() < 1e-14);
-    assert!((damper.tuned.damping_ratio - 0.1336306).abs() < 0.5e-7);
+    assert!((damper.kind.mass_kg() * along * along - 0.05).abs() < 1e-14);
+    assert!((damper.own().unwrap()[0] * 1.05 / modes.modes[0].frequency_hz - 1.0).abs() < 1e-14);
+    assert!((damper.own().unwrap()[1] - 0.1336306).abs() < 0.5e-7);
     assert_eq!(part.floor_names(), ["1", "2", "3"]);
     assert!(
         project
@@ -87,16 +88,23 @@ fn exact_floors_storeys_and_a_damper_in_si() {
 #[test]
 fn published_tunings_of_a_mass_ratio_of_5_percent() {
     for (tuning, f, zeta) in [
-        (Tuning::DenHartog, 0.952_381_0, 0.133_630_6),
-        (Tuning::WarburtonForce, 0.964_212_2, 0.109_772_2),
-        (Tuning::WarburtonBase, 0.940_400_8, 0.109_806_1),
+        ("den_hartog", 0.952_381_0, 0.133_630_6),
+        ("warburton_force", 0.964_212_2, 0.109_772_2),
+        ("warburton_base", 0.940_400_8, 0.109_806_1),
     ] {
-        let [ratio, damping] = tuning.of(0.05);
+        let project = read(&with("den_hartog", tuning));
+        let part = part(&project);
+        let pick = &mut Quantity::nominal;
+        let building = part.build(pick).unwrap();
+        let modes = building.modes().unwrap();
+        let damper = &part.dampers(&building, &modes, pick).unwrap()[0];
+        let ratio = damper.own().unwrap()[0] / modes.modes[0].frequency_hz;
+        let damping = damper.own().unwrap()[1];
         assert!(
             (ratio - f).abs() < 0.5e-7 && (damping - zeta).abs() < 0.5e-7,
-            "{}: {ratio} {damping}",
-            tuning.word()
+            "{tuning}: {ratio} {damping}"
         );
+        assert_eq!(damper.tuning.unwrap().name(), tuning);
     }
 }
 
@@ -178,6 +186,67 @@ fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
         ),
         ("tuning = \"den_hartog\"", "", "damper.top has no frequency"),
         (
+            "tuning = \"den_hartog\"",
+            "frequency = 0.6\ndamping_ratio = 12",
+            "damper.top.damping_ratio = 12, but above 1 nothing swings",
+        ),
+        (
+            "tuning = \"den_hartog\"",
+            "frequency = 20\ndamping_ratio = 0.1",
+            "is it in Hz, not rad/s",
+        ),
+        (
+            "{ x = 5, y = 0, stiffness_y = 12 }",
+            "{ x = 5000, y = 0, stiffness_y = 12 }",
+            "lies 5000 m off its floor",
+        ),
+        ("sides = [10, 8]", "sides = [10000, 8000]", "are its sides in mm?"),
+        (
+            "kind = \"tmd\"",
+            "kind = \"tlcd\"",
+            "damper.top has no length_ratio",
+        ),
+        (
+            "kind = \"tmd\"",
+            "kind = \"tlcd\"\nlength_ratio = 1.2",
+            "damper.top.length_ratio = 1.2 is not below 1",
+        ),
+        (
+            "kind = \"tmd\"",
+            "kind = \"tlcmd\"\nlength_ratio = 0.6",
+            "damper.top needs one of liquid_frequency and length",
+        ),
+        (
+            "kind = \"tmd\"",
+            "kind = \"tlcmd\"\nlength_ratio = 0.6\nlength = 3",
+            "damper.top needs liquid_share and liquid_damping_ratio",
+        ),
+        (
+            "kind = \"tmd\"",
+            "kind = \"link\"",
+            "damper.top.mass_ratio belongs to kind = \"tmd\" or \"tlcd\" or \"tlcmd\", but this is a \"link\"",
+        ),
+        (
+            "tuning = \"den_hartog\"",
+            "tuning = \"den_hartog\"\ncoefficient = 5",
+            "damper.top.coefficient belongs to kind = \"link\"",
+        ),
+        (
+            "mass_ratio = 0.05\ntuning = \"den_hartog\"",
+            "masses = [{ share = 0.5 }, { share = 0.4 }]\nmass_ratio = 0.05\ntuning = \"den_hartog\"",
+            "the shares of damper.top.masses add up to 0.9",
+        ),
+        (
+            "kind = \"tmd\"\nfloor = 3\nplace = [4, 0]\ndirection = \"y\"\nmass_ratio = 0.05\ntuning = \"den_hartog\"",
+            "kind = \"link\"\nfloor = 3\nto_floor = 3\nplace = [4, 0]\ndirection = \"y\"\ncoefficient = 5",
+            "damper.top ties floor 3 to itself",
+        ),
+        (
+            "kind = \"tmd\"\nfloor = 3\nplace = [4, 0]\ndirection = \"y\"\nmass_ratio = 0.05\ntuning = \"den_hartog\"",
+            "kind = \"link\"\nfloor = 3\nplace = [4, 0]\ndirection = \"y\"",
+            "damper.top has no coefficient",
+        ),
+        (
             "direction = \"y\"",
             "direction = \"up\"",
             "must be \"x\", \"y\", or an angle from x",
@@ -247,6 +316,177 @@ fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
     let answer = refused(&floor);
     assert!(
         answer.contains("mode 2 does not move at its place along its direction (it moves only in x here)"),
+        "{answer}"
+    );
+}
+
+#[test]
+fn exact_dampers_of_every_kind_in_si() {
+    let dampers = r#"[damper.pair]
+kind = "tmd"
+floor = 3
+place = [4, 0]
+direction = "y"
+mass_ratio = 0.04
+tuning = "warburton_base"
+stroke = "300 mm"
+masses = [
+  { share = 0.25, place = [5, 0], frequency = 0.7, damping_ratio = 0.05 },
+  { share = 0.75 },
+]
+[damper.tube]
+kind = "tlcd"
+floor = 2
+place = [0, 0]
+direction = "y"
+mass = 2
+length_ratio = 0.7
+length = 1.8
+damping_ratio = 0.06
+[damper.tank]
+kind = "tlcmd"
+floor = 3
+place = [-4, 0]
+direction = "y"
+mass_ratio = 0.01
+tuning = "den_hartog"
+liquid_share = 0.4
+length_ratio = 0.6
+liquid_frequency = "0.9 Hz"
+liquid_damping_ratio = "8 %"
+[damper.strut]
+kind = "link"
+floor = 2
+to_place = [1, 1]
+place = [2, 1]
+direction = "x"
+coefficient = "500 kN*s/m"
+"#;
+    let at = BUILDING.find("[damper.top]").unwrap();
+    let project = read(&(BUILDING[..at].to_owned() + dampers));
+    let part = part(&project);
+    let pick = &mut Quantity::nominal;
+    let building = part.build(pick).unwrap();
+    let modes = building.modes().unwrap();
+    let built = part.dampers(&building, &modes, pick).unwrap();
+    let names: Vec<&str> = built.iter().map(|damper| damper.name.as_str()).collect();
+    assert_eq!(names, ["pair-1", "pair-2", "tube", "tank", "strut"]);
+    let along = |floor, x, y, direction| building.point_row(floor, x, y, direction).unwrap();
+    let modal_mass = |row: &[f64]| {
+        let moves: f64 = row
+            .iter()
+            .zip(&modes.modes[0].shape)
+            .map(|(r, phi)| r * phi)
+            .sum();
+        1.0 / (moves * moves)
+    };
+    let y = PlanDirection::Y;
+    // the pair shares 4 % of the modal mass at its own place, one of them elsewhere
+    let whole = 0.04 * modal_mass(&along(3, 4.0, 0.0, y));
+    let tuned = rule_tuning(TuningRule::WarburtonBase, 0.04, 0.0).unwrap();
+    let close = |a: f64, b: f64| assert!((a / b - 1.0).abs() < 1e-12, "{a} {b}");
+    close(built[0].kind.mass_kg(), 0.25 * whole);
+    close(built[1].kind.mass_kg(), 0.75 * whole);
+    assert_eq!(built[0].own(), Some([0.7, 0.05]));
+    close(
+        built[1].own().unwrap()[0],
+        tuned.frequency_ratio * modes.modes[0].frequency_hz,
+    );
+    close(built[1].own().unwrap()[1], tuned.damping_ratio);
+    assert_eq!(built[0].row, along(3, 5.0, 0.0, y));
+    assert_eq!(
+        (built[0].tuning, built[1].tuning),
+        (None, Some(TuningRule::WarburtonBase))
+    );
+    assert_eq!((built[0].room_m, built[2].room_m), (Some(0.3), None));
+    let gravity = part.gravity_m_s2;
+    assert_eq!(
+        built[2].kind,
+        DamperKind::LiquidColumn {
+            liquid_mass_kg: 2e3,
+            length_ratio: 0.7,
+            frequency_hz: (2.0 * gravity / 1.8_f64).sqrt() / std::f64::consts::TAU,
+            damping_ratio: 0.06,
+        }
+    );
+    let DamperKind::LiquidColumnMass {
+        container_mass_kg,
+        liquid_mass_kg,
+        length_ratio,
+        liquid_frequency_hz,
+        liquid_damping_ratio,
+        ..
+    } = built[3].kind
+    else {
+        panic!("{:?}", built[3].kind);
+    };
+    let tank = 0.01 * modal_mass(&along(3, -4.0, 0.0, y));
+    close(container_mass_kg, 0.6 * tank);
+    close(liquid_mass_kg, 0.4 * tank);
+    assert_eq!(
+        (length_ratio, liquid_frequency_hz, liquid_damping_ratio),
+        (0.6, 0.9, 0.08)
+    );
+    // a strut between floors 2 and 1
+    let (upper, lower) = (
+        along(2, 2.0, 1.0, PlanDirection::X),
+        along(1, 1.0, 1.0, PlanDirection::X),
+    );
+    for (i, a) in built[4].row.iter().enumerate() {
+        assert!((a - (upper[i] - lower[i])).abs() < 1e-15);
+    }
+    assert_eq!(
+        built[4].kind,
+        DamperKind::Viscous {
+            coefficient_n_s_m: 5e5
+        }
+    );
+    assert!(project.input("damper.pair.masses[1].share").is_some());
+    assert!(project.input("damper.strut.coefficient").is_some());
+}
+
+#[test]
+fn exact_modes_of_one_frequency_have_one_modal_mass_any_way() {
+    // equal along x and y, no eccentricity: 100 t along 45 degrees as along x
+    let text = r#"schema = 1
+kind = "building"
+name = "equal"
+p_delta = false
+floors = [
+  { mass = 1e5, sides = [12, 8], height = 30, stiffness = { x = 4e6, y = 4e6, rotation = 2e8, centre = [0, 0] } },
+]
+[damper.d]
+kind = "tmd"
+floor = 1
+place = [0, 0]
+direction = "45 deg"
+mass_ratio = 0.05
+tuning = "den_hartog"
+"#;
+    for direction in ["45 deg", "x", "y", "-20 deg"] {
+        let project = read(&text.replace("45 deg", direction));
+        let part = part(&project);
+        let pick = &mut Quantity::nominal;
+        let building = part.build(pick).unwrap();
+        let built = part.dampers(&building, &building.modes().unwrap(), pick).unwrap();
+        assert!(
+            (built[0].kind.mass_kg() - 5e3).abs() < 1e-6,
+            "{direction} {:?}",
+            built[0]
+        );
+    }
+}
+
+#[test]
+fn refuses_a_damper_heavier_than_the_building() {
+    // .6 m, 15 mm from the centre of mode 3
+    let floor = example("twisting_floor").replace(
+        "place = [5, 0]\ndirection = \"y\"\nmass = 5.125",
+        "place = [0.6, 0]\ndirection = \"y\"\nmode = 3\nmass_ratio = 0.05",
+    );
+    let answer = refused(&floor);
+    assert!(
+        answer.contains("more than the whole building's 100000 kg: mode 3 hardly moves at its"),
         "{answer}"
     );
 }

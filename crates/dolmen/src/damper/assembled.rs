@@ -80,21 +80,35 @@ impl DampedSystem {
     pub fn load(&self, load: &RandomLoad) -> RandomLoad {
         let input = match &load.input {
             RandomInput::Force(force) => RandomInput::Force(self.row(force)),
-            RandomInput::Base(influence) => {
-                let mut all = self.row(influence);
-                for (damper, &at) in self.dampers.iter().zip(&self.first) {
-                    let moves: f64 = damper.row.iter().zip(influence).map(|(a, e)| a * e).sum();
-                    if let DamperKind::TunedMass { .. } | DamperKind::LiquidColumnMass { .. } = damper.kind {
-                        all[at] = moves;
-                    }
-                }
-                RandomInput::Base(all)
-            }
+            RandomInput::Base(influence) => RandomInput::Base(self.influence(influence)),
         };
         RandomLoad {
             input,
             spectrum: load.spectrum.clone(),
         }
+    }
+
+    /// What everything moves by as the base moves by 1: masses on springs go along with their places, liquids stay in their tubes.
+    pub fn influence(&self, structure: &[f64]) -> Vec<f64> {
+        let mut all = self.row(structure);
+        for (damper, &at) in self.dampers.iter().zip(&self.first) {
+            if let DamperKind::TunedMass { .. } | DamperKind::LiquidColumnMass { .. } = damper.kind {
+                all[at] = damper.row.iter().zip(structure).map(|(a, e)| a * e).sum();
+            }
+        }
+        all
+    }
+
+    /// The row that gives the rise w of the liquid in a damper, numbered from 0; `None` if it has none.
+    pub fn liquid_row(&self, damper: usize) -> Option<Vec<f64>> {
+        let at = match self.dampers.get(damper)?.kind {
+            DamperKind::LiquidColumn { .. } => self.first[damper],
+            DamperKind::LiquidColumnMass { .. } => self.first[damper] + 1,
+            DamperKind::TunedMass { .. } | DamperKind::Viscous { .. } => return None,
+        };
+        let mut row = self.row(&[0.0].repeat(self.structure));
+        row[at] = 1.0;
+        Some(row)
     }
 
     /// A response of the structure as one of all of it.

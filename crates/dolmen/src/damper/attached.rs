@@ -167,6 +167,40 @@ impl DamperKind {
         }
     }
 
+    /// What the damper moves from its place, over the absolute acceleration of the place with its sign turned: z − z₀ of a mass, w of a
+    /// liquid column, s²; 0 of a dashpot, which moves as its ends do.
+    ///
+    /// ```text
+    /// tuned mass            1 / (ω_d² − ω² + 2iζω_d ω)
+    /// liquid column        −α / (ω_d² − ω² + 2iζω_d ω)
+    /// liquid column mass    m_a / ((m_c + m_l)(ω_d² + 2iζω_d ω))
+    /// ```
+    pub(super) fn stroke_per_acceleration(&self, w: f64) -> Complex64 {
+        let link = |hz: f64, zeta: f64| {
+            let own = TAU * hz;
+            Complex64::new(own * own, 2.0 * zeta * own * w)
+        };
+        match *self {
+            DamperKind::TunedMass {
+                frequency_hz,
+                damping_ratio,
+                ..
+            } => 1.0 / (link(frequency_hz, damping_ratio) - w * w),
+            DamperKind::LiquidColumn {
+                length_ratio,
+                frequency_hz,
+                damping_ratio,
+                ..
+            } => -length_ratio / (link(frequency_hz, damping_ratio) - w * w),
+            DamperKind::LiquidColumnMass {
+                frequency_hz,
+                damping_ratio,
+                ..
+            } => self.apparent_mass(w) / (self.mass_kg() * link(frequency_hz, damping_ratio)),
+            DamperKind::Viscous { .. } => Complex64::ZERO,
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), DamperError> {
         let positive = |argument, given: f64| in_range(argument, given, given > 0.0, "positive");
         let ratio = |argument, given: f64| in_range(argument, given, given >= 0.0, "0 or more");

@@ -3,10 +3,11 @@
 use super::position_map::along_line;
 use super::{Aim, DamperSite};
 use super::{
-    DamperError, Design, DesignEnd, DesignOptions, Detuned, Freedom, Goal, Judged, MapCell, MapTuning,
-    OptimalTuning, Place, PlacedDamper, Plan, PositionMap, PositionMapOptions, RobustnessPoint, SingleMode,
-    Tuning, TuningRule, design, goal_cost, optimal_tuning, position_map, robustness, rule_tuning,
+    ColumnAsMass, DamperError, Design, DesignEnd, DesignOptions, Detuned, Freedom, Goal, Judged, MapCell,
+    MapTuning, Place, PlacedDamper, Plan, PositionMap, PositionMapOptions, RobustnessPoint, SingleMode,
+    Tuning, TuningRule, cost_of, design, goal_cost, optimal_tuning, point_values, position_map, robustness,
 };
+use crate::structure::building::nearest_on_side;
 
 /// What is compared, and how finely.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,8 +26,10 @@ pub struct ComparisonOptions {
     pub line_places: usize,
     /// Largest factor that frequencies and damping are off by in the robustness curves: 1 ± it; 0.2 by default (our choice).
     pub detuning: f64,
-    /// Largest standard deviation of the stroke of what is designed, m; none by default.
-    pub stroke_rms_most_m: Option<f64>,
+    /// Largest standard deviation of the stroke of what is designed, over that of the damper given; none by default.
+    pub stroke_most: Option<f64>,
+    /// How far the frequency of what is designed may be off, relatively: the worst of f (1 − d), f, f (1 + d) is made small; 0 by default.
+    pub off_by: f64,
 }
 
 impl Default for ComparisonOptions {
@@ -39,7 +42,8 @@ impl Default for ComparisonOptions {
             map_places: [60, 60],
             line_places: 61,
             detuning: 0.2,
-            stroke_rms_most_m: None,
+            stroke_most: None,
+            off_by: 0.0,
         }
     }
 }
@@ -81,6 +85,8 @@ pub struct Compared {
     pub damper: PlacedDamper,
     /// Standard deviations by assembled matrices.
     pub judged: Judged,
+    /// What the goal is made of at each point: standard deviations, or largest amplitudes under a harmonic load.
+    pub point_values: Vec<f64>,
     /// The goal.
     pub cost: f64,
     /// How a search ended; `None` for what was not searched.
@@ -98,8 +104,8 @@ pub struct TuningRow {
     pub tuning: Tuning,
     /// The damper with it, where it is given.
     pub damper: PlacedDamper,
-    /// Standard deviations with it.
-    pub judged: Judged,
+    /// What the goal is made of at each point, with it.
+    pub point_values: Vec<f64>,
     /// The goal.
     pub cost: f64,
 }
@@ -111,7 +117,7 @@ pub struct Comparison {
     pub modal_mass_kg: f64,
     /// Damper's mass over it.
     pub mass_ratio: f64,
-    /// Standard deviations without a damper.
+    /// What the goal is made of at each point, without a damper.
     pub without: Vec<f64>,
     /// The goal without a damper.
     pub cost_without: f64,
@@ -119,16 +125,20 @@ pub struct Comparison {
     pub rows: Vec<Compared>,
     /// Closed forms and exact optima.
     pub tunings: Vec<TuningRow>,
-    /// Places across the damper's direction through its own, tuned as given.
+    /// Places across the damper's direction through its own, tuned as given; none where the goal is a peak.
     pub line_given: Vec<MapCell>,
     /// The same, tuned best at each.
     pub line_best: Vec<MapCell>,
-    /// Places in plan, tuned best at each.
+    /// Places in plan, tuned best at each; without cells where the goal is a peak, which is not mapped.
     pub map: PositionMap,
     /// The given damper and the best one with their frequencies off.
     pub off_frequency: [Vec<RobustnessPoint>; 2],
     /// The same with their damping off.
     pub off_damping: [Vec<RobustnessPoint>; 2],
+    /// Largest relative difference of standard deviations at the prepared frequencies, by which maps, lines, tunings, robustness curves and
+    /// searches are made, from assembled matrices: over the rows, the ends of the curves and places of the map. From 1e-3 on they are
+    /// rough: structure or damper is damped too lightly.
+    pub apart: f64,
 }
 
 impl Comparison {
@@ -138,6 +148,9 @@ impl Comparison {
     }
 }
 
+/// Frequency ratios and damping of an optimum that is a damper. Our choice.
+const SENSIBLE: std::ops::RangeInclusive<f64> = 0.2..=2.0;
+const DAMPING_SENSIBLE: f64 = 1.0;
 /// Points of the robustness curves.
 const DETUNINGS: usize = 21;
 /// Places along each side of the floor that the rule chooses among.
@@ -176,47 +189,107 @@ pub fn compare(
             });
     over.goal = random;
     let map = position_map(plan, given, &over)?;
+    let here = along_line(plan, given, &[given.place_m], &over);
     over.tuning = MapTuning::Kept;
     let kept = position_map(plan, given, &over)?;
-    let line = line(plan, given, options.line_places);
+    let mapped = options.goal != Goal::LargestPeak;
+    let line = if mapped {
+        line(plan, given, options.line_places)
+    } else {
+        Vec::new()
+    };
     let line_given = along_line(plan, given, &line, &over);
     over.tuning = MapTuning::Best;
     let line_best = along_line(plan, given, &line, &over);
-    let rows = rows(plan, given, options, [&kept, &map])?;
+    let rows = rows(plan, given, options, ([&kept, &map], here.first()))?;
     let best = rows.last().map_or(*given, |row| row.damper);
     let factors: Vec<f64> = (0..DETUNINGS)
         .map(|i| 1.0 + options.detuning * (2.0 * i as f64 / (DETUNINGS - 1) as f64 - 1.0))
         .collect();
+    let apart = apart(plan, &rows, &map)?;
     let off = |damper: PlacedDamper, detuned| robustness(plan, &[damper], options.goal, detuned, &factors);
     Ok(Comparison {
         modal_mass_kg,
         mass_ratio: mode.mass_ratio,
-        without: plan.without().to_vec(),
+        without: match options.goal {
+            Goal::LargestPeak => point_values(plan, &[], options.goal)?,
+            _ => plan.without().to_vec(),
+        },
         cost_without: goal_cost(plan, &[], options.goal)?,
         tunings: tunings(plan, given, &mode, options)?,
         off_frequency: [off(*given, Detuned::Frequency)?, off(best, Detuned::Frequency)?],
         off_damping: [off(*given, Detuned::Damping)?, off(best, Detuned::Damping)?],
+        apart,
         rows,
         line_given,
         line_best,
-        map,
+        map: match mapped {
+            true => map,
+            false => PositionMap {
+                x_m: Vec::new(),
+                y_m: Vec::new(),
+                cells: Vec::new(),
+            },
+        },
     })
+}
+
+/// How far the prepared frequencies are off.
+fn apart(plan: &Plan, rows: &[Compared], map: &PositionMap) -> Result<f64, DamperError> {
+    const CELLS: usize = 5;
+    let mut trials: Vec<PlacedDamper> = rows.iter().map(|row| row.damper).collect();
+    for row in rows.iter().take(1).chain(rows.last()) {
+        for factor in [0.8, 0.94, 1.06, 1.2] {
+            trials.push(PlacedDamper {
+                frequency_hz: factor * row.damper.frequency_hz,
+                ..row.damper
+            });
+        }
+    }
+    let cells: Vec<&MapCell> = map.cells.iter().flatten().collect();
+    let step = (cells.len() / CELLS).max(1);
+    trials.extend(cells.iter().skip(step / 2).step_by(step).map(|cell| cell.damper));
+    let mut most = 0.0_f64;
+    for damper in trials {
+        let (exact, near) = (plan.exact(&[damper])?, plan.judge(&[damper])?);
+        for (a, b) in exact.point_rms.iter().zip(&near.point_rms) {
+            most = most.max((b / a - 1.0).abs());
+        }
+    }
+    Ok(most)
 }
 
 fn rows(
     plan: &Plan,
     given: &PlacedDamper,
     options: &ComparisonOptions,
-    [kept, best]: [&PositionMap; 2],
+    ([kept, best], here): ([&PositionMap; 2], Option<&MapCell>),
 ) -> Result<Vec<Compared>, DamperError> {
+    let values = |damper: PlacedDamper| match options.goal {
+        Goal::LargestPeak => point_values(plan, &[damper], options.goal),
+        _ => Ok(plan.exact(&[damper])?.point_rms),
+    };
+    let cost = |damper: PlacedDamper| match options.goal {
+        Goal::LargestPeak => goal_cost(plan, &[damper], options.goal),
+        goal => Ok(cost_of(&plan.exact(&[damper])?, goal)),
+    };
     let as_is = |choice, damper: PlacedDamper| -> Result<Compared, DamperError> {
         Ok(Compared {
             choice,
             damper,
             judged: plan.exact(&[damper])?,
-            cost: goal_cost(plan, &[damper], options.goal)?,
+            point_values: values(damper)?,
+            cost: cost(damper)?,
             end: None,
         })
+    };
+    let stroke_most_m = match options.stroke_most {
+        Some(most) => plan
+            .exact(&[*given])?
+            .stroke_rms_m
+            .first()
+            .map(|stroke| most * stroke),
+        None => None,
     };
     let searched = |choice, starts: &[PlacedDamper], place, tuning| -> Result<Compared, DamperError> {
         let how = DesignOptions {
@@ -224,7 +297,8 @@ fn rows(
             place,
             frequency: tuning,
             damping: tuning,
-            stroke_rms_most_m: options.stroke_rms_most_m,
+            stroke_rms_most_m: stroke_most_m,
+            detuning_ratio: options.off_by,
             ..DesignOptions::default()
         };
         let mut found: Option<Design> = None;
@@ -249,22 +323,13 @@ fn rows(
             choice,
             damper: found.dampers[0],
             judged: found.judged,
-            cost: found.cost,
+            point_values: values(found.dampers[0])?,
+            cost: cost(found.dampers[0])?,
             end: Some(found.end),
         })
     };
     let near = |map: &PositionMap| best_near(map, given).map_or(*given, |cell| cell.damper);
-    let retuned = best.cells.iter().flatten().reduce(|a, b| {
-        if far(&b.damper, given) < far(&a.damper, given) {
-            b
-        } else {
-            a
-        }
-    });
-    let here = PlacedDamper {
-        place_m: given.place_m,
-        ..retuned.map_or(*given, |cell| cell.damper)
-    };
+    let here = here.map_or(*given, |cell| cell.damper);
     let tuned = searched(Choice::TunedBest, &[*given, here], Place::Kept, Freedom::Free)?;
     let placed = searched(Choice::PlacedBest, &[near(kept)], Place::Anywhere, Freedom::Kept)?;
     let starts = [tuned.damper, near(best)];
@@ -315,9 +380,12 @@ fn best_near<'a>(map: &'a PositionMap, given: &PlacedDamper) -> Option<&'a MapCe
 fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
     let site: &DamperSite = &plan.problem().sites[given.site];
     let sides = site.corners_m.iter().zip(site.corners_m.iter().cycle().skip(1));
-    let mut best = (*given, 0.0);
+    let here = plan
+        .modal_mass_kg(mode, given)
+        .map_or(0.0, |mass| 1.0 / mass.sqrt());
+    let mut best = (*given, here);
     for (a, b) in sides {
-        let foot = nearest_on(*a, *b, given.place_m);
+        let foot = nearest_on_side(*a, *b, given.place_m);
         let shares = (0..=SIDE_PLACES).map(|i| i as f64 / SIDE_PLACES as f64);
         let places = shares.map(|t| [0, 1].map(|i| a[i] + t * (b[i] - a[i])));
         for place_m in places.chain([foot]) {
@@ -333,14 +401,6 @@ fn rule_place(plan: &Plan, given: &PlacedDamper, mode: usize) -> PlacedDamper {
         }
     }
     best.0
-}
-
-/// The point of a side that is nearest.
-fn nearest_on(a: [f64; 2], b: [f64; 2], to: [f64; 2]) -> [f64; 2] {
-    let along = [b[0] - a[0], b[1] - a[1]];
-    let squared = along[0] * along[0] + along[1] * along[1];
-    let t = (((to[0] - a[0]) * along[0] + (to[1] - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
-    [a[0] + t * along[0], a[1] + t * along[1]]
 }
 
 /// Places on the floor across the damper's direction through its own, from end to end.
@@ -385,6 +445,7 @@ fn tunings(
     options: &ComparisonOptions,
 ) -> Result<Vec<TuningRow>, DamperError> {
     let own = plan.mode_frequency_hz(options.mode).unwrap_or(f64::NAN);
+    let column = ColumnAsMass::new(mode.mass_ratio, given.length_ratio);
     let row = |rule, aim, tuning: Tuning| -> Result<TuningRow, DamperError> {
         let damper = PlacedDamper {
             frequency_hz: tuning.frequency_ratio * own,
@@ -396,13 +457,13 @@ fn tunings(
             aim,
             tuning,
             damper,
-            judged: plan.judge(&[damper])?,
+            point_values: point_values(plan, &[damper], options.goal)?,
             cost: goal_cost(plan, &[damper], options.goal)?,
         })
     };
     let mut rows = Vec::new();
     for rule in TuningRule::ALL {
-        let tuning = rule_tuning(rule, mode.mass_ratio, mode.structure_damping_ratio)?;
+        let tuning = column.rule(rule, mode.structure_damping_ratio)?;
         rows.push(row(Some(rule), None, tuning)?);
     }
     let aims = match options.base {
@@ -410,8 +471,18 @@ fn tunings(
         true => [Aim::BaseRandom, Aim::BaseHarmonic],
     };
     for aim in aims {
-        let OptimalTuning { tuning, .. } = optimal_tuning(mode, aim)?;
-        rows.push(row(None, Some(aim), tuning)?);
+        let heavier = SingleMode {
+            mass_ratio: column.mass_ratio,
+            structure_damping_ratio: column.frequency_factor * mode.structure_damping_ratio,
+        };
+        // none, or one that runs away to a dashpot, is no tuning: the row is left out
+        let found = optimal_tuning(&heavier, aim).ok().map(|found| found.tuning);
+        let is_damper = |tuning: &Tuning| {
+            SENSIBLE.contains(&tuning.frequency_ratio) && tuning.damping_ratio <= DAMPING_SENSIBLE
+        };
+        if let Some(tuning) = found.filter(is_damper) {
+            rows.push(row(None, Some(aim), column.of_mode(tuning))?);
+        }
     }
     Ok(rows)
 }

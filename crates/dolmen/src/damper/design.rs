@@ -207,36 +207,14 @@ pub fn design(plan: &Plan, start: &[PlacedDamper], options: &DesignOptions) -> R
     })
 }
 
-/// The cost of given dampers by a goal, as [`design`] counts it; weights 1.
-///
-/// # Errors
-/// [`DamperError`] if a damper cannot be.
-pub fn goal_cost(plan: &Plan, dampers: &[PlacedDamper], goal: Goal) -> Result<f64, DamperError> {
-    plan.judge(dampers)?;
-    let options = DesignOptions {
-        goal,
-        ..DesignOptions::default()
-    };
-    let search = Search {
-        plan,
-        start: dampers,
-        options: &options,
-        weights: vec![1.0; plan.problem().points.len()],
-    };
-    search.cost(dampers).ok_or(DamperError::NoOptimum {
-        what: "a resonance without damping",
-        iterations: 0,
-    })
-}
-
 /// Of a search that ended at an optimum.
 const LAST_STEP_MOST: f64 = 1e-6;
 
-struct Search<'a> {
-    plan: &'a Plan,
-    start: &'a [PlacedDamper],
-    options: &'a DesignOptions,
-    weights: Vec<f64>,
+pub(super) struct Search<'a> {
+    pub(super) plan: &'a Plan,
+    pub(super) start: &'a [PlacedDamper],
+    pub(super) options: &'a DesignOptions,
+    pub(super) weights: Vec<f64>,
 }
 
 /// Unknowns beyond these are no dampers: a factor of the frequency at the start, and a damping ratio.
@@ -318,8 +296,14 @@ impl Search<'_> {
     /// Frequency, Hz, and damping ratio that a damper may have, from that at the start.
     fn limits(&self, start: &PlacedDamper) -> [[f64; 2]; 2] {
         let factor = FREQUENCY_FACTOR_MOST;
+        let [low, high] = self.plan.tuning_range_hz();
+        let high = if high.is_finite() { high } else { 0.0 };
+        let low = if low > 0.0 { low } else { f64::INFINITY };
         [
-            [start.frequency_hz / factor, start.frequency_hz * factor],
+            [
+                (start.frequency_hz / factor).min(low),
+                (start.frequency_hz * factor).max(high),
+            ],
             [self.plan.damping_least().min(start.damping_ratio), DAMPING_MOST],
         ]
     }
@@ -380,7 +364,7 @@ impl Search<'_> {
     }
 
     /// The cost without what strokes cost.
-    fn cost(&self, dampers: &[PlacedDamper]) -> Option<f64> {
+    pub(super) fn cost(&self, dampers: &[PlacedDamper]) -> Option<f64> {
         if self.options.goal == Goal::LargestPeak {
             let peaks = self.peaks(dampers)?;
             return peaks
@@ -405,20 +389,21 @@ impl Search<'_> {
     fn amplitude(&self, dampers: &[PlacedDamper], which: usize, omega: f64) -> Option<f64> {
         let loads = self.plan.problem().loads.len();
         let table = self.plan.table(omega, 1.0).ok()?;
-        let response = self.plan.responses(&table, dampers)?[which];
+        let response = self.plan.responses(&table, &self.plan.rides(dampers))?[which];
         Some((self.weights[which / loads] * response.norm()).ln())
     }
 
     /// The highest of each hump of each response.
-    fn peaks(&self, dampers: &[PlacedDamper]) -> Option<Vec<Peak>> {
+    pub(super) fn peaks(&self, dampers: &[PlacedDamper]) -> Option<Vec<Peak>> {
         let (points, loads) = (self.plan.problem().points.len(), self.plan.problem().loads.len());
         let tables = &self.plan.nodes;
+        let rides = self.plan.rides(dampers);
         let all: Vec<Vec<f64>> = tables
             .iter()
             .map(|table| {
                 Some(
                     self.plan
-                        .responses(table, dampers)?
+                        .responses(table, &rides)?
                         .iter()
                         .map(|h| h.norm())
                         .collect(),
@@ -449,10 +434,10 @@ impl Search<'_> {
     }
 }
 
-struct Peak {
-    which: usize,
+pub(super) struct Peak {
+    pub(super) which: usize,
     omega: f64,
-    value: f64,
+    pub(super) value: f64,
 }
 
 /// Peaks that lie this far below the highest, in ln, do not hold the optimum.

@@ -37,6 +37,12 @@ pub enum DamperError {
         /// Degrees of freedom of the structure.
         needed: usize,
     },
+    /// A damper tied to a floor that the problem does not list.
+    #[error("damper {damper} is tied to a floor that is not among the sites: list it there")]
+    NoSite {
+        /// Which damper, from 1.
+        damper: usize,
+    },
     /// A damper on something that does not move.
     #[error("damper {damper}: every value of its row is 0, so that nothing moves it")]
     Unmoved {

@@ -2,24 +2,30 @@
 
 mod assembled;
 mod attached;
+mod building_motion;
 mod comparison;
 mod design;
 mod error;
+mod goal_cost;
 mod head_loss;
 mod modal_synthesis;
 mod plan;
 mod position_map;
+mod ride;
 mod robustness;
 mod single_mode;
 mod site;
 mod spot;
+mod together;
 mod tuning;
 
 pub use assembled::DampedSystem;
 pub use attached::{AttachedDamper, DamperKind};
+pub use building_motion::damped_building_history;
 pub use comparison::{Choice, Compared, Comparison, ComparisonOptions, TuningRow, compare};
-pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design, goal_cost};
+pub use design::{Design, DesignEnd, DesignOptions, Freedom, Goal, Place, design};
 pub use error::DamperError;
+pub use goal_cost::{goal_cost, point_values};
 pub use head_loss::{
     ColumnHistory, ColumnRun, EquivalentColumn, HeadLossColumn, equivalent_column, simulate_column,
 };
@@ -29,4 +35,5 @@ pub use position_map::{MapCell, MapTuning, PositionMap, PositionMapOptions, posi
 pub use robustness::{Detuned, RobustnessPoint, robustness};
 pub use single_mode::{Aim, OptimalTuning, SingleMode, optimal_tuning};
 pub use site::{DamperSite, PlacedDamper};
-pub use tuning::{Tuning, TuningRule, rule_tuning};
+pub use together::{Together, TogetherOptions, cost_of, tune_together};
+pub use tuning::{ColumnAsMass, Tuning, TuningRule, rule_tuning};

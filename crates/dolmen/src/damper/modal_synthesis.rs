@@ -11,7 +11,7 @@
 //! | Q | `modal_load` | load on the modes | k |
 
 use super::assembled::check_row;
-use super::{AttachedDamper, DamperError};
+use super::{AttachedDamper, DamperError, DamperKind};
 use crate::dynamics::{DynamicsError, LinearSystem, RandomInput};
 use crate::numeric::complex_solve;
 use dolmen_linalg::{Complex64, Matrix};
@@ -24,6 +24,15 @@ pub struct ModalSynthesis {
     damping: Matrix,
     classical: bool,
     modal_mass: Matrix, // ΦᵀM, k × n
+    fixed: Vec<Tied>,
+}
+
+/// A damper that stays as it is, in the modes.
+#[derive(Clone, Debug, PartialEq)]
+struct Tied {
+    kind: DamperKind,
+    row: Vec<f64>,
+    modal: Vec<f64>,
 }
 
 /// Off-diagonal modal damping that is rounding, relative to the largest.
@@ -56,7 +65,25 @@ impl ModalSynthesis {
             shapes,
             damping,
             classical,
+            fixed: Vec::new(),
         })
+    }
+
+    /// The same with dampers that stay as they are and count as part of the structure.
+    ///
+    /// # Errors
+    /// [`DamperError::Row`] for a row of another length, [`DamperError::Argument`] for a damper that cannot be.
+    pub fn with_fixed(mut self, dampers: &[AttachedDamper]) -> Result<Self, DamperError> {
+        for (i, damper) in dampers.iter().enumerate() {
+            check_row(i + 1, &damper.row, self.degrees_of_freedom())?;
+            damper.kind.check()?;
+            self.fixed.push(Tied {
+                kind: damper.kind,
+                row: damper.row.clone(),
+                modal: self.in_modes(&damper.row),
+            });
+        }
+        Ok(self)
     }
 
     /// Degrees of freedom of the structure, n.
@@ -79,8 +106,63 @@ impl ModalSynthesis {
         }
     }
 
-    /// G(ω) times a real load on the modes.
+    /// G(ω) times a real load on the modes, with the dampers that stay.
     pub(super) fn receptance(&self, w: f64, load: &[f64]) -> Result<Vec<Complex64>, DamperError> {
+        let free = self.bare_receptance(w, load)?;
+        self.with_forces(w, free, |_| 0.0)
+    }
+
+    /// Motion of the modes under a unit of a load, with the dampers that stay.
+    pub(super) fn loaded(&self, w: f64, input: &RandomInput) -> Result<Vec<Complex64>, DamperError> {
+        let free = self.bare_receptance(w, &self.modal_load(input))?;
+        self.with_forces(w, free, |tied| match input {
+            RandomInput::Force(_) => 0.0,
+            RandomInput::Base(e) => tied.row.iter().zip(e).map(|(a, e)| a * e).sum(),
+        })
+    }
+
+    /// What the forces of the dampers that stay add: λ_i − K_i Σ_j g_ij λ_j = K_i z_i − m_a,i e_i.
+    fn with_forces(
+        &self,
+        w: f64,
+        mut eta: Vec<Complex64>,
+        base: impl Fn(&Tied) -> f64,
+    ) -> Result<Vec<Complex64>, DamperError> {
+        if self.fixed.is_empty() {
+            return Ok(eta);
+        }
+        let along =
+            |row: &[f64], eta: &[Complex64]| -> Complex64 { row.iter().zip(eta).map(|(a, x)| x * *a).sum() };
+        let each: Vec<Vec<Complex64>> = self
+            .fixed
+            .iter()
+            .map(|tied| self.bare_receptance(w, &tied.modal))
+            .collect::<Result<_, _>>()?;
+        let mut a = Vec::with_capacity(self.fixed.len());
+        let mut lambda = Vec::with_capacity(self.fixed.len());
+        for (i, tied) in self.fixed.iter().enumerate() {
+            let stiffness = tied.kind.stiffness(w);
+            let mut row: Vec<Complex64> = each
+                .iter()
+                .map(|eta| -stiffness * along(&tied.modal, eta))
+                .collect();
+            row[i] += 1.0;
+            a.push(row);
+            lambda.push(stiffness * along(&tied.modal, &eta) - tied.kind.apparent_mass(w) * base(tied));
+        }
+        if !complex_solve(&mut a, &mut lambda) {
+            return Err(DamperError::Dynamics(DynamicsError::Unstable));
+        }
+        for (force, column) in lambda.iter().zip(&each) {
+            for (x, g) in eta.iter_mut().zip(column) {
+                *x += force * g;
+            }
+        }
+        Ok(eta)
+    }
+
+    /// G(ω) times a real load on the modes, of the structure alone.
+    fn bare_receptance(&self, w: f64, load: &[f64]) -> Result<Vec<Complex64>, DamperError> {
         let k = load.len();
         if self.classical {
             return Ok((0..k)
@@ -133,7 +215,7 @@ impl ModalSynthesis {
             check_row(i + 1, &damper.row, n)?;
         }
         let tied: Vec<Vec<f64>> = dampers.iter().map(|damper| self.in_modes(&damper.row)).collect();
-        let free = self.receptance(w, &self.modal_load(input))?; // G Q
+        let free = self.loaded(w, input)?; // G Q
         let each: Vec<Vec<Complex64>> = tied
             .iter()
             .map(|row| self.receptance(w, row))

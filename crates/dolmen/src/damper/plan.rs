@@ -9,15 +9,13 @@
 //! | a_cl | `felt` | −(absolute acceleration) there, per load: ω² G_cl − e_c | c × l |
 //! | G_pl | `free` | motion of the points without dampers, per load | p × l |
 
-use super::{
-    AttachedDamper, DampedSystem, DamperError, DamperKind, DamperSite, ModalSynthesis, PlacedDamper,
-};
+use super::{AttachedDamper, DampedSystem, DamperError, DamperSite, ModalSynthesis, PlacedDamper};
 use crate::dynamics::{
     FrequencyIntegral, LinearSystem, RandomInput, RandomLoad, ResponseRow, rms_by_integral, rms_by_lyapunov,
 };
-use crate::numeric::{adaptive_nodes, complex_solve};
+use crate::numeric::adaptive_nodes;
 use dolmen_linalg::Complex64;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 /// What is to be calmed, and by dampers where.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,6 +28,8 @@ pub struct DamperProblem {
     pub points: Vec<Vec<f64>>,
     /// Floors that may carry dampers.
     pub sites: Vec<DamperSite>,
+    /// Dampers that stay as they are: they count as part of the structure.
+    pub fixed: Vec<AttachedDamper>,
 }
 
 /// How finely frequencies are taken.
@@ -63,6 +63,7 @@ pub struct Plan {
     pub(super) nodes: Vec<Table>,
     without: Vec<f64>,
     damping_least: f64,
+    tuning_range_hz: [f64; 2],
 }
 
 /// Receptances at one frequency, each list row by row.
@@ -73,6 +74,7 @@ pub(super) struct Table {
     pub(super) own: Vec<Complex64>,
     pub(super) to_point: Vec<Complex64>,
     pub(super) felt: Vec<Complex64>,
+    pub(super) moved: Vec<Complex64>, // G_cl
     pub(super) free: Vec<Complex64>,
 }
 
@@ -94,17 +96,17 @@ impl Plan {
         if problem.points.is_empty() {
             return Err(DamperError::NoPoints);
         }
-        let rows: Vec<ResponseRow> = problem
-            .points
-            .iter()
-            .cloned()
-            .map(ResponseRow::displacement)
-            .collect();
-        let without = rms(&problem.structure, &problem.loads, &rows)?;
+        let without = judge(
+            &problem.structure,
+            &problem.loads,
+            &problem.points,
+            &problem.fixed,
+        )?
+        .point_rms;
         if let Some(point) = without.iter().position(|rms| rms.is_nan() || *rms <= 0.0) {
             return Err(DamperError::Still { point: point + 1 });
         }
-        let synthesis = ModalSynthesis::new(&problem.structure, n)?;
+        let synthesis = ModalSynthesis::new(&problem.structure, n)?.with_fixed(&problem.fixed)?;
         let modes = problem.structure.modes()?;
         let mut plan = Plan {
             problem,
@@ -114,6 +116,7 @@ impl Plan {
             nodes: Vec::new(),
             without,
             damping_least: options.damping_least,
+            tuning_range_hz: [0.0, f64::INFINITY],
         };
         plan.choose_frequencies(expected, options)?;
         Ok(plan)
@@ -124,7 +127,7 @@ impl Plan {
         &self.problem
     }
 
-    /// Standard deviations of the points without dampers.
+    /// Standard deviations of the points without the dampers that are looked for; those that stay are there.
     pub fn without(&self) -> &[f64] {
         &self.without
     }
@@ -134,12 +137,19 @@ impl Plan {
         self.damping_least
     }
 
+    /// Frequencies that a damper may be tuned to, Hz: from half the lowest to 1.5 times the highest mode that has a hundredth of some
+    /// point's variance.
+    pub fn tuning_range_hz(&self) -> [f64; 2] {
+        self.tuning_range_hz
+    }
+
     /// Frequencies that integrals are taken over.
     pub fn frequencies(&self) -> usize {
         self.nodes.len()
     }
 
-    /// Modal mass of a mode, numbered from 0, its shape scaled to 1 at a place along a direction, kg.
+    /// Modal mass of a mode, numbered from 0, its shape scaled to 1 at a place along a direction, kg; of modes of one frequency the least of
+    /// all their shapes, 1/Σ b².
     ///
     /// # Errors
     /// [`DamperError::ModeStill`] if the mode does not move there that way.
@@ -155,7 +165,17 @@ impl Plan {
             .attached(&self.problem.sites, self.problem.structure.degrees_of_freedom())?
             .row;
         let shape = self.shapes.column(mode);
-        let moves: f64 = row.iter().zip(shape).map(|(a, p)| a * p).sum();
+        // of modes of one frequency all move, in the proportion that moves the place most
+        let near = |j: &usize| (self.omega_rad_s[*j] / self.omega_rad_s[mode] - 1.0).abs() < ONE_FREQUENCY;
+        let together = (0..self.omega_rad_s.len()).filter(near);
+        let moves = together
+            .map(|j| {
+                row.iter()
+                    .zip(self.shapes.column(j))
+                    .map(|(a, p)| a * p)
+                    .sum::<f64>()
+            })
+            .fold(0.0, f64::hypot);
         let site = &self.problem.sites[damper.site];
         let local: Vec<f64> = shape[site.first_degree_of_freedom..][..3].to_vec();
         // the floor's largest motion of a corner, which a still place is small beside
@@ -200,7 +220,10 @@ impl Plan {
             .iter()
             .map(|damper| damper.attached(&self.problem.sites, n))
             .collect::<Result<_, _>>()?;
-        judge(structure, &self.problem.loads, &self.problem.points, &attached)
+        let all: Vec<AttachedDamper> = attached.iter().chain(&self.problem.fixed).cloned().collect();
+        let mut judged = judge(structure, &self.problem.loads, &self.problem.points, &all)?;
+        judged.stroke_rms_m.truncate(dampers.len());
+        Ok(judged)
     }
 
     /// Standard deviations of the points and strokes of the dampers, from the prepared frequencies.
@@ -215,7 +238,7 @@ impl Plan {
         Ok(self.at_nodes(dampers))
     }
 
-    fn coordinates(&self) -> usize {
+    pub(super) fn coordinates(&self) -> usize {
         3 * self.problem.sites.len()
     }
 
@@ -245,17 +268,17 @@ impl Plan {
         }
         let loads = problem.loads.len();
         let mut felt = vec![Complex64::ZERO; c * loads];
+        let mut moved = felt.clone();
         let mut free = vec![Complex64::ZERO; points.len() * loads];
         for (l, load) in problem.loads.iter().enumerate() {
-            let eta = self
-                .synthesis
-                .receptance(omega, &self.synthesis.modal_load(&load.input))?;
+            let eta = self.synthesis.loaded(omega, &load.input)?;
             for (k, place) in places.iter().enumerate() {
                 let base = match &load.input {
                     RandomInput::Force(_) => 0.0,
                     RandomInput::Base(e) => unit(k).iter().zip(e).map(|(a, e)| a * e).sum(),
                 };
-                felt[k * loads + l] = omega * omega * along(place, &eta) - base;
+                moved[k * loads + l] = along(place, &eta);
+                felt[k * loads + l] = omega * omega * moved[k * loads + l] - base;
             }
             for (p, point) in points.iter().enumerate() {
                 free[p * loads + l] = along(point, &eta);
@@ -271,8 +294,29 @@ impl Plan {
             own,
             to_point,
             felt,
+            moved,
             free,
         })
+    }
+
+    /// Whether each mode has more than this part of some point's variance: the integral must look for its peak.
+    fn modes_seen(&self, part: f64) -> Result<Vec<bool>, DamperError> {
+        let damping = self.problem.structure.modes()?.damping;
+        let mut seen = vec![false; self.omega_rad_s.len()];
+        for load in &self.problem.loads {
+            let pushed = self.synthesis.modal_load(&load.input);
+            for (row, rms) in self.problem.points.iter().zip(&self.without) {
+                let moved = self.synthesis.in_modes(row);
+                for (j, seen) in seen.iter_mut().enumerate() {
+                    let omega = self.omega_rad_s[j];
+                    // π S φ² q²/(ζ ω³) on both sides of 0, with c = 2 ζ ω
+                    let variance = 2.0 * PI * load.spectrum.density(omega) * (moved[j] * pushed[j]).powi(2)
+                        / (damping[(j, j)] * omega * omega);
+                    *seen |= variance.is_nan() || variance > part * rms * rms;
+                }
+            }
+        }
+        Ok(seen)
     }
 
     fn choose_frequencies(
@@ -281,9 +325,29 @@ impl Plan {
         options: &PlanOptions,
     ) -> Result<(), DamperError> {
         const INTERVALS_MOST: usize = 4000;
+        let excited: Vec<f64> = self
+            .modes_seen(EXCITED)?
+            .into_iter()
+            .zip(&self.omega_rad_s)
+            .filter(|(seen, _)| *seen)
+            .map(|(_, omega)| omega / TAU)
+            .collect();
+        let lowest = excited.iter().copied().fold(f64::INFINITY, f64::min);
+        let highest = excited.iter().copied().fold(0.0, f64::max);
+        self.tuning_range_hz = match excited.is_empty() {
+            true => [0.0, f64::INFINITY],
+            false => [RANGE[0] * lowest, RANGE[1] * highest],
+        };
         let points = self.problem.points.len();
         let mut trials: Vec<Vec<PlacedDamper>> = vec![Vec::new()];
         for damper in expected {
+            // it may be far out of tune, and is to be tuned to any of these
+            for &frequency_hz in &excited {
+                trials.push(vec![PlacedDamper {
+                    frequency_hz,
+                    ..*damper
+                }]);
+            }
             trials.push(vec![*damper]);
             for factor in [0.8, 1.0, 1.2] {
                 trials.push(vec![PlacedDamper {
@@ -294,7 +358,14 @@ impl Plan {
             }
         }
         let mut breaks = vec![0.0];
-        breaks.extend(&self.omega_rad_s);
+        let given = expected.iter().map(|damper| damper.frequency_hz);
+        let highest_hz = given.chain(excited).fold(0.0, f64::max);
+        let seen = self.modes_seen(SEEN * options.relative_tolerance)?;
+        for (omega, seen) in self.omega_rad_s.iter().zip(seen) {
+            if seen || *omega < 3.0 * TAU * highest_hz {
+                breaks.push(*omega);
+            }
+        }
         breaks.extend(
             self.problem
                 .loads
@@ -310,7 +381,11 @@ impl Plan {
                 Ok(table) => Some(
                     trials
                         .iter()
-                        .flat_map(|dampers| self.at_node(&table, dampers).into_iter().take(points))
+                        .flat_map(|dampers| {
+                            self.at_node(&table, &self.rides(dampers))
+                                .into_iter()
+                                .take(points)
+                        })
                         .collect(),
                 ),
                 Err(stopped) => {
@@ -345,115 +420,22 @@ impl Plan {
         self.nodes = chosen;
         Ok(())
     }
-
-    /// Motion of the points and of the masses from their places per unit of each load at one frequency: points × loads,
-    /// then dampers × loads.
-    pub(super) fn responses(&self, table: &Table, dampers: &[PlacedDamper]) -> Option<Vec<Complex64>> {
-        let (c, loads, q) = (self.coordinates(), self.problem.loads.len(), dampers.len());
-        let w2 = table.omega * table.omega;
-        let rows: Vec<(usize, [f64; 3])> = dampers
-            .iter()
-            .map(|damper| {
-                let site = &self.problem.sites[damper.site];
-                let coefficients = site.coefficients(damper.place_m, damper.direction_degrees);
-                (3 * damper.site, coefficients)
-            })
-            .collect();
-        let masses: Vec<Complex64> = dampers
-            .iter()
-            .map(|d| d.kind().apparent_mass(table.omega))
-            .collect();
-        let place = |k: usize, list: &dyn Fn(usize) -> Complex64| -> Complex64 {
-            let (first, a) = rows[k];
-            (0..3).map(|i| list(first + i) * a[i]).sum()
-        };
-        let g: Vec<Vec<Complex64>> = (0..q)
-            .map(|k| {
-                (0..q)
-                    .map(|j| place(k, &|i| place(j, &|m| table.own[i * c + m])))
-                    .collect()
-            })
-            .collect();
-        let mut points = Vec::with_capacity((self.problem.points.len() + q) * loads);
-        points.resize(self.problem.points.len() * loads, Complex64::ZERO);
-        let mut strokes = vec![Complex64::ZERO; q * loads];
-        for l in 0..loads {
-            let felt: Vec<Complex64> = (0..q).map(|k| place(k, &|i| table.felt[i * loads + l])).collect();
-            let mut lambda: Vec<Complex64> = (0..q).map(|k| masses[k] * felt[k]).collect();
-            let mut a: Vec<Vec<Complex64>> = (0..q)
-                .map(|k| (0..q).map(|j| -w2 * masses[k] * g[k][j]).collect())
-                .collect();
-            for (k, row) in a.iter_mut().enumerate() {
-                row[k] += 1.0;
-            }
-            if !complex_solve(&mut a, &mut lambda) {
-                return None;
-            }
-            for p in 0..self.problem.points.len() {
-                let forced: Complex64 = (0..q)
-                    .map(|k| place(k, &|i| table.to_point[p * c + i]) * lambda[k])
-                    .sum();
-                points[p * loads + l] = table.free[p * loads + l] + forced;
-            }
-            for (k, damper) in dampers.iter().enumerate() {
-                // z − z₀ = the place's absolute acceleration over ω_d² − ω² + 2iζω_d ω
-                let acceleration = felt[k] + (0..q).map(|j| w2 * g[k][j] * lambda[j]).sum::<Complex64>();
-                let own = TAU * damper.frequency_hz;
-                let damped = 2.0 * damper.damping_ratio * own * table.omega;
-                strokes[k * loads + l] = acceleration / Complex64::new(own * own - w2, damped);
-            }
-        }
-        points.extend(strokes);
-        Some(points)
-    }
-
-    /// What one frequency adds to the variances of the points and then of the strokes; NaN at a resonance without damping.
-    fn at_node(&self, table: &Table, dampers: &[PlacedDamper]) -> Vec<f64> {
-        let loads = self.problem.loads.len();
-        match self.responses(table, dampers) {
-            Some(responses) => responses
-                .chunks(loads)
-                .map(|each| {
-                    let weighted = each.iter().zip(&table.densities);
-                    weighted.map(|(h, density)| density * h.norm_sqr()).sum()
-                })
-                .collect(),
-            None => vec![f64::NAN; self.problem.points.len() + dampers.len()],
-        }
-    }
-
-    pub(super) fn at_nodes(&self, dampers: &[PlacedDamper]) -> Judged {
-        let mut variances = vec![0.0; self.problem.points.len() + dampers.len()];
-        for table in &self.nodes {
-            for (sum, value) in variances.iter_mut().zip(self.at_node(table, dampers)) {
-                *sum += value;
-            }
-        }
-        let mut point_rms: Vec<f64> = variances.into_iter().map(f64::sqrt).collect();
-        let stroke_rms_m = point_rms.split_off(self.problem.points.len());
-        Judged {
-            point_rms,
-            stroke_rms_m,
-        }
-    }
 }
 
+/// A mode with less than this part of the tolerance in every variance is left to the other frequencies. Our choice.
+const SEEN: f64 = 1e-3;
+/// A mode with this part of some point's variance is one that a damper may be for, and frequencies from this part of the lowest of them to
+/// this multiple of the highest are looked at. Our choice.
+const EXCITED: f64 = 0.01;
+const RANGE: [f64; 2] = [0.5, 1.5];
+/// Modes whose frequencies are this near, relatively, are one: any of their shapes is one choice of many.
+const ONE_FREQUENCY: f64 = 1e-6;
 /// A place that moves less than this, of the floor's largest motion, is taken as still.
 const STILL: f64 = 1e-6;
 
 fn extent(site: &DamperSite) -> f64 {
     let [x, y] = site.extent_m();
     (x[1] - x[0]).max(y[1] - y[0])
-}
-
-impl PlacedDamper {
-    pub(super) fn kind(&self) -> DamperKind {
-        DamperKind::TunedMass {
-            mass_kg: self.mass_kg,
-            frequency_hz: self.frequency_hz,
-            damping_ratio: self.damping_ratio,
-        }
-    }
 }
 
 /// What dampers do.

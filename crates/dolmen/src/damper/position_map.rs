@@ -1,7 +1,7 @@
 //! What a damper does at each place of its floor.
 
-use super::spot::{Spot, SpotSearch};
-use super::{DamperError, Goal, PlacedDamper, Plan, TuningRule, rule_tuning};
+use super::spot::{DAMPING_MOST, Spot, SpotSearch};
+use super::{ColumnAsMass, DamperError, Goal, PlacedDamper, Plan, TuningRule};
 use crate::numeric::{Minimax, minimax};
 
 /// How the damper is tuned at each place.
@@ -47,6 +47,8 @@ pub struct MapCell {
     pub point_rms: Vec<f64>,
     /// What the goal is there, weighted.
     pub cost: f64,
+    /// Whether its tuning was searched and ended at a limit: of frequency, of lightest or of heaviest damping. There may be better beyond.
+    pub at_limit: bool,
 }
 
 /// All places: rows of equal y, from the least.
@@ -93,9 +95,18 @@ const ITERATIONS_MOST: usize = 60;
 const STEP_LEAST: f64 = 1e-5;
 /// A neighbour's tuning that serves this much better, relatively, leads into another valley.
 const BETTER: f64 = 1e-5;
-/// Places along each side from which valleys are looked for, and the factors of the given frequency to start from there.
+/// Places along each side at which all valleys are looked for.
 const COARSE: usize = 8;
-const START_FACTORS: [f64; 6] = [0.75, 0.87, 1.0, 1.15, 1.35, 1.6];
+/// Damping ratios that are looked at there, with frequencies evenly in ln f between the limits.
+const GRID_DAMPING: [f64; 6] = [0.011, 0.035, 0.08, 0.16, 0.35, 1.0];
+/// ln of the step of frequencies: a twentieth, less than the width of a valley.
+const GRID_STEP: f64 = 0.06;
+/// Valleys that are followed down from one place, the lowest of the grid.
+const VALLEYS_MOST: usize = 5;
+/// A second valley of the neighbourhood is followed down if its tuning serves here within this factor of where the first led.
+const PROMISING: f64 = 1.01;
+/// Searches begin this far within the limits, in ln f: a start at a limit would see nothing change.
+const WITHIN: f64 = 0.02;
 /// Rounds in which valleys spread.
 const SWEEPS_MOST: usize = 4;
 
@@ -105,8 +116,8 @@ const SWEEPS_MOST: usize = 4;
 /// [`DamperError`] if the damper cannot be, or the goal is a peak, which is not mapped.
 ///
 /// # Limits
-/// The best tuning, within a factor of 2 of the frequency given, is searched from six frequencies at 8 × 8 places, from the nearest of
-/// these or the place before at each, and again where a neighbour's serves better: a local optimum, its tuning found to 1e-4.
+/// The best tuning within [`Plan::tuning_range_hz`]. At 8 × 8 places a grid of frequencies 6 % apart and 6 damping ratios is looked at and its lowest valleys are followed down; every other place follows those of the nearest of these and of the place before, and again
+/// that of a neighbour which serves better. Tunings are found to 1e-4.
 pub fn position_map(
     plan: &Plan,
     damper: &PlacedDamper,
@@ -151,16 +162,17 @@ pub fn position_map(
                 continue;
             }
             let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
-            let far = |cell: &MapCell| {
-                let [x, y] = cell.damper.place_m;
-                (x - place_m[0]).hypot(y - place_m[1])
-            };
+            if options.tuning != MapTuning::Best {
+                cells[j * columns + i] = looked.tuned(&spot, place_m, &mut None);
+                continue;
+            }
+            let far =
+                |(at, _): &&([f64; 2], Vec<PlacedDamper>)| (at[0] - place_m[0]).hypot(at[1] - place_m[1]);
             let near = coarse
                 .iter()
-                .reduce(|best, next| if far(next) < far(best) { next } else { best });
-            let start = near.map(|near| Before::of(&near.damper));
-            before = looked.better(&spot, [before, start]);
-            cells[j * columns + i] = looked.tuned(&spot, place_m, &mut before);
+                .reduce(|best, next| if far(&next) < far(&best) { next } else { best });
+            let starts: Vec<PlacedDamper> = near.map_or(Vec::new(), |(_, valleys)| valleys.clone());
+            cells[j * columns + i] = looked.followed(&spot, place_m, &starts, &mut before);
         }
     }
     if options.tuning == MapTuning::Best {
@@ -220,57 +232,126 @@ impl Before {
 }
 
 impl Looked<'_> {
+    /// Frequencies that are looked at, Hz: those of the plan, and around that given where none is excited.
+    fn range_hz(&self) -> [f64; 2] {
+        match self.plan.tuning_range_hz() {
+            [low, high] if low > 0.0 && high.is_finite() => [low, high],
+            _ => [0.5 * self.given.frequency_hz, 2.0 * self.given.frequency_hz],
+        }
+    }
+
     fn mean(&self) -> bool {
         self.options.goal == Goal::MeanSquare
     }
 
-    /// Tunings of a few places far apart, each from several starts: the valleys that there are.
-    fn coarse(&self) -> Vec<MapCell> {
+    /// Tunings of a few places far apart, all valleys that there are.
+    fn coarse(&self) -> Vec<([f64; 2], Vec<PlacedDamper>)> {
         let few = |all: &[f64]| -> Vec<f64> {
             let step = all.len().div_ceil(COARSE).max(1);
             all.iter().skip(step / 2).step_by(step).copied().collect()
         };
-        let mut cells = Vec::new();
+        let mut places = Vec::new();
         for &y in &few(&self.options.y_m) {
             for &x in &few(&self.options.x_m) {
                 let place_m = [x, y];
-                let spot = Spot::new(
-                    self.plan,
-                    &PlacedDamper {
-                        place_m,
-                        ..self.given
-                    },
-                );
-                cells.extend(self.best_of_several(&spot, place_m));
+                let there = PlacedDamper {
+                    place_m,
+                    ..self.given
+                };
+                let spot = Spot::new(self.plan, &there);
+                let valleys = self.valleys(&spot, place_m);
+                places.push((place_m, valleys.iter().map(|cell| cell.damper).collect()));
             }
         }
-        cells
+        places
     }
 
-    /// The damper tuned to a place, the best of several starts.
+    /// The damper tuned to a place, the best of all valleys of a grid.
     fn best_of_several(&self, spot: &Spot, place_m: [f64; 2]) -> Option<MapCell> {
-        let found = START_FACTORS.into_iter().filter_map(|factor| {
-            let start = PlacedDamper {
-                frequency_hz: factor * self.given.frequency_hz,
+        if self.options.tuning != MapTuning::Best {
+            return self.tuned(spot, place_m, &mut None);
+        }
+        let valleys = self.valleys(spot, place_m).into_iter();
+        valleys.reduce(|best, next| if next.cost < best.cost { next } else { best })
+    }
+
+    /// Where the valleys of a place lead: the lowest of a grid of frequency and damping, each followed down.
+    fn valleys(&self, spot: &Spot, place_m: [f64; 2]) -> Vec<MapCell> {
+        let [low, high] = self.range_hz().map(f64::ln);
+        let frequencies = ((high - low) / GRID_STEP).ceil() as usize + 1;
+        let least = self.plan.damping_least();
+        let at = |i: usize, j: usize| {
+            let part = i as f64 / (frequencies - 1) as f64;
+            PlacedDamper {
+                place_m,
+                frequency_hz: (low + WITHIN + part * (high - low - 2.0 * WITHIN)).exp(),
+                damping_ratio: GRID_DAMPING[j].max(1.02 * least),
                 ..self.given
-            };
+            }
+        };
+        let dampings = GRID_DAMPING.len();
+        let costs: Vec<f64> = (0..frequencies * dampings)
+            .map(|k| self.cost_of(spot, &at(k / dampings, k % dampings)))
+            .collect();
+        let is_valley = |k: &usize| {
+            let (i, j) = (k / dampings, k % dampings);
+            let rows = i.saturating_sub(1)..=(i + 1).min(frequencies - 1);
+            let mut around = rows.flat_map(|i| {
+                let columns = j.saturating_sub(1)..=(j + 1).min(dampings - 1);
+                columns.map(move |j| i * dampings + j)
+            });
+            around.all(|other| costs[*k] <= costs[other])
+        };
+        let mut lowest: Vec<usize> = (0..costs.len()).filter(is_valley).collect();
+        lowest.sort_by(|a, b| costs[*a].total_cmp(&costs[*b]));
+        lowest.truncate(VALLEYS_MOST);
+        let down = lowest.into_iter().filter_map(|k| {
+            let start = at(k / dampings, k % dampings);
             self.tuned(spot, place_m, &mut Some(Before::of(&start)))
         });
-        found.reduce(|best, next| if next.cost < best.cost { next } else { best })
+        down.collect()
     }
 
-    /// The start that serves better here.
-    fn better(&self, spot: &Spot, starts: [Option<Before>; 2]) -> Option<Before> {
-        let cost = |start: &Before| {
-            let damper = PlacedDamper {
-                frequency_hz: start.x[0].exp(),
-                damping_ratio: start.x[1].exp(),
-                ..self.given
-            };
-            self.cell(spot, damper).cost
-        };
-        let both = starts.into_iter().flatten();
-        both.reduce(|best, next| if cost(&next) < cost(&best) { next } else { best })
+    fn cost_of(&self, spot: &Spot, damper: &PlacedDamper) -> f64 {
+        self.cell(spot, *damper).cost
+    }
+
+    /// The damper tuned to a place from the tunings of others, those that promise most.
+    fn followed(
+        &self,
+        spot: &Spot,
+        place_m: [f64; 2],
+        starts: &[PlacedDamper],
+        before: &mut Option<Before>,
+    ) -> Option<MapCell> {
+        let mut all: Vec<(f64, Before)> = starts
+            .iter()
+            .map(Before::of)
+            .chain(before.take())
+            .map(|start| {
+                let damper = PlacedDamper {
+                    frequency_hz: start.x[0].exp(),
+                    damping_ratio: start.x[1].exp(),
+                    ..self.given
+                };
+                (self.cost_of(spot, &damper), start)
+            })
+            .collect();
+        all.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+        let mut best: Option<MapCell> = None;
+        for (cost, start) in all.into_iter().take(2) {
+            if best.as_ref().is_some_and(|best| cost > PROMISING * best.cost) {
+                break;
+            }
+            let mut ended = Some(start);
+            let found = self.tuned(spot, place_m, &mut ended);
+            if let Some(found) = found.filter(|found| best.as_ref().is_none_or(|best| found.cost < best.cost))
+            {
+                best = Some(found);
+                *before = ended;
+            }
+        }
+        best
     }
 
     /// The damper tuned to a place.
@@ -287,7 +368,8 @@ impl Looked<'_> {
                 structure_damping_ratio,
             } => {
                 let ratio = damper.mass_kg / self.plan.modal_mass_kg(mode, &damper).ok()?;
-                let tuning = rule_tuning(rule, ratio, structure_damping_ratio).ok()?;
+                let column = ColumnAsMass::new(ratio, damper.length_ratio);
+                let tuning = column.rule(rule, structure_damping_ratio).ok()?;
                 damper.frequency_hz = tuning.frequency_ratio * self.plan.mode_frequency_hz(mode)?;
                 damper.damping_ratio = tuning.damping_ratio;
             }
@@ -300,18 +382,12 @@ impl Looked<'_> {
                 if let Some(Before { x, curvature }) = before.take() {
                     (start, options.curvature) = (x, curvature);
                 }
-                // a start at a limit would see nothing change
                 let least = (1.02 * self.plan.damping_least()).ln();
                 start[1] = start[1].max(least);
-                for sign in [-1.0, 1.0] {
-                    let limit = self.given.frequency_hz.ln() + sign * 1.95_f64.ln();
-                    start[0] = if sign > 0.0 {
-                        start[0].min(limit)
-                    } else {
-                        start[0].max(limit)
-                    };
-                }
-                let limits = (self.given.frequency_hz, self.plan.damping_least());
+                let range_hz = self.range_hz();
+                let [low, high] = range_hz.map(f64::ln);
+                start[0] = start[0].clamp(low + WITHIN, high - WITHIN);
+                let limits = (range_hz, self.plan.damping_least());
                 let mut search = SpotSearch::new(spot, &self.weights, self.mean(), limits);
                 let found = minimax(start, &options, &mut search)?;
                 [damper.frequency_hz, damper.damping_ratio] = search.within(&found.x);
@@ -335,7 +411,15 @@ impl Looked<'_> {
             true => (weighted.map(|value| value * value).sum::<f64>() / point_rms.len() as f64).sqrt(),
             false => weighted.fold(0.0, f64::max),
         };
+        let [low, high] = self.range_hz();
+        let ends = [
+            (damper.frequency_hz, [low, high]),
+            (damper.damping_ratio, [self.plan.damping_least(), DAMPING_MOST]),
+        ];
+        let at_end =
+            |(value, ends): &(f64, [f64; 2])| ends.iter().any(|end| (value / end - 1.0).abs() < 1e-9);
         MapCell {
+            at_limit: self.options.tuning == MapTuning::Best && ends.iter().any(at_end),
             damper,
             point_rms,
             cost,

@@ -1,6 +1,7 @@
 //! Where mass dampers may stand: the floors of a building in plan.
 
 use super::{AttachedDamper, DamperError, DamperKind};
+use crate::structure::building::{nearest_on_floor, nearest_on_side};
 
 /// A rigid floor on which dampers may stand.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,7 +14,7 @@ pub struct DamperSite {
     pub corners_m: Vec<[f64; 2]>,
 }
 
-/// A mass damper on a floor.
+/// A mass damper or a liquid column on a floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PlacedDamper {
     /// Which site, from 0.
@@ -22,12 +23,14 @@ pub struct PlacedDamper {
     pub place_m: [f64; 2],
     /// Direction in which it moves, from x counter-clockwise, degrees.
     pub direction_degrees: f64,
-    /// m, kg.
+    /// m, kg; of a liquid column all of the liquid.
     pub mass_kg: f64,
     /// Own frequency, Hz.
     pub frequency_hz: f64,
     /// c / (2 m ω) on its own frequency.
     pub damping_ratio: f64,
+    /// α of a liquid column, horizontal over total length, in (0, 1); 1 of a mass on a spring, which is what a column of α = 1 is.
+    pub length_ratio: f64,
 }
 
 impl DamperSite {
@@ -50,34 +53,15 @@ impl DamperSite {
 
     /// The nearest point of the floor, and how far away it is, m; the point itself and 0 inside.
     pub fn nearest_m(&self, place_m: [f64; 2]) -> ([f64; 2], f64) {
-        let [x, y] = place_m;
-        let mut inside = false;
-        let mut nearest = (place_m, f64::INFINITY);
-        let sides = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
-        for (&a, &b) in sides {
-            if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
-                inside = !inside;
-            }
-            let along = [b[0] - a[0], b[1] - a[1]];
-            let squared = along[0] * along[0] + along[1] * along[1];
-            let t = (((x - a[0]) * along[0] + (y - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
-            let point = [a[0] + t * along[0], a[1] + t * along[1]];
-            let far = (x - point[0]).hypot(y - point[1]);
-            if far < nearest.1 {
-                nearest = (point, far);
-            }
-        }
-        if inside { (place_m, 0.0) } else { nearest }
+        nearest_on_floor(&self.corners_m, place_m)
     }
 
     /// How far the edge is, m, from within or without.
     pub(super) fn to_edge_m(&self, [x, y]: [f64; 2]) -> f64 {
         let sides = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
         let each = sides.map(|(a, b)| {
-            let along = [b[0] - a[0], b[1] - a[1]];
-            let squared = along[0] * along[0] + along[1] * along[1];
-            let t = (((x - a[0]) * along[0] + (y - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
-            (x - a[0] - t * along[0]).hypot(y - a[1] - t * along[1])
+            let side = nearest_on_side(*a, *b, [x, y]);
+            (x - side[0]).hypot(y - side[1])
         });
         each.fold(f64::INFINITY, f64::min)
     }
@@ -144,12 +128,25 @@ impl PlacedDamper {
         let coefficients = site.coefficients(self.place_m, self.direction_degrees);
         row[site.first_degree_of_freedom..site.first_degree_of_freedom + 3].copy_from_slice(&coefficients);
         Ok(AttachedDamper {
-            kind: DamperKind::TunedMass {
+            kind: self.kind(),
+            row,
+        })
+    }
+
+    /// What it is.
+    pub fn kind(&self) -> DamperKind {
+        if self.length_ratio == 1.0 {
+            return DamperKind::TunedMass {
                 mass_kg: self.mass_kg,
                 frequency_hz: self.frequency_hz,
                 damping_ratio: self.damping_ratio,
-            },
-            row,
-        })
+            };
+        }
+        DamperKind::LiquidColumn {
+            liquid_mass_kg: self.mass_kg,
+            length_ratio: self.length_ratio,
+            frequency_hz: self.frequency_hz,
+            damping_ratio: self.damping_ratio,
+        }
     }
 }

@@ -3,7 +3,8 @@
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | N | `link` | ω_d² + 2iζω_d ω, spring and dashpot over the mass |
-//! | T | `force` | m N / (N − ω² − ω² m N g): force on the structure per felt acceleration, with what it moves of itself |
+//! | N′ | `above`, `link` | N − (1 − α²) ω²: of a liquid column the part 1 − α² of its mass rides along; α = 1 for a mass on a spring |
+//! | T | `force` | m N′ / (N − ω² − ω² m N′ g): force on the structure per felt acceleration, with what it moves of itself |
 //! | g | `own` | receptance of the place along the damper |
 //! | q | `through` | motion of a point per T: receptance from place to point times what the place feels |
 
@@ -19,6 +20,7 @@ type Lane = [f64; LANES];
 /// A place on a plan, and the mass there.
 pub(super) struct Spot {
     mass_kg: f64,
+    length_ratio: f64,
     points: usize,
     loads: usize,
     omega: Vec<Lane>,
@@ -47,6 +49,7 @@ impl Spot {
         let zero = || vec![[0.0; LANES]; lanes];
         let mut spot = Spot {
             mass_kg: damper.mass_kg,
+            length_ratio: damper.length_ratio,
             points,
             loads,
             omega: vec![[1.0; LANES]; lanes],
@@ -81,6 +84,8 @@ impl Spot {
         let own = TAU * frequency_hz;
         let (spring, dashpot) = (own * own, 2.0 * damping_ratio * own);
         let m = self.mass_kg;
+        let swings = self.length_ratio * self.length_ratio;
+        let rides = 1.0 - swings;
         let count = self.points * self.loads;
         let mut sums = vec![[[0.0; LANES]; 3]; count];
         for i in 0..self.omega.len() {
@@ -92,13 +97,14 @@ impl Spot {
                 let link = dashpot * w;
                 damped[k] = link;
                 let (g_re, g_im) = (self.own[0][i][k] * w2 * m, self.own[1][i][k] * w2 * m);
-                let below_re = spring - w2 - (spring * g_re - link * g_im);
-                let below_im = link - (spring * g_im + link * g_re);
+                let above = spring - rides * w2;
+                let below_re = spring - w2 - (above * g_re - link * g_im);
+                let below_im = link - (above * g_im + link * g_re);
                 let inverse = 1.0 / (below_re * below_re + below_im * below_im);
                 let (r_re, r_im) = (below_re * inverse, -below_im * inverse);
-                force[0][k] = m * (spring * r_re - link * r_im);
-                force[1][k] = m * (spring * r_im + link * r_re);
-                let scale = -m * w2;
+                force[0][k] = m * (above * r_re - link * r_im);
+                force[1][k] = m * (above * r_im + link * r_re);
+                let scale = -m * swings * w2;
                 change[0][k] = scale * (r_re * r_re - r_im * r_im);
                 change[1][k] = scale * (2.0 * r_re * r_im);
             }
@@ -129,7 +135,7 @@ impl Spot {
                     along += of[1].iter().sum::<f64>();
                     across += of[2].iter().sum::<f64>();
                 }
-                // dN/d ln f = 2 ω_d² + i·link, dN/d ln ζ = i·link; ln rms = ½ ln variance
+                // dT/dN = −α² m ω²/(…)²; dN/d ln f = 2 ω_d² + i·link, dN/d ln ζ = i·link; ln rms = ½ ln variance
                 SpotValue {
                     ln_rms: 0.5 * variance.ln(),
                     slope: [(2.0 * spring * along - across) / variance, -across / variance],
@@ -144,27 +150,26 @@ pub(super) struct SpotSearch<'a> {
     pub(super) spot: &'a Spot,
     pub(super) weights: &'a [f64],
     pub(super) mean: bool,
-    given_hz: f64,
+    range_hz: [f64; 2],
     least_damping: f64,
     last: Option<(Vec<f64>, Vec<Piece>)>,
 }
 
-/// Beyond this damping ratio, and this factor of the frequency given, nothing is a damper.
-const DAMPING_MOST: f64 = 3.0;
-const FREQUENCY_FACTOR_MOST: f64 = 2.0;
+/// Beyond this damping ratio nothing is a damper.
+pub(super) const DAMPING_MOST: f64 = 3.0;
 
 impl<'a> SpotSearch<'a> {
     pub(super) fn new(
         spot: &'a Spot,
         weights: &'a [f64],
         mean: bool,
-        (given_hz, least_damping): (f64, f64),
+        (range_hz, least_damping): ([f64; 2], f64),
     ) -> Self {
         SpotSearch {
             spot,
             weights,
             mean,
-            given_hz,
+            range_hz,
             least_damping,
             last: None,
         }
@@ -172,9 +177,9 @@ impl<'a> SpotSearch<'a> {
 
     /// Frequency, Hz, and damping ratio, within their limits.
     pub(super) fn within(&self, x: &[f64]) -> [f64; 2] {
-        let factor = FREQUENCY_FACTOR_MOST;
+        let [low, high] = self.range_hz;
         [
-            x[0].exp().clamp(self.given_hz / factor, self.given_hz * factor),
+            x[0].exp().clamp(low, high),
             x[1].exp().clamp(self.least_damping, DAMPING_MOST),
         ]
     }

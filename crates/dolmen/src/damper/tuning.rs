@@ -39,6 +39,51 @@ impl Tuning {
     }
 }
 
+/// A liquid column as the tuned mass that it is: α² of its liquid swings, the rest rides along.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ColumnAsMass {
+    /// α² μ / (1 + (1 − α²) μ): the swinging mass over the mode's with the riding one.
+    pub mass_ratio: f64,
+    /// 1/√(1 + (1 − α²) μ): frequency of the mode with the riding mass over that without, and so its damping ratio.
+    pub frequency_factor: f64,
+}
+
+impl ColumnAsMass {
+    /// From the liquid's mass over the modal mass, and α = `length_ratio`; α = 1 is a mass on a spring itself.
+    ///
+    /// Exact for one mode. With Warburton's tuning under a force it is the optimum of Yalla & Kareem (2000),
+    /// [`known::liquid_column::least_variance_under_force`](crate::known::liquid_column::least_variance_under_force).
+    pub fn new(mass_ratio: f64, length_ratio: f64) -> Self {
+        let swings = length_ratio * length_ratio;
+        let heavier = 1.0 + (1.0 - swings) * mass_ratio;
+        ColumnAsMass {
+            mass_ratio: swings * mass_ratio / heavier,
+            frequency_factor: 1.0 / heavier.sqrt(),
+        }
+    }
+
+    /// A closed form for the column, its frequency over that of the mode without it.
+    ///
+    /// # Errors
+    /// As [`rule_tuning`].
+    pub fn rule(&self, rule: TuningRule, structure_damping_ratio: f64) -> Result<Tuning, DamperError> {
+        let tuning = rule_tuning(
+            rule,
+            self.mass_ratio,
+            self.frequency_factor * structure_damping_ratio,
+        )?;
+        Ok(self.of_mode(tuning))
+    }
+
+    /// A tuning to the mode with the riding mass as one to the mode without.
+    pub(super) fn of_mode(&self, tuning: Tuning) -> Tuning {
+        Tuning {
+            frequency_ratio: self.frequency_factor * tuning.frequency_ratio,
+            ..tuning
+        }
+    }
+}
+
 /// A published closed form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TuningRule {
@@ -231,6 +276,17 @@ mod tests {
         }
         let fault = rule_tuning(TuningRule::Sadek, 0.05, f64::NAN).unwrap_err();
         assert!(fault.to_string().starts_with("structure_damping_ratio is NaN"));
+    }
+
+    #[test]
+    fn exact_a_column_is_a_mass_of_its_swinging_part() {
+        for (mu, alpha) in [(0.01, 0.9), (0.05, 0.7), (0.1, 0.5), (0.05, 1.0)] {
+            let found = ColumnAsMass::new(mu, alpha)
+                .rule(TuningRule::WarburtonForce, 0.0)
+                .unwrap();
+            let [f, zeta] = crate::known::liquid_column::least_variance_under_force(mu, alpha);
+            assert!((found.frequency_ratio - f).abs() < 1e-14 && (found.damping_ratio - zeta).abs() < 1e-14);
+        }
     }
 
     #[test]

@@ -28,10 +28,11 @@ mod random_vibration;
 mod rocking_block;
 mod rocking_run;
 
+pub(crate) use building::{BaseDriven, ExponentialSteps, shaken};
 pub use building::{
     BuildingHistory, BuildingPeaks, BuildingRun, DirectionalCombination, FloorPeak, HistoryMethod,
-    ModalCombination, Peak, SpectralAnalysis, SpectralMode, StoreyPeak, TunedMass, VibratingBuilding,
-    building_history, correlation_coefficient, spectral_analysis,
+    LeastFavourable, ModalCombination, Peak, SpectralAnalysis, SpectralMode, StoreyPeak, TunedMass,
+    VibratingBuilding, WatchedHistory, building_history, correlation_coefficient, spectral_analysis,
 };
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
 pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};

@@ -1,6 +1,6 @@
 use super::{
-    ValidationError, choi_2021, chopra_2017, columns, dampers, dry_friction, fragility, hwang_min_hong,
-    kim_koo_hong_2018, park_min_2010, rigid_blocks, second_methods,
+    ValidationError, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction, fragility,
+    hwang_min_hong, kim_koo_hong_2018, park_min_2010, rigid_blocks, second_methods,
 };
 
 /// One number of a source, or of a second method of this crate, beside ours.
@@ -57,6 +57,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         dry_friction::cases()?,
         hwang_min_hong::cases()?,
         chopra_2017::cases()?,
+        building_motion::cases()?,
         dampers::cases()?,
         fragility::cases()?,
         second_methods::cases()?,

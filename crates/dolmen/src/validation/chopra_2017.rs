@@ -115,6 +115,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         &BuildingRun {
             steps_per_sample: CUT,
             end_s: None,
+            ..BuildingRun::default()
         },
     )?;
     force(

@@ -316,6 +316,7 @@ fn best_of(structure: &LinearSystem) -> Result<Vec<f64>, ValidationError> {
         mass_kg,
         frequency_hz,
         damping_ratio,
+        length_ratio: 1.0,
     };
     let problem = DamperProblem {
         structure: structure.clone(),
@@ -326,6 +327,7 @@ fn best_of(structure: &LinearSystem) -> Result<Vec<f64>, ValidationError> {
             reference_m: [0.0; 2],
             corners_m: vec![[-5.0, -4.0], [5.0, -4.0], [5.0, 4.0], [-5.0, 4.0]],
         }],
+        fixed: Vec::new(),
     };
     let plan = Plan::new(problem, &[start], &PlanOptions::default())?;
     let options = DesignOptions {

@@ -6,9 +6,10 @@
 
 use crate::dampers::{second_floor, twisting_floor, white_y, with_modal_damping, y_at};
 use dolmen::damper::{
-    Aim, DamperError, DamperProblem, DamperSite, Design, DesignEnd, DesignOptions, Detuned, Freedom, Goal,
-    MapTuning, Place, PlacedDamper, Plan, PlanOptions, PositionMapOptions, SingleMode, TuningRule, design,
-    goal_cost, optimal_tuning, position_map, robustness, rule_tuning,
+    Aim, AttachedDamper, DamperError, DamperKind, DamperProblem, DamperSite, Design, DesignEnd,
+    DesignOptions, Detuned, Freedom, Goal, MapTuning, Place, PlacedDamper, Plan, PlanOptions,
+    PositionMapOptions, SingleMode, TogetherOptions, TuningRule, cost_of, design, goal_cost, optimal_tuning,
+    position_map, robustness, rule_tuning, tune_together,
 };
 use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
 use dolmen_linalg::Matrix;
@@ -28,6 +29,7 @@ fn edges(structure: LinearSystem) -> DamperProblem {
         loads: vec![white_y()],
         points: vec![y_at(-5.0), y_at(5.0)],
         sites: vec![site()],
+        fixed: Vec::new(),
     }
 }
 
@@ -42,6 +44,7 @@ fn start(structure: &LinearSystem, place_m: [f64; 2]) -> PlacedDamper {
         mass_kg: 0.05 / modes.shapes[(1, 0)].powi(2),
         frequency_hz: tuning.frequency_ratio * modes.angular_frequency_rad_s[0] / TAU,
         damping_ratio: tuning.damping_ratio,
+        length_ratio: 1.0,
     }
 }
 
@@ -72,6 +75,7 @@ fn one_mode(zeta: f64, base: bool) -> DamperProblem {
         }],
         points: vec![y_at(0.0)],
         sites: vec![site()],
+        fixed: Vec::new(),
     }
 }
 
@@ -94,6 +98,7 @@ fn exact_designs_of_one_mode() {
             mass_kg: 0.05,
             frequency_hz: 0.93 / TAU,
             damping_ratio: 0.17,
+            length_ratio: 1.0,
         };
         let plan = Plan::new(one_mode(0.02, base), &[damper], &PlanOptions::default()).unwrap();
         let options = DesignOptions {
@@ -333,4 +338,164 @@ fn refuses_dampers_that_cannot_do_what_is_asked() {
         ..DesignOptions::default()
     };
     assert!(design(&plan, &[start], &options).is_err());
+}
+
+#[test]
+fn holds_no_tuning_of_a_fine_grid_is_better_than_that_of_the_map() {
+    // where the damper serves well and where it serves badly, each place by itself and as one of a map
+    for structure in [twisting_floor(), second_floor()] {
+        let (plan, start) = plan(structure);
+        let options = PositionMapOptions::over_site(&plan, 0, 11, 3).unwrap();
+        let map = position_map(&plan, &start, &options).unwrap();
+        for cell in map.cells.iter().flatten().step_by(5) {
+            let mut least = (f64::INFINITY, [0.0; 2]);
+            for i in 0..31 {
+                for j in 0..13 {
+                    let factor = 0.5 * 4.0_f64.powf(f64::from(i) / 30.0);
+                    let damper = PlacedDamper {
+                        place_m: cell.damper.place_m,
+                        frequency_hz: factor * start.frequency_hz,
+                        damping_ratio: 0.01 * 200.0_f64.powf(f64::from(j) / 12.0),
+                        ..start
+                    };
+                    let rms = plan.judge(&[damper]).unwrap().point_rms;
+                    let cost = rms[0].max(rms[1]);
+                    if cost < least.0 {
+                        least = (cost, [factor, damper.damping_ratio]);
+                    }
+                }
+            }
+            assert!(
+                cell.cost < least.0 * (1.0 + 1e-6),
+                "{:?} {} {least:?}",
+                cell.damper,
+                cell.cost
+            );
+        }
+    }
+}
+
+#[test]
+fn agrees_several_dampers_of_all_kinds_tuned_together_leave_nothing_better_beside_them() {
+    let structure = twisting_floor();
+    let (plan, start) = plan(structure);
+    let frequency_hz = start.frequency_hz;
+    let given = [
+        AttachedDamper {
+            kind: start.kind(),
+            row: y_at(4.0),
+        },
+        AttachedDamper {
+            kind: DamperKind::LiquidColumn {
+                liquid_mass_kg: start.mass_kg,
+                length_ratio: 0.7,
+                frequency_hz: 1.02 * frequency_hz,
+                damping_ratio: 0.1,
+            },
+            row: y_at(-4.0),
+        },
+        AttachedDamper {
+            kind: DamperKind::LiquidColumnMass {
+                container_mass_kg: 0.2 * start.mass_kg,
+                liquid_mass_kg: 0.3 * start.mass_kg,
+                length_ratio: 0.6,
+                frequency_hz: 1.9 * frequency_hz,
+                damping_ratio: 0.1,
+                liquid_frequency_hz: 1.9 * frequency_hz,
+                liquid_damping_ratio: 0.1,
+            },
+            row: y_at(5.0),
+        },
+    ];
+    let options = TogetherOptions::default();
+    let found = tune_together(&plan, &given, &options).unwrap();
+    let before = cost_of(&plan.exact_attached(&given).unwrap(), Goal::LargestRms);
+    assert!(found.cost < before);
+    // beside it, by assembled matrices: 1e-5 is what the prepared frequencies are good for
+    for k in 0..3 {
+        for (df, dz) in [(1.01, 1.0), (0.99, 1.0), (1.0, 1.05), (1.0, 0.95)] {
+            let mut other = found.dampers.clone();
+            match &mut other[k].kind {
+                DamperKind::TunedMass {
+                    frequency_hz,
+                    damping_ratio,
+                    ..
+                }
+                | DamperKind::LiquidColumn {
+                    frequency_hz,
+                    damping_ratio,
+                    ..
+                } => {
+                    *frequency_hz *= df;
+                    *damping_ratio *= dz;
+                }
+                DamperKind::LiquidColumnMass {
+                    liquid_frequency_hz,
+                    liquid_damping_ratio,
+                    ..
+                } => {
+                    *liquid_frequency_hz *= df;
+                    *liquid_damping_ratio *= dz;
+                }
+                DamperKind::Viscous { .. } => panic!(),
+            }
+            let cost = cost_of(&plan.exact_attached(&other).unwrap(), Goal::LargestRms);
+            assert!(
+                cost > found.cost * (1.0 - 1e-5),
+                "{k} {df} {dz}: {cost} {}",
+                found.cost
+            );
+        }
+    }
+}
+
+#[test]
+fn agrees_dampers_that_stay_are_part_of_the_structure() {
+    // a column and a dashpot to the ground that stay, a mass that is judged: prepared frequencies beside assembled matrices
+    for base in [false, true] {
+        let mut problem = edges(twisting_floor());
+        if base {
+            problem.loads[0].input = RandomInput::Base(vec![0.3, 1.0, 0.0]);
+        }
+        let mass = start(&problem.structure, [3.0, 1.0]);
+        problem.fixed = vec![
+            AttachedDamper {
+                kind: DamperKind::LiquidColumn {
+                    liquid_mass_kg: 0.03,
+                    length_ratio: 0.8,
+                    frequency_hz: mass.frequency_hz,
+                    damping_ratio: 0.07,
+                },
+                row: y_at(-3.0),
+            },
+            AttachedDamper::link(0.05, &y_at(5.0), &[0.0; 3]),
+        ];
+        let plan = Plan::new(problem, &[mass], &PlanOptions::default()).unwrap();
+        let (exact, near) = (plan.exact(&[mass]).unwrap(), plan.judge(&[mass]).unwrap());
+        for (a, b) in exact.point_rms.iter().zip(&near.point_rms) {
+            close(a / b, 1.0, 1e-6);
+        }
+        close(exact.stroke_rms_m[0] / near.stroke_rms_m[0], 1.0, 1e-6);
+        // all three as riders of a plan without any
+        let bare = Plan::new(
+            DamperProblem {
+                fixed: Vec::new(),
+                ..plan.problem().clone()
+            },
+            &[mass],
+            &PlanOptions::default(),
+        )
+        .unwrap();
+        let mut all = plan.problem().fixed.clone();
+        all.push(mass.attached(&plan.problem().sites, 3).unwrap());
+        let together = bare.exact_attached(&all).unwrap();
+        for (a, b) in together.point_rms.iter().zip(&exact.point_rms) {
+            close(a / b, 1.0, 1e-12);
+        }
+        assert_eq!(together.stroke_rms_m.len(), 3);
+        let apart = bare.judge_attached(&all).unwrap();
+        for (a, b) in apart.stroke_rms_m.iter().zip(&together.stroke_rms_m) {
+            close(a / b, 1.0, 1e-6);
+        }
+    }
 }

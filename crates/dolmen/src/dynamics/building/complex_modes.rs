@@ -11,6 +11,7 @@
 
 use super::history::Ground;
 use super::secular::{Root, Secular, null_vector};
+use super::stepping::Stepping;
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::{Complex64, Matrix};
 
@@ -190,7 +191,8 @@ fn assembled(modes: &[Mode], building: &VibratingBuilding) -> ComplexModes {
 /// ```text
 /// E = e^(λh)   A + B = p h φ_1   B = p h φ_2   φ_1 = (e^z − 1)/z   φ_2 = (φ_1 − 1)/z   z = λh
 /// ```
-pub(super) struct Steps {
+pub(super) struct Steps<'a> {
+    modes: &'a ComplexModes,
     count: usize,
     /// Re E, Im E.
     decay: [Vec<f64>; 2],
@@ -198,8 +200,8 @@ pub(super) struct Steps {
     ground: [[Vec<f64>; 4]; 2],
 }
 
-impl Steps {
-    pub(super) fn new(modes: &ComplexModes, h: f64) -> Self {
+impl<'a> Steps<'a> {
+    pub(super) fn new(modes: &'a ComplexModes, h: f64) -> Self {
         let mut decay = [Vec::new(), Vec::new()];
         let mut ground: [[Vec<f64>; 4]; 2] = Default::default();
         for (k, &lambda) in modes.lambda.iter().enumerate() {
@@ -217,14 +219,39 @@ impl Steps {
             }
         }
         Steps {
+            modes,
             count: modes.lambda.len(),
             decay,
             ground,
         }
     }
+}
 
-    /// The state after a step.
-    pub(super) fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground) {
+impl Stepping for Steps<'_> {
+    fn outputs(&self) -> &Matrix {
+        &self.modes.outputs
+    }
+
+    // Σ c_re Re y + c_im Im y = Re Σ (c_re − i c_im) y
+    fn rate_row(&self, row: &[f64]) -> Vec<f64> {
+        let (re, im) = row.split_at(self.count);
+        let pairs = re.iter().zip(im).zip(&self.modes.lambda);
+        let rates: Vec<Complex64> = pairs
+            .map(|((re, im), lambda)| Complex64::new(*re, -im) * lambda)
+            .collect();
+        let real = rates.iter().map(|rate| rate.re);
+        real.chain(rates.iter().map(|rate| -rate.im)).collect()
+    }
+
+    fn ground_of_row(&self, row: &[f64]) -> [f64; 2] {
+        let (re, im) = row.split_at(self.count);
+        [0, 1].map(|axis| {
+            let pairs = re.iter().zip(im).zip(&self.modes.load[axis]);
+            pairs.map(|((re, im), p)| re * p.re + im * p.im).sum()
+        })
+    }
+
+    fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground) {
         let n = self.count;
         let (re, im) = from.split_at(n);
         let (to_re, to_im) = to.split_at_mut(n);

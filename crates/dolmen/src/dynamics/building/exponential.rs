@@ -1,22 +1,38 @@
 //! The same motion by the matrix exponential: where complex modes coincide or do not swing.
 
 use super::history::Ground;
+use super::stepping::Stepping;
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 
 /// Terms of the series of e^X for ‖X‖ ≤ 1/2: 22 leave less than 1e-28.
 const TERMS: usize = 22;
 
-/// What one step does to the state η, z, η′/ω, z′/ω with ω the highest frequency: x ← E x + Σ_axes (A a + B b).
-pub(super) struct ExponentialSteps {
+/// A linear system whose base moves: ẍ + M⁻¹C ẋ + M⁻¹K x = −e a.
+pub(crate) struct BaseDriven {
+    /// M⁻¹K and M⁻¹C, n × n.
+    pub(crate) stiffness: Matrix,
+    pub(crate) damping: Matrix,
+    /// e of the base along x and along y.
+    pub(crate) influences: [Vec<f64>; 2],
+    /// What is wanted of the displacements, rows × n.
+    pub(crate) outputs: Matrix,
+    /// Highest frequency, rad/s: velocities are counted over it.
+    pub(crate) highest_rad_s: f64,
+}
+
+/// What one step does to the state x, x′/ω with ω the highest frequency: s ← E s + Σ_axes (A a + B b).
+pub(crate) struct ExponentialSteps {
     transition: Matrix,
     ground: [[Vec<f64>; 2]; 2],
-    /// Displacements u, v, θ of the floors and strokes of the masses from the state.
-    pub(super) outputs: Matrix,
+    outputs: Matrix,
+    /// s′ = `rates` s + `pushes` a.
+    rates: Matrix,
+    pushes: [Vec<f64>; 2],
 }
 
 impl ExponentialSteps {
-    pub(super) fn new(building: &VibratingBuilding, h: f64) -> Self {
+    pub(super) fn of_building(building: &VibratingBuilding, h: f64) -> Self {
         let modes = building.modes();
         let oscillators = building.oscillators();
         let (n, count) = (modes.modes.len(), oscillators.len());
@@ -41,28 +57,60 @@ impl ExponentialSteps {
                 }
             }
         }
-        // velocities over the highest frequency: else rows of ω² beside rows of 1 lose digits
-        let highest = modes
-            .modes
-            .iter()
-            .map(|mode| mode.omega_rad_s)
-            .fold(0.0, f64::max);
-        // x, then a and its change within the step, along x and y
-        let whole = 2 * size + 4;
-        let mut generator = Matrix::zeros(whole, whole);
-        for i in 0..size {
-            generator[(i, size + i)] = h * highest;
-            for j in 0..size {
-                generator[(size + i, j)] = -h / highest * stiffness[(i, j)];
-                generator[(size + i, size + j)] = -h * damping[(i, j)];
+        let influences = [0, 1].map(|axis| {
+            let shaken = modes.modes.iter().map(|mode| mode.participation[axis]);
+            shaken
+                .chain(oscillators.iter().map(|own| own.unit[axis]))
+                .collect()
+        });
+        let mut outputs = Matrix::zeros(size, size);
+        for j in 0..n {
+            outputs.column_mut(j)[..n].copy_from_slice(modes.shapes.column(j));
+            for (d, own) in oscillators.iter().enumerate() {
+                outputs[(n + d, j)] = -own.row[j];
             }
         }
-        for axis in 0..2 {
-            for (j, mode) in modes.modes.iter().enumerate() {
-                generator[(size + j, 2 * size + axis)] = -h / highest * mode.participation[axis];
+        for d in 0..count {
+            outputs[(n + d, n + d)] = 1.0;
+        }
+        let highest_rad_s = modes.omegas_rad_s().into_iter().fold(0.0, f64::max);
+        let driven = BaseDriven {
+            stiffness,
+            damping,
+            influences,
+            outputs,
+            highest_rad_s,
+        };
+        ExponentialSteps::new(&driven, h)
+    }
+
+    pub(crate) fn new(driven: &BaseDriven, h: f64) -> Self {
+        let size = driven.stiffness.rows();
+        // velocities over the highest frequency: else rows of ω² beside rows of 1 lose digits
+        let highest = driven.highest_rad_s;
+        let mut rates = Matrix::zeros(2 * size, 2 * size);
+        for i in 0..size {
+            rates[(i, size + i)] = highest;
+            for j in 0..size {
+                rates[(size + i, j)] = -driven.stiffness[(i, j)] / highest;
+                rates[(size + i, size + j)] = -driven.damping[(i, j)];
             }
-            for (d, own) in oscillators.iter().enumerate() {
-                generator[(size + n + d, 2 * size + axis)] = -h / highest * own.unit[axis];
+        }
+        let pushes = driven.influences.each_ref().map(|influence| {
+            let pushed = influence.iter().map(|e| -e / highest);
+            vec![0.0; size].into_iter().chain(pushed).collect::<Vec<f64>>()
+        });
+        // the state, then a and its change within the step, along x and y
+        let whole = 2 * size + 4;
+        let mut generator = Matrix::zeros(whole, whole);
+        for j in 0..2 * size {
+            for (to, rate) in generator.column_mut(j).iter_mut().zip(rates.column(j)) {
+                *to = h * rate;
+            }
+        }
+        for (axis, push) in pushes.iter().enumerate() {
+            for (to, push) in generator.column_mut(2 * size + axis).iter_mut().zip(push) {
+                *to = h * push;
             }
             generator[(2 * size + axis, 2 * size + 2 + axis)] = 1.0;
         }
@@ -73,24 +121,39 @@ impl ExponentialSteps {
             let start = whole.iter().zip(&change).map(|(whole, change)| whole - change);
             [start.collect(), change]
         });
-        let mut outputs = Matrix::zeros(size, 2 * size);
-        for j in 0..n {
-            outputs.column_mut(j)[..n].copy_from_slice(modes.shapes.column(j));
-            for (d, own) in oscillators.iter().enumerate() {
-                outputs[(n + d, j)] = -own.row[j];
-            }
-        }
-        for d in 0..count {
-            outputs[(n + d, n + d)] = 1.0;
+        let mut outputs = Matrix::zeros(driven.outputs.rows(), 2 * size);
+        for j in 0..size {
+            outputs.column_mut(j).copy_from_slice(driven.outputs.column(j));
         }
         ExponentialSteps {
             transition: flow.block(0, 0, 2 * size, 2 * size),
             ground,
             outputs,
+            rates,
+            pushes,
         }
     }
+}
 
-    pub(super) fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground) {
+impl Stepping for ExponentialSteps {
+    fn outputs(&self) -> &Matrix {
+        &self.outputs
+    }
+
+    fn rate_row(&self, row: &[f64]) -> Vec<f64> {
+        let columns = (0..self.rates.columns()).map(|j| self.rates.column(j));
+        columns
+            .map(|column| row.iter().zip(column).map(|(r, x)| r * x).sum())
+            .collect()
+    }
+
+    fn ground_of_row(&self, row: &[f64]) -> [f64; 2] {
+        self.pushes
+            .each_ref()
+            .map(|push| row.iter().zip(push).map(|(r, x)| r * x).sum())
+    }
+
+    fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground) {
         to.fill(0.0);
         for (j, x) in from.iter().enumerate() {
             for (sum, entry) in to.iter_mut().zip(self.transition.column(j)) {

@@ -4,30 +4,38 @@
 //! |:--|:--|:--|:--|
 //! | a | | acceleration of the ground, straight between its samples, 0 after the last | m/s² |
 //! | q | | u, v, θ of the centres of mass of the floors relative to the ground | m, rad |
-//! | V, T | `base_shear_n`, `base_torque_n_m` | ιᵀ K q: what the lowest storey's walls carry; T about the centre of all mass | N, N·m |
+//! | V, T | `base_shear_n`, `base_torque_n_m` | k_1 q_1: what the lowest storey's walls carry; T about the centre of all mass | N, N·m |
 
 use super::complex_modes::{Steps, complex_modes};
 use super::exponential::ExponentialSteps;
+use super::peaks::Watcher;
+use super::stepping::{Stepping, Walked, walk};
 use super::vibrating::VibratingBuilding;
 use crate::dynamics::DynamicsError;
 use crate::signal::{Component, GroundMotion};
 use dolmen_linalg::Matrix;
 
-/// Steps that are multiplied together: the block stays in the cache. Our choice.
-const BLOCK: usize = 128;
+/// How long a building swings on after the motion: at least so long, s, as frames and chains do, and so many periods of what is slowest.
+/// Our choice.
+const REST_LEAST_S: f64 = 20.0;
+const REST_PERIODS: f64 = 10.0;
 /// Most steps of a run: 10 million numbers for ten floors. Our choice.
 const STEPS_MOST: usize = 4_000_000;
 
 /// Acceleration of the ground at both ends of a step, along x and along y, m/s².
-pub(super) type Ground = [[f64; 2]; 2];
+pub(crate) type Ground = [[f64; 2]; 2];
 
 /// How a run is made.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingRun {
     /// How many steps a sample of the motion is cut into, the ground moving straight between samples; 0 counts as 1.
     pub steps_per_sample: usize,
-    /// When the run ends, s; the end of the motion if `None`. After it the ground stands still.
+    /// When the run ends, s. `None`: after the motion the building swings on with the ground at rest, for 10 periods of the slowest mode
+    /// or mass, and at least 20 s.
     pub end_s: Option<f64>,
+    /// Points whose motion and absolute acceleration are wanted, each a row of
+    /// [`Building::point_row`](crate::structure::Building::point_row).
+    pub watched: Vec<Vec<f64>>,
 }
 
 /// How a run was computed.
@@ -66,15 +74,15 @@ pub struct StoreyPeak {
     pub drift_x_m: Peak,
     /// Drift at the centre of mass of the floor above along y, m.
     pub drift_y_m: Peak,
-    /// Largest drift along x anywhere on the floor above: at one of its edges. That of the centre if its outline is not known.
-    pub edge_drift_x_m: Peak,
+    /// Largest drift along x anywhere on the floor above: at one of its edges. `None` if its outline is not known.
+    pub edge_drift_x_m: Option<Peak>,
     /// Largest drift along y anywhere on the floor above.
-    pub edge_drift_y_m: Peak,
+    pub edge_drift_y_m: Option<Peak>,
     /// Twist of the storey, rad.
     pub twist_rad: Peak,
 }
 
-/// Largest values of a run, at its steps.
+/// Largest values of a run, between its steps: where each is largest at a step, the top beside it.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BuildingPeaks {
     /// Floors, lowest first.
@@ -83,10 +91,23 @@ pub struct BuildingPeaks {
     pub storeys: Vec<StoreyPeak>,
     /// Travel of each mass relative to its place, m.
     pub strokes_m: Vec<Peak>,
-    /// Elastic base shear along x and y, N.
+    /// What the walls of the lowest storey carry along x and y, N.
     pub base_shear_n: [Peak; 2],
-    /// Elastic base torque about the centre of all mass, N·m.
+    /// Their torque about the vertical through the centre of all mass, N·m.
     pub base_torque_n_m: Peak,
+}
+
+/// A point in time.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WatchedHistory {
+    /// Displacement relative to the ground at each step, m.
+    pub displacement_m: Vec<f64>,
+    /// Acceleration with that of the ground at each step, m/s²: what stands there feels.
+    pub acceleration_m_s2: Vec<f64>,
+    /// Largest displacement, m.
+    pub displacement_peak_m: Peak,
+    /// Largest absolute acceleration, m/s².
+    pub acceleration_peak_m_s2: Peak,
 }
 
 /// A building in time.
@@ -102,9 +123,21 @@ pub struct BuildingHistory {
     pub method: HistoryMethod,
     /// Largest values.
     pub peaks: BuildingPeaks,
+    /// The points of the run, in its order.
+    pub watched: Vec<WatchedHistory>,
 }
 
 impl BuildingHistory {
+    /// Whether some displacement or stroke was largest as the run ended: it may have grown on.
+    pub fn grows_at_the_end(&self) -> bool {
+        let last_s = (self.length() as f64 - 1.5) * self.time_step_s;
+        let floors = self.peaks.floors.iter();
+        let each =
+            floors.flat_map(|floor| [floor.displacement_x_m, floor.displacement_y_m, floor.rotation_rad]);
+        let mut all = each.chain(self.peaks.strokes_m.iter().copied());
+        all.any(|peak| peak.value != 0.0 && peak.at_s >= last_s)
+    }
+
     /// Steps, the first at rest included.
     pub fn length(&self) -> usize {
         self.coordinates.columns()
@@ -138,13 +171,15 @@ impl BuildingHistory {
 /// ```
 /// The ground acceleration is straight between samples, and the solution exact there: mode by mode, with tuned masses by complex
 /// modes, whose frequencies are roots of a secular equation of one value a mass; by the matrix exponential where two of these
-/// are one. Times between the steps are not looked at.
+/// are one. Peaks are looked for between the steps: from the state at both ends of the step beside the largest value, by the polynomial
+/// of the fifth degree through value, velocity and acceleration there.
 ///
 /// # Errors
 /// [`DynamicsError::Argument`] for a motion without x and y, an end before 0, or too many steps.
 ///
 /// # Limits
-/// Small displacements, linear walls. Peaks are those at the steps: of a mode whose period is n steps, up to π²/(2n²) of it is missed.
+/// Small displacements, linear walls. Of a mode whose period is 10 steps a peak is found to 2e-6 of it; it is the top beside the largest
+/// value at a step, and another that lies higher between steps by less than π²/(2n²), n steps a period, may be missed.
 /// A 20-storey building with a tuned mass, 40 s of El Centro at 0.005 s: within 1e-9 m of the matrix exponential of the whole.
 ///
 /// # Example
@@ -167,7 +202,46 @@ pub fn building_history(
     motion: &GroundMotion,
     run: &BuildingRun,
 ) -> Result<BuildingHistory, DynamicsError> {
+    let modes = building.modes().modes.iter().map(|mode| mode.frequency_hz);
+    let masses = building.tuned_masses().iter().map(|tuned| tuned.frequency_hz);
+    let slowest_hz = modes.chain(masses).fold(f64::INFINITY, f64::min);
+    let (ground, over) = shaken(building, motion, run, slowest_hz)?;
+    Ok(match complex_modes(building) {
+        Some(modes) => over.history(&Steps::new(&modes, over.h), HistoryMethod::ComplexModes, &ground),
+        None => over.history(
+            &ExponentialSteps::of_building(building, over.h),
+            HistoryMethod::MatrixExponential,
+            &ground,
+        ),
+    })
+}
+
+/// The ground of a run, step by step, and how long it is.
+pub(crate) fn shaken<'a>(
+    building: &'a VibratingBuilding,
+    motion: &'a GroundMotion,
+    run: &'a BuildingRun,
+    slowest_hz: f64,
+) -> Result<(impl Fn(usize) -> Ground + 'a, Over<'a>), DynamicsError> {
+    if let Some(row) = run
+        .watched
+        .iter()
+        .position(|row| row.len() != building.building().coordinates())
+    {
+        return Err(DynamicsError::Entries {
+            argument: "watched",
+            given: run.watched[row].len(),
+            needed: building.building().coordinates(),
+        });
+    }
     let cut = run.steps_per_sample.max(1);
+    if cut > STEPS_MOST {
+        return Err(DynamicsError::Argument {
+            argument: "steps_per_sample",
+            given: cut as f64,
+            allowed: "at most 4 000 000",
+        });
+    }
     let h = motion.time_step_s() / cut as f64;
     let axes: Vec<(usize, &[f64])> = [Component::X, Component::Y]
         .into_iter()
@@ -183,17 +257,28 @@ pub fn building_history(
         });
     }
     let steps = match run.end_s {
-        None => (motion.length() - 1) * cut,
-        Some(end_s) if end_s > 0.0 && end_s / h <= STEPS_MOST as f64 => (end_s / h).round() as usize,
+        None => {
+            let rest_s = REST_LEAST_S.max(REST_PERIODS / slowest_hz);
+            let steps = (motion.length() - 1) as f64 * cut as f64 + (rest_s / h).ceil();
+            if steps > STEPS_MOST as f64 {
+                return Err(DynamicsError::Argument {
+                    argument: "steps of the motion with 10 periods after it",
+                    given: steps,
+                    allowed: "at most 4 000 000: give end_s, or longer steps",
+                });
+            }
+            steps as usize
+        }
+        Some(end_s) if end_s >= 0.5 * h && end_s / h <= STEPS_MOST as f64 => (end_s / h).round() as usize,
         Some(end_s) => {
             return Err(DynamicsError::Argument {
                 argument: "end_s",
                 given: end_s,
-                allowed: "above 0 and at most 4 000 000 steps",
+                allowed: "one step at least, and at most 4 000 000",
             });
         }
     };
-    let ground = |step: usize| -> Ground {
+    let ground = move |step: usize| -> Ground {
         let (sample, part) = (step / cut, (step % cut) as f64);
         let mut ground = Ground::default();
         for &(axis, values) in &axes {
@@ -204,215 +289,69 @@ pub fn building_history(
         }
         ground
     };
-    match complex_modes(building) {
-        Some(modes) => {
-            let own = Steps::new(&modes, h);
-            let advance = |from: &[f64], to: &mut [f64], n: usize| own.advance(from, to, ground(n));
-            let method = HistoryMethod::ComplexModes;
-            Ok(stepped(building, &modes.outputs, (steps, h, method), advance))
-        }
-        None => {
-            let own = ExponentialSteps::new(building, h);
-            let advance = |from: &[f64], to: &mut [f64], n: usize| own.advance(from, to, ground(n));
-            let method = HistoryMethod::MatrixExponential;
-            Ok(stepped(building, &own.outputs, (steps, h, method), advance))
-        }
-    }
+    let over = Over {
+        building,
+        steps,
+        h,
+        watched: &run.watched,
+    };
+    Ok((ground, over))
 }
 
-/// Steps the state from rest and turns it into displacements, block by block.
-fn stepped(
-    building: &VibratingBuilding,
-    outputs: &Matrix,
-    (steps, h, method): (usize, f64, HistoryMethod),
-    advance: impl Fn(&[f64], &mut [f64], usize),
-) -> BuildingHistory {
-    let (rows, states) = (outputs.rows(), outputs.columns());
-    let mut coordinates = Matrix::zeros(rows, steps + 1);
-    let mut block = Matrix::zeros(states, BLOCK);
-    let mut state = vec![0.0; states];
-    let mut done = 0;
-    while done < steps {
-        let count = BLOCK.min(steps - done);
-        for i in 0..count {
-            let (before, rest) = block.as_mut_slice().split_at_mut(i * states);
-            let from = if i == 0 {
-                &state[..]
-            } else {
-                &before[(i - 1) * states..]
-            };
-            advance(from, &mut rest[..states], done + i);
-        }
-        state.copy_from_slice(block.column(count - 1));
-        let moved = outputs * &block;
-        let first = (done + 1) * rows;
-        coordinates.as_mut_slice()[first..first + count * rows]
-            .copy_from_slice(&moved.as_slice()[..count * rows]);
-        done += count;
-    }
-    let base = base(building, &coordinates);
-    let peaks = peaks(building, &coordinates, &base, h);
-    BuildingHistory {
-        time_step_s: h,
-        coordinates,
-        base,
-        method,
-        peaks,
-    }
+/// What is stepped through, and what is wanted of it.
+pub(crate) struct Over<'a> {
+    pub(crate) building: &'a VibratingBuilding,
+    steps: usize,
+    /// Time of a step, s.
+    pub(crate) h: f64,
+    watched: &'a [Vec<f64>],
 }
 
-/// ιᵀ K q at each step: only the lowest storey's walls hold to the ground.
-fn base(building: &VibratingBuilding, coordinates: &Matrix) -> Matrix {
-    let rows = building.building().base_rows();
-    let mut base = Matrix::zeros(3, coordinates.columns());
-    for (step, column) in coordinates
-        .as_slice()
-        .chunks_exact(coordinates.rows())
-        .enumerate()
-    {
-        let own = base.column_mut(step);
-        for (sum, row) in own.iter_mut().zip(&rows) {
-            *sum = row[0] * column[0] + row[1] * column[1] + row[2] * column[2];
-        }
-    }
-    base
-}
-
-/// Least and most y and x of a floor from its centre of mass.
-struct Reach {
-    x: [f64; 2],
-    y: [f64; 2],
-    /// The centre of mass from that of the floor below.
-    from_below: [f64; 2],
-}
-
-fn reaches(building: &VibratingBuilding) -> Vec<Reach> {
-    let floors = building.building().floors();
-    let each = floors.iter().enumerate().map(|(i, floor)| {
-        let corners = floor
-            .outline
-            .as_ref()
-            .map_or(&[][..], |outline| outline.corners_m());
-        let extent = |axis: usize| {
-            corners
-                .iter()
-                .map(|corner| corner[axis] - floor.centre_m[axis])
-                .fold([0.0_f64; 2], |[least, most], from| {
-                    [least.min(from), most.max(from)]
-                })
+impl Over<'_> {
+    /// Everything of a run: walked through, looked at, peaks between the steps.
+    pub(crate) fn history(
+        &self,
+        stepping: &impl Stepping,
+        method: HistoryMethod,
+        ground: &dyn Fn(usize) -> Ground,
+    ) -> BuildingHistory {
+        let own = stepping.outputs().rows();
+        let watcher = Watcher::new(self.building, stepping, self.watched);
+        let Walked {
+            values,
+            others: accelerations,
+            states,
+        } = walk(stepping, (&watcher.outputs, own), self.steps, ground);
+        let base = watcher.base(&values);
+        let mut history = BuildingHistory {
+            time_step_s: self.h,
+            coordinates: values,
+            base,
+            method,
+            peaks: BuildingPeaks::default(),
+            watched: Vec::new(),
         };
-        let below = if i > 0 {
-            floors[i - 1].centre_m
-        } else {
-            floor.centre_m
-        };
-        Reach {
-            x: extent(0),
-            y: extent(1),
-            from_below: [floor.centre_m[0] - below[0], floor.centre_m[1] - below[1]],
-        }
-    });
-    each.collect()
-}
-
-/// Values that are looked at in each storey, in this order.
-const LOOKED_AT: usize = 10;
-
-/// Displacements, drifts of the centre, of the edges, and twists, storey after storey.
-fn look(column: &[f64], reaches: &[Reach], values: &mut [f64]) {
-    let mut below = [0.0; 3];
-    let storeys = column
-        .chunks_exact(3)
-        .zip(reaches)
-        .zip(values.chunks_exact_mut(LOOKED_AT));
-    for ((own, reach), values) in storeys {
-        let [u, v, theta] = [own[0], own[1], own[2]];
-        let twist = theta - below[2];
-        // the floor below at the centre of the floor above
-        let drift_x = u - (below[0] - reach.from_below[1] * below[2]);
-        let drift_y = v - (below[1] + reach.from_below[0] * below[2]);
-        values.copy_from_slice(&[
-            u,
-            v,
-            theta,
-            drift_x,
-            drift_y,
-            twist,
-            drift_x - reach.y[0] * twist,
-            drift_x - reach.y[1] * twist,
-            drift_y + reach.x[0] * twist,
-            drift_y + reach.x[1] * twist,
-        ]);
-        below = [u, v, theta];
-    }
-}
-
-/// The first largest of each of `count` values at each step: the largest of a block of steps, and only where it is more than before, when.
-fn largest(count: usize, steps: usize, mut at: impl FnMut(usize, &mut [f64])) -> Vec<(f64, usize)> {
-    let mut values = vec![0.0; count * BLOCK];
-    let mut found = vec![(0.0_f64, 0); count];
-    let mut most = vec![0.0_f64; count];
-    for first in (0..steps).step_by(BLOCK) {
-        let block = BLOCK.min(steps - first);
-        most.fill(0.0);
-        for (step, values) in values.chunks_exact_mut(count).take(block).enumerate() {
-            at(first + step, values);
-            for (value, most) in values.iter().zip(&mut most) {
-                let size = value.abs();
-                *most = if size > *most { size } else { *most };
-            }
-        }
-        for (i, (most, found)) in most.iter().zip(&mut found).enumerate() {
-            if *most > found.0.abs() {
-                let mut column = values.iter().skip(i).step_by(count).take(block);
-                let step = column.position(|value| value.abs() == *most).unwrap_or(0);
-                *found = (values[step * count + i], first + step);
-            }
-        }
-    }
-    found
-}
-
-fn peaks(building: &VibratingBuilding, coordinates: &Matrix, base: &Matrix, h: f64) -> BuildingPeaks {
-    let n = building.building().floors().len();
-    let reaches = reaches(building);
-    let peak = |&(value, step): &(f64, usize)| Peak {
-        value,
-        at_s: step as f64 * h,
-    };
-    let steps = coordinates.columns();
-    let storeys = largest(LOOKED_AT * n, steps, |step, values| {
-        look(&coordinates.column(step)[..3 * n], &reaches, values);
-    });
-    let masses = coordinates.rows() - 3 * n;
-    let strokes = match masses {
-        0 => Vec::new(),
-        _ => largest(masses, steps, |step, values| {
-            values.copy_from_slice(&coordinates.column(step)[3 * n..]);
-        }),
-    };
-    let base = largest(3, steps, |step, values| values.copy_from_slice(base.column(step)));
-    let larger = |a: Peak, b: Peak| if b.value.abs() > a.value.abs() { b } else { a };
-    let of_storey = |all: &[(f64, usize)]| {
-        let p = |i: usize| peak(&all[i]);
-        StoreyPeak {
-            drift_x_m: p(3),
-            drift_y_m: p(4),
-            twist_rad: p(5),
-            edge_drift_x_m: larger(p(6), p(7)),
-            edge_drift_y_m: larger(p(8), p(9)),
-        }
-    };
-    let of_floor = |all: &[(f64, usize)]| FloorPeak {
-        displacement_x_m: peak(&all[0]),
-        displacement_y_m: peak(&all[1]),
-        rotation_rad: peak(&all[2]),
-    };
-    BuildingPeaks {
-        floors: storeys.chunks_exact(LOOKED_AT).map(of_floor).collect(),
-        storeys: storeys.chunks_exact(LOOKED_AT).map(of_storey).collect(),
-        strokes_m: strokes.iter().map(peak).collect(),
-        base_shear_n: [peak(&base[0]), peak(&base[1])],
-        base_torque_n_m: peak(&base[2]),
+        let moved: Vec<Vec<f64>> = self.watched.iter().map(|row| history.along(row)).collect();
+        let all = (
+            &history.coordinates,
+            &history.base,
+            [&moved[..], &accelerations[..]],
+        );
+        let found = watcher.peaks(all, self.h, &states, stepping, ground);
+        history.peaks = found.building;
+        let each = moved.into_iter().zip(accelerations).zip(found.watched);
+        history.watched = each
+            .map(
+                |((displacement_m, acceleration_m_s2), [displacement_peak_m, acceleration_peak_m_s2])| {
+                    WatchedHistory {
+                        displacement_m,
+                        acceleration_m_s2,
+                        displacement_peak_m,
+                        acceleration_peak_m_s2,
+                    }
+                },
+            )
+            .collect();
+        history
     }
 }

@@ -3,15 +3,20 @@
 mod complex_modes;
 mod exponential;
 mod history;
+mod peaks;
 mod secular;
 mod spectrum_analysis;
+mod stepping;
 mod vibrating;
 
+pub(crate) use exponential::{BaseDriven, ExponentialSteps};
+pub(crate) use history::shaken;
 pub use history::{
-    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, HistoryMethod, Peak, StoreyPeak, building_history,
+    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, HistoryMethod, Peak, StoreyPeak, WatchedHistory,
+    building_history,
 };
 pub use spectrum_analysis::{
-    DirectionalCombination, ModalCombination, SpectralAnalysis, SpectralMode, correlation_coefficient,
-    spectral_analysis,
+    DirectionalCombination, LeastFavourable, ModalCombination, SpectralAnalysis, SpectralMode,
+    correlation_coefficient, spectral_analysis,
 };
 pub use vibrating::{TunedMass, VibratingBuilding};

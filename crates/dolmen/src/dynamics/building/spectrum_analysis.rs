@@ -61,6 +61,15 @@ pub fn correlation_coefficient([omega_i, zeta_i]: [f64; 2], [omega_n, zeta_n]: [
     above / below
 }
 
+/// What the least favourable direction of shaking brings.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LeastFavourable {
+    /// Largest response, of the row.
+    pub largest: f64,
+    /// Direction of the stronger component, degrees from x, in (−90, 90].
+    pub direction_degrees: f64,
+}
+
 /// One mode in a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpectralMode {
@@ -174,6 +183,41 @@ impl SpectralAnalysis {
                 (x + 0.3 * y).max(y + 0.3 * x)
             }
         }
+    }
+
+    /// The largest response over all directions of shaking, with a weaker component across it: CQC3.
+    ///
+    /// ```text
+    /// r² = (r_x² + γ² r_y²) cos² θ + (r_y² + γ² r_x²) sin² θ + 2 (1 − γ²) r_xy sin θ cos θ
+    /// r_xy = ΣΣ ρ_in r_ix r_ny
+    /// ```
+    /// γ is `minor_ratio`, the spectrum of the weaker component over that of the stronger, in [0, 1]; 1 gives the root of the sum of
+    /// squares, in any direction. The spectrum along x and along y must be the same: that of the stronger component.
+    ///
+    /// # Errors
+    /// [`DynamicsError::Argument`] for a ratio outside [0, 1].
+    ///
+    /// # Source
+    /// Menun & Der Kiureghian (1998) Earthquake Spectra 14(1):153-163.
+    pub fn least_favourable(&self, row: &[f64], minor_ratio: f64) -> Result<LeastFavourable, DynamicsError> {
+        if !(0.0..=1.0).contains(&minor_ratio) {
+            return Err(DynamicsError::Argument {
+                argument: "minor_ratio",
+                given: minor_ratio,
+                allowed: "0 to 1: the weaker component over the stronger",
+            });
+        }
+        let (x, y) = (self.of_modes(row, 0), self.of_modes(row, 1));
+        let square = minor_ratio * minor_ratio;
+        let (xx, yy) = (self.correlation.form(&x, &x), self.correlation.form(&y, &y));
+        let along_x = xx + square * yy;
+        let along_y = yy + square * xx;
+        let across = (1.0 - square) * self.correlation.form(&x, &y);
+        let half = 0.5 * (along_x - along_y);
+        Ok(LeastFavourable {
+            largest: (0.5 * (along_x + along_y) + half.hypot(across)).max(0.0).sqrt(),
+            direction_degrees: (0.5 * across.atan2(half)).to_degrees() + 0.0,
+        })
     }
 
     fn combined(&self, r: &[f64], modal: ModalCombination) -> f64 {

@@ -183,20 +183,18 @@ impl Building {
     }
 
     /// Rows of the drift of a storey at the edges of the floor above it: along x where y is least and most, along y where x is least
-    /// and most. The largest drift along x or y anywhere on the floor is at one of the two. At the centre of mass if its outline is not
-    /// known.
+    /// and most. The largest drift along x or y anywhere on the floor is at one of the two. `None` if its outline is not known.
     ///
     /// # Errors
     /// [`BuildingError::Part`] for a storey that is not there, numbered from 1 at the bottom.
-    pub fn edge_drift_rows(&self, storey: usize) -> Result<[Vec<f64>; 4], BuildingError> {
+    pub fn edge_drift_rows(&self, storey: usize) -> Result<Option<[Vec<f64>; 4]>, BuildingError> {
         let index = self.floor_index(storey)?;
         let upper = &self.floors()[index];
-        let corners = upper
-            .outline
-            .as_ref()
-            .map_or(&[][..], |outline| outline.corners_m());
+        let Some(outline) = &upper.outline else {
+            return Ok(None);
+        };
         let extent = |axis: usize| {
-            let all = corners.iter().map(|corner| corner[axis]);
+            let all = outline.corners_m().iter().map(|corner| corner[axis]);
             all.fold([upper.centre_m[axis]; 2], |[least, most], at| {
                 [least.min(at), most.max(at)]
             })
@@ -217,21 +215,21 @@ impl Building {
             row
         };
         let ([left, right], [front, back]) = (extent(0), extent(1));
-        Ok([row(0, front), row(0, back), row(1, left), row(1, right)])
+        Ok(Some([row(0, front), row(0, back), row(1, left), row(1, right)]))
     }
 
-    /// Rows of the elastic base shear along x and y and of the base torque about the centre of all mass: ιᵀ K. Rigid motion strains
-    /// nothing but the lowest storey, so that only its three coordinates are in them.
+    /// Rows of what the walls and columns of the lowest storey carry: shear along x and y, and torque about the vertical through the centre
+    /// of all mass. Only the three coordinates of the lowest floor are in them.
+    ///
+    /// With P-delta the walls carry more than the ground has to hold: the weight leans on them, k_1 drift instead of (k_1 − g_1) drift.
     pub fn base_rows(&self) -> [Vec<f64>; 3] {
-        let k = self.stiffness_matrix();
-        let shakes = [
-            self.ground_column(PlanDirection::X),
-            self.ground_column(PlanDirection::Y),
-            self.turn_column(self.centre_of_mass_m()),
-        ];
-        shakes.map(|shake| {
-            let mut row = k.times(&shake);
-            row[3..].fill(0.0);
+        let (from, about) = (self.floors()[0].centre_m, self.centre_of_mass_m());
+        let k = self.storeys()[0].stiffness.matrix_about(from);
+        let (x, y) = (from[0] - about[0], from[1] - about[1]);
+        let torque = [0, 1, 2].map(|j| k[2][j] + x * k[1][j] - y * k[0][j]);
+        [k[0], k[1], torque].map(|own| {
+            let mut row = own.to_vec();
+            row.resize(self.coordinates(), 0.0);
             row
         })
     }

@@ -16,4 +16,5 @@ pub use floors::{Building, Floor, PDelta, Storey};
 pub use matrices::PlanDirection;
 pub use modes::{BuildingMode, BuildingModes, ModeCentre};
 pub use outline::Outline;
+pub(crate) use outline::{nearest_on_floor, nearest_on_side};
 pub use stability::{StoreyFall, storey_falls};

@@ -113,25 +113,38 @@ impl Outline {
 
     /// How far a point lies outside, m; 0 on the floor and its edge.
     pub fn beyond_m(&self, point_m: [f64; 2]) -> f64 {
-        let [x, y] = point_m;
-        let mut inside = false;
-        let mut nearest = f64::INFINITY;
-        let sides = self.corners_m.iter().zip(self.corners_m.iter().cycle().skip(1));
-        for (&a, &b) in sides {
-            if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
-                inside = !inside;
-            }
-            let along = [b[0] - a[0], b[1] - a[1]];
-            let squared = along[0] * along[0] + along[1] * along[1];
-            let t = (((x - a[0]) * along[0] + (y - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
-            nearest = nearest.min((x - a[0] - t * along[0]).hypot(y - a[1] - t * along[1]));
-        }
-        if inside || nearest <= EDGE * size_m(&self.corners_m) {
+        let (_, beyond_m) = nearest_on_floor(&self.corners_m, point_m);
+        if beyond_m <= EDGE * size_m(&self.corners_m) {
             0.0
         } else {
-            nearest
+            beyond_m
         }
     }
+}
+
+/// The nearest point of a polygon and how far away it is; the point itself and 0 inside.
+pub(crate) fn nearest_on_floor(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> ([f64; 2], f64) {
+    let mut inside = false;
+    let mut nearest = ([x, y], f64::INFINITY);
+    for (&a, &b) in corners.iter().zip(corners.iter().cycle().skip(1)) {
+        if (a[1] > y) != (b[1] > y) && x < a[0] + (y - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) {
+            inside = !inside;
+        }
+        let point = nearest_on_side(a, b, [x, y]);
+        let far = (x - point[0]).hypot(y - point[1]);
+        if far < nearest.1 {
+            nearest = (point, far);
+        }
+    }
+    if inside { ([x, y], 0.0) } else { nearest }
+}
+
+/// The point of the side from a to b that is nearest.
+pub(crate) fn nearest_on_side(a: [f64; 2], b: [f64; 2], [x, y]: [f64; 2]) -> [f64; 2] {
+    let along = [b[0] - a[0], b[1] - a[1]];
+    let squared = along[0] * along[0] + along[1] * along[1];
+    let t = (((x - a[0]) * along[0] + (y - a[1]) * along[1]) / squared).clamp(0.0, 1.0);
+    [a[0] + t * along[0], a[1] + t * along[1]]
 }
 
 fn size_m(corners: &[[f64; 2]]) -> f64 {

@@ -1,0 +1,133 @@
+//! A damper of a building with every number that follows.
+
+use dolmen::damper::{AttachedDamper, DamperKind, TuningRule};
+use dolmen::dynamics::TunedMass;
+use dolmen::structure::building::PlanDirection;
+
+/// What a damper is tuned to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TunedTo {
+    /// The mode that it is for, from 1.
+    pub mode: usize,
+    /// Its mass over the modal mass of the mode.
+    pub mass_ratio: f64,
+}
+
+/// A damper with every number that follows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuiltDamper {
+    /// Its name in the file; with a number where it has several masses.
+    pub name: String,
+    /// The floor, from 1.
+    pub floor: usize,
+    /// Place in plan, m.
+    pub place_m: [f64; 2],
+    /// Direction in which it moves.
+    pub direction: PlanDirection,
+    /// What it is.
+    pub kind: DamperKind,
+    /// What it rides on: a row over all coordinates of the building.
+    pub row: Vec<f64>,
+    /// What it is tuned to; `None` of a link.
+    pub tuned_to: Option<TunedTo>,
+    /// Closed form that gave both frequency and damping; `None` if the file gives one of them.
+    pub tuning: Option<TuningRule>,
+    /// Room each way, m, if given.
+    pub room_m: Option<f64>,
+    /// Floor (0: the ground) and place of the other end of a link, m.
+    pub to: Option<(usize, [f64; 2])>,
+}
+
+impl BuiltDamper {
+    /// Its word in the file.
+    pub fn word(&self) -> &'static str {
+        match self.kind {
+            DamperKind::TunedMass { .. } => "tmd",
+            DamperKind::LiquidColumn { .. } => "tlcd",
+            DamperKind::LiquidColumnMass { .. } => "tlcmd",
+            DamperKind::Viscous { .. } => "link",
+        }
+    }
+
+    /// Frequency, Hz, and damping ratio; `None` of a link.
+    pub fn own(&self) -> Option<[f64; 2]> {
+        match self.kind {
+            DamperKind::TunedMass {
+                frequency_hz,
+                damping_ratio,
+                ..
+            }
+            | DamperKind::LiquidColumn {
+                frequency_hz,
+                damping_ratio,
+                ..
+            }
+            | DamperKind::LiquidColumnMass {
+                frequency_hz,
+                damping_ratio,
+                ..
+            } => Some([frequency_hz, damping_ratio]),
+            DamperKind::Viscous { .. } => None,
+        }
+    }
+
+    /// What it is beyond mass, frequency and damping, in words; empty of a mass on a spring.
+    pub fn rest(&self) -> String {
+        match self.kind {
+            DamperKind::TunedMass { .. } => String::new(),
+            DamperKind::LiquidColumn { length_ratio, .. } => format!("length ratio {length_ratio}"),
+            DamperKind::LiquidColumnMass {
+                liquid_mass_kg,
+                length_ratio,
+                liquid_frequency_hz,
+                liquid_damping_ratio,
+                ..
+            } => format!(
+                "liquid {:.2} of the mass at {liquid_frequency_hz:.5} Hz, {:.3} %, length ratio {length_ratio}",
+                liquid_mass_kg / self.kind.mass_kg(),
+                100.0 * liquid_damping_ratio
+            ),
+            DamperKind::Viscous { coefficient_n_s_m } => {
+                let to = match self.to {
+                    None | Some((0, _)) => "the ground".to_owned(),
+                    Some((floor, [x, y])) => format!("floor {floor} at ({x:.3}, {y:.3}) m"),
+                };
+                format!("{:.4} kN s/m to {to}", 1e-3 * coefficient_n_s_m)
+            }
+        }
+    }
+
+    /// As a damper of the science.
+    pub fn attached(&self) -> AttachedDamper {
+        AttachedDamper {
+            kind: self.kind,
+            row: self.row.clone(),
+        }
+    }
+
+    /// As a mass on a spring and a dashpot, if it is one.
+    pub fn tuned_mass(&self) -> Option<TunedMass> {
+        let DamperKind::TunedMass {
+            mass_kg,
+            frequency_hz,
+            damping_ratio,
+        } = self.kind
+        else {
+            return None;
+        };
+        Some(TunedMass {
+            floor: self.floor,
+            x_m: self.place_m[0],
+            y_m: self.place_m[1],
+            direction: self.direction,
+            mass_kg,
+            frequency_hz,
+            damping_ratio,
+        })
+    }
+
+    /// What moves in it besides its stroke: the liquid of a column on a spring.
+    pub fn has_liquid_apart(&self) -> bool {
+        matches!(self.kind, DamperKind::LiquidColumnMass { .. })
+    }
+}

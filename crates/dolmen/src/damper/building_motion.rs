@@ -1,0 +1,112 @@
+//! A building with dampers of any kind under moving ground, in time.
+
+use super::{AttachedDamper, DampedSystem, DamperError, DamperKind};
+use crate::dynamics::{
+    BaseDriven, BuildingHistory, BuildingRun, ExponentialSteps, HistoryMethod, LinearSystem,
+    VibratingBuilding, shaken,
+};
+use crate::signal::GroundMotion;
+use dolmen_linalg::{Matrix, solve};
+use std::f64::consts::TAU;
+
+/// The motion of a building with dampers under a motion of the ground, from rest: liquid columns, columns on springs and dashpots as well
+/// as tuned masses.
+///
+/// The rows of `coordinates` after those of the floors are the strokes of the dampers in order (z − z₀ of a mass, w of a liquid column,
+/// the elongation of a dashpot), then the liquids' rise w of the liquid column masses.
+///
+/// # Errors
+/// [`DamperError`] if a damper cannot be; [`DamperError::Dynamics`] as of [`building_history`](crate::dynamics::building_history).
+///
+/// # Limits
+/// Head loss is linear: the damping ratio stands for one amplitude. Tuned masses alone are faster in `building_history`, mode by mode:
+/// here the matrix exponential steps the whole, 20 storeys with a mass within 1e-9 m of it over 40 s of El Centro.
+pub fn damped_building_history(
+    building: &VibratingBuilding,
+    dampers: &[AttachedDamper],
+    motion: &GroundMotion,
+    run: &BuildingRun,
+) -> Result<BuildingHistory, DamperError> {
+    if !building.tuned_masses().is_empty() {
+        return Err(DamperError::Argument {
+            argument: "the number of tuned masses of the building itself",
+            given: building.tuned_masses().len() as f64,
+            allowed: "0: give every damper in the list",
+        });
+    }
+    let modes = building.modes();
+    let n = modes.modes.len();
+    // in the modes: M = I, e = Γ
+    let omegas = modes.omegas_rad_s();
+    let squares: Vec<f64> = omegas.iter().map(|omega| omega * omega).collect();
+    let each = omegas.iter().zip(building.damping_ratios());
+    let damping: Vec<f64> = each.map(|(omega, zeta)| 2.0 * zeta * omega).collect();
+    let alone = LinearSystem::new(
+        Matrix::identity(n),
+        Matrix::from_diagonal(&damping),
+        Matrix::from_diagonal(&squares),
+    )?;
+    let in_modes: Vec<AttachedDamper> = dampers
+        .iter()
+        .enumerate()
+        .map(|(k, damper)| {
+            super::assembled::check_row(k + 1, &damper.row, n)?;
+            let along = |j: usize| -> f64 {
+                let shape = modes.shapes.column(j).iter();
+                shape.zip(&damper.row).map(|(phi, a)| phi * a).sum()
+            };
+            Ok(AttachedDamper {
+                kind: damper.kind,
+                row: (0..n).map(along).collect(),
+            })
+        })
+        .collect::<Result<_, DamperError>>()?;
+    let damped = DampedSystem::new(&alone, &in_modes)?;
+    let system = &damped.system;
+    let size = system.degrees_of_freedom();
+    let mut rows: Vec<Vec<f64>> = (0..n)
+        .map(|i| damped.row(&(0..n).map(|j| modes.shapes[(i, j)]).collect::<Vec<f64>>()))
+        .collect();
+    rows.extend((0..dampers.len()).filter_map(|k| damped.stroke_row(k)));
+    let twofold = |k: &usize| matches!(dampers[*k].kind, DamperKind::LiquidColumnMass { .. });
+    rows.extend(
+        (0..dampers.len())
+            .filter(twofold)
+            .filter_map(|k| damped.liquid_row(k)),
+    );
+    let own = dampers
+        .iter()
+        .flat_map(|damper| frequencies_hz(&damper.kind))
+        .map(|hz| TAU * hz);
+    let influence = |axis: usize| {
+        let gamma: Vec<f64> = modes.modes.iter().map(|mode| mode.participation[axis]).collect();
+        damped.influence(&gamma)
+    };
+    let driven = BaseDriven {
+        stiffness: solve(system.mass(), system.stiffness())?,
+        damping: solve(system.mass(), system.damping())?,
+        influences: [influence(0), influence(1)],
+        outputs: Matrix::from_fn(rows.len(), size, |i, j| rows[i][j]),
+        highest_rad_s: omegas.iter().copied().chain(own).fold(0.0, f64::max),
+    };
+    let swinging = dampers.iter().flat_map(|damper| frequencies_hz(&damper.kind));
+    let slowest_hz = swinging.fold(modes.modes[0].frequency_hz, f64::min);
+    let (ground, over) = shaken(building, motion, run, slowest_hz)?;
+    let stepping = ExponentialSteps::new(&driven, over.h);
+    Ok(over.history(&stepping, HistoryMethod::MatrixExponential, &ground))
+}
+
+/// Own frequencies of a damper, Hz.
+fn frequencies_hz(kind: &DamperKind) -> Vec<f64> {
+    match *kind {
+        DamperKind::LiquidColumnMass {
+            frequency_hz,
+            liquid_frequency_hz,
+            ..
+        } => vec![frequency_hz, liquid_frequency_hz],
+        DamperKind::TunedMass { frequency_hz, .. } | DamperKind::LiquidColumn { frequency_hz, .. } => {
+            vec![frequency_hz]
+        }
+        DamperKind::Viscous { .. } => Vec::new(),
+    }
+}

@@ -1,0 +1,326 @@
+//! Several dampers at once, of any kind: what they do together, and their tunings found together where they stand.
+//!
+//! The unknowns are the logarithms of what of each damper is tuned: frequency and damping ratio of a mass or a column, both pairs of a
+//! liquid column mass, and where it is wished the coefficient of a dashpot.
+
+use super::ride::Ride;
+use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
+use crate::numeric::{Minimax, Piece, Worst, minimax};
+
+/// How dampers are tuned together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TogetherOptions {
+    /// What is made small: [`Goal::LargestRms`] or [`Goal::MeanSquare`].
+    pub goal: Goal,
+    /// Largest standard deviation of each damper's stroke, m; empty for none.
+    pub stroke_rms_most_m: Vec<f64>,
+    /// Whether the coefficients of dashpots are searched as well; default kept: more of a dashpot is better until it is a strut, so that
+    /// what one pays for decides.
+    pub coefficients: Freedom,
+    /// Steps of one search; default 60 (our choice).
+    pub iterations_most: usize,
+}
+
+impl Default for TogetherOptions {
+    fn default() -> Self {
+        TogetherOptions {
+            goal: Goal::LargestRms,
+            stroke_rms_most_m: Vec::new(),
+            coefficients: Freedom::Kept,
+            iterations_most: 60,
+        }
+    }
+}
+
+/// Dampers tuned together.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Together {
+    /// The dampers.
+    pub dampers: Vec<AttachedDamper>,
+    /// Standard deviations by assembled matrices.
+    pub judged: Judged,
+    /// The goal.
+    pub cost: f64,
+    /// How the search ended.
+    pub end: DesignEnd,
+}
+
+/// Frequencies within this factor of those given.
+const FREQUENCY_FACTOR_MOST: f64 = 2.0;
+/// Beyond this damping ratio nothing swings.
+const DAMPING_MOST: f64 = 3.0;
+/// A dashpot's coefficient within this factor of that given.
+const COEFFICIENT_FACTOR_MOST: f64 = 1e3;
+/// Frequencies of the second start: alternately this far below and above those given, so that dampers that are alike part.
+const APART: f64 = 0.06;
+/// How steeply a stroke beyond its limit is paid for, in ln of the cost per ln of the stroke.
+const STROKE_PRICE: f64 = 50.0;
+/// Of a search that ended at an optimum.
+const LAST_STEP_MOST: f64 = 1e-6;
+
+/// The tunings of all dampers that serve the goal best together, each where it stands.
+///
+/// # Errors
+/// [`DamperError`] if a damper cannot be, is tied to a floor that the plan does not list, or the goal is a peak.
+///
+/// # Limits
+/// A local optimum, the better of two: from the tunings given, and from these with the frequencies 6 % apart. Frequencies stay within a
+/// factor of 2 of those given, coefficients of dashpots of 1000.
+pub fn tune_together(
+    plan: &Plan,
+    start: &[AttachedDamper],
+    options: &TogetherOptions,
+) -> Result<Together, DamperError> {
+    if options.goal == Goal::LargestPeak {
+        return Err(DamperError::NoMap);
+    }
+    let mut search = Search {
+        plan,
+        start,
+        rides: plan.rides_of(start)?,
+        options,
+    };
+    let given = search.unknowns();
+    let mut starts = vec![given.clone()];
+    let mut side = 1.0;
+    let mut parted = given;
+    for (x, knob) in parted.iter_mut().zip(search.knobs()) {
+        if let Knob::Frequency(_) = knob {
+            *x += side * APART;
+            side = -side;
+        }
+    }
+    if start.len() > 1 {
+        starts.push(parted);
+    }
+    let how = Minimax::steps(options.iterations_most);
+    let found = starts.into_iter().filter_map(|x| minimax(x, &how, &mut search));
+    let least = found.reduce(|best, next| if next.worst < best.worst { next } else { best });
+    let least = least.ok_or(DamperError::NoOptimum {
+        what: "the dampers' tunings together",
+        iterations: 0,
+    })?;
+    let dampers = search.dampers(&least.x);
+    let limits = search.knobs().into_iter().map(|knob| search.limits(knob));
+    let at_limit = limits
+        .zip(&least.x)
+        .any(|([low, high], x)| *x <= low || *x >= high);
+    let judged = plan.exact_attached(&dampers)?;
+    Ok(Together {
+        cost: cost_of(&judged, options.goal),
+        judged,
+        dampers,
+        end: match (at_limit, least.last_step <= LAST_STEP_MOST) {
+            (true, _) => DesignEnd::Limit,
+            (false, true) => DesignEnd::Optimum,
+            (false, false) => DesignEnd::Stalled,
+        },
+    })
+}
+
+/// What the goal is of standard deviations: the largest, or the root of the mean of their squares.
+pub fn cost_of(judged: &Judged, goal: Goal) -> f64 {
+    let rms = &judged.point_rms;
+    match goal {
+        Goal::MeanSquare => (rms.iter().map(|rms| rms * rms).sum::<f64>() / rms.len() as f64).sqrt(),
+        Goal::LargestRms | Goal::LargestPeak => rms.iter().copied().fold(0.0, f64::max),
+    }
+}
+
+impl Plan {
+    /// Standard deviations of the points and strokes with dampers of any kind, by assembled matrices.
+    ///
+    /// # Errors
+    /// [`DamperError`] if a damper cannot be.
+    pub fn exact_attached(&self, dampers: &[AttachedDamper]) -> Result<Judged, DamperError> {
+        let problem = self.problem();
+        let all: Vec<AttachedDamper> = dampers.iter().chain(&problem.fixed).cloned().collect();
+        let mut judged = judge(&problem.structure, &problem.loads, &problem.points, &all)?;
+        judged.stroke_rms_m.truncate(dampers.len());
+        Ok(judged)
+    }
+}
+
+/// One number that is tuned: of which damper.
+#[derive(Clone, Copy)]
+enum Knob {
+    Frequency(usize),
+    Damping(usize),
+    LiquidFrequency(usize),
+    LiquidDamping(usize),
+    Coefficient(usize),
+}
+
+struct Search<'a> {
+    plan: &'a Plan,
+    start: &'a [AttachedDamper],
+    rides: Vec<Ride>,
+    options: &'a TogetherOptions,
+}
+
+impl Search<'_> {
+    fn knobs(&self) -> Vec<Knob> {
+        let each = self
+            .start
+            .iter()
+            .enumerate()
+            .map(|(k, damper)| match damper.kind {
+                DamperKind::TunedMass { .. } | DamperKind::LiquidColumn { .. } => {
+                    vec![Knob::Frequency(k), Knob::Damping(k)]
+                }
+                DamperKind::LiquidColumnMass { .. } => vec![
+                    Knob::Frequency(k),
+                    Knob::Damping(k),
+                    Knob::LiquidFrequency(k),
+                    Knob::LiquidDamping(k),
+                ],
+                DamperKind::Viscous { .. } => match self.options.coefficients {
+                    Freedom::Free => vec![Knob::Coefficient(k)],
+                    Freedom::Kept => Vec::new(),
+                },
+            });
+        each.collect::<Vec<_>>().concat()
+    }
+
+    fn given(&self, knob: Knob) -> f64 {
+        let mut kinds: Vec<DamperKind> = self.start.iter().map(|damper| damper.kind).collect();
+        value(&mut kinds, knob).map_or(f64::NAN, |value| *value)
+    }
+
+    /// ln of least and greatest.
+    fn limits(&self, knob: Knob) -> [f64; 2] {
+        let given = self.given(knob);
+        match knob {
+            Knob::Frequency(_) | Knob::LiquidFrequency(_) => {
+                let reach = FREQUENCY_FACTOR_MOST.ln();
+                [given.ln() - reach, given.ln() + reach]
+            }
+            Knob::Damping(_) | Knob::LiquidDamping(_) => [self.plan.damping_least().ln(), DAMPING_MOST.ln()],
+            Knob::Coefficient(_) => {
+                let reach = COEFFICIENT_FACTOR_MOST.ln();
+                [given.ln() - reach, given.ln() + reach]
+            }
+        }
+    }
+
+    fn unknowns(&self) -> Vec<f64> {
+        let each = self.knobs().into_iter().map(|knob| match knob {
+            Knob::Damping(_) | Knob::LiquidDamping(_) => {
+                self.given(knob).max(1.001 * self.plan.damping_least()).ln()
+            }
+            _ => self.given(knob).ln(),
+        });
+        each.collect()
+    }
+
+    fn kinds(&self, x: &[f64]) -> Vec<DamperKind> {
+        let mut kinds: Vec<DamperKind> = self.start.iter().map(|damper| damper.kind).collect();
+        for (knob, x) in self.knobs().into_iter().zip(x) {
+            let [low, high] = self.limits(knob);
+            if let Some(of) = value(&mut kinds, knob) {
+                *of = x.clamp(low, high).exp();
+            }
+        }
+        kinds
+    }
+
+    fn dampers(&self, x: &[f64]) -> Vec<AttachedDamper> {
+        let pairs = self.kinds(x).into_iter().zip(self.start);
+        pairs
+            .map(|(kind, damper)| AttachedDamper {
+                kind,
+                row: damper.row.clone(),
+            })
+            .collect()
+    }
+
+    /// ln of each function whose largest is made small.
+    fn values(&self, x: &[f64]) -> Option<Vec<f64>> {
+        let rides: Vec<Ride> = self
+            .rides
+            .iter()
+            .zip(self.kinds(x))
+            .map(|(ride, kind)| Ride {
+                row: ride.row.clone(),
+                kind,
+            })
+            .collect();
+        let judged = self.plan.rides_at_nodes(&rides);
+        let mut values = match self.options.goal {
+            Goal::MeanSquare => vec![cost_of(&judged, Goal::MeanSquare).ln()],
+            _ => judged.point_rms.iter().map(|rms| rms.ln()).collect(),
+        };
+        let own = values.clone();
+        for (stroke, most) in judged.stroke_rms_m.iter().zip(&self.options.stroke_rms_most_m) {
+            let price = STROKE_PRICE * (stroke / most).ln();
+            values.extend(own.iter().map(|value| value + price));
+        }
+        values.iter().all(|value| value.is_finite()).then_some(values)
+    }
+}
+
+fn value(kinds: &mut [DamperKind], knob: Knob) -> Option<&mut f64> {
+    let (Knob::Frequency(k)
+    | Knob::Damping(k)
+    | Knob::LiquidFrequency(k)
+    | Knob::LiquidDamping(k)
+    | Knob::Coefficient(k)) = knob;
+    match (kinds.get_mut(k)?, knob) {
+        (
+            DamperKind::TunedMass { frequency_hz, .. }
+            | DamperKind::LiquidColumn { frequency_hz, .. }
+            | DamperKind::LiquidColumnMass { frequency_hz, .. },
+            Knob::Frequency(_),
+        ) => Some(frequency_hz),
+        (
+            DamperKind::TunedMass { damping_ratio, .. }
+            | DamperKind::LiquidColumn { damping_ratio, .. }
+            | DamperKind::LiquidColumnMass { damping_ratio, .. },
+            Knob::Damping(_),
+        ) => Some(damping_ratio),
+        (
+            DamperKind::LiquidColumnMass {
+                liquid_frequency_hz, ..
+            },
+            Knob::LiquidFrequency(_),
+        ) => Some(liquid_frequency_hz),
+        (
+            DamperKind::LiquidColumnMass {
+                liquid_damping_ratio, ..
+            },
+            Knob::LiquidDamping(_),
+        ) => Some(liquid_damping_ratio),
+        (DamperKind::Viscous { coefficient_n_s_m }, Knob::Coefficient(_)) => Some(coefficient_n_s_m),
+        _ => None,
+    }
+}
+
+impl Worst for Search<'_> {
+    fn worst(&mut self, x: &[f64]) -> Option<f64> {
+        self.values(x)?.into_iter().reduce(f64::max)
+    }
+
+    fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>> {
+        const H: f64 = 1e-5;
+        let mut pieces: Vec<Piece> = self
+            .values(x)?
+            .into_iter()
+            .map(|value| Piece {
+                value,
+                slope: Vec::with_capacity(x.len()),
+            })
+            .collect();
+        let mut moved = x.to_vec();
+        for i in 0..x.len() {
+            moved[i] = x[i] + H;
+            let above = self.values(&moved)?;
+            moved[i] = x[i] - H;
+            let below = self.values(&moved)?;
+            moved[i] = x[i];
+            for (piece, (a, b)) in pieces.iter_mut().zip(above.iter().zip(&below)) {
+                piece.slope.push((a - b) / (2.0 * H));
+            }
+        }
+        Some(pieces)
+    }
+}
