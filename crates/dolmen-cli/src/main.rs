@@ -4,6 +4,7 @@ mod building;
 mod check;
 mod cli;
 mod cli_portfolio;
+mod cli_tune;
 mod demand;
 mod files;
 mod identify;

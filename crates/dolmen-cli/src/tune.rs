@@ -1,6 +1,6 @@
 //! `dolmen tune`: the dampers of a building beside the rule and the best, where and how tuned.
 
-use crate::cli::{Tune as Options, TuneGoal, TuneLoad as Load};
+use crate::cli_tune::{Tune as Options, TuneGoal, TuneLoad as Load};
 use crate::simulate::language;
 use crate::tune_together::of_all;
 use crate::{Outcome, files, open};

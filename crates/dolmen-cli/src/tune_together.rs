@@ -1,6 +1,6 @@
 //! `dolmen tune` of all dampers of a building at once.
 
-use crate::cli::Tune as Options;
+use crate::cli_tune::Tune as Options;
 use crate::tune::{self, degrees, placed};
 use anyhow::Result;
 use dolmen::damper::{
