@@ -14,6 +14,9 @@ use maud::{Markup, html};
 /// Rows of the table; all of them are in ranking.csv.
 const ROWS_MOST: usize = 200;
 
+/// Structures that falls alone would put far further back, that are named.
+const MISJUDGED_SHOWN: usize = 10;
+
 /// The ranking as a page that needs nothing else.
 pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Imprint) -> String {
     let title = language.pick("Which structure first", "우선순위 평가");
@@ -38,7 +41,15 @@ pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Impr
                 format!("{count} structures by the {by} of {state}, the worst first."),
                 format!("구조물 {count}기를 {state}의 {by} 기준으로 나쁜 순서대로 나열하였다."),
             )) }
-            @for sentence in misjudged(answer, language) { p { b { (sentence) } } }
+            @let said = misjudged(answer, language);
+            @for sentence in said.iter().take(MISJUDGED_SHOWN) { p { b { (sentence) } } }
+            @if said.len() > MISJUDGED_SHOWN {
+                @let more = said.len() - MISJUDGED_SHOWN;
+                p { b { (language.pick(
+                    format!("and {more} more that falls alone would put far further back: place_by_falls in ranking.csv"),
+                    format!("낙하·전도만 보면 크게 뒤로 밀리는 구조물 {more}기 더 있음: ranking.csv의 place_by_falls"),
+                )) } }
+            }
             @if !answer.left_out.is_empty() { (left_out(answer, language)) }
             (figure(&ranking(answer, language), language.pick(
                 "Capacities with 90 % of what is not known, the worst on top",

@@ -12,6 +12,8 @@ use std::fmt::Write as _;
 
 /// Rows that are printed; all of them are in ranking.csv.
 const ROWS_MOST: usize = 40;
+/// Structures that falls alone would put far further back, that are named.
+const MISJUDGED_SHOWN: usize = 10;
 /// Structures without a place that are named.
 const LEFT_OUT_SHOWN: usize = 20;
 
@@ -49,8 +51,16 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
         let _ = writeln!(out, "  and {} more, in ranking.csv (-o DIR)", count - ROWS_MOST);
     }
     out += "  worst tenth: in how many of the draws of what is not known it is among the worst tenth\n";
-    for line in misjudged(answer, English) {
+    let said = misjudged(answer, English);
+    for line in said.iter().take(MISJUDGED_SHOWN) {
         let _ = writeln!(out, "  {line}");
+    }
+    if said.len() > MISJUDGED_SHOWN {
+        let more = said.len() - MISJUDGED_SHOWN;
+        let _ = writeln!(
+            out,
+            "  and {more} more that falls alone would put far further back: place_by_falls in ranking.csv"
+        );
     }
     if !answer.left_out.is_empty() {
         let _ = writeln!(
