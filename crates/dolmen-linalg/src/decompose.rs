@@ -63,7 +63,7 @@ fn owned_complex(a: MatRef<'_, Complex64>) -> ComplexMatrix {
     ComplexMatrix::from_fn(a.nrows(), a.ncols(), |i, j| a[(i, j)])
 }
 
-fn finite(what: &'static str, a: &Matrix) -> Result<(), LinalgError> {
+pub(crate) fn finite(what: &'static str, a: &Matrix) -> Result<(), LinalgError> {
     match a.as_slice().iter().position(|x| !x.is_finite()) {
         None => Ok(()),
         Some(at) => {
@@ -78,7 +78,12 @@ fn finite(what: &'static str, a: &Matrix) -> Result<(), LinalgError> {
     }
 }
 
-fn shaped(what: &'static str, a: &Matrix, fits: bool, needed: &'static str) -> Result<(), LinalgError> {
+pub(crate) fn shaped(
+    what: &'static str,
+    a: &Matrix,
+    fits: bool,
+    needed: &'static str,
+) -> Result<(), LinalgError> {
     if fits {
         return Ok(());
     }
@@ -90,7 +95,7 @@ fn shaped(what: &'static str, a: &Matrix, fits: bool, needed: &'static str) -> R
     })
 }
 
-fn square(what: &'static str, a: &Matrix) -> Result<(), LinalgError> {
+pub(crate) fn square(what: &'static str, a: &Matrix) -> Result<(), LinalgError> {
     shaped(
         what,
         a,

@@ -6,12 +6,16 @@
 
 mod decompose;
 mod error;
+mod leading;
 mod matrix;
+mod triangular;
 
 pub use decompose::{
     Eigen, HermitianEigen, Qr, Svd, SymmetricEigen, cholesky, eigen, generalized_symmetric_eigen,
     hermitian_eigen, qr, solve, solve_least_squares, svd, symmetric_eigen, symmetric_eigenvalues,
 };
 pub use error::LinalgError;
+pub use leading::{Operator, leading_svd};
 pub use matrix::{ComplexMatrix, Matrix};
 pub use num_complex::Complex64;
+pub use triangular::{cholesky_in_its_place, solve_lower, solve_lower_transposed};
