@@ -1,12 +1,12 @@
-"""Poles by pyOMA2 of the small record of crates/dolmen/tests/validation/pyoma2.rs, as the table kept there.
+"""Poles by pyOMA2 of the small record of crates/dolmen/tests/validation/pyoma2.rs, as the tables kept there.
 
-The record repeats itself, so that every window of one period holds the same correlations whichever program cuts it.
+One table for each of its methods cov and dat, with all channels and with channels 0 and 2 as references.
 """
 
 import numpy as np
 from pyoma2.functions import ssi
 
-PERIOD, BLOCK_ROWS, ORDER, RATE = 600, 8, 12, 20.0
+SAMPLES, BLOCK_ROWS, ORDER, RATE = 600, 8, 12, 20.0
 
 
 def record():
@@ -15,28 +15,31 @@ def record():
     shapes = [(1.0, 0.6, -0.3), (-0.5, 1.0, 0.8)]
     past = [[0.0, 0.0], [0.0, 0.0]]
     rows = []
-    for t in range(2 * PERIOD):
+    for t in range(2 * SAMPLES):
         draws = []
         for _ in range(5):
             state = (1664525 * state + 1013904223) % 2**32
             draws.append(state / 2**32 - 0.5)
         for (a, b), p, u in zip(resonators, past, draws):
             p[0], p[1] = a * p[0] + b * p[1] + u, p[0]
-        if t >= PERIOD:
+        if t >= SAMPLES:
             rows.append([sum(s[c] * p[0] for s, p in zip(shapes, past)) + draws[2 + c] for c in range(3)])
-    n = PERIOD + 2 * BLOCK_ROWS - 1
-    x = np.array([rows[t % PERIOD] for t in range(n)])
+    x = np.array(rows)
     return (x - x.mean(axis=0)).T
 
 
 y = record()
-hankel, _ = ssi.build_hank(y, y, BLOCK_ROWS, method="cov")
-observability, a, c, _ = ssi.SSI_fast(hankel, BLOCK_ROWS, ORDER, step=2)
-frequency, damping = ssi.SSI_poles(observability, a, c, ORDER, 1 / RATE, step=2, HC=False)[:2]
-for column in range(1, frequency.shape[1]):
-    f, z = frequency[:, column], damping[:, column]
-    for i in np.argsort(f):
-        # one of each conjugate pair, and no real pole
-        if np.isfinite(f[i]) and abs(z[i]) < 1 - 1e-9 and np.sum(np.isclose(f, f[i], rtol=1e-9)) == 2:
-            if i == np.flatnonzero(np.isclose(f, f[i], rtol=1e-9))[0]:
-                print(f"    ({2 * column}, {f[i]:.10f}, {z[i]:.10f}),")
+for method in ("cov", "dat"):
+    for references in ([0, 1, 2], [0, 2]):
+        order = min(ORDER, len(references) * BLOCK_ROWS)
+        hankel, _ = ssi.build_hank(y, y[references], BLOCK_ROWS, method=method)
+        observability, a, c, _ = ssi.SSI_fast(hankel, BLOCK_ROWS, order, step=2)
+        frequency, damping = ssi.SSI_poles(observability, a, c, order, 1 / RATE, step=2, HC=False)[:2]
+        print(f"// {method}, references {references}")
+        for column in range(1, frequency.shape[1]):
+            f, z = frequency[:, column], damping[:, column]
+            for i in np.argsort(f):
+                # one of each conjugate pair, and no real pole
+                if np.isfinite(f[i]) and abs(z[i]) < 1 - 1e-9 and np.sum(np.isclose(f, f[i], rtol=1e-9)) == 2:
+                    if i == np.flatnonzero(np.isclose(f, f[i], rtol=1e-9))[0]:
+                        print(f"    ({2 * column}, {f[i]:.10f}, {z[i]:.10f}),")

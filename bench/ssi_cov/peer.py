@@ -1,4 +1,4 @@
-"""SSI-cov of one record by pyOMA2 as its manual shows it: FILE SAMPLING_RATE_HZ BLOCK_ROWS ORDER_MOST."""
+"""SSI of one record by pyOMA2 as its manual shows it: FILE SAMPLING_RATE_HZ BLOCK_ROWS ORDER_MOST."""
 
 import os
 import resource
@@ -16,9 +16,12 @@ def cpu_s():
 
 imported_s = cpu_s()
 path, rate, block_rows, order = sys.argv[1], float(sys.argv[2]), int(sys.argv[3]), int(sys.argv[4])
-setup = SingleSetup(np.load(path), fs=rate)
+record = np.load(path)
+setup = SingleSetup(record - record.mean(axis=0), fs=rate)
 method = os.environ.get("PEER_METHOD", "cov")
-setup.add_algorithms(SSI(name="ssi", method=method, br=block_rows, ordmax=order, step=2))
+deviations = os.environ.get("PEER_DEVIATIONS") == "1"
+more = {"calc_unc": True, "nb": 30} if deviations else {}
+setup.add_algorithms(SSI(name="ssi", method=method, br=block_rows, ordmax=order, step=2, **more))
 setup.run_by_name("ssi")
 result = setup["ssi"].result
 print(f"imported_cpu_s {imported_s:.3f}")

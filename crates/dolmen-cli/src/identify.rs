@@ -4,6 +4,7 @@ use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::modal::{Identify, Modes, identify};
+use dolmen::signal::Channel;
 use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
     Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, StiffnessNote, StiffnessSolution,
@@ -139,13 +140,19 @@ fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<
     let spinner = spinner(quiet, format!("reading {}", source.file));
     let opened = open::record(source, project_file)?;
     spinner.set_message(format!("modes of {}", source.file));
+    let defaults = Identify::default();
     let options = Identify {
+        method: source.modal.method.unwrap_or(defaults.method),
+        references: references(&source.modal.references, opened.record.channels())
+            .with_context(|| source.file.clone())?,
+        pick_hz: source.modal.pick_hz.clone(),
+        harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
         frequency_low_hz: source.modal.frequency_low_hz,
         frequency_high_hz: source.modal.frequency_high_hz,
         block_rows: source.modal.block_rows,
         order_most: source.modal.order_most,
         modes_wanted: source.modal.modes_wanted,
-        ..Identify::default()
+        ..defaults
     };
     let analysis = identify(&opened.record, &options).with_context(|| source.file.clone())?;
     spinner.finish_and_clear();
@@ -158,6 +165,21 @@ fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<
         faults: opened.faults,
         analysis,
     })
+}
+
+/// Indices of the channels of these names.
+fn references(names: &[String], channels: &[Channel]) -> Result<Vec<usize>> {
+    let place = |name: &String| {
+        let at = channels.iter().position(|channel| channel.name == *name);
+        at.with_context(|| {
+            let known: Vec<&str> = channels.iter().map(|channel| channel.name.as_str()).collect();
+            format!(
+                "modal.references names {name:?}, but the channels used are {}",
+                known.join(", ")
+            )
+        })
+    };
+    names.iter().map(place).collect()
 }
 
 /// A turning line on standard error, on a terminal only.

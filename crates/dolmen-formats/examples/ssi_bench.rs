@@ -1,11 +1,13 @@
 //! Work for `bench/ssi_cov`: makes a record of known poles as NPY, or finds the poles of one.
 //!
 //! ```text
-//! ssi_bench make pairs|twisting SEED FILE
-//! ssi_bench poles FILE SAMPLING_RATE_HZ BLOCK_ROWS ORDER_MOST      prints order, frequency, damping ratio
+//! ssi_bench make pairs|twisting|tower SEED FILE
+//! ssi_bench cov|dat FILE SAMPLING_RATE_HZ BLOCK_ROWS ORDER_MOST     prints order, frequency, damping ratio
+//! ssi_bench cov-sd|dat-sd FILE RATE BLOCK_ROWS ORDER_MOST           the same with the standard deviations of each pole
+//! ssi_bench fdd FILE RATE LINES -                                   prints the frequency of each peak
 //! ```
 
-use dolmen::modal::{ReferenceCase, SsiCov, ssi_cov};
+use dolmen::modal::{Fdd, Propagation, ReferenceCase, Ssi, fdd, ssi_cov, ssi_data};
 use dolmen::signal::Record;
 use dolmen_formats::records::{RecordOptions, read_npy};
 use std::error::Error;
@@ -19,38 +21,51 @@ fn main() -> Result<(), Box<dyn Error>> {
             let case = match case {
                 "pairs" => ReferenceCase::ClosePairs,
                 "twisting" => ReferenceCase::Twisting,
-                _ => return Err("the case must be pairs or twisting".into()),
+                "tower" => ReferenceCase::Tower,
+                _ => return Err("the case must be pairs, twisting or tower".into()),
             };
             std::fs::write(file, npy(&case.made(seed.parse()?)?.make()?))?;
         }
-        ["poles", file, rate, block_rows, order_most] => {
+        [method, file, rate, size, order_most] => {
             let options = RecordOptions {
                 sampling_rate_hz: Some(rate.parse()?),
                 ..Default::default()
             };
             let record = read_npy(&std::fs::read(file)?, &options)?.record;
-            let found = ssi_cov(
-                &record,
-                &SsiCov {
-                    block_rows: block_rows.parse()?,
-                    order_most: order_most.parse()?,
-                    ..Default::default()
-                },
-            )?;
             let mut out = std::io::BufWriter::new(std::io::stdout().lock());
+            if method == "fdd" {
+                let options = Fdd {
+                    lines: Some(size.parse()?),
+                    ..Default::default()
+                };
+                for mode in fdd(&record, &options)?.modes.modes {
+                    writeln!(out, "0 {:.12} 0.01", mode.frequency_hz)?;
+                }
+                return Ok(());
+            }
+            let options = Ssi {
+                block_rows: size.parse()?,
+                order_most: order_most.parse()?,
+                ..Default::default()
+            };
+            let found = match method {
+                "cov" | "cov-sd" => ssi_cov(&record, &options)?,
+                "dat" | "dat-sd" => ssi_data(&record, &options)?,
+                _ => return Err("the method must be cov, dat, cov-sd, dat-sd or fdd".into()),
+            };
+            drop(record);
+            let mut propagation = method.ends_with("-sd").then(|| Propagation::new(&found));
             for pole in &found.poles {
-                writeln!(
-                    out,
-                    "{} {:.12} {:.12}",
-                    pole.order, pole.frequency_hz, pole.damping_ratio
-                )?;
+                let (order, f, zeta) = (pole.order, pole.frequency_hz, pole.damping_ratio);
+                write!(out, "{order} {f:.12} {zeta:.12}")?;
+                if let Some(propagation) = &mut propagation {
+                    let sd = propagation.deviation(pole)?;
+                    write!(out, " {:.6e} {:.6e}", sd.frequency_sd_hz, sd.damping_ratio_sd)?;
+                }
+                writeln!(out)?;
             }
         }
-        _ => {
-            return Err(
-                "ssi_bench make CASE SEED FILE, or ssi_bench poles FILE RATE BLOCK_ROWS ORDER_MOST".into(),
-            );
-        }
+        _ => return Err("see the head of ssi_bench.rs".into()),
     }
     Ok(())
 }

@@ -33,7 +33,7 @@ which force you give: `axial = \"storey\"` (all that the storey carries) or `axi
         code: "block-rows",
         title: "How many block rows the subspace method uses",
         text: "\
-SSI-cov sees lags up to twice the block rows. If they span less than half a period of the lowest mode
+Subspace methods see lags up to twice the block rows. If they span less than half a period of the lowest mode
 (br < fs / (2 f1)) that mode is lost or its damping is wrong by 100 % and more. Dolmen takes the lowest peak of the
 spectrum for f1, chooses block rows from it, says what it chose, and refuses values that cannot work. Decimating the
 record makes the same span cheaper.",
@@ -90,6 +90,16 @@ Without any shaking: of the way from the middle of a joint to its edge, the shar
 that stands on it crosses it; or of its friction, where that is less. 1 is centred, 0 falls. Verdicts: stable (at least 1/3),
 marginal (less), unstable (0 or less). The threshold 1/3 is Dolmen's choice: there a rectangular joint carries on half of its
 width, and the other half gapes.",
+    },
+    Explanation {
+        code: "harmonics",
+        title: "Machines that look like modes",
+        text: "\
+A motor or the mains makes a line in the spectrum that a subspace method takes for a mode of very low damping. Noise that
+drives a mode makes its strength come and go (kurtosis 3 in a narrow band); a machine runs steadily (1.5). A peak that is
+narrower than any structure's, or steadier than random forces make one by three deviations, is named and decides nothing; a
+mode that is too steady is named, and left out with `harmonics = \"remove\"`. At least 36 independent strengths are needed to
+tell: 96 minutes at 1 Hz, 14 minutes at 7 Hz. Switch the machine off and measure again if it stands on a mode.",
     },
     Explanation {
         code: "indistinguishable",

@@ -39,6 +39,7 @@ fn record(record: &RecordAnswer) -> Value {
             "highest_hz": settings.highest_hz,
             "decimation": settings.decimation,
             "sampling_rate_hz": settings.sampling_rate_hz,
+            "lines": settings.lines,
             "block_rows": settings.block_rows,
             "block_rows_least": settings.block_rows_least,
             "order_most": settings.order_most,
@@ -53,6 +54,7 @@ fn record(record: &RecordAnswer) -> Value {
 
 /// Identified modes; shapes as [re, im] a channel.
 fn identified(modes: &Modes) -> Value {
+    let finite = |x: f64| x.is_finite().then_some(x);
     let mode = |mode: &Mode| {
         json!({
             "frequency_hz": mode.frequency_hz,
@@ -63,12 +65,19 @@ fn identified(modes: &Modes) -> Value {
             "shape_sd": mode.shape_sd,
             "phase_collinearity": mode.phase_collinearity,
             "cycles": mode.cycles,
+            "frequency_floor_hz": finite(mode.frequency_floor_hz()),
+            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()),
             "orders": mode.orders,
+            "kurtosis": mode.kurtosis.map(|k| k.kurtosis),
+            "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),
+            "harmonic": mode.harmonic(),
+            "window_bias": mode.window_bias,
         })
     };
     let channel =
         |c: &Channel| json!({ "name": c.name, "position_m": c.position_m, "direction": c.direction });
     json!({
+        "method": modes.method.name(),
         "duration_s": modes.duration_s,
         "channels": modes.channels.iter().map(channel).collect::<Vec<_>>(),
         "modes": modes.modes.iter().map(mode).collect::<Vec<_>>(),

@@ -163,6 +163,32 @@ pub(super) struct ConditioningRaw {
     pub(super) decimate_factor: Option<At<i64>>,
 }
 
+/// How modes are found in a record.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum MethodRaw {
+    /// Peaks of the spectrum, without damping.
+    Fdd,
+    /// Peaks of the spectrum, damping from the singular values about each.
+    Efdd,
+    /// Peaks of the spectrum, damping from the spectrum along each shape.
+    Fsdd,
+    /// Covariance-driven subspace method.
+    SsiCov,
+    /// Data-driven subspace method.
+    SsiData,
+}
+
+/// What becomes of a mode that looks like a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum HarmonicsRaw {
+    /// It stays and is named.
+    Flag,
+    /// It is left out and named.
+    Remove,
+}
+
 /// How modes are identified; what is not given is chosen from the record.
 #[derive(Debug, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -177,6 +203,14 @@ pub(super) struct ModalRaw {
     pub(super) block_rows: Option<At<i64>>,
     /// How many modes to report, lowest first.
     pub(super) modes_wanted: Option<At<i64>>,
+    /// The method; "ssi-data" if not given.
+    pub(super) method: Option<MethodRaw>,
+    /// Reference channels of the subspace methods, by name; all if not given.
+    pub(super) references: Option<Vec<At<String>>>,
+    /// Frequencies at which modes are picked by hand, Hz; all modes if not given.
+    pub(super) pick_hz: Option<Vec<At<f64>>>,
+    /// Modes that look like machines: "flag" if not given.
+    pub(super) harmonics: Option<HarmonicsRaw>,
 }
 
 /// A record file.

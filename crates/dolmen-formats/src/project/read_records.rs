@@ -3,7 +3,8 @@
 use super::error::Fault;
 use super::file_number::{At, QuantityRaw};
 use super::file_survey::{
-    ChannelRaw, ColumnRaw, ConditioningRaw, ModalRaw, RecordFormatRaw, RecordsRaw, WayRaw,
+    ChannelRaw, ColumnRaw, ConditioningRaw, HarmonicsRaw, MethodRaw, ModalRaw, RecordFormatRaw, RecordsRaw,
+    WayRaw,
 };
 use super::measure::{Bound, Measure};
 use super::reader::{Reader, short};
@@ -11,6 +12,7 @@ use super::records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
 use crate::records::Unit;
+use dolmen::modal::{Harmonics, Method};
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -354,10 +356,32 @@ fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalChoice {
             ("frequency_low_hz", "frequency_high_hz"),
         );
     }
+    let picks = raw.pick_hz.iter().flatten().enumerate();
+    let pick_hz = picks
+        .filter_map(|(i, pick)| reader.within(Some(pick), &format!("{path}.pick_hz[{i}]"), 0.0, RATE_MOST_HZ))
+        .collect();
     let mut count = |raw: &Option<At<i64>>, key: &str, least| {
         reader.count(raw.as_ref(), &format!("{path}.{key}"), least, COUNT_MOST)
     };
     ModalChoice {
+        method: raw.method.map(|method| match method {
+            MethodRaw::Fdd => Method::Fdd,
+            MethodRaw::Efdd => Method::Efdd,
+            MethodRaw::Fsdd => Method::Fsdd,
+            MethodRaw::SsiCov => Method::SsiCov,
+            MethodRaw::SsiData => Method::SsiData,
+        }),
+        references: raw
+            .references
+            .iter()
+            .flatten()
+            .map(|name| name.value.clone())
+            .collect(),
+        pick_hz,
+        harmonics: raw.harmonics.map(|harmonics| match harmonics {
+            HarmonicsRaw::Flag => Harmonics::Flag,
+            HarmonicsRaw::Remove => Harmonics::Remove,
+        }),
         frequency_low_hz,
         frequency_high_hz,
         order_most: count(&raw.order_most, "order_most", 2),

@@ -1,5 +1,7 @@
 //! Where a survey's vibration records lie, and how they are to be read and used.
 
+use dolmen::modal::{Harmonics, Method};
+
 /// Format of a record file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RecordFormat {
@@ -90,6 +92,14 @@ pub struct ModalChoice {
     pub block_rows: Option<usize>,
     /// How many modes to report, lowest first.
     pub modes_wanted: Option<usize>,
+    /// The method.
+    pub method: Option<Method>,
+    /// Reference channels, by name; empty: all.
+    pub references: Vec<String>,
+    /// Frequencies at which modes are picked by hand, Hz; empty: all modes.
+    pub pick_hz: Vec<f64>,
+    /// What becomes of modes that look like machines.
+    pub harmonics: Option<Harmonics>,
 }
 
 /// A record file of a survey.

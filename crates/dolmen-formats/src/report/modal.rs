@@ -83,13 +83,15 @@ pub(super) fn section(survey: &str, record: &RecordAnswer, language: Language) -
                 "스펙트럼 행렬의 특이값. 첫째 특이값이 둘째 위로 솟은 봉우리가 하나의 운동 형태이며, 선은 찾은 모드이다.",
             ),
         ))
-        (figure(
-            &stabilization(analysis, language),
-            language.pick(
-                "Stabilisation diagram. A mode of the structure comes back at the same frequency in model after model; noise does not.",
-                "안정화 다이어그램. 구조물의 모드는 모델 차수가 바뀌어도 같은 진동수에서 반복되지만 잡음은 그렇지 않다.",
-            ),
-        ))
+        @if !analysis.stabilization.poles.is_empty() {
+            (figure(
+                &stabilization(analysis, language),
+                language.pick(
+                    "Stabilisation diagram. A mode of the structure comes back at the same frequency in model after model; noise does not.",
+                    "안정화 다이어그램. 구조물의 모드는 모델 차수가 바뀌어도 같은 진동수에서 반복되지만 잡음은 그렇지 않다.",
+                ),
+            ))
+        }
         @if !analysis.modes.modes.is_empty() {
             (modes_table(analysis, language))
             (figure(
@@ -147,6 +149,7 @@ fn analysis_channels(record: &RecordAnswer) -> String {
 }
 
 fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
+    let of_peaks = matches!(analysis.modes.method, Method::Fdd | Method::Efdd | Method::Fsdd);
     let head = [
         language.pick("Mode", "모드").to_string(),
         language.pick("frequency (Hz)", "고유진동수 (Hz)").to_string(),
@@ -158,7 +161,12 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
             .pick("phase collinearity", "모드 위상 공선성 (MPC)")
             .to_string(),
         language.pick("cycles", "관측 주기 수").to_string(),
-        language.pick("model orders", "모델 차수 수").to_string(),
+        language.pick("kurtosis", "첨도").to_string(),
+        if of_peaks {
+            language.pick("window bias (%)", "창 함수 편의 (%)").to_string()
+        } else {
+            language.pick("model orders", "모델 차수 수").to_string()
+        },
     ];
     let rows: Vec<Vec<Cell>> = analysis
         .modes
@@ -177,20 +185,41 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
                     .into(),
                 number::fixed(mode.phase_collinearity, 3).into(),
                 number::fixed(mode.cycles, 0).into(),
-                mode.orders.len().to_string().into(),
+                mode.kurtosis
+                    .map_or("–".into(), |k| number::fixed(k.kurtosis, 2))
+                    .into(),
+                if of_peaks {
+                    mode.window_bias
+                        .map_or("–".into(), |b| format!("{:+.1}", 100.0 * b))
+                        .into()
+                } else {
+                    mode.orders.len().to_string().into()
+                },
             ]
         })
         .collect();
     let method = match analysis.modes.method {
+        Method::Efdd => language.pick(
+            "enhanced frequency domain decomposition",
+            "향상된 주파수 영역 분해법(EFDD)",
+        ),
+        Method::Fsdd => language.pick(
+            "frequency-spatial domain decomposition",
+            "주파수·공간 영역 분해법(FSDD)",
+        ),
         Method::Fdd => language.pick("frequency domain decomposition", "주파수 영역 분해법(FDD)"),
         Method::SsiCov => language.pick(
             "covariance-driven stochastic subspace identification",
             "공분산 기반 확률적 부분공간법(SSI-cov)",
         ),
+        Method::SsiData => language.pick(
+            "data-driven stochastic subspace identification",
+            "데이터 기반 확률적 부분공간법(SSI-data)",
+        ),
     };
     let caption = language.pick(
-        format!("Modes by {method}, ± standard deviation. The floor is the least deviation of a damping ratio that a record of this length allows (Au 2014); a collinearity of 1 is a real shape."),
-        format!("{method}에 의한 모드, ± 표준편차. 하한은 이 길이의 기록에서 감쇠비가 가질 수 있는 최소 표준편차(Au 2014)이며, 공선성 1은 실수 모드형상을 뜻한다."),
+        format!("Modes by {method}, ± standard deviation. The floor is the least deviation of a damping ratio that a record of this length allows (Au 2014); a collinearity of 1 is a real shape; a kurtosis of 3 is random motion, of 1.5 a machine's."),
+        format!("{method}에 의한 모드, ± 표준편차. 하한은 이 길이의 기록에서 감쇠비가 가질 수 있는 최소 표준편차(Au 2014)이며, 공선성 1은 실수 모드형상을, 첨도 3은 불규칙 운동을, 1.5는 기계 진동을 뜻한다."),
     );
     table(&caption, 1, &head, &rows)
 }
@@ -200,6 +229,15 @@ fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
     let (low, high) = (significant(s.range_hz[0], 3), significant(s.range_hz[1], 3));
     let rate = number::trimmed(s.sampling_rate_hz, 5);
     let (rows, order, blocks) = (s.block_rows, s.order_most, s.time_blocks);
+    if s.lines > 0 {
+        let lines = s.lines;
+        return html! {
+            p { (language.pick(
+                format!("Modes are the peaks of a spectrum of {lines} lines. The window bias is what the length of its window would have added to each damping ratio; it has been taken out."),
+                format!("모드는 스펙트럼 선 {lines}개의 봉우리이다. 창 함수 편의는 창의 길이가 감쇠비에 더했을 오차이며 이미 제거하였다."),
+            )) }
+        };
+    }
     let refused = |fate: Fate| analysis.clusters.iter().filter(|c| c.fate == fate).count();
     let (few, scattered, double) = (
         refused(Fate::FewOrders),
@@ -231,10 +269,42 @@ fn note_words(note: &Note, language: Language) -> String {
             "기록이 짧아 표준편차를 시간 블록 {time_blocks}개에서 산정하였으며, 표준편차 자체의 정확도는 ± {:.0}\u{202f}%이다.",
             100.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt()
         ),
-        Note::Tones { frequency_hz } => {
+        Note::Tones { tones } => {
+            let all: Vec<String> = tones.iter().map(|tone| hertz(&tone.frequency_hz)).collect();
+            format!(
+                "{}에 구조물로 보기에는 폭이 너무 좁거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
+                all.join(", ")
+            )
+        }
+        Note::Harmonics { steady, removed } => {
+            let all: Vec<String> = steady
+                .iter()
+                .map(|k| format!("{}(첨도 {:.2})", hertz(&k.frequency_hz), k.kurtosis))
+                .collect();
+            let what = if *removed {
+                "모드에서 제외하였다"
+            } else {
+                "모드로 신뢰할 수 없다"
+            };
+            format!(
+                "{}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 {what}.",
+                all.join(", ")
+            )
+        }
+        Note::NoDamping { frequency_hz } => {
             let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
             format!(
-                "{}에 구조물로 보기에는 폭이 너무 좁은 스펙트럼 선이 있다. 기계 진동이다.",
+                "{} 봉우리의 감쇠비는 제시하지 않는다. 다른 모드가 봉우리의 옆을 자르거나 감쇠가 너무 빠르다. 가까운 모드는 부분공간법으로 구별한다.",
+                all.join(", ")
+            )
+        }
+        Note::ClosePairs { pairs } => {
+            let all: Vec<String> = pairs
+                .iter()
+                .map(|[a, b]| format!("{}–{}", hertz(a), hertz(b)))
+                .collect();
+            format!(
+                "{}의 모드는 대역폭보다 가까이 있다. 각 모드형상보다 두 형상이 이루는 평면이 더 정확하다.",
                 all.join(", ")
             )
         }

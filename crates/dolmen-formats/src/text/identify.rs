@@ -4,7 +4,7 @@ use super::Table;
 use super::project::{convention_words, heading_text, warnings_text};
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::number::{beside_one, prefix, trimmed};
-use dolmen::modal::Modes;
+use dolmen::modal::{Method, Modes, Settings};
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, StiffnessSolution, Visibility};
 use std::fmt::Write as _;
@@ -67,19 +67,7 @@ fn record_text(record: &RecordAnswer) -> String {
     for fault in &record.faults {
         let _ = writeln!(out, "  warning: {fault} [channel-fault]");
     }
-    let chosen = &record.analysis.settings;
-    let _ = writeln!(
-        out,
-        "  chosen from the data: {} block rows at {:.4} Hz (at least {} for the lowest peak, {:.3} Hz), orders to {}, modes \
-         sought in\n  {:.3} to {:.3} Hz [block-rows]",
-        chosen.block_rows,
-        chosen.sampling_rate_hz,
-        chosen.block_rows_least,
-        chosen.lowest_hz,
-        chosen.order_most,
-        chosen.range_hz[0],
-        chosen.range_hz[1]
-    );
+    out += &chosen_text(modes.method, &record.analysis.settings);
     out += &modes_text(modes);
     for note in &record.analysis.notes {
         let _ = writeln!(out, "  note: {note}");
@@ -87,10 +75,32 @@ fn record_text(record: &RecordAnswer) -> String {
     out
 }
 
+/// What was chosen from the data.
+fn chosen_text(method: Method, chosen: &Settings) -> String {
+    let method = method.name();
+    let [low, high] = chosen.range_hz;
+    if chosen.lines > 0 {
+        return format!(
+            "  {method}: peaks of a spectrum of {} lines, modes sought in {low:.3} to {high:.3} Hz\n",
+            chosen.lines
+        );
+    }
+    format!(
+        "  {method}, chosen from the data: {} block rows at {:.4} Hz (at least {} for the lowest peak, {:.3} Hz), orders to {}, \
+         modes\n  sought in {low:.3} to {high:.3} Hz [block-rows]\n",
+        chosen.block_rows,
+        chosen.sampling_rate_hz,
+        chosen.block_rows_least,
+        chosen.lowest_hz,
+        chosen.order_most,
+    )
+}
+
 fn modes_text(modes: &Modes) -> String {
     if modes.modes.is_empty() {
         return "\nNo mode was found.\n".to_owned();
     }
+    let of_peaks = matches!(modes.method, Method::Fdd | Method::Efdd | Method::Fsdd);
     let heads = [
         "mode",
         "f, Hz",
@@ -100,7 +110,8 @@ fn modes_text(modes: &Modes) -> String {
         "floor ±, %",
         "MPC",
         "cycles",
-        "orders",
+        "kurtosis",
+        if of_peaks { "window bias, %" } else { "orders" },
     ];
     let mut table = Table::new(&heads, 1);
     for (i, mode) in modes.modes.iter().enumerate() {
@@ -117,13 +128,22 @@ fn modes_text(modes: &Modes) -> String {
             some(floor, 3),
             format!("{:.3}", mode.phase_collinearity),
             format!("{:.0}", mode.cycles),
-            mode.orders.len().to_string(),
+            some(mode.kurtosis.map(|k| k.kurtosis), 2),
+            if of_peaks {
+                some(mode.window_bias.map(|bias| 100.0 * bias), 1)
+            } else {
+                mode.orders.len().to_string()
+            },
         ]);
     }
     let mut out = format!(
-        "\nModes, none picked by hand\n{}  floor: what any method can reach at best in this many cycles [damping-floor]\n",
+        "\nModes\n{}  floor: what any method can reach at best in this many cycles [damping-floor]; kurtosis: 3 random, 1.5 a \
+         machine [harmonics]\n",
         table.text()
     );
+    if of_peaks {
+        out += "  window bias: what the window of the spectrum would have added to the damping ratio; it has been taken out\n";
+    }
     out += &channel_shapes_text(modes);
     out
 }

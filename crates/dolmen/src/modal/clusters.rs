@@ -6,7 +6,7 @@
 //! | μ/2π | `root_hz` | continuous-time eigenvalue over 2π, Hz |
 
 use super::indicators::assurance;
-use super::ssi_cov::{Pole, Subspace};
+use super::ssi::{Pole, Subspace};
 use super::stabilization::{JudgedPole, Stabilization};
 use super::{ModalError, PoleDeviation, Propagation};
 
@@ -73,7 +73,9 @@ pub struct Cluster {
 /// d(i, j) = |μ_i - μ_j| / |μ_j| + 1 - MAC(i, j)
 /// ```
 /// The pole with most orders within d ≤ `distance_most` (ties: smallest mean d) leads the first group; of each order the
-/// pole nearest to it joins; all poles within reach leave the field; and so on.
+/// pole nearest to it joins; all poles within reach leave the field; and so on. A group is shown by the medoid of the
+/// orders that know it best, of at least twice as many as there are modes: lower ones lump modes together and are biased
+/// without saying so (measured: a mode of the twisting building at 7.78 Hz by -0.15 %, six of its deviations).
 ///
 /// # Errors
 /// [`ModalError::Linalg`].
@@ -92,12 +94,41 @@ pub fn clusters(
         .filter(|j| j.stability.possible())
         .collect();
     let mut propagation = Propagation::new(subspace);
-    let mut found = Vec::new();
-    for members in group(&poles, options) {
+    let groups = group(&poles, options);
+    // an order below twice the number of modes lumps some of them: biased, and no less sure of itself
+    let found = judged(&groups, &poles, 0, subspace, (&mut propagation, options))?;
+    let modes = found.iter().filter(|c| c.fate == Fate::Mode).count();
+    let mut found = judged(&groups, &poles, 2 * modes, subspace, (&mut propagation, options))?;
+    found.sort_by(|a, b| a.medoid.frequency_hz.total_cmp(&b.medoid.frequency_hz));
+    Ok(found)
+}
+
+/// Each group with its medoid, from the orders that can hold all modes where there are enough of them, and its fate.
+fn judged(
+    groups: &[Vec<usize>],
+    poles: &[&JudgedPole],
+    first_whole: usize,
+    subspace: &Subspace,
+    (propagation, options): (&mut Propagation<'_>, &Clustering),
+) -> Result<Vec<Cluster>, ModalError> {
+    let mut found = Vec::with_capacity(groups.len());
+    for members in groups {
         let first = members.first().map_or(0, |&m| poles[m].pole.order);
         let possible = (subspace.order_most.saturating_sub(first)) / 2 + 1;
         let needed = (options.orders_share_least * possible as f64).ceil() as usize;
-        let best = best_known(&members, &poles);
+        let whole: Vec<usize> = members
+            .iter()
+            .copied()
+            .filter(|&m| poles[m].pole.order >= first_whole)
+            .collect();
+        let best = best_known(
+            if whole.len() >= options.orders_least {
+                &whole
+            } else {
+                members
+            },
+            poles,
+        );
         let Some(medoid) = medoid(&best) else { continue };
         let enough = members.len() >= needed.max(options.orders_least);
         let most_hz = options.deviation_over_floor_most * medoid.floor_hz(subspace.duration_s);
@@ -126,7 +157,6 @@ pub fn clusters(
             found[i].fate = Fate::Double;
         }
     }
-    found.sort_by(|a, b| a.medoid.frequency_hz.total_cmp(&b.medoid.frequency_hz));
     Ok(found)
 }
 

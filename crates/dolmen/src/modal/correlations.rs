@@ -5,6 +5,8 @@
 //! | R_k | `lag(k)` | E[y(t + k) y(t)ᵀ], channels × channels |
 //! | L | `segment` | samples a segment; each FFT holds 2L |
 //! | S | `starts` | number of start times t, the same for every lag |
+//!
+//! Any other window of the same record follows from these by displacement ([`Ends`]): no product is summed twice.
 
 use super::ModalError;
 use crate::signal::Record;
@@ -14,6 +16,9 @@ use std::ops::Range;
 
 /// Segments shorter than this waste the FFT on its overhead.
 const SEGMENT_LEAST: usize = 512;
+/// Segments whose spectra are multiplied in one go, and bins of one go: sums and factors stay in the nearest cache.
+const SEGMENTS_AT_ONCE: usize = 8;
+const BINS_AT_ONCE: usize = 64;
 
 /// Zero crossings of the anti-alias filter on each side: with Blackman's window its transition is 0.83 to 1.17 of
 /// the new Nyquist frequency, and 74 dB are stopped (Oppenheim & Schafer, Discrete-Time Signal Processing, table 7.2).
@@ -34,6 +39,21 @@ pub(crate) struct Correlations {
     pub(crate) mean: Vec<f64>,
     /// Share of block j in the mean times (R_k of block j - mean): they sum to zero.
     pub(crate) deviations: Vec<Vec<f64>>,
+    /// The samples that windows other than this one gain or lose; `None` after decimation.
+    pub(crate) ends: Option<Ends>,
+    /// After decimation: the same as `mean` of the record with zeros behind it. Matrices of these are never indefinite.
+    pub(crate) padded: Option<Vec<f64>>,
+}
+
+/// First and last samples of the record, means removed, sample after sample, `lags` of them each.
+#[derive(Clone, Debug)]
+pub(crate) struct Ends {
+    /// y(t), t = 0 … K - 1.
+    pub(crate) head: Vec<f64>,
+    /// y(S + t), t = 0 … K - 1.
+    pub(crate) tail: Vec<f64>,
+    /// Start times S.
+    pub(crate) starts: usize,
 }
 
 /// Lags needed at the rate of the record to have `lags` of them after decimation by `factor`.
@@ -96,6 +116,12 @@ pub(crate) fn correlate(record: &Record, lags: usize, blocks: usize) -> Result<C
         step_s: 1.0 / record.sampling_rate_hz(),
         mean,
         deviations,
+        ends: Some(Ends {
+            head: pass.samples(0..lags),
+            tail: pass.samples(starts..starts + lags),
+            starts,
+        }),
+        padded: None,
     })
 }
 
@@ -104,6 +130,24 @@ impl Correlations {
     pub(crate) fn lag(&self, k: usize) -> &[f64] {
         let size = self.channels * self.channels;
         &self.mean[k * size..(k + 1) * size]
+    }
+
+    /// Lags of the record with zeros behind it: start times up to the last that has an end, over the same S.
+    fn padded(&self) -> Option<Vec<f64>> {
+        let (l, ends) = (self.channels, self.ends.as_ref()?);
+        let share = 1.0 / ends.starts as f64;
+        let tail: Vec<&[f64]> = ends.tail.chunks_exact(l).collect();
+        let mut padded = self.mean.clone();
+        for (k, sum) in padded.chunks_exact_mut(l * l).enumerate() {
+            for (late, early) in tail.iter().skip(k).zip(&tail) {
+                for (row, a) in sum.chunks_exact_mut(l).zip(*late) {
+                    for (x, b) in row.iter_mut().zip(*early) {
+                        *x += share * a * b;
+                    }
+                }
+            }
+        }
+        Some(padded)
     }
 
     /// Correlations of the record after a low-pass filter and decimation by `factor`, from those before it.
@@ -148,6 +192,8 @@ impl Correlations {
             step_s: self.step_s * factor as f64,
             mean: reduce(&self.mean),
             deviations: self.deviations.iter().map(|d| reduce(d)).collect(),
+            ends: None,
+            padded: self.padded().map(|padded| reduce(&padded)),
         }
     }
 }
@@ -205,6 +251,12 @@ impl<'a> Pass<'a> {
         }
     }
 
+    /// The samples in `range`, means removed, sample after sample.
+    fn samples(&self, range: Range<usize>) -> Vec<f64> {
+        let sample = |t: usize| (0..self.means.len()).map(move |c| self.record.samples(c)[t] - self.means[c]);
+        range.flat_map(sample).collect()
+    }
+
     /// Spectra of the samples in `range`, padded with zeros to 2L.
     fn spectra(&mut self, range: Range<usize>) -> Spectra {
         let (l, size) = (self.record.channels().len(), self.segment + 1);
@@ -232,6 +284,8 @@ impl<'a> Pass<'a> {
         let (l, size, step) = (self.record.channels().len(), self.segment + 1, self.segment);
         let mut re = vec![0.0; l * l * size];
         let mut im = vec![0.0; l * l * size];
+        let mut waiting: Vec<[Spectra; 2]> = Vec::with_capacity(SEGMENTS_AT_ONCE);
+        let last = segments.end;
         for i in segments {
             let from = i * step;
             let past = match self.kept.take() {
@@ -244,18 +298,12 @@ impl<'a> Pass<'a> {
             } else {
                 self.spectra(from..from + 2 * step)
             };
-            for a in 0..l {
-                for b in 0..l {
-                    let pair = (a * l + b) * size..(a * l + b + 1) * size;
-                    let (ra, rb) = (a * size..(a + 1) * size, b * size..(b + 1) * size);
-                    accumulate(
-                        (&mut re[pair.clone()], &mut im[pair]),
-                        (&future.re[ra.clone()], &future.im[ra]),
-                        (&past.re[rb.clone()], &past.im[rb]),
-                    );
-                }
-            }
+            waiting.push([future, past]);
             self.kept = Some((from + step, next));
+            if waiting.len() == SEGMENTS_AT_ONCE || i + 1 == last {
+                accumulate_all((&mut re, &mut im), &waiting, size);
+                waiting.clear();
+            }
         }
         self.lags_of(&re, &im)
     }
@@ -296,6 +344,27 @@ fn shifted_sum(past: &Spectra, next: &Spectra, size: usize) -> Spectra {
     Spectra {
         re: sum(&past.re, &next.re),
         im: sum(&past.im, &next.im),
+    }
+}
+
+/// sum += future × conj(past) of every pair of channels over all segments, a few bins at a time.
+fn accumulate_all(sum: (&mut [f64], &mut [f64]), segments: &[[Spectra; 2]], size: usize) {
+    let l = segments.first().map_or(0, |[future, _]| future.re.len() / size);
+    for from in (0..size).step_by(BINS_AT_ONCE) {
+        let to = (from + BINS_AT_ONCE).min(size);
+        for pair in 0..l * l {
+            let at = pair * size + from..pair * size + to;
+            let (re, im) = (&mut sum.0[at.clone()], &mut sum.1[at]);
+            let (a, b) = (pair / l * size, pair % l * size);
+            for [future, past] in segments {
+                let (fa, pb) = (a + from..a + to, b + from..b + to);
+                accumulate(
+                    (re, im),
+                    (&future.re[fa.clone()], &future.im[fa]),
+                    (&past.re[pb.clone()], &past.im[pb]),
+                );
+            }
+        }
     }
 }
 

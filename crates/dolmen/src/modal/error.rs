@@ -31,6 +31,15 @@ pub enum ModalError {
         /// Singular values above rounding.
         rank: usize,
     },
+    /// The past samples are almost combinations of each other, and decimation keeps their QR from being taken.
+    #[error(
+        "decimation is {decimation}, but the record holds almost no noise: a past sample is nearly a combination of the \
+         others, and their QR needs the samples as they are; set decimation to 1, lower block_rows, or take ssi_cov"
+    )]
+    Dependent {
+        /// Decimation asked.
+        decimation: usize,
+    },
     /// More modes are asked than the model order can hold.
     #[error(
         "modes_wanted is {given}, but a model of order {order_most} holds at most {most} modes: raise order_most or \

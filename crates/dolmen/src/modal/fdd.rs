@@ -83,31 +83,48 @@ pub struct FddResult {
 /// [`ModalError::TooShort`], [`ModalError::Option`], [`ModalError::Linalg`]. No peak is no error: `modes` is empty.
 ///
 /// # Limits
-/// Of two modes closer than about 2/(M dt) only one peak is seen; damping is not estimated: `ssi_cov` does both.
+/// Of two modes closer than about 2/(M dt) only one peak is seen; damping is not estimated: `efdd` and the subspace methods
+/// do that.
 ///
 /// # Source
 /// Brincker, Zhang & Andersen (2001) Smart Mater. Struct. 10:441-445. Differs from the source: spectra come from
 /// windowed correlations (Blackman & Tukey), which are shared with SSI, not from averaged periodograms.
 pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
-    if !(options.prominence_db > 0.0 && options.prominence_db.is_finite()) {
-        return Err(ModalError::Option {
-            option: "prominence_db",
-            given: options.prominence_db,
-            allowed: "a positive number",
-        });
-    }
-    if record.length() < PARTS_LEAST * LINES_LEAST {
-        return Err(ModalError::TooShort {
-            samples: record.length(),
-            lags: LINES_LEAST,
-            blocks: PARTS_LEAST,
-            needed: PARTS_LEAST * LINES_LEAST,
-        });
-    }
-    let automatic = (record.length() / PARTS_LEAST + 1).next_power_of_two() / 2;
-    let lines = options.lines.unwrap_or(automatic.clamp(LINES_LEAST, LINES_MOST));
+    let lines = options.lines_of(record)?;
     let correlations = correlate(record, lines, 1)?;
-    let matrices = SpectralMatrices::new(&correlations);
+    peaks_of(record, &SpectralMatrices::new(&correlations), options)
+}
+
+impl Fdd {
+    /// Lines of the spectrum of this record, all options checked.
+    pub(super) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
+        if !(self.prominence_db > 0.0 && self.prominence_db.is_finite()) {
+            return Err(ModalError::Option {
+                option: "prominence_db",
+                given: self.prominence_db,
+                allowed: "a positive number",
+            });
+        }
+        if record.length() < PARTS_LEAST * LINES_LEAST {
+            return Err(ModalError::TooShort {
+                samples: record.length(),
+                lags: LINES_LEAST,
+                blocks: PARTS_LEAST,
+                needed: PARTS_LEAST * LINES_LEAST,
+            });
+        }
+        let automatic = (record.length() / PARTS_LEAST + 1).next_power_of_two() / 2;
+        Ok(self.lines.unwrap_or(automatic.clamp(LINES_LEAST, LINES_MOST)))
+    }
+}
+
+/// Singular values of every line, and the modes at their peaks.
+pub(super) fn peaks_of(
+    record: &Record,
+    matrices: &SpectralMatrices,
+    options: &Fdd,
+) -> Result<FddResult, ModalError> {
+    let lines = matrices.lines;
     let step_hz = 0.5 * record.sampling_rate_hz() / lines as f64;
     let mut singular_values = Vec::with_capacity(lines + 1);
     for line in 0..=lines {
@@ -125,7 +142,7 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
     let mut modes = Vec::with_capacity(peaks.len());
     for peak in &peaks {
         let e = hermitian_eigen(&matrices.at(peak.line))?;
-        let shape = normalized(e.vectors.column(correlations.channels - 1));
+        let shape = normalized(e.vectors.column(matrices.channels - 1));
         let frequency_hz = (peak.line as f64 + peak.offset) * step_hz;
         modes.push(Mode {
             frequency_hz,
@@ -137,6 +154,8 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
             shape_sd: None,
             cycles: frequency_hz * record.duration_s(),
             orders: Vec::new(),
+            kurtosis: None,
+            window_bias: None,
         });
     }
     Ok(FddResult {
@@ -160,14 +179,14 @@ pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
 }
 
 /// Lower triangle of S at every line, one pair of channels after the other.
-struct SpectralMatrices {
-    channels: usize,
-    lines: usize,
+pub(super) struct SpectralMatrices {
+    pub(super) channels: usize,
+    pub(super) lines: usize,
     pairs: Vec<realfft::num_complex::Complex<f64>>,
 }
 
 impl SpectralMatrices {
-    fn new(r: &Correlations) -> Self {
+    pub(super) fn new(r: &Correlations) -> Self {
         let (l, m) = (r.channels, r.lags);
         let plan = RealFftPlanner::new().plan_fft_forward(2 * m);
         let (mut time, mut bins) = (plan.make_input_vec(), plan.make_output_vec());
@@ -193,7 +212,7 @@ impl SpectralMatrices {
         }
     }
 
-    fn at(&self, line: usize) -> ComplexMatrix {
+    pub(super) fn at(&self, line: usize) -> ComplexMatrix {
         ComplexMatrix::from_fn(self.channels, self.channels, |i, j| {
             let (a, b) = (i.max(j), i.min(j));
             let z = self.pairs[(a * (a + 1) / 2 + b) * (self.lines + 1) + line];
@@ -203,7 +222,8 @@ impl SpectralMatrices {
     }
 }
 
-fn parzen(x: f64) -> f64 {
+/// Parzen's lag window at x = lag over the longest lag, 0 to 1.
+pub(super) fn parzen(x: f64) -> f64 {
     if x <= 0.5 {
         1.0 - 6.0 * x * x * (1.0 - x)
     } else {

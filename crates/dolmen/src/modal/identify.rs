@@ -1,29 +1,31 @@
-//! From a record to its modes: block rows, decimation, order and modes chosen from the data, and every choice told.
+//! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
 use super::clusters::{Cluster, Clustering, Fate, clusters};
-use super::correlations::{CLEAN_SHARE, lags_before};
+use super::efdd::{Efdd, efdd};
 use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
-use super::ssi_cov::{SsiCov, Subspace, ssi_cov};
+use super::harmonics::{Kurtosis, band_kurtosis};
+use super::settings::{Settings, choose};
+use super::ssi::{Ssi, Subspace, ssi_cov, ssi_data};
 use super::stabilization::{Criteria, Stabilization, stabilize};
-use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation};
+use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Tone};
 use crate::signal::{ChannelFault, Record, inspect};
 
-/// Periods of the lowest mode that the lags reach over, 2 br of them: half of this is the least of theory. Longer
-/// lags tell close modes apart; much longer ones hold noise alone.
-const PERIODS_REACHED: f64 = 3.0;
-/// Hankel matrices of more rows take seconds and show no more.
-pub(super) const HANKEL_ROWS_MOST: usize = 900;
-/// Range above the highest peak that is kept free of aliases.
-const RANGE_ABOVE_PEAK: f64 = 1.3;
-/// Without a wish the highest model order is this many times the peaks or the channels, whichever are more: two for
-/// each mode, the rest for noise and close neighbours. Far more, and poles that fit noise crowd out the modes.
-const ORDER_OVER_PEAKS: usize = 6;
-/// Bounds of that order: enough orders to see what comes back, and no more than a minute of work.
-const ORDER_RANGE: [usize; 2] = [24, 60];
+/// What becomes of a mode that looks like a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Harmonics {
+    /// It stays and is named in a note.
+    Flag,
+    /// It is left out and named in a note.
+    Remove,
+}
 
 /// Options of [`identify`]. The defaults serve every record this chapter was measured on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
+    /// How modes are found; default `SsiData`, nearest to the floor of scatter on the made records.
+    pub method: Method,
+    /// Reference channels of the subspace methods, by index; empty (default): all.
+    pub references: Vec<usize>,
     /// Lowest frequency of interest, Hz; `None` (default): the lowest peak of the spectrum decides.
     pub frequency_low_hz: Option<f64>,
     /// Highest frequency of interest, Hz; `None` (default): the highest peak of the spectrum decides.
@@ -39,6 +41,13 @@ pub struct Identify {
     pub time_blocks: usize,
     /// Modes that must be found; `None` (default): as many as there are.
     pub modes_wanted: Option<usize>,
+    /// Frequencies at which modes are picked by hand, Hz; empty (default): every mode is taken. Where none lies there the
+    /// answer is an error, not another mode.
+    pub pick_hz: Vec<f64>,
+    /// How far from a picked frequency its mode may lie, relative; default 0.02.
+    pub pick_within: f64,
+    /// What becomes of a mode whose motion is too steady for random forces; default `Flag`.
+    pub harmonics: Harmonics,
     /// The spectrum that is looked at first.
     pub fdd: Fdd,
     /// What a pole must fulfil; its frequency range is narrowed to the one chosen.
@@ -50,6 +59,8 @@ pub struct Identify {
 impl Default for Identify {
     fn default() -> Self {
         Identify {
+            method: Method::SsiData,
+            references: Vec::new(),
             frequency_low_hz: None,
             frequency_high_hz: None,
             block_rows: None,
@@ -57,38 +68,15 @@ impl Default for Identify {
             order_most: None,
             time_blocks: 30,
             modes_wanted: None,
+            pick_hz: Vec::new(),
+            pick_within: 0.02,
+            harmonics: Harmonics::Flag,
             fdd: Fdd::default(),
             criteria: Criteria::default(),
             clustering: Clustering::default(),
         }
     }
 }
-
-/// What was chosen from the data, and from what.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Settings {
-    /// Lowest peak of the spectrum (or lowest frequency asked), Hz: the block rows reach over its period.
-    pub lowest_hz: f64,
-    /// Highest peak of the spectrum (or highest frequency asked), Hz: the decimation keeps it.
-    pub highest_hz: f64,
-    /// Samples before over samples after the low-pass filter of the correlations.
-    pub decimation: usize,
-    /// Sampling rate after decimation, Hz.
-    pub sampling_rate_hz: f64,
-    /// Block rows.
-    pub block_rows: usize,
-    /// Least block rows for the lowest frequency: half a period.
-    pub block_rows_least: usize,
-    /// Highest model order.
-    pub order_most: usize,
-    /// Blocks of time.
-    pub time_blocks: usize,
-    /// Range in which modes are accepted, Hz.
-    pub range_hz: [f64; 2],
-}
-
-/// With fewer blocks of time the standard deviations are themselves known to worse than 24 %.
-const TIME_BLOCKS_LEAST: usize = 10;
 
 /// The modes of a record and everything needed to draw, to doubt and to repeat them.
 #[derive(Clone, Debug)]
@@ -111,7 +99,8 @@ pub struct ModalAnalysis {
     pub notes: Vec<Note>,
 }
 
-/// Modes of an ambient record, found without a hand on it: spectrum, SSI-cov of all orders, clusters.
+/// Modes of an ambient record, found without a hand on it: spectrum, a subspace method at all orders, clusters; or the peaks
+/// of the spectrum alone, as `method` says.
 ///
 /// The lowest and the highest peak of the spectrum decide how far the correlations reach and how much they are
 /// decimated; [`Settings`] tells. Two passes over the record: one of long lags for the spectrum, one for SSI.
@@ -119,7 +108,7 @@ pub struct ModalAnalysis {
 /// # Errors
 /// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
 /// [`ModalError::Order`], [`ModalError::ModesWanted`], [`ModalError::ModesMissing`], [`ModalError::TooShort`],
-/// [`ModalError::Option`], [`ModalError::Linalg`].
+/// [`ModalError::NoModeAt`], [`ModalError::Dependent`], [`ModalError::Option`], [`ModalError::Linalg`].
 ///
 /// # Example
 /// ```
@@ -134,28 +123,100 @@ pub struct ModalAnalysis {
 pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
     check(record, options)?;
     let mut notes = judge_channels(record)?;
-    let mut peaks = fdd(
+    let mut peaks = spectrum(record, options)?;
+    split_tones(
         record,
-        &Fdd {
-            frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
-            frequency_high_hz: options.frequency_high_hz.or(options.fdd.frequency_high_hz),
-            ..options.fdd.clone()
-        },
+        &mut peaks,
+        options.criteria.damping_ratio_least,
+        &mut notes,
     )?;
-    let tones = split_tones(&mut peaks, options.criteria.damping_ratio_least);
-    if !tones.is_empty() {
-        notes.push(Note::Tones { frequency_hz: tones });
+    let mut analysis = match options.method {
+        Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, options),
+        Method::SsiCov | Method::SsiData => of_subspace(record, options, peaks, &mut notes)?,
+    };
+    test_for_machines(record, options, &mut analysis.modes, &mut notes)?;
+    pick(options, &mut analysis.modes)?;
+    wanted(options, &analysis.modes)?;
+    remark(&analysis.modes, &analysis.fdd_modes, &mut notes);
+    analysis.notes = notes;
+    Ok(analysis)
+}
+
+fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError> {
+    let fdd_options = Fdd {
+        frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
+        frequency_high_hz: options.frequency_high_hz.or(options.fdd.frequency_high_hz),
+        ..options.fdd.clone()
+    };
+    match options.method {
+        method @ (Method::Efdd | Method::Fsdd) => efdd(
+            record,
+            &Efdd {
+                fdd: fdd_options,
+                method,
+                ..Default::default()
+            },
+        ),
+        _ => fdd(record, &fdd_options),
     }
-    let settings = choose(record, options, &peaks.modes, &mut notes)?;
-    let subspace = ssi_cov(
-        record,
-        &SsiCov {
-            block_rows: settings.block_rows,
-            order_most: settings.order_most,
-            decimation: settings.decimation,
-            time_blocks: settings.time_blocks,
+}
+
+/// The peaks are the modes.
+fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
+    let lines = peaks.spectrum.frequency_hz.len() - 1;
+    let nyquist_hz = peaks.spectrum.frequency_hz.last().copied().unwrap_or(0.0);
+    let first = |modes: &[Mode]| modes.first().map_or(0.0, |m| m.frequency_hz);
+    let last = |modes: &[Mode]| modes.last().map_or(nyquist_hz, |m| m.frequency_hz);
+    let modes = &peaks.modes.modes;
+    let settings = Settings {
+        lowest_hz: options.frequency_low_hz.unwrap_or(first(modes)),
+        highest_hz: options.frequency_high_hz.unwrap_or(last(modes)),
+        decimation: 1,
+        sampling_rate_hz: 2.0 * nyquist_hz,
+        lines,
+        block_rows: 0,
+        block_rows_least: 0,
+        order_most: 0,
+        time_blocks: 0,
+        range_hz: [
+            options.frequency_low_hz.unwrap_or(0.0),
+            options.frequency_high_hz.unwrap_or(nyquist_hz),
+        ],
+    };
+    ModalAnalysis {
+        modes: peaks.modes.clone(),
+        spectrum: peaks.spectrum,
+        fdd_modes: peaks.modes,
+        stabilization: Stabilization {
+            poles: Vec::new(),
+            criteria: options.criteria.clone(),
         },
-    )?;
+        clusters: Vec::new(),
+        hankel_singular_values: Vec::new(),
+        settings,
+        notes: Vec::new(),
+    }
+}
+
+/// Poles of all orders, judged and grouped.
+fn of_subspace(
+    record: &Record,
+    options: &Identify,
+    peaks: FddResult,
+    notes: &mut Vec<Note>,
+) -> Result<ModalAnalysis, ModalError> {
+    let settings = choose(record, options, &peaks.modes, notes)?;
+    let ssi = Ssi {
+        block_rows: settings.block_rows,
+        order_most: settings.order_most,
+        decimation: settings.decimation,
+        time_blocks: settings.time_blocks,
+        references: options.references.clone(),
+    };
+    let subspace = match options.method {
+        Method::SsiCov => ssi_cov(record, &ssi)?,
+        _ => ssi_data(record, &ssi)?,
+    };
     let stabilization = stabilize(
         &subspace,
         &Criteria {
@@ -165,9 +226,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         },
     )?;
     let clusters = clusters(&subspace, &stabilization, &options.clustering)?;
-    let modes = modes_of(record, &clusters);
-    wanted(options, &modes)?;
-    remark(&modes, &peaks.modes, &mut notes);
+    let modes = modes_of(record, &clusters, options.method);
     let Subspace { singular_values, .. } = subspace;
     Ok(ModalAnalysis {
         modes,
@@ -177,7 +236,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         clusters,
         hankel_singular_values: singular_values,
         settings,
-        notes,
+        notes: Vec::new(),
     })
 }
 
@@ -202,6 +261,12 @@ fn check(record: &Record, options: &Identify) -> Result<(), ModalError> {
     if options.decimation == Some(0) {
         return refused("decimation", 0.0, "at least 1");
     }
+    if let Some(picked) = options.pick_hz.iter().find(|f| !(**f > 0.0 && **f < nyquist_hz)) {
+        return refused("pick_hz", *picked, "above 0 and below half the sampling rate");
+    }
+    if !(options.pick_within > 0.0 && options.pick_within < 0.5) {
+        return refused("pick_within", options.pick_within, "above 0 and below 0.5");
+    }
     Ok(())
 }
 
@@ -219,112 +284,113 @@ fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     Ok(notes)
 }
 
-/// Takes the peaks out whose half-power width is that of a smaller damping ratio than any structure has, where the
-/// lines are fine enough to tell; returns their frequencies.
-fn split_tones(peaks: &mut FddResult, damping_ratio_least: f64) -> Vec<f64> {
+/// Takes the peaks out that machines make: narrower than any structure's where the lines are fine enough to tell, or too
+/// steady for random forces.
+fn split_tones(
+    record: &Record,
+    peaks: &mut FddResult,
+    damping_ratio_least: f64,
+    notes: &mut Vec<Note>,
+) -> Result<(), ModalError> {
     let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
-    let mut tones = Vec::new();
+    let mut tones: Vec<(f64, Tone)> = Vec::new();
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
-        if width_hz < 2.0 * damping_ratio_least * mode.frequency_hz {
-            tones.push(mode.frequency_hz);
+        let kurtosis = kurtosis(record, &mode, damping_ratio_least)?;
+        let narrow = width_hz < 2.0 * damping_ratio_least * mode.frequency_hz;
+        if narrow || kurtosis.is_some_and(|k| k.harmonic()) {
+            let tone = Tone {
+                frequency_hz: mode.frequency_hz,
+                width_hz,
+                kurtosis,
+            };
+            tones.push((prominence_db, tone));
         } else {
             peaks.modes.modes.push(mode);
             peaks.spectrum.half_power_width_hz.push(width_hz);
             peaks.spectrum.prominence_db.push(prominence_db);
         }
     }
-    tones
+    if !tones.is_empty() {
+        let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
+        notes.push(Note::Tones {
+            tones: strongest(tones, SKIRT_LINES * line_hz),
+        });
+    }
+    Ok(())
 }
 
-fn choose(
+/// Lines on each side of a tone that its leakage fills with small peaks.
+const SKIRT_LINES: f64 = 20.0;
+
+/// The tones, by frequency, without those that lie within `skirt_hz` of a stronger one.
+fn strongest(mut tones: Vec<(f64, Tone)>, skirt_hz: f64) -> Vec<Tone> {
+    tones.sort_by(|a, b| b.0.total_cmp(&a.0));
+    let mut kept: Vec<Tone> = Vec::new();
+    for (_, tone) in tones {
+        let beside = |k: &Tone| (k.frequency_hz - tone.frequency_hz).abs() <= skirt_hz;
+        if !kept.iter().any(beside) {
+            kept.push(tone);
+        }
+    }
+    kept.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    kept
+}
+
+/// Kurtosis near a mode at the sensors that see most of it.
+fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Option<Kurtosis>, ModalError> {
+    const CHANNELS: usize = 4;
+    let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
+    channels.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
+    channels.truncate(CHANNELS);
+    if mode.frequency_hz < 0.5 * record.sampling_rate_hz() {
+        band_kurtosis(record, &channels, mode.frequency_hz, damping_ratio_least)
+    } else {
+        Ok(None)
+    }
+}
+
+/// Gives each mode the kurtosis of its band, and names or takes out those that are too steady.
+fn test_for_machines(
     record: &Record,
     options: &Identify,
-    peaks: &Modes,
+    modes: &mut Modes,
     notes: &mut Vec<Note>,
-) -> Result<Settings, ModalError> {
-    let (l, rate_hz) = (record.channels().len(), record.sampling_rate_hz());
-    let peak = |mode: Option<&Mode>, asked: Option<f64>| {
-        asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
-            prominence_db: options.fdd.prominence_db,
-            low_hz: options.frequency_low_hz.unwrap_or(0.0),
-            high_hz: options.frequency_high_hz.unwrap_or(0.5 * rate_hz),
-        })
-    };
-    let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
-    let highest_hz = peak(peaks.modes.last(), options.frequency_high_hz)?;
-    let free = 0.5 * CLEAN_SHARE * rate_hz / (RANGE_ABOVE_PEAK * highest_hz);
-    let decimation = options.decimation.unwrap_or((free as usize).max(1));
-    let sampling_rate_hz = rate_hz / decimation as f64;
-    let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
-    let sought = (ORDER_OVER_PEAKS * peaks.modes.len().max(l)).clamp(ORDER_RANGE[0], ORDER_RANGE[1]);
-    let wished =
-        ((0.5 * PERIODS_REACHED * sampling_rate_hz / lowest_hz).ceil() as usize).max(sought.div_ceil(l) + 1);
-    let block_rows = options.block_rows.unwrap_or_else(|| {
-        let taken = wished.min((HANKEL_ROWS_MOST / l).max(block_rows_least));
-        if taken < wished {
-            notes.push(Note::BlockRowsBounded { wished, taken });
+) -> Result<(), ModalError> {
+    let mut steady: Vec<Kurtosis> = Vec::new();
+    for mode in &mut modes.modes {
+        mode.kurtosis = kurtosis(record, mode, options.criteria.damping_ratio_least)?;
+        steady.extend(mode.kurtosis.filter(Kurtosis::harmonic));
+    }
+    if !steady.is_empty() {
+        let removed = options.harmonics == Harmonics::Remove;
+        if removed {
+            modes.modes.retain(|mode| !mode.harmonic());
         }
-        taken
-    });
-    if block_rows < block_rows_least {
-        return Err(ModalError::BlockRows {
-            given: block_rows,
-            least: block_rows_least,
-            frequency_hz: lowest_hz,
-            sampling_rate_hz,
-        });
+        notes.push(Note::Harmonics { steady, removed });
     }
-    let lags = lags_before(2 * block_rows - 1, decimation);
-    let time_blocks = options
-        .time_blocks
-        .min(record.length().saturating_sub(lags) / lags.max(1));
-    if time_blocks < TIME_BLOCKS_LEAST.min(options.time_blocks) {
-        return Err(ModalError::TooShort {
-            samples: record.length(),
-            lags,
-            blocks: TIME_BLOCKS_LEAST,
-            needed: (TIME_BLOCKS_LEAST + 1) * lags,
-        });
-    }
-    if time_blocks < options.time_blocks {
-        notes.push(Note::FewBlocks { time_blocks });
-    }
-    let order_most = options
-        .order_most
-        .unwrap_or(sought.min(l * (block_rows.max(2) - 1) / 2 * 2));
-    if let Some(given) = options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
-        return Err(ModalError::ModesWanted {
-            given,
-            order_most,
-            most: order_most / 2,
-        });
-    }
-    let clean_hz = if decimation > 1 {
-        0.5 * CLEAN_SHARE * sampling_rate_hz
-    } else {
-        0.5 * rate_hz
-    };
-    // below the least the block rows reach over less than half a period
-    let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
-    Ok(Settings {
-        lowest_hz,
-        highest_hz,
-        decimation,
-        sampling_rate_hz,
-        block_rows,
-        block_rows_least,
-        order_most,
-        time_blocks,
-        range_hz: [
-            options.frequency_low_hz.unwrap_or(0.0).max(seen_hz),
-            options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
-        ],
-    })
+    Ok(())
 }
 
-fn modes_of(record: &Record, clusters: &[Cluster]) -> Modes {
+/// Keeps the modes picked by hand; each must be there.
+fn pick(options: &Identify, modes: &mut Modes) -> Result<(), ModalError> {
+    if options.pick_hz.is_empty() {
+        return Ok(());
+    }
+    let mut picked: Vec<Mode> = Vec::new();
+    for frequency_hz in &options.pick_hz {
+        let mode = modes.nearest(*frequency_hz, options.pick_within * frequency_hz)?;
+        if !picked.contains(mode) {
+            picked.push(mode.clone());
+        }
+    }
+    picked.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    modes.modes = picked;
+    Ok(())
+}
+
+fn modes_of(record: &Record, clusters: &[Cluster], method: Method) -> Modes {
     let modes = clusters
         .iter()
         .filter(|c| c.fate == Fate::Mode)
@@ -338,12 +404,14 @@ fn modes_of(record: &Record, clusters: &[Cluster]) -> Modes {
             phase_collinearity: c.medoid.phase_collinearity,
             cycles: c.medoid.frequency_hz * record.duration_s(),
             orders: c.orders.clone(),
+            kurtosis: None,
+            window_bias: None,
         })
         .collect();
     Modes {
         modes,
         channels: record.channels().to_vec(),
-        method: Method::SsiCov,
+        method,
         duration_s: record.duration_s(),
         history: record.history().to_vec(),
     }
@@ -382,9 +450,25 @@ fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     if !frequency_hz.is_empty() {
         notes.push(Note::PeaksWithoutMode { frequency_hz });
     }
+    if matches!(modes.method, Method::Efdd | Method::Fsdd) {
+        let without = modes.modes.iter().filter(|m| m.damping_ratio.is_none());
+        let frequency_hz: Vec<f64> = without.map(|m| m.frequency_hz).collect();
+        if !frequency_hz.is_empty() {
+            notes.push(Note::NoDamping { frequency_hz });
+        }
+    }
+    let pairs: Vec<[f64; 2]> = modes
+        .modes
+        .windows(2)
+        .filter(|pair| pair[0].overlaps(&pair[1]))
+        .map(|pair| [pair[0].frequency_hz, pair[1].frequency_hz])
+        .collect();
+    if !pairs.is_empty() {
+        notes.push(Note::ClosePairs { pairs });
+    }
     for mode in &modes.modes {
         let damping_floor = mode.damping_floor();
-        if damping_floor > DAMPING_FLOOR {
+        if mode.damping_ratio.is_some() && damping_floor > DAMPING_FLOOR {
             notes.push(Note::FewCycles {
                 frequency_hz: mode.frequency_hz,
                 damping_floor,

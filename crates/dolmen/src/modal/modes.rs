@@ -1,6 +1,6 @@
 //! What every method of identification returns.
 
-use super::ModalError;
+use super::{Kurtosis, ModalError};
 use crate::signal::{Channel, Processing};
 use dolmen_linalg::Complex64;
 use std::f64::consts::PI;
@@ -10,8 +10,41 @@ use std::f64::consts::PI;
 pub enum Method {
     /// Frequency domain decomposition.
     Fdd,
+    /// Enhanced frequency domain decomposition: with damping, from the singular values about a peak.
+    Efdd,
+    /// Frequency-spatial domain decomposition: with damping, from the spectrum seen along the shape.
+    Fsdd,
     /// Covariance-driven stochastic subspace identification.
     SsiCov,
+    /// Data-driven stochastic subspace identification.
+    SsiData,
+}
+
+impl Method {
+    /// All methods.
+    pub const ALL: [Method; 5] = [
+        Method::Fdd,
+        Method::Efdd,
+        Method::Fsdd,
+        Method::SsiCov,
+        Method::SsiData,
+    ];
+
+    /// As it is written in a project file: "ssi-cov".
+    pub fn name(self) -> &'static str {
+        match self {
+            Method::Fdd => "fdd",
+            Method::Efdd => "efdd",
+            Method::Fsdd => "fsdd",
+            Method::SsiCov => "ssi-cov",
+            Method::SsiData => "ssi-data",
+        }
+    }
+
+    /// The method of that name.
+    pub fn named(name: &str) -> Option<Method> {
+        Method::ALL.into_iter().find(|method| method.name() == name)
+    }
 }
 
 /// One mode: an estimate, its scatter, and what is needed to doubt it.
@@ -35,6 +68,11 @@ pub struct Mode {
     pub cycles: f64,
     /// Model orders at which a pole of this mode was found stable (empty for FDD).
     pub orders: Vec<usize>,
+    /// How steady the motion near its frequency is; `None` where the record is too short to tell, or nobody asked.
+    pub kurtosis: Option<Kurtosis>,
+    /// Relative bias that the window of the spectrum would have given to the damping ratio, and that was taken out;
+    /// `None` for methods without a window.
+    pub window_bias: Option<f64>,
 }
 
 /// All modes found in one record, by frequency.
@@ -53,6 +91,28 @@ pub struct Modes {
 }
 
 impl Mode {
+    /// Whether the motion near its frequency is too steady for random forces: a machine's, not a mode's.
+    pub fn harmonic(&self) -> bool {
+        self.kurtosis.is_some_and(|k| k.harmonic())
+    }
+
+    /// Long-record floor of the standard deviation of the frequency, f √(ζ/2πN_c), Hz; infinite without a damping ratio.
+    ///
+    /// # Source
+    /// Au (2014) Mech. Syst. Signal Process. 48:15-33.
+    pub fn frequency_floor_hz(&self) -> f64 {
+        match self.damping_ratio {
+            Some(zeta) if zeta > 0.0 => self.frequency_hz * (zeta / (2.0 * PI * self.cycles)).sqrt(),
+            _ => f64::INFINITY,
+        }
+    }
+
+    /// Whether the half-power bands of the two modes meet: |f - f'| < ζf + ζ'f'.
+    pub fn overlaps(&self, other: &Mode) -> bool {
+        let half_width_hz = |m: &Mode| m.damping_ratio.unwrap_or(0.0) * m.frequency_hz;
+        (self.frequency_hz - other.frequency_hz).abs() < half_width_hz(self) + half_width_hz(other)
+    }
+
     /// Long-record floor of the relative standard deviation of the damping ratio, 1/√(2πζN_c); infinite without one.
     ///
     /// # Source

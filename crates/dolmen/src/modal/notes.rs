@@ -1,7 +1,29 @@
 //! What must be known beside the modes, as sentences.
 
-use super::identify::HANKEL_ROWS_MOST;
+use super::Kurtosis;
+use super::settings::HANKEL_ROWS_MOST;
 use crate::signal::ChannelFault;
+
+/// A peak of the spectrum that a machine makes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tone {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its width 3 dB below the top, Hz.
+    pub width_hz: f64,
+    /// How steady it is; `None` where the record is too short to tell.
+    pub kurtosis: Option<Kurtosis>,
+}
+
+impl std::fmt::Display for Tone {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.3} Hz (width {:.3} Hz", self.frequency_hz, self.width_hz)?;
+        if let Some(k) = self.kurtosis {
+            write!(f, ", kurtosis {:.2}", k.kurtosis)?;
+        }
+        write!(f, ")")
+    }
+}
 
 /// What must be known beside the modes.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,10 +43,28 @@ pub enum Note {
         /// Taken.
         time_blocks: usize,
     },
-    /// Peaks too narrow for a structure: they decide neither block rows nor decimation, and are no modes.
+    /// Peaks too narrow for a structure or too steady for random forces: they decide neither block rows nor decimation, and
+    /// are no modes.
     Tones {
+        /// The peaks.
+        tones: Vec<Tone>,
+    },
+    /// Modes whose motion is too steady for random forces.
+    Harmonics {
+        /// Kurtosis of each.
+        steady: Vec<Kurtosis>,
+        /// Whether they were taken out of the modes.
+        removed: bool,
+    },
+    /// Peaks whose sides other modes cut, or whose decay is too short: their damping is not given.
+    NoDamping {
         /// Their frequencies, Hz.
         frequency_hz: Vec<f64>,
+    },
+    /// Modes whose half-power bands meet.
+    ClosePairs {
+        /// Their frequencies, Hz.
+        pairs: Vec<[f64; 2]>,
     },
     /// Peaks of the spectrum at which no stable mode was found.
     PeaksWithoutMode {
@@ -55,10 +95,46 @@ impl std::fmt::Display for Note {
                  to ± {:.0} %",
                 100.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt()
             ),
-            Note::Tones { frequency_hz } => {
-                write!(f, "the spectrum has lines too narrow for a structure, at ")?;
+            Note::Tones { tones } => {
+                let all: Vec<String> = tones.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "the spectrum has lines too narrow for a structure or too steady for random forces, at {}: machines",
+                    all.join(", ")
+                )
+            }
+            Note::Harmonics { steady, removed } => {
+                let all: Vec<String> = steady
+                    .iter()
+                    .map(|k| format!("{:.3} Hz (kurtosis {:.2})", k.frequency_hz, k.kurtosis))
+                    .collect();
+                let what = if *removed {
+                    "left out"
+                } else {
+                    "not to be trusted as modes"
+                };
+                write!(
+                    f,
+                    "the motion at {} is too steady for random forces (3 is random, 1.5 a sine): machines, {what}",
+                    all.join(", ")
+                )
+            }
+            Note::NoDamping { frequency_hz } => {
+                write!(f, "no damping ratio is given for the peaks at ")?;
                 list(f, frequency_hz)?;
-                write!(f, " Hz: machines")
+                write!(
+                    f,
+                    " Hz: another mode cuts their sides, or they decay too fast to fit; the subspace methods tell close modes apart"
+                )
+            }
+            Note::ClosePairs { pairs } => {
+                let all: Vec<String> = pairs.iter().map(|[a, b]| format!("{a:.3} and {b:.3}")).collect();
+                write!(
+                    f,
+                    "the modes at {} Hz lie closer than their bandwidths: the plane of their two shapes is known better than \
+                     each shape in it",
+                    all.join("; ")
+                )
             }
             Note::PeaksWithoutMode { frequency_hz } => {
                 write!(f, "the spectrum has peaks that no stable mode explains, at ")?;

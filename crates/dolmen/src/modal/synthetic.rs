@@ -170,6 +170,9 @@ pub enum ReferenceCase {
     /// Four floors × (x, y, turn) with the centre of mass off the centre of stiffness, f1 1.2 Hz, ζ 1.2 %, three
     /// sensors a floor at two corners: 12 channels × 1 h × 200 Hz.
     Twisting,
+    /// Sixteen floors × (x, y), storeys, axes and pairs as those of `ClosePairs`, f1 0.8 Hz, ζ 1 %:
+    /// 32 channels × 1 h × 200 Hz.
+    Tower,
 }
 
 impl ReferenceCase {
@@ -191,7 +194,7 @@ impl ReferenceCase {
                 ..Default::default()
             },
             ReferenceCase::ClosePairs => MadeRecord {
-                modes: close_pairs()?,
+                modes: close_pairs(4, 1.5)?,
                 seed,
                 ..Default::default()
             },
@@ -202,19 +205,24 @@ impl ReferenceCase {
                 seed,
                 ..Default::default()
             },
+            ReferenceCase::Tower => MadeRecord {
+                modes: close_pairs(16, 0.8)?,
+                duration_s: 3600.0,
+                sampling_rate_hz: 200.0,
+                seed,
+                ..Default::default()
+            },
         })
     }
 }
 
-const FLOORS: usize = 4;
-/// Storey stiffness from the ground up, relative.
-const STOREYS: [f64; FLOORS] = [1.0, 1.0 - 0.4 / 3.0, 1.0 - 0.8 / 3.0, 0.6];
-
-fn shear_stiffness(i: usize, j: usize) -> f64 {
-    let above = |k: usize| STOREYS.get(k + 1).copied().unwrap_or(0.0);
+/// Entry of the stiffness of a shear building; storeys fall from 1 at the ground to 0.6 at the top.
+fn shear_stiffness(i: usize, j: usize, floors: usize) -> f64 {
+    let storey = |k: usize| 1.0 - 0.4 * k as f64 / (floors - 1) as f64;
+    let above = |k: usize| if k + 1 < floors { storey(k + 1) } else { 0.0 };
     match i.abs_diff(j) {
-        0 => STOREYS[i] + above(i),
-        1 => -STOREYS[i.max(j)],
+        0 => storey(i) + above(i),
+        1 => -storey(i.max(j)),
         _ => 0.0,
     }
 }
@@ -237,18 +245,18 @@ fn modes_of(
         .collect())
 }
 
-fn close_pairs() -> Result<Vec<MadeMode>, ModalError> {
+fn close_pairs(floors: usize, first_hz: f64) -> Result<Vec<MadeMode>, ModalError> {
     const STIFFER_Y: f64 = 1.04;
     let (s, c) = (PI / 6.0).sin_cos();
-    let k = Matrix::from_fn(2 * FLOORS, 2 * FLOORS, |i, j| {
+    let k = Matrix::from_fn(2 * floors, 2 * floors, |i, j| {
         let factor = if i % 2 == 1 { STIFFER_Y } else { 1.0 };
         if i % 2 == j % 2 {
-            factor * shear_stiffness(i / 2, j / 2)
+            factor * shear_stiffness(i / 2, j / 2, floors)
         } else {
             0.0
         }
     });
-    let turned = Matrix::from_fn(2 * FLOORS, 2 * FLOORS, |i, j| {
+    let turned = Matrix::from_fn(2 * floors, 2 * floors, |i, j| {
         match (i / 2 == j / 2, i % 2, j % 2) {
             (false, ..) => 0.0,
             (true, 0, 0) | (true, 1, 1) => c,
@@ -256,10 +264,11 @@ fn close_pairs() -> Result<Vec<MadeMode>, ModalError> {
             (true, ..) => s,
         }
     });
-    modes_of(&k, &turned, 1.5, 0.01)
+    modes_of(&k, &turned, first_hz, 0.01)
 }
 
 fn twisting() -> Result<Vec<MadeMode>, ModalError> {
+    const FLOORS: usize = 4;
     // lengths in radii of gyration, so that each coordinate (x, y, turn × radius) has unit mass
     const STIFFER_Y: f64 = 1.04;
     const TWIST: f64 = 1.5; // twisting over sway stiffness: uncoupled frequencies 22 % apart
@@ -273,7 +282,9 @@ fn twisting() -> Result<Vec<MadeMode>, ModalError> {
     ];
     let sensor = [[1.0, 0.0, CORNER], [0.0, 1.0, CORNER], [0.0, 1.0, -CORNER]];
     let n = 3 * FLOORS;
-    let k = Matrix::from_fn(n, n, |i, j| storey[i % 3][j % 3] * shear_stiffness(i / 3, j / 3));
+    let k = Matrix::from_fn(n, n, |i, j| {
+        storey[i % 3][j % 3] * shear_stiffness(i / 3, j / 3, FLOORS)
+    });
     let sensors = Matrix::from_fn(
         n,
         n,

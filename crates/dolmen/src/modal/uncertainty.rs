@@ -2,16 +2,18 @@
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | dH | `hankel` | Hankel matrix of one block's deviation | m × m, m = l br |
-//! | D | `d` | dH V S⁻¹ | m × N |
+//! | dG | `beside` | Y⁺ Y⁻ᵀ of one block's deviation: the Hankel matrix of its lags | m × r br, m = l br |
+//! | X | `x` | U = (Y⁺ Y⁻ᵀ) X: V S⁻¹, of the data-driven method L⁻ᵀ V S⁻¹ | r br × N |
+//! | D | `d` | dG X | m × N |
 //! | ↑, ↓ | `up`, `down` | without the last, the first block row | m - l rows |
 //! | E, F, G | `e`, `f`, `g` | Uᵀ D, Qᵀ D↓, Qᵀ D↑ | N × N |
 //! | J, K | `j`, `k` | D↑ᵀ U↓, D↑ᵀ U↑ | N × N |
 //! | χ, φ | `left`, `right` | left and right eigenvectors of A, χᵀφ = 1 | n |
 
 use super::ModalError;
+use super::hankel::side_by_side;
 use super::indicators::largest;
-use super::ssi_cov::{Pole, Subspace, back_substitute, state};
+use super::ssi::{Pole, Subspace, back_substitute, state};
 use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, eigen};
 use std::f64::consts::PI;
 
@@ -35,7 +37,8 @@ pub struct PoleDeviation {
 /// var(f) = b/(b-1) Σ df²                                over the b blocks of time
 /// ```
 /// Everything of a block that any order needs are five N × N matrices, N the highest order: no Kronecker product is
-/// formed and no block's Hankel matrix kept.
+/// formed and no block's Hankel matrix either. Of the data-driven method the change of L turns V and moves U within its
+/// span, but for the part that noise alone holds: to first order D is the same expression with its own X.
 ///
 /// # Limits
 /// First order: it holds where the standard deviation is small beside the distance to the next pole of like shape.
@@ -160,8 +163,7 @@ struct Block {
 impl Block {
     fn new(s: &Subspace, lags: &[f64]) -> Self {
         let (l, m, n) = (s.correlations.channels, s.u.rows(), s.order_most);
-        let hankel = Matrix::from_fn(m, m, |i, j| lags[(i / l + j / l + 1) * l * l + i % l * l + j % l]);
-        let d = &hankel * &s.v_over_s;
+        let d = changes(s, lags);
         let (up, down) = (d.block(0, 0, m - l, n), d.block(l, 0, m - l, n));
         let (u_up, u_down) = (s.u.block(0, 0, m - l, n), s.u.block(l, 0, m - l, n));
         Block {
@@ -173,6 +175,20 @@ impl Block {
             top: d.block(0, 0, l, n),
         }
     }
+}
+
+/// D = dG X, block row by block row.
+fn changes(s: &Subspace, lags: &[f64]) -> Matrix {
+    let (l, r, br) = (s.correlations.channels, s.references.len(), s.block_rows);
+    let beside = side_by_side(lags, l, &s.references, br);
+    let mut d = Matrix::zeros(l * br, s.order_most);
+    for i in 0..br {
+        let row = &beside.block(0, i * r, l, r * br) * &s.x;
+        for j in 0..s.order_most {
+            d.column_mut(j)[i * l..(i + 1) * l].copy_from_slice(row.column(j));
+        }
+    }
+    d
 }
 
 /// Eigenvalues and vectors of the state matrix of one order.

@@ -214,6 +214,8 @@ mod tests {
             phase_collinearity: 1.0,
             cycles: 600.0,
             orders: vec![],
+            kurtosis: None,
+            window_bias: None,
         };
         let (x, y) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0]);
         Modes {

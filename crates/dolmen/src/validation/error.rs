@@ -32,6 +32,9 @@ pub enum ValidationError {
     /// A motion was refused.
     #[error(transparent)]
     Signal(#[from] SignalError),
+    /// Modes could not be identified.
+    #[error(transparent)]
+    Modal(#[from] crate::modal::ModalError),
     /// A damper was refused.
     #[error(transparent)]
     Damper(#[from] DamperError),

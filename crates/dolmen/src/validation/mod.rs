@@ -14,6 +14,7 @@ mod fragility;
 mod hwang_min_hong;
 mod kim_koo_hong_2018;
 mod park_min_2010;
+mod pyoma2;
 mod rigid_blocks;
 mod second_methods;
 mod stacks;

@@ -1,46 +1,54 @@
-//! Covariance-driven stochastic subspace identification: poles of every even model order from one decomposition.
+//! Stochastic subspace identification, covariance-driven and data-driven: poles of every even model order from one
+//! decomposition.
 //!
 //! | symbol | code | meaning | shape |
 //! |:--|:--|:--|:--|
-//! | l, br | `channels`, `block_rows` | channels, block rows | |
-//! | R_k | `correlations.lag(k)` | E[y(t + k) y(t)ᵀ] | l × l |
-//! | H | `hankel` | blocks R_(i+j+1) | l br × l br |
+//! | l, r, br | `channels`, `references`, `block_rows` | channels, reference channels, block rows | |
+//! | Y⁺, Y⁻ | | future of all channels, past of the reference channels (hankel.rs) | l br, r br |
+//! | H | | the matrix that is decomposed | l br × r br |
 //! | U, S, V | `u`, `s`, `v` | H = U diag(S) Vᵀ | l br × n |
+//! | X | `x` | U = (Y⁺ Y⁻ᵀ) X | r br × n |
 //! | O↑, O↓ | `upper`, `lower` | U without its last, first block row | l (br-1) × n |
 //! | A | `a` | state matrix, O↑ A = O↓ | n × n |
 //! | λ, φ | `lambda`, `phi` | eigenvalue and vector of A | |
 
-use super::ModalError;
 use super::correlations::{Correlations, correlate, lags_before};
+use super::decomposed::{Decomposed, of_covariance, of_data};
 use super::indicators::{normalized, phase_collinearity, phase_deviation};
+use super::{Method, ModalError};
 use crate::signal::Record;
-use dolmen_linalg::{Complex64, Matrix, Qr, eigen, qr, svd};
+use dolmen_linalg::{Complex64, Matrix, Qr, eigen, qr};
 use std::f64::consts::PI;
 
 /// Singular values below this share of the largest are rounding (double precision, FFT sums of many samples).
 const RANK_LEAST: f64 = 1e-13;
 
-/// Options of [`ssi_cov`].
+/// Options of [`ssi_cov`] and [`ssi_data`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct SsiCov {
+pub struct Ssi {
     /// Block rows br, at the rate after decimation: at least half a period of the lowest mode; at least 2.
     pub block_rows: usize,
-    /// Highest model order, even, at most channels × (block_rows - 1); twice the modes looked for and more.
+    /// Highest model order, even, at most channels × (block_rows - 1) and reference channels × block_rows; twice the
+    /// modes looked for and more.
     pub order_most: usize,
     /// Samples before over samples after a low-pass filter of the correlations; 1 (default): none.
     pub decimation: usize,
     /// Consecutive blocks of time whose scatter gives the standard deviations; default 30 (the standard deviation
     /// is then itself known to 13 %); at least 2.
     pub time_blocks: usize,
+    /// Channels whose past is correlated with the future of all, by index; empty (default): all. Few make the work
+    /// smaller; a mode that none of them sees is lost.
+    pub references: Vec<usize>,
 }
 
-impl Default for SsiCov {
+impl Default for Ssi {
     fn default() -> Self {
-        SsiCov {
+        Ssi {
             block_rows: 30,
             order_most: 60,
             decimation: 1,
             time_blocks: 30,
+            references: Vec::new(),
         }
     }
 }
@@ -83,8 +91,12 @@ impl Pole {
 pub struct Subspace {
     /// All oscillating poles, by order, then by frequency.
     pub poles: Vec<Pole>,
-    /// Singular values of the Hankel matrix, descending.
+    /// Singular values of H, descending: all of them, or of a large H the first `order_most`.
     pub singular_values: Vec<f64>,
+    /// How the poles were found.
+    pub method: Method,
+    /// Channels whose past was used, by index.
+    pub references: Vec<usize>,
     /// Block rows.
     pub block_rows: usize,
     /// Highest order.
@@ -96,22 +108,22 @@ pub struct Subspace {
     pub(super) correlations: Correlations,
     /// First `order_most` left singular vectors.
     pub(super) u: Matrix,
-    /// First `order_most` right singular vectors, each over its singular value.
-    pub(super) v_over_s: Matrix,
+    /// What makes them from the sums of products: U = (Y⁺ Y⁻ᵀ) X.
+    pub(super) x: Matrix,
     /// Q R of O↑.
     pub(super) upper: Qr,
     /// Qᵀ O↓.
     pub(super) shifted: Matrix,
 }
 
-/// Poles of the model orders 2, 4 … `order_most` of an ambient record.
+/// Poles of the model orders 2, 4 … `order_most` of an ambient record, from its correlations.
 ///
 /// ```text
-/// H = [R_(i+j+1)] = U S Vᵀ,  i, j = 0 … br-1       shape: l br × l br
+/// H = Y⁺ Y⁻ᵀ / S = U diag(S) Vᵀ                    shape: l br × r br; all windows as stacked samples have them
 /// O↑ = Q R;  A_n = R_n⁻¹ (Qᵀ O↓)_n                 leading n × n blocks: one QR serves every order n
 /// λ = eig A_n;  μ = ln λ / dt;  f = |μ| / 2π;  ζ = -Re μ / |μ|;  shape = first block row of U φ
 /// ```
-/// R_0 is left out, so that white sensor noise does not enter.
+/// The correlation at lag 0 is left out, so that white sensor noise does not enter.
 ///
 /// # Errors
 /// [`ModalError::Order`], [`ModalError::Rank`], [`ModalError::Option`], [`ModalError::TooShort`],
@@ -119,22 +131,72 @@ pub struct Subspace {
 ///
 /// # Limits
 /// With fewer than fs/(2 f1) block rows the first mode is lost or its damping is wrong by several times; see
-/// `identify`, which chooses them from the data.
+/// `identify`, which chooses them from the data. After decimation H holds R_(i+j+1): the windows differ by 2 br samples.
 ///
 /// # Source
 /// Peeters & De Roeck (1999) Mech. Syst. Signal Process. 13(6):855-878; all orders from one QR: Döhler & Mevel (2012)
-/// Control Eng. Pract. 20:1078-1086 (their algorithm 2). Differs from the sources: all lags sum over the same start
-/// times; U is not scaled with √S, which changes no pole.
-pub fn ssi_cov(record: &Record, options: &SsiCov) -> Result<Subspace, ModalError> {
+/// Control Eng. Pract. 20:1078-1086 (their algorithm 2). Differs from the sources: the sums over other windows follow
+/// from one by displacement; U is not scaled with √S, which changes no pole.
+pub fn ssi_cov(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
+    let (options, correlations) = correlated(record, options)?;
+    let parts = of_covariance(&correlations, &options)?;
+    subspace(
+        correlations,
+        &options,
+        (Method::SsiCov, record.duration_s()),
+        parts,
+    )
+}
+
+/// Poles of the model orders 2, 4 … `order_most` of an ambient record, from the projection of its future on its past.
+///
+/// ```text
+/// H = Y⁺ Y⁻ᵀ L⁻ᵀ,   Y⁻ Y⁻ᵀ = L Lᵀ                  shape: l br × r br: the R₂₁ of a QR of the stacked samples
+/// ```
+/// then as [`ssi_cov`]. Both matrices of sums follow by displacement from the correlations of one streaming pass; the
+/// stacked samples, (l + r) br rows of a column a sample, are never formed.
+///
+/// # Errors
+/// As [`ssi_cov`].
+///
+/// # Limits
+/// Where the past is almost a combination of itself (noise-free records) the sums of products would square its condition
+/// number: the samples are then decomposed by QR, piece by piece, which takes as long as in other programs; after
+/// decimation that is not possible, and the error says so.
+///
+/// # Source
+/// Peeters & De Roeck (1999), as above; sums of products instead of samples: Van Overschee & De Moor (1996) Subspace
+/// Identification for Linear Systems, section 4.4. Differs from the sources: displacement instead of products of the
+/// stacked matrix.
+pub fn ssi_data(record: &Record, options: &Ssi) -> Result<Subspace, ModalError> {
+    let (options, correlations) = correlated(record, options)?;
+    let parts = of_data(record, &correlations, &options)?;
+    subspace(
+        correlations,
+        &options,
+        (Method::SsiData, record.duration_s()),
+        parts,
+    )
+}
+
+/// Options with the reference channels written out, and the correlations that they ask for.
+fn correlated(record: &Record, options: &Ssi) -> Result<(Ssi, Correlations), ModalError> {
     let channels = record.channels().len();
-    check(options, channels)?;
+    let options = check(options, channels)?;
     let lags = 2 * options.block_rows - 1;
     let correlations = correlate(record, lags_before(lags, options.decimation), options.time_blocks)?
         .decimated(options.decimation);
-    subspace(correlations, options, record.duration_s())
+    Ok((options, correlations))
 }
 
-fn check(options: &SsiCov, channels: usize) -> Result<(), ModalError> {
+fn check(options: &Ssi, channels: usize) -> Result<Ssi, ModalError> {
+    let refused = |option, given, allowed| {
+        Err(ModalError::Option {
+            option,
+            given,
+            allowed,
+        })
+    };
     let least = [
         ("block_rows", options.block_rows, 2, "at least 2"),
         ("decimation", options.decimation, 1, "at least 1"),
@@ -148,14 +210,21 @@ fn check(options: &SsiCov, channels: usize) -> Result<(), ModalError> {
     ];
     for (option, given, bound, allowed) in least {
         if given < bound {
-            return Err(ModalError::Option {
-                option,
-                given: given as f64,
-                allowed,
-            });
+            return refused(option, given as f64, allowed);
         }
     }
-    let most = channels * (options.block_rows - 1) / 2 * 2;
+    let mut options = options.clone();
+    if options.references.is_empty() {
+        options.references = (0..channels).collect();
+    }
+    for (i, reference) in options.references.iter().enumerate() {
+        if *reference >= channels || options.references[..i].contains(reference) {
+            let allowed = "the index of a channel, counted from 0, each once";
+            return refused("references", *reference as f64, allowed);
+        }
+    }
+    let rows = channels * (options.block_rows - 1);
+    let most = rows.min(options.references.len() * options.block_rows) / 2 * 2;
     if options.order_most > most {
         return Err(ModalError::Order {
             given: options.order_most,
@@ -164,43 +233,40 @@ fn check(options: &SsiCov, channels: usize) -> Result<(), ModalError> {
             most,
         });
     }
-    Ok(())
+    Ok(options)
 }
 
-fn subspace(correlations: Correlations, options: &SsiCov, duration_s: f64) -> Result<Subspace, ModalError> {
+fn subspace(
+    correlations: Correlations,
+    options: &Ssi,
+    (method, duration_s): (Method, f64),
+    parts: Decomposed,
+) -> Result<Subspace, ModalError> {
     let (l, br, n) = (correlations.channels, options.block_rows, options.order_most);
-    let hankel = Matrix::from_fn(l * br, l * br, |i, j| {
-        correlations.lag(i / l + j / l + 1)[i % l * l + j % l]
-    });
-    let f = svd(&hankel)?;
-    drop(hankel);
-    let rank = f.s.iter().filter(|s| **s > RANK_LEAST * f.s[0]).count();
+    let Decomposed { u, x, s } = parts;
+    let rank = s.iter().filter(|value| **value > RANK_LEAST * s[0]).count();
     if n > rank {
         return Err(ModalError::Rank { given: n, rank });
     }
-    let u = f.u.block(0, 0, l * br, n);
-    let v_over_s = Matrix::from_fn(l * br, n, |i, j| f.v[(i, j)] / f.s[j].max(f64::MIN_POSITIVE));
     let upper = qr(&u.block(0, 0, l * (br - 1), n))?;
     let shifted = upper.q.transpose_times(&u.block(l, 0, l * (br - 1), n));
     let mut poles = Vec::new();
     for order in (2..=n).step_by(2) {
-        poles.extend(poles_of(
-            &state(&upper.r, &shifted, order),
-            &u,
-            l,
-            correlations.step_s,
-        )?);
+        let a = state(&upper.r, &shifted, order);
+        poles.extend(poles_of(&a, &u, l, correlations.step_s)?);
     }
     Ok(Subspace {
         poles,
-        singular_values: f.s,
+        singular_values: s,
+        method,
+        references: options.references.clone(),
         block_rows: br,
         order_most: n,
         sampling_rate_hz: 1.0 / correlations.step_s,
         duration_s,
         correlations,
         u,
-        v_over_s,
+        x,
         upper,
         shifted,
     })
@@ -277,17 +343,25 @@ mod tests {
             step_s: STEP_S,
             mean,
             deviations: Vec::new(),
+            ends: None,
+            padded: None,
         }
+    }
+
+    fn found(options: &Ssi) -> Result<Subspace, ModalError> {
+        let (options, r) = (check(options, 3)?, analytic(19));
+        let parts = of_covariance(&r, &options)?;
+        subspace(r, &options, (Method::SsiCov, 100.0), parts)
     }
 
     #[test]
     fn exact_poles_and_shapes_of_exact_correlations() {
-        let options = SsiCov {
+        let options = Ssi {
             block_rows: 10,
             order_most: 4,
             ..Default::default()
         };
-        let found = subspace(analytic(19), &options, 100.0).unwrap();
+        let found = found(&options).unwrap();
         let at_four: Vec<&Pole> = found.poles.iter().filter(|p| p.order == 4).collect();
         assert_eq!(at_four.len(), 2);
         for (pole, (frequency_hz, zeta, phi)) in at_four.iter().zip(MODES) {
@@ -301,7 +375,7 @@ mod tests {
 
     #[test]
     fn refuses_an_order_above_what_block_rows_or_rank_allow() {
-        let options = |order_most| SsiCov {
+        let options = |order_most| Ssi {
             block_rows: 10,
             order_most,
             ..Default::default()
@@ -311,12 +385,23 @@ mod tests {
             fault,
             "order_most is 28, but 10 block rows of 3 channels allow at most 26: raise block_rows or lower order_most"
         );
-        let fault = subspace(analytic(19), &options(6), 100.0)
-            .unwrap_err()
-            .to_string();
+        let fault = found(&options(6)).unwrap_err().to_string();
         assert!(
             fault.starts_with("order_most is 6, but the correlations have rank 4"),
             "{fault}"
         );
+    }
+
+    #[test]
+    fn refuses_a_reference_that_is_no_channel_or_named_twice() {
+        for references in [vec![0, 3], vec![1, 1]] {
+            let options = Ssi {
+                references,
+                order_most: 4,
+                ..Default::default()
+            };
+            let fault = check(&options, 3).unwrap_err().to_string();
+            assert!(fault.starts_with("references is "), "{fault}");
+        }
     }
 }

@@ -1,0 +1,148 @@
+//! Block rows, decimation and order chosen from the peaks of the spectrum.
+
+use super::correlations::{CLEAN_SHARE, lags_before};
+use super::{Identify, Method, ModalError, Mode, Modes, Note};
+use crate::signal::Record;
+
+/// Periods of the lowest mode that the lags reach over, 2 br of them: one is the least of theory. Over 200 records of two floors
+/// the scatter of frequencies is 1.20, 1.25, 1.37, 1.42 of its floor with 1.5, 2, 3, 4 periods; close modes want more than one.
+const PERIODS_REACHED: f64 = 2.0;
+/// The same of the covariance-driven method, which gains by longer lags.
+const PERIODS_REACHED_BY_COVARIANCE: f64 = 3.0;
+/// Hankel matrices of more rows take many seconds.
+pub(super) const HANKEL_ROWS_MOST: usize = 2400;
+/// Range above the highest peak that is kept free of aliases: a mode near its end is known less well.
+const RANGE_ABOVE_PEAK: f64 = 1.6;
+/// Without a wish the highest model order is this many times the peaks or the channels, whichever are more: two for
+/// each mode, the rest for noise and close neighbours. Far more, and poles that fit noise crowd out the modes.
+const ORDER_OVER_PEAKS: usize = 6;
+/// Bounds of that order: enough orders to see what comes back, and no more than a minute of work; where there are many
+/// channels the upper one is three times their number, so that each can show a mode of its own.
+const ORDER_RANGE: [usize; 2] = [24, 60];
+const ORDER_OVER_CHANNELS: usize = 3;
+const ORDER_LIMIT: usize = 120;
+
+/// What was chosen from the data, and from what.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// Lowest peak of the spectrum (or lowest frequency asked), Hz: the block rows reach over its period.
+    pub lowest_hz: f64,
+    /// Highest peak of the spectrum (or highest frequency asked), Hz: the decimation keeps it.
+    pub highest_hz: f64,
+    /// Samples before over samples after the low-pass filter of the correlations.
+    pub decimation: usize,
+    /// Sampling rate after decimation, Hz.
+    pub sampling_rate_hz: f64,
+    /// Lines of the spectrum; 0 where the modes do not come from its peaks.
+    pub lines: usize,
+    /// Block rows; 0 where the modes come from the peaks of the spectrum, as the next three.
+    pub block_rows: usize,
+    /// Least block rows for the lowest frequency: half a period.
+    pub block_rows_least: usize,
+    /// Highest model order.
+    pub order_most: usize,
+    /// Blocks of time.
+    pub time_blocks: usize,
+    /// Range in which modes are accepted, Hz.
+    pub range_hz: [f64; 2],
+}
+
+/// With fewer blocks of time the standard deviations are themselves known to worse than 24 %.
+const TIME_BLOCKS_LEAST: usize = 10;
+
+/// Settings of the subspace methods for a record with these peaks.
+pub(super) fn choose(
+    record: &Record,
+    options: &Identify,
+    peaks: &Modes,
+    notes: &mut Vec<Note>,
+) -> Result<Settings, ModalError> {
+    let (l, rate_hz) = (record.channels().len(), record.sampling_rate_hz());
+    let peak = |mode: Option<&Mode>, asked: Option<f64>| {
+        asked.or(mode.map(|m| m.frequency_hz)).ok_or(ModalError::NoPeak {
+            prominence_db: options.fdd.prominence_db,
+            low_hz: options.frequency_low_hz.unwrap_or(0.0),
+            high_hz: options.frequency_high_hz.unwrap_or(0.5 * rate_hz),
+        })
+    };
+    let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
+    let highest_hz = peak(peaks.modes.last(), options.frequency_high_hz)?;
+    let free = 0.5 * CLEAN_SHARE * rate_hz / (RANGE_ABOVE_PEAK * highest_hz);
+    let decimation = options.decimation.unwrap_or((free as usize).max(1));
+    let sampling_rate_hz = rate_hz / decimation as f64;
+    let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
+    let highest = ORDER_RANGE[1].max((ORDER_OVER_CHANNELS * l).min(ORDER_LIMIT) / 2 * 2);
+    let sought = (ORDER_OVER_PEAKS * peaks.modes.len().max(l)).clamp(ORDER_RANGE[0], highest);
+    let periods = match options.method {
+        Method::SsiCov => PERIODS_REACHED_BY_COVARIANCE,
+        _ => PERIODS_REACHED,
+    };
+    let references = match options.references.len() {
+        0 => l,
+        some => some,
+    };
+    let wished =
+        ((0.5 * periods * sampling_rate_hz / lowest_hz).ceil() as usize).max(sought.div_ceil(references) + 1);
+    let block_rows = options.block_rows.unwrap_or_else(|| {
+        let taken = wished.min((HANKEL_ROWS_MOST / l).max(block_rows_least));
+        if taken < wished {
+            notes.push(Note::BlockRowsBounded { wished, taken });
+        }
+        taken
+    });
+    if block_rows < block_rows_least {
+        return Err(ModalError::BlockRows {
+            given: block_rows,
+            least: block_rows_least,
+            frequency_hz: lowest_hz,
+            sampling_rate_hz,
+        });
+    }
+    let lags = lags_before(2 * block_rows - 1, decimation);
+    let time_blocks = options
+        .time_blocks
+        .min(record.length().saturating_sub(lags) / lags.max(1));
+    if time_blocks < TIME_BLOCKS_LEAST.min(options.time_blocks) {
+        return Err(ModalError::TooShort {
+            samples: record.length(),
+            lags,
+            blocks: TIME_BLOCKS_LEAST,
+            needed: (TIME_BLOCKS_LEAST + 1) * lags,
+        });
+    }
+    if time_blocks < options.time_blocks {
+        notes.push(Note::FewBlocks { time_blocks });
+    }
+    let order_most = options
+        .order_most
+        .unwrap_or(sought.min((l * (block_rows.max(2) - 1)).min(references * block_rows) / 2 * 2));
+    if let Some(given) = options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
+        return Err(ModalError::ModesWanted {
+            given,
+            order_most,
+            most: order_most / 2,
+        });
+    }
+    let clean_hz = if decimation > 1 {
+        0.5 * CLEAN_SHARE * sampling_rate_hz
+    } else {
+        0.5 * rate_hz
+    };
+    // below the least the block rows reach over less than half a period
+    let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
+    Ok(Settings {
+        lowest_hz,
+        highest_hz,
+        decimation,
+        sampling_rate_hz,
+        lines: 0,
+        block_rows,
+        block_rows_least,
+        order_most,
+        time_blocks,
+        range_hz: [
+            options.frequency_low_hz.unwrap_or(0.0).max(seen_hz),
+            options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
+        ],
+    })
+}
