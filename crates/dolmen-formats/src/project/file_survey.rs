@@ -203,7 +203,7 @@ pub(super) struct ModalRaw {
     pub(super) block_rows: Option<At<i64>>,
     /// How many modes to report, lowest first.
     pub(super) modes_wanted: Option<At<i64>>,
-    /// The method; "ssi-data" if not given.
+    /// The method; "ssi-cov" if not given.
     pub(super) method: Option<MethodRaw>,
     /// Reference channels of the subspace methods, by name; all if not given.
     pub(super) references: Option<Vec<At<String>>>,

@@ -22,7 +22,8 @@ pub enum Harmonics {
 /// Options of [`identify`]. The defaults serve every record this chapter was measured on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
-    /// How modes are found; default `SsiData`, nearest to the floor of scatter on the made records.
+    /// How modes are found; default `SsiCov`: `SsiData` scatters less on made records, but on ten minutes of a timber building
+    /// its damping was a half larger and its frequencies 0.6 % off.
     pub method: Method,
     /// Reference channels of the subspace methods, by index; empty (default): all.
     pub references: Vec<usize>,
@@ -59,7 +60,7 @@ pub struct Identify {
 impl Default for Identify {
     fn default() -> Self {
         Identify {
-            method: Method::SsiData,
+            method: Method::SsiCov,
             references: Vec::new(),
             frequency_low_hz: None,
             frequency_high_hz: None,
