@@ -125,7 +125,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     check(record, options)?;
     let mut notes = judge_channels(record)?;
     let mut peaks = spectrum(record, options)?;
-    split_tones(
+    let tones_hz = split_tones(
         record,
         &mut peaks,
         options.criteria.damping_ratio_least,
@@ -133,7 +133,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     )?;
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, options),
-        Method::SsiCov | Method::SsiData => of_subspace(record, options, peaks, &mut notes)?,
+        Method::SsiCov | Method::SsiData => of_subspace(record, options, (peaks, &tones_hz), &mut notes)?,
     };
     test_for_machines(record, options, &mut analysis.modes, &mut notes)?;
     pick(options, &mut analysis.modes)?;
@@ -203,10 +203,10 @@ fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
 fn of_subspace(
     record: &Record,
     options: &Identify,
-    peaks: FddResult,
+    (peaks, tones_hz): (FddResult, &[f64]),
     notes: &mut Vec<Note>,
 ) -> Result<ModalAnalysis, ModalError> {
-    let settings = choose(record, options, &peaks.modes, notes)?;
+    let settings = choose(record, options, (&peaks.modes, tones_hz), notes)?;
     let ssi = Ssi {
         block_rows: settings.block_rows,
         order_most: settings.order_most,
@@ -286,13 +286,13 @@ fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
 }
 
 /// Takes the peaks out that machines make: narrower than any structure's where the lines are fine enough to tell, or too
-/// steady for random forces.
+/// steady for random forces; returns their frequencies, Hz.
 fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
     damping_ratio_least: f64,
     notes: &mut Vec<Note>,
-) -> Result<(), ModalError> {
+) -> Result<Vec<f64>, ModalError> {
     let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
@@ -313,13 +313,13 @@ fn split_tones(
             peaks.spectrum.prominence_db.push(prominence_db);
         }
     }
+    let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
+    let tones = strongest(tones, SKIRT_LINES * line_hz);
+    let frequency_hz = tones.iter().map(|tone| tone.frequency_hz).collect();
     if !tones.is_empty() {
-        let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
-        notes.push(Note::Tones {
-            tones: strongest(tones, SKIRT_LINES * line_hz),
-        });
+        notes.push(Note::Tones { tones });
     }
-    Ok(())
+    Ok(frequency_hz)
 }
 
 /// Lines on each side of a tone that its leakage fills with small peaks.
