@@ -189,14 +189,14 @@ mod tests {
     #[test]
     fn exact_singular_values_and_vectors_of_a_full_decomposition() {
         // a few large values over a slowly falling floor, as correlations have them
-        let (rows, columns) = (200, 240);
+        let (rows, columns) = (300, 340);
         let turn = |n: usize, k: f64| {
             let entry =
                 |i: usize, j: usize| ((i * (j + 1)) as f64 * k).sin() + if i == j { 2.0 } else { 0.0 };
             qr(&Matrix::from_fn(n, rows, entry)).unwrap().q
         };
         let values: Vec<f64> = (0..rows)
-            .map(|i| 50.0 * (-0.8 * i as f64).exp() + 0.02 - 5e-5 * i as f64)
+            .map(|i| 50.0 * (-0.35 * i as f64).exp() + 0.02 - 5e-5 * i as f64)
             .collect();
         let a = &(&turn(rows, 1.3) * &Matrix::from_diagonal(&values)) * &turn(columns, 0.7).transpose();
         let found = leading_svd(&Dense(a.clone()), 12).unwrap();
