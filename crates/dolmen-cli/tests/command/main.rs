@@ -13,5 +13,6 @@ mod safety;
 mod simulations;
 mod stacks;
 mod studies;
+mod training;
 mod tunings;
 mod verbs;

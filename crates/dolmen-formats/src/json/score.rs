@@ -1,7 +1,7 @@
 //! The six-factor score as JSON.
 
 use crate::score::{SCORE_STATES, ScoreAnswer, ScoreQuality};
-use dolmen::assess::{Factor, Ranking};
+use dolmen::assess::{EffectVerdict, Factor, Ranking};
 use serde_json::{Map, Value, json};
 
 fn by_factor(values: impl IntoIterator<Item = Value>) -> Value {
@@ -46,6 +46,18 @@ pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
             "weights": by_factor(shares.map(|share| {
                 json!({ "share": share.share, "interval_90": [share.interval.lower, share.interval.upper] })
             })),
+            "effects": one.effects.iter().map(|effect| json!({
+                "factor": effect.factor.name(),
+                "from": effect.from,
+                "to": effect.to,
+                "ln_change": effect.ln_change,
+                "ln_change_sd": effect.ln_change_sd,
+                "as_published": match effect.verdict {
+                    EffectVerdict::Holds => "holds",
+                    EffectVerdict::Contradicted => "contradicted",
+                    EffectVerdict::NotSeen => "not seen",
+                },
+            })).collect::<Vec<_>>(),
             "explained": one.shares.explained,
             "correlation_of_slendernesses": one.slenderness_correlation,
             "held_out": {

@@ -2,7 +2,9 @@
 
 use super::designs::ScoreDesigns;
 use crate::project::Names;
-use dolmen::assess::{AssessError, FactorShares, HeldOut, PagodaScore, SixFactors, factor_shares, held_out};
+use dolmen::assess::{
+    AssessError, FactorEffect, FactorShares, HeldOut, PagodaScore, SixFactors, factor_shares, held_out,
+};
 use dolmen::numeric::Interval;
 
 /// Parts that designs are dealt to for the order of those not seen. Chosen here.
@@ -82,6 +84,8 @@ pub struct ScoreQuality {
     pub designs: usize,
     /// Weights of the factors.
     pub shares: FactorShares,
+    /// What each factor alone does to the middle design.
+    pub effects: Vec<FactorEffect>,
     /// The order of designs not seen.
     pub held_out: HeldOut,
     /// Correlation of λ with tan α in the designs.
@@ -102,6 +106,7 @@ impl ScoreQuality {
             state,
             designs: own.len(),
             shares: factor_shares(&own, HALVES, SEED)?,
+            effects: designs.model(state)?.effects()?,
             held_out: held_out(&own, PARTS)?,
             slenderness_correlation: correlation(&pairs.collect::<Vec<_>>()),
         })
@@ -115,4 +120,32 @@ fn correlation(pairs: &[[f64; 2]]) -> f64 {
     let [a, b] = [mean(0), mean(1)];
     let sum = |of: fn(f64, f64) -> f64| pairs.iter().map(|pair| of(pair[0] - a, pair[1] - b)).sum::<f64>();
     sum(|x, y| x * y) / (sum(|x, _| x * x) * sum(|_, y| y * y)).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen::assess::{EffectVerdict, Factor};
+
+    /// Signs of Fig. 19 of Kim, Koo and Hong (2018), who looked at falls under one motion: more storeys, a slenderer body and more taper are
+    /// worse, size is better. Of the base see docs/score.md.
+    #[test]
+    fn published_signs_of_the_factors_that_the_table_confirms() {
+        let designs = ScoreDesigns::shipped().unwrap();
+        assert_eq!(designs.designs.len(), 150);
+        let verdict = |state: usize, factor: Factor| {
+            let effects = designs.model(state).unwrap().effects().unwrap();
+            effects.iter().find(|one| one.factor == factor).unwrap().verdict
+        };
+        for (state, factor) in [
+            (2, Factor::Storeys),
+            (2, Factor::BodyHeight),
+            (3, Factor::BodyHeight),
+            (3, Factor::BodySlenderness),
+            (1, Factor::Taper),
+            (2, Factor::Taper),
+        ] {
+            assert_eq!(verdict(state, factor), EffectVerdict::Holds, "{state} {factor:?}");
+        }
+    }
 }

@@ -5,7 +5,7 @@ use crate::Language::English;
 use crate::number::{fixed, percent, significant, trimmed};
 use crate::portfolio::{factor_words, state_words};
 use crate::score::{ScoreAnswer, ScoreQuality};
-use dolmen::assess::Factor;
+use dolmen::assess::{EffectVerdict, Factor, FactorEffect};
 use std::fmt::Write as _;
 
 fn shown(factor: Factor, value: f64) -> String {
@@ -110,6 +110,11 @@ pub fn score_quality_text(qualities: &[ScoreQuality], designs: usize) -> String 
         row.extend([percent(one.shares.explained, 2), String::new()]);
     }
     table.row(row);
+    let mut row = vec!["designs with a curve".to_owned()];
+    for one in qualities {
+        row.extend([one.designs.to_string(), String::new()]);
+    }
+    table.row(row);
     out += &table.text();
     if let Some(one) = qualities.first() {
         let _ = writeln!(
@@ -117,6 +122,7 @@ pub fn score_quality_text(qualities: &[ScoreQuality], designs: usize) -> String 
             "  tan α and λ go together (correlation {}): their shares hold what they tell together, half each",
             fixed(one.slenderness_correlation, 2)
         );
+        out += &effects_text(qualities);
         let _ = writeln!(
             out,
             "\nOrder of designs that were not seen, in {} parts: Kendall's τ, and share of the worst fifth found",
@@ -140,5 +146,36 @@ pub fn score_quality_text(qualities: &[ScoreQuality], designs: usize) -> String 
         }
     }
     out += &table.text();
+    out
+}
+
+/// What each factor alone does to the capacity, beside the published direction.
+fn effects_text(qualities: &[ScoreQuality]) -> String {
+    let mut out = "\nOne factor alone, from its 10 % to its 90 % quantile in the middle design: change of the capacity, %, and the published direction\n"
+        .to_owned();
+    let mut head = vec!["factor", "from", "to"];
+    head.extend(qualities.iter().map(|one| state_words(one.state, English)));
+    let mut table = Table::new(&head, 1);
+    let count = qualities.iter().map(|one| one.effects.len()).min().unwrap_or(0);
+    for i in 0..count {
+        let FactorEffect { factor, from, to, .. } = qualities[0].effects[i];
+        let mut row = vec![
+            factor_words(factor, English).to_owned(),
+            shown(factor, from),
+            shown(factor, to),
+        ];
+        for one in qualities {
+            let effect = &one.effects[i];
+            let verdict = match effect.verdict {
+                EffectVerdict::Holds => "holds",
+                EffectVerdict::Contradicted => "contradicted",
+                EffectVerdict::NotSeen => "not seen",
+            };
+            row.push(format!("{} {verdict}", percent(effect.ln_change.exp_m1(), 2)));
+        }
+        table.row(row);
+    }
+    out += &table.text();
+    out += "  λ takes tan α with it. Published for falls under one motion; contradicted: the other way with 90 % confidence\n";
     out
 }

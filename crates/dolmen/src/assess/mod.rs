@@ -30,8 +30,8 @@ pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, ra
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};
 pub use score::{
-    Factor, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore, Ranking, ScoreModel, SixFactors,
-    TrainedDesign, factor_shares, held_out, shapley_shares,
+    EffectVerdict, Factor, FactorEffect, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore,
+    Ranking, ScoreModel, SixFactors, TrainedDesign, factor_shares, held_out, shapley_shares,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};

@@ -1,6 +1,6 @@
 use super::{
     ValidationError, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction, fragility,
-    hwang_min_hong, kim_koo_hong_2018, park_min_2010, pyoma2, rigid_blocks, second_methods,
+    hwang_min_hong, kim_koo_hong_2018, owen_prieur_2017, park_min_2010, pyoma2, rigid_blocks, second_methods,
 };
 
 /// One number of a source, or of a second method of this crate, beside ours.
@@ -60,6 +60,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         building_motion::cases()?,
         dampers::cases()?,
         fragility::cases()?,
+        owen_prieur_2017::cases()?,
         pyoma2::cases()?,
         second_methods::cases()?,
     ];

@@ -1,8 +1,8 @@
 //! How well a score ranks pagodas that it has not seen.
 
 use super::factors::Factor;
+use super::kriging::Kriging;
 use super::model::{TrainedDesign, coordinates};
-use super::surface::Surface;
 use crate::assess::{AssessError, trend};
 
 /// The worst part that must be found: the lowest fifth.
@@ -47,7 +47,7 @@ pub fn held_out(designs: &[TrainedDesign], parts: usize) -> Result<HeldOut, Asse
         let others = || (0..y.len()).filter(|i| i % parts != part);
         let own_x: Vec<[f64; 6]> = others().map(|i| x[i]).collect();
         let own_y: Vec<f64> = others().map(|i| y[i]).collect();
-        let surface = Surface::fit(&own_x, &own_y, 0b11_1111)?;
+        let surface = Kriging::fit(&own_x, &own_y)?;
         for i in (0..y.len()).filter(|i| i % parts == part) {
             predicted[i] = surface.value(&x[i]);
         }

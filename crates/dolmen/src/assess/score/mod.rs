@@ -1,12 +1,15 @@
 //! The six-factor score: capacity of a pagoda from six numbers, trained on simulated pagodas.
 
+mod effects;
 mod factors;
 mod held_out;
+mod kriging;
 mod model;
 mod shapley;
 mod shares;
 mod surface;
 
+pub use effects::{EffectVerdict, FactorEffect};
 pub use factors::{Factor, SixFactors};
 pub use held_out::{HeldOut, Ranking, held_out};
 pub use model::{OutsideFactor, PagodaScore, ScoreModel, TrainedDesign};

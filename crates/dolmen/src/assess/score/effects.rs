@@ -1,0 +1,147 @@
+//! Whether each factor moves the capacity the way that was published.
+
+use super::factors::{Factor, SixFactors};
+use super::model::ScoreModel;
+use crate::assess::AssessError;
+use crate::numeric::{normal_quantile, quantile};
+use crate::structure::stack::{PagodaFactors, PagodaSlenderness};
+
+/// Share of the designs below the lower place, and above the upper, that a factor is moved between. Chosen here.
+const TAIL: f64 = 0.1;
+/// Confidence with which a direction is called seen. Chosen here.
+const CONFIDENCE: f64 = 0.9;
+
+/// What is to be said of a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EffectVerdict {
+    /// The capacity moves as published.
+    Holds,
+    /// It moves the other way.
+    Contradicted,
+    /// It moves by less than can be told from chance.
+    NotSeen,
+}
+
+/// By how much the capacity of the middle design moves with one factor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FactorEffect {
+    /// Which; tan α and λ move together, so that λ stands for both.
+    pub factor: Factor,
+    /// Moved from here, in the unit of the factor.
+    pub from: f64,
+    /// To here.
+    pub to: f64,
+    /// Change of ln θ.
+    pub ln_change: f64,
+    /// Its standard deviation: what the surface does not know.
+    pub ln_change_sd: f64,
+    /// What is to be said: 90 % confidence.
+    pub verdict: EffectVerdict,
+}
+
+impl ScoreModel {
+    /// Moves each factor alone, of the design in the middle of all, from its 10 % to its 90 % quantile; λ takes tan α with it.
+    ///
+    /// # Errors
+    /// Those of quantiles, and of pagodas that cannot be made.
+    ///
+    /// # Source
+    /// Directions: Kim, N., Koo, I. Y. and Hong, S. G. (2018), Figs. 13 and 19 (falls; DS1 to DS3 were not looked at there).
+    pub fn effects(&self) -> Result<Vec<FactorEffect>, AssessError> {
+        let at = |axis: usize, p: f64| {
+            let values: Vec<f64> = self.designs().iter().map(|d| d.factors.values()[axis]).collect();
+            quantile(&values, p)
+        };
+        let mut middle = [0.0; 6];
+        for (axis, middle) in middle.iter_mut().enumerate() {
+            *middle = at(axis, 0.5)?;
+        }
+        let mut found = Vec::with_capacity(5);
+        for (axis, factor) in Factor::ALL.into_iter().enumerate() {
+            if factor == Factor::SlendernessAngle {
+                continue; // it follows from the others
+            }
+            let ends = [at(axis, TAIL)?, at(axis, 1.0 - TAIL)?];
+            let mut places = [[0.0; 6]; 2];
+            for (place, end) in places.iter_mut().zip(ends) {
+                let mut own = middle;
+                own[axis] = end;
+                *place = made(&own)?.coordinates()?;
+            }
+            let change = self.difference(&places[0], &places[1]);
+            let least = normal_quantile(0.5 + 0.5 * CONFIDENCE)? * change.sd;
+            found.push(FactorEffect {
+                factor,
+                from: ends[0],
+                to: ends[1],
+                ln_change: change.value,
+                ln_change_sd: change.sd,
+                verdict: if change.value.abs() < least {
+                    EffectVerdict::NotSeen
+                } else if change.value * factor.published_direction() > 0.0 {
+                    EffectVerdict::Holds
+                } else {
+                    EffectVerdict::Contradicted
+                },
+            });
+        }
+        Ok(found)
+    }
+}
+
+/// The pagoda of these factors; tan α follows.
+fn made(values: &[f64; 6]) -> Result<SixFactors, AssessError> {
+    SixFactors::of_pagoda(&PagodaFactors {
+        storeys: values[0].round() as u32,
+        body_height_m: values[1],
+        slenderness: PagodaSlenderness::Body(values[3]),
+        taper_rad: values[4],
+        body_base_height_ratio: values[5],
+        ..PagodaFactors::default()
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::model::TrainedDesign;
+    use super::*;
+    use crate::assess::Fragility;
+    use crate::numeric::Random;
+
+    /// A law of powers: the height as published, the storeys the other way, the taper not at all.
+    #[test]
+    fn exact_effects_in_a_law_of_powers() {
+        let mut random = Random::new(2, 0);
+        let designs: Vec<TrainedDesign> = (0..90)
+            .map(|i| {
+                let mut u = |low: f64, high: f64| low + (high - low) * random.uniform();
+                let values = [
+                    f64::from([3, 5, 7][i % 3]),
+                    u(3.0, 8.0),
+                    0.0,
+                    u(2.6, 4.4),
+                    u(0.06, 0.13),
+                    u(1.2, 3.6),
+                ];
+                let factors = made(&values).unwrap();
+                let theta = factors.body_height_m.powf(0.8) * f64::from(factors.storeys).powf(0.3);
+                let noise = (0.02 * random.normal()).exp();
+                let fragility = Fragility::new(theta * noise, 0.4).unwrap();
+                TrainedDesign { factors, fragility }
+            })
+            .collect();
+        let found = ScoreModel::train(&designs).unwrap().effects().unwrap();
+        let of = |factor: Factor| found.iter().find(|one| one.factor == factor).unwrap();
+        let height = of(Factor::BodyHeight);
+        assert_eq!(height.verdict, EffectVerdict::Holds);
+        let exact = 0.8 * (height.to / height.from).ln();
+        assert!(
+            (height.ln_change - exact).abs() < 4.0 * height.ln_change_sd,
+            "{height:?} {exact}"
+        );
+        assert!(height.ln_change_sd < 0.03, "{height:?}");
+        assert_eq!(of(Factor::Storeys).verdict, EffectVerdict::Contradicted);
+        assert_eq!(of(Factor::Taper).verdict, EffectVerdict::NotSeen);
+        assert_eq!(found.len(), 5);
+    }
+}
