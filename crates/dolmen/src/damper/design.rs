@@ -4,7 +4,7 @@
 //! as the nearest point of it.
 
 use super::{DamperError, Judged, PlacedDamper, Plan};
-use crate::numeric::{Minimax, Piece, Worst, by_differences, highest, minimax};
+use crate::numeric::{Minimax, Piece, Worst, all_by_differences, by_differences, highest, minimax};
 
 /// What is to be made small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
@@ -492,26 +492,6 @@ impl Worst for Search<'_> {
             return Some(pieces);
         }
         // all functions move together: differences of the whole list
-        const H: f64 = 1e-5;
-        let here = self.values(&dampers)?;
-        let mut pieces: Vec<Piece> = here
-            .into_iter()
-            .map(|value| Piece {
-                value,
-                slope: Vec::with_capacity(x.len()),
-            })
-            .collect();
-        let mut moved = x.to_vec();
-        for i in 0..x.len() {
-            moved[i] = x[i] + H;
-            let above = self.values(&self.dampers(&moved))?;
-            moved[i] = x[i] - H;
-            let below = self.values(&self.dampers(&moved))?;
-            moved[i] = x[i];
-            for (piece, (a, b)) in pieces.iter_mut().zip(above.iter().zip(&below)) {
-                piece.slope.push((a - b) / (2.0 * H));
-            }
-        }
-        Some(pieces)
+        all_by_differences(x, |x| self.values(&self.dampers(x)))
     }
 }

@@ -5,7 +5,7 @@
 
 use super::ride::Ride;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
-use crate::numeric::{Minimax, Piece, Worst, minimax};
+use crate::numeric::{Minimax, Piece, Worst, all_by_differences, minimax};
 
 /// How dampers are tuned together.
 #[derive(Clone, Debug, PartialEq)]
@@ -301,26 +301,6 @@ impl Worst for Search<'_> {
     }
 
     fn pieces(&mut self, x: &[f64]) -> Option<Vec<Piece>> {
-        const H: f64 = 1e-5;
-        let mut pieces: Vec<Piece> = self
-            .values(x)?
-            .into_iter()
-            .map(|value| Piece {
-                value,
-                slope: Vec::with_capacity(x.len()),
-            })
-            .collect();
-        let mut moved = x.to_vec();
-        for i in 0..x.len() {
-            moved[i] = x[i] + H;
-            let above = self.values(&moved)?;
-            moved[i] = x[i] - H;
-            let below = self.values(&moved)?;
-            moved[i] = x[i];
-            for (piece, (a, b)) in pieces.iter_mut().zip(above.iter().zip(&below)) {
-                piece.slope.push((a - b) / (2.0 * H));
-            }
-        }
-        Some(pieces)
+        all_by_differences(x, |x| self.values(x))
     }
 }

@@ -129,21 +129,32 @@ pub(crate) fn minimax(start: Vec<f64>, options: &Minimax, problem: &mut impl Wor
 /// A piece from a function and its central differences, h = 1e-5: their error is h² of the third derivative and 1e-11
 /// of rounding.
 pub(crate) fn by_differences(x: &[f64], mut value: impl FnMut(&[f64]) -> Option<f64>) -> Option<Piece> {
+    all_by_differences(x, |x| Some(vec![value(x)?]))?.pop()
+}
+
+/// The same of functions that are computed together.
+pub(crate) fn all_by_differences(
+    x: &[f64],
+    mut values: impl FnMut(&[f64]) -> Option<Vec<f64>>,
+) -> Option<Vec<Piece>> {
     const H: f64 = 1e-5;
-    let mut slope = Vec::with_capacity(x.len());
+    let piece = |value| Piece {
+        value,
+        slope: Vec::with_capacity(x.len()),
+    };
+    let mut pieces: Vec<Piece> = values(x)?.into_iter().map(piece).collect();
     let mut moved = x.to_vec();
     for i in 0..x.len() {
         moved[i] = x[i] + H;
-        let above = value(&moved)?;
+        let above = values(&moved)?;
         moved[i] = x[i] - H;
-        let below = value(&moved)?;
+        let below = values(&moved)?;
         moved[i] = x[i];
-        slope.push((above - below) / (2.0 * H));
+        for (piece, (a, b)) in pieces.iter_mut().zip(above.iter().zip(&below)) {
+            piece.slope.push((a - b) / (2.0 * H));
+        }
     }
-    Some(Piece {
-        value: value(x)?,
-        slope,
-    })
+    Some(pieces)
 }
 
 fn identity(n: usize) -> Vec<Vec<f64>> {

@@ -20,7 +20,7 @@ pub use error::NumericError;
 pub(crate) use highest::highest;
 pub(crate) use levenberg_marquardt::{LeastSquaresFit, Residuals, levenberg_marquardt};
 pub(crate) use lyapunov::lyapunov;
-pub(crate) use minimax::{Minimax, Piece, Worst, by_differences, minimax};
+pub(crate) use minimax::{Minimax, Piece, Worst, all_by_differences, by_differences, minimax};
 pub(crate) use normal::{ln_normal_density, normal_hazard};
 pub use normal::{ln_normal_probability, normal_probability, normal_quantile};
 pub(crate) use quadrature::adaptive_nodes;

@@ -1,8 +1,10 @@
 //! Every published number and every exact law that this crate must reproduce; one file for one source.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
+mod building_dampers;
 mod building_history;
 mod building_modes;
+mod building_spectra;
 mod chain_friction;
 mod chain_identification;
 mod chain_laws;
