@@ -101,6 +101,7 @@ pub(crate) fn answer(
         together: Vec::new(),
         building_simulations: Vec::new(),
         studies: Vec::new(),
+        change: None,
     })
 }
 

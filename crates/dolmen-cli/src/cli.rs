@@ -34,6 +34,8 @@ pub(crate) enum Verb {
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
+    /// What changed from one survey to another, and what could have been missed
+    Compare(Compare),
     /// A stack, frame, chain or building under a ground motion: rocking, sliding, slipping, swaying, falling
     Simulate(Simulate),
     /// Runs over grids of inputs, samples, motions and growing shaking; resumable, in shards
@@ -118,6 +120,21 @@ pub(crate) struct Identify {
     #[arg(long, value_name = "NAME")]
     pub(crate) survey: Option<String>,
     /// Write the figures (SVG) and the result (JSON) into this folder
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Compare {
+    /// Project file, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    /// The survey before; the first whose name begins with a date without it
+    #[arg(long, value_name = "SURVEY")]
+    pub(crate) from: Option<String>,
+    /// The survey after; the last whose name begins with a date without it
+    #[arg(long, value_name = "SURVEY")]
+    pub(crate) to: Option<String>,
+    /// Write the figure (SVG) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 }

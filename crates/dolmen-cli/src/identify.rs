@@ -3,7 +3,7 @@
 use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
-use dolmen::modal::{Identify, Modes, identify};
+use dolmen::modal::{Identify, MergeSetups, Modes, identify, merge_setups};
 use dolmen::signal::Channel;
 use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
@@ -11,7 +11,9 @@ use dolmen::structure::{
     StiffnessSolutions, chain_stiffness, directional_modes, frame_stiffness,
 };
 use dolmen_formats::Language;
-use dolmen_formats::answer::{Answer, RecordAnswer, SensitivityOf, StiffnessAnswer, SurveyAnswer};
+use dolmen_formats::answer::{
+    Answer, RecordAnswer, SensitivityOf, SetupsAnswer, StiffnessAnswer, SurveyAnswer,
+};
 use dolmen_formats::figures;
 use dolmen_formats::json::identification_json;
 use dolmen_formats::project::{ModeKind, Project, Quantity, RecordSource, Structure, Survey};
@@ -42,6 +44,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         together: Vec::new(),
         building_simulations: Vec::new(),
         studies: Vec::new(),
+        change: None,
     };
     let json = identification_json(&answer);
     if as_json {
@@ -93,12 +96,41 @@ pub(crate) fn surveys(
         .collect()
 }
 
-fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Result<SurveyAnswer> {
+/// Modes of a survey's records, without the stiffness that explains them.
+pub(crate) fn found_in(survey: &Survey, file: &Path, quiet: bool) -> Result<SurveyAnswer> {
     let context = || format!("survey {}", survey.name);
     let records = match &survey.records {
         Some(source) => Some(of_record(source, file, quiet).with_context(context)?),
         None => None,
     };
+    let setups = if survey.setups.is_empty() {
+        None
+    } else {
+        Some(of_setups(&survey.setups, file, quiet).with_context(context)?)
+    };
+    Ok(SurveyAnswer {
+        name: survey.name.clone(),
+        records,
+        setups,
+        stiffness: Vec::new(),
+    })
+}
+
+/// Each setup by itself, then all together.
+fn of_setups(sources: &[RecordSource], file: &Path, quiet: bool) -> Result<SetupsAnswer> {
+    let of = |source| of_record(source, file, quiet);
+    let records: Vec<RecordAnswer> = sources.iter().map(of).collect::<Result<_>>()?;
+    let modes: Vec<Modes> = records
+        .iter()
+        .map(|record| record.analysis.modes.clone())
+        .collect();
+    let merged = merge_setups(&modes, &MergeSetups::default())?;
+    Ok(SetupsAnswer { records, merged })
+}
+
+fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Result<SurveyAnswer> {
+    let context = || format!("survey {}", survey.name);
+    let mut answer = found_in(survey, file, quiet)?;
     let mut stiffness = Vec::new();
     for direction in survey.modes.keys() {
         let modes = survey.measured_modes(direction, &mut Quantity::nominal);
@@ -109,20 +141,15 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
             );
         }
     }
-    if let Some(found) = &records {
+    if let Some((found, _)) = answer.modes() {
         for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
             if !survey.modes.contains_key(direction) {
-                stiffness.extend(
-                    from_record(project, &found.analysis.modes, direction, vector).with_context(context)?,
-                );
+                stiffness.extend(from_record(project, found, direction, vector).with_context(context)?);
             }
         }
     }
-    Ok(SurveyAnswer {
-        name: survey.name.clone(),
-        records,
-        stiffness,
-    })
+    answer.stiffness = stiffness;
+    Ok(answer)
 }
 
 /// The modes of a direction that twist: reported, but kept out of the fit.

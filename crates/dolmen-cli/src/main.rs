@@ -5,6 +5,7 @@ mod check;
 mod cli;
 mod cli_portfolio;
 mod cli_tune;
+mod compare;
 mod demand;
 mod files;
 mod identify;
@@ -59,6 +60,7 @@ fn run(cli: &Cli) -> anyhow::Result<Outcome> {
         Verb::New(options) => new::run(options, cli.quiet),
         Verb::Check(options) => check::run(options, cli.json),
         Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
+        Verb::Compare(options) => compare::run(options, cli.json, cli.quiet),
         Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
         Verb::Study(options) => study::run(options, cli.json, cli.quiet),
         Verb::Tune(options) => tune::run(options, cli.json, cli.quiet),

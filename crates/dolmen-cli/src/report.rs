@@ -12,6 +12,7 @@ use dolmen::dynamics::ChainRotations;
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
 use dolmen_formats::answer::Answer;
+use dolmen_formats::change::{change_of, surveys_to_compare};
 use dolmen_formats::project::{Names, Project, Structure};
 use dolmen_formats::report::{Imprint, html};
 use dolmen_formats::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
@@ -48,6 +49,9 @@ fn whole(path: &Path, sampling: Option<Sampling>, motion: Option<&Motion>, quiet
     let surveys = identify::surveys(&project, &file, None, quiet)?;
     let mut answer = check::answer(project, &file, sampling, true)?;
     answer.surveys = surveys;
+    if let Ok(compared) = surveys_to_compare(&answer.project, None, None) {
+        answer.change = Some(change_of(&answer.project, &compared, &answer.surveys)?);
+    }
     let stands = answer
         .state
         .as_ref()

@@ -6,9 +6,9 @@ use crate::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Si
 use crate::study::StudyAnswer;
 use crate::tune::{TogetherAnswer, TuneAnswer};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
-use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck};
+use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck, SurveyChange};
 use dolmen::blocks::{MatchedFrequency, StackMode};
-use dolmen::modal::ModalAnalysis;
+use dolmen::modal::{MergedSetups, ModalAnalysis, Modes};
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::DemandVerdict;
@@ -32,6 +32,8 @@ pub struct Answer {
     pub sensitivity_of: SensitivityOf,
     /// What was identified from each survey, in the order of the file.
     pub surveys: Vec<SurveyAnswer>,
+    /// What changed from one survey to another; `None` where fewer than two can be compared.
+    pub change: Option<SurveyChange>,
     /// The stack under a ground motion; `None` if none was asked for.
     pub simulation: Option<Box<Simulation>>,
     /// The frame under a ground motion, one a direction of known stiffness, of the structure as it is and of its variants.
@@ -252,8 +254,33 @@ pub struct SurveyAnswer {
     pub name: String,
     /// Modes from its records; `None` if it has none.
     pub records: Option<RecordAnswer>,
+    /// Its setups, one by one and put together; `None` if it has none.
+    pub setups: Option<SetupsAnswer>,
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
+}
+
+/// What several setups gave.
+#[derive(Clone, Debug)]
+pub struct SetupsAnswer {
+    /// Each by itself.
+    pub records: Vec<RecordAnswer>,
+    /// Put together.
+    pub merged: MergedSetups,
+}
+
+impl SurveyAnswer {
+    /// The modes that its records show, of several setups those put together, and the blocks of time behind their deviations.
+    pub fn modes(&self) -> Option<(&Modes, usize)> {
+        match (&self.setups, &self.records) {
+            (Some(setups), _) => {
+                let blocks = setups.records.iter().map(|r| r.analysis.settings.time_blocks);
+                Some((&setups.merged.modes, blocks.min().unwrap_or(0)))
+            }
+            (None, Some(record)) => Some((&record.analysis.modes, record.analysis.settings.time_blocks)),
+            (None, None) => None,
+        }
+    }
 }
 
 /// What a record gave.

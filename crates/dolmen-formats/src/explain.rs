@@ -160,6 +160,31 @@ falls gives the probability, with its Clopper–Pearson interval. It is the prob
 it knows nothing of decay, of vandals, of a wrong drawing. The same seed gives the same bits.",
     },
     Explanation {
+        code: "setups",
+        title: "Several setups of one survey, put together",
+        text: "\
+Few sensors are moved from place to place while some stay. Each setup is identified by itself; its modes are paired with those
+of the others by frequency and by their shapes at the sensors that stayed, scaled there by least squares and laid side by
+side. Frequencies and damping ratios are means by inverse variance. A χ² test tells whether the setups agree: weather, the
+strength of the motion and moved mass make them differ, and the deviation of the mean is then widened. A mode that not every
+setup shows is named and left out. The assurance (MAC) of the shapes at the sensors that stayed must be near 1; a sensor that
+stayed near a node scales badly.",
+    },
+    Explanation {
+        code: "survey-change",
+        title: "What changed from one survey to another, and what that proves",
+        text: "\
+Modes of two surveys are paired by frequency and shape, all at once. The difference of each frequency is held against its
+standard deviation (Student's t with Welch's degrees of freedom); since many modes are many chances to be wrong, the
+probabilities are corrected for all of them together (Holm). No change shown is no proof that nothing changed: the least
+change that would have been seen with 80 % probability stands beside it. A frequency follows temperature (0.1 % per °C is
+common, frost and drying do more): where temperatures differ and [change] gives no coefficient, a change may be the
+weather's. A coefficient comes from the surveys of several seasons (`temperature = \"fitted\"`, four before the later one)
+or from a like structure. A frequency also falls with the strength of the motion, with moisture and with added mass.
+Stiffness changes by twice the change of frequency only if it changed alike everywhere; damage in one joint moves some
+modes and not others.",
+    },
+    Explanation {
         code: "swallowed-key",
         title: "A key stands below a [table] that it does not belong to",
         text: "\

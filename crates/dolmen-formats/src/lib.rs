@@ -2,6 +2,7 @@
 
 pub mod answer;
 pub mod building;
+pub mod change;
 pub mod explain;
 pub mod figures;
 pub mod json;

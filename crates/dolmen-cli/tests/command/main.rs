@@ -4,6 +4,7 @@
 mod answers;
 mod buildings;
 mod chains;
+mod changes;
 mod decisions;
 mod demands;
 mod docs;

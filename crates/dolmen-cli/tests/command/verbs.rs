@@ -116,6 +116,7 @@ fn holds_completions_and_manual_name_every_verb() {
         "new",
         "check",
         "identify",
+        "compare",
         "simulate",
         "report",
         "demo",

@@ -36,6 +36,21 @@ pub fn identification(answer: &Answer, language: Language) -> Vec<Figure> {
                 add("mode-shapes", sensor_shapes(&record.analysis.modes, language));
             }
         }
+        if let Some(setups) = &survey.setups {
+            for (i, record) in setups.records.iter().enumerate() {
+                add(
+                    &format!("setup-{}-singular-values", i + 1),
+                    singular_values(&record.analysis, language),
+                );
+                add(
+                    &format!("setup-{}-stabilization", i + 1),
+                    stabilization(&record.analysis, language),
+                );
+            }
+            if !setups.merged.modes.modes.is_empty() {
+                add("mode-shapes", sensor_shapes(&setups.merged.modes, language));
+            }
+        }
         for stiffness in &survey.stiffness {
             let measured = measured_modes(&answer.project, &survey.name, stiffness);
             let Some(svg) = solution_shapes(&answer.project.structure, stiffness, &measured, language) else {

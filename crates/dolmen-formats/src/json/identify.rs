@@ -1,8 +1,9 @@
 //! `dolmen identify` as JSON.
 
 use super::check::{modes, project};
-use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
-use dolmen::modal::{Mode, Modes};
+use crate::answer::{Answer, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
+use crate::text::setup_remarks;
+use dolmen::modal::{Agreement, MergedMode, Mode, Modes};
 use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use serde_json::{Value, json};
@@ -19,7 +20,35 @@ fn survey(survey: &SurveyAnswer) -> Value {
     json!({
         "name": survey.name,
         "records": survey.records.as_ref().map(record),
+        "setups": survey.setups.as_ref().map(setups),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
+    })
+}
+
+fn setups(setups: &SetupsAnswer) -> Value {
+    let agreement = |a: &Agreement| json!({ "spread": a.spread, "chi_squared": a.chi_squared, "p": a.p, "differs": a.differs() });
+    let merged = |m: &MergedMode| {
+        json!({
+            "frequency_hz": m.frequency_hz,
+            "damping_ratio": m.damping_ratio,
+            "scale": m.scale.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>(),
+            "reference_assurance": m.reference_assurance,
+            "frequency_agreement": agreement(&m.frequency),
+            "damping_ratio_agreement": m.damping.as_ref().map(agreement),
+            "doubtful": m.doubtful,
+        })
+    };
+    let found = &setups.merged;
+    json!({
+        "records": setups.records.iter().map(record).collect::<Vec<_>>(),
+        "modes": identified(&found.modes),
+        "merged": found.merged.iter().map(merged).collect::<Vec<_>>(),
+        "partial": found.partial.iter().map(|p| json!({
+            "frequency_hz": p.frequency_hz,
+            "setups": p.setups.iter().map(|s| s + 1).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
+        "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),
+        "notes": setup_remarks(setups),
     })
 }
 

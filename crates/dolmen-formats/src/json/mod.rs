@@ -2,6 +2,7 @@
 
 mod building;
 mod chain_simulation;
+mod change;
 mod check;
 mod demand;
 mod fragility;
@@ -17,6 +18,7 @@ mod tune;
 
 pub use building::building_simulation_json;
 pub use chain_simulation::chain_simulation_json;
+pub use change::change_json;
 pub use check::check_json;
 pub use frame_simulation::frame_simulation_json;
 pub use identify::identification_json;

@@ -7,7 +7,7 @@ use super::quantity::Quantity;
 use super::site::{MotionPart, SitePart};
 use super::stack::StackPart;
 use super::study::StudyPart;
-use super::survey::Survey;
+use super::survey::{ChangePart, Survey};
 
 /// A name in one or both languages; at least one is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -114,6 +114,8 @@ pub struct Project {
     pub studies: Vec<StudyPart>,
     /// Surveys in the order of the file.
     pub surveys: Vec<Survey>,
+    /// How two surveys are compared.
+    pub change: ChangePart,
     /// Variants in the order of the file.
     pub variants: Vec<Variant>,
     /// What every result must carry along.

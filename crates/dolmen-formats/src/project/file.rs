@@ -7,7 +7,7 @@ use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::file_site::{MotionRaw, SiteRaw};
 use super::file_stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
 use super::file_study::StudyRaw;
-use super::file_survey::SurveyRaw;
+use super::file_survey::{ChangeRaw, SurveyRaw};
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
 
@@ -89,6 +89,8 @@ pub(super) struct FileRaw {
     pub(super) study: Option<BTreeMap<String, At<StudyRaw>>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
+    /// How two surveys are compared, for `dolmen compare`.
+    pub(super) change: Option<At<ChangeRaw>>,
 }
 
 /// What a file models.

@@ -24,6 +24,8 @@ pub(super) struct SurveyRaw {
     pub(super) modes: Option<BTreeMap<String, Vec<At<ModeRaw>>>>,
     /// A vibration record to identify modes from.
     pub(super) records: Option<At<RecordsRaw>>,
+    /// Several records, one after the other, with some sensors that stayed: instead of records.
+    pub(super) setups: Option<Vec<At<RecordsRaw>>>,
 }
 
 /// How the plan moves in a mode.
@@ -34,6 +36,28 @@ pub(super) enum ModeKindRaw {
     Translation,
     /// The plan twists: reported, but kept out of fits in one direction.
     Torsion,
+}
+
+/// How two surveys are compared.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct ChangeRaw {
+    /// Relative change of every frequency per °C: -0.001 is a fall of 0.1 % per °C.
+    pub(super) temperature_coefficient_per_c: Option<At<f64>>,
+    /// Its standard deviation; 0 if it is known exactly.
+    pub(super) temperature_coefficient_sd_per_c: Option<At<f64>>,
+    /// "fitted": a coefficient for each mode from the surveys before the later one, four at least, with temperatures.
+    pub(super) temperature: Option<At<TemperatureRaw>>,
+    /// Largest relative difference of two frequencies that are taken for one mode; 0.15 if not given.
+    pub(super) frequency_within: Option<At<f64>>,
+}
+
+/// Where the effect of temperature comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum TemperatureRaw {
+    /// A line of least squares through earlier surveys.
+    Fitted,
 }
 
 /// One mode.

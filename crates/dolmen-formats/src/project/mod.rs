@@ -78,5 +78,5 @@ pub use stack::{
 };
 pub use stack_build::StackFault;
 pub use study::{ArtificialPart, Axis, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart};
-pub use survey::{ModeKind, Survey, SurveyMode, Tilt};
+pub use survey::{ChangePart, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 pub use units::{AngleError, parse_angle_rad};

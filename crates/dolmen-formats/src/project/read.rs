@@ -15,7 +15,7 @@ use super::read_site::site;
 use super::read_stack::stack;
 use super::read_structure::{chain, frame};
 use super::read_study::studies;
-use super::read_survey::surveys;
+use super::read_survey::{change, surveys};
 use super::reader::{Reader, names};
 use super::schema::{KEYS_OF_KIND, SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
@@ -30,7 +30,7 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys that hold for the whole file: a variant cannot change them.
-const KEYS_OF_THE_FILE: [&str; 5] = ["schema", "kind", "units", "variant", "study"];
+const KEYS_OF_THE_FILE: [&str; 6] = ["schema", "kind", "units", "variant", "study", "change"];
 
 /// Paths that one warning names, our choice: more are counted.
 const PATHS_LISTED: usize = 12;
@@ -269,6 +269,7 @@ fn of_raw(
         .take()
         .and_then(|name| self::name(&mut reader, name, "name"));
     let surveys = surveys(&mut reader, raw.survey.as_ref());
+    let change = change(&mut reader, raw.change.as_ref());
     let site = site(&mut reader, raw.site.as_ref());
     let motions = motions(&mut reader, raw.motion.as_ref());
     let studies = studies(&mut reader, text, raw.study.as_ref());
@@ -309,6 +310,7 @@ fn of_raw(
             motions,
             studies,
             surveys,
+            change,
             variants: Vec::new(),
             warnings: Vec::new(),
         },

@@ -2,11 +2,12 @@
 
 use super::error::Fault;
 use super::file_number::{At, NumberRaw};
-use super::file_survey::{ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
+use super::file_survey::{ChangeRaw, ChannelRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
 use super::measure::{Bound, Measure};
 use super::read_records::records;
 use super::reader::{Reader, short};
-use super::survey::{ModeKind, Survey, SurveyMode, Tilt};
+use super::records::RecordSource;
+use super::survey::{ChangePart, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 use super::units::{Dimension, parse_unit, split_number};
 use dolmen::structure::ShapePoint;
 use std::collections::BTreeMap;
@@ -73,6 +74,7 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             tilt.insert(direction.clone(), read);
         }
     }
+    let setups = setups(reader, raw, &path);
     let (coldest, hottest) = TEMPERATURE_C;
     Survey {
         name: name.to_owned(),
@@ -91,6 +93,86 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             .records
             .as_ref()
             .and_then(|raw| records(reader, raw, &format!("{path}.records"))),
+        setups,
+    }
+}
+
+/// Several records of one survey: two or more, each sensor with a name or a place that tells which stayed.
+fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource> {
+    let path = format!("{path}.setups");
+    let listed = raw.setups.as_deref().unwrap_or_default();
+    if let (Some(records), Some(_)) = (&raw.records, listed.first()) {
+        let message = format!("{path} and records are both given");
+        let fault = Fault::new(records.span.clone(), &path, message);
+        reader.fault(fault.help("keep setups for several records, records for one"));
+    }
+    if let [one] = listed {
+        let fault = Fault::new(one.span.clone(), &path, format!("{path} holds one record"));
+        reader.fault(
+            fault
+                .allowed("needs two or more")
+                .help("write one record as records"),
+        );
+    }
+    for (i, setup) in listed.iter().enumerate() {
+        let channels = setup.value.channels.as_deref().unwrap_or_default();
+        let known = |c: &ChannelRaw| c.name.is_some() || (c.position.is_some() && c.direction.is_some());
+        if channels.is_empty() || !channels.iter().all(|c| known(&c.value)) {
+            let path = format!("{path}[{}].channels", i + 1);
+            let message = format!("{path} do not tell which sensors stayed");
+            let fault = Fault::new(setup.span.clone(), &path, message);
+            reader.fault(fault.allowed("each needs a name, or position and direction").help(
+                "a sensor that stayed has the same name (or place and direction) in every setup, one that moved another",
+            ));
+        }
+    }
+    let numbered = listed.iter().enumerate();
+    numbered
+        .filter_map(|(i, raw)| records(reader, raw, &format!("{path}[{}]", i + 1)))
+        .collect()
+}
+
+/// How two surveys are compared.
+pub(super) fn change(reader: &mut Reader, raw: Option<&At<ChangeRaw>>) -> ChangePart {
+    const COEFFICIENT_MOST: f64 = 0.05; // relative per °C, as the comparison allows
+    let Some(At { value: raw, .. }) = raw else {
+        return ChangePart::default();
+    };
+    let per_c = raw.temperature_coefficient_per_c.as_ref();
+    let sd_per_c = raw.temperature_coefficient_sd_per_c.as_ref();
+    let key = "change.temperature_coefficient_per_c";
+    let sd_key = "change.temperature_coefficient_sd_per_c";
+    let read_per_c = reader.within(per_c, key, -COEFFICIENT_MOST, COEFFICIENT_MOST);
+    let read_sd = reader.within(sd_per_c, sd_key, 0.0, COEFFICIENT_MOST);
+    if let (Some(given), Some(_)) = (per_c.or(sd_per_c), &raw.temperature) {
+        let message = "change.temperature = \"fitted\" and a coefficient are both given";
+        let fault = Fault::new(given.span.clone(), key, message);
+        reader.fault(fault.help("keep one of them"));
+    } else if let (Some(given), None) | (None, Some(given)) = (per_c, sd_per_c) {
+        let (has, lacks) = if per_c.is_some() {
+            (key, sd_key)
+        } else {
+            (sd_key, key)
+        };
+        let fault = Fault::new(given.span.clone(), lacks, format!("{has} stands without {lacks}"));
+        reader.fault(
+            fault.allowed("needs both").help(
+                "a coefficient of temperature is never exact: give its standard deviation, 0 if you must",
+            ),
+        );
+    }
+    ChangePart {
+        temperature: match (&raw.temperature, read_per_c, read_sd) {
+            (Some(_), ..) => TemperaturePart::Fitted,
+            (None, Some(per_c), Some(sd_per_c)) => TemperaturePart::Coefficient { per_c, sd_per_c },
+            _ => TemperaturePart::Unknown,
+        },
+        frequency_within: reader.within(
+            raw.frequency_within.as_ref(),
+            "change.frequency_within",
+            0.001,
+            0.6,
+        ),
     }
 }
 

@@ -47,6 +47,32 @@ impl SurveyMode {
     }
 }
 
+/// How two surveys are compared: `[change]`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ChangePart {
+    /// What is known of temperature.
+    pub temperature: TemperaturePart,
+    /// Largest relative difference of two frequencies that are taken for one mode; `None` leaves the choice to the method.
+    pub frequency_within: Option<f64>,
+}
+
+/// What the file says of the effect of temperature on frequencies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum TemperaturePart {
+    /// Nothing.
+    #[default]
+    Unknown,
+    /// One coefficient for all modes.
+    Coefficient {
+        /// Relative change of every frequency per °C.
+        per_c: f64,
+        /// Its standard deviation.
+        sd_per_c: f64,
+    },
+    /// A coefficient for each mode, from earlier surveys.
+    Fitted,
+}
+
 /// One survey: `[survey.NAME]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Survey {
@@ -66,6 +92,8 @@ pub struct Survey {
     pub modes: BTreeMap<String, Vec<SurveyMode>>,
     /// Vibration records to identify modes from.
     pub records: Option<RecordSource>,
+    /// Several records with some sensors that stayed, to be put together; empty if there are none.
+    pub setups: Vec<RecordSource>,
 }
 
 impl Survey {

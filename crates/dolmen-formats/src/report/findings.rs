@@ -2,8 +2,8 @@
 
 use super::given::assumptions;
 use super::{
-    building, building_simulation, chain_findings, chain_simulation, demand, frame, frame_simulation,
-    identification, measured, modal, samples, simulation, stack, tune, variants,
+    building, building_simulation, chain_findings, chain_simulation, change, demand, frame, frame_simulation,
+    identification, measured, modal, samples, setups, simulation, stack, tune, variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check};
@@ -77,6 +77,12 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));
         }
+        if let Some(found) = &survey.setups {
+            all.push(setups::finding(found, language));
+        }
+    }
+    if let Some(found) = &answer.change {
+        all.extend(change::findings(found, language));
     }
     all.extend(identification::findings(&answer.surveys, language));
     let cap_left_out =

@@ -207,8 +207,8 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
         ));
     } else if damping > 0 {
         parts.push(language.pick(
-            format!("{damping} damping values (no result of this page rests on them)"),
-            format!("감쇠 {damping}개(이 보고서의 결과와 무관)"),
+            format!("{damping} damping values (nothing on this page rests on them but changes from survey to survey)"),
+            format!("감쇠 {damping}개(조사 사이의 변화 외에는 이 보고서의 결과와 무관)"),
         ));
     }
     let parts = listed(&parts, language);

@@ -3,8 +3,9 @@
 use super::style::STYLE;
 use super::words::{thresholds, verdict_sign, verdict_word};
 use super::{
-    building, building_simulation, chain, chain_simulation, demand, findings, frame, frame_simulation, given,
-    identification, modal, samples, simulation, stack, study, tune, variants,
+    building, building_simulation, chain, chain_simulation, change, demand, findings, frame,
+    frame_simulation, given, identification, modal, samples, setups, simulation, stack, study, tune,
+    variants,
 };
 use crate::Language;
 use crate::answer::{Answer, Check, State};
@@ -133,7 +134,9 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         (samples::sections(answer, language))
         @for survey in &answer.surveys {
             @if let Some(record) = &survey.records { (modal::section(&survey.name, record, language)) }
+            @if let Some(all) = &survey.setups { (setups::section(&survey.name, all, language)) }
         }
+        (change::section(answer.change.as_ref(), language))
         (identification::section(project, &answer.surveys, language))
         (method(answer, language))
         (evidence(answer, language, imprint))

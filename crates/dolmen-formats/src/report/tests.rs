@@ -84,6 +84,7 @@ fn gate() -> Answer {
     let check = Check::Frame(checks.collect());
     let mut answer = answer(project, check);
     answer.surveys = vec![SurveyAnswer {
+        setups: None,
         records: None,
         name: "2009".into(),
         stiffness: vec![stiffness],
@@ -113,6 +114,7 @@ fn answer(project: Project, check: Check) -> Answer {
         tunings: Vec::new(),
         together: Vec::new(),
         building_simulations: vec![],
+        change: None,
         studies: vec![],
     }
 }
@@ -299,6 +301,7 @@ fn survey() -> Answer {
         sensitivity_of: Default::default(),
         surveys: vec![SurveyAnswer {
             name: "now".into(),
+            setups: None,
             records: Some(RecordAnswer {
                 file: "r.csv".into(),
                 channels: 2,
@@ -316,6 +319,7 @@ fn survey() -> Answer {
         tunings: Vec::new(),
         together: Vec::new(),
         building_simulations: vec![],
+        change: None,
         studies: vec![],
     }
 }

@@ -2,6 +2,7 @@
 
 use super::Table;
 use super::project::{convention_words, heading_text, warnings_text};
+use super::setups::merged_text;
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::number::{beside_one, prefix, trimmed};
 use dolmen::modal::{Method, Modes, Settings};
@@ -34,6 +35,14 @@ fn survey_text(survey: &SurveyAnswer) -> String {
     let mut out = format!("\n== survey {}\n", survey.name);
     if let Some(record) = &survey.records {
         out += &record_text(record);
+    }
+    if let Some(setups) = &survey.setups {
+        for (i, record) in setups.records.iter().enumerate() {
+            let _ = writeln!(out, "\n-- setup {}", i + 1);
+            out += &record_text(record);
+        }
+        out += &merged_text(setups);
+        out += &channel_shapes_text(&setups.merged.modes);
     }
     let mut direction = "";
     for stiffness in &survey.stiffness {

@@ -20,3 +20,4 @@ mod project_site;
 mod project_stack;
 mod project_values;
 mod simulations;
+mod three_setups;

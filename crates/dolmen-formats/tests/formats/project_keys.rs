@@ -496,3 +496,53 @@ error: survey.a.records.conditioning.decimate_factor = 0 is outside its range
 "##;
     assert_eq!(refused(&text), said.trim_start_matches('\n'));
 }
+
+#[test]
+fn refuses_a_coefficient_of_temperature_that_is_not_clear() {
+    let with = |lines: &str| refused(&format!("{CHAIN}\n[change]\n{lines}\n"));
+    let said = with("temperature_coefficient_per_c = -0.001");
+    assert!(
+        said.contains(
+            "change.temperature_coefficient_per_c stands without change.temperature_coefficient_sd_per_c"
+        ) && said.contains("needs both"),
+        "{said}"
+    );
+    let said = with("temperature_coefficient_per_c = -0.1\ntemperature_coefficient_sd_per_c = 0.0");
+    assert!(said.contains("must be -0.05 to 0.05"), "{said}");
+    let said = with("temperature = \"fitted\"\ntemperature_coefficient_per_c = -0.001");
+    assert!(
+        said.contains("are both given") && said.contains("keep one of them"),
+        "{said}"
+    );
+    let said = with("temperature = \"guessed\"");
+    assert!(said.contains("fitted"), "{said}");
+    let said = with("frequency_within = 0.9");
+    assert!(said.contains("must be 0.001 to 0.6"), "{said}");
+}
+
+#[test]
+fn refuses_setups_whose_sensors_cannot_be_told_apart() {
+    let setup = |channels: &str| {
+        format!(
+            "\n[[survey.a.setups]]\nfile = \"a.npy\"\nsampling_rate = \"100 Hz\"\nchannels = [{channels}]\n"
+        )
+    };
+    let named = setup("{ column = 1, name = \"top\" }, { column = 2, name = \"below\" }");
+    let said = refused(&format!("{CHAIN}{named}"));
+    assert!(
+        said.contains("survey.a.setups holds one record") && said.contains("needs two or more"),
+        "{said}"
+    );
+    let said = refused(&format!("{CHAIN}{named}{}", setup("{ column = 1 }")));
+    assert!(
+        said.contains("survey.a.setups[2].channels do not tell which sensors stayed")
+            && said.contains("each needs a name, or position and direction"),
+        "{said}"
+    );
+    let records = "\n[survey.a.records]\nfile = \"b.npy\"\nsampling_rate = \"100 Hz\"\n";
+    let said = refused(&format!("{CHAIN}{records}{named}{named}"));
+    assert!(
+        said.contains("survey.a.setups and records are both given"),
+        "{said}"
+    );
+}

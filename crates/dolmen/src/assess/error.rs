@@ -1,4 +1,5 @@
 use super::fragility::FragilityBound;
+use crate::modal::ModalError;
 use crate::numeric::NumericError;
 use crate::stability::StabilityError;
 use crate::structure::StructureError;
@@ -20,6 +21,32 @@ pub enum AssessError {
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),
+    /// Modes are refused.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
+    /// A survey has no modes to compare.
+    #[error(
+        "survey {survey} has no modes, so that nothing can be compared: give it frequencies, modes or records"
+    )]
+    NothingToCompare {
+        /// Which.
+        survey: String,
+    },
+    /// Too few surveys, or too little weather, to fit a coefficient of temperature.
+    #[error(
+        "{surveys} surveys with a temperature, {spread_c} °C apart, but a coefficient needs {least} and {spread_least_c} °C: measure in \
+         other seasons, or give the coefficient"
+    )]
+    TemperatureFit {
+        /// Surveys with a temperature and the mode.
+        surveys: usize,
+        /// Surveys needed.
+        least: usize,
+        /// Warmest less coldest, °C.
+        spread_c: f64,
+        /// Least spread, °C.
+        spread_least_c: f64,
+    },
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] dolmen_linalg::LinalgError),

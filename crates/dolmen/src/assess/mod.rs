@@ -2,6 +2,7 @@
 
 mod capacity;
 mod chain;
+mod change;
 mod damage;
 pub mod demand;
 mod error;
@@ -19,6 +20,10 @@ pub use capacity::{
     Capacity, Reached, Reading, ScaleTrial, Trial, capacity, next_in_bracket, reached_quantile,
 };
 pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
+pub use change::{
+    ChangeNote, Difference, Evidence, FittedTemperature, ModeChange, SurveyChange, SurveyChangeOptions,
+    Surveyed, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect, TemperatureKnowledge, survey_change,
+};
 pub use damage::{DamageState, DamageThresholds, StackDamage, stack_damage};
 pub use error::AssessError;
 pub use fragility::{

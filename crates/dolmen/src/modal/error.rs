@@ -1,3 +1,4 @@
+use crate::numeric::NumericError;
 use crate::signal::{ChannelFault, SignalError};
 use dolmen_linalg::LinalgError;
 
@@ -150,6 +151,36 @@ pub enum ModalError {
         /// Half the sampling rate, Hz.
         nyquist_hz: f64,
     },
+    /// A mode that is to be compared with others makes no sense.
+    #[error(
+        "{what} of a mode to be compared is {given}, but must be positive and finite: correct the survey"
+    )]
+    Compared {
+        /// What is wrong.
+        what: &'static str,
+        /// Its value.
+        given: f64,
+    },
+    /// Too few setups.
+    #[error(
+        "{given} setups are given, but putting setups together needs 2 or more: write one record as records"
+    )]
+    Setups {
+        /// Setups given.
+        given: usize,
+    },
+    /// A setup shares no sensor with those before it.
+    #[error(
+        "setup {setup} has no sensor in common with those before it: at least one must stay where it is (same name, or same place and \
+         direction), better three"
+    )]
+    NoReference {
+        /// Which, from 1.
+        setup: usize,
+    },
+    /// A number is refused.
+    #[error(transparent)]
+    Numeric(#[from] NumericError),
     /// The record itself is refused.
     #[error(transparent)]
     Record(#[from] SignalError),

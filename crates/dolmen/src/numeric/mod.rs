@@ -1,5 +1,7 @@
 //! Mathematics that knows nothing of structures: roots, statistics, seeded random numbers, Fourier transforms.
 
+mod assignment;
+mod chi_squared;
 mod complex_solve;
 mod crossing;
 mod elementary;
@@ -13,7 +15,10 @@ mod quadrature;
 mod random;
 mod roots;
 mod statistics;
+mod student;
 
+pub use assignment::assignment;
+pub use chi_squared::chi_squared_above;
 pub(crate) use complex_solve::complex_solve;
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};
 pub use error::NumericError;
@@ -27,3 +32,4 @@ pub(crate) use quadrature::adaptive_nodes;
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};
+pub use student::{student_two_sided, student_two_sided_quantile};

@@ -170,7 +170,7 @@ pub fn clopper_pearson(count: usize, samples: usize, confidence: f64) -> Result<
 /// I_p(a, b) by its continued fraction, on the side where it converges fast.
 ///
 /// Source: DLMF 8.17.22, evaluated by the modified method of Lentz (Thompson & Barnett 1986).
-fn beta_probability(p: f64, a: f64, b: f64) -> f64 {
+pub(super) fn beta_probability(p: f64, a: f64, b: f64) -> f64 {
     if p <= 0.0 {
         return 0.0;
     }
@@ -207,7 +207,7 @@ fn beta_fraction(p: f64, a: f64, b: f64) -> f64 {
     value
 }
 
-/// ln Γ(x) for x ≥ 1: Stirling's series, reached by recurrence.
+/// ln Γ(x) for x ≥ 1/2: Stirling's series, reached by recurrence.
 ///
 /// Source: DLMF 5.11.1; from 15 on the first term left out is below 1e-17.
 fn ln_gamma(x: f64) -> f64 {

@@ -19,6 +19,7 @@ mod pyoma2;
 mod rigid_blocks;
 mod second_methods;
 mod stacks;
+mod survey_change;
 
 pub use buildings::{twenty_storeys, twenty_storeys_mass, twisting_floor};
 pub use case::{Case, cases};

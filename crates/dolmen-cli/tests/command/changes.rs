@@ -1,0 +1,150 @@
+// SOURCE     The made-up gate through the seasons; ten minutes of Palisaden cut into two setups of four sensors.
+// GOAL       What `dolmen compare` and several setups say: true changes within their intervals, doubt where there is doubt.
+// TOLERANCE  the 95 % intervals that the answer states; printed words.
+
+use super::verbs::Scratch;
+use serde_json::Value;
+use std::fs;
+
+const GATE: &str = "examples/gate_through_the_seasons/project.toml";
+
+fn json(scratch: &Scratch, command: &str) -> Value {
+    let answer = scratch.dolmen(&format!("--json {command}"));
+    assert_eq!(answer.status, 0, "{command}: {}{}", answer.stdout, answer.stderr);
+    serde_json::from_str(&answer.stdout).unwrap()
+}
+
+#[test]
+fn holds_true_changes_lie_in_their_intervals_once_the_weather_is_out() {
+    let scratch = Scratch::with_examples("changes");
+    let found = json(&scratch, &format!("compare {GATE} -o out"));
+    assert_eq!(found["temperature"], "corrected");
+    let modes = found["modes"].as_array().unwrap();
+    for (mode, truth) in modes.iter().zip([-0.022, -0.006, -0.002]) {
+        let frequency = &mode["frequency"];
+        let off = (frequency["relative"].as_f64().unwrap() - truth).abs();
+        assert!(
+            off < frequency["evidence"]["half_width_95"].as_f64().unwrap(),
+            "{mode}"
+        );
+    }
+    assert_eq!(
+        (found["changed"].as_u64(), found["tested"].as_u64()),
+        (Some(1), Some(3))
+    );
+    assert!(
+        fs::read_to_string(scratch.path().join("out/change.svg"))
+            .unwrap()
+            .contains("2.140 Hz")
+    );
+
+    // the same without the temperatures' effect: all three seem to have changed, and the doubt is said
+    let text = fs::read_to_string(scratch.path().join(GATE)).unwrap();
+    fs::write(
+        scratch.path().join("blind.toml"),
+        text.replace("temperature = \"fitted\"", ""),
+    )
+    .unwrap();
+    let blind = json(&scratch, "compare blind.toml");
+    assert_eq!(
+        (blind["changed"].as_u64(), blind["may_be_the_weather"].as_bool()),
+        (Some(3), Some(true))
+    );
+
+    // a coefficient that is given, with its deviation
+    let known = "temperature_coefficient_per_c = -0.0011\ntemperature_coefficient_sd_per_c = 0.0002";
+    fs::write(
+        scratch.path().join("known.toml"),
+        text.replace("temperature = \"fitted\"", known),
+    )
+    .unwrap();
+    let known = json(&scratch, "compare known.toml");
+    let explained = known["modes"][0]["explained_by_temperature"].as_f64().unwrap();
+    assert!((explained + 0.0121).abs() < 1e-12, "{explained}");
+    assert_eq!(
+        (known["temperature"].as_str(), known["changed"].as_u64()),
+        (Some("corrected"), Some(1))
+    );
+}
+
+#[test]
+fn holds_the_report_says_what_changed_and_what_could_be_missed() {
+    let scratch = Scratch::with_examples("changes-report");
+    for (language, words) in [
+        (
+            "en",
+            [
+                "What changed",
+                "1 of 3 frequencies changed beyond chance",
+                "is no proof that nothing changed",
+            ],
+        ),
+        (
+            "ko",
+            [
+                "조사 사이의 변화",
+                "고유진동수 3개 중 1개가 우연을 넘어",
+                "변화가 없다는 증명이 아니다",
+            ],
+        ),
+    ] {
+        let made = scratch.dolmen(&format!("report {GATE} --language {language} -o {language}.html"));
+        assert_eq!(made.status, 0, "{}", made.stderr);
+        let page = fs::read_to_string(scratch.path().join(format!("{language}.html"))).unwrap();
+        for words in words {
+            assert!(page.contains(words), "{language}: {words}");
+        }
+    }
+}
+
+#[test]
+fn holds_two_setups_of_four_sensors_show_what_one_of_six_shows() {
+    let scratch = Scratch::with_examples("setups");
+    let of = |file: &str| json(&scratch, &format!("identify examples/palisaden/{file}"));
+    let (whole, cut) = (of("project.toml"), of("setups.toml"));
+    let whole = &whole["surveys"][0]["records"]["modes"];
+    let setups = &cut["surveys"][0]["setups"];
+    assert_eq!(setups["references"], serde_json::json!(["ch1", "ch2"]));
+    assert_eq!(setups["records"].as_array().unwrap().len(), 2);
+    let number = |mode: &Value, key: &str| mode[key].as_f64().unwrap();
+    for i in 0..3 {
+        let (a, b) = (&whole["modes"][i], &setups["modes"]["modes"][i]);
+        let apart = (number(a, "frequency_hz") - number(b, "frequency_hz")).abs();
+        let sd = number(a, "frequency_sd_hz").hypot(number(b, "frequency_sd_hz"));
+        assert!(apart < 2.0 * sd, "{a} {b}");
+        let shape = |mode: &Value| -> Vec<f64> {
+            mode["shape"]
+                .as_array()
+                .unwrap()
+                .iter()
+                .map(|z| z[0].as_f64().unwrap())
+                .collect()
+        };
+        let (a, b) = (shape(a), shape(b));
+        assert_eq!(a.len(), 6);
+        let dot = |a: &[f64], b: &[f64]| -> f64 { a.iter().zip(b).map(|(x, y)| x * y).sum() };
+        let mac = dot(&a, &b).powi(2) / (dot(&a, &a) * dot(&b, &b));
+        assert!(mac > 0.98, "mode {i}: {mac}");
+    }
+    let partial = setups["partial"].as_array().unwrap();
+    assert!(!partial.is_empty(), "{setups}"); // five minutes of four sensors do not show all
+}
+
+#[test]
+fn refuses_surveys_that_cannot_be_compared() {
+    let scratch = Scratch::with_examples("changes-refused");
+    let one = scratch.dolmen("compare examples/palisaden");
+    assert_eq!(one.status, 2);
+    assert!(
+        one.stderr
+            .contains("name them with --from and --to (it has ambient)"),
+        "{}",
+        one.stderr
+    );
+    let none = scratch.dolmen(&format!("compare {GATE} --from 1999"));
+    assert!(
+        none.stderr.contains("there is no survey \"1999\""),
+        "{}",
+        none.stderr
+    );
+}

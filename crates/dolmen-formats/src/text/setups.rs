@@ -1,0 +1,114 @@
+//! Several setups put together, as text.
+
+use super::Table;
+use crate::answer::SetupsAnswer;
+use dolmen::modal::{Agreement, MergedMode, Mode, PartialMode};
+
+/// Half width of a 95 % interval, in standard deviations of a normal variable.
+const TWO_SIDED_95: f64 = 1.96;
+
+/// What all setups give together; each by itself has been printed before.
+pub(super) fn merged_text(setups: &SetupsAnswer) -> String {
+    let merged = &setups.merged;
+    let names: Vec<&str> = merged
+        .references
+        .iter()
+        .map(|&c| merged.modes.channels[c].name.as_str())
+        .collect();
+    let mut out = format!(
+        "\n{} setups together: {} sensors, of which in more than one setup: {}\n",
+        setups.records.len(),
+        merged.modes.channels.len(),
+        names.join(", ")
+    );
+    let mut heads: Vec<String> = ["mode", "f, Hz", "± 95 %", "damping, %", "± 95 %"]
+        .map(str::to_owned)
+        .to_vec();
+    heads.extend((1..=setups.records.len()).map(|s| format!("f of setup {s}")));
+    heads.extend(["p, f", "p, damping", "MAC of references"].map(str::to_owned));
+    let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+    let mut table = Table::new(&heads, 1);
+    for (i, (mode, of)) in merged.modes.modes.iter().zip(&merged.merged).enumerate() {
+        table.row(row(i, mode, of));
+    }
+    out += &table.text();
+    out += "  p: probability that setups which agree differ so much (χ²); where they differ the deviations are widened [setups]\n";
+    for sentence in remarks(setups) {
+        out += &format!("  note: {sentence}\n");
+    }
+    out
+}
+
+fn row(i: usize, mode: &Mode, of: &MergedMode) -> Vec<String> {
+    let some = |x: Option<f64>, decimals: usize| x.map_or("-".to_owned(), |x| format!("{x:.decimals$}"));
+    let mut row = vec![
+        (i + 1).to_string(),
+        format!("{:.4}", mode.frequency_hz),
+        some(mode.frequency_sd_hz.map(|sd| TWO_SIDED_95 * sd), 4),
+        some(mode.damping_ratio.map(|zeta| 100.0 * zeta), 3),
+        some(mode.damping_ratio_sd.map(|sd| 100.0 * TWO_SIDED_95 * sd), 3),
+    ];
+    row.extend(of.frequency_hz.iter().map(|f| format!("{f:.4}")));
+    row.push(some(of.frequency.p, 3));
+    row.push(some(of.damping.as_ref().and_then(|d| d.p), 3));
+    let least = of
+        .reference_assurance
+        .iter()
+        .flatten()
+        .copied()
+        .min_by(f64::total_cmp);
+    row.push(some(least, 3));
+    row
+}
+
+/// What must be known beside the modes.
+pub(crate) fn remarks(setups: &SetupsAnswer) -> Vec<String> {
+    /// Shapes of one mode at its references are rarely less alike; chosen here.
+    const ALIKE: f64 = 0.9;
+    let merged = &setups.merged;
+    let of = |which: &dyn Fn(&MergedMode) -> bool| {
+        let both = merged.modes.modes.iter().zip(&merged.merged);
+        let all: Vec<String> = both
+            .filter(|(_, of)| which(of))
+            .map(|(mode, _)| format!("{:.3}", mode.frequency_hz))
+            .collect();
+        all.join(", ")
+    };
+    let mut said = Vec::new();
+    let differing = of(&|m| m.frequency.differs());
+    if !differing.is_empty() {
+        said.push(format!(
+            "the setups differ in the frequency of the modes at {differing} Hz beyond chance: weather, strength of the motion or moved mass between them"
+        ));
+    }
+    let damping = of(&|m| m.damping.as_ref().is_some_and(Agreement::differs));
+    if !damping.is_empty() {
+        said.push(format!(
+            "the setups differ in the damping of the modes at {damping} Hz beyond chance"
+        ));
+    }
+    let unlike = of(&|m| m.reference_assurance.iter().flatten().any(|mac| *mac < ALIKE));
+    if !unlike.is_empty() {
+        said.push(format!(
+            "at the references the shapes of the modes at {unlike} Hz are not alike in all setups (MAC below {ALIKE}): the merged shape is not to be trusted"
+        ));
+    }
+    let doubtful = of(&|m| m.doubtful);
+    if !doubtful.is_empty() {
+        said.push(format!(
+            "another pairing is nearly as good: the setups may not show one mode at {doubtful} Hz"
+        ));
+    }
+    if !merged.partial.is_empty() {
+        let one = |p: &PartialMode| {
+            let setups: Vec<String> = p.setups.iter().map(|s| (s + 1).to_string()).collect();
+            format!("{:.3} Hz (setup {})", p.frequency_hz, setups.join(", "))
+        };
+        let all: Vec<String> = merged.partial.iter().map(one).collect();
+        said.push(format!(
+            "left out, since not every setup shows them: {}",
+            all.join("; ")
+        ));
+    }
+    said
+}

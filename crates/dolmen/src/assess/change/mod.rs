@@ -1,0 +1,11 @@
+//! What changed between two surveys of one structure.
+
+mod difference;
+mod surveys;
+mod temperature;
+
+pub use difference::{Difference, Evidence};
+pub use surveys::{
+    ChangeNote, ModeChange, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
+};
+pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};

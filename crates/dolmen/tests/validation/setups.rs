@@ -1,0 +1,73 @@
+// SOURCE     none but arithmetic: records made from single degrees of freedom, cut into setups of four sensors.
+// GOAL       Three setups of four sensors give back the shapes of eight, whatever the shaking of each setup.
+//
+//      o  four floors × (x, y), the y modes moved up by a     setup 1: top x, y and floor 1 x, y
+//      |  sixth so that no two are neighbours                 setup 2: top x, y and floor 2 x, y
+//     _|_ sensors turned by 30°                               setup 3: top x, y and floor 3 x, y
+//
+// TOLERANCE  frequencies within 4 of their stated deviations (8 modes × 2 sets of records: one in 1000 by chance); shapes
+//            MAC > 0.99, what three records of ten minutes allow.
+
+use dolmen::modal::{
+    Identify, MadeMode, MadeRecord, MergeSetups, Modes, ReferenceCase, assurance, identify, merge_setups,
+};
+use dolmen::signal::{Channel, Record};
+use dolmen_linalg::Complex64;
+
+fn truth() -> Vec<MadeMode> {
+    let mut modes = ReferenceCase::ClosePairs.made(0).unwrap().modes;
+    for (i, mode) in modes.iter_mut().enumerate() {
+        mode.frequency_hz *= if i % 2 == 1 { 7.0 / 6.0 } else { 1.0 };
+    }
+    modes
+}
+
+/// The modes that the sensors of one setup show under a shaking of their own.
+fn setup(channels: [usize; 4], seed: u64, gain: f64) -> Modes {
+    let made = MadeRecord {
+        modes: truth(),
+        seed,
+        ..MadeRecord::default()
+    };
+    let whole = made.make().unwrap();
+    let samples = channels
+        .map(|c| whole.samples(c).iter().map(|y| gain * y).collect())
+        .to_vec();
+    let names = channels.map(|c| Channel::named(format!("sensor {c}"))).to_vec();
+    let record = Record::new(names, samples, whole.sampling_rate_hz()).unwrap();
+    identify(&record, &Identify::default()).unwrap().modes
+}
+
+#[test]
+fn holds_three_setups_of_four_sensors_show_the_shapes_of_eight() {
+    for seed in [100, 200] {
+        let setups = [
+            setup([6, 7, 0, 1], seed, 1.0),
+            setup([6, 7, 2, 3], seed + 1, 0.02),
+            setup([6, 7, 4, 5], seed + 2, 7.0),
+        ];
+        let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+        let hz: Vec<f64> = found.modes.modes.iter().map(|m| m.frequency_hz).collect();
+        let mut truth = truth();
+        truth.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+        assert_eq!(hz.len(), 8, "{hz:?} {:?}", found.partial);
+        assert_eq!(
+            (found.references.clone(), found.modes.channels.len()),
+            (vec![0, 1], 8)
+        );
+        for (mode, truth) in found.modes.modes.iter().zip(&truth) {
+            let shape: Vec<Complex64> = [6, 7, 0, 1, 2, 3, 4, 5]
+                .map(|c: usize| Complex64::new(truth.shape[c], 0.0))
+                .to_vec();
+            let alike = assurance(&mode.shape, &shape);
+            let off = (mode.frequency_hz - truth.frequency_hz).abs() / mode.frequency_sd_hz.unwrap();
+            assert!(
+                alike > 0.99 && off < 4.0,
+                "seed {seed}: {} Hz: MAC {alike}, {off} deviations off",
+                truth.frequency_hz
+            );
+        }
+        let differing = found.merged.iter().filter(|m| m.frequency.differs()).count();
+        assert_eq!(differing, 0, "{:?}", found.merged);
+    }
+}
