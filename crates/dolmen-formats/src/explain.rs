@@ -83,6 +83,16 @@ the acceleration of collapse: a stack that begins to rock mostly comes to rest a
 vertical acceleration a_z of the ground scales it by 1 + a_z/g.",
     },
     Explanation {
+        code: "free-decay",
+        title: "Modes of a free decay, and what follows its amplitude",
+        text: "\
+After a blow or a release a structure swings by itself. The eigensystem realization algorithm finds its modes, and a least
+squares fit to all samples makes their deviations those of the Cramér-Rao bound for white noise. The record must begin when the
+last force has ended. Joints that open or slip make a structure softer in large swings: the logarithmic decrement gives
+frequency and damping by the size of the swings, and linear modes then explain less of the motion. Compare sizes with those of
+ambient vibration, some thousand times smaller, before stiffness from the one is used for the other.",
+    },
+    Explanation {
         code: "gravity-margin",
         title: "How far the weight of a stack is from the edge of its joints",
         text: "\

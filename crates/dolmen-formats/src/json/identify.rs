@@ -2,8 +2,8 @@
 
 use super::check::{modes, project};
 use crate::answer::{Answer, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
-use crate::text::setup_remarks;
-use dolmen::modal::{Agreement, MergedMode, Mode, Modes};
+use crate::text::{decay_remarks, setup_remarks};
+use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes};
 use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use serde_json::{Value, json};
@@ -77,7 +77,18 @@ fn record(record: &RecordAnswer) -> Value {
         },
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
+        "decay": analysis.decay.as_ref().map(decay),
         "notes": analysis.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn decay(decay: &Decay) -> Value {
+    let at = |a: &AtAmplitude| json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio });
+    let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
+    json!({
+        "explained": decay.explained,
+        "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
+        "notes": decay_remarks(decay),
     })
 }
 
@@ -94,8 +105,8 @@ fn identified(modes: &Modes) -> Value {
             "shape_sd": mode.shape_sd,
             "phase_collinearity": mode.phase_collinearity,
             "cycles": mode.cycles,
-            "frequency_floor_hz": finite(mode.frequency_floor_hz()),
-            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()),
+            "frequency_floor_hz": finite(mode.frequency_floor_hz()).filter(|_| modes.method != Method::Era),
+            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()).filter(|_| modes.method != Method::Era),
             "orders": mode.orders,
             "kurtosis": mode.kurtosis.map(|k| k.kurtosis),
             "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),

@@ -201,6 +201,8 @@ pub(super) enum MethodRaw {
     SsiCov,
     /// Data-driven subspace method.
     SsiData,
+    /// Free decay: the record begins when the last force has ended.
+    Era,
 }
 
 /// What becomes of a mode that looks like a machine.

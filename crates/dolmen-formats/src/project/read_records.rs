@@ -370,6 +370,7 @@ fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalChoice {
             MethodRaw::Fsdd => Method::Fsdd,
             MethodRaw::SsiCov => Method::SsiCov,
             MethodRaw::SsiData => Method::SsiData,
+            MethodRaw::Era => Method::Era,
         }),
         references: raw
             .references

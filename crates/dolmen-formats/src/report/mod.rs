@@ -7,6 +7,7 @@ mod chain_centroids;
 mod chain_findings;
 mod chain_simulation;
 mod change;
+mod decay;
 mod demand;
 mod findings;
 mod fragility;

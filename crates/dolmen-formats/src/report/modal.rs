@@ -1,5 +1,6 @@
 //! Modes from ambient vibration in the report: what was done, figures, table, what to doubt.
 
+use super::decay;
 use super::findings::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use super::words::listed;
@@ -102,7 +103,7 @@ pub(super) fn section(survey: &str, record: &RecordAnswer, language: Language) -
                 ),
             ))
         }
-        (settings(analysis, language))
+        @if let Some(decay) = &analysis.decay { (decay::section(decay, language)) } @else { (settings(analysis, language)) }
         @for note in &analysis.notes { p.note { (note_words(note, language)) } }
     }
 }
@@ -174,7 +175,10 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
         .iter()
         .enumerate()
         .map(|(i, mode)| {
-            let floor = mode.damping_ratio.map(|zeta| 100.0 * zeta * mode.damping_floor());
+            let zeta = mode
+                .damping_ratio
+                .filter(|_| analysis.modes.method != Method::Era); // the floor is that of ambient vibration
+            let floor = zeta.map(|zeta| 100.0 * zeta * mode.damping_floor());
             vec![
                 (i + 1).to_string().into(),
                 frequency(mode).into(),
@@ -215,6 +219,10 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
         Method::SsiData => language.pick(
             "data-driven stochastic subspace identification",
             "데이터 기반 확률적 부분공간법(SSI-data)",
+        ),
+        Method::Era => language.pick(
+            "eigensystem realization of a free decay",
+            "자유감쇠의 고유계 실현법(ERA)",
         ),
     };
     let caption = language.pick(

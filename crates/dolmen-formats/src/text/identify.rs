@@ -1,6 +1,7 @@
 //! `dolmen identify` as text.
 
 use super::Table;
+use super::decay::decay_text;
 use super::project::{convention_words, heading_text, warnings_text};
 use super::setups::merged_text;
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
@@ -78,6 +79,9 @@ fn record_text(record: &RecordAnswer) -> String {
     }
     out += &chosen_text(modes.method, &record.analysis.settings);
     out += &modes_text(modes);
+    if let Some(decay) = &record.analysis.decay {
+        out += &decay_text(decay);
+    }
     for note in &record.analysis.notes {
         let _ = writeln!(out, "  note: {note}");
     }
@@ -86,8 +90,14 @@ fn record_text(record: &RecordAnswer) -> String {
 
 /// What was chosen from the data.
 fn chosen_text(method: Method, chosen: &Settings) -> String {
-    let method = method.name();
     let [low, high] = chosen.range_hz;
+    if method == Method::Era {
+        return format!(
+            "  era: a free decay, {} block rows, model of order {}, modes sought in {low:.3} to {high:.3} Hz\n",
+            chosen.block_rows, chosen.order_most
+        );
+    }
+    let method = method.name();
     if chosen.lines > 0 {
         return format!(
             "  {method}: peaks of a spectrum of {} lines, modes sought in {low:.3} to {high:.3} Hz\n",
@@ -127,6 +137,7 @@ fn modes_text(modes: &Modes) -> String {
         let some = |x: Option<f64>, decimals: usize| x.map_or("-".to_owned(), |x| format!("{x:.decimals$}"));
         let floor = mode
             .damping_ratio
+            .filter(|_| modes.method != Method::Era) // the floor is that of ambient vibration
             .map(|zeta| 100.0 * TWO_SIDED_95 * zeta * mode.damping_floor());
         table.row(vec![
             (i + 1).to_string(),

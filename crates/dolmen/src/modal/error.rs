@@ -161,6 +161,37 @@ pub enum ModalError {
         /// Its value.
         given: f64,
     },
+    /// A decay is too short.
+    #[error(
+        "the decay has {samples} samples, but needs {least}: record it at a higher rate, or until it has died away"
+    )]
+    DecayTooShort {
+        /// Samples a channel.
+        samples: usize,
+        /// Samples needed.
+        least: usize,
+    },
+    /// Nothing in a record decays as a mode does.
+    #[error(
+        "nothing in the record decays as a mode does (model of order {order} from {samples} samples): cut it so that it begins when the \
+         last force has ended, or strike harder"
+    )]
+    NoDecay {
+        /// Order of the model.
+        order: usize,
+        /// Samples a channel.
+        samples: usize,
+    },
+    /// Too few swings.
+    #[error(
+        "the decay has {extrema} extrema of clear swings, but one value needs {needed}: strike harder, or lower extrema or the noise"
+    )]
+    FewSwings {
+        /// Extrema found.
+        extrema: usize,
+        /// Extrema needed.
+        needed: usize,
+    },
     /// Too few setups.
     #[error(
         "{given} setups are given, but putting setups together needs 2 or more: write one record as records"

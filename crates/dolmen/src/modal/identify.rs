@@ -1,6 +1,7 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
 use super::clusters::{Cluster, Clustering, Fate, clusters};
+use super::decay::{Decay, SHORT, of_decay, short_spectrum};
 use super::efdd::{Efdd, efdd};
 use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::harmonics::{Kurtosis, band_kurtosis};
@@ -96,6 +97,8 @@ pub struct ModalAnalysis {
     pub hankel_singular_values: Vec<f64>,
     /// What was chosen from the data.
     pub settings: Settings,
+    /// Of a free decay: how well it is one, and what follows its amplitude.
+    pub decay: Option<Decay>,
     /// What must be known beside the modes.
     pub notes: Vec<Note>,
 }
@@ -133,9 +136,12 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     )?;
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, options),
+        Method::Era => of_decay(record, options, peaks)?,
         Method::SsiCov | Method::SsiData => of_subspace(record, options, (peaks, &tones_hz), &mut notes)?,
     };
-    test_for_machines(record, options, &mut analysis.modes, &mut notes)?;
+    if options.method != Method::Era {
+        test_for_machines(record, options, &mut analysis.modes, &mut notes)?;
+    }
     pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
     remark(&analysis.modes, &analysis.fdd_modes, &mut notes);
@@ -158,12 +164,13 @@ fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError
                 ..Default::default()
             },
         ),
+        Method::Era if record.length() < SHORT => short_spectrum(record, &fdd_options),
         _ => fdd(record, &fdd_options),
     }
 }
 
 /// The peaks are the modes.
-fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
+pub(super) fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
     let lines = peaks.spectrum.frequency_hz.len() - 1;
     let nyquist_hz = peaks.spectrum.frequency_hz.last().copied().unwrap_or(0.0);
     let first = |modes: &[Mode]| modes.first().map_or(0.0, |m| m.frequency_hz);
@@ -195,6 +202,7 @@ fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
         clusters: Vec::new(),
         hankel_singular_values: Vec::new(),
         settings,
+        decay: None,
         notes: Vec::new(),
     }
 }
@@ -237,6 +245,7 @@ fn of_subspace(
         clusters,
         hankel_singular_values: singular_values,
         settings,
+        decay: None,
         notes: Vec::new(),
     })
 }
@@ -469,7 +478,7 @@ fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     }
     for mode in &modes.modes {
         let damping_floor = mode.damping_floor();
-        if mode.damping_ratio.is_some() && damping_floor > DAMPING_FLOOR {
+        if modes.method != Method::Era && mode.damping_ratio.is_some() && damping_floor > DAMPING_FLOOR {
             notes.push(Note::FewCycles {
                 frequency_hz: mode.frequency_hz,
                 damping_floor,

@@ -2,8 +2,11 @@
 
 mod clusters;
 mod correlations;
+mod decay;
 mod decomposed;
+mod decrement;
 mod efdd;
+mod era;
 mod error;
 mod fdd;
 mod hankel;
@@ -21,7 +24,10 @@ mod synthetic;
 mod uncertainty;
 
 pub use clusters::{Cluster, Clustering, Fate, clusters};
+pub use decay::{Decay, ModeDecay};
+pub use decrement::{AtAmplitude, Decrement, decrement};
 pub use efdd::{Efdd, efdd};
+pub use era::{Era, FreeDecay, era};
 pub use error::ModalError;
 pub use fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 pub use harmonics::{Kurtosis, band_kurtosis};

@@ -18,16 +18,19 @@ pub enum Method {
     SsiCov,
     /// Data-driven stochastic subspace identification.
     SsiData,
+    /// Eigensystem realization of a free decay.
+    Era,
 }
 
 impl Method {
     /// All methods.
-    pub const ALL: [Method; 5] = [
+    pub const ALL: [Method; 6] = [
         Method::Fdd,
         Method::Efdd,
         Method::Fsdd,
         Method::SsiCov,
         Method::SsiData,
+        Method::Era,
     ];
 
     /// As it is written in a project file: "ssi-cov".
@@ -38,6 +41,7 @@ impl Method {
             Method::Fsdd => "fsdd",
             Method::SsiCov => "ssi-cov",
             Method::SsiData => "ssi-data",
+            Method::Era => "era",
         }
     }
 

@@ -532,7 +532,7 @@ mod tests {
     #[test]
     fn refuses_one_setup_and_setups_without_a_reference() {
         let one = setup(&[0, 1], Complex64::ONE, 1.0);
-        let message = merge_setups(&[one.clone()], &MergeSetups::default())
+        let message = merge_setups(std::slice::from_ref(&one), &MergeSetups::default())
             .unwrap_err()
             .to_string();
         assert!(message.starts_with("1 setups are given"), "{message}");

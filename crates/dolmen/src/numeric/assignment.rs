@@ -117,10 +117,10 @@ mod tests {
             return 0.0;
         };
         let mut least = f64::INFINITY;
-        for column in 0..row.len() {
+        for (column, own) in row.iter().enumerate() {
             if !taken.contains(&column) {
                 taken.push(column);
-                least = least.min(row[column] + by_trying_all(cost, taken));
+                least = least.min(own + by_trying_all(cost, taken));
                 taken.pop();
             }
         }

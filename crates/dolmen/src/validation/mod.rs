@@ -11,6 +11,7 @@ mod dampers;
 mod dry_friction;
 mod error;
 mod fragility;
+mod free_decay;
 mod hwang_min_hong;
 mod kim_koo_hong_2018;
 mod owen_prieur_2017;

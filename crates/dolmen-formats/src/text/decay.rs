@@ -1,0 +1,77 @@
+//! What follows the amplitude of a free decay, as text.
+
+use super::Table;
+use dolmen::modal::{AtAmplitude, Decay, ModeDecay};
+
+/// How well the decay is one of linear modes, and each mode at its largest, middle and smallest swings.
+pub(super) fn decay_text(decay: &Decay) -> String {
+    let mut out = format!(
+        "  the poles found explain {:.2} % of the motion [free-decay]\n",
+        100.0 * decay.explained
+    );
+    let mut table = Table::new(&["mode, Hz", "swings at, s", "size", "f, Hz", "damping, %"], 1);
+    for mode in &decay.modes {
+        for at in shown(&mode.swings) {
+            table.row(vec![
+                format!("{:.3}", mode.frequency_hz),
+                format!("{:.2}", at.time_s),
+                format!("{:.3e}", at.amplitude),
+                format!("{:.4}", at.frequency_hz),
+                format!("{:.3}", 100.0 * at.damping_ratio),
+            ]);
+        }
+    }
+    if decay.modes.iter().any(|mode| !mode.swings.is_empty()) {
+        out += "\nBy the size of the swings (logarithmic decrement of the channel that shows most of each mode)\n";
+        out += &table.text();
+    }
+    for sentence in remarks(decay) {
+        out += &format!("  note: {sentence}\n");
+    }
+    out
+}
+
+/// What must be known beside the modes.
+pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
+    let list = |hz: &[f64]| {
+        hz.iter()
+            .map(|f| format!("{f:.3}"))
+            .collect::<Vec<_>>()
+            .join(", ")
+    };
+    let bent = decay.modes.iter().filter(|mode| mode.poles_hz.len() > 1);
+    let mut said: Vec<String> = bent
+        .map(|mode| {
+            format!(
+                "the mode at {:.3} Hz is no single exponential: poles of one shape at {} Hz stand for it. Its frequency and damping follow the \
+                 size of its swings, and the strongest pole's are shown without a deviation",
+                mode.frequency_hz,
+                list(&mode.poles_hz)
+            )
+        })
+        .collect();
+    let of = |mode: &ModeDecay| mode.frequency_hz;
+    let hidden: Vec<f64> = decay
+        .modes
+        .iter()
+        .filter(|m| m.swings.is_empty())
+        .map(of)
+        .collect();
+    if !hidden.is_empty() {
+        said.push(format!(
+            "whether frequency and damping follow the amplitude cannot be told at {} Hz: too few clear swings, or another mode too near",
+            list(&hidden)
+        ));
+    }
+    said
+}
+
+/// The largest, the middle and the smallest.
+pub(crate) fn shown(swings: &[AtAmplitude]) -> Vec<AtAmplitude> {
+    let mut places = vec![0, swings.len() / 2, swings.len().saturating_sub(1)];
+    places.dedup();
+    places
+        .into_iter()
+        .filter_map(|i| swings.get(i).copied())
+        .collect()
+}

@@ -1,0 +1,210 @@
+//! From the record of a free decay to its modes, and to what follows its amplitude.
+
+use super::correlations::correlate;
+use super::fdd::{Fdd, FddResult, SpectralMatrices, peaks_of};
+use super::identify::of_peaks;
+use super::indicators::largest;
+use super::{
+    AtAmplitude, Decrement, Era, FreeDecay, Identify, ModalAnalysis, ModalError, Mode, assurance, decrement,
+    era,
+};
+use crate::signal::Record;
+
+/// Below so many samples a spectrum is no average.
+pub(super) const SHORT: usize = 1024;
+
+/// What a free decay shows beside its modes.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Decay {
+    /// Share of the motion that the poles explain.
+    pub explained: f64,
+    /// Each mode, by frequency.
+    pub modes: Vec<ModeDecay>,
+}
+
+/// How one mode dies away.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModeDecay {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// Frequencies of the poles that stand for it, Hz. More than one, of one shape and with bands that meet: it is no exponential, its
+    /// frequency and damping follow the size of its swings, and those of the mode are the strongest pole's, without a deviation.
+    pub poles_hz: Vec<f64>,
+    /// Frequency and damping by the size of its swings, largest first, at the channel that shows most of it; empty where another mode
+    /// is too near, or there are too few swings.
+    pub swings: Vec<AtAmplitude>,
+}
+
+/// Modes of a free decay; the spectrum is only looked at.
+pub(super) fn of_decay(
+    record: &Record,
+    options: &Identify,
+    peaks: FddResult,
+) -> Result<ModalAnalysis, ModalError> {
+    let found = era(
+        record,
+        &Era {
+            block_rows: options.block_rows,
+            order: options.order_most,
+            ..Era::default()
+        },
+    )?;
+    let nyquist_hz = 0.5 * record.sampling_rate_hz();
+    let (low_hz, high_hz) = (
+        options.frequency_low_hz.unwrap_or(0.0),
+        options.frequency_high_hz.unwrap_or(nyquist_hz),
+    );
+    let mut analysis = of_peaks(peaks, options);
+    let groups = of_one_mode(&found);
+    analysis.modes = found.modes.clone();
+    analysis.modes.modes = groups.iter().map(|group| strongest(&found, group)).collect();
+    let mut modes = Vec::with_capacity(groups.len());
+    for (k, group) in groups.iter().enumerate() {
+        modes.push(ModeDecay {
+            frequency_hz: analysis.modes.modes[k].frequency_hz,
+            poles_hz: group.iter().map(|i| found.modes.modes[*i].frequency_hz).collect(),
+            swings: swings(record, &analysis.modes.modes, k, &found.noise).unwrap_or_default(),
+        });
+    }
+    let within = |frequency_hz: f64| (low_hz..=high_hz).contains(&frequency_hz);
+    modes.retain(|m| within(m.frequency_hz));
+    analysis.modes.modes.retain(|m| within(m.frequency_hz));
+    analysis.decay = Some(Decay {
+        explained: found.explained,
+        modes,
+    });
+    analysis.settings.lines = 0;
+    analysis.settings.range_hz = [low_hz, high_hz];
+    analysis.settings.block_rows = found.block_rows;
+    analysis.settings.order_most = found.order;
+    analysis.hankel_singular_values = found.singular_values;
+    Ok(analysis)
+}
+
+/// Poles of one shape whose half-power bands meet, together: a joint that works makes one mode look like several.
+fn of_one_mode(found: &FreeDecay) -> Vec<Vec<usize>> {
+    const ALIKE: f64 = 0.95; // shapes of distinct modes are rarely so near; of one channel always
+    let modes = &found.modes.modes;
+    let mut groups: Vec<Vec<usize>> = Vec::new();
+    for (i, mode) in modes.iter().enumerate() {
+        let one = |j: &usize| modes[*j].overlaps(mode) && assurance(&modes[*j].shape, &mode.shape) >= ALIKE;
+        let mut joined = vec![i];
+        groups.retain(|group| {
+            let apart = !group.iter().any(one);
+            if !apart {
+                joined.extend(group);
+            }
+            apart
+        });
+        joined.sort_unstable();
+        groups.push(joined);
+    }
+    groups.sort();
+    groups
+}
+
+/// The strongest pole of a group; of several its deviations say nothing of the mode.
+fn strongest(found: &FreeDecay, group: &[usize]) -> Mode {
+    let of = |best: usize, i: usize| {
+        if found.energy[i] > found.energy[best] {
+            i
+        } else {
+            best
+        }
+    };
+    let mode = &found.modes.modes[group.iter().copied().reduce(of).unwrap_or(0)];
+    if group.len() == 1 {
+        return mode.clone();
+    }
+    Mode {
+        frequency_sd_hz: None,
+        damping_ratio_sd: None,
+        ..mode.clone()
+    }
+}
+
+fn swings(record: &Record, modes: &[Mode], k: usize, noise: &[f64]) -> Option<Vec<AtAmplitude>> {
+    const WIDEST: f64 = 0.3; // of the frequency, either way; chosen here
+    const FREE: f64 = 0.6; // of the way to the next mode; chosen here
+    let f = modes[k].frequency_hz;
+    let others = modes.iter().enumerate().filter(|(i, _)| *i != k);
+    let apart_hz = others
+        .map(|(_, m)| (m.frequency_hz - f).abs())
+        .fold(f64::INFINITY, f64::min);
+    let half_hz = (WIDEST * f).min(FREE * apart_hz);
+    let high_hz = (f + half_hz).min(0.49 * record.sampling_rate_hz());
+    let channel = largest(&modes[k].shape)?;
+    let options = Decrement {
+        channel,
+        band_hz: Some([f - half_hz, high_hz]),
+        noise: noise[channel],
+        ..Decrement::default()
+    };
+    decrement(record, &options).ok()
+}
+
+/// The spectrum of a decay that is too short for averages.
+pub(super) fn short_spectrum(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
+    const LINES: usize = 64;
+    let correlations = correlate(record, LINES.min(record.length() / 4), 1)?;
+    peaks_of(record, &SpectralMatrices::new(&correlations), options)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Method, identify};
+    use super::*;
+    use crate::signal::Channel;
+    use std::f64::consts::PI;
+
+    #[test]
+    fn holds_a_decay_is_identified_with_its_swings() {
+        // a mode whose frequency falls by 10 % in its largest swings: phase 4π (t - 0.5 (1 - e^(-0.2 t)))
+        let y = |i: usize| {
+            let t = 0.01 * i as f64;
+            let u = (-0.2 * t).exp();
+            u * (4.0 * PI * (t - 0.5 * (1.0 - u))).sin()
+        };
+        let record =
+            |n: usize| Record::new(vec![Channel::named("y")], vec![(0..n).map(y).collect()], 100.0).unwrap();
+        let options = Identify {
+            method: Method::Era,
+            ..Identify::default()
+        };
+        let found = identify(&record(1500), &options).unwrap();
+        let decay = found.decay.as_ref().unwrap();
+        // one mode, though several poles stand for it, and no deviation that would say that it is well known
+        assert_eq!(
+            (found.modes.modes.len(), decay.modes.len()),
+            (1, 1),
+            "{:?}",
+            decay.modes
+        );
+        assert!(decay.modes[0].poles_hz.len() > 1 && found.modes.modes[0].frequency_sd_hz.is_none());
+        let swings = &decay.modes[0].swings;
+        let (first, last) = (swings[0], swings[swings.len() - 1]);
+        for at in [first, last] {
+            let truth = 2.0 * (1.0 - 0.1 * at.amplitude);
+            assert!((at.frequency_hz / truth - 1.0).abs() < 0.01, "{at:?} {truth}");
+        }
+        assert!(
+            last.frequency_hz > 1.04 * first.frequency_hz,
+            "{first:?} {last:?}"
+        );
+        // short decays have a spectrum too, and a range is kept
+        let short = Identify {
+            frequency_low_hz: Some(1.0),
+            frequency_high_hz: Some(3.0),
+            ..options
+        };
+        let found = identify(&record(600), &short).unwrap();
+        assert!(
+            found
+                .modes
+                .modes
+                .iter()
+                .all(|m| (1.0..3.0).contains(&m.frequency_hz))
+        );
+        assert!(!found.modes.modes.is_empty() && found.stabilization.poles.is_empty());
+    }
+}
