@@ -74,7 +74,14 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
 pub(super) fn section(survey: &str, record: &RecordAnswer, language: Language) -> Markup {
     let analysis = &record.analysis;
     html! {
-        h2 { (language.pick("Modes from ambient vibration", "상시진동 기록의 모드 분석")) ": " (survey) }
+        h2 {
+            @if analysis.modes.method == Method::Era {
+                (language.pick("Modes from a free decay", "자유감쇠 기록의 모드 분석"))
+            } @else {
+                (language.pick("Modes from ambient vibration", "상시진동 기록의 모드 분석"))
+            }
+            ": " (survey)
+        }
         (read(record, language))
         (history(&analysis.modes.history, language))
         (figure(
