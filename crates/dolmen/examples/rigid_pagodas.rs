@@ -185,6 +185,7 @@ fn towers(motion: &dyn Fn(f64) -> GroundMotion) {
         (200, [0.8, 0.015], 0.3, 2.2),
         (10, [0.4, 0.6], 0.6, 5.0),
         (20, [0.4, 0.3], 0.6, 3.0),
+        (50, [0.4, 0.12], 0.6, 2.6),
     ] {
         let [width, height] = size;
         let stone = |i: usize| Block {

@@ -20,6 +20,7 @@ mod patch;
 mod rest;
 mod rigid;
 mod rigid_bed;
+mod rigid_cone;
 mod rigid_faces;
 mod rigid_impact;
 mod rigid_rest;

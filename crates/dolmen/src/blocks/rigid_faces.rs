@@ -54,6 +54,8 @@ pub(super) struct Point {
     pub(super) offset: [f64; 3],
     pub(super) held: [f64; 3],
     pub(super) impulse: [f64; 3],
+    /// μ |u_t| as held by a convex problem, m/s.
+    pub(super) lift: f64,
     pub(super) part: Part,
     pub(super) slips: bool,
     /// Whether it slipped in the step before.
@@ -80,6 +82,7 @@ impl Point {
             offset: [0.0; 3],
             held: [0.0; 3],
             impulse: [0.0; 3],
+            lift: 0.0,
             part: Part::Away,
             slips: false,
             slid: false,

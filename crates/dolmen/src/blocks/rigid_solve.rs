@@ -6,16 +6,17 @@
 //!
 //! The inner equation is solved by Newton steps on the blocks of the bodies (LU within their outline: block-tridiagonal on a
 //! chain), the outer by carrying the multipliers λ over. With λ = p every point obeys unilateral contact and Coulomb's law exactly.
-//! It is tried with the weights ϱ as they are (σ = 1) first; where the Newton steps go round in circles, from soft weights to hard ones.
+//! It is tried with the weights ϱ as they are (σ = 1) first; where the Newton steps go round in circles, from soft weights to hard ones; where
+//! that leaves points too far from their law, by convex problems ([`super::rigid_cone`]).
 
 use super::block_skyline::{Block, BlockSkyline, SIX};
 use super::rigid_faces::{Face, Six, Stiffness};
 use glam::{DMat3, DVec3};
 
 /// Momentum left over, over the mass, at which a Newton step is the last, m/s. Chosen here: far below any way that is seen.
-const LEFT_MOST_M_S: f64 = 1e-9;
+pub(super) const LEFT_MOST_M_S: f64 = 1e-9;
 /// Distance of a point from its law, m/s, at which a solution is done, and at which it is once rounds better it no more. Chosen here.
-const OFF_MOST_M_S: f64 = 1e-8;
+pub(super) const OFF_MOST_M_S: f64 = 1e-8;
 const STAYS_M_S: f64 = 1e-6;
 /// The same from which a solution is counted as loose, if it is accepted. Chosen here.
 pub(super) const LOOSE_FROM_M_S: f64 = 1e-6;
@@ -70,28 +71,28 @@ struct Way {
 
 /// What is left of the momentum.
 #[derive(Clone, Copy, Debug, Default)]
-struct Left {
+pub(super) struct Left {
     /// Its largest part, as a velocity, m/s.
-    largest_m_s: f64,
+    pub(super) largest_m_s: f64,
     /// Kinetic energy of all, J.
     energy_j: f64,
 }
 
 /// A solution on the way, and how far it is from the law.
 #[derive(Clone, Debug)]
-struct Found {
-    off_m_s: f64,
-    velocity: Vec<Six>,
-    held: Vec<Vec<[f64; 3]>>,
+pub(super) struct Found {
+    pub(super) off_m_s: f64,
+    pub(super) velocity: Vec<Six>,
+    pub(super) held: Vec<Vec<[f64; 3]>>,
 }
 
 /// Rows of the bodies and their matrix.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solver {
-    matrix: BlockSkyline,
+    pub(super) matrix: BlockSkyline,
     /// Row of each body; of the ground none.
-    rows: Vec<usize>,
-    right: Vec<Six>,
+    pub(super) rows: Vec<usize>,
+    pub(super) right: Vec<Six>,
 }
 
 impl Solver {
@@ -135,6 +136,9 @@ impl Solver {
         if !solved.converged {
             start.take(faces, v);
             self.softly(of, faces, v, start, &mut solved);
+            if solved.residual_m_s > LOOSE_FROM_M_S {
+                self.by_cones(of, faces, v, &mut solved);
+            }
             solved.converged = solved.residual_m_s <= worst_m_s;
         }
         solved
@@ -301,7 +305,7 @@ impl Solver {
     }
 
     /// Makes the right side what is left of the momentum without contacts, and the matrix that of the masses.
-    fn momentum_left(&mut self, of: Momentum<'_>, v: &[Six], with_matrix: bool) {
+    pub(super) fn momentum_left(&mut self, of: Momentum<'_>, v: &[Six], with_matrix: bool) {
         if with_matrix {
             self.matrix.clear();
         }
@@ -333,7 +337,7 @@ impl Solver {
     }
 
     /// Adds what a contact does to its two bodies to the right side.
-    fn push(&mut self, face: &Face, wrench: &Six) {
+    pub(super) fn push(&mut self, face: &Face, wrench: &Six) {
         let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
         let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
         let sides = [
@@ -353,7 +357,7 @@ impl Solver {
     }
 
     /// The size of the right side; infinite if it is no number.
-    fn left(&self, of: Momentum<'_>) -> Left {
+    pub(super) fn left(&self, of: Momentum<'_>) -> Left {
         let mut left = Left::default();
         for (body, of) in of.inertia.iter().enumerate().skip(1) {
             let right = &self.right[self.rows[body]];
@@ -374,7 +378,7 @@ impl Solver {
     /// ```text
     /// twist = Rᵀ (X_s v_s − X_p v_p),   X = [1, −[r]×; 0, 1]:   J_ab += ± X_aᵀ R K Rᵀ X_b
     /// ```
-    fn add(&mut self, face: &Face, k: &Stiffness) {
+    pub(super) fn add(&mut self, face: &Face, k: &Stiffness) {
         let part = |row: usize, column: usize| {
             let block = DMat3::from_cols(
                 DVec3::new(k[row][column], k[row + 1][column], k[row + 2][column]),
@@ -412,7 +416,7 @@ impl Solver {
 
 impl Found {
     /// Takes it up again.
-    fn take(&self, faces: &mut [Face], v: &mut Vec<Six>) {
+    pub(super) fn take(&self, faces: &mut [Face], v: &mut Vec<Six>) {
         v.clone_from(&self.velocity);
         for (face, held) in faces.iter_mut().zip(&self.held) {
             for (point, held) in face.points.iter_mut().zip(held) {
@@ -423,20 +427,20 @@ impl Found {
 }
 
 /// v + part × change.
-fn ahead(trial: &mut [Six], v: &[Six], change: &[Six], part: f64) {
+pub(super) fn ahead(trial: &mut [Six], v: &[Six], change: &[Six], part: f64) {
     for (trial, (v, change)) in trial.iter_mut().zip(v.iter().zip(change)).skip(1) {
         *trial = std::array::from_fn(|i| v[i] + part * change[i]);
     }
 }
 
 /// Impulses held, face by face.
-fn held_of(faces: &[Face]) -> Vec<Vec<[f64; 3]>> {
+pub(super) fn held_of(faces: &[Face]) -> Vec<Vec<[f64; 3]>> {
     let of = |face: &Face| face.points.iter().map(|point| point.held).collect();
     faces.iter().map(of).collect()
 }
 
 /// Carries the multipliers over.
-fn hold_impulses(faces: &mut [Face]) {
+pub(super) fn hold_impulses(faces: &mut [Face]) {
     for face in faces {
         for point in &mut face.points {
             point.held = point.impulse;

@@ -1,0 +1,337 @@
+//! The rigid law by way of convex problems: the last resort of a step whose Newton steps on the law itself go round in circles.
+//!
+//! ```text
+//! K ∋ p ⊥ u + s + μ |u_t| n ∈ K*,   K = {|p_t| ≤ μ p_n}
+//! ```
+//!
+//! is Coulomb's law with unilateral contact. With the last term held (`lift`) it is what makes a convex function least, so that Newton
+//! steps with a search along each always come to it; then the term and the multipliers are carried over, until every point obeys
+//! the law itself.
+//!
+//! # Source
+//! Acary, V., Cadoux, F., Lemaréchal, C. & Malick, J. (2011) A formulation of the linear discrete Coulomb friction problem via convex
+//! optimization. ZAMM 91(2), 155-175; de Saxcé, G. & Feng, Z. Q. (1991) for the law.
+
+use super::block_skyline::SIX;
+use super::rigid_faces::{Face, Part, Six, Stiffness, add_wrench, velocity};
+use super::rigid_solve::{
+    Found, LEFT_MOST_M_S, Left, Momentum, OFF_MOST_M_S, Solved, Solver, ahead, held_of, hold_impulses,
+};
+
+/// Times that lifts and multipliers are carried over, and rounds in which none was better before it is given up. Chosen here.
+const ROUNDS_MOST: usize = 60;
+const WORSE_MOST: usize = 15;
+/// Newton steps of one round, and places tried along each. Chosen here.
+const STEPS_MOST: usize = 40;
+const LINE_MOST: usize = 12;
+/// Part to which the slope along a Newton step must fall. Chosen here.
+const SLOPE_MOST: f64 = 0.5;
+
+impl Solver {
+    /// Betters a solution that is too far from the law: `v` and the impulses held become the nearest to it that was found.
+    pub(super) fn by_cones(
+        &mut self,
+        of: Momentum<'_>,
+        faces: &mut [Face],
+        v: &mut Vec<Six>,
+        solved: &mut Solved,
+    ) {
+        let mut best = Found {
+            off_m_s: solved.residual_m_s,
+            velocity: v.clone(),
+            held: held_of(faces),
+        };
+        let mut worse = 0;
+        for _ in 0..ROUNDS_MOST {
+            solved.rounds += 1;
+            for face in faces.iter_mut() {
+                let twist = face.twist_of(v);
+                face.set_lifts(&twist);
+            }
+            let left = self.newton_on_cones(of, faces, v, &mut solved.newton_steps);
+            hold_impulses(faces);
+            // how far these impulses are from the law itself
+            let mut off_m_s = left;
+            for face in faces.iter_mut() {
+                let twist = face.twist_of(v);
+                face.press(&twist, false, None);
+                off_m_s = off_m_s.max(face.residual());
+            }
+            if off_m_s < best.off_m_s {
+                best = Found {
+                    off_m_s,
+                    velocity: v.clone(),
+                    held: held_of(faces),
+                };
+                worse = 0;
+            } else {
+                worse += 1;
+            }
+            if off_m_s <= OFF_MOST_M_S || worse == WORSE_MOST {
+                break;
+            }
+        }
+        best.take(faces, v);
+        for point in faces.iter_mut().flat_map(|face| &mut face.points) {
+            point.impulse = point.held;
+        }
+        solved.residual_m_s = best.off_m_s;
+    }
+
+    /// Makes the convex function of this round least; what is left of the momentum, m/s.
+    fn newton_on_cones(
+        &mut self,
+        of: Momentum<'_>,
+        faces: &mut [Face],
+        v: &mut [Six],
+        steps: &mut usize,
+    ) -> f64 {
+        let mut change = vec![[0.0; SIX]; v.len()];
+        let mut trial = v.to_vec();
+        let mut left = self.balance_on_cones(of, faces, v, true).largest_m_s;
+        for _ in 0..STEPS_MOST {
+            if left <= LEFT_MOST_M_S {
+                break;
+            }
+            *steps += 1;
+            let right = self.right.clone();
+            if !self.matrix.factor() {
+                return f64::INFINITY;
+            }
+            self.matrix.solve(&mut self.right);
+            for (change, row) in change.iter_mut().zip(&self.rows).skip(1) {
+                *change = self.right[*row];
+            }
+            let down = self.along(&right, &change);
+            // the slope only rises along the step: where it is 0 the function is least
+            let (mut low, mut at_low, mut high, mut at_high) = (0.0, -down, f64::INFINITY, 0.0);
+            let mut part = 1.0;
+            for _ in 0..LINE_MOST {
+                ahead(&mut trial, v, &change, part);
+                self.balance_on_cones(of, faces, &trial, false);
+                let slope = -self.along(&self.right, &change);
+                if slope.abs() <= SLOPE_MOST * down {
+                    break;
+                }
+                if slope > 0.0 {
+                    (high, at_high) = (part, slope);
+                } else {
+                    (low, at_low) = (part, slope);
+                }
+                part = match high.is_finite() {
+                    true => {
+                        let straight = low - at_low * (high - low) / (at_high - at_low);
+                        straight.clamp(low + 0.1 * (high - low), high - 0.1 * (high - low))
+                    }
+                    false => 2.0 * part,
+                };
+            }
+            v.copy_from_slice(&trial);
+            left = self.balance_on_cones(of, faces, v, true).largest_m_s;
+        }
+        left
+    }
+
+    /// Sum over the bodies of what is left times a change of their velocities.
+    fn along(&self, right: &[Six], change: &[Six]) -> f64 {
+        let rows = self.rows.iter().zip(change).skip(1);
+        rows.map(|(row, change)| right[*row].iter().zip(change).map(|(r, c)| r * c).sum::<f64>())
+            .sum()
+    }
+
+    /// As `balance`, with the impulses of the convex problem.
+    fn balance_on_cones(
+        &mut self,
+        of: Momentum<'_>,
+        faces: &mut [Face],
+        v: &[Six],
+        with_matrix: bool,
+    ) -> Left {
+        self.momentum_left(of, v, with_matrix);
+        for face in faces.iter_mut() {
+            let twist = face.twist_of(v);
+            let mut k: Stiffness = [[0.0; 6]; 6];
+            let wrench = face.press_on_cones(&twist, with_matrix.then_some(&mut k));
+            self.push(face, &wrench);
+            if with_matrix {
+                self.add(face, &k);
+            }
+        }
+        self.left(of)
+    }
+}
+
+impl Face {
+    /// Holds μ |u_t| at a twist.
+    fn set_lifts(&mut self, twist: &Six) {
+        for point in &mut self.points {
+            let u = velocity(twist, point.x, point.y);
+            point.lift = point.friction * (u[0] + point.offset[0]).hypot(u[1] + point.offset[1]);
+        }
+    }
+
+    /// Impulses at a twist with the lifts held, their sum on S, and their derivative, which is symmetric.
+    ///
+    /// ```text
+    /// p = the point of K nearest to λ − ϱ (u + s + lift n), where velocities count by 1/ϱ
+    /// ```
+    fn press_on_cones(&mut self, twist: &Six, stiffness: Option<&mut Stiffness>) -> Six {
+        let wanted = stiffness.is_some();
+        let (mut sum, mut k) = ([0.0; 6], [[0.0; 6]; 6]);
+        for point in self.points.iter_mut().filter(|point| point.part == Part::Near) {
+            let (x, y, r, r_t) = (point.x, point.y, point.weight, point.shear_weight);
+            let u = velocity(twist, x, y);
+            let trial = [
+                point.held[0] - r_t * (u[0] + point.offset[0]),
+                point.held[1] - r_t * (u[1] + point.offset[1]),
+                point.held[2] - r * (u[2] + point.offset[2] + point.lift),
+            ];
+            let size = trial[0].hypot(trial[1]);
+            // with weights ϱ the cone has the friction μ √(ϱ_n/ϱ_t)
+            let ratio = point.friction * point.friction * r / r_t;
+            let reach = trial[2] + point.friction * (r / r_t) * size;
+            if size <= point.friction * trial[2] {
+                point.impulse = trial;
+                add_wrench(&mut sum, x, y, &point.impulse);
+                if wanted {
+                    add_stiffness(&mut k, [x, y], [r_t, 0.0, r_t], [0.0, 0.0, r]);
+                }
+            } else if reach <= 0.0 {
+                point.impulse = [0.0; 3];
+            } else {
+                let normal = reach / (1.0 + ratio);
+                let pull = point.friction * normal;
+                let along = [trial[0] / size, trial[1] / size];
+                point.impulse = [pull * along[0], pull * along[1], normal];
+                add_wrench(&mut sum, x, y, &point.impulse);
+                if wanted {
+                    let stiff = r / (1.0 + ratio);
+                    let (with, across) = (point.friction * point.friction * stiff, r_t * pull / size);
+                    let plane = [
+                        across + (with - across) * along[0] * along[0],
+                        (with - across) * along[0] * along[1],
+                        across + (with - across) * along[1] * along[1],
+                    ];
+                    let both = point.friction * stiff;
+                    add_stiffness(&mut k, [x, y], plane, [both * along[0], both * along[1], stiff]);
+                }
+            }
+        }
+        if let Some(stiffness) = stiffness {
+            for row in 1..6 {
+                for column in 0..row {
+                    k[row][column] = k[column][row];
+                }
+            }
+            *stiffness = k;
+        }
+        sum
+    }
+}
+
+/// Adds Gᵀ k G of a point, upper half: k along the plane (xx, xy, yy), and of the normal (with x, with y, with itself).
+fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [a, b, c]: [f64; 3], [d, e, n]: [f64; 3]) {
+    // rows of G: (1, 0, 0, 0, 0, −y), (0, 1, 0, 0, 0, x), (0, 0, 1, y, −x, 0)
+    let turned = [b * x - a * y, c * x - b * y, e * x - d * y];
+    k[0][0] += a;
+    k[0][1] += b;
+    k[1][1] += c;
+    k[0][5] += turned[0];
+    k[1][5] += turned[1];
+    k[5][5] += turned[1] * x - turned[0] * y;
+    for (row, part) in [(0, d), (1, e), (2, n)] {
+        k[row][2] += part;
+        k[row][3] += part * y;
+        k[row][4] -= part * x;
+    }
+    k[3][3] += n * y * y;
+    k[3][4] -= n * x * y;
+    k[4][4] += n * x * x;
+    k[2][5] += turned[2];
+    k[3][5] += turned[2] * y;
+    k[4][5] -= turned[2] * x;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rigid_faces::Point;
+    use super::*;
+    use glam::{DMat3, DVec3};
+
+    const FRICTION: f64 = 0.6;
+
+    fn face(held: [f64; 3]) -> Face {
+        Face {
+            pair: 0,
+            plane_body: 0,
+            point_body: 1,
+            to_ground: DMat3::IDENTITY,
+            arms: [DVec3::ZERO; 2],
+            points: vec![Point {
+                weight: 300.0,
+                shear_weight: 120.0,
+                friction: FRICTION,
+                part: Part::Near,
+                held,
+                ..Point::at([0.3, -0.2], 1.0)
+            }],
+            ahead: [0.0; 6],
+            restitution: 0.0,
+            warm: false,
+            swung: false,
+            softness: 1.0,
+            whole_weight: 0.0,
+        }
+    }
+
+    /// Inside, outside and on the far side of the cone: the point of it that is nearest by 1/ϱ, against a search over the cone.
+    #[test]
+    fn exact_impulses_are_the_nearest_of_the_cone() {
+        for held in [
+            [1.0, 0.5, 9.0],
+            [4.0, -3.0, 2.0],
+            [2.0, 1.0, -0.5],
+            [0.3, 0.1, -7.0],
+        ] {
+            let mut one = face(held);
+            one.press_on_cones(&[0.0; 6], None);
+            let found = one.points[0].impulse;
+            let far = |p: [f64; 3]| {
+                ((p[0] - held[0]).powi(2) + (p[1] - held[1]).powi(2)) / 120.0
+                    + (p[2] - held[2]).powi(2) / 300.0
+            };
+            let along = [held[0], held[1]].map(|x| x / held[0].hypot(held[1]));
+            assert!(found[0].hypot(found[1]) <= FRICTION * found[2] + 1e-12);
+            for i in 0..=400 {
+                for j in 0..=40 {
+                    let normal = 0.025 * f64::from(i);
+                    let pull = FRICTION * normal * f64::from(j) / 40.0;
+                    let other = [pull * along[0], pull * along[1], normal];
+                    assert!(far(found) <= far(other) + 1e-12, "{held:?}: {found:?} {other:?}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn holds_the_stiffness_is_the_derivative_and_symmetric() {
+        for held in [[1.0, 0.5, 9.0], [4.0, -3.0, 2.0], [2.0, 1.0, -0.5]] {
+            let mut one = face(held);
+            let mut k: Stiffness = [[0.0; 6]; 6];
+            one.press_on_cones(&[0.0; 6], Some(&mut k));
+            for column in 0..6 {
+                let mut of = |step: f64| {
+                    let mut twist = [0.0; 6];
+                    twist[column] = step;
+                    one.press_on_cones(&twist, None)
+                };
+                let (up, down) = (of(1e-6), of(-1e-6));
+                for row in 0..6 {
+                    let slope = (down[row] - up[row]) / 2e-6;
+                    assert!((slope - k[row][column]).abs() < 1e-5, "{held:?} {row} {column}");
+                    assert_eq!(k[row][column], k[column][row]);
+                }
+            }
+        }
+    }
+}
