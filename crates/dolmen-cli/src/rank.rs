@@ -8,8 +8,8 @@ use dolmen::assess::{Hazard, ScoreModel};
 use dolmen_formats::figures::ranking;
 use dolmen_formats::json::rank_json;
 use dolmen_formats::portfolio::{
-    LeftOut, PortfolioAnswer, PortfolioEntry, PortfolioRow, RowSource, of_score, of_study, ranking_columns,
-    read_portfolio,
+    LeftOut, PortfolioAnswer, PortfolioEntry, PortfolioRow, PortfolioTable, RowSource, of_score, of_study,
+    ranking_columns, read_portfolio,
 };
 use dolmen_formats::report::{Imprint, ranking_html};
 use dolmen_formats::study::table_csv;
@@ -25,7 +25,7 @@ struct Scores {
 }
 
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
-    let rows = rows(&options.source)?;
+    let PortfolioTable { rows, refused } = rows(&options.source)?;
     let designs = score::designs(options.designs.as_deref())?;
     let scores = Scores {
         models: std::array::from_fn(|state| designs.model(state).ok()),
@@ -50,7 +50,11 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             })
         })
         .collect();
-    let (mut entries, mut left_out) = (Vec::new(), Vec::new());
+    let bad = refused.into_iter().map(|(name, why)| LeftOut {
+        name,
+        why: why.to_string(),
+    });
+    let (mut entries, mut left_out) = (Vec::new(), bad.collect::<Vec<_>>());
     for one in found {
         match one {
             Ok(entry) => entries.push(entry),
@@ -82,7 +86,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
 }
 
 /// The structures of a table, or of the projects in a folder.
-fn rows(source: &Path) -> Result<Vec<PortfolioRow>> {
+fn rows(source: &Path) -> Result<PortfolioTable> {
     if !source.is_dir() {
         return read_portfolio(&files::read(source)?).with_context(|| source.display().to_string());
     }
@@ -111,7 +115,10 @@ fn rows(source: &Path) -> Result<Vec<PortfolioRow>> {
             source.display()
         );
     }
-    Ok(rows)
+    Ok(PortfolioTable {
+        rows,
+        refused: Vec::new(),
+    })
 }
 
 fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<PortfolioEntry> {
@@ -153,7 +160,10 @@ fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<Portfolio
             match found.as_slice() {
                 [one] => of_study(name.clone(), one, hazard).map_err(anyhow::Error::msg),
                 [] => match score::factors(&project)? {
-                    Some(factors) => scored(&factors, hazard),
+                    Some(factors) => {
+                        score::check_alike(&project, scores.outside_too)?;
+                        scored(&factors, hazard)
+                    }
                     None => bail!(
                         "it has neither results of a study nor a pagoda of six factors: run dolmen study {} first",
                         file.display()

@@ -137,7 +137,16 @@ pub fn surveys_to_compare(
 /// The modes of a survey: of its records, if it has any, else those that the file states.
 pub fn surveyed(survey: &Survey, found: Option<&SurveyAnswer>) -> Surveyed {
     let mut modes = match found.and_then(SurveyAnswer::modes) {
-        Some((modes, time_blocks)) => ObservedMode::all(modes, time_blocks),
+        Some((modes, time_blocks)) => {
+            let mut all = ObservedMode::all(modes, time_blocks);
+            let setups = found.and_then(|found| found.setups.as_ref());
+            let merged = setups.iter().flat_map(|setups| &setups.merged.merged);
+            for (mode, merged) in all.iter_mut().zip(merged) {
+                let own = merged.degrees_of_freedom.unwrap_or(f64::INFINITY);
+                mode.degrees_of_freedom = mode.degrees_of_freedom.min(own);
+            }
+            all
+        }
         None => {
             let listed = survey.modes.iter();
             listed

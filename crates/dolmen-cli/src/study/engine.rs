@@ -262,7 +262,7 @@ fn run_batch(
         let acting = motion.acting(scale, scan.turn_rad)?;
         let run = Run {
             scale,
-            peak_ground_acceleration_m_s2: scale * motion.peak_m_s2,
+            peak_ground_acceleration_m_s2: plan.peak_at(&scan.grid, scale, motion),
             peak_ground_velocity_m_s: scale * motion.velocity_m_s,
             ..empty_run(scan.job)
         };

@@ -302,7 +302,11 @@ pub(crate) fn designs(path: &Path, name: &str, output: Option<&Path>) -> Result<
     }
     Ok(StudyDesigns {
         left_out: study.combinations() - designs.len(),
-        designs: ScoreDesigns { designs },
+        designs: ScoreDesigns {
+            designs,
+            motions: Some(answer.motions.len()),
+            ..ScoreDesigns::default()
+        },
     })
 }
 

@@ -219,6 +219,18 @@ impl<'o> Plan<'o> {
         }
     }
 
+    /// Peak of the ground at a factor, m/s²: where the study gives peaks the one that is given, to the last digit.
+    pub(super) fn peak_at(&self, grid: &[f64], scale: f64, motion: &PreparedMotion) -> f64 {
+        let given = match &self.study.scan {
+            Some(Scan::Peaks(peaks)) => grid
+                .iter()
+                .position(|on| *on == scale)
+                .and_then(|at| peaks.get(at)),
+            _ => None,
+        };
+        given.copied().unwrap_or(scale * motion.peak_m_s2)
+    }
+
     /// The factors of a scan, without preparing the rest of it; `None` if its inputs are refused.
     pub(super) fn grid_of(&self, job: usize) -> Option<Vec<f64>> {
         let turns = self.study.turns_rad.len();

@@ -52,12 +52,18 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
     let y = Axis::linear(language.pick("Probability", "확률"), 0.0, 1.0, 5);
     let mut plot = Plot::new(SIZE_PX, x, y);
     let at = |i: usize| most * i as f64 / POINTS as f64;
+    let mut has_no_band = false;
     for state in &one.states {
         let colour = COLOURS[state.state];
-        if let (Ok(fit), Ok(band)) = (&state.by_acceleration, state.band()) {
+        if let Ok(fit) = &state.by_acceleration {
+            let band = state.band().ok().flatten();
+            has_no_band |= band.is_none();
             for i in 0..POINTS {
                 let middle = 0.5 * (at(i) + at(i + 1));
-                if let Ok(Some(interval)) = band.probability(middle * g, 0.9) {
+                let interval = band
+                    .as_ref()
+                    .and_then(|band| band.probability(middle * g, 0.9).ok()?);
+                if let Some(interval) = interval {
                     plot.block([at(i), interval.lower], [at(i + 1), interval.upper], colour, 0.14);
                 }
             }
@@ -82,6 +88,12 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
         "Lines: lognormal curves of largest likelihood; bands: 90 % of resampled motions; dots: share of the scans that had reached the state by then",
         "실선: 최우추정 대수정규 곡선, 띠: 지진동 재표집의 90 %, 점: 그때까지 해당 상태에 이른 해석의 비율",
     ));
+    if has_no_band {
+        plot.note(language.pick(
+            "No band: more than a tenth of the resampled motions allow no curve",
+            "띠 없음: 재표집의 1/10 넘게 곡선을 정할 수 없음",
+        ));
+    }
     plot.note(&answer.method(language));
     plot.svg(language.pick("Fragility", "취약도"))
 }

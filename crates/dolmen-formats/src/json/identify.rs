@@ -83,7 +83,7 @@ fn record(record: &RecordAnswer) -> Value {
 }
 
 fn decay(decay: &Decay) -> Value {
-    let at = |a: &AtAmplitude| json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio });
+    let at = |a: &AtAmplitude| json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio, "damping_ratio_sd": a.damping_ratio_sd });
     let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
     json!({
         "explained": decay.explained,

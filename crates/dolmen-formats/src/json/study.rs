@@ -117,6 +117,8 @@ fn trends(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
             "input": answer.inputs[trend.input].path,
             "tau": tau.tau,
             "tau_by_chance": tau.tau_by_chance,
+            "rises_by_chance": tau.rises_by_chance,
+            "falls_by_chance": tau.falls_by_chance,
             "pairs": tau.pairs,
             "concordant": tau.concordant,
             "discordant": tau.discordant,

@@ -200,7 +200,7 @@ fn states_of(found: &CombinationFragility) -> [Option<KnownCapacity>; 4] {
         states[state.state] = match &state.by_acceleration {
             Ok(fit) => Some(KnownCapacity {
                 fragility: fit.curve,
-                ln_theta_sd: fit.ln_theta_error,
+                ln_theta_sd: fit.ln_theta_deviation(),
                 known: Known::Found,
             }),
             Err(AssessError::NoFragility(bound)) => of_bound(bound),
@@ -211,14 +211,22 @@ fn states_of(found: &CombinationFragility) -> [Option<KnownCapacity>; 4] {
 }
 
 fn of_bound(bound: &FragilityBound) -> Option<KnownCapacity> {
-    let (theta, known) = match bound {
-        FragilityBound::NoneReached { intensity, .. } => (*intensity, Known::AtLeast),
-        FragilityBound::AllReached { intensity, .. } => (*intensity, Known::AtMost),
-        FragilityBound::Separated { survived, reached } => ((survived * reached).sqrt(), Known::Found),
+    let (theta, ln_theta_sd, known) = match bound {
+        FragilityBound::NoneReached { intensity, .. } => (*intensity, 0.0, Known::AtLeast),
+        FragilityBound::AllReached { intensity, .. } => (*intensity, 0.0, Known::AtMost),
+        // anywhere between the two, in logarithms
+        FragilityBound::Separated { survived, reached } => {
+            let width = if *survived > 0.0 {
+                (reached / survived).ln()
+            } else {
+                0.0
+            };
+            ((survived * reached).sqrt(), width / 12.0_f64.sqrt(), Known::Found)
+        }
     };
     Some(KnownCapacity {
         fragility: Fragility::new(theta, BETA_OF_BOUNDS).ok()?,
-        ln_theta_sd: 0.0,
+        ln_theta_sd,
         known,
     })
 }

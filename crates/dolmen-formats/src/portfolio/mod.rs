@@ -7,7 +7,7 @@ mod words;
 
 pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
 pub use columns::ranking_columns;
-pub use table::{PortfolioError, PortfolioRow, RowSource, read_portfolio};
+pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
 pub use words::{
     basis_words, capacity_words, factor_words, known_word, misjudged, probability_in_years, reason_words,
     state_words,

@@ -111,11 +111,20 @@ pub struct PortfolioRow {
     pub hazard: Option<Hazard>,
 }
 
+/// A table: its rows, and what is wrong with others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PortfolioTable {
+    /// Rows that can be taken.
+    pub rows: Vec<PortfolioRow>,
+    /// Rows that cannot, each with its structure.
+    pub refused: Vec<(String, PortfolioError)>,
+}
+
 /// Reads a table of structures. Lines that begin with # are comments.
 ///
 /// # Errors
-/// [`PortfolioError`] with line and column; nothing is passed over.
-pub fn read_portfolio(bytes: &[u8]) -> Result<Vec<PortfolioRow>, PortfolioError> {
+/// [`PortfolioError`] of the table as a whole: no CSV, unknown columns, two rows of one name; and of its first row if none can be taken.
+pub fn read_portfolio(bytes: &[u8]) -> Result<PortfolioTable, PortfolioError> {
     let table = |why: csv::Error| PortfolioError::Table { why: why.to_string() };
     let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
     let mut reader = csv::ReaderBuilder::new()
@@ -132,6 +141,7 @@ pub fn read_portfolio(bytes: &[u8]) -> Result<Vec<PortfolioRow>, PortfolioError>
         return Err(PortfolioError::NoName);
     }
     let mut rows: Vec<PortfolioRow> = Vec::new();
+    let mut refused: Vec<(String, PortfolioError)> = Vec::new();
     for row in reader.records() {
         let row = row.map_err(table)?;
         let line = row.position().map_or(0, |at| at.line() as usize);
@@ -140,7 +150,10 @@ pub fn read_portfolio(bytes: &[u8]) -> Result<Vec<PortfolioRow>, PortfolioError>
             name: cell(&head, &row, "name").unwrap_or_default().to_owned(),
             of: &|column| cell(&head, &row, column),
         };
-        rows.push(cells.row()?);
+        match cells.row() {
+            Ok(row) => rows.push(row),
+            Err(why) => refused.push((cells.name.clone(), why)),
+        }
     }
     let mut lines = std::collections::BTreeMap::new();
     for row in &rows {
@@ -152,7 +165,10 @@ pub fn read_portfolio(bytes: &[u8]) -> Result<Vec<PortfolioRow>, PortfolioError>
             });
         }
     }
-    Ok(rows)
+    match refused.first() {
+        Some((_, why)) if rows.is_empty() => Err(why.clone()),
+        _ => Ok(PortfolioTable { rows, refused }),
+    }
 }
 
 fn cell<'r>(head: &csv::StringRecord, row: &'r csv::StringRecord, column: &str) -> Option<&'r str> {

@@ -181,8 +181,8 @@ fn trends(answer: &StudyAnswer, language: Language) -> Markup {
                         .map(|names| language.pick(names.english(), names.korean()));
                     (words.unwrap_or_default(), verdict_word(*verdict, language))
                 }
-                None if tau.shows(Direction::Rising) => ("", language.pick("rises", "증가")),
-                None if tau.shows(Direction::Falling) => ("", language.pick("falls", "감소")),
+                None if tau.direction() == Some(Direction::Rising) => ("", language.pick("rises", "증가")),
+                None if tau.direction() == Some(Direction::Falling) => ("", language.pick("falls", "감소")),
                 None => ("", language.pick("no trend seen", "경향 없음")),
             };
             vec![

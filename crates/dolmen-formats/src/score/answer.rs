@@ -18,6 +18,8 @@ const SEED: u64 = 1;
 pub struct StateScore {
     /// The state, 0 to 3.
     pub state: usize,
+    /// Designs that have a curve for it.
+    pub designs: usize,
     /// What the score says.
     pub score: PagodaScore,
     /// 90 % interval of θ, m/s².
@@ -35,6 +37,8 @@ pub struct ScoreAnswer {
     pub factors: SixFactors,
     /// The range of each factor trained.
     pub trained: [Interval; 6],
+    /// How it differs from the designs in all but its factors, in words; empty unless that was allowed.
+    pub unlike: Vec<String>,
     /// Designs of the table.
     pub designs: usize,
     /// What the score says of each state that has one.
@@ -67,6 +71,7 @@ impl ScoreAnswer {
             let score = model.score(factors, outside_too)?;
             found.push(StateScore {
                 state,
+                designs: model.designs().len(),
                 interval_m_s2: score.capacity_interval_m_s2(0.9)?,
                 score,
             });
@@ -106,7 +111,7 @@ impl ScoreQuality {
             state,
             designs: own.len(),
             shares: factor_shares(&own, HALVES, SEED)?,
-            effects: designs.model(state)?.effects()?,
+            effects: designs.model(state)?.effects(&designs.factors())?,
             held_out: held_out(&own, PARTS)?,
             slenderness_correlation: correlation(&pairs.collect::<Vec<_>>()),
         })
@@ -134,7 +139,7 @@ mod tests {
         let designs = ScoreDesigns::shipped().unwrap();
         assert_eq!(designs.designs.len(), 150);
         let verdict = |state: usize, factor: Factor| {
-            let effects = designs.model(state).unwrap().effects().unwrap();
+            let effects = designs.model(state).unwrap().effects(&designs.factors()).unwrap();
             effects.iter().find(|one| one.factor == factor).unwrap().verdict
         };
         for (state, factor) in [

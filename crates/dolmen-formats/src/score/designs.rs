@@ -1,6 +1,9 @@
 //! Simulated designs that a score is trained on, as a table (CSV).
 
-use dolmen::assess::{AssessError, Factor, Fragility, ScoreModel, SixFactors, TrainedDesign};
+use crate::study::fingerprint;
+use dolmen::assess::{
+    AssessError, Factor, Fragility, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign,
+};
 use std::fmt::Write as _;
 
 /// The states of a design, the mildest first, as columns and options name them.
@@ -53,6 +56,10 @@ pub struct ScoreDesign {
 pub struct ScoreDesigns {
     /// The designs.
     pub designs: Vec<ScoreDesign>,
+    /// Motions that shook every design, if the table says it.
+    pub motions: Option<usize>,
+    /// How the surface of each state was chosen, if the table says it: DS1 to DS3, falls.
+    pub settings: [Option<SurfaceSettings>; 4],
 }
 
 impl ScoreDesigns {
@@ -121,7 +128,12 @@ impl ScoreDesigns {
                 states: found,
             });
         }
-        Ok(ScoreDesigns { designs })
+        let mut found = ScoreDesigns {
+            designs,
+            ..ScoreDesigns::default()
+        };
+        found.read_remarks(&String::from_utf8_lossy(bytes));
+        Ok(found)
     }
 
     /// The table: a row a design, θ in m/s², empty where there is none.
@@ -133,7 +145,7 @@ impl ScoreDesigns {
         for state in SCORE_STATES {
             out.extend([theta(state), beta(state)]);
         }
-        let mut out = out.join(",") + "\n";
+        let mut out = self.remarks() + &out.join(",") + "\n";
         for design in &self.designs {
             let values: Vec<String> = design
                 .factors
@@ -153,6 +165,70 @@ impl ScoreDesigns {
         out
     }
 
+    /// Lines before the table: motions, and settings of the surfaces with what they were found for.
+    fn remarks(&self) -> String {
+        let mut out = String::new();
+        if let Some(motions) = self.motions {
+            let _ = writeln!(out, "# motions {motions}");
+        }
+        for (state, settings) in self.settings.iter().enumerate() {
+            if let Some(settings) = settings {
+                let numbers = settings
+                    .lengths
+                    .iter()
+                    .chain([&settings.noise, &settings.widened]);
+                let numbers: Vec<String> = numbers.map(f64::to_string).collect();
+                let _ = writeln!(
+                    out,
+                    "# surface {} {} of {}",
+                    SCORE_STATES[state],
+                    numbers.join(" "),
+                    self.print_of(state)
+                );
+            }
+        }
+        out
+    }
+
+    /// Takes what those lines say; settings found for other designs are left out.
+    fn read_remarks(&mut self, text: &str) {
+        for line in text.lines().map_while(|line| line.strip_prefix('#')) {
+            match line.split_whitespace().collect::<Vec<_>>().as_slice() {
+                ["motions", count] => self.motions = count.parse().ok().filter(|count| *count > 0),
+                ["surface", name, numbers @ .., "of", print] => {
+                    let state = SCORE_STATES.iter().position(|state| state == name);
+                    let numbers: Vec<f64> = numbers.iter().filter_map(|word| word.parse().ok()).collect();
+                    if let (Some(state), [lengths @ .., noise, widened]) = (state, numbers.as_slice())
+                        && let Ok(lengths) = <[f64; 6]>::try_from(lengths)
+                        && self.print_of(state) == *print
+                    {
+                        self.settings[state] = Some(SurfaceSettings {
+                            lengths,
+                            noise: *noise,
+                            widened: *widened,
+                        });
+                    }
+                }
+                _ => {}
+            }
+        }
+    }
+
+    /// Tells designs of a state apart from others.
+    fn print_of(&self, state: usize) -> String {
+        let of = |design: &TrainedDesign| -> Vec<u8> {
+            let theta = design.fragility.theta();
+            let values = design.factors.values().into_iter().chain([theta]);
+            values.flat_map(f64::to_le_bytes).collect()
+        };
+        fingerprint(&self.of_state(state).iter().flat_map(of).collect::<Vec<u8>>())
+    }
+
+    /// Factors of all designs, with a curve or without.
+    pub fn factors(&self) -> Vec<SixFactors> {
+        self.designs.iter().map(|design| design.factors).collect()
+    }
+
     /// The designs that have a curve for a state, 0 to 3.
     pub fn of_state(&self, state: usize) -> Vec<TrainedDesign> {
         let found = self.designs.iter().filter_map(|design| {
@@ -169,7 +245,11 @@ impl ScoreDesigns {
     /// # Errors
     /// Those of [`ScoreModel::train`].
     pub fn model(&self, state: usize) -> Result<ScoreModel, AssessError> {
-        ScoreModel::train(&self.of_state(state))
+        let designs = self.of_state(state);
+        match self.settings.get(state).copied().flatten() {
+            Some(settings) => ScoreModel::of(&designs, self.motions, &settings),
+            None => ScoreModel::train(&designs, self.motions),
+        }
     }
 }
 

@@ -160,8 +160,14 @@ impl StudyAnswer {
 
     /// The motion of a job.
     pub fn motion_of(&self, job: usize) -> &str {
-        let index = job % self.replicates().max(1) / self.study.turns_rad.len();
-        self.motions.get(index).map_or("", String::as_str)
+        self.motions
+            .get(self.motion_index(job))
+            .map_or("", String::as_str)
+    }
+
+    /// The motion of a job, from 0.
+    pub fn motion_index(&self, job: usize) -> usize {
+        job % self.replicates().max(1) / self.study.turns_rad.len()
     }
 
     /// The turn of the motion of a job, rad.

@@ -6,14 +6,19 @@ use super::table::{Column, ColumnValues};
 use crate::Language;
 use dolmen::assess::{
     AnnualRisk, AssessError, Crossing, FragilityBand, FragilityBound, FragilityFit, Observation, Reached,
-    annual_risk, bootstrap_fragility, crossing, fit_fragility, motions_needed,
+    annual_risk, bootstrap_fragility_of_motions, crossing, fit_fragility_of_motions, motions_needed,
 };
+use std::collections::BTreeSet;
 
 /// Resamples of a band, and their seed. Chosen here.
 const RESAMPLES: usize = 200;
 const SEED: u64 = 1;
 /// Standard error of ln θ that counts as enough. Chosen here: a median that is known to a tenth.
 const ERROR_WANTED: f64 = 0.1;
+/// Fewest motions that can be enough: of fewer there is no curve.
+const ENOUGH_LEAST: usize = 3;
+/// Share of resamples without a curve from which a band is not drawn: it would leave out what is least sure. Chosen here.
+const WITHOUT_CURVE_MOST: f64 = 0.1;
 /// A crossing of two curves matters where both probabilities lie between this and what is left of 1. Chosen here.
 const CROSSING_LEAST: f64 = 0.01;
 /// Years of the probability that is said.
@@ -26,6 +31,8 @@ pub struct StateFragility {
     pub state: usize,
     /// What was seen, intensities as peak accelerations of the ground, m/s².
     pub observations: Vec<Observation>,
+    /// The motion of each, from 0: turned, or with other samples, it is the same one.
+    pub motions: Vec<usize>,
     /// The curve over peak acceleration, m/s², or why there is none.
     pub by_acceleration: Result<FragilityFit, AssessError>,
     /// The curve over peak velocity, m/s.
@@ -35,12 +42,14 @@ pub struct StateFragility {
 }
 
 impl StateFragility {
-    /// Bands of the curve over peak acceleration.
+    /// Bands of the curve over peak acceleration, motions drawn anew; `None` where more than a tenth of the draws have no curve.
     ///
     /// # Errors
     /// Those of the curve.
-    pub fn band(&self) -> Result<FragilityBand, AssessError> {
-        bootstrap_fragility(&self.observations, RESAMPLES, SEED)
+    pub fn band(&self) -> Result<Option<FragilityBand>, AssessError> {
+        let band = bootstrap_fragility_of_motions(&self.observations, &self.motions, RESAMPLES, SEED)?;
+        let without = band.without_curve as f64;
+        Ok((without <= WITHOUT_CURVE_MOST * RESAMPLES as f64).then_some(band))
     }
 
     /// Motions that make the standard error of ln θ a tenth; `None` without a curve.
@@ -48,7 +57,9 @@ impl StateFragility {
         let fit = self.by_acceleration.as_ref().ok()?;
         // what one motion tells, with those that are censored: σ² falls as 1/n
         let of_one = fit.ln_theta_error * (fit.motions as f64).sqrt();
-        motions_needed(of_one, ERROR_WANTED).ok()
+        motions_needed(of_one, ERROR_WANTED)
+            .ok()
+            .map(|count| count.max(ENOUGH_LEAST))
     }
 }
 
@@ -158,8 +169,10 @@ impl StudyAnswer {
     }
 
     fn state_fragility(&self, state: usize, scans: &[&CapacityOf]) -> StateFragility {
-        let seen = |scan: &&CapacityOf| scan.observation(state);
-        let observations: Vec<Observation> = scans.iter().filter_map(seen).collect();
+        let (observations, motions): (Vec<Observation>, Vec<usize>) = scans
+            .iter()
+            .filter_map(|scan| Some((scan.observation(state)?, self.motion_index(scan.job))))
+            .unzip();
         let velocities: Vec<Observation> = scans
             .iter()
             .filter_map(|scan| {
@@ -167,14 +180,15 @@ impl StudyAnswer {
                 Some(times(scan.observation(state)?, factor))
             })
             .collect();
-        let by_acceleration = fit_fragility(&observations);
+        let by_acceleration = fit_fragility_of_motions(&observations, &motions);
         let risk = self.hazard.as_ref().zip(by_acceleration.as_ref().ok());
         StateFragility {
             state,
             risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
-            by_velocity: fit_fragility(&velocities),
+            by_velocity: fit_fragility_of_motions(&velocities, &motions),
             by_acceleration,
             observations,
+            motions,
         }
     }
 }
@@ -251,6 +265,10 @@ pub fn fragility_columns(answer: &StudyAnswer, found: &[CombinationFragility]) -
     columns.extend([
         words("state", &|(_, state)| states[state.state].to_owned()),
         counts("scans", &|(one, _)| one.usable),
+        counts("motions", &|(_, state)| {
+            let different: BTreeSet<&usize> = state.motions.iter().collect();
+            different.len()
+        }),
         counts("reached", &|(_, state)| {
             let reached = state.observations.iter();
             reached

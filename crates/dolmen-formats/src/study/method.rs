@@ -45,6 +45,16 @@ impl StudyAnswer {
                 format!("{points} contact points a joint"),
                 format!("접합면당 접촉점 {points}개"),
             ));
+            if points == 4 && study.law == LawPart::Springs {
+                words.push(
+                    language
+                        .pick(
+                            "which make joints three times as stiff in rocking as faces are: capacities come out too large",
+                            "접합면의 회전강성이 약 3배로 커져 내력이 크게 산정됨",
+                        )
+                        .to_owned(),
+                );
+            }
         }
         if study.damage != DamageThresholds::default() {
             words.push(

@@ -9,7 +9,10 @@ pub(super) fn decay_text(decay: &Decay) -> String {
         "  the poles found explain {:.2} % of the motion [free-decay]\n",
         100.0 * decay.explained
     );
-    let mut table = Table::new(&["mode, Hz", "swings at, s", "size", "f, Hz", "damping, %"], 1);
+    let mut table = Table::new(
+        &["mode, Hz", "swings at, s", "size", "f, Hz", "damping, %", "±"],
+        1,
+    );
     for mode in &decay.modes {
         for at in shown(&mode.swings) {
             table.row(vec![
@@ -18,6 +21,7 @@ pub(super) fn decay_text(decay: &Decay) -> String {
                 format!("{:.3e}", at.amplitude),
                 format!("{:.4}", at.frequency_hz),
                 format!("{:.3}", 100.0 * at.damping_ratio),
+                format!("{:.3}", 100.0 * at.damping_ratio_sd),
             ]);
         }
     }
@@ -42,14 +46,28 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
     let bent = decay.modes.iter().filter(|mode| mode.poles_hz.len() > 1);
     let mut said: Vec<String> = bent
         .map(|mode| {
+            let why = match decay.channels {
+                1 => {
+                    "Either its frequency and damping follow the size of its swings, or these are several modes: one channel cannot tell, a second \
+                     place can"
+                }
+                _ => "Its frequency and damping follow the size of its swings",
+            };
             format!(
-                "the mode at {:.3} Hz is no single exponential: poles of one shape at {} Hz stand for it. Its frequency and damping follow the \
-                 size of its swings, and the strongest pole's are shown without a deviation",
+                "the mode at {:.3} Hz is no single exponential: poles of one shape at {} Hz stand for it. {why}; the strongest pole's are shown \
+                 without a deviation",
                 mode.frequency_hz,
                 list(&mode.poles_hz)
             )
         })
         .collect();
+    said.extend(decay.modes.iter().filter(|mode| mode.damping_follows && mode.poles_hz.len() == 1).map(|mode| {
+        format!(
+            "the damping of the mode at {:.3} Hz follows the size of its swings, as friction makes it: take it at the size that matters; the one ratio is \
+             a mean, without a deviation",
+            mode.frequency_hz
+        )
+    }));
     let of = |mode: &ModeDecay| mode.frequency_hz;
     let hidden: Vec<f64> = decay
         .modes

@@ -155,11 +155,18 @@ fn notes(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
         };
         let ends =
             [points.first(), points.last()].map(|point| point.map_or(0.0, |p| p[0] / answer.gravity_m_s2));
-        let _ = writeln!(
-            out,
-            "  a year, in 50 years: by {words}, {:.3} to {:.3} g",
-            ends[0], ends[1]
-        );
+        let _ = match hazard.curve.exponent() {
+            Some(k) => writeln!(
+                out,
+                "  a year, in 50 years: by {words}, a power law with k = {}",
+                significant(k, 3)
+            ),
+            None => writeln!(
+                out,
+                "  a year, in 50 years: by {words}, {:.3} to {:.3} g",
+                ends[0], ends[1]
+            ),
+        };
         let beyond = found
             .iter()
             .flat_map(|one| &one.states)

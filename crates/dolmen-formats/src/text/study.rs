@@ -437,8 +437,8 @@ fn trends(answer: &StudyAnswer, trends: &[TrendAnswer]) -> String {
                 );
                 format!("{said}: {}", verdict.word())
             }
-            None if tau.shows(Direction::Rising) => format!("the capacity rises with {path}"),
-            None if tau.shows(Direction::Falling) => format!("the capacity falls with {path}"),
+            None if tau.direction() == Some(Direction::Rising) => format!("the capacity rises with {path}"),
+            None if tau.direction() == Some(Direction::Falling) => format!("the capacity falls with {path}"),
             None => format!("the capacity has no trend with {path} beyond chance"),
         };
         let _ = write!(

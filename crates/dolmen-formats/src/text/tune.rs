@@ -170,10 +170,13 @@ pub fn findings(answer: &TuneAnswer) -> Vec<String> {
     }
     let more = |choice: Choice, words: &str| -> Option<String> {
         let share = answer.costs(choice, Choice::Best)?;
-        Some(format!(
-            "{words} leaves {:.1} % more than the best",
-            100.0 * share
-        ))
+        Some(match share >= 0.0 {
+            true => format!("{words} leaves {:.1} % more than the best", 100.0 * share),
+            false => format!(
+                "{words} leaves {:.1} % less than the best within the limits asked for, and does not keep them",
+                -100.0 * share
+            ),
+        })
     };
     all.extend(more(Choice::Rule, "The rule, far from the centre of the mode,"));
     all.extend(more(Choice::Given, "The file's damper"));

@@ -58,12 +58,13 @@ fn refuses_tables_of_designs_with_line_and_column() {
 
 #[test]
 fn exact_rows_of_a_table_of_structures() {
-    let rows = read_portfolio(
+    let table = read_portfolio(
         "\u{feff}# a comment\nname,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio,project,study,zone_factor_g,soil\n\
          가, 5, 6.0, 0.35, 3.4, 9, 3,,,0.11,S4\nb,,,,,,,../b,shaken,,\n"
             .as_bytes(),
     )
     .unwrap();
+    let rows = table.rows;
     let RowSource::Factors(factors) = &rows[0].source else {
         panic!("{:?}", rows[0])
     };
@@ -123,6 +124,10 @@ fn refuses_tables_of_structures_with_line_and_what_to_do() {
         let found = fault(rows);
         assert!(found.contains(says), "{rows}: {found}");
     }
+    // one row that is wrong does not cost the others
+    let some = read_portfolio(format!("{head}a,5,6,3,9,2,,\nb,5,6,3,57,2,,\n").as_bytes()).unwrap();
+    assert_eq!((some.rows.len(), some.refused.len()), (1, 1));
+    assert_eq!(some.refused[0].0, "b");
     assert!(
         read_portfolio(b"storeys\n5\n")
             .unwrap_err()

@@ -28,7 +28,8 @@ pub use damage::{DamageState, DamageThresholds, StackDamage, stack_damage};
 pub use error::AssessError;
 pub use fragility::{
     Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, bootstrap_fragility,
-    crossing, fit_fragility, fit_fragility_by_moments, motions_needed,
+    bootstrap_fragility_of_motions, crossing, fit_fragility, fit_fragility_by_moments,
+    fit_fragility_of_motions, motions_needed,
 };
 pub use frame::{FrameCheck, FrameNote, check_frame};
 pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, rank};
@@ -36,7 +37,7 @@ pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};
 pub use score::{
     EffectVerdict, Factor, FactorEffect, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore,
-    Ranking, ScoreModel, SixFactors, TrainedDesign, factor_shares, held_out, shapley_shares,
+    Ranking, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign, factor_shares, held_out, shapley_shares,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};

@@ -9,7 +9,7 @@
 use super::AssessError;
 use super::demand::{KoreanSite, Site, site_demand};
 use super::fragility::Fragility;
-use crate::numeric::normal_probability;
+use crate::numeric::ln_normal_probability;
 
 /// Return periods of the Korean code whose factors have a source, years.
 const KOREAN_PERIODS: [u32; 6] = [50, 100, 200, 500, 1000, 2400];
@@ -22,6 +22,8 @@ const CODE_DAMPING: f64 = 0.05;
 pub struct Hazard {
     /// Intensity, rising, and annual rate of exceedance, falling.
     points: Vec<[f64; 2]>,
+    /// Whether it is one power law for all intensities, as given.
+    is_power_law: bool,
 }
 
 impl Hazard {
@@ -40,7 +42,11 @@ impl Hazard {
             }
         }
         let x = (k0 / 1e-3).powf(1.0 / k); // any two points of it: those of a thousand and ten thousand years
-        Hazard::of_points(&[[x, 1e-3], [x * 10.0_f64.powf(1.0 / k), 1e-4]])
+        let line = Hazard::of_points(&[[x, 1e-3], [x * 10.0_f64.powf(1.0 / k), 1e-4]])?;
+        Ok(Hazard {
+            is_power_law: true,
+            ..line
+        })
     }
 
     /// A power law through one point: an intensity with its return period.
@@ -90,6 +96,7 @@ impl Hazard {
         }
         Ok(Hazard {
             points: points.to_vec(),
+            is_power_law: false,
         })
     }
 
@@ -111,6 +118,11 @@ impl Hazard {
             }
         }
         Hazard::of_points(&points)
+    }
+
+    /// The exponent of a hazard that is one power law, as given; `None` of one through points.
+    pub fn exponent(&self) -> Option<f64> {
+        self.is_power_law.then(|| self.piece(0).0)
     }
 
     /// The points.
@@ -181,8 +193,9 @@ pub fn annual_risk(hazard: &Hazard, fragility: &Fragility) -> AnnualRisk {
     let part = |piece: usize, from: f64, to: f64| {
         let (k, [x0, rate]) = hazard.piece(piece);
         let z = |x: f64| (x / theta).ln() / beta + k * beta;
-        let front = rate * (-k * (theta / x0).ln() + 0.5 * (k * beta).powi(2)).exp();
-        front * between(z(from), z(to))
+        // in logarithms: the front alone may be too large for a number where the rest is next to nothing
+        let front = rate.ln() - k * (theta / x0).ln() + 0.5 * (k * beta).powi(2);
+        (front + ln_between(z(from), z(to))).exp()
     };
     let points = &hazard.points;
     let last = points.len() - 2;
@@ -190,25 +203,45 @@ pub fn annual_risk(hazard: &Hazard, fragility: &Fragility) -> AnnualRisk {
     let below = part(0, 0.0, points[0][0]);
     let above = part(last, points[last + 1][0], f64::INFINITY);
     let annual_rate = below + inside + above;
+    let share = |part: f64| match annual_rate {
+        _ if hazard.is_power_law => 0.0, // nothing lies beyond what was given
+        rate if rate.is_infinite() => f64::from(u8::from(part.is_infinite())),
+        rate if rate > 0.0 => part / rate,
+        _ => 0.0,
+    };
     AnnualRisk {
         annual_rate,
-        share_below_points: below / annual_rate,
-        share_above_points: above / annual_rate,
+        share_below_points: share(below),
+        share_above_points: share(above),
     }
 }
 
-/// Φ(b) − Φ(a) with a ≤ b, on the side where both are small.
-fn between(a: f64, b: f64) -> f64 {
-    if a > 0.0 {
-        normal_probability(-a) - normal_probability(-b)
-    } else {
-        normal_probability(b) - normal_probability(a)
-    }
+/// ln(Φ(b) − Φ(a)) with a ≤ b, on the side where both are small; −∞ where they are one.
+fn ln_between(a: f64, b: f64) -> f64 {
+    let (small, large) = if a > 0.0 { (-b, -a) } else { (a, b) };
+    let (small, large) = (ln_normal_probability(small), ln_normal_probability(large));
+    large + (-(small - large).exp()).ln_1p()
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn exact_where_a_hazard_is_so_steep_that_its_front_is_no_number() {
+        // .1 at 95 years and .102 at 475: k = 81, e^(k² β²/2) = e^825 with β = .5
+        let hazard = Hazard::of_points(&[[0.1, 1.0 / 95.0], [0.102, 1.0 / 475.0]]).unwrap();
+        let steep = annual_risk(&hazard, &Fragility::new(0.3, 0.5).unwrap());
+        assert!(
+            steep.annual_rate.is_infinite() && steep.share_below_points > 0.99,
+            "{steep:?}"
+        );
+        // with a β that gives numbers, the closed form
+        let k = 5.0_f64.ln() / 1.02_f64.ln();
+        let one = annual_risk(&hazard, &Fragility::new(0.3, 0.2).unwrap());
+        let closed = (3.0_f64.ln() * -k + 0.5 * (0.2 * k).powi(2)).exp() / 95.0;
+        assert!((one.annual_rate / closed - 1.0).abs() < 1e-9, "{one:?} {closed}");
+    }
 
     /// ∫ H(x) f(x) dx by the trapezoidal rule in z, which converges faster than any power for what dies out at both ends.
     fn by_quadrature(hazard: &Hazard, fragility: &Fragility) -> f64 {

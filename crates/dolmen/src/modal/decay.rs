@@ -16,6 +16,8 @@ pub(super) const SHORT: usize = 1024;
 /// What a free decay shows beside its modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Decay {
+    /// Channels of the record.
+    pub channels: usize,
     /// Share of the motion that the poles explain.
     pub explained: f64,
     /// Each mode, by frequency.
@@ -28,10 +30,14 @@ pub struct ModeDecay {
     /// Its frequency, Hz.
     pub frequency_hz: f64,
     /// Frequencies of the poles that stand for it, Hz. More than one, of one shape and with bands that meet: it is no exponential, its
-    /// frequency and damping follow the size of its swings, and those of the mode are the strongest pole's, without a deviation.
+    /// frequency and damping follow the size of its swings, and those of the mode are the strongest pole's, without a deviation. With one
+    /// channel every shape is alike: they may as well be several modes.
     pub poles_hz: Vec<f64>,
+    /// Whether its damping follows the size of its swings, beyond chance and by more than a fifth: friction, or a joint that works. Its one damping
+    /// ratio is then a mean without a deviation.
+    pub damping_follows: bool,
     /// Frequency and damping by the size of its swings, largest first, at the channel that shows most of it; empty where another mode
-    /// is too near, or there are too few swings.
+    /// is too near, where there are too few swings, and where swings of several poles grow on the way: they beat.
     pub swings: Vec<AtAmplitude>,
 }
 
@@ -60,16 +66,26 @@ pub(super) fn of_decay(
     analysis.modes.modes = groups.iter().map(|group| strongest(&found, group)).collect();
     let mut modes = Vec::with_capacity(groups.len());
     for (k, group) in groups.iter().enumerate() {
+        let swings = swings(record, &analysis.modes.modes, k, &found.noise)
+            .filter(|swings| !beats(group.len(), swings))
+            .unwrap_or_default();
+        let damping_follows = follows(&swings);
+        let mode = &mut analysis.modes.modes[k];
+        if damping_follows {
+            mode.damping_ratio_sd = None;
+        }
         modes.push(ModeDecay {
-            frequency_hz: analysis.modes.modes[k].frequency_hz,
+            frequency_hz: mode.frequency_hz,
             poles_hz: group.iter().map(|i| found.modes.modes[*i].frequency_hz).collect(),
-            swings: swings(record, &analysis.modes.modes, k, &found.noise).unwrap_or_default(),
+            damping_follows,
+            swings,
         });
     }
     let within = |frequency_hz: f64| (low_hz..=high_hz).contains(&frequency_hz);
     modes.retain(|m| within(m.frequency_hz));
     analysis.modes.modes.retain(|m| within(m.frequency_hz));
     analysis.decay = Some(Decay {
+        channels: record.channels().len(),
         explained: found.explained,
         modes,
     });
@@ -141,6 +157,26 @@ fn swings(record: &Record, modes: &[Mode], k: usize, noise: &[f64]) -> Option<Ve
         ..Decrement::default()
     };
     decrement(record, &options).ok()
+}
+
+/// Whether the damping of the largest swings and of some later ones differ beyond chance, and by more than a fifth.
+fn follows(swings: &[AtAmplitude]) -> bool {
+    const DEVIATIONS: f64 = 4.0; // chosen here: some ten windows are compared, and their deviations come from few swings
+    const PART: f64 = 0.2;
+    let Some((first, later)) = swings.split_first() else {
+        return false;
+    };
+    // the second window has half of its swings in common with the first
+    later.iter().skip(1).any(|at| {
+        let apart = (at.damping_ratio - first.damping_ratio).abs();
+        apart > DEVIATIONS * at.damping_ratio_sd.hypot(first.damping_ratio_sd)
+            && apart > PART * first.damping_ratio.abs()
+    })
+}
+
+/// Whether swings that several poles make grow on the way: then they are modes that beat, not one whose frequency follows its swings.
+fn beats(poles: usize, swings: &[AtAmplitude]) -> bool {
+    poles > 1 && swings.iter().any(|at| at.damping_ratio < 0.0)
 }
 
 /// The spectrum of a decay that is too short for averages.

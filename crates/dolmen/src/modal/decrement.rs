@@ -52,13 +52,15 @@ pub struct AtAmplitude {
     pub frequency_hz: f64,
     /// Equivalent damping ratio.
     pub damping_ratio: f64,
+    /// Standard deviation of it, from how the swings scatter about a straight line of ln u, and how few of them are independent in the band.
+    pub damping_ratio_sd: f64,
 }
 
 /// Frequency and damping of one mode by the size of its swings, largest first.
 ///
 /// ```text
 /// ln u_k = c - δ t_k,   k = ω_d t_k/π + c'                      least squares over so many extrema, half of them new each time
-/// ω = √(ω_d² + δ²),   f = ω/2π,   ζ = δ/ω
+/// ω = √(ω_d² + δ²),   f = ω/2π,   ζ = δ/ω,   σ_ζ = √(c r²/((n − 2) Σ (t − t̄)²))/ω,   c = 2 f/(width of the band), 1 at least
 /// ```
 /// Extrema are refined by the parabola through three samples. With a band, the swings within its ringing time (3 over its width) of both
 /// ends are left out, since the filter made them.
@@ -99,7 +101,8 @@ pub fn decrement(record: &Record, options: &Decrement) -> Result<Vec<AtAmplitude
     let windows = swings
         .windows(options.extrema)
         .step_by(options.extrema.div_ceil(2));
-    Ok(windows.map(over).collect())
+    let width_hz = options.band_hz.map(|[low, high]| high - low);
+    Ok(windows.map(|swings| over(swings, width_hz)).collect())
 }
 
 fn check(record: &Record, options: &Decrement) -> Result<(), ModalError> {
@@ -168,7 +171,7 @@ fn extrema(y: &[f64], rate_hz: f64) -> Vec<Swing> {
 }
 
 /// Frequency and damping over these extrema.
-fn over(swings: &[Swing]) -> AtAmplitude {
+fn over(swings: &[Swing], width_hz: Option<f64>) -> AtAmplitude {
     let n = swings.len() as f64;
     let mean = |of: &dyn Fn(usize, &Swing) -> f64| -> f64 {
         swings.iter().enumerate().map(|(k, s)| of(k, s)).sum::<f64>() / n
@@ -180,11 +183,17 @@ fn over(swings: &[Swing]) -> AtAmplitude {
     let decay = -mean(&|_, s| (s.time_s - time_s) * (s.size.ln() - ln_size)) / square;
     let omega_d = PI * mean(&|k, s| (s.time_s - time_s) * (k as f64 - middle)) / square;
     let omega = omega_d.hypot(decay);
+    let left = mean(&|_, s| (s.size.ln() - ln_size + decay * (s.time_s - time_s)).powi(2)) * n;
+    // swings of noise in a band repeat themselves for as long as the band is narrow
+    let alike = width_hz.map_or(1.0, |width_hz| (omega / PI / width_hz).max(1.0));
+    let free = (n / alike - 2.0).max(1.0);
+    let damping_ratio_sd = (left / n * (n / alike) / free / (n / alike) / square).sqrt() / omega;
     AtAmplitude {
         time_s,
         amplitude: ln_size.exp(),
         frequency_hz: omega / (2.0 * PI),
         damping_ratio: decay / omega,
+        damping_ratio_sd,
     }
 }
 

@@ -44,7 +44,8 @@ pub struct Agreement {
 }
 
 impl Agreement {
-    /// Whether the setups differ beyond chance: in less than 1 of 100 cases.
+    /// Whether the setups differ beyond chance: in about 1 of 100 cases; in 2 where deviations come from 30 blocks of time, in up to 6 from 10,
+    /// for χ² takes them as known.
     pub fn differs(&self) -> bool {
         const CHANCE: f64 = 0.01; // ours: ten modes and no change give a false alarm in one of ten surveys
         self.p.is_some_and(|p| p < CHANCE)
@@ -66,6 +67,9 @@ pub struct MergedMode {
     pub frequency: Agreement,
     /// Whether they agree on the damping ratio; `None` where one has none.
     pub damping: Option<Agreement>,
+    /// Degrees of freedom of the deviations where they come from how far the setups differ: one less than setups. `None` where they come from
+    /// the deviations of each setup, and have theirs.
+    pub degrees_of_freedom: Option<f64>,
     /// Whether another pairing was nearly as good in any setup.
     pub doubtful: bool,
 }
@@ -360,6 +364,9 @@ impl Growing {
             damping_ratio: self.members.iter().map(|m| m.damping_ratio).collect(),
             scale: self.scale.clone(),
             reference_assurance: self.reference_assurance.clone(),
+            degrees_of_freedom: damping.as_ref().map_or(frequency.degrees_of_freedom, |d| {
+                frequency.degrees_of_freedom.or(d.degrees_of_freedom)
+            }),
             frequency: frequency.agreement,
             damping: damping.map(|d| d.agreement),
             doubtful: self.doubtful,
@@ -382,6 +389,8 @@ type Known = (f64, Option<f64>);
 struct Mean {
     value: f64,
     sd: Option<f64>,
+    /// Of the deviation, where the spread of the setups made it.
+    degrees_of_freedom: Option<f64>,
     agreement: Agreement,
 }
 
@@ -396,6 +405,7 @@ fn mean(all: &[Known]) -> Result<Mean, ModalError> {
         return Ok(Mean {
             value: plain,
             sd: Some(spread / n.sqrt()),
+            degrees_of_freedom: Some(n - 1.0),
             agreement: Agreement {
                 spread,
                 chi_squared: None,
@@ -418,10 +428,11 @@ fn mean(all: &[Known]) -> Result<Mean, ModalError> {
     Ok(Mean {
         value,
         sd: Some(widened / weight.sqrt()),
+        degrees_of_freedom: (widened > 1.0).then_some(n - 1.0),
         agreement: Agreement {
             spread,
             chi_squared: Some(chi_squared),
-            p: Some(chi_squared_above(chi_squared, all.len() - 1)?),
+            p: Some(chi_squared_above(chi_squared, (all.len() - 1) as f64)?),
         },
     })
 }
@@ -494,6 +505,11 @@ mod tests {
         assert!((found.value - 1.06).abs() < 1e-14);
         assert!((found.agreement.chi_squared.unwrap() - 1.8).abs() < 1e-12);
         assert!((found.sd.unwrap() - (1.8_f64 / 125.0).sqrt()).abs() < 1e-14);
+        assert_eq!(found.degrees_of_freedom, Some(1.0)); // two setups that differ say so once
+        let agree = mean(&[(1.0, Some(0.1)), (1.05, Some(0.2))]).unwrap();
+        assert_eq!(agree.degrees_of_freedom, None);
+        let bare = mean(&[(1.0, None), (1.3, None), (1.1, None)]).unwrap();
+        assert_eq!(bare.degrees_of_freedom, Some(2.0));
         assert!((found.agreement.p.unwrap() - libm::erfc(0.9_f64.sqrt())).abs() < 1e-14);
     }
 

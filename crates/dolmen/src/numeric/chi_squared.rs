@@ -1,51 +1,121 @@
-//! The χ² distribution of a whole number of degrees of freedom: do several numbers agree within their deviations?
+//! The χ² distribution: do several numbers agree within their deviations, and how well is a deviation known?
 
-use super::NumericError;
-use std::f64::consts::PI;
+use super::{Bracketing, NumericError, bracketed_root};
 
-/// P(χ² ≥ value) with so many degrees of freedom; 1 with none.
+/// Terms of the series and of the continued fraction, and the part at which they end.
+const TERMS_MOST: usize = 100_000;
+const PART_LEAST: f64 = 1e-16;
+
+/// P(χ² ≥ value) with so many degrees of freedom, whole or not; 1 with none.
 ///
 /// ```text
-/// y = value/2;   ν even: e^-y Σ_{k<ν/2} y^k/k!      ν odd: erfc √y + e^-y Σ_{k<(ν-1)/2} y^(k+½)/Γ(k + 3/2)
+/// Q(ν/2, value/2),   Q the upper regularised incomplete gamma function: 1 less its series below ν/2 + 1, its continued fraction above
 /// ```
 ///
 /// # Errors
-/// [`NumericError::Range`] for a value below 0 or not a number.
+/// [`NumericError::Range`] for a value or degrees of freedom below 0 or not a number; [`NumericError::Evaluations`] beyond 1e9 of them.
 ///
 /// # Source
-/// Abramowitz & Stegun 26.4.4, 26.4.5.
+/// DLMF 8.11.4, 8.9.2.
 ///
 /// # Example
 /// ```
 /// use dolmen::numeric::chi_squared_above;
-/// assert!((chi_squared_above(5.991464547107979, 2)? - 0.05).abs() < 1e-14);
+/// assert!((chi_squared_above(5.991464547107979, 2.0)? - 0.05).abs() < 1e-14);
 /// # Ok::<(), dolmen::numeric::NumericError>(())
 /// ```
-pub fn chi_squared_above(value: f64, degrees_of_freedom: usize) -> Result<f64, NumericError> {
-    if value.is_nan() || value < 0.0 {
-        return Err(NumericError::Range {
-            quantity: "the sum of squares",
-            given: value,
-            allowed: "0 or more",
-        });
+pub fn chi_squared_above(value: f64, degrees_of_freedom: f64) -> Result<f64, NumericError> {
+    for (quantity, given) in [
+        ("the sum of squares", value),
+        ("degrees_of_freedom", degrees_of_freedom),
+    ] {
+        if given.is_nan() || given < 0.0 {
+            return Err(NumericError::Range {
+                quantity,
+                given,
+                allowed: "0 or more",
+            });
+        }
     }
-    if degrees_of_freedom == 0 || value == 0.0 {
+    if degrees_of_freedom == 0.0 || value == 0.0 {
         return Ok(1.0);
     }
-    let y = 0.5 * value;
-    let decay = (-y).exp();
-    let odd = degrees_of_freedom % 2 == 1;
-    let (mut sum, mut term, mut k) = if odd {
-        (libm::erfc(y.sqrt()), 2.0 * decay * (y / PI).sqrt(), 0.5)
-    } else {
-        (0.0, decay, 0.0)
-    };
-    for _ in 0..degrees_of_freedom / 2 {
-        sum += term;
-        k += 1.0;
-        term *= y / k;
+    if value.is_infinite() {
+        return Ok(0.0);
     }
-    Ok(sum.min(1.0))
+    let (a, x) = (0.5 * degrees_of_freedom, 0.5 * value);
+    // x^a e^-x / Γ(a)
+    let front = (a * x.ln() - x - libm::lgamma(a)).exp();
+    if x < a + 1.0 {
+        let (mut term, mut sum) = (1.0 / a, 1.0 / a);
+        for n in 1..TERMS_MOST {
+            term *= x / (a + n as f64);
+            sum += term;
+            if term <= PART_LEAST * sum {
+                return Ok((1.0 - front * sum).clamp(0.0, 1.0));
+            }
+        }
+    } else {
+        // modified Lentz
+        let mut b = x + 1.0 - a;
+        let (mut c, mut d) = (f64::MAX, 1.0 / b);
+        let mut h = d;
+        for n in 1..TERMS_MOST {
+            let an = n as f64 * (a - n as f64);
+            b += 2.0;
+            d = 1.0 / (an * d + b);
+            c = b + an / c;
+            h *= c * d;
+            if (c * d - 1.0).abs() <= 4.0 * PART_LEAST {
+                return Ok((front * h).clamp(0.0, 1.0));
+            }
+        }
+    }
+    Err(NumericError::Evaluations { most: TERMS_MOST })
+}
+
+/// The value below which χ² of so many degrees of freedom lies with a probability.
+///
+/// # Errors
+/// [`NumericError::Range`] unless 0 < probability < 1 and there is more than 0 degrees of freedom.
+///
+/// # Example
+/// ```
+/// use dolmen::numeric::chi_squared_quantile;
+/// assert!((chi_squared_quantile(0.95, 2.0)? - 5.991464547107979).abs() < 1e-9);
+/// # Ok::<(), dolmen::numeric::NumericError>(())
+/// ```
+pub fn chi_squared_quantile(probability: f64, degrees_of_freedom: f64) -> Result<f64, NumericError> {
+    for (quantity, given, allowed, is_in) in [
+        (
+            "probability",
+            probability,
+            "between 0 and 1",
+            probability > 0.0 && probability < 1.0,
+        ),
+        (
+            "degrees_of_freedom",
+            degrees_of_freedom,
+            "above 0",
+            degrees_of_freedom > 0.0 && degrees_of_freedom.is_finite(),
+        ),
+    ] {
+        if !is_in {
+            return Err(NumericError::Range {
+                quantity,
+                given,
+                allowed,
+            });
+        }
+    }
+    let off = |value: f64| {
+        chi_squared_above(value, degrees_of_freedom).map_or(f64::NAN, |above| 1.0 - above - probability)
+    };
+    let mut most = degrees_of_freedom.max(1.0);
+    while off(most) < 0.0 {
+        most *= 2.0;
+    }
+    bracketed_root(off, 0.0, most, &Bracketing::default())
 }
 
 #[cfg(test)]
@@ -56,21 +126,40 @@ mod tests {
     fn agrees_with_scipy() {
         // scipy 1.17.1: chi2.sf(value, nu)
         for (value, nu, p) in [
-            (3.841458820694124, 1, 0.04999999999999989),
-            (11.2, 1, 0.0008179733199943964),
-            (7.3, 3, 0.06292623645904312),
-            (20.0, 8, 0.010336050675925726),
-            (40.0, 5, 1.493367900050393e-07),
+            (3.841458820694124, 1.0, 0.04999999999999989),
+            (11.2, 1.0, 0.0008179733199943964),
+            (7.3, 3.0, 0.06292623645904312),
+            (20.0, 8.0, 0.010336050675925726),
+            (40.0, 5.0, 1.493367900050393e-07),
         ] {
             let found = chi_squared_above(value, nu).unwrap();
             assert!((found / p - 1.0).abs() < 1e-12, "{value} {nu}: {found:e}");
         }
-        assert_eq!(chi_squared_above(3.0, 0), Ok(1.0));
+        assert_eq!(chi_squared_above(3.0, 0.0), Ok(1.0));
+        // scipy 1.17.1 as well: chi2.sf of parts of a degree, chi2.ppf
+        for (value, nu, p) in [
+            (0.4, 1.7, 0.7539579824924723),
+            (9.0, 2.5, 0.01871895092743785),
+            (30.0, 29.3, 0.42944769075888845),
+        ] {
+            let found = chi_squared_above(value, nu).unwrap();
+            assert!((found / p - 1.0).abs() < 1e-11, "{value} {nu}: {found:e}");
+        }
+        assert_eq!(chi_squared_above(f64::INFINITY, 3.0), Ok(0.0));
+        for (p, nu, value) in [
+            (0.025, 4.3, 0.5812421572694526),
+            (0.975, 1.2, 5.549546642432809),
+            (0.5, 0.7, 0.21473897172368658),
+            (0.975, 38.0, 56.895520535055965),
+        ] {
+            let found = chi_squared_quantile(p, nu).unwrap();
+            assert!((found / value - 1.0).abs() < 1e-9, "{p} {nu}: {found}");
+        }
     }
 
     #[test]
     fn refuses_what_is_no_sum_of_squares() {
-        let message = chi_squared_above(f64::NAN, 2).unwrap_err().to_string();
+        let message = chi_squared_above(f64::NAN, 2.0).unwrap_err().to_string();
         assert_eq!(message, "the sum of squares is NaN, but must be 0 or more");
     }
 }

@@ -18,7 +18,7 @@ mod statistics;
 mod student;
 
 pub use assignment::assignment;
-pub use chi_squared::chi_squared_above;
+pub use chi_squared::{chi_squared_above, chi_squared_quantile};
 pub(crate) use complex_solve::complex_solve;
 pub(crate) use crossing::{COEFFICIENTS_MOST, first_descent, polynomial, polynomial_most};
 pub use error::NumericError;
@@ -32,4 +32,4 @@ pub(crate) use quadrature::adaptive_nodes;
 pub use random::Random;
 pub use roots::{Bracketing, bracketed_root};
 pub use statistics::{Interval, clopper_pearson, mean, quantile, variance};
-pub use student::{student_two_sided, student_two_sided_quantile};
+pub use student::{student_detectable, student_two_sided, student_two_sided_quantile};

@@ -7,7 +7,7 @@
 //! | p, p_H | `p`, `p_holm` | probability of such a difference by chance, alone and among all tests |
 
 use crate::assess::AssessError;
-use crate::numeric::{normal_quantile, student_two_sided, student_two_sided_quantile};
+use crate::numeric::{student_detectable, student_two_sided, student_two_sided_quantile};
 
 /// What the test says of one difference.
 #[derive(Clone, Debug, PartialEq)]
@@ -72,21 +72,19 @@ pub(super) fn welch(parts: &[(f64, f64)]) -> (f64, f64) {
 ///
 /// ```text
 /// p = P(|t_ν| ≥ |r|/sd);   in ascending order p_H(k) = max_{j ≤ k} min(1, (m - j + 1) p(j)),  m tests
-/// detectable = (t_{α/m, ν} + z_power) sd                        found by Holm's procedure whatever the other tests give
+/// detectable = δ sd,  P(|T_ν(δ)| > t_{α/m, ν}) = power, T noncentral    found by Holm's procedure whatever the other tests give
 /// ```
 ///
 /// # Source
 /// Holm (1979) Scand. J. Stat. 6:65-70.
 pub(super) fn tested(all: &[Raw], significance: f64, power: f64) -> Result<Vec<Difference>, AssessError> {
     let tests = all.iter().filter(|raw| testable(raw)).count();
-    let z_power = normal_quantile(power)?;
     let mut found: Vec<Difference> = Vec::with_capacity(all.len());
     for raw in all {
         let evidence = match raw.spread.filter(|_| testable(raw)) {
             None => None,
             Some((sd, degrees_of_freedom)) => {
                 let statistic = raw.relative / sd;
-                let beyond = student_two_sided_quantile(significance / tests as f64, degrees_of_freedom)?;
                 Some(Evidence {
                     sd,
                     half_width_95: sd * student_two_sided_quantile(0.05, degrees_of_freedom)?,
@@ -95,7 +93,12 @@ pub(super) fn tested(all: &[Raw], significance: f64, power: f64) -> Result<Vec<D
                     p: student_two_sided(statistic, degrees_of_freedom)?,
                     p_holm: 1.0,
                     significant: false,
-                    detectable: (beyond + z_power) * sd,
+                    detectable: sd
+                        * student_detectable(
+                            significance / tests as f64,
+                            power,
+                            degrees_of_freedom.max(1.0),
+                        )?,
                 })
             }
         };

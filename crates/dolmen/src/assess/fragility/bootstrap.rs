@@ -1,10 +1,11 @@
 //! Bands of a fragility curve: what other motions of the same kind could have given.
 
 use super::curve::Fragility;
-use super::fit::fit_fragility;
+use super::fit::{fit_fragility, fit_fragility_of_motions};
 use super::observation::Observation;
 use crate::assess::AssessError;
 use crate::numeric::{Interval, Random, quantile};
+use std::collections::BTreeMap;
 
 /// Curves of resampled observations.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,12 +72,39 @@ pub fn bootstrap_fragility(
     resamples: usize,
     seed: u64,
 ) -> Result<FragilityBand, AssessError> {
+    let motions: Vec<usize> = (0..observations.len()).collect();
+    resampled(observations, &motions, resamples, seed)
+}
+
+/// The same where several observations are of one motion, as [`fit_fragility_of_motions`] takes them: motions are drawn, each with all that is
+/// of it.
+///
+/// # Errors
+/// Those of [`fit_fragility_of_motions`]; resamples without a curve are counted.
+pub fn bootstrap_fragility_of_motions(
+    observations: &[Observation],
+    motions: &[usize],
+    resamples: usize,
+    seed: u64,
+) -> Result<FragilityBand, AssessError> {
+    fit_fragility_of_motions(observations, motions)?;
+    resampled(observations, motions, resamples, seed)
+}
+
+fn resampled(
+    observations: &[Observation],
+    motions: &[usize],
+    resamples: usize,
+    seed: u64,
+) -> Result<FragilityBand, AssessError> {
     fit_fragility(observations)?;
-    let single: Vec<Observation> = observations
-        .iter()
-        .copied()
-        .filter(|o| !matches!(o, Observation::Stripe { .. }))
-        .collect();
+    let mut by_motion: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
+    for (motion, observation) in motions.iter().zip(observations) {
+        if !matches!(observation, Observation::Stripe { .. }) {
+            by_motion.entry(*motion).or_default().push(*observation);
+        }
+    }
+    let single: Vec<Vec<Observation>> = by_motion.into_values().collect();
     let mut band = FragilityBand {
         curves: Vec::with_capacity(resamples),
         without_curve: 0,
@@ -85,7 +113,8 @@ pub fn bootstrap_fragility(
     for resample in 0..resamples as u64 {
         let mut random = Random::new(seed, resample);
         let mut below = |n: usize| ((random.uniform() * n as f64) as usize).min(n - 1);
-        let mut drawn: Vec<Observation> = (0..single.len()).map(|_| single[below(single.len())]).collect();
+        let drawn = (0..single.len()).map(|_| &single[below(single.len())]);
+        let mut drawn: Vec<Observation> = drawn.flatten().copied().collect();
         for observation in observations {
             if let Observation::Stripe {
                 intensity,

@@ -6,17 +6,24 @@
 //! | n, k | `motions`, `reached` | motions at an intensity, and those that reached the state |
 
 use super::curve::Fragility;
-use super::observation::{Observation, bound};
+use super::observation::{FragilityBound, Observation, bound, extent};
 use crate::assess::AssessError;
 use crate::numeric::{
-    Interval, ln_normal_density, ln_normal_probability, mean, normal_hazard, normal_quantile, variance,
+    Interval, chi_squared_quantile, ln_normal_density, ln_normal_probability, mean, normal_hazard,
+    student_two_sided_quantile, variance,
 };
+use std::collections::BTreeMap;
 
 /// Fewest motions that a curve is fitted to.
 const MOTIONS_LEAST: usize = 3;
-/// Newton's steps, and the one that is small enough.
+/// Newton's steps, the one that is small enough, and the one that is too large for an end.
 const STEPS_MOST: usize = 200;
 const STEP_LEAST: f64 = 1e-13;
+const STEP_MOST: f64 = 1e-6;
+/// Standard error of β over β from which there is no curve: nothing is known of its steepness. Chosen here.
+const BETA_ERROR_MOST: f64 = 3.0;
+/// Least degrees of freedom of β. Chosen here.
+const FREEDOM_LEAST: f64 = 0.2;
 
 /// A curve with what is to be known of how it was found.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -31,7 +38,7 @@ pub struct FragilityFit {
     pub covariance: f64,
     /// Logarithm of the likelihood; `None` of a fit by moments.
     pub log_likelihood: Option<f64>,
-    /// Motions it rests on: of stripes those of the largest.
+    /// Different motions it rests on: of stripes those of the largest.
     pub motions: usize,
     /// Observations that reached the state, of all.
     pub reached: usize,
@@ -40,25 +47,41 @@ pub struct FragilityFit {
 }
 
 impl FragilityFit {
-    /// Interval of θ with a confidence: θ exp(± z σ).
+    /// Interval of θ with a confidence.
+    ///
+    /// ```text
+    /// θ exp(± t s),   s² = σ² n/(n − 1),   t of Student with n − 1 degrees of freedom, n motions
+    /// ```
     ///
     /// # Errors
     /// [`AssessError::Numeric`] unless 0 < confidence < 1.
     pub fn theta_interval(&self, confidence: f64) -> Result<Interval, AssessError> {
-        Ok(around(
-            self.curve.theta(),
-            self.ln_theta_error,
-            two_sided(confidence)?,
-        ))
+        let half = self.times(confidence)? * self.ln_theta_error;
+        Ok(Interval {
+            lower: self.curve.theta() * (-half).exp(),
+            upper: self.curve.theta() * half.exp(),
+        })
     }
 
-    /// Interval of β with a confidence: β exp(± z σ/β), positive at both ends.
+    /// Interval of β with a confidence: that of a standard deviation.
+    ///
+    /// ```text
+    /// β √(m/χ²),   m = ½ (β/σ)²,   χ² of m − 1 degrees of freedom: all capacities known, m = n
+    /// ```
     ///
     /// # Errors
     /// As [`FragilityFit::theta_interval`].
     pub fn beta_interval(&self, confidence: f64) -> Result<Interval, AssessError> {
-        let relative = self.beta_error / self.curve.beta();
-        Ok(around(self.curve.beta(), relative, two_sided(confidence)?))
+        let known = 0.5 * (self.curve.beta() / self.beta_error).powi(2);
+        let free = if self.is_by_moments() { known } else { known - 1.0 };
+        let free = free.max(FREEDOM_LEAST);
+        let at = |probability: f64| -> Result<f64, AssessError> {
+            Ok(self.curve.beta() * (known / chi_squared_quantile(probability, free)?).sqrt())
+        };
+        Ok(Interval {
+            lower: at(0.5 + 0.5 * confidence)?,
+            upper: at(0.5 - 0.5 * confidence)?,
+        })
     }
 
     /// Interval of the probability at an intensity with a confidence, from the covariance of both parameters.
@@ -71,23 +94,30 @@ impl FragilityFit {
         // dz = −(d ln θ + z dβ)/β
         let variance =
             self.ln_theta_error.powi(2) + z * (2.0 * self.covariance + z * self.beta_error.powi(2));
-        let half = two_sided(confidence)? * variance.max(0.0).sqrt() / beta;
+        let half = self.times(confidence)? * variance.max(0.0).sqrt() / beta;
         let at = |z: f64| ln_normal_probability(z).exp();
         Ok(Interval {
             lower: at(z - half),
             upper: at(z + half),
         })
     }
-}
 
-fn two_sided(confidence: f64) -> Result<f64, AssessError> {
-    Ok(normal_quantile(0.5 + 0.5 * confidence)?)
-}
+    /// Standard deviation of what is not known of ln θ: the standard error, wider as it is itself estimated from few motions, so that a
+    /// normal distribution with it stands for Student's; √(n/(n − 3)) of it, of three motions √(n/(n − 1)) and more.
+    pub fn ln_theta_deviation(&self) -> f64 {
+        let n = self.motions as f64;
+        self.ln_theta_error * (n / (n - 3.0).max(1.0)).sqrt()
+    }
 
-fn around(value: f64, relative: f64, times: f64) -> Interval {
-    Interval {
-        lower: value * (-times * relative).exp(),
-        upper: value * (times * relative).exp(),
+    fn is_by_moments(&self) -> bool {
+        self.log_likelihood.is_none()
+    }
+
+    /// Standard errors to each side of an interval of a confidence.
+    fn times(&self, confidence: f64) -> Result<f64, AssessError> {
+        let n = self.motions as f64;
+        let likeliest = if self.is_by_moments() { 1.0 } else { n / (n - 1.0) };
+        Ok(student_two_sided_quantile(1.0 - confidence, n - 1.0)? * likeliest.sqrt())
     }
 }
 
@@ -107,8 +137,8 @@ fn around(value: f64, relative: f64, times: f64) -> Interval {
 /// the intensity alone tells them apart; [`AssessError::FragilityFalls`]; [`AssessError::Observation`].
 ///
 /// # Limits
-/// Observations count as independent: stripes of the same motions are not quite, and their errors come out too small. One curve
-/// is monotone; rocking is not: take the first intensity at which a motion reached the state, and say how many survived one above.
+/// Observations count as independent: stripes of the same motions are not quite, and their errors come out too small; of motions that act in
+/// several directions see [`fit_fragility_of_motions`]. One curve is monotone; rocking is not: take the first intensity at which a motion reached the state, and say how many survived one above.
 ///
 /// # Source
 /// Baker, J. W. (2015) Efficient analytical fragility function fitting using dynamic structural analysis. Earthq. Spectra
@@ -126,67 +156,173 @@ fn around(value: f64, relative: f64, times: f64) -> Interval {
 /// # Ok::<(), dolmen::assess::AssessError>(())
 /// ```
 pub fn fit_fragility(observations: &[Observation]) -> Result<FragilityFit, AssessError> {
-    for (i, observation) in observations.iter().enumerate() {
-        observation.check(i + 1)?;
+    let top = Top::of(observations, motions_of(observations))?;
+    top.fit(
+        observations,
+        motions_of(observations),
+        top.likelihood.covariance(),
+    )
+}
+
+/// The same curve of observations of which several are of one motion: turned, or with other samples of uncertain inputs. `motions` has one
+/// number an observation, that of its motion. What one motion does in several directions is alike, so errors come from how motions
+/// differ.
+///
+/// ```text
+/// V = A⁻¹ (Σ g gᵀ) A⁻¹,   g the gradient of all that is of one motion, A the observed information; never below A⁻¹ for ln θ
+/// ```
+///
+/// # Errors
+/// As [`fit_fragility`], [`AssessError::TooFewMotions`] for fewer than 3 different motions or a list of another length.
+///
+/// # Source
+/// Liang, K.-Y. and Zeger, S. L. (1986) Longitudinal data analysis using generalized linear models. Biometrika 73(1):13–22.
+pub fn fit_fragility_of_motions(
+    observations: &[Observation],
+    motions: &[usize],
+) -> Result<FragilityFit, AssessError> {
+    let mut by_motion: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
+    for (motion, observation) in motions.iter().zip(observations) {
+        by_motion.entry(*motion).or_default().push(*observation);
     }
-    let motions = motions_of(observations);
-    if motions < MOTIONS_LEAST {
-        return Err(AssessError::TooFewMotions { given: motions });
+    let different = if motions.len() == observations.len() {
+        by_motion.len()
+    } else {
+        0
+    };
+    let top = Top::of(observations, different)?;
+    let own = top.likelihood.covariance();
+    let independent = top.fit(observations, different, own)?;
+    if by_motion.len() == observations.len() {
+        return Ok(independent);
     }
-    if let Some(bound) = bound(observations) {
-        return Err(AssessError::NoFragility(bound));
+    let mut spread = [0.0; 3];
+    for one in by_motion.values() {
+        let [a, c] = likelihood(one, top.middle, top.at).gradient;
+        spread[0] += a * a;
+        spread[1] += a * c;
+        spread[2] += c * c;
     }
-    let logs = observations.iter().flat_map(|o| o.intensities().map(f64::ln));
-    let logs: Vec<f64> = logs.collect();
-    let middle = mean(&logs)?;
-    let likelihood = |at: [f64; 2]| likelihood(observations, middle, at);
-    let mut at = [1.0 / variance(&logs)?.sqrt().max(1e-3), 0.0];
-    let mut here = likelihood(at);
-    for _ in 0..STEPS_MOST {
-        let step = here.newton();
-        // halved until it rises: the likelihood is concave, so that this ends at its top
-        let mut part = 1.0;
-        let (next, there) = loop {
-            let next = [at[0] + part * step[0], at[1] + part * step[1]];
-            let there = likelihood(next);
-            if there.value >= here.value || part < 1e-12 {
-                break (next, there);
-            }
-            part *= 0.5;
-        };
-        let moved = (next[0] - at[0]).abs() / at[0].abs() + (next[1] - at[1]).abs() / (1.0 + at[1].abs());
-        (at, here) = (next, there);
-        if moved <= STEP_LEAST {
-            break;
+    let [aa, ac, cc] = own;
+    let [saa, sac, scc] = spread;
+    let mixed = [
+        [aa * saa + ac * sac, aa * sac + ac * scc],
+        [ac * saa + cc * sac, ac * sac + cc * scc],
+    ];
+    let between = [
+        mixed[0][0] * aa + mixed[0][1] * ac,
+        mixed[0][0] * ac + mixed[0][1] * cc,
+        mixed[1][0] * ac + mixed[1][1] * cc,
+    ];
+    let of_motions = top.fit(observations, different, between)?;
+    Ok(match of_motions.ln_theta_error > independent.ln_theta_error {
+        true => of_motions,
+        false => independent,
+    })
+}
+
+/// Where the likelihood is largest.
+#[derive(Clone, Copy, Debug)]
+struct Top {
+    /// Middle of the logarithms of intensities.
+    middle: f64,
+    at: [f64; 2],
+    likelihood: Likelihood,
+}
+
+impl Top {
+    fn of(observations: &[Observation], motions: usize) -> Result<Self, AssessError> {
+        for (i, observation) in observations.iter().enumerate() {
+            observation.check(i + 1)?;
         }
-    }
-    let [slope, offset] = at;
-    if slope <= 0.0 {
-        return Err(AssessError::FragilityFalls);
-    }
-    let beta = 1.0 / slope;
-    let curve = Fragility::new((middle + offset * beta).exp(), beta)?;
-    // d ln θ = (dc − (c/a) da)/a, dβ = −da/a²
-    let [aa, ac, cc] = here.covariance();
-    let ratio = offset / slope;
-    let ln_theta = (cc - 2.0 * ratio * ac + ratio * ratio * aa) / (slope * slope);
-    let both = (ratio * aa - ac) / (slope * slope * slope);
-    let jacobian: f64 = observations
-        .iter()
-        .map(|o| match o {
-            Observation::At(x) => x.ln(),
-            _ => 0.0,
+        if motions < MOTIONS_LEAST {
+            return Err(AssessError::TooFewMotions { given: motions });
+        }
+        if let Some(bound) = bound(observations) {
+            return Err(AssessError::NoFragility(bound.of_motions(motions)));
+        }
+        let logs = observations.iter().flat_map(|o| o.intensities().map(f64::ln));
+        let logs: Vec<f64> = logs.collect();
+        let middle = mean(&logs)?;
+        let likelihood = |at: [f64; 2]| likelihood(observations, middle, at);
+        let mut at = [1.0 / variance(&logs)?.sqrt().max(1e-3), 0.0];
+        let mut here = likelihood(at);
+        let mut left = f64::INFINITY; // the whole step, over what it leads from
+        for _ in 0..STEPS_MOST {
+            let step = here.newton();
+            // halved until it rises: the likelihood is concave, so that this ends at its top
+            let mut part = 1.0;
+            let (next, there) = loop {
+                let next = [at[0] + part * step[0], at[1] + part * step[1]];
+                let there = likelihood(next);
+                if there.value >= here.value || part < 1e-12 {
+                    break (next, there);
+                }
+                part *= 0.5;
+            };
+            left = (step[0] / at[0]).abs() + step[1].abs() / (1.0 + at[1].abs());
+            (at, here) = (next, there);
+            if part * left <= STEP_LEAST {
+                break;
+            }
+        }
+        if at[0] <= 0.0 {
+            return Err(AssessError::FragilityFalls);
+        }
+        if left.is_nan() || left > STEP_MOST {
+            return Err(unknown(observations));
+        }
+        Ok(Top {
+            middle,
+            at,
+            likelihood: here,
         })
-        .sum();
-    Ok(FragilityFit {
-        curve,
-        ln_theta_error: ln_theta.sqrt(),
-        beta_error: aa.sqrt() / (slope * slope),
-        covariance: both,
-        log_likelihood: Some(here.value - jacobian),
-        motions,
-        reached: observations.iter().map(Observation::reached).sum(),
-        observations: observations.iter().map(Observation::motions).sum(),
+    }
+
+    /// The curve, with errors from the covariance (aa, ac, cc) of its slope and offset.
+    fn fit(
+        &self,
+        observations: &[Observation],
+        motions: usize,
+        [aa, ac, cc]: [f64; 3],
+    ) -> Result<FragilityFit, AssessError> {
+        let [slope, offset] = self.at;
+        let beta = 1.0 / slope;
+        // d ln θ = (dc − (c/a) da)/a, dβ = −da/a²
+        let ratio = offset / slope;
+        let ln_theta = (cc - 2.0 * ratio * ac + ratio * ratio * aa) / (slope * slope);
+        let both = (ratio * aa - ac) / (slope * slope * slope);
+        let (ln_theta_error, beta_error) = (ln_theta.sqrt(), aa.sqrt() / (slope * slope));
+        let is_known = ln_theta_error.is_finite() && beta_error <= BETA_ERROR_MOST * beta;
+        if !is_known {
+            return Err(unknown(observations));
+        }
+        let jacobian: f64 = observations
+            .iter()
+            .map(|o| match o {
+                Observation::At(x) => x.ln(),
+                _ => 0.0,
+            })
+            .sum();
+        Ok(FragilityFit {
+            curve: Fragility::new((self.middle + offset * beta).exp(), beta)?,
+            ln_theta_error,
+            beta_error,
+            covariance: both,
+            log_likelihood: Some(self.likelihood.value - jacobian),
+            motions,
+            reached: observations.iter().map(Observation::reached).sum(),
+            observations: observations.iter().map(Observation::motions).sum(),
+        })
+    }
+}
+
+/// Of observations that overlap so little that the likelihood has no top to be found.
+fn unknown(observations: &[Observation]) -> AssessError {
+    let (survived, reached) = extent(observations);
+    AssessError::NoFragility(FragilityBound::Separated {
+        survived: survived.min(reached),
+        reached: survived.max(reached),
     })
 }
 
@@ -479,6 +615,75 @@ mod tests {
             let share = count as f64 / TRIALS as f64;
             assert!((0.93..=0.97).contains(&share), "{what}: {share}");
         }
+    }
+
+    #[test]
+    fn holds_intervals_of_few_motions_hold_the_truth_too() {
+        // capacities of 5 motions, known: Student's and the χ² interval are exact
+        let (mut theta, mut beta) = (0, 0);
+        const TRIALS: u64 = 4000;
+        for trial in 0..TRIALS {
+            let mut random = Random::new(17, trial);
+            let drawn: Vec<Observation> = (0..5)
+                .map(|_| Observation::At(0.7 * (0.4 * random.normal()).exp()))
+                .collect();
+            let fit = fit_fragility(&drawn).unwrap();
+            let holds = |interval: Interval, value: f64| {
+                usize::from(interval.lower <= value && value <= interval.upper)
+            };
+            theta += holds(fit.theta_interval(0.95).unwrap(), 0.7);
+            beta += holds(fit.beta_interval(0.95).unwrap(), 0.4);
+        }
+        for (what, count) in [("theta", theta), ("beta", beta)] {
+            let share = f64::from(count as u32) / TRIALS as f64;
+            assert!((0.94..=0.96).contains(&share), "{what}: {share}"); // ± three deviations
+        }
+    }
+
+    #[test]
+    fn holds_directions_of_one_motion_do_not_count_as_motions() {
+        // 12 motions of deviation 0.38, turned to 8 directions of 0.15 more each, known to steps of a tenth
+        let mut held = [0, 0];
+        const TRIALS: u64 = 400;
+        for trial in 0..TRIALS {
+            let mut random = Random::new(29, trial);
+            let (mut drawn, mut motions) = (Vec::new(), Vec::new());
+            for motion in 0..12 {
+                let own = 0.38 * random.normal();
+                for _ in 0..8 {
+                    let capacity = 0.7 * (own + 0.15 * random.normal()).exp();
+                    let low = 0.1 * 1.1_f64.powf((capacity / 0.1).ln().div_euclid(1.1_f64.ln()));
+                    drawn.push(Observation::Between(low, 1.1 * low));
+                    motions.push(motion);
+                }
+            }
+            let together = fit_fragility_of_motions(&drawn, &motions).unwrap();
+            let apart = fit_fragility(&drawn).unwrap();
+            assert_eq!((together.motions, apart.motions), (12, 96));
+            for (held, fit) in held.iter_mut().zip([together, apart]) {
+                let interval = fit.theta_interval(0.95).unwrap();
+                *held += usize::from(interval.lower <= 0.7 && 0.7 <= interval.upper);
+            }
+        }
+        let [together, apart] = held.map(|count| f64::from(count as u32) / TRIALS as f64);
+        assert!((0.915..=0.985).contains(&together), "{together}");
+        assert!(apart < 0.7, "{apart}"); // what it would be
+        let one = [Observation::At(0.3), Observation::At(0.4), Observation::At(0.5)];
+        assert_eq!(
+            fit_fragility_of_motions(&one, &[0, 0, 1]),
+            Err(AssessError::TooFewMotions { given: 2 })
+        );
+        assert_eq!(fit_fragility_of_motions(&one, &[4, 0, 1]), fit_fragility(&one));
+        // 5 motions × 60 samples of which none fell: 1 − 0.05^(1/5), not of 300
+        let motions: Vec<usize> = (0..300).map(|i| i % 5).collect();
+        let none = fit_fragility_of_motions(&[Observation::Above(0.4); 300], &motions).unwrap_err();
+        let AssessError::NoFragility(FragilityBound::NoneReached { probability_most, .. }) = none else {
+            panic!("{none}");
+        };
+        assert!(
+            (probability_most - 0.450_719_7).abs() < 1e-6,
+            "{probability_most}"
+        );
     }
 
     #[test]

@@ -5,7 +5,9 @@ mod curve;
 mod fit;
 mod observation;
 
-pub use bootstrap::{FragilityBand, bootstrap_fragility};
+pub use bootstrap::{FragilityBand, bootstrap_fragility, bootstrap_fragility_of_motions};
 pub use curve::{Crossing, Fragility, crossing};
-pub use fit::{FragilityFit, fit_fragility, fit_fragility_by_moments, motions_needed};
+pub use fit::{
+    FragilityFit, fit_fragility, fit_fragility_by_moments, fit_fragility_of_motions, motions_needed,
+};
 pub use observation::{FragilityBound, Observation};

@@ -103,17 +103,41 @@ pub enum FragilityBound {
         /// With 95 % confidence the probability there is at least this.
         probability_least: f64,
     },
-    /// All up to one intensity survived, and all from another on reached the state: the curve is steeper than they can tell.
+    /// The intensity alone tells survivors from others: the curve is steeper than they can tell, and begins between these two.
     Separated {
-        /// The largest intensity at which none had reached it.
+        /// The largest intensity that some survived.
         survived: f64,
-        /// The least at which all had.
+        /// The least at which some reached the state.
         reached: f64,
     },
 }
 
 /// 1 − 0.95: what is left out by a bound of 95 %.
 const LEFT_OUT: f64 = 0.05;
+
+impl FragilityBound {
+    /// The same where only so many of the observations are of different motions.
+    pub(super) fn of_motions(self, different: usize) -> Self {
+        let tail = |motions: usize| LEFT_OUT.powf(1.0 / motions as f64);
+        match self {
+            FragilityBound::NoneReached {
+                intensity, motions, ..
+            } if different < motions => FragilityBound::NoneReached {
+                intensity,
+                motions: different,
+                probability_most: 1.0 - tail(different),
+            },
+            FragilityBound::AllReached {
+                intensity, motions, ..
+            } if different < motions => FragilityBound::AllReached {
+                intensity,
+                motions: different,
+                probability_least: tail(different),
+            },
+            other => other,
+        }
+    }
+}
 
 /// The bound of observations of which none, or all, reached the state; `None` if some did.
 pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
@@ -162,10 +186,12 @@ pub(super) fn bound(observations: &[Observation]) -> Option<FragilityBound> {
     separated(observations)
 }
 
-/// Whether survivors and others are told apart by the intensity alone: then β → 0 is the likeliest, and no curve can be had.
-fn separated(observations: &[Observation]) -> Option<FragilityBound> {
+/// Part by which two intensities may differ and yet be one: peaks that are products of a record and a factor differ by rounding. Chosen here.
+const SAME: f64 = 1e-9;
+
+/// The largest intensity that was survived, and the least at which the state was reached.
+pub(super) fn extent(observations: &[Observation]) -> (f64, f64) {
     let (mut survived, mut reached) = (0.0_f64, f64::INFINITY);
-    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
     for observation in observations {
         match *observation {
             Observation::Stripe {
@@ -186,14 +212,27 @@ fn separated(observations: &[Observation]) -> Option<FragilityBound> {
                 survived = survived.max(low);
                 reached = reached.min(high);
             }
-            Observation::At(x) => {
-                (survived, reached) = (survived.max(x), reached.min(x));
-                (least, most) = (least.min(x), most.max(x));
-            }
+            Observation::At(x) => (survived, reached) = (survived.max(x), reached.min(x)),
+        }
+    }
+    (survived, reached)
+}
+
+/// Whether survivors and others are told apart by the intensity alone: then β → 0 is the likeliest, and no curve can be had.
+fn separated(observations: &[Observation]) -> Option<FragilityBound> {
+    let (survived, reached) = extent(observations);
+    let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+    for observation in observations {
+        if let Observation::At(x) = *observation {
+            (least, most) = (least.min(x), most.max(x));
         }
     }
     // capacities seen at two or more intensities have a scatter; one alone has not
-    (survived <= reached && least >= most).then_some(FragilityBound::Separated { survived, reached })
+    let apart = survived <= reached * (1.0 + SAME) && least * (1.0 + SAME) >= most;
+    apart.then(|| FragilityBound::Separated {
+        survived: survived.min(reached),
+        reached,
+    })
 }
 
 #[cfg(test)]
@@ -255,6 +294,13 @@ mod tests {
             ],
             vec![Observation::At(0.3); 4],
             vec![Observation::Between(0.3, 0.4), Observation::Between(0.35, 0.45)],
+            // one peak, in two records an ulp apart
+            vec![
+                Observation::Between(0.2, 0.37),
+                Observation::Between(0.37_f64.next_up(), 0.9),
+                Observation::Above(0.37),
+            ],
+            vec![Observation::At(0.37), Observation::At(0.37_f64.next_up())],
         ] {
             let found = bound(&told_apart);
             assert!(

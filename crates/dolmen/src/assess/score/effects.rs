@@ -40,16 +40,17 @@ pub struct FactorEffect {
 }
 
 impl ScoreModel {
-    /// Moves each factor alone, of the design in the middle of all, from its 10 % to its 90 % quantile; λ takes tan α with it.
+    /// Moves each factor alone, of the design in the middle of `all`, from its 10 % to its 90 % quantile; λ takes tan α with it. The same `all` for
+    /// several states makes their effects comparable.
     ///
     /// # Errors
     /// Those of quantiles, and of pagodas that cannot be made.
     ///
     /// # Source
     /// Directions: Kim, N., Koo, I. Y. and Hong, S. G. (2018), Figs. 13 and 19 (falls; DS1 to DS3 were not looked at there).
-    pub fn effects(&self) -> Result<Vec<FactorEffect>, AssessError> {
+    pub fn effects(&self, all: &[SixFactors]) -> Result<Vec<FactorEffect>, AssessError> {
         let at = |axis: usize, p: f64| {
-            let values: Vec<f64> = self.designs().iter().map(|d| d.factors.values()[axis]).collect();
+            let values: Vec<f64> = all.iter().map(|factors| factors.values()[axis]).collect();
             quantile(&values, p)
         };
         let mut middle = [0.0; 6];
@@ -76,7 +77,7 @@ impl ScoreModel {
                 to: ends[1],
                 ln_change: change.value,
                 ln_change_sd: change.sd,
-                verdict: if change.value.abs() < least {
+                verdict: if change.sd == 0.0 || change.value.abs() <= least {
                     EffectVerdict::NotSeen
                 } else if change.value * factor.published_direction() > 0.0 {
                     EffectVerdict::Holds
@@ -130,7 +131,8 @@ mod tests {
                 TrainedDesign { factors, fragility }
             })
             .collect();
-        let found = ScoreModel::train(&designs).unwrap().effects().unwrap();
+        let all: Vec<SixFactors> = designs.iter().map(|d| d.factors).collect();
+        let found = ScoreModel::train(&designs, None).unwrap().effects(&all).unwrap();
         let of = |factor: Factor| found.iter().find(|one| one.factor == factor).unwrap();
         let height = of(Factor::BodyHeight);
         assert_eq!(height.verdict, EffectVerdict::Holds);
@@ -143,5 +145,10 @@ mod tests {
         assert_eq!(of(Factor::Storeys).verdict, EffectVerdict::Contradicted);
         assert_eq!(of(Factor::Taper).verdict, EffectVerdict::NotSeen);
         assert_eq!(found.len(), 5);
+        // a factor that does not vary tells nothing
+        let flat: Vec<TrainedDesign> = designs.into_iter().filter(|d| d.factors.storeys == 5).collect();
+        let all: Vec<SixFactors> = flat.iter().map(|d| d.factors).collect();
+        let found = ScoreModel::train(&flat, None).unwrap().effects(&all).unwrap();
+        assert_eq!(found[0].verdict, EffectVerdict::NotSeen, "{:?}", found[0]);
     }
 }

@@ -12,6 +12,7 @@ mod surface;
 pub use effects::{EffectVerdict, FactorEffect};
 pub use factors::{Factor, SixFactors};
 pub use held_out::{HeldOut, Ranking, held_out};
+pub use kriging::SurfaceSettings;
 pub use model::{OutsideFactor, PagodaScore, ScoreModel, TrainedDesign};
 pub use shapley::shapley_shares;
 pub use shares::{FactorShare, FactorShares, factor_shares};

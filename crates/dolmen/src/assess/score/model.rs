@@ -1,7 +1,7 @@
 //! Capacity of a pagoda from its six factors, with an interval and with reasons.
 
 use super::factors::{Factor, SixFactors};
-use super::kriging::{Kriging, Predicted};
+use super::kriging::{Kriging, Predicted, SurfaceSettings};
 use super::shapley::shapley_shares;
 use super::surface::Surface;
 use crate::assess::{AssessError, Fragility};
@@ -9,6 +9,9 @@ use crate::numeric::{Interval, normal_quantile};
 
 /// Fewest designs a score is trained on: as many as a quadratic surface of six factors has terms. Chosen here; 150 are wanted.
 const DESIGNS_LEAST: usize = 28;
+/// Part by which a factor may lie beyond the range trained even where that is allowed: farther off its unit is wrong, or the score knows nothing.
+/// Chosen here.
+const FARTHEST: f64 = 1.5;
 /// The coalition of all six factors.
 const ALL: u32 = 0b11_1111;
 
@@ -39,9 +42,12 @@ pub struct PagodaScore {
     pub capacity_m_s2: f64,
     /// Standard deviation of ln θ: what the surface misses of designs it has not seen, and where this one lies.
     pub ln_capacity_sd: f64,
+    /// Standard deviation of ln θ that all designs share, for the same few motions shook them all: β/√motions, the most that it can be. It moves
+    /// θ and not the order. 0 where the number of motions is not known.
+    pub ln_shared_sd: f64,
     /// Mean β of the designs: scatter from motion to motion.
     pub beta: f64,
-    /// Designs trained on with a lower capacity, %.
+    /// Designs of this state with a lower capacity, %.
     pub percentile: f64,
     /// The same at both ends of the interval of θ, %.
     pub percentile_interval: Interval,
@@ -54,12 +60,12 @@ pub struct PagodaScore {
 }
 
 impl PagodaScore {
-    /// Interval of θ with a confidence, m/s².
+    /// Interval of θ with a confidence, what all designs share included, m/s².
     ///
     /// # Errors
     /// [`AssessError::Numeric`] unless 0 < confidence < 1.
     pub fn capacity_interval_m_s2(&self, confidence: f64) -> Result<Interval, AssessError> {
-        let half = normal_quantile(0.5 + 0.5 * confidence)? * self.ln_capacity_sd;
+        let half = normal_quantile(0.5 + 0.5 * confidence)? * self.ln_capacity_sd.hypot(self.ln_shared_sd);
         Ok(Interval {
             lower: self.capacity_m_s2 * (-half).exp(),
             upper: self.capacity_m_s2 * half.exp(),
@@ -72,7 +78,7 @@ impl PagodaScore {
 /// ```text
 /// ln θ = kriged surface of (ln N_f, ln H_t, ln tan α, ln λ, φ, ln γ_H),   through designs that were simulated
 /// ```
-/// Kriging predicts designs left out better than a quadratic surface does: of 150 pagodas Kendall's τ is .79 for .73 (DS2) and .83 for .75
+/// Kriging predicts designs left out better than a quadratic surface does: of 150 pagodas Kendall's τ is .79 for .73 (DS2) and .82 for .75
 /// (DS3). Quadratic surfaces of some of the factors alone tell what each adds.
 #[derive(Clone, Debug)]
 pub struct ScoreModel {
@@ -84,21 +90,41 @@ pub struct ScoreModel {
     /// ln θ of the designs, rising.
     sorted: Vec<f64>,
     beta: f64,
+    /// Motions that shook every design, if known.
+    motions: Option<usize>,
 }
 
 impl ScoreModel {
-    /// Trains the score of one state on designs.
+    /// Trains the score of one state on designs that so many motions shook. A search for the settings of its surface: of 150 designs half a
+    /// second.
     ///
     /// # Errors
     /// [`AssessError::TooFewDesigns`] below 28; [`AssessError::Factor`].
-    pub fn train(designs: &[TrainedDesign]) -> Result<Self, AssessError> {
+    pub fn train(designs: &[TrainedDesign], motions: Option<usize>) -> Result<Self, AssessError> {
+        Self::of(designs, motions, &Self::settings(designs)?)
+    }
+
+    /// The settings of the surface of one state.
+    ///
+    /// # Errors
+    /// As [`ScoreModel::train`].
+    pub fn settings(designs: &[TrainedDesign]) -> Result<SurfaceSettings, AssessError> {
+        enough(designs)?;
+        let (x, y) = coordinates(designs)?;
+        Kriging::settings(&x, &y)
+    }
+
+    /// The same with settings that were found before: milliseconds.
+    ///
+    /// # Errors
+    /// As [`ScoreModel::train`].
+    pub fn of(
+        designs: &[TrainedDesign],
+        motions: Option<usize>,
+        settings: &SurfaceSettings,
+    ) -> Result<Self, AssessError> {
+        enough(designs)?;
         let n = designs.len();
-        if n < DESIGNS_LEAST {
-            return Err(AssessError::TooFewDesigns {
-                given: n,
-                least: DESIGNS_LEAST,
-            });
-        }
         let (x, y) = coordinates(designs)?;
         let mut range = [Interval {
             lower: f64::INFINITY,
@@ -110,7 +136,7 @@ impl ScoreModel {
                 range.upper = range.upper.max(value);
             }
         }
-        let surface = Kriging::fit(&x, &y)?;
+        let surface = Kriging::of(&x, &y, settings)?;
         let fits = (0..ALL).map(|used| Surface::fit(&x, &y, used));
         let parts = fits.collect::<Result<Vec<_>, _>>()?;
         let mut sorted = y;
@@ -121,6 +147,7 @@ impl ScoreModel {
             parts,
             range,
             sorted,
+            motions,
             beta: designs.iter().map(|design| design.fragility.beta()).sum::<f64>() / n as f64,
         })
     }
@@ -128,11 +155,6 @@ impl ScoreModel {
     /// The designs.
     pub fn designs(&self) -> &[TrainedDesign] {
         &self.designs
-    }
-
-    /// Share of the variance of ln θ that the surface explains of designs left out of it, –.
-    pub fn explained(&self) -> f64 {
-        self.surface.explained
     }
 
     /// The range of each factor trained, in the order of [`Factor::ALL`].
@@ -143,7 +165,8 @@ impl ScoreModel {
     /// The score of a pagoda; with `outside_too`, also of one with factors outside the range trained, which the result names.
     ///
     /// # Errors
-    /// [`AssessError::OutsideTraining`] for a factor outside the range trained unless `outside_too`; [`AssessError::Factor`].
+    /// [`AssessError::OutsideTraining`] for a factor outside the range trained unless `outside_too`, and for one by more than half beyond it in any
+    /// case; [`AssessError::Factor`].
     ///
     /// # Limits
     /// Of pagodas like those trained on: square, whole stones, one stack, their friction and stiffness, undamaged. The range is checked
@@ -160,7 +183,14 @@ impl ScoreModel {
                 });
             }
         }
-        if let Some(first) = outside.first().filter(|_| !outside_too) {
+        let is_far = |one: &&OutsideFactor| {
+            one.given > FARTHEST * one.trained.upper || one.given * FARTHEST < one.trained.lower
+        };
+        let refused = match outside_too {
+            true => outside.iter().find(is_far),
+            false => outside.first(),
+        };
+        if let Some(first) = refused {
             return Err(AssessError::OutsideTraining {
                 factor: first.factor.name(),
                 given: first.given,
@@ -177,6 +207,9 @@ impl ScoreModel {
         Ok(PagodaScore {
             capacity_m_s2: found.value.exp(),
             ln_capacity_sd: found.sd,
+            ln_shared_sd: self
+                .motions
+                .map_or(0.0, |motions| self.beta / (motions as f64).sqrt()),
             beta: self.beta,
             percentile: rank(found.value),
             percentile_interval: Interval {
@@ -201,6 +234,16 @@ impl ScoreModel {
                 .map_or(ln_theta, |part| part.value(x))
         });
         std::array::from_fn(|axis| shares[axis])
+    }
+}
+
+fn enough(designs: &[TrainedDesign]) -> Result<(), AssessError> {
+    match designs.len() {
+        given if given < DESIGNS_LEAST => Err(AssessError::TooFewDesigns {
+            given,
+            least: DESIGNS_LEAST,
+        }),
+        _ => Ok(()),
     }
 }
 
@@ -244,8 +287,7 @@ mod tests {
     #[test]
     fn exact_scores_of_a_law_of_powers() {
         let designs = designs(90);
-        let model = ScoreModel::train(&designs).unwrap();
-        assert!(model.explained() > 1.0 - 1e-6, "{}", model.explained());
+        let model = ScoreModel::train(&designs, None).unwrap();
         let own = SixFactors::of_pagoda(&PagodaFactors::default()).unwrap();
         let found = model.score(&own, true).unwrap();
         assert!((found.capacity_m_s2 / law(&own) - 1.0).abs() < 1e-3, "{found:?}");
@@ -262,7 +304,7 @@ mod tests {
 
     #[test]
     fn holds_reasons_sum_to_what_sets_a_pagoda_apart() {
-        let model = ScoreModel::train(&designs(60)).unwrap();
+        let model = ScoreModel::train(&designs(60), None).unwrap();
         let own = model.designs()[17].factors;
         let found = model.score(&own, false).unwrap();
         let logs = model.designs().iter().map(|design| design.fragility.theta().ln());
@@ -271,6 +313,14 @@ mod tests {
         assert!((mean + sum - found.capacity_m_s2.ln()).abs() < 1e-9);
         let interval = found.capacity_interval_m_s2(0.9).unwrap();
         assert!(interval.lower < found.capacity_m_s2 && found.capacity_m_s2 < interval.upper);
+        // 22 motions that act alike on all: β/√22 more, of θ and not of the place
+        let shaken = ScoreModel::train(model.designs(), Some(22)).unwrap();
+        let shared = shaken.score(&own, false).unwrap();
+        assert!((shared.ln_shared_sd / (shared.beta / 22.0_f64.sqrt()) - 1.0).abs() < 1e-14);
+        let wider = shared.capacity_interval_m_s2(0.9).unwrap();
+        let half = 1.644_853_626_951_472_6 * found.ln_capacity_sd.hypot(shared.ln_shared_sd);
+        assert!(((wider.upper / shared.capacity_m_s2).ln() / half - 1.0).abs() < 1e-9);
+        assert_eq!(shared.percentile_interval, found.percentile_interval);
     }
 
     /// Factors that do not depend on each other, and a law of powers: each adds its power times its ln against the mean.
@@ -292,7 +342,7 @@ mod tests {
                 TrainedDesign { factors, fragility }
             })
             .collect();
-        let model = ScoreModel::train(&designs).unwrap();
+        let model = ScoreModel::train(&designs, None).unwrap();
         let own = SixFactors {
             body_height_m: 5.0,
             slenderness_angle: 0.22,
@@ -314,12 +364,14 @@ mod tests {
 
     #[test]
     fn refuses_what_was_not_trained_unless_told() {
-        let model = ScoreModel::train(&designs(60)).unwrap();
+        let model = ScoreModel::train(&designs(60), None).unwrap();
         let mut own = model.designs()[3].factors;
-        own.body_height_m = 14.0;
+        own.body_height_m = 450.0; // cm
+        assert!(model.score(&own, true).is_err());
+        own.body_height_m = 11.0;
         let fault = model.score(&own, false).unwrap_err().to_string();
         assert!(
-            fault.starts_with("body_height_m is 14, but the score was trained from 3."),
+            fault.starts_with("body_height_m is 11, but the score was trained from 3."),
             "{fault}"
         );
         let marked = model.score(&own, true).unwrap();
@@ -329,7 +381,7 @@ mod tests {
         let fault = model.score(&own, true).unwrap_err().to_string();
         assert_eq!(fault, "body_height_m is -1, but must be a positive number");
         assert!(matches!(
-            ScoreModel::train(&designs(20)),
+            ScoreModel::train(&designs(20), None),
             Err(AssessError::TooFewDesigns { given: 20, least: 28 })
         ));
     }

@@ -8,6 +8,7 @@
 //! | M | `inverse` | (ΦᵀΦ + κ I₀)⁻¹ | p × p |
 //! | h_i | `leverage` | φ_iᵀ M φ_i | – |
 
+use super::kriging::{dot, variance_left_out};
 use crate::assess::AssessError;
 use dolmen_linalg::{Matrix, solve};
 
@@ -40,7 +41,6 @@ impl Surface {
             return Err(AssessError::TooFewDesigns { given: n, least: 3 });
         }
         let count = n as f64;
-        let mean = y.iter().sum::<f64>() / count;
         let (mut middle, mut spread) = (vec![0.0; 6], vec![0.0; 6]);
         for axis in (0..6).filter(|axis| used & (1 << axis) != 0) {
             middle[axis] = x.iter().map(|point| point[axis]).sum::<f64>() / count;
@@ -76,9 +76,7 @@ impl Surface {
                 (surface.left_out_variance, surface.coefficients) = (variance, coefficients);
             }
         }
-        // the mean alone misses a left-out point by n/(n − 1) of its deviation
-        let own = y.iter().map(|y| ((y - mean) * count / (count - 1.0)).powi(2));
-        let alone = own.sum::<f64>() / count;
+        let alone = variance_left_out(y);
         surface.explained = if alone > 0.0 {
             1.0 - surface.left_out_variance / alone
         } else {
@@ -105,10 +103,6 @@ impl Surface {
     pub(super) fn value(&self, x: &[f64; 6]) -> f64 {
         dot(&self.features(x), &self.coefficients)
     }
-}
-
-fn dot(a: &[f64], b: &[f64]) -> f64 {
-    a.iter().zip(b).map(|(a, b)| a * b).sum()
 }
 
 #[cfg(test)]
