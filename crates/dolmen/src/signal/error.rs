@@ -99,6 +99,27 @@ pub enum SignalError {
         /// Channels of the record.
         channels: usize,
     },
+    /// One of several channels does not say when it begins.
+    #[error(
+        "channel \"{channel}\" does not say when it begins: give its begins, or starts = \"together\" if all began at one instant"
+    )]
+    NoStart {
+        /// The channel.
+        channel: String,
+    },
+    /// Channels that were not sampled at the same time.
+    #[error(
+        "channel \"{ends}\" ends {apart_s:.3} s before channel \"{begins}\" begins (ends that a filter needs counted): they have \
+         no time in common; are the clocks right?"
+    )]
+    NoCommonTime {
+        /// The channel that ends first.
+        ends: String,
+        /// The channel that begins last.
+        begins: String,
+        /// Between them, s.
+        apart_s: f64,
+    },
     /// The part of the time to be kept is empty or not within the record.
     #[error(
         "the cut from {from_s} s to {to_s} s is refused: it must go forwards, hold at least 2 samples ({least_s} s) \

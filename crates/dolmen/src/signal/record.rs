@@ -125,6 +125,41 @@ pub enum Processing {
         /// Samples before / samples after.
         factor: usize,
     },
+    /// Samples of one channel multiplied by a factor, as what a count of its recorder is worth.
+    ChannelScaled {
+        /// The channel.
+        channel: String,
+        /// The factor.
+        factor: f64,
+    },
+    /// A channel interpolated onto the times of the others.
+    Interpolated {
+        /// The channel.
+        channel: String,
+        /// Where its samples lay, steps after those of the others.
+        offset_steps: f64,
+    },
+    /// A channel taken to a lower rate, anti-alias filtered.
+    Resampled {
+        /// The channel.
+        channel: String,
+        /// Its rate before, Hz.
+        from_hz: f64,
+        /// Its rate after, Hz.
+        to_hz: f64,
+    },
+    /// Offsets between the times of channels that were left as they are.
+    OffsetsLeft {
+        /// The largest, steps.
+        most_steps: f64,
+    },
+    /// Only the time kept that all channels share.
+    CommonTime {
+        /// From the first sample of any channel to the first kept, s.
+        before_s: f64,
+        /// From the last kept to the last of any channel, s.
+        after_s: f64,
+    },
 }
 
 impl std::fmt::Display for Processing {
@@ -172,6 +207,30 @@ impl std::fmt::Display for Processing {
                 100.0 * damping_ratio
             ),
             Processing::Decimate { factor } => write!(f, "decimated by {factor}"),
+            Processing::ChannelScaled { channel, factor } => write!(f, "{channel} scaled by {factor}"),
+            Processing::Interpolated {
+                channel,
+                offset_steps,
+            } => write!(
+                f,
+                "{channel} interpolated: its samples lay {offset_steps:+.4} of a step beside the times of the others"
+            ),
+            Processing::Resampled {
+                channel,
+                from_hz,
+                to_hz,
+            } => write!(
+                f,
+                "{channel} resampled from {from_hz} Hz to {to_hz} Hz, anti-alias filtered"
+            ),
+            Processing::OffsetsLeft { most_steps } => write!(
+                f,
+                "times of the channels differ by up to {most_steps:.4} of a step, left so"
+            ),
+            Processing::CommonTime { before_s, after_s } => write!(
+                f,
+                "cut to the time that all channels share: {before_s:.3} s before it and {after_s:.3} s after it are gone"
+            ),
             Processing::Scaled { factor } => write!(f, "scaled by {factor}"),
             Processing::Tapered { each_end_s } => {
                 write!(f, "tapered by half a cosine, {each_end_s} s at each end")

@@ -13,6 +13,7 @@ mod error;
 mod fragility;
 mod free_decay;
 mod hwang_min_hong;
+mod joined;
 mod kim_koo_hong_2018;
 mod owen_prieur_2017;
 mod park_min_2010;
