@@ -188,7 +188,8 @@ fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<
         channels: opened.channels,
         samples: opened.samples,
         sampling_rate_hz: opened.sampling_rate_hz,
-        unit: source.unit.clone().unwrap_or_default(),
+        unit: opened.unit,
+        remarks: opened.remarks,
         faults: opened.faults,
         analysis,
     })

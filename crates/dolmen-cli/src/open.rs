@@ -3,13 +3,15 @@
 use crate::files;
 use anyhow::{Context as _, Result};
 use dolmen::signal::{
-    Channel, ChannelFault, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
+    Channel, ChannelFault, Join, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
     inspect, low_pass,
 };
 use dolmen_formats::project::{
     ChannelSource, Column, Conditioning, Files, Project, RecordSource, parse_project_with,
 };
-use dolmen_formats::records::{self, Delimiter, Pick, RecordOptions, TimeColumn, Unit, read_record};
+use dolmen_formats::records::{
+    self, Delimiter, Pick, Reading, RecordOptions, Station, TimeColumn, Unit, join_stations, read_record,
+};
 use std::path::{Path, PathBuf};
 
 /// A project and the file it came from.
@@ -35,25 +37,61 @@ pub(crate) struct OpenedRecord {
     pub(crate) channels: usize,
     pub(crate) samples: usize,
     pub(crate) sampling_rate_hz: f64,
+    pub(crate) unit: String,
+    pub(crate) remarks: Vec<String>,
     pub(crate) faults: Vec<ChannelFault>,
 }
 
-/// Reads the record file of a survey as [`record_of`] does.
+/// Reads the record file of a survey, or its several files as one record, as [`record_of`] does.
 pub(crate) fn record(source: &RecordSource, project_file: &Path) -> Result<OpenedRecord> {
-    let path = project_file.parent().unwrap_or(Path::new(".")).join(&source.file);
-    record_of(&files::read(&path)?, source).with_context(|| path.display().to_string())
+    let folder = project_file.parent().unwrap_or(Path::new("."));
+    let read = |source: &RecordSource| {
+        let path = folder.join(&source.file);
+        reading(&files::read(&path)?, source).with_context(|| path.display().to_string())
+    };
+    if source.stations.is_empty() {
+        return opened(read(source)?, source);
+    }
+    let mut stations = Vec::with_capacity(source.stations.len());
+    for station in &source.stations {
+        stations.push(Station {
+            file: station.file.clone(),
+            reading: read(station)?,
+            begins_s: station.begins_s,
+        });
+    }
+    let options = Join {
+        starts: source.starts,
+        ..Join::default()
+    };
+    opened(join_stations(stations, &options)?, source)
 }
 
-/// A record from its bytes but for the channels to be left out (they may hold anything, NaN too); faulty channels looked
-/// for, conditioned.
+/// A record from the bytes of one file but for the channels to be left out (they may hold anything, NaN too); faulty channels
+/// looked for, conditioned.
 pub(crate) fn record_of(bytes: &[u8], source: &RecordSource) -> Result<OpenedRecord> {
-    let mut record = read_record(bytes, &options(source)?)?.record;
+    opened(reading(bytes, source)?, source)
+}
+
+fn reading(bytes: &[u8], source: &RecordSource) -> Result<Reading> {
+    let mut reading = read_record(bytes, &options(source)?)?;
     let left_out: Vec<String> = source.channels.iter().filter(|c| c.leave_out).map(name).collect();
-    let (channels, samples) = (record.channels().len() + left_out.len(), record.length());
-    let sampling_rate_hz = record.sampling_rate_hz();
     if !left_out.is_empty() {
-        record.note(Processing::LeftOut { channels: left_out });
+        reading.record.note(Processing::LeftOut { channels: left_out });
     }
+    Ok(reading)
+}
+
+fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord> {
+    let remarks = reading.remarks();
+    let record = reading.record;
+    let left_out: usize = std::iter::once(source)
+        .chain(&source.stations)
+        .map(|source| source.channels.iter().filter(|c| c.leave_out).count())
+        .sum();
+    let (channels, samples) = (record.channels().len() + left_out, record.length());
+    let sampling_rate_hz = record.sampling_rate_hz();
+    let unit = unit_of(source, &record);
     let faults = inspect(&record);
     let record = condition(record, &source.conditioning)?;
     Ok(OpenedRecord {
@@ -61,8 +99,19 @@ pub(crate) fn record_of(bytes: &[u8], source: &RecordSource) -> Result<OpenedRec
         channels,
         samples,
         sampling_rate_hz,
+        unit,
+        remarks,
         faults,
     })
+}
+
+/// The unit as the project or the file says it.
+fn unit_of(source: &RecordSource, record: &Record) -> String {
+    let read = record.history().iter().find_map(|step| match step {
+        Processing::Read { unit, .. } if !unit.is_empty() => Some(unit.clone()),
+        _ => None,
+    });
+    source.unit.clone().or(read).unwrap_or_default()
 }
 
 fn name(channel: &ChannelSource) -> String {
@@ -87,6 +136,7 @@ fn options(source: &RecordSource) -> Result<RecordOptions> {
             ..Channel::named(name(channel))
         };
         Pick {
+            scale: channel.scale,
             column: column(&channel.column),
             channel: sensor,
         }
@@ -100,6 +150,8 @@ fn options(source: &RecordSource) -> Result<RecordOptions> {
         .into());
     }
     Ok(RecordOptions {
+        format: source.format,
+        scale: source.scale,
         sampling_rate_hz: source.sampling_rate_hz,
         unit: match &source.unit {
             Some(unit) => Unit::parse(unit)?,

@@ -296,6 +296,8 @@ pub struct RecordAnswer {
     pub sampling_rate_hz: f64,
     /// Unit of the numbers; "" if not known.
     pub unit: String,
+    /// What its files say beside the samples, sentences.
+    pub remarks: Vec<String>,
     /// What looked wrong with channels.
     pub faults: Vec<ChannelFault>,
     /// Spectrum, stabilisation and modes.

@@ -61,6 +61,7 @@ fn record(record: &RecordAnswer) -> Value {
         "samples": record.samples,
         "sampling_rate_hz": record.sampling_rate_hz,
         "unit": record.unit,
+        "remarks": record.remarks,
         "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "settings": {

@@ -90,6 +90,25 @@ fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     }
 }
 
+/// The numbers of each channel of a file that vibration records come in too; `None` if it is none.
+pub(crate) fn raw_channels(bytes: &[u8]) -> Option<Result<Vec<Raw>, MotionError>> {
+    if miniseed::is_miniseed(bytes) {
+        Some(miniseed::read(bytes))
+    } else if sac::is_binary(bytes) {
+        Some(sac::read_binary(bytes))
+    } else if knet::is_knet(bytes) {
+        Some(knet::read(bytes))
+    } else if cosmos::is_cosmos(bytes) {
+        Some(cosmos::read(bytes))
+    } else if csmip::is_csmip(bytes) {
+        Some(csmip::read(bytes))
+    } else if esm::is_esm(bytes) {
+        Some(esm::read(bytes))
+    } else {
+        None
+    }
+}
+
 /// One channel of a motion file: its only one, or the one that [`MotionOptions::channel`] names.
 ///
 /// # Errors
@@ -127,6 +146,14 @@ pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<Component
 
 /// A channel in SI units.
 fn finished(raw: Raw, options: &MotionOptions) -> Result<ComponentReading, MotionError> {
+    let other = match raw.quantity {
+        Some(Quantity::Velocity) => Some("velocities"),
+        Some(Quantity::Displacement) => Some("displacements"),
+        _ => None,
+    };
+    if let Some(what) = other {
+        return Err(MotionError::Quantity { line: 0, what });
+    }
     let unit = match (options.unit, raw.unit) {
         (Some(given), Some(found)) if given != found => {
             return Err(MotionError::UnitDisagrees {

@@ -23,10 +23,13 @@ mod units;
 mod write;
 
 pub use answer::{MatchAnswer, MotionReport, MotionSeries};
+pub(crate) use channel::raw_channels;
 pub use channel::{ComponentReading, read_channels, read_component};
 pub use error::MotionError;
 pub use options::{Lengths, MotionOptions, StatedPeak};
 pub use orientation::Orientation;
 pub use oriented::read_oriented;
+pub(crate) use read::Raw as RawChannel;
 pub use read::{MotionFormat, read_motion};
+pub(crate) use start::{of_text, time_of, time_text};
 pub use write::{motion_at2, motion_csv};

@@ -3,7 +3,7 @@
 use super::options::Lengths;
 use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_component};
 use crate::records::Unit;
-use dolmen::signal::{Component, GroundMotion, Processing};
+use dolmen::signal::{Component, GroundMotion, Processing, Quantity};
 
 /// Share by which two time steps may differ and still be one: printed digits, no more. Chosen here.
 const STEP_TOLERANCE: f64 = 1e-6;
@@ -53,20 +53,22 @@ impl MotionFormat {
 }
 
 /// What each format yields: numbers as printed.
-pub(super) struct Raw {
-    pub(super) format: MotionFormat,
-    pub(super) name: String,
-    pub(super) title: String,
-    pub(super) samples: Vec<f64>,
-    pub(super) time_step_s: f64,
+pub(crate) struct Raw {
+    pub(crate) format: MotionFormat,
+    pub(crate) name: String,
+    pub(crate) title: String,
+    pub(crate) samples: Vec<f64>,
+    pub(crate) time_step_s: f64,
     /// As the file says.
-    pub(super) unit: Option<Unit>,
-    pub(super) orientation: Option<Orientation>,
-    pub(super) begins_s: Option<f64>,
+    pub(crate) unit: Option<Unit>,
+    pub(crate) orientation: Option<Orientation>,
+    pub(crate) begins_s: Option<f64>,
     /// Whether the numbers have an offset by the definition of the format.
-    pub(super) subtract_mean: bool,
+    pub(crate) subtract_mean: bool,
+    /// What is measured, if the file says it without a unit.
+    pub(crate) quantity: Option<Quantity>,
     /// Largest absolute value by the header, in the unit of the file.
-    pub(super) stated_peak: Option<f64>,
+    pub(crate) stated_peak: Option<f64>,
 }
 
 impl Raw {
@@ -82,6 +84,7 @@ impl Raw {
             orientation: None,
             begins_s: None,
             subtract_mean: false,
+            quantity: None,
             stated_peak: None,
         }
     }

@@ -16,6 +16,7 @@
 use super::lines::{Lines, all_numbers, number, refused, text};
 use super::read::{MotionFormat, Raw};
 use super::{MotionError, Orientation, start};
+use dolmen::signal::Quantity;
 
 const FLOATS: usize = 70;
 const INTEGERS: usize = 40;
@@ -90,21 +91,11 @@ impl Header {
                 self.integers[35] as f64,
             ));
         }
-        match self.integers[16] {
-            DISPLACEMENT => {
-                return Err(MotionError::Quantity {
-                    line: 0,
-                    what: "displacements",
-                });
-            }
-            VELOCITY => {
-                return Err(MotionError::Quantity {
-                    line: 0,
-                    what: "velocities",
-                });
-            }
-            _ => {}
-        }
+        let quantity = match self.integers[16] {
+            DISPLACEMENT => Some(Quantity::Displacement),
+            VELOCITY => Some(Quantity::Velocity),
+            _ => None,
+        };
         let step = self.float(0).filter(|step| *step > 0.0);
         let time_step_s = step.ok_or(refuse("DELTA must be a positive time step, s", self.floats[0]))?;
         let count = self.integers[9];
@@ -120,6 +111,7 @@ impl Header {
                 .replace("-12345", ""),
             orientation: self.orientation(),
             begins_s: self.begins_s(),
+            quantity,
             ..Raw::new(format, time_step_s)
         };
         Ok((raw, count))

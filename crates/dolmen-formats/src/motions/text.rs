@@ -53,6 +53,7 @@ fn wanted(options: &MotionOptions) -> Option<Column> {
 
 fn read_columns(bytes: &[u8], options: &MotionOptions) -> Result<Reading, RecordError> {
     let pick = wanted(options).map(|column| Pick {
+        scale: None,
         channel: Channel::named(match &column {
             Column::Named(name) => name.clone(),
             Column::Number(number) => format!("column {number}"),

@@ -97,6 +97,39 @@ pub(super) enum RecordFormatRaw {
     Csv,
     /// NumPy array of two dimensions.
     Npy,
+    /// Universal file, datasets 58 and 58b.
+    Uff,
+    /// Sound file; scale is what full scale is worth.
+    Wav,
+    /// MATLAB, version 5 ("-v7").
+    Mat,
+    /// Text of the SESAME project.
+    Saf,
+    /// Of Güralp recorders.
+    Gcf,
+    /// Of LabVIEW.
+    Tdms,
+    /// miniSEED 2.
+    MiniSeed,
+    /// SAC, binary.
+    Sac,
+    /// K-NET or KiK-net ASCII.
+    #[serde(rename = "k-net")]
+    KNet,
+    /// ESM ASCII.
+    Esm,
+    /// COSMOS, or CSMIP before it.
+    Cosmos,
+}
+
+/// What is known of the times at which stations begin.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum StartsRaw {
+    /// Each file says it, or begins does.
+    Stated,
+    /// All begin at one instant.
+    Together,
 }
 
 /// A column: its name in the header, or its number from 1.
@@ -130,6 +163,8 @@ pub(super) struct ChannelRaw {
     pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
     /// Positive direction of the sensor.
     pub(super) direction: Option<At<WayRaw>>,
+    /// What its numbers are multiplied by to be in the unit; that of the record if not given.
+    pub(super) scale: Option<At<f64>>,
     /// true reads it but leaves it out (a dead or loose sensor).
     pub(super) leave_out: Option<bool>,
 }
@@ -239,19 +274,49 @@ pub(super) struct ModalRaw {
     pub(super) harmonics: Option<HarmonicsRaw>,
 }
 
-/// A record file.
+/// A file of a record that lies in several.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct StationRaw {
+    /// Path relative to the project file.
+    #[schemars(required)]
+    pub(super) file: Option<At<String>>,
+    /// Format; from the file name's ending if not given.
+    pub(super) format: Option<At<RecordFormatRaw>>,
+    /// The first sample, where the file does not say it: "2024-06-05T10:00:00.25", or seconds in a clock that all stations share.
+    pub(super) begins: Option<At<NumberRaw>>,
+    /// Samples a second; from the file if not given.
+    pub(super) sampling_rate: Option<At<QuantityRaw>>,
+    /// Unit of the samples: "m/s2", "g", "gal", "mm/s", "mm".
+    pub(super) unit: Option<At<String>>,
+    /// What the numbers are multiplied by to be in the unit.
+    pub(super) scale: Option<At<f64>>,
+    /// What separates columns, one character; found from the file if not given.
+    pub(super) delimiter: Option<At<String>>,
+    /// The column of time stamps.
+    pub(super) time_column: Option<At<ColumnRaw>>,
+    /// The channels; all of the file if not given.
+    pub(super) channels: Option<Vec<At<ChannelRaw>>>,
+}
+
+/// A record file, or several that make one record.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(super) struct RecordsRaw {
     /// Path relative to the project file.
-    #[schemars(required)]
     pub(super) file: Option<At<String>>,
+    /// Several files that make one record, instead of file.
+    pub(super) stations: Option<Vec<At<StationRaw>>>,
+    /// What is known of the times at which stations begin; "stated" if not given.
+    pub(super) starts: Option<At<StartsRaw>>,
     /// Format; from the file name's ending if not given.
     pub(super) format: Option<At<RecordFormatRaw>>,
     /// Samples a second; from the time column if not given.
     pub(super) sampling_rate: Option<At<QuantityRaw>>,
     /// Unit of the samples: "m/s2", "g", "gal", "mm/s", "mm".
     pub(super) unit: Option<At<String>>,
+    /// What the numbers are multiplied by to be in the unit: what a count is worth, or full scale of a WAV file.
+    pub(super) scale: Option<At<f64>>,
     /// What separates columns, one character; found from the file if not given.
     pub(super) delimiter: Option<At<String>>,
     /// The column of time stamps.

@@ -23,6 +23,7 @@ mod quantity;
 mod read;
 mod read_block;
 mod read_building;
+mod read_conditioning;
 mod read_damper;
 mod read_friction;
 mod read_motion;

@@ -1,32 +1,20 @@
 //! Records of a survey from what is written.
 
 use super::error::Fault;
-use super::file_number::{At, QuantityRaw};
-use super::file_survey::{
-    ChannelRaw, ColumnRaw, ConditioningRaw, HarmonicsRaw, MethodRaw, ModalRaw, RecordFormatRaw, RecordsRaw,
-    WayRaw,
-};
+use super::file_number::{At, NumberRaw, QuantityRaw};
+use super::file_survey::{ChannelRaw, ColumnRaw, RecordFormatRaw, RecordsRaw, StartsRaw, StationRaw, WayRaw};
 use super::measure::{Bound, Measure};
+use super::read_conditioning::{conditioning, modal};
 use super::reader::{Reader, short};
-use super::records::{
-    BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
-};
+use super::records::{ChannelSource, Column, Conditioning, ModalChoice, RecordFormat, RecordSource};
+use crate::motions::of_text;
 use crate::records::Unit;
-use dolmen::modal::{Harmonics, Method};
+use dolmen::signal::Starts;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// Order of one filter pass if none is given, as is usual.
-const FILTER_ORDER: usize = 4;
-/// Largest order of one filter pass.
-const FILTER_ORDER_MOST: usize = 10;
-/// Largest factor of one decimation.
-const DECIMATE_MOST: usize = 1000;
-/// Largest count that a project may ask of the identification.
-const COUNT_MOST: usize = 10_000;
-/// Longest record and highest rate that a project may name, s and Hz.
-const TIME_MOST_S: f64 = 1e8;
-const RATE_MOST_HZ: f64 = 1e6;
+/// Largest number of a column that a project may name.
+const COLUMN_MOST: usize = 10_000;
 
 fn column(reader: &mut Reader, raw: &At<ColumnRaw>, path: &str) -> Option<Column> {
     match &raw.value {
@@ -37,7 +25,7 @@ fn column(reader: &mut Reader, raw: &At<ColumnRaw>, path: &str) -> Option<Column
                 value: *number,
             };
             reader
-                .count(Some(&number), path, 1, COUNT_MOST)
+                .count(Some(&number), path, 1, COLUMN_MOST)
                 .map(Column::Number)
         }
     }
@@ -62,6 +50,7 @@ fn channel(reader: &mut Reader, raw: &At<ChannelRaw>, path: &str) -> Option<Chan
         name: raw.name.as_ref().map(|name| name.value.clone()),
         position_m,
         direction,
+        scale: factor(reader, raw.scale.as_ref(), &format!("{path}.scale")),
         leave_out: raw.leave_out.unwrap_or(false),
     })
 }
@@ -119,61 +108,190 @@ fn unit_vector(numbers: &[f64]) -> Option<[f64; 3]> {
     (length > 0.0 && length.is_finite()).then(|| [x / length, y / length, z / length])
 }
 
+/// The keys of one file, of a record or of a station.
+struct FileKeys<'a> {
+    file: Option<&'a At<String>>,
+    format: Option<&'a At<RecordFormatRaw>>,
+    begins: Option<&'a At<NumberRaw>>,
+    sampling_rate: Option<&'a At<QuantityRaw>>,
+    unit: Option<&'a At<String>>,
+    scale: Option<&'a At<f64>>,
+    delimiter: Option<&'a At<String>>,
+    time_column: Option<&'a At<ColumnRaw>>,
+    channels: &'a [At<ChannelRaw>],
+}
+
 pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> Option<RecordSource> {
+    let span = &raw.span;
     let raw = &raw.value;
-    let rate_path = format!("{path}.sampling_rate");
-    let sampling_rate = reader.quantity(
-        raw.sampling_rate.as_ref(),
-        &rate_path,
-        Measure::Frequency,
-        Bound::Positive,
-    );
-    if let Some(unit) = &raw.unit {
-        sample_unit(reader, unit, &format!("{path}.unit"));
-    }
-    let delimiter = raw
-        .delimiter
-        .as_ref()
-        .and_then(|raw| delimiter(reader, raw, &format!("{path}.delimiter")));
-    let time_column = raw
-        .time_column
-        .as_ref()
-        .and_then(|raw| column(reader, raw, &format!("{path}.time_column")));
-    let listed = raw.channels.iter().flatten().enumerate();
-    let channels: Vec<ChannelSource> = listed
-        .filter_map(|(i, raw)| channel(reader, raw, &format!("{path}.channels[{}]", i + 1)))
-        .collect();
-    distinct(reader, raw.channels.as_deref().unwrap_or_default(), path);
     let conditioning = raw
         .conditioning
         .as_ref()
-        .map(|raw| conditioning(reader, raw, &format!("{path}.conditioning")));
+        .map(|raw| conditioning(reader, raw, &format!("{path}.conditioning")))
+        .unwrap_or_default();
     let modal = raw
         .modal
         .as_ref()
-        .map(|raw| modal(reader, raw, &format!("{path}.modal")));
-    let file = raw.file.as_ref()?;
-    let ending = file
-        .value
-        .rsplit_once('.')
-        .map(|(_, ending)| ending.to_ascii_lowercase());
-    let format = match (raw.format.as_ref().map(|format| format.value), ending.as_deref()) {
-        (Some(RecordFormatRaw::Csv), _) => RecordFormat::Csv,
-        (Some(RecordFormatRaw::Npy), _) => RecordFormat::Npy,
-        (None, Some("npy")) => RecordFormat::Npy,
-        (None, Some("csv" | "txt" | "tsv" | "dat" | "asc")) => RecordFormat::Csv,
-        (None, _) => {
-            let path = format!("{path}.file");
-            let fault = Fault::new(
-                file.span.clone(),
-                &path,
-                format!("the format of {} is not clear", file.value),
-            );
-            reader.fault(fault.help("write format = \"csv\" or \"npy\" beside it"));
-            return None;
-        }
+        .map(|raw| modal(reader, raw, &format!("{path}.modal")))
+        .unwrap_or_default();
+    let keys = FileKeys {
+        file: raw.file.as_ref(),
+        format: raw.format.as_ref(),
+        begins: None,
+        sampling_rate: raw.sampling_rate.as_ref(),
+        unit: raw.unit.as_ref(),
+        scale: raw.scale.as_ref(),
+        delimiter: raw.delimiter.as_ref(),
+        time_column: raw.time_column.as_ref(),
+        channels: raw.channels.as_deref().unwrap_or_default(),
     };
-    if format == RecordFormat::Npy && sampling_rate.is_none() && raw.sampling_rate.is_none() {
+    let listed = raw.stations.as_deref().unwrap_or_default();
+    if listed.is_empty() {
+        if raw.file.is_none() {
+            let fault = Fault::new(span.clone(), path, format!("{path} names no file"));
+            reader.fault(
+                fault
+                    .allowed("file is missing")
+                    .help("write file = \"record.csv\", or stations for several files"),
+            );
+        }
+        if let Some(starts) = &raw.starts {
+            let path = format!("{path}.starts");
+            let fault = Fault::new(
+                starts.span.clone(),
+                &path,
+                format!("{path} stands without stations"),
+            );
+            reader.fault(fault.help("one file has one start: leave it out"));
+        }
+        return one_file(reader, &keys, path).map(|source| RecordSource {
+            conditioning,
+            modal,
+            ..source
+        });
+    }
+    let own = [
+        ("file", keys.file.map(|k| &k.span)),
+        ("format", keys.format.map(|k| &k.span)),
+        ("sampling_rate", keys.sampling_rate.map(|k| &k.span)),
+        ("unit", keys.unit.map(|k| &k.span)),
+        ("scale", keys.scale.map(|k| &k.span)),
+        ("delimiter", keys.delimiter.map(|k| &k.span)),
+        ("time_column", keys.time_column.map(|k| &k.span)),
+        ("channels", keys.channels.first().map(|k| &k.span)),
+    ];
+    for (key, span) in own {
+        if let Some(span) = span {
+            let message = format!("{path}.{key} stands beside {path}.stations");
+            let fault = Fault::new(span.clone(), &format!("{path}.{key}"), message);
+            reader.fault(fault.help("write it with each station: each file has its own"));
+        }
+    }
+    let stations: Vec<RecordSource> = listed
+        .iter()
+        .enumerate()
+        .filter_map(|(i, raw)| station(reader, &raw.value, &format!("{path}.stations[{}]", i + 1)))
+        .collect();
+    if stations.len() < listed.len() {
+        return None;
+    }
+    let files: Vec<&str> = stations.iter().map(|station| station.file.as_str()).collect();
+    Some(RecordSource {
+        file: files.join(", "),
+        format: None,
+        starts: match raw.starts.as_ref().map(|starts| starts.value) {
+            Some(StartsRaw::Together) => Starts::Together,
+            None | Some(StartsRaw::Stated) => Starts::Stated,
+        },
+        begins_s: None,
+        sampling_rate_hz: None,
+        unit: shared_unit(&stations),
+        scale: None,
+        delimiter: None,
+        time_column: None,
+        channels: Vec::new(),
+        conditioning,
+        modal,
+        stations,
+    })
+}
+
+/// The unit, where all stations have one.
+fn shared_unit(stations: &[RecordSource]) -> Option<String> {
+    let first = stations.first()?.unit.clone()?;
+    let all = stations
+        .iter()
+        .all(|station| station.unit.as_ref() == Some(&first));
+    all.then_some(first)
+}
+
+fn station(reader: &mut Reader, raw: &StationRaw, path: &str) -> Option<RecordSource> {
+    let keys = FileKeys {
+        file: raw.file.as_ref(),
+        format: raw.format.as_ref(),
+        begins: raw.begins.as_ref(),
+        sampling_rate: raw.sampling_rate.as_ref(),
+        unit: raw.unit.as_ref(),
+        scale: raw.scale.as_ref(),
+        delimiter: raw.delimiter.as_ref(),
+        time_column: raw.time_column.as_ref(),
+        channels: raw.channels.as_deref().unwrap_or_default(),
+    };
+    one_file(reader, &keys, path)
+}
+
+/// Seconds, or a date and time.
+fn begins(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<f64> {
+    let (found, written) = match &raw.value {
+        NumberRaw::Number(seconds) => (Some(*seconds).filter(|s| s.is_finite()), short(*seconds)),
+        NumberRaw::Text(text) => (of_text(text), text.clone()),
+    };
+    if found.is_none() {
+        let fault = Fault::new(raw.span.clone(), path, format!("{path} = {written:?} is no time"));
+        reader.fault(fault.allowed("must be a time such as \"2024-06-05T10:00:00.25\", or seconds"));
+    }
+    found
+}
+
+/// A factor: finite and not 0.
+fn factor(reader: &mut Reader, raw: Option<&At<f64>>, path: &str) -> Option<f64> {
+    let raw = raw?;
+    if raw.value.is_finite() && raw.value != 0.0 {
+        return Some(raw.value);
+    }
+    let fault = Fault::new(
+        raw.span.clone(),
+        path,
+        format!("{path} = {} is no scale", short(raw.value)),
+    );
+    reader.fault(fault.allowed("must be a finite number other than 0"));
+    None
+}
+
+fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<RecordSource> {
+    let rate_path = format!("{path}.sampling_rate");
+    let sampling_rate = reader.quantity(raw.sampling_rate, &rate_path, Measure::Frequency, Bound::Positive);
+    if let Some(unit) = raw.unit {
+        sample_unit(reader, unit, &format!("{path}.unit"));
+    }
+    let scale = factor(reader, raw.scale, &format!("{path}.scale"));
+    let begins_s = raw
+        .begins
+        .and_then(|raw| begins(reader, raw, &format!("{path}.begins")));
+    let delimiter = raw
+        .delimiter
+        .and_then(|raw| delimiter(reader, raw, &format!("{path}.delimiter")));
+    let time_column = raw
+        .time_column
+        .and_then(|raw| column(reader, raw, &format!("{path}.time_column")));
+    let listed = raw.channels.iter().enumerate();
+    let channels: Vec<ChannelSource> = listed
+        .filter_map(|(i, raw)| channel(reader, raw, &format!("{path}.channels[{}]", i + 1)))
+        .collect();
+    distinct(reader, raw.channels, path);
+    let file = raw.file?;
+    let format = format(reader, raw.format, file, path)?;
+    if format == Some(RecordFormat::Npy) && raw.sampling_rate.is_none() {
         let fault = Fault::new(
             file.span.clone(),
             &rate_path,
@@ -187,15 +305,61 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
     }
     Some(RecordSource {
         file: file.value.clone(),
+        stations: Vec::new(),
+        starts: Starts::Stated,
+        begins_s,
         format,
         sampling_rate_hz: sampling_rate.map(|rate| rate.value),
-        unit: raw.unit.as_ref().map(|unit| unit.value.trim().to_owned()),
+        unit: raw.unit.map(|unit| unit.value.trim().to_owned()),
+        scale,
         delimiter,
         time_column,
         channels,
-        conditioning: conditioning.unwrap_or_default(),
-        modal: modal.unwrap_or_default(),
+        conditioning: Conditioning::default(),
+        modal: ModalChoice::default(),
     })
+}
+
+/// The format that is written, or that the ending means: texts are looked into, as many formats end in .txt.
+fn format(
+    reader: &mut Reader,
+    raw: Option<&At<RecordFormatRaw>>,
+    file: &At<String>,
+    path: &str,
+) -> Option<Option<RecordFormat>> {
+    if let Some(raw) = raw {
+        return Some(Some(match raw.value {
+            RecordFormatRaw::Csv => RecordFormat::Csv,
+            RecordFormatRaw::Npy => RecordFormat::Npy,
+            RecordFormatRaw::Uff => RecordFormat::Uff,
+            RecordFormatRaw::Wav => RecordFormat::Wav,
+            RecordFormatRaw::Mat => RecordFormat::Mat,
+            RecordFormatRaw::Saf => RecordFormat::Saf,
+            RecordFormatRaw::Gcf => RecordFormat::Gcf,
+            RecordFormatRaw::Tdms => RecordFormat::Tdms,
+            RecordFormatRaw::MiniSeed => RecordFormat::MiniSeed,
+            RecordFormatRaw::Sac => RecordFormat::Sac,
+            RecordFormatRaw::KNet => RecordFormat::KNet,
+            RecordFormatRaw::Esm => RecordFormat::Esm,
+            RecordFormatRaw::Cosmos => RecordFormat::Cosmos,
+        }));
+    }
+    let ending = file.value.rsplit_once('.').map_or("", |(_, ending)| ending);
+    match RecordFormat::of_ending(ending) {
+        Some(RecordFormat::Csv) => Some(None),
+        Some(format) => Some(Some(format)),
+        None => {
+            let path = format!("{path}.file");
+            let message = format!("the format of {} is not clear", file.value);
+            let names: Vec<String> = RecordFormat::ALL
+                .iter()
+                .map(|format| format!("\"{}\"", format.name()))
+                .collect();
+            let fault = Fault::new(file.span.clone(), &path, message);
+            reader.fault(fault.help(format!("write format = one of {} beside it", names.join(", "))));
+            None
+        }
+    }
 }
 
 /// The unit of samples must be one that the readers of records know.
@@ -249,144 +413,5 @@ fn distinct(reader: &mut Reader, channels: &[At<ChannelRaw>], path: &str) {
             }) => twice("column", format!("\"{name}\""), span),
             None => {}
         }
-    }
-}
-
-fn conditioning(reader: &mut Reader, raw: &ConditioningRaw, path: &str) -> Conditioning {
-    let cut = raw.cut.as_ref().and_then(|raw| {
-        let from_s = reader.within(
-            raw.value.from_s.as_ref(),
-            &format!("{path}.cut.from_s"),
-            0.0,
-            TIME_MOST_S,
-        )?;
-        let to_s = reader.within(
-            raw.value.to_s.as_ref(),
-            &format!("{path}.cut.to_s"),
-            0.0,
-            TIME_MOST_S,
-        )?;
-        ordered(
-            reader,
-            (from_s, to_s),
-            &raw.span,
-            &format!("{path}.cut"),
-            ("from_s", "to_s"),
-        )?;
-        Some(Cut { from_s, to_s })
-    });
-    let order = |reader: &mut Reader, order: Option<&At<i64>>, path: String| match order {
-        None => Some(FILTER_ORDER),
-        given => reader.count(given, &path, 1, FILTER_ORDER_MOST),
-    };
-    let least_hz = f64::MIN_POSITIVE;
-    let band_pass = raw.band_pass.as_ref().and_then(|raw| {
-        let path = format!("{path}.band_pass");
-        let low_hz = reader.within(
-            raw.value.low_hz.as_ref(),
-            &format!("{path}.low_hz"),
-            least_hz,
-            RATE_MOST_HZ,
-        )?;
-        let high_hz = reader.within(
-            raw.value.high_hz.as_ref(),
-            &format!("{path}.high_hz"),
-            least_hz,
-            RATE_MOST_HZ,
-        )?;
-        ordered(reader, (low_hz, high_hz), &raw.span, &path, ("low_hz", "high_hz"))?;
-        Some(BandPass {
-            low_hz,
-            high_hz,
-            order: order(reader, raw.value.order.as_ref(), format!("{path}.order"))?,
-        })
-    });
-    let low_pass = raw.low_pass.as_ref().and_then(|raw| {
-        let path = format!("{path}.low_pass");
-        let corner = raw.value.corner_hz.as_ref();
-        Some(LowPass {
-            corner_hz: reader.within(corner, &format!("{path}.corner_hz"), least_hz, RATE_MOST_HZ)?,
-            order: order(reader, raw.value.order.as_ref(), format!("{path}.order"))?,
-        })
-    });
-    let mut count = |raw: &Option<At<i64>>, key: &str, least, most| {
-        reader.count(raw.as_ref(), &format!("{path}.{key}"), least, most)
-    };
-    Conditioning {
-        cut,
-        detrend_degree: count(&raw.detrend_degree, "detrend_degree", 0, 1),
-        band_pass,
-        low_pass,
-        decimate_factor: count(&raw.decimate_factor, "decimate_factor", 1, DECIMATE_MOST),
-    }
-}
-
-fn ordered(
-    reader: &mut Reader,
-    pair: (f64, f64),
-    span: &Range<usize>,
-    path: &str,
-    keys: (&str, &str),
-) -> Option<()> {
-    if pair.0 < pair.1 {
-        return Some(());
-    }
-    let message = format!(
-        "{path}: {} = {} is not below {} = {}",
-        keys.0,
-        short(pair.0),
-        keys.1,
-        short(pair.1)
-    );
-    reader.fault(Fault::new(span.clone(), path, message).allowed("nothing would be left"));
-    None
-}
-
-fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalChoice {
-    let low = raw.frequency_low_hz.as_ref();
-    let high = raw.frequency_high_hz.as_ref();
-    let frequency_low_hz = reader.within(low, &format!("{path}.frequency_low_hz"), 0.0, RATE_MOST_HZ);
-    let frequency_high_hz = reader.within(high, &format!("{path}.frequency_high_hz"), 0.0, RATE_MOST_HZ);
-    if let (Some(low), Some(high), Some(raw)) = (frequency_low_hz, frequency_high_hz, high) {
-        ordered(
-            reader,
-            (low, high),
-            &raw.span,
-            path,
-            ("frequency_low_hz", "frequency_high_hz"),
-        );
-    }
-    let picks = raw.pick_hz.iter().flatten().enumerate();
-    let pick_hz = picks
-        .filter_map(|(i, pick)| reader.within(Some(pick), &format!("{path}.pick_hz[{i}]"), 0.0, RATE_MOST_HZ))
-        .collect();
-    let mut count = |raw: &Option<At<i64>>, key: &str, least| {
-        reader.count(raw.as_ref(), &format!("{path}.{key}"), least, COUNT_MOST)
-    };
-    ModalChoice {
-        method: raw.method.map(|method| match method {
-            MethodRaw::Fdd => Method::Fdd,
-            MethodRaw::Efdd => Method::Efdd,
-            MethodRaw::Fsdd => Method::Fsdd,
-            MethodRaw::SsiCov => Method::SsiCov,
-            MethodRaw::SsiData => Method::SsiData,
-            MethodRaw::Era => Method::Era,
-        }),
-        references: raw
-            .references
-            .iter()
-            .flatten()
-            .map(|name| name.value.clone())
-            .collect(),
-        pick_hz,
-        harmonics: raw.harmonics.map(|harmonics| match harmonics {
-            HarmonicsRaw::Flag => Harmonics::Flag,
-            HarmonicsRaw::Remove => Harmonics::Remove,
-        }),
-        frequency_low_hz,
-        frequency_high_hz,
-        order_most: count(&raw.order_most, "order_most", 2),
-        block_rows: count(&raw.block_rows, "block_rows", 2),
-        modes_wanted: count(&raw.modes_wanted, "modes_wanted", 1),
     }
 }

@@ -115,7 +115,10 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
         );
     }
     for (i, setup) in listed.iter().enumerate() {
-        let channels = setup.value.channels.as_deref().unwrap_or_default();
+        let stations = setup.value.stations.iter().flatten();
+        let of_stations = stations.flat_map(|station| station.value.channels.iter().flatten());
+        let channels: Vec<&At<ChannelRaw>> =
+            setup.value.channels.iter().flatten().chain(of_stations).collect();
         let known = |c: &ChannelRaw| c.name.is_some() || (c.position.is_some() && c.direction.is_some());
         if channels.is_empty() || !channels.iter().all(|c| known(&c.value)) {
             let path = format!("{path}[{}].channels", i + 1);

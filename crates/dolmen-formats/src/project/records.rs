@@ -1,15 +1,8 @@
 //! Where a survey's vibration records lie, and how they are to be read and used.
 
+pub use crate::records::RecordFormat;
 use dolmen::modal::{Harmonics, Method};
-
-/// Format of a record file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RecordFormat {
-    /// Text columns.
-    Csv,
-    /// NumPy array of two dimensions.
-    Npy,
-}
+use dolmen::signal::Starts;
 
 /// A column, by name or number.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -31,6 +24,8 @@ pub struct ChannelSource {
     pub position_m: Option<[f64; 3]>,
     /// Unit vector of the positive direction.
     pub direction: Option<[f64; 3]>,
+    /// What its numbers are multiplied by to be in the unit; that of the record if not given.
+    pub scale: Option<f64>,
     /// Read, but leave it out (a dead or loose sensor).
     pub leave_out: bool,
 }
@@ -107,12 +102,20 @@ pub struct ModalChoice {
 pub struct RecordSource {
     /// Path relative to the project file.
     pub file: String,
-    /// Format, from the file name's ending if the project does not say.
-    pub format: RecordFormat,
+    /// Files of a record that lies in several, instead of `file`, which then lists them; conditioning and modal are those of the whole.
+    pub stations: Vec<RecordSource>,
+    /// What is known of the times at which stations begin.
+    pub starts: Starts,
+    /// First sample of a station whose file does not say it, s in a clock that all share.
+    pub begins_s: Option<f64>,
+    /// Format as the project says it or the file name's ending; `None`: found out from its content.
+    pub format: Option<RecordFormat>,
     /// Samples a second, Hz; `None` if the time column tells.
     pub sampling_rate_hz: Option<f64>,
     /// Unit of the samples as written: "m/s2", "g", "mm/s".
     pub unit: Option<String>,
+    /// What the numbers are multiplied by to be in the unit.
+    pub scale: Option<f64>,
     /// What separates columns.
     pub delimiter: Option<char>,
     /// The column of time stamps.

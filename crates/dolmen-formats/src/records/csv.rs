@@ -90,6 +90,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     });
     Ok(Reading {
         record,
+        begins_s: None,
         layout: Layout::Csv(CsvLayout {
             delimiter: start.delimiter,
             decimal: start.decimal,
@@ -426,11 +427,13 @@ impl LineReader<'_> {
 }
 
 /// Refuses a channel that rises by the same step all along: a time column that was not recognised, or a line count.
-fn refuse_counts(samples: &[f64], length: usize, channels: &[Channel]) -> Result<(), RecordError> {
+pub(super) fn refuse_counts(samples: &[f64], length: usize, channels: &[Channel]) -> Result<(), RecordError> {
     for (x, channel) in samples.chunks_exact(length).zip(channels) {
+        if length <= 2 {
+            continue;
+        }
         let step = x[1] - x[0];
-        if length > 2
-            && step > 0.0
+        if step > 0.0
             && x.windows(2)
                 .all(|w| (w[1] - w[0] - step).abs() <= COUNT_TOLERANCE * step)
         {

@@ -1,5 +1,6 @@
 //! Why a record cannot be read.
 
+use crate::motions::MotionError;
 use dolmen::signal::SignalError;
 
 /// Why the bytes of a file are no record. Each variant says where in the file and what to do. Lines are counted from 1, as
@@ -292,6 +293,169 @@ pub enum RecordError {
         /// Channels of the file.
         columns: usize,
     },
+    /// A binary file ends before its header says.
+    #[error("the {format} file has {bytes} bytes, but {wanted} are needed: it was cut short; copy it again")]
+    CutShort {
+        /// Its format.
+        format: &'static str,
+        /// Bytes it has.
+        bytes: usize,
+        /// Bytes that its header asks for.
+        wanted: u64,
+    },
+    /// A binary file holds something that cannot be.
+    #[error("the {format} file is damaged at byte {at}: {what}; copy it again")]
+    Damaged {
+        /// Its format.
+        format: &'static str,
+        /// Where, bytes from 0.
+        at: u64,
+        /// What is wrong.
+        what: String,
+    },
+    /// A variant of a format that is not read.
+    #[error("the {format} file holds {what}, which is not read: {instead}")]
+    NotReadHere {
+        /// Its format.
+        format: &'static str,
+        /// What it holds.
+        what: String,
+        /// What to do.
+        instead: &'static str,
+    },
+    /// The file is not of the format that the project names.
+    #[error(
+        "the file is not of the format {format}: it begins with {begins}; correct format, or leave it out"
+    )]
+    NotOfFormat {
+        /// The format named.
+        format: &'static str,
+        /// Its first bytes.
+        begins: String,
+    },
+    /// A line of a text file is not what the format has there.
+    #[error("line {line}: \"{text}\" is not {wanted}: the {format} file was cut or edited; copy it again")]
+    LineIsNot {
+        /// Its format.
+        format: &'static str,
+        /// The line.
+        line: usize,
+        /// What stands there, at most 80 characters of it.
+        text: String,
+        /// What must stand there.
+        wanted: &'static str,
+    },
+    /// A text file ends too early.
+    #[error(
+        "the {format} file ends before line {line}, which must be {wanted}: it was cut short; copy it again"
+    )]
+    EndsBefore {
+        /// Its format.
+        format: &'static str,
+        /// The line that is missing.
+        line: usize,
+        /// What it must be.
+        wanted: &'static str,
+    },
+    /// A header does not say something.
+    #[error("the header of the {format} file does not give {what}: it was cut or edited; copy it again")]
+    HeaderLacks {
+        /// Its format.
+        format: &'static str,
+        /// What is missing.
+        what: &'static str,
+    },
+    /// Not as many samples as the header says.
+    #[error(
+        "the header of the {format} file says {stated} samples, but {found} follow: it was cut or edited; copy it again"
+    )]
+    SampleCount {
+        /// Its format.
+        format: &'static str,
+        /// As the header says.
+        stated: u64,
+        /// As there are.
+        found: usize,
+    },
+    /// Blocks of a channel do not follow one another.
+    #[error(
+        "channel {channel}: a block begins {found_s} s after the first, but the samples before it end at {expected_s} s: there is \
+         a gap or an overlap; cut the file there"
+    )]
+    Gap {
+        /// The channel.
+        channel: String,
+        /// Where it should begin, s.
+        expected_s: f64,
+        /// Where it begins, s.
+        found_s: f64,
+    },
+    /// A variable of a MAT file contradicts the others.
+    #[error("the variable {name} of the MAT file {what}: correct it, or leave it out")]
+    Variable {
+        /// The variable.
+        name: String,
+        /// What it does.
+        what: String,
+    },
+    /// A WAV file without a scale.
+    #[error(
+        "the numbers of a WAV file are parts of full scale: give scale = what full scale is in the unit (scale = 1 without a unit \
+         keeps them as parts)"
+    )]
+    NoFullScale,
+    /// A unit is given for numbers that are in another.
+    #[error(
+        "channel \"{channel}\": unit is \"{given}\", but the {format} file says that its numbers are in \"{found}\": give scale = \
+         what one of them is worth in {given} (1 if they are in {given} already), or leave unit out"
+    )]
+    NoScale {
+        /// Format of the file.
+        format: &'static str,
+        /// The channel.
+        channel: String,
+        /// What the file says.
+        found: String,
+        /// The unit given.
+        given: &'static str,
+    },
+    /// The unit given is not that of the file.
+    #[error(
+        "channel \"{channel}\": unit is \"{given}\", but the file says \"{found}\": correct it, or leave it out"
+    )]
+    UnitDisagrees {
+        /// The channel.
+        channel: String,
+        /// The unit given.
+        given: &'static str,
+        /// The unit of the file.
+        found: &'static str,
+    },
+    /// The rate given is not that of the file.
+    #[error("sampling_rate_hz is {given}, but the file says {found}: correct it, or leave it out")]
+    FileRateDisagrees {
+        /// The rate given, Hz.
+        given: f64,
+        /// That of the file, Hz.
+        found: f64,
+    },
+    /// A file that does not tell its rate.
+    #[error("the sampling rate is not known: the {format} file does not say it; give sampling_rate_hz")]
+    NoRateHere {
+        /// Its format.
+        format: &'static str,
+    },
+    /// A start is given for a file that says its own.
+    #[error(
+        "begins is given for {file}, but the file says itself when it begins: leave begins out, or correct the clock in the file"
+    )]
+    TwoStarts {
+        /// The file.
+        file: String,
+    },
+    /// A file of a seismic station is refused.
+    #[error(transparent)]
+    Seismic(Box<MotionError>),
     /// The samples make no record.
     #[error(transparent)]
     Signal(#[from] SignalError),

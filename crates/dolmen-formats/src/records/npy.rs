@@ -122,6 +122,7 @@ pub fn read_npy(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     });
     Ok(Reading {
         record,
+        begins_s: None,
         layout: Layout::Npy(NpyLayout {
             value_type: head.descr,
             shape: head.shape,

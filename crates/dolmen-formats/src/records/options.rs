@@ -6,10 +6,15 @@ use dolmen::signal::Channel;
 /// What is known of the file. Everything left at its default is found out from the file, or refused.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RecordOptions {
+    /// Format of the file. `None`: found out from its content; GCF files and short texts have little to tell them by.
+    pub format: Option<RecordFormat>,
     /// Samples a second, Hz. `None`: from the time column. If both are there, they must agree to 1e-4.
     pub sampling_rate_hz: Option<f64>,
     /// Unit of the samples. Default: unknown, numbers kept as they are.
     pub unit: Unit,
+    /// What the numbers are multiplied by to be in the unit: what a count of the recorder is worth, or full scale of a WAV file.
+    /// `None`: 1, where the file tells that its numbers are in the unit.
+    pub scale: Option<f64>,
     /// Columns to read, in this order, each with its sensor. Empty: every column but the time column, named as in the
     /// header, or ch1, ch2, … where there is none.
     pub picks: Vec<Pick>,
@@ -67,4 +72,94 @@ pub struct Pick {
     pub column: Column,
     /// Its sensor. The quantity is set by [`RecordOptions::unit`].
     pub channel: Channel,
+    /// As [`RecordOptions::scale`], for this channel.
+    pub scale: Option<f64>,
+}
+
+/// Format of a record file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum RecordFormat {
+    /// Text in columns.
+    Csv,
+    /// A NumPy array.
+    Npy,
+    /// Universal file, datasets 58 and 58b.
+    Uff,
+    /// Sound file.
+    Wav,
+    /// MATLAB, version 5.
+    Mat,
+    /// Text of the SESAME project.
+    Saf,
+    /// Of Güralp recorders.
+    Gcf,
+    /// Of LabVIEW.
+    Tdms,
+    /// miniSEED 2.
+    MiniSeed,
+    /// SAC, binary.
+    Sac,
+    /// K-NET or KiK-net ASCII.
+    KNet,
+    /// ESM ASCII.
+    Esm,
+    /// COSMOS, or CSMIP before it.
+    Cosmos,
+}
+
+impl RecordFormat {
+    /// All of them, as [`name`](Self::name) has them.
+    pub const ALL: [RecordFormat; 13] = [
+        RecordFormat::Csv,
+        RecordFormat::Npy,
+        RecordFormat::Uff,
+        RecordFormat::Wav,
+        RecordFormat::Mat,
+        RecordFormat::Saf,
+        RecordFormat::Gcf,
+        RecordFormat::Tdms,
+        RecordFormat::MiniSeed,
+        RecordFormat::Sac,
+        RecordFormat::KNet,
+        RecordFormat::Esm,
+        RecordFormat::Cosmos,
+    ];
+
+    /// "csv", "npy", "uff", "wav", "mat", "saf", "gcf", "tdms", "miniseed", "sac", "k-net", "esm", "cosmos".
+    pub fn name(self) -> &'static str {
+        match self {
+            RecordFormat::Csv => "csv",
+            RecordFormat::Npy => "npy",
+            RecordFormat::Uff => "uff",
+            RecordFormat::Wav => "wav",
+            RecordFormat::Mat => "mat",
+            RecordFormat::Saf => "saf",
+            RecordFormat::Gcf => "gcf",
+            RecordFormat::Tdms => "tdms",
+            RecordFormat::MiniSeed => "miniseed",
+            RecordFormat::Sac => "sac",
+            RecordFormat::KNet => "k-net",
+            RecordFormat::Esm => "esm",
+            RecordFormat::Cosmos => "cosmos",
+        }
+    }
+
+    /// The format that an ending of a file name means, if it means one.
+    pub fn of_ending(ending: &str) -> Option<Self> {
+        Some(match ending.to_ascii_lowercase().as_str() {
+            "csv" | "txt" | "tsv" | "dat" | "asc" => RecordFormat::Csv,
+            "npy" => RecordFormat::Npy,
+            "uff" | "unv" | "uf" | "u58" => RecordFormat::Uff,
+            "wav" => RecordFormat::Wav,
+            "mat" => RecordFormat::Mat,
+            "saf" => RecordFormat::Saf,
+            "gcf" => RecordFormat::Gcf,
+            "tdms" => RecordFormat::Tdms,
+            "mseed" | "miniseed" | "msd" => RecordFormat::MiniSeed,
+            "sac" => RecordFormat::Sac,
+            "knet" | "kik" | "ns" | "ew" | "ud" => RecordFormat::KNet,
+            _ => return None,
+        })
+    }
 }

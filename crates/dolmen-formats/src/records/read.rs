@@ -1,13 +1,21 @@
 //! Any record file: the format is found out from its first bytes.
 
-use super::{CsvLayout, NpyLayout, RecordError, RecordOptions, read_csv, read_npy};
-use dolmen::signal::Record;
+use super::options::RecordFormat;
+use super::series::{Found, assembled, factors};
+use super::{
+    ChannelsLayout, CsvLayout, NpyLayout, RecordError, RecordOptions, gcf, mat, read_csv, read_npy, saf,
+    seismic, tdms, uff, wav,
+};
+use crate::motions::time_text;
+use dolmen::signal::{Record, scale};
 
 /// A record, with what was found out about its file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Reading {
     /// The record, in SI; its history begins with [`Read`](dolmen::signal::Processing::Read).
     pub record: Record,
+    /// The first sample, s from 1 January 1970 in the clock of the file; `None` if it does not say it.
+    pub begins_s: Option<f64>,
     /// How the file was laid out.
     pub layout: Layout,
 }
@@ -20,9 +28,41 @@ pub enum Layout {
     Csv(CsvLayout),
     /// A NumPy array.
     Npy(NpyLayout),
+    /// Channels, each with a header.
+    Channels(ChannelsLayout),
+    /// Several files.
+    Stations(Vec<Layout>),
 }
 
-/// A record from the bytes of a CSV or NPY file.
+impl Reading {
+    /// What the file says beside its samples, in sentences: when it begins, and what was passed over.
+    pub fn remarks(&self) -> Vec<String> {
+        let mut remarks: Vec<String> = Vec::new();
+        if let Some(at) = self.begins_s {
+            // small numbers are seconds of a clock of the project's own, not dates
+            const YEAR_S: f64 = 3.2e7;
+            remarks.push(if at.abs() < YEAR_S {
+                format!("begins at {at:.3} s of the clock given")
+            } else {
+                format!("begins {} by its clock", time_text(at))
+            });
+        }
+        noted(&self.layout, &mut remarks);
+        remarks
+    }
+}
+
+fn noted(layout: &Layout, remarks: &mut Vec<String>) {
+    match layout {
+        Layout::Channels(channels) => remarks.extend(channels.notes.iter().cloned()),
+        Layout::Stations(layouts) => layouts.iter().for_each(|layout| noted(layout, remarks)),
+        Layout::Csv(_) | Layout::Npy(_) => {}
+    }
+}
+
+/// A record from the bytes of a file: CSV, NPY, UFF 58, WAV, MAT 5, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
+///
+/// Channels of one file that begin apart or are sampled differently are [joined](dolmen::signal::join).
 ///
 /// # Errors
 /// [`RecordError`], which says where in the file and what to do.
@@ -39,9 +79,57 @@ pub enum Layout {
 /// # Ok::<(), dolmen_formats::records::RecordError>(())
 /// ```
 pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, RecordError> {
-    if bytes.starts_with(super::npy::MAGIC) {
-        read_npy(bytes, options)
+    let is_npy = bytes.starts_with(super::npy::MAGIC);
+    // the numbers of an array may look like the header of anything
+    if !is_npy && let Some(found) = channels(bytes, options) {
+        let found = found?;
+        return match options.format {
+            Some(format) if format != found.format => Err(not_of(format, bytes)),
+            _ => assembled(found, options),
+        };
+    }
+    let reading = match options.format {
+        None if is_npy => read_npy(bytes, options)?,
+        Some(RecordFormat::Npy) => read_npy(bytes, options)?,
+        None | Some(RecordFormat::Csv) if !is_npy => read_csv(bytes, options)?,
+        format => return Err(not_of(format.unwrap_or(RecordFormat::Csv), bytes)),
+    };
+    let factors = factors(options, reading.record.channels().len());
+    if factors.iter().all(|factor| *factor == 1.0) {
+        return Ok(reading);
+    }
+    Ok(Reading {
+        record: scale(reading.record, &factors)?,
+        ..reading
+    })
+}
+
+/// The channels of a file that describes them; `None` for columns of numbers.
+fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<Found, RecordError>> {
+    if wav::is_wav(bytes) {
+        Some(wav::read(bytes, options))
+    } else if tdms::is_tdms(bytes) {
+        Some(tdms::read(bytes))
+    } else if mat::is_mat(bytes) {
+        Some(mat::read(bytes))
+    } else if saf::is_saf(bytes) {
+        Some(saf::read(bytes))
+    } else if uff::is_uff(bytes) {
+        Some(uff::read(bytes))
+    } else if let Some(found) = seismic::read(bytes) {
+        Some(found)
+    } else if options.format == Some(RecordFormat::Gcf) || (options.format.is_none() && gcf::is_gcf(bytes)) {
+        Some(gcf::read(bytes))
     } else {
-        read_csv(bytes, options)
+        None
+    }
+}
+
+fn not_of(format: RecordFormat, bytes: &[u8]) -> RecordError {
+    const SHOWN: usize = 16;
+    let first = &bytes[..bytes.len().min(SHOWN)];
+    RecordError::NotOfFormat {
+        format: format.name(),
+        begins: format!("\"{}\"", first.escape_ascii()),
     }
 }

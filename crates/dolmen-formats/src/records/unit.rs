@@ -1,6 +1,6 @@
 //! Units of samples in a file.
 
-use super::RecordError;
+use super::{FileUnit, RecordError};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Quantity;
 
@@ -53,6 +53,23 @@ const SPELLINGS: [(Unit, &[&str]); 13] = [
     (Unit::Centimetre, &["cm"]),
     (Unit::Millimetre, &["mm"]),
 ];
+
+/// The unit that a label in a file means: brackets, blanks and other spellings of powers are passed over.
+pub(super) fn unit_of_label(label: &str) -> FileUnit {
+    let label = label.trim().trim_matches(['\0', ' ']);
+    let plain: String = label
+        .chars()
+        .filter(|c| !c.is_whitespace() && !"[]()".contains(*c))
+        .collect();
+    let plain = plain.replace("**", "^").replace("sec", "s").replace("µ", "u");
+    if plain.is_empty() || plain.eq_ignore_ascii_case("none") || plain.eq_ignore_ascii_case("unknown") {
+        return FileUnit::Silent;
+    }
+    match Unit::parse(&plain) {
+        Ok(unit) if unit != Unit::Unknown => FileUnit::Known(unit),
+        _ => FileUnit::Other(label.to_owned()),
+    }
+}
 
 impl Unit {
     /// The unit a text names: "m/s2", "cm/s2" or "gal", "mm/s2", "g", "mg", "m/s", "cm/s", "mm/s", "um/s", "m", "cm",

@@ -71,6 +71,9 @@ fn record_text(record: &RecordAnswer) -> String {
         record.sampling_rate_hz,
         record.samples as f64 / record.sampling_rate_hz / 60.0
     );
+    for remark in &record.remarks {
+        let _ = writeln!(out, "  file: {remark}");
+    }
     for step in &modes.history {
         let _ = writeln!(out, "  done: {step}");
     }

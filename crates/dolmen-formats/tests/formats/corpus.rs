@@ -13,6 +13,8 @@ mod motion;
 mod npy;
 #[path = "../../../../fuzz/bodies/project.rs"]
 mod project;
+#[path = "../../../../fuzz/bodies/record.rs"]
+mod record;
 
 /// Files changed in so many ways each; `DOLMEN_FUZZ` in the environment asks for more.
 const CHANGES: usize = 30;
@@ -141,4 +143,10 @@ fn holds_projects() {
     assert!(corpus.len() >= 7, "{}", corpus.len());
     let read = |bytes: &[u8]| project::run(&String::from_utf8_lossy(bytes));
     assert!(all(&corpus, read) > 200);
+}
+
+#[test]
+fn holds_record() {
+    let written = files(&root().join("crates/dolmen-formats/tests/data/records"));
+    assert!(all(&written, record::run) > 500);
 }

@@ -35,6 +35,7 @@ fn at_100_hz() -> RecordOptions {
 
 fn named(column: &str, channel: &str) -> Pick {
     Pick {
+        scale: None,
         column: Column::Named(column.into()),
         channel: Channel::named(channel),
     }
@@ -162,6 +163,7 @@ fn exact_columns_picked_by_name_and_number() {
         picks: vec![
             named("b", "roof y"),
             Pick {
+                scale: None,
                 column: Column::Number(1),
                 channel: Channel {
                     position_m: Some([1.0, 2.0, 3.0]),
@@ -452,6 +454,7 @@ fn refuses_columns_that_are_not_there() {
         "column \"time\" is read twice, as \"time\" and as \"x\": give each channel its own column"
     );
     let fifth = Pick {
+        scale: None,
         column: Column::Number(5),
         channel: Channel::named("x"),
     };

@@ -19,5 +19,7 @@ mod project_shapes;
 mod project_site;
 mod project_stack;
 mod project_values;
+mod record_formats;
 mod simulations;
+mod stations;
 mod three_setups;

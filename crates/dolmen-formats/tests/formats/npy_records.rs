@@ -101,6 +101,7 @@ fn exact_longer_than_one_block() {
         .collect();
     let file = npy(1, &header("<f8", "False", "(1300, 3)"), &doubles(&rows));
     let pick = |n: usize| Pick {
+        scale: None,
         column: Column::Number(n),
         channel: Channel::named(format!("column {n}")),
     };
@@ -182,6 +183,7 @@ fn refuses_without_a_rate_by_name_and_with_nan() {
     );
     let pick = |column| RecordOptions {
         picks: vec![Pick {
+            scale: None,
             column,
             channel: Channel::named("x"),
         }],

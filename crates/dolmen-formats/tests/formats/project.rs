@@ -446,7 +446,7 @@ modal = { frequency_high_hz = 10, order_most = 40, modes_wanted = 3 }
     let records = survey.records.as_ref().unwrap();
     assert_eq!(
         (records.format, records.delimiter),
-        (RecordFormat::Csv, Some('\t'))
+        (None::<RecordFormat>, Some('\t'))
     );
     assert_eq!(
         (records.sampling_rate_hz, records.unit.as_deref()),

@@ -23,6 +23,7 @@ fn pick(source: &ChannelSource) -> Pick {
         panic!("columns of NPY are numbers")
     };
     Pick {
+        scale: None,
         column: records::Column::Number(column),
         channel: Channel {
             position_m: source.position_m,

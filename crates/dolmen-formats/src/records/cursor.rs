@@ -1,0 +1,150 @@
+//! Numbers of a binary file, each access checked against its length.
+
+use super::RecordError;
+
+/// A place in a binary file, in one byte order. Nothing is allocated before the bytes it is read from are known to be there.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Cursor<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    format: &'static str,
+    big: bool,
+}
+
+macro_rules! numbers {
+    ($($name:ident: $kind:ty),*) => {
+        $(pub(super) fn $name(&mut self) -> Result<$kind, RecordError> {
+            let bytes = self.array()?;
+            Ok(if self.big { <$kind>::from_be_bytes(bytes) } else { <$kind>::from_le_bytes(bytes) })
+        })*
+    };
+}
+
+impl<'a> Cursor<'a> {
+    pub(super) fn new(bytes: &'a [u8], format: &'static str) -> Self {
+        Cursor {
+            bytes,
+            at: 0,
+            format,
+            big: false,
+        }
+    }
+
+    /// The same place, in big-endian order or not.
+    pub(super) fn ordered(self, big: bool) -> Self {
+        Cursor { big, ..self }
+    }
+
+    pub(super) fn is_big(&self) -> bool {
+        self.big
+    }
+
+    /// Where it is, bytes from the start of the file.
+    pub(super) fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Goes to another place, which may be the end.
+    pub(super) fn go(&mut self, at: usize) -> Result<(), RecordError> {
+        if at > self.bytes.len() {
+            return Err(self.cut(at));
+        }
+        self.at = at;
+        Ok(())
+    }
+
+    pub(super) fn left(&self) -> usize {
+        self.bytes.len() - self.at
+    }
+
+    fn cut(&self, wanted: usize) -> RecordError {
+        RecordError::CutShort {
+            format: self.format,
+            bytes: self.bytes.len(),
+            wanted: wanted as u64,
+        }
+    }
+
+    /// The next `count` bytes.
+    pub(super) fn take(&mut self, count: usize) -> Result<&'a [u8], RecordError> {
+        let end = self.at.saturating_add(count);
+        let taken = self.bytes.get(self.at..end).ok_or(self.cut(end))?;
+        self.at = end;
+        Ok(taken)
+    }
+
+    pub(super) fn array<const N: usize>(&mut self) -> Result<[u8; N], RecordError> {
+        let mut out = [0; N];
+        out.copy_from_slice(self.take(N)?);
+        Ok(out)
+    }
+
+    numbers!(u8: u8, i8: i8, u16: u16, i16: i16, u32: u32, i32: i32, u64: u64, i64: i64, f32: f32, f64: f64);
+
+    /// An error at this place.
+    pub(super) fn damaged(&self, what: impl Into<String>) -> RecordError {
+        RecordError::Damaged {
+            format: self.format,
+            at: self.at as u64,
+            what: what.into(),
+        }
+    }
+}
+
+/// What a number of a binary file is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Number {
+    I8,
+    U8,
+    I16,
+    U16,
+    I24,
+    I32,
+    U32,
+    I64,
+    U64,
+    F32,
+    F64,
+}
+
+impl Number {
+    pub(super) fn bytes(self) -> usize {
+        match self {
+            Number::I8 | Number::U8 => 1,
+            Number::I16 | Number::U16 => 2,
+            Number::I24 => 3,
+            Number::I32 | Number::U32 | Number::F32 => 4,
+            Number::I64 | Number::U64 | Number::F64 => 8,
+        }
+    }
+
+    /// The number that the cursor stands before.
+    pub(super) fn read(self, cursor: &mut Cursor) -> Result<f64, RecordError> {
+        Ok(match self {
+            Number::I8 => f64::from(cursor.i8()?),
+            Number::U8 => f64::from(cursor.u8()?),
+            Number::I16 => f64::from(cursor.i16()?),
+            Number::U16 => f64::from(cursor.u16()?),
+            Number::I24 => {
+                let [a, b, c] = cursor.array::<3>()?;
+                let word = if cursor.is_big() { [c, b, a] } else { [a, b, c] };
+                f64::from(i32::from_le_bytes([0, word[0], word[1], word[2]]) >> 8)
+            }
+            Number::I32 => f64::from(cursor.i32()?),
+            Number::U32 => f64::from(cursor.u32()?),
+            Number::I64 => cursor.i64()? as f64,
+            Number::U64 => cursor.u64()? as f64,
+            Number::F32 => f64::from(cursor.f32()?),
+            Number::F64 => cursor.f64()?,
+        })
+    }
+
+    /// `count` numbers one after the other.
+    pub(super) fn series(self, cursor: &mut Cursor, count: usize) -> Result<Vec<f64>, RecordError> {
+        let needed = count.saturating_mul(self.bytes());
+        if needed > cursor.left() {
+            return Err(cursor.cut(cursor.at().saturating_add(needed)));
+        }
+        (0..count).map(|_| self.read(cursor)).collect()
+    }
+}

@@ -1,0 +1,185 @@
+//! GCF: counts of Güralp recorders, as differences in blocks of 1024 bytes.
+//!
+//! | byte | what |
+//! |:--|:--|
+//! | 0, 4 | system and stream, in base 36 |
+//! | 8 | day from 17 November 1989 (15 bits), second of the day (17 bits) |
+//! | 13 | samples a second, or a code; 0 marks text of the recorder |
+//! | 14 | numerator of a part of a second (4 bits), –, differences a word: 1, 2 or 4 (3 bits) |
+//! | 15 | words |
+//! | 16 | first sample; differences, the first of them 0; last sample |
+//!
+//! All numbers are big-endian. The last sample of each block must be the one that the block states.
+//!
+//! Source: Güralp (2021) *GCF reference*, SWA-RFC-GCFR issue F.
+
+use super::RecordError;
+use super::cursor::{Cursor, Number};
+use super::options::RecordFormat;
+use super::series::{FileUnit, Found, Series};
+
+const FORMAT: &str = "gcf";
+const BLOCK: usize = 1024;
+const HEADER: usize = 16;
+/// Words of a block at most: 1024 bytes less the header and the two samples.
+const WORDS_MOST: usize = (BLOCK - HEADER - 8) / 4;
+/// 17 November 1989, days from 1 January 1970.
+const EPOCH_DAY: i64 = 7260;
+const DAY_S: i64 = 86_400;
+/// Codes of rates that are no whole number below 256: code, Hz, parts of a second in which a start may be stated.
+const CODED: [(u8, f64, u32); 10] = [
+    (157, 0.1, 1),
+    (161, 0.125, 1),
+    (162, 0.2, 1),
+    (164, 0.25, 1),
+    (167, 0.5, 1),
+    (171, 400.0, 8),
+    (174, 500.0, 2),
+    (176, 1000.0, 4),
+    (179, 2000.0, 8),
+    (181, 4000.0, 16),
+];
+/// Share of a step by which a block may begin off the one before.
+const GAP_STEPS: f64 = 0.5;
+
+/// Whether the first block is one: there is nothing to tell it by but its rate, its compression and its last sample.
+pub(super) fn is_gcf(bytes: &[u8]) -> bool {
+    let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
+    let whole = bytes.len() >= BLOCK && bytes.len().is_multiple_of(BLOCK);
+    whole
+        && Block::read(&mut cursor)
+            .is_ok_and(|block| block.rate_hz == 0.0 || block.samples(&mut cursor).is_ok())
+}
+
+/// The header of a block.
+struct Block {
+    system: u32,
+    stream: u32,
+    begins_s: f64,
+    rate_hz: f64,
+    /// Differences a word: 1, 2 or 4.
+    packed: usize,
+    words: usize,
+}
+
+impl Block {
+    fn read(cursor: &mut Cursor) -> Result<Self, RecordError> {
+        let system = cursor.u32()?;
+        let stream = cursor.u32()?;
+        let date = cursor.u32()?;
+        cursor.u8()?;
+        let [code, compression, words] = cursor.array::<3>()?;
+        let coded = CODED.iter().find(|(coded, ..)| *coded == code);
+        let (rate_hz, parts) = coded.map_or((f64::from(code), 1), |(_, rate, parts)| (*rate, *parts));
+        let (day, second) = (i64::from(date >> 17), i64::from(date & 0x1_FFFF));
+        let part = u32::from(compression >> 4);
+        let packed = usize::from(compression & 7);
+        let words = usize::from(words);
+        if second > DAY_S || part >= parts || !matches!(packed, 1 | 2 | 4) || words > WORDS_MOST {
+            return Err(cursor.damaged(format!(
+                "no header of a block: second {second} of the day, part {part} of {parts}, compression {packed}, {words} words"
+            )));
+        }
+        Ok(Block {
+            system,
+            stream,
+            begins_s: ((EPOCH_DAY + day) * DAY_S + second) as f64 + f64::from(part) / f64::from(parts),
+            rate_hz,
+            packed,
+            words,
+        })
+    }
+
+    fn samples(&self, cursor: &mut Cursor) -> Result<Vec<f64>, RecordError> {
+        let number = match self.packed {
+            1 => Number::I32,
+            2 => Number::I16,
+            _ => Number::I8,
+        };
+        let mut value = f64::from(cursor.i32()?); // whole numbers: doubles hold them and their sums
+        let mut samples = number.series(cursor, self.words * self.packed)?;
+        if samples.first().is_some_and(|first| *first != 0.0) {
+            return Err(cursor.damaged("the first difference of the block is not 0"));
+        }
+        for sample in &mut samples {
+            value += *sample;
+            *sample = value;
+        }
+        let last = f64::from(cursor.i32()?);
+        if last != value {
+            return Err(cursor.damaged(format!(
+                "the block ends at {value}, but states {last} as its last sample"
+            )));
+        }
+        Ok(samples)
+    }
+}
+
+/// Letters of a number in base 36.
+fn letters(mut code: u32) -> String {
+    const DIGITS: &[u8; 36] = b"0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+    let mut text = Vec::new();
+    while code > 0 {
+        text.push(DIGITS[(code % 36) as usize]);
+        code /= 36;
+    }
+    text.reverse();
+    String::from_utf8_lossy(&text).into_owned()
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+    let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
+    let mut streams: Vec<((u32, u32), Series)> = Vec::new();
+    let mut texts = 0;
+    while cursor.left() > 0 {
+        let at = cursor.at();
+        let block = Block::read(&mut cursor)?;
+        if block.rate_hz == 0.0 {
+            texts += 1;
+        } else {
+            let samples = block.samples(&mut cursor)?;
+            joined(&mut streams, &block, samples)?;
+        }
+        cursor.go(at + BLOCK)?;
+    }
+    if streams.is_empty() {
+        return Err(cursor.damaged("no block holds samples"));
+    }
+    let note = (texts > 0).then(|| format!("{texts} blocks of text of the recorder were passed over"));
+    Ok(Found {
+        format: RecordFormat::Gcf,
+        series: streams.into_iter().map(|(_, series)| series).collect(),
+        notes: note.into_iter().collect(),
+    })
+}
+
+/// Appends a block to its stream, if it follows without gap.
+fn joined(
+    streams: &mut Vec<((u32, u32), Series)>,
+    block: &Block,
+    samples: Vec<f64>,
+) -> Result<(), RecordError> {
+    let key = (block.system, block.stream);
+    let Some((_, known)) = streams.iter_mut().find(|(other, _)| *other == key) else {
+        let series = Series {
+            sampling_rate_hz: Some(block.rate_hz),
+            unit: FileUnit::Other("counts".to_owned()),
+            begins_s: Some(block.begins_s),
+            ..Series::new(letters(block.stream), samples)
+        };
+        streams.push((key, series));
+        return Ok(());
+    };
+    let expected_s = known.samples.len() as f64 / block.rate_hz;
+    let found_s = block.begins_s - known.begins_s.unwrap_or(block.begins_s);
+    let off = (found_s - expected_s).abs() > GAP_STEPS / block.rate_hz;
+    if off || known.sampling_rate_hz != Some(block.rate_hz) {
+        return Err(RecordError::Gap {
+            channel: known.name.clone(),
+            expected_s,
+            found_s,
+        });
+    }
+    known.samples.extend(samples);
+    Ok(())
+}

@@ -1,0 +1,162 @@
+//! MAT version 5 (MATLAB's `-v7` and `-v6`): numeric matrices, plain or compressed.
+//!
+//! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a
+//! vector `t` or `time` is time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. The others are named in a note.
+
+use super::RecordError;
+use super::mat_elements::{Matrix, matrices};
+use super::options::RecordFormat;
+use super::series::{Found, Series, rate_of_step};
+
+const FORMAT: &str = "mat";
+/// Names of a number that is the sampling rate, Hz, in lower case without underscores.
+const RATES: [&str; 8] = [
+    "fs",
+    "fsamp",
+    "sf",
+    "samplerate",
+    "samplingrate",
+    "samplingratehz",
+    "samplingfrequency",
+    "freqsampling",
+];
+/// Names of one that is the step, s.
+const STEPS: [&str; 3] = ["dt", "timestep", "ts"];
+const TIMES: [&str; 3] = ["t", "time", "times"];
+/// Share of a step by which time stamps may be off. Chosen here: doubles hold them better.
+const UNEVEN: f64 = 1e-3;
+
+pub(super) fn is_mat(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"MATLAB 5.0 MAT-file") || bytes.starts_with(b"MATLAB 7.3 MAT-file")
+}
+
+fn plain(name: &str) -> String {
+    name.to_lowercase().replace('_', "")
+}
+
+pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
+    if bytes.starts_with(b"MATLAB 7.3") {
+        return Err(RecordError::NotReadHere {
+            format: FORMAT,
+            what: "version 7.3 (HDF5)".to_owned(),
+            instead: "save it again with save(\"file.mat\", \"-v7\")",
+        });
+    }
+    let (all, mut passed) = matrices(bytes)?;
+    let length = all.iter().map(|m| m.rows.max(m.columns)).max().unwrap_or(0);
+    if length < 2 {
+        return Err(RecordError::NotReadHere {
+            format: FORMAT,
+            what: format!("no numeric matrix of samples (it holds {})", names(&all, &passed)),
+            instead: "save the samples as a matrix of its own, not within a struct or cell",
+        });
+    }
+    let mut rate_hz = None;
+    let mut series = Vec::new();
+    for matrix in all {
+        let name = plain(&matrix.name);
+        if matrix.values.len() == 1 {
+            let value = matrix.values[0];
+            let found = match () {
+                () if RATES.contains(&name.as_str()) => Some(value),
+                () if STEPS.contains(&name.as_str()) => Some(rate_of_step(value, 1e-12)),
+                () => None,
+            };
+            match found {
+                Some(rate) => agreed(&mut rate_hz, rate, &matrix.name)?,
+                None => passed.push(matrix.name),
+            }
+        } else if matrix.rows.max(matrix.columns) != length {
+            passed.push(matrix.name);
+        } else if matrix.values.len() == length && TIMES.contains(&name.as_str()) {
+            agreed(&mut rate_hz, stamps(&matrix)?, &matrix.name)?;
+        } else {
+            series.extend(columns(matrix, length));
+        }
+    }
+    if series.is_empty() {
+        return Err(RecordError::NotReadHere {
+            format: FORMAT,
+            what: "time stamps without samples".to_owned(),
+            instead: "save the samples beside them",
+        });
+    }
+    series.iter_mut().for_each(|one| one.sampling_rate_hz = rate_hz);
+    let note = (!passed.is_empty()).then(|| format!("passed over: {}", passed.join(", ")));
+    Ok(Found {
+        format: RecordFormat::Mat,
+        series,
+        notes: note.into_iter().collect(),
+    })
+}
+
+fn names(all: &[Matrix], passed: &[String]) -> String {
+    let names: Vec<&str> = all
+        .iter()
+        .map(|m| m.name.as_str())
+        .chain(passed.iter().map(String::as_str))
+        .collect();
+    if names.is_empty() {
+        "nothing".to_owned()
+    } else {
+        names.join(", ")
+    }
+}
+
+/// Several variables may tell the rate: they must tell the same.
+fn agreed(known: &mut Option<f64>, rate: f64, name: &str) -> Result<(), RecordError> {
+    const TOLERANCE: f64 = 1e-6;
+    if !(rate > 0.0 && rate.is_finite()) {
+        return Err(RecordError::Variable {
+            name: name.to_owned(),
+            what: format!("gives a sampling rate of {rate} Hz"),
+        });
+    }
+    match known {
+        Some(other) if (*other / rate - 1.0).abs() > TOLERANCE => Err(RecordError::Variable {
+            name: name.to_owned(),
+            what: format!("gives a sampling rate of {rate} Hz, but another {other} Hz"),
+        }),
+        Some(_) => Ok(()),
+        None => {
+            *known = Some(rate);
+            Ok(())
+        }
+    }
+}
+
+/// The rate of even time stamps, s.
+fn stamps(matrix: &Matrix) -> Result<f64, RecordError> {
+    let t = &matrix.values;
+    let (first, last) = (t[0], t[t.len() - 1]);
+    let step = (last - first) / (t.len() - 1) as f64;
+    let even = |(i, x): (usize, &f64)| (x - first - i as f64 * step).abs() <= UNEVEN * step;
+    match step > 0.0 && step.is_finite() && t.iter().enumerate().all(even) {
+        true => Ok(rate_of_step(step, 1e-9)),
+        false => Err(RecordError::Variable {
+            name: matrix.name.clone(),
+            what: "holds time stamps that are not even: samples are missing or the clock jumped".to_owned(),
+        }),
+    }
+}
+
+/// The channels of a matrix stored column by column.
+fn columns(matrix: Matrix, length: usize) -> Vec<Series> {
+    if matrix.values.len() == length {
+        return vec![Series::new(matrix.name, matrix.values)];
+    }
+    let along_rows = matrix.rows == length;
+    let count = matrix.values.len() / length;
+    let channel = |j: usize| -> Vec<f64> {
+        if along_rows {
+            matrix.values[j * length..(j + 1) * length].to_vec()
+        } else {
+            matrix.values.iter().skip(j).step_by(count).copied().collect()
+        }
+    };
+    let name = |j: usize| match along_rows {
+        true => format!("{}(:,{})", matrix.name, j + 1),
+        false => format!("{}({},:)", matrix.name, j + 1),
+    };
+    (0..count).map(|j| Series::new(name(j), channel(j))).collect()
+}

@@ -1,0 +1,68 @@
+//! Files of seismic stations, which ground motions come in too: miniSEED, SAC, K-NET, ESM, COSMOS, CSMIP.
+
+use super::options::RecordFormat;
+use super::series::{FileUnit, Found, Series, rate_of_step};
+use super::{RecordError, Unit};
+use crate::motions::{MotionFormat, RawChannel, raw_channels};
+
+/// The channels of such a file; `None` if it is none.
+pub(super) fn read(bytes: &[u8]) -> Option<Result<Found, RecordError>> {
+    let read = raw_channels(bytes)?;
+    Some(
+        read.map_err(|fault| RecordError::Seismic(Box::new(fault)))
+            .map(found),
+    )
+}
+
+fn found(channels: Vec<RawChannel>) -> Found {
+    let format = match channels.first().map(|channel| channel.format) {
+        Some(MotionFormat::MiniSeed) | None => RecordFormat::MiniSeed,
+        Some(MotionFormat::Sac | MotionFormat::SacText) => RecordFormat::Sac,
+        Some(MotionFormat::KNet) => RecordFormat::KNet,
+        Some(MotionFormat::Esm) => RecordFormat::Esm,
+        Some(_) => RecordFormat::Cosmos,
+    };
+    let mut notes: Vec<String> = Vec::new();
+    for channel in &channels {
+        if let Some(orientation) = channel.orientation {
+            notes.push(format!("{} points {orientation}", channel.name));
+        }
+    }
+    let series = channels
+        .into_iter()
+        .map(|channel| series(channel, format))
+        .collect();
+    Found {
+        format,
+        series,
+        notes,
+    }
+}
+
+fn series(channel: RawChannel, format: RecordFormat) -> Series {
+    let mut samples = channel.samples;
+    if channel.subtract_mean {
+        let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;
+        samples.iter_mut().for_each(|x| *x -= mean);
+    }
+    let unit = match channel.unit {
+        Some(unit) if unit != Unit::Unknown => FileUnit::Known(unit),
+        // whole numbers of a recorder: a unit without a scale would be a guess
+        _ if format == RecordFormat::MiniSeed && samples.iter().all(|x| x.fract() == 0.0) => {
+            FileUnit::Other("counts".to_owned())
+        }
+        _ => FileUnit::Silent,
+    };
+    let name = if channel.name.is_empty() {
+        "ch1".to_owned()
+    } else {
+        channel.name
+    };
+    Series {
+        sampling_rate_hz: Some(rate_of_step(channel.time_step_s, 1e-12)),
+        unit,
+        quantity: channel.quantity,
+        begins_s: channel.begins_s,
+        ..Series::new(name, samples)
+    }
+}

@@ -1,0 +1,101 @@
+//! Lines and columns of fixed width of a universal file.
+
+use super::RecordError;
+use super::number::parse_number;
+use super::uff::FORMAT;
+
+/// The lines of a file that may hold binary data between them.
+#[derive(Clone, Copy)]
+pub(super) struct Lines<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    number: usize,
+}
+
+impl<'a> Lines<'a> {
+    pub(super) fn new(bytes: &'a [u8]) -> Self {
+        Lines {
+            bytes,
+            at: 0,
+            number: 0,
+        }
+    }
+
+    /// Number of the line last read, from 1.
+    pub(super) fn number(&self) -> usize {
+        self.number
+    }
+
+    /// The next line without its end; what is no UTF-8 becomes marks.
+    pub(super) fn next(&mut self) -> Option<String> {
+        let rest = self.bytes.get(self.at..).filter(|rest| !rest.is_empty())?;
+        let end = memchr::memchr(b'\n', rest);
+        let line = &rest[..end.unwrap_or(rest.len())];
+        self.at += end.map_or(rest.len(), |end| end + 1);
+        self.number += 1;
+        Some(String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line)).into_owned())
+    }
+
+    /// The next line, which stays.
+    pub(super) fn peek(&self) -> Option<String> {
+        let mut ahead = *self;
+        ahead.next()
+    }
+
+    /// The next line, or a refusal that says what it should have been.
+    pub(super) fn want(&mut self, wanted: &'static str) -> Result<String, RecordError> {
+        let line = self.number + 1;
+        self.next().ok_or(RecordError::EndsBefore {
+            format: FORMAT,
+            line,
+            wanted,
+        })
+    }
+
+    /// Bytes that are no lines.
+    pub(super) fn bytes(&mut self, count: usize) -> Result<&'a [u8], RecordError> {
+        let end = self.at.saturating_add(count);
+        let taken = self.bytes.get(self.at..end).ok_or(RecordError::CutShort {
+            format: FORMAT,
+            bytes: self.bytes.len(),
+            wanted: end as u64,
+        })?;
+        self.at = end;
+        // a line end may stand between the bytes and the −1
+        let rest = &self.bytes[self.at..];
+        let ends = [b"\r\n".as_slice(), b"\n"];
+        self.at += ends
+            .iter()
+            .find(|end| rest.starts_with(end))
+            .map_or(0, |end| end.len());
+        Ok(taken)
+    }
+
+    pub(super) fn is_not(&self, line: &str, wanted: &'static str) -> RecordError {
+        RecordError::LineIsNot {
+            format: FORMAT,
+            line: self.number,
+            text: line.trim().chars().take(80).collect(),
+            wanted,
+        }
+    }
+}
+
+/// Columns of a line, from 0; blank where it is too short.
+pub(super) fn cell(line: &str, from: usize, width: usize) -> String {
+    line.chars().skip(from).take(width).collect()
+}
+
+/// An integer; a blank is 0.
+pub(super) fn whole(text: &str) -> Option<i64> {
+    match text.trim() {
+        "" => Some(0),
+        text => text.parse().ok(),
+    }
+}
+
+/// A number as FORTRAN prints it, with E or D.
+pub(super) fn decimal(text: &str) -> Option<f64> {
+    let text = text.trim().replace(['D', 'd'], "E");
+    parse_number(text.as_bytes())
+}

@@ -1,0 +1,144 @@
+//! WAV: channels of a sound recorder, as fractions of full scale.
+//!
+//! | chunk | what |
+//! |:--|:--|
+//! | `RIFF` | length of the file − 8, `WAVE` |
+//! | `fmt ` | 1 = integers, 3 = floats, 0xFFFE = told by the first two bytes of the sub-format; channels, rate, –, bytes a frame, bits |
+//! | `data` | frames, channel after channel |
+//!
+//! Source: Microsoft and IBM (1991) *Multimedia Programming Interface and Data Specifications 1.0*, with the later
+//! WAVEFORMATEXTENSIBLE.
+
+use super::cursor::{Cursor, Number};
+use super::options::RecordFormat;
+use super::series::{FileUnit, Found, Series};
+use super::{RecordError, RecordOptions};
+
+const FORMAT: &str = "wav";
+const INTEGERS: u16 = 1;
+const FLOATS: u16 = 3;
+const EXTENSIBLE: u16 = 0xFFFE;
+
+pub(super) fn is_wav(bytes: &[u8]) -> bool {
+    let sort = bytes.get(..4);
+    (sort == Some(b"RIFF") || sort == Some(b"RF64") || sort == Some(b"RIFX"))
+        && bytes.get(8..12) == Some(b"WAVE")
+}
+
+/// What the chunk `fmt ` says.
+struct Frames {
+    number: Number,
+    channels: usize,
+    rate_hz: f64,
+    /// One over full scale.
+    unit: f64,
+}
+
+pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<Found, RecordError> {
+    let unread = |what: &str, instead: &'static str| RecordError::NotReadHere {
+        format: FORMAT,
+        what: what.to_owned(),
+        instead,
+    };
+    if !bytes.starts_with(b"RIFF") {
+        return Err(unread(
+            "the variant RF64 or RIFX",
+            "write files below 4 GiB, as plain WAV",
+        ));
+    }
+    let mut cursor = Cursor::new(bytes, FORMAT);
+    cursor.take(4)?;
+    let stated = cursor.u32()? as usize;
+    if stated.saturating_add(8) > bytes.len() {
+        return Err(RecordError::CutShort {
+            format: FORMAT,
+            bytes: bytes.len(),
+            wanted: stated as u64 + 8,
+        });
+    }
+    cursor.take(4)?;
+    let mut told = None;
+    let mut data = None;
+    while cursor.left() >= 8 && data.is_none() {
+        let name = cursor.array::<4>()?;
+        let length = cursor.u32()? as usize;
+        match &name {
+            b"fmt " => told = Some(frames(&mut Cursor::new(cursor.take(length)?, FORMAT))?),
+            b"data" => data = Some(cursor.take(length)?),
+            _ => drop(cursor.take(length)?),
+        }
+        if length % 2 == 1 && cursor.left() > 0 {
+            cursor.take(1)?;
+        }
+    }
+    let (Some(told), Some(data)) = (told, data) else {
+        return Err(cursor.damaged("the chunks \"fmt \" and \"data\" are not both there, in this order"));
+    };
+    let frame = told.number.bytes() * told.channels;
+    if !data.len().is_multiple_of(frame) {
+        return Err(cursor.damaged(format!(
+            "{} bytes of samples are no whole frames of {frame}",
+            data.len()
+        )));
+    }
+    let scaled = options.scale.is_some()
+        || (!options.picks.is_empty() && options.picks.iter().all(|pick| pick.scale.is_some()));
+    if !scaled {
+        return Err(RecordError::NoFullScale);
+    }
+    let mut samples = vec![Vec::with_capacity(data.len() / frame); told.channels];
+    let mut cursor = Cursor::new(data, FORMAT);
+    for _ in 0..data.len() / frame {
+        for channel in &mut samples {
+            channel.push(told.unit * told.number.read(&mut cursor)?);
+        }
+    }
+    let series = samples.into_iter().enumerate().map(|(j, samples)| Series {
+        sampling_rate_hz: Some(told.rate_hz),
+        unit: FileUnit::Other("full scale".to_owned()),
+        ..Series::new(format!("ch{}", j + 1), samples)
+    });
+    Ok(Found {
+        format: RecordFormat::Wav,
+        series: series.collect(),
+        notes: Vec::new(),
+    })
+}
+
+fn frames(cursor: &mut Cursor) -> Result<Frames, RecordError> {
+    let mut sort = cursor.u16()?;
+    let channels = usize::from(cursor.u16()?);
+    let rate_hz = f64::from(cursor.u32()?);
+    cursor.u32()?; // bytes a second
+    let frame = usize::from(cursor.u16()?);
+    let bits = cursor.u16()?;
+    if sort == EXTENSIBLE {
+        cursor.take(8)?; // length of what follows, bits that count, places of loudspeakers
+        sort = cursor.u16()?;
+    }
+    let (number, unit) = match (sort, bits) {
+        (INTEGERS, 16) => (Number::I16, 1.0 / 32_768.0),
+        (INTEGERS, 24) => (Number::I24, 1.0 / 8_388_608.0),
+        (INTEGERS, 32) => (Number::I32, 1.0 / 2_147_483_648.0),
+        (FLOATS, 32) => (Number::F32, 1.0),
+        (FLOATS, 64) => (Number::F64, 1.0),
+        (sort, bits) => {
+            return Err(RecordError::NotReadHere {
+                format: FORMAT,
+                what: format!("samples of {bits} bits coded as {sort}"),
+                instead: "write it as integers of 16, 24 or 32 bits or as floats, without compression",
+            });
+        }
+    };
+    if channels == 0 || frame != channels * number.bytes() || rate_hz <= 0.0 {
+        return Err(cursor.damaged(format!(
+            "{channels} channels, {rate_hz} Hz and {frame} bytes a frame do not agree"
+        )));
+    }
+    Ok(Frames {
+        number,
+        channels,
+        rate_hz,
+        unit,
+    })
+}

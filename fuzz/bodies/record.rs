@@ -1,0 +1,29 @@
+//! Any bytes are a record or an error, in every format and whatever is known beforehand.
+
+use dolmen_formats::records::{RecordFormat, RecordOptions, read_record};
+
+pub(super) fn run(bytes: &[u8]) {
+    let told = RecordOptions {
+        sampling_rate_hz: Some(200.0),
+        scale: Some(1.0),
+        ..Default::default()
+    };
+    let formats = std::iter::once(None).chain(RecordFormat::ALL.map(Some));
+    for format in formats {
+        let options = RecordOptions {
+            format,
+            ..told.clone()
+        };
+        if let Ok(reading) = read_record(bytes, &options) {
+            let record = reading.record;
+            assert!((0..record.channels().len()).all(|j| record.samples(j).iter().all(|x| x.is_finite())));
+        }
+        let _ = read_record(
+            bytes,
+            &RecordOptions {
+                format,
+                ..Default::default()
+            },
+        );
+    }
+}
