@@ -1,6 +1,6 @@
 //! All figures of an identification, named for files.
 
-use super::{ShapePanel, mode_shapes, sensor_shapes, singular_values, stabilization};
+use super::{ShapePanel, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization};
 use crate::Language;
 use crate::answer::{Answer, StiffnessAnswer};
 use crate::project::{Project, Quantity, Structure};
@@ -35,6 +35,9 @@ pub fn identification(answer: &Answer, language: Language) -> Vec<Figure> {
             if !record.analysis.modes.modes.is_empty() {
                 add("mode-shapes", sensor_shapes(&record.analysis.modes, language));
             }
+            if let Some(moving) = moving_shapes(&record.analysis.modes, language) {
+                add("moving-shapes", moving);
+            }
         }
         if let Some(setups) = &survey.setups {
             for (i, record) in setups.records.iter().enumerate() {
@@ -49,6 +52,9 @@ pub fn identification(answer: &Answer, language: Language) -> Vec<Figure> {
             }
             if !setups.merged.modes.modes.is_empty() {
                 add("mode-shapes", sensor_shapes(&setups.merged.modes, language));
+            }
+            if let Some(moving) = moving_shapes(&setups.merged.modes, language) {
+                add("moving-shapes", moving);
             }
         }
         for stiffness in &survey.stiffness {

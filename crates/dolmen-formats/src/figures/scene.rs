@@ -52,6 +52,47 @@ impl Scene {
         );
     }
 
+    /// A line that goes through `pictures` and round again, `period_s` each time; where nothing moves, the first stands.
+    pub(crate) fn moving_path(&mut self, pictures: &[Vec<[f64; 2]>], period_s: f64, line: Line) {
+        let all: Vec<String> = pictures.iter().map(|points| joined(points)).collect();
+        let style = stroke(line);
+        put(
+            &mut self.body,
+            format_args!(
+                "<polyline points=\"{}\" fill=\"none\" {style}><animate attributeName=\"points\" dur=\"{}s\" repeatCount=\"indefinite\" \
+                 values=\"{}\"/></polyline>",
+                all.first().map_or("", String::as_str),
+                short(period_s),
+                all.join(";")
+            ),
+        );
+    }
+
+    /// A white circle that goes through `places` in the same way.
+    pub(crate) fn moving_circle(&mut self, places: &[[f64; 2]], period_s: f64, radius: f64, line: Line) {
+        let along = |axis: usize| -> Vec<String> { places.iter().map(|at| short(at[axis])).collect() };
+        let (xs, ys) = (along(0), along(1));
+        let moving = |name: &str, values: &[String]| {
+            format!(
+                "<animate attributeName=\"{name}\" dur=\"{}s\" repeatCount=\"indefinite\" values=\"{}\"/>",
+                short(period_s),
+                values.join(";")
+            )
+        };
+        let style = stroke(line);
+        put(
+            &mut self.body,
+            format_args!(
+                "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"#ffffff\" {style}>{}{}</circle>",
+                xs.first().map_or("0", String::as_str),
+                ys.first().map_or("0", String::as_str),
+                short(radius),
+                moving("cx", &xs),
+                moving("cy", &ys)
+            ),
+        );
+    }
+
     /// An arrow from `from` to `to` with a filled head of `head` px.
     pub(crate) fn arrow(&mut self, from: [f64; 2], to: [f64; 2], head: f64, line: Line) {
         let (dx, dy) = (to[0] - from[0], to[1] - from[1]);

@@ -6,7 +6,7 @@ use super::table::{Cell, figure, table};
 use super::words::listed;
 use crate::Language;
 use crate::answer::RecordAnswer;
-use crate::figures::{sensor_shapes, singular_values, stabilization};
+use crate::figures::{moving_shapes, sensor_shapes, singular_values, stabilization};
 use crate::number::{self, significant, with_sd};
 use dolmen::modal::{Fate, Method, ModalAnalysis, Mode, Note};
 use dolmen::signal::{ChannelFault, Processing};
@@ -109,6 +109,15 @@ pub(super) fn section(survey: &str, record: &RecordAnswer, language: Language) -
                     "센서 위치의 모드형상. 채널이 계측한 방향의 성분만 표시하였으며 모드마다 최대값을 같게 그렸다.",
                 ),
             ))
+            @if let Some(moving) = moving_shapes(&analysis.modes, language) {
+                (figure(
+                    &moving,
+                    language.pick(
+                        "The same, moving: each mode at the same pace, twelve modes at most. Grey: at rest. Lines only join sensors; between them nothing was measured.",
+                        "움직이는 모드형상(최대 12개, 모드마다 같은 속도). 회색: 정지 상태. 선은 센서를 이을 뿐 그 사이는 계측하지 않았다.",
+                    ),
+                ))
+            }
         }
         @if let Some(decay) = &analysis.decay { (decay::section(decay, language)) } @else { (settings(analysis, language)) }
         @for note in &analysis.notes { p.note { (note_words(note, language)) } }
@@ -441,6 +450,59 @@ fn step_words(step: &Processing, language: Language) -> String {
         Processing::Decimate { factor } => language.pick(
             format!("decimated by {factor} after an anti-alias filter"),
             format!("앨리어싱 방지 필터 후 1/{factor}로 재표본화"),
+        ),
+        Processing::Scaled { factor } => language.pick(
+            format!("multiplied by {}", n(*factor)),
+            format!("{}배", n(*factor)),
+        ),
+        Processing::ChannelScaled { channel, factor } => language.pick(
+            format!("{channel} multiplied by {}", n(*factor)),
+            format!("채널 {channel}: {}배", n(*factor)),
+        ),
+        Processing::Interpolated {
+            channel,
+            offset_steps,
+        } => language.pick(
+            format!(
+                "{channel} interpolated onto the times of the others, {} of a step beside its own",
+                n(*offset_steps)
+            ),
+            format!(
+                "채널 {channel}: 표본 간격의 {}만큼 어긋난 시각을 보간으로 맞춤",
+                n(*offset_steps)
+            ),
+        ),
+        Processing::Resampled {
+            channel,
+            from_hz,
+            to_hz,
+        } => language.pick(
+            format!(
+                "{channel} resampled from {} to {}\u{202f}Hz after an anti-alias filter",
+                n(*from_hz),
+                n(*to_hz)
+            ),
+            format!(
+                "채널 {channel}: 앨리어싱 방지 필터 후 {}\u{202f}Hz에서 {}\u{202f}Hz로 재표본화",
+                n(*from_hz),
+                n(*to_hz)
+            ),
+        ),
+        Processing::OffsetsLeft { most_steps } => language.pick(
+            format!("times of the channels differ by up to {} of a step, left so", n(*most_steps)),
+            format!("채널 간 시각 차이 최대 표본 간격의 {}, 그대로 둠", n(*most_steps)),
+        ),
+        Processing::CommonTime { before_s, after_s } => language.pick(
+            format!(
+                "cut to the time that all channels share: {}\u{202f}s before and {}\u{202f}s after it are gone",
+                n(*before_s),
+                n(*after_s)
+            ),
+            format!(
+                "모든 채널에 공통인 시간만 사용: 앞 {}\u{202f}s, 뒤 {}\u{202f}s 제외",
+                n(*before_s),
+                n(*after_s)
+            ),
         ),
         other => format!("{other:?}"),
     }

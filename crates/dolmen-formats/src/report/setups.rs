@@ -6,7 +6,7 @@ use super::table::{Cell, figure, table};
 use super::words::listed;
 use crate::Language;
 use crate::answer::SetupsAnswer;
-use crate::figures::sensor_shapes;
+use crate::figures::{moving_shapes, sensor_shapes};
 use crate::number::{fixed, with_sd};
 use crate::text::setup_remarks;
 use maud::{Markup, html};
@@ -64,6 +64,15 @@ pub(super) fn section(survey: &str, setups: &SetupsAnswer, language: Language) -
                     "모든 배치의 센서 위치 모드형상. 각 배치는 고정 센서를 기준으로 척도를 맞추었다.",
                 ),
             ))
+            @if let Some(moving) = moving_shapes(&merged.modes, language) {
+                (figure(
+                    &moving,
+                    language.pick(
+                        "The same, moving: each mode at the same pace, twelve modes at most. Grey: at rest. Lines only join sensors; between them nothing was measured.",
+                        "움직이는 모드형상(최대 12개, 모드마다 같은 속도). 회색: 정지 상태. 선은 센서를 이을 뿐 그 사이는 계측하지 않았다.",
+                    ),
+                ))
+            }
         }
         @for remark in setup_remarks(setups) { p.note { (language.pick(String::new(), "[영문] ".to_owned())) (remark) "." } }
     }

@@ -308,6 +308,7 @@ fn survey() -> Answer {
                 samples: record.length(),
                 sampling_rate_hz: record.sampling_rate_hz(),
                 unit: String::new(),
+                remarks: vec![],
                 faults: vec![],
                 analysis,
             }),
