@@ -218,9 +218,10 @@ impl Face {
             }
         }
         if let Some(stiffness) = stiffness {
-            for row in 1..6 {
-                for column in 0..row {
-                    k[row][column] = k[column][row];
+            let upper = k;
+            for (row, values) in k.iter_mut().enumerate() {
+                for (value, other) in values.iter_mut().zip(&upper).take(row) {
+                    *value = other[row];
                 }
             }
             *stiffness = k;
