@@ -16,7 +16,7 @@ kind = "stack"
 name = "Training"
 density = 2600
 joint = { friction = 0.6 }
-pagoda = { storeys = 3, body_height = 3, body_slenderness = 3, taper = "6 deg", body_base_height_ratio = 2 }
+pagoda = { storeys = 3, body_height = 2, body_slenderness = 3, taper = "6 deg", body_base_height_ratio = 2 }
 
 [study.small]
 artificial = { count = 6, duration_s = 2, strong_s = 0.7, rise_s = 0.3 }
