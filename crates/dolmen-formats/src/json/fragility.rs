@@ -28,10 +28,11 @@ pub(super) fn fragilities_json(
                 "rate_share_above_hazard": state.risk.map(|risk| risk.share_above_points),
             }))
         });
-        let crossings = one.crossings().into_iter().map(|(mild, severe, at)| {
+        let crossings = one.crossings().into_iter().map(|(mild, severe, at, is_below)| {
             json!({
                 "states": [answer.kind.states()[mild], answer.kind.states()[severe]],
                 "peak_acceleration_m_s2": at.intensity, "probability": at.probability,
+                "worse_state_likelier": if is_below { "below" } else { "above" },
             })
         });
         Ok(json!({

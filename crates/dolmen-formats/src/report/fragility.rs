@@ -77,8 +77,8 @@ pub(super) fn fragility(answer: &StudyAnswer, found: &[CombinationFragility], la
                 "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, θ의 95 % 구간을 함께 제시한다.",
             ), 2, &head, &rows))
             @for one in &shown {
-                @for (mild, severe, at) in one.crossings() {
-                    p { b { (crossing_words(answer, (mild, severe), at.intensity, language)) } }
+                @for (mild, severe, at, is_below) in one.crossings() {
+                    p { b { (crossing_words(answer, (mild, severe), (at.intensity, is_below), language)) } }
                 }
             }
         }
@@ -88,17 +88,23 @@ pub(super) fn fragility(answer: &StudyAnswer, found: &[CombinationFragility], la
 fn crossing_words(
     answer: &StudyAnswer,
     (mild, severe): (usize, usize),
-    intensity: f64,
+    (intensity, is_below): (f64, bool),
     language: Language,
 ) -> String {
+    let side = match (is_below, language) {
+        (true, Language::English) => "below",
+        (false, Language::English) => "above",
+        (true, _) => "아래",
+        (false, _) => "위",
+    };
     let (states, g) = (answer.state_words(language), intensity / answer.gravity_m_s2);
     language.pick(
         format!(
-            "The curves of {} and {} cross at {g:.3} g: beyond it the worse state is called likelier than the milder one, which cannot be.",
+            "The curves of {} and {} cross at {g:.3} g: {side} it the worse state is called likelier than the milder one, which cannot be.",
             states[mild], states[severe]
         ),
         format!(
-            "{}와 {}의 곡선이 {g:.3} g에서 교차한다. 그 너머에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
+            "{}와 {}의 곡선이 {g:.3} g에서 교차한다. 그 {side}에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
             states[mild], states[severe]
         ),
     )

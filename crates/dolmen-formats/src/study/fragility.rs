@@ -77,8 +77,9 @@ pub struct CombinationFragility {
 }
 
 impl CombinationFragility {
-    /// Pairs of states whose curves cross where it matters: there the worse state is called likelier than the milder one.
-    pub fn crossings(&self) -> Vec<(usize, usize, Crossing)> {
+    /// Pairs of states whose curves cross where it matters: on one side the worse state is called likelier than the milder one; whether that is
+    /// below the crossing comes last.
+    pub fn crossings(&self) -> Vec<(usize, usize, Crossing, bool)> {
         let mut found = Vec::new();
         for (i, mild) in self.states.iter().enumerate() {
             for severe in &self.states[i + 1..] {
@@ -87,7 +88,8 @@ impl CombinationFragility {
                 };
                 let at = crossing(&a.curve, &b.curve)
                     .filter(|at| (CROSSING_LEAST..=1.0 - CROSSING_LEAST).contains(&at.probability));
-                found.extend(at.map(|at| (mild.state, severe.state, at)));
+                let is_below = b.curve.beta() > a.curve.beta(); // the flatter curve is the higher one there
+                found.extend(at.map(|at| (mild.state, severe.state, at, is_below)));
             }
         }
         found

@@ -132,14 +132,15 @@ fn notes(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
     }
     let states = answer.kind.states();
     for one in found.iter().take(PRINTED_MOST) {
-        for (mild, severe, at) in one.crossings() {
+        for (mild, severe, at, is_below) in one.crossings() {
             let _ = writeln!(
                 out,
-                "  WARNING: the curves of {} and {} cross at {:.3} g, where both have {:.2}: beyond it the worse state is called likelier{}",
+                "  WARNING: the curves of {} and {} cross at {:.3} g, where both have {:.2}: {} it the worse state is called likelier{}",
                 states[mild],
                 states[severe],
                 at.intensity / answer.gravity_m_s2,
                 at.probability,
+                if is_below { "below" } else { "above" },
                 match answer.combination_words(one.job) {
                     words if words.is_empty() => words,
                     words => format!(" ({words})"),
