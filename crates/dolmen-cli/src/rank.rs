@@ -4,7 +4,7 @@ use crate::cli_portfolio::{Rank as Options, State};
 use crate::simulate::language;
 use crate::{Outcome, files, open, score, study};
 use anyhow::{Context as _, Result, bail};
-use dolmen::assess::{Hazard, ScoreModel};
+use dolmen::assess::{Hazard, ScoreModel, Unlike};
 use dolmen_formats::figures::ranking;
 use dolmen_formats::json::rank_json;
 use dolmen_formats::portfolio::{
@@ -123,14 +123,14 @@ fn rows(source: &Path) -> Result<PortfolioTable> {
 
 fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<PortfolioEntry> {
     let name = row.name.clone();
-    let scored = |factors, hazard| {
+    let scored = |factors, unlike: &[Unlike], hazard| {
         if scores.models[scores.state].is_none() {
             bail!("the score has too few designs of this state");
         }
         let (state, outside_too) = (scores.state, scores.outside_too);
         Ok(of_score(
             name.clone(),
-            factors,
+            (factors, unlike),
             &scores.models,
             state,
             outside_too,
@@ -138,7 +138,7 @@ fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<Portfolio
         )?)
     };
     match &row.source {
-        RowSource::Factors(factors) => scored(factors, row.hazard.clone()),
+        RowSource::Factors(factors) => scored(factors, &[], row.hazard.clone()),
         RowSource::Project { path, study } => {
             let path = folder.join(path);
             let open::Opened { project, file } = open::project(&path)?;
@@ -161,8 +161,8 @@ fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<Portfolio
                 [one] => of_study(name.clone(), one, hazard).map_err(anyhow::Error::msg),
                 [] => match score::factors(&project)? {
                     Some(factors) => {
-                        score::check_alike(&project, scores.outside_too)?;
-                        scored(&factors, hazard)
+                        let unlike = score::check_alike(&project, scores.outside_too)?;
+                        scored(&factors, &unlike, hazard)
                     }
                     None => bail!(
                         "it has neither results of a study nor a pagoda of six factors: run dolmen study {} first",

@@ -3,11 +3,10 @@
 use crate::cli_portfolio::Score as Options;
 use crate::{Outcome, files, open, study};
 use anyhow::{Context as _, Result, bail};
-use dolmen::assess::{ScoreModel, SixFactors};
-use dolmen::structure::stack::{Joint, JointMaterial, PagodaFactors};
+use dolmen::assess::{ScoreModel, SixFactors, Unlike, unlike_trained};
 use dolmen_formats::json::{score_json, score_quality_json};
 use dolmen_formats::project::{Project, Quantity, Structure};
-use dolmen_formats::score::{ScoreAnswer, ScoreDesigns, ScoreQuality};
+use dolmen_formats::score::{ScoreAnswer, ScoreDesigns, ScoreQuality, unlike_words};
 use dolmen_formats::text::{score_quality_text, score_text};
 use rayon::prelude::*;
 use std::path::Path;
@@ -29,69 +28,16 @@ pub(crate) fn designs(path: Option<&Path>) -> Result<ScoreDesigns> {
     }
 }
 
-/// Part by which a material may differ from that of the designs and count as the same. Chosen here: granite is 2600 to 2700 kg/m³.
-const ALIKE: f64 = 0.05;
-
-/// How the pagoda of a project differs from those that the score was trained on in all but its factors, in words.
-pub(crate) fn unlike_trained(project: &Project) -> Result<Vec<String>> {
+/// Refuses a pagoda that is unlike those that the score was trained on, unless told otherwise.
+pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Unlike>> {
     let Structure::Stack(part) = &project.structure else {
         return Ok(Vec::new());
     };
-    let stack = part.build(&mut Quantity::nominal)?;
-    let mut unlike: Vec<String> = Vec::new();
-    let mut see = |what: &str, given: f64, trained: f64| {
-        let words = format!("{what} is {given}, trained {trained}");
-        if (given - trained).abs() > ALIKE * trained && !unlike.contains(&words) {
-            unlike.push(words);
-        }
-    };
-    let usual = JointMaterial::default();
-    for joint in stack.joints() {
-        let own = &joint.material;
-        see("friction", own.friction_static, usual.friction_static);
-        see("kinetic friction", own.friction_kinetic, usual.friction_kinetic);
-        let stiffness = [own.normal_stiffness_pa_m, usual.normal_stiffness_pa_m];
-        see("normal stiffness in Pa/m", stiffness[0], stiffness[1]);
-        let stiffness = [own.shear_stiffness_pa_m, usual.shear_stiffness_pa_m];
-        see("shear stiffness in Pa/m", stiffness[0], stiffness[1]);
-        see("damping ratio of a joint", own.damping_ratio, usual.damping_ratio);
-    }
-    for block in stack.blocks() {
-        see(
-            "density in kg/m³",
-            block.density_kg_m3,
-            PagodaFactors::default().density_kg_m3,
-        );
-    }
-    let has_bonds = |joint: &Joint| joint.material.cohesion_pa > 0.0 || joint.material.tension_pa > 0.0;
-    for (is_so, words) in [
-        (
-            stack.joints().iter().any(has_bonds),
-            "joints are bonded, trained dry",
-        ),
-        (
-            !stack.ties().is_empty(),
-            "it has dowels or clamps, trained without",
-        ),
-        (
-            !stack.side_supports().is_empty(),
-            "it has side supports, trained without",
-        ),
-    ] {
-        if is_so {
-            unlike.push(words.to_owned());
-        }
-    }
-    Ok(unlike)
-}
-
-/// Refuses a pagoda that is unlike those that the score was trained on, unless told otherwise.
-pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<String>> {
-    let unlike = unlike_trained(project)?;
+    let unlike = unlike_trained(&part.build(&mut Quantity::nominal)?);
     if !unlike.is_empty() && !outside_too {
         bail!(
             "the score does not know such a pagoda: {}. Simulate it with dolmen study, or force the score with --extrapolate",
-            unlike.join("; ")
+            unlike_words(&unlike)
         );
     }
     Ok(unlike)

@@ -41,9 +41,9 @@ pagoda = {{ storeys = 5, body_height = 6.0, body_slenderness = 3.74, taper = "8 
 [study.training]
 title = {{ en = "Training of the six-factor score", ko = "여섯 인자 점수의 학습" }}
 motions = [{}]
-peak = {{ from = "0.12 g", to = "4 g", steps = 11, spacing = "logarithmic" }}
+peak = {{ from = "0.01 g", to = "4 g", steps = 15, spacing = "logarithmic" }}
 refine = 0
-points = 4
+points = 16
 vary.pagoda = ["#,
         KEEP_FIRST_S.len(),
         names()

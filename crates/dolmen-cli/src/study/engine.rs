@@ -143,6 +143,7 @@ fn empty_run(job: usize) -> Run {
         peak_ground_velocity_m_s: f64::NAN,
         outcome: RunOutcome::Stood,
         damage_state: 0,
+        joint_states: Vec::new(),
         at_s: f64::NAN,
         part: String::new(),
         gave_way: String::new(),
@@ -173,7 +174,8 @@ fn prepare(plan: &Plan<'_>, job: usize, runs: Vec<Run>) -> Result<Job> {
         Some(_) => drawn(&project, plan.study.seed, (case % samples) as u64)?,
         None => Drawn::default(),
     };
-    let motion = plan.motion(&project, job / turns % plan.motions.len())?;
+    let motion;
+    (motion, scan.turn_rad) = plan.motion(&project, job / turns % plan.motions.len(), scan.turn_rad)?;
     scan.grid = plan.scales(&motion);
     scan.motion = Some(motion);
     scan.model = model_of(plan.study, &project.structure, &sample);

@@ -8,7 +8,8 @@ use dolmen_formats::figures::study_figures;
 use dolmen_formats::json::study_json;
 use dolmen_formats::study::{
     Column, Journal, JournalHeader, Run, StudyAnswer, StudyKind, capacity_columns, fragility_columns,
-    harmonic_columns, header_line, parquet, read_journal, release_columns, run_columns, run_line, table_csv,
+    harmonic_columns, header_line, joint_columns, parquet, read_journal, release_columns, run_columns,
+    run_line, table_csv,
 };
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
@@ -167,7 +168,12 @@ impl StudyFolder {
         if answer.study.scan.is_some() {
             table("runs", run_columns(answer))?;
             table("capacities", capacity_columns(answer))?;
-            table("fragility", fragility_columns(answer, &answer.fragilities()))?;
+            let found = answer.fragilities();
+            table("fragility", fragility_columns(answer, &found))?;
+            let joints = answer.joint_fragilities(&found);
+            if !joints.is_empty() {
+                table("joints", joint_columns(answer, &joints))?;
+            }
         }
         if answer.study.harmonic.is_some() {
             table("harmonic", harmonic_columns(&answer.maps, answer.kind))?;

@@ -3,7 +3,10 @@
 use crate::cli;
 use crate::motion;
 use anyhow::{Context as _, Result, bail};
-use dolmen::signal::{Component, GroundMotion, Noise, intensity_measures, noise_motion};
+use dolmen::signal::{
+    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, intensity_measures, noise_motion,
+    response_spectrum,
+};
 use dolmen_formats::project::{Project, StudyPart};
 use dolmen_formats::study::fingerprint;
 use std::path::Path;
@@ -17,13 +20,31 @@ const MADE_STEP_S: f64 = 0.01;
 #[derive(Clone, Debug)]
 pub(super) struct PreparedMotion {
     pub(super) motion: GroundMotion,
-    /// Largest horizontal component, m/s².
+    /// Largest horizontal component, m/s²; in a plane that of the plane.
     pub(super) peak_m_s2: f64,
     /// Largest velocity of that component, m/s.
     pub(super) velocity_m_s: f64,
+    component: Component,
 }
 
 impl PreparedMotion {
+    /// As it acts on what moves in one plane: turned, with its size measured along that plane.
+    pub(super) fn in_plane(&self, turn_rad: f64) -> Result<Self> {
+        let motion = self.acting(1.0, turn_rad)?;
+        let component = acting_component(&motion);
+        measured(motion, component)
+    }
+
+    /// The axis that it shakes along if it is turned; `None` if it shakes along more than one.
+    pub(super) fn axis(&self, turn_rad: f64) -> Option<[f64; 2]> {
+        let (sin, cos) = turn_rad.sin_cos();
+        match [Component::X, Component::Y].map(|component| self.motion.has(component)) {
+            [true, false] => Some([cos, sin]),
+            [false, true] => Some([-sin, cos]),
+            _ => None,
+        }
+    }
+
     /// Of every sample.
     pub(super) fn fingerprint(&self) -> String {
         let mut bytes = self.motion.time_step_s().to_le_bytes().to_vec();
@@ -35,6 +56,17 @@ impl PreparedMotion {
             }
         }
         fingerprint(&bytes)
+    }
+
+    /// Pseudo-spectral accelerations of that component over its peak.
+    pub(super) fn spectral_over_peak(
+        &self,
+        periods_s: &[f64],
+        damping_ratio: f64,
+    ) -> Result<Vec<f64>, SignalError> {
+        let found = response_spectrum(&self.motion, self.component, periods_s, damping_ratio)?;
+        let each = found.iter().map(SpectralOrdinate::pseudo_acceleration_m_s2);
+        Ok(each.map(|acceleration| acceleration / self.peak_m_s2).collect())
     }
 
     /// The motion times a factor, turned.
@@ -103,12 +135,17 @@ pub(super) fn prepared(
                 .total_cmp(&motion.component_peak_m_s2(*b))
         });
     let largest = largest.with_context(|| format!("motion \"{name}\" has no horizontal component"))?;
-    let peak_m_s2 = motion.component_peak_m_s2(largest);
-    let velocity_m_s = intensity_measures(&motion, largest)?.peak_velocity_m_s;
+    measured(motion, largest)
+}
+
+/// A motion with the size of one of its components.
+fn measured(motion: GroundMotion, component: Component) -> Result<PreparedMotion> {
+    let velocity_m_s = intensity_measures(&motion, component)?.peak_velocity_m_s;
     Ok(PreparedMotion {
-        motion,
-        peak_m_s2,
+        peak_m_s2: motion.component_peak_m_s2(component),
         velocity_m_s,
+        component,
+        motion,
     })
 }
 

@@ -4,12 +4,13 @@ use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, v
 use super::motions::{PreparedMotion, motion_names, prepared};
 use crate::{files, open};
 use anyhow::{Context as _, Result, bail};
-use dolmen::assess::DamageThresholds;
+use dolmen::assess::{DamageThresholds, RockingScale, rocking_scale};
+use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_formats::project::{
-    Files, Override, Project, Scan, Structure, StudyPart, canonical_text, parse_combination,
+    Files, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
 };
 use dolmen_formats::study::{
-    CaseInputs, InputColumn, JournalHeader, Run, StudyAnswer, StudyKind, fingerprint,
+    CaseInputs, InputColumn, JournalHeader, Run, ShakingScales, StudyAnswer, StudyKind, fingerprint,
 };
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -200,14 +201,24 @@ impl<'o> Plan<'o> {
         })
     }
 
-    /// The motion of a case by its index: that of the file unless the case changes it.
-    pub(super) fn motion(&self, project: &Project, index: usize) -> Result<PreparedMotion> {
+    /// The motion of a case by its index: that of the file unless the case changes it; with the turn that is left to be done. A frame or a chain moves
+    /// in one plane: its motion comes turned, with the size of what acts.
+    pub(super) fn motion(
+        &self,
+        project: &Project,
+        index: usize,
+        turn_rad: f64,
+    ) -> Result<(PreparedMotion, f64)> {
         let (name, own) = self.motions.get(index).context("the study has no motion")?;
         let part = |project: &Project| project.motions.iter().find(|part| part.name == *name).cloned();
-        if part(project) == part(&self.opened.project) {
-            return Ok(own.clone());
-        }
-        prepared(project, &self.opened.file, self.study, name)
+        let motion = match part(project) == part(&self.opened.project) {
+            true => own.clone(),
+            false => prepared(project, &self.opened.file, self.study, name)?,
+        };
+        Ok(match self.kind {
+            StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
+            _ => (motion, turn_rad),
+        })
     }
 
     /// Factors on a motion, rising.
@@ -238,14 +249,71 @@ impl<'o> Plan<'o> {
             job / (self.motions.len() * turns),
             job / turns % self.motions.len(),
         );
+        let turn_rad = self.study.turns_rad[job % turns];
+        let found = match self.varies_motions() {
+            false => self.motion(&self.opened.project, motion, turn_rad),
+            true => self.motion(&self.project(case / self.samples()).ok()?, motion, turn_rad),
+        };
+        Some(self.scales(&found.ok()?.0))
+    }
+
+    /// Whether a case may have another motion than the file.
+    fn varies_motions(&self) -> bool {
         let paths = self.study.set.iter().map(|set| &set.path);
         let mut paths = paths.chain(self.study.vary.iter().map(|axis| &axis.path));
-        let is_own = self.study.variants.is_empty() && !paths.any(|path| path.starts_with("motion"));
-        if is_own {
-            return Some(self.scales(&self.motions.get(motion)?.1));
+        !self.study.variants.is_empty() || paths.any(|path| path.starts_with("motion"))
+    }
+
+    /// What measures of the shaking rest on, and names of the joints, by combination.
+    fn scales_and_joints(&self) -> (ShakingScales, Vec<Vec<String>>) {
+        let (periods_s, damping) = (&self.study.spectral_periods_s, self.study.spectral_damping_ratio);
+        let turns = &self.study.turns_rad;
+        let motions = (0..self.motions.len()).filter(|_| !self.varies_motions());
+        let each = motions.flat_map(|index| turns.iter().map(move |turn| (index, *turn)));
+        let each = each.map(|(index, turn)| {
+            let (motion, _) = self.motion(&self.opened.project, index, turn)?;
+            Ok(motion.spectral_over_peak(periods_s, damping)?)
+        });
+        let spectral: Result<Vec<Vec<f64>>> = each.collect();
+        let mut shaking = ShakingScales {
+            spectral_over_peak: spectral.unwrap_or_default(), // a period that a record is too coarse for
+            rocking: Vec::new(),
+        };
+        if self.kind != StudyKind::Stack {
+            return (shaking, Vec::new());
         }
-        let project = self.project(case / self.samples()).ok()?;
-        Some(self.scales(&self.motion(&project, motion).ok()?))
+        let each = (0..self.study.combinations()).into_par_iter();
+        let each = each.map(|combination| self.of_stack(combination).unwrap_or_default());
+        let (rocking, joints) = each.unzip();
+        shaking.rocking = rocking;
+        (shaking, joints)
+    }
+
+    /// The rocking scale and the joints of the stack of a combination, with its mean inputs.
+    fn of_stack(&self, combination: usize) -> Option<(Option<RockingScale>, Vec<String>)> {
+        let project = self.project(combination).ok()?;
+        let Structure::Stack(part) = &project.structure else {
+            return None;
+        };
+        let stack = part.build(&mut Quantity::nominal).ok()?;
+        let limits = stack_limits(&stack, &StackLimits::default()).ok()?;
+        let names = stack.joints().iter();
+        let names = names.map(|joint| super::stacks::joint_words(&stack, joint));
+        let scale = rocking_scale(&stack, &limits, self.axis()).ok().flatten();
+        Some((scale, names.collect()))
+    }
+
+    /// The one axis along which every motion shakes; `None` if there are several.
+    fn axis(&self) -> Option<[f64; 2]> {
+        let [turn] = self.study.turns_rad.as_slice() else {
+            return None;
+        };
+        if self.varies_motions() {
+            return None;
+        }
+        let mut along = self.motions.iter().map(|(_, motion)| motion.axis(*turn));
+        let first = along.next()??;
+        along.all(|other| other == Some(first)).then_some(first)
     }
 
     /// Scans in all.
@@ -269,7 +337,13 @@ impl<'o> Plan<'o> {
 
     pub(super) fn answer(&self, mut runs: Vec<Run>, missing: Vec<usize>) -> StudyAnswer {
         runs.sort_by(|a, b| a.job.cmp(&b.job).then(a.scale.total_cmp(&b.scale)));
+        let (shaking, joints) = match self.study.scan {
+            Some(_) => self.scales_and_joints(),
+            None => Default::default(),
+        };
         StudyAnswer {
+            shaking,
+            joints,
             file: self.opened.file.display().to_string(),
             name: self.opened.project.name.clone(),
             study: self.study.clone(),

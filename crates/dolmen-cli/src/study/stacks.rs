@@ -7,7 +7,7 @@ use dolmen::blocks::{
     simulate_springs_many,
 };
 use dolmen::stability::stack::StackLimitStates;
-use dolmen::structure::stack::{Body, Stack};
+use dolmen::structure::stack::{Body, Joint, Stack};
 use dolmen_formats::project::{LawPart, StudyPart};
 use dolmen_formats::study::{Run, RunOutcome};
 
@@ -48,6 +48,15 @@ pub(super) fn springs(study: &StudyPart) -> Springs {
     }
 }
 
+/// What lies on what.
+pub(super) fn joint_words(stack: &Stack, joint: &Joint) -> String {
+    format!(
+        "{} on {}",
+        stack.name(Body::Block(joint.upper)),
+        stack.name(joint.lower)
+    )
+}
+
 /// The row of a run; `None` if it was stopped.
 pub(super) fn row(
     study: &StudyPart,
@@ -75,7 +84,7 @@ pub(super) fn row(
         } => {
             run.at_s = *at_s;
             if let Some(joint) = stack.joints().get(*joint) {
-                run.gave_way = format!("{} on {}", block(joint.upper), stack.name(joint.lower));
+                run.gave_way = joint_words(stack, joint);
             }
             (RunOutcome::Fell, block(*index))
         }
@@ -107,15 +116,18 @@ pub(super) fn row(
         damage.state
     };
     run.damage_state = state.number();
+    if run.outcome != RunOutcome::Diverged {
+        run.joint_states = damage.joints.iter().map(|joint| joint.state.number()).collect();
+    }
     run.measures = vec![
-        damage.peak_uplift_m,
-        damage.peak_slip_m,
-        damage.residual_slip_m,
-        damage.residual_slip_ratio,
-        damage.peak_rocking_ratio,
+        damage.largest(|joint| joint.peak_uplift_m),
+        damage.largest(|joint| joint.peak_slip_m),
+        damage.largest(|joint| joint.residual_slip_m),
+        damage.largest(|joint| joint.residual_slip_ratio),
+        damage.largest(|joint| joint.peak_rocking_ratio),
         damage.peak_tilt_rad,
         damage.residual_tilt_rad,
-        damage.peak_yaw_rad,
+        damage.largest(|joint| joint.peak_yaw_rad),
         history.energy_made_ratio(),
         history.time_step_s,
     ];

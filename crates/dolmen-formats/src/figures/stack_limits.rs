@@ -9,6 +9,8 @@ use dolmen::stability::stack::{CutLimits, StackLimitStates, Threshold};
 
 /// Width and height of the plotting area, px, about: for names that would lie on each other.
 const AREA_PX: f64 = 550.0;
+/// What is free beside the plot on its right.
+const RIGHT_PX: f64 = 12.0;
 const TALL_PX: f64 = 285.0;
 
 fn finite(threshold: Option<Threshold>) -> Option<f64> {
@@ -72,7 +74,10 @@ pub fn stack_governing(limits: &StackLimitStates, demand_g: Option<f64>, languag
         let (at, shape, colour, shift) = if rock <= slide {
             ([*rock, *rock], Shape::Circle, BLUE, 12.0 + 0.5 * label.width())
         } else {
-            ([rock.min(most), *slide], Shape::Diamond, ORANGE, 0.0)
+            // at the right end the name keeps inside
+            let room = (most - rock.min(most)) * AREA_PX / most;
+            let shift = (room + RIGHT_PX - 0.5 * label.width()).min(0.0);
+            ([rock.min(most), *slide], Shape::Diamond, ORANGE, shift)
         };
         plot.dot(at, shape, colour);
         // on the slope names stand beside their points and clear each other in height, on the level they do not

@@ -81,7 +81,7 @@ fn largest_g(answer: &StudyAnswer) -> f64 {
 }
 
 /// The levels of an input side by side: places, and the axis.
-fn level_axis(rows: &[LevelRow], label: &str) -> Axis {
+fn level_axis(rows: &[LevelRow], label: &str, language: Language) -> Axis {
     let shown = |text: &str| {
         let text = text.trim_matches('"');
         let short: String = text.chars().take(16).collect();
@@ -98,7 +98,7 @@ fn level_axis(rows: &[LevelRow], label: &str) -> Axis {
         .enumerate()
         .map(|(i, row)| Tick {
             at: i as f64,
-            text: shown(&row.text),
+            text: shown(row.shown(language)),
         })
         .collect();
     axis
@@ -122,7 +122,7 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
         ),
     };
     let y = Axis::linear(y_name, 0.0, 1.06 * largest, 6);
-    let mut plot = Plot::new(wide(rows), level_axis(rows, label), y);
+    let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
     let g = answer.gravity_m_s2;
     let at = |found: Option<Reached>| {
         let reached = found.filter(|found| found.is_reached());
@@ -214,7 +214,7 @@ fn survived(
         1.04 * largest,
         6,
     );
-    let mut plot = Plot::new(wide(rows), level_axis(rows, label), y);
+    let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
     let level_of = |job: usize| {
         let case = answer.case(job);
         rows.iter().position(|row| match input {

@@ -1,8 +1,8 @@
 //! Fragility and risk of a study, as JSON.
 
-use crate::study::{CombinationFragility, StudyAnswer, YEARS};
+use crate::study::{CombinationFragility, StateFragility, StudyAnswer, YEARS};
 use dolmen::assess::{AssessError, FragilityFit};
-use serde_json::{Value, json};
+use serde_json::{Map, Value, json};
 
 /// Confidence of intervals.
 const CONFIDENCE: f64 = 0.95;
@@ -20,7 +20,14 @@ pub(super) fn fragilities_json(
             Ok(json!({
                 "state": answer.kind.states()[state.state],
                 "by_peak_acceleration_m_s2": fit_json(&state.by_acceleration)?,
-                "by_peak_velocity_m_s": fit_json(&state.by_velocity)?,
+                "by_measure": by_measure(state)?,
+                "beta_of_motions": state.scatter.map(|split| split.of_motions),
+                "beta_of_inputs": state.scatter.map(|split| split.of_inputs),
+                "beta_of_inputs_95": match &state.scatter {
+                    Some(split) => { let found = split.of_inputs_interval(CONFIDENCE)?; json!([found.lower, found.upper]) }
+                    None => Value::Null,
+                },
+                "samples_without_curve": state.scatter.map(|split| split.without_curve),
                 "motions_enough": state.motions_enough(),
                 "annual_rate": state.risk.map(|risk| risk.annual_rate),
                 "probability_in_50_years": state.risk.map(|risk| risk.probability_in(YEARS)),
@@ -44,6 +51,59 @@ pub(super) fn fragilities_json(
         }))
     });
     each.collect()
+}
+
+/// An object a measure of the shaking, by the name of its column.
+fn by_measure(state: &StateFragility) -> Result<Value, AssessError> {
+    let each = state.by_measure.iter();
+    let each = each.map(|by| Ok((by.measure.column(), fit_json(&by.fit)?)));
+    Ok(Value::Object(each.collect::<Result<Map<_, _>, AssessError>>()?))
+}
+
+/// β by each measure of the shaking, within combinations and of all as one.
+pub(super) fn measures_json(answer: &StudyAnswer, found: &[CombinationFragility]) -> Vec<Value> {
+    let mut names = vec!["peak_acceleration_m_s2".to_owned()];
+    names.extend(answer.measures().iter().map(|measure| measure.column()));
+    let each = answer.compare_measures(found).into_iter().map(|row| {
+        let measures = names.iter().zip(&row.within).zip(&row.together);
+        let measures = measures.map(|((name, within), together)| {
+            (
+                name.clone(),
+                json!({ "beta": within, "beta_of_all_as_one": together }),
+            )
+        });
+        json!({
+            "state": answer.kind.states()[row.state],
+            "combinations": row.combinations,
+            "measures": measures.collect::<Map<_, _>>(),
+        })
+    });
+    each.collect()
+}
+
+/// Every joint of a stack with the peaks at which it reaches each state.
+///
+/// # Errors
+/// None for curves as they are fitted.
+pub(super) fn joints_json(
+    answer: &StudyAnswer,
+    found: &[CombinationFragility],
+) -> Result<Vec<Value>, AssessError> {
+    let joints = answer.joint_fragilities(found).into_iter().map(|one| {
+        let states = one.states.iter().map(|state| {
+            Ok(json!({
+                "state": answer.kind.states()[state.state],
+                "median_above_m_s2": state.median_between[0],
+                "median_at_most_m_s2": state.median_between[1],
+                "by_peak_acceleration_m_s2": match state.fit { Some(fit) => fit_json(&Ok(fit))?, None => Value::Null },
+            }))
+        });
+        Ok(json!({
+            "combination": one.combination + 1, "joint": one.joint + 1, "name": one.name, "gave_way": one.gave_way,
+            "states": states.collect::<Result<Vec<_>, AssessError>>()?,
+        }))
+    });
+    joints.collect()
 }
 
 fn fit_json(fit: &Result<FragilityFit, AssessError>) -> Result<Value, AssessError> {

@@ -24,12 +24,17 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
             .collect();
         let basis = match &entry.basis {
             Basis::Study { name, scans } => json!({ "kind": "study", "study": name, "scans": scans }),
-            Basis::Score { reasons, outside } => {
+            Basis::Score {
+                reasons,
+                outside,
+                unlike,
+            } => {
                 let names = Factor::ALL.iter().map(|factor| factor.name().to_owned());
                 let reasons: Map<_, _> = names.zip(reasons.iter().map(|reason| json!(reason))).collect();
                 json!({
                     "kind": "score", "reasons_ln": reasons,
                     "outside_training": outside.iter().map(|factor| factor.name()).collect::<Vec<_>>(),
+                    "unlike_the_designs": unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
                 })
             }
         };

@@ -31,7 +31,7 @@ pub fn score_json(answer: &ScoreAnswer) -> Value {
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "designs": answer.designs,
-        "unlike_the_designs": answer.unlike,
+        "unlike_the_designs": answer.unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
         "factors": by_factor(answer.factors.values().into_iter().map(|value| json!(value))),
         "trained": by_factor(answer.trained.iter().map(|range| json!([range.lower, range.upper]))),
         "states": states.collect::<Vec<_>>(),

@@ -1,6 +1,6 @@
 //! A study, as JSON.
 
-use super::fragility::fragilities_json;
+use super::fragility::{fragilities_json, joints_json, measures_json};
 use crate::study::StudyAnswer;
 use dolmen::assess::{AssessError, Direction, Reached};
 use serde_json::{Map, Value, json};
@@ -23,6 +23,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
     let inputs = answer.inputs.iter().map(|input| {
         json!({ "path": input.path, "column": input.column, "unit": input.unit, "drawn": input.is_drawn })
     });
+    let found = answer.fragilities();
     Ok(json!({
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
@@ -53,7 +54,10 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "refused": refusals.collect::<Vec<_>>(),
         "levels": levels(answer),
         "trends": trends(answer)?,
-        "fragility": fragilities_json(answer, &answer.fragilities())?,
+        "spectral_damping_ratio": study.spectral_damping_ratio,
+        "fragility": fragilities_json(answer, &found)?,
+        "measures": measures_json(answer, &found),
+        "joints": joints_json(answer, &found)?,
         "hazard": answer.hazard.as_ref().map(|hazard| hazard.curve.points().iter().map(|[peak, rate]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate })).collect::<Vec<_>>()),
     }))
 }

@@ -3,7 +3,7 @@
 use crate::study::{CombinationFragility, StudyAnswer};
 use dolmen::assess::{
     AssessError, Candidate, Factor, Fragility, FragilityBound, Hazard, Known, KnownCapacity, Place, Ranked,
-    ScoreModel, SixFactors, rank,
+    ScoreModel, SixFactors, Unlike, rank,
 };
 
 /// β of a state that no motion, or every one, reached: that of rocking blocks over peak acceleration, .37 to .48 under the far-field set of FEMA
@@ -29,6 +29,8 @@ pub enum Basis {
         reasons: [f64; 6],
         /// Factors outside the range trained.
         outside: Vec<Factor>,
+        /// How it differs from the designs in all but its factors.
+        unlike: Vec<Unlike>,
     },
 }
 
@@ -231,13 +233,13 @@ fn of_bound(bound: &FragilityBound) -> Option<KnownCapacity> {
     })
 }
 
-/// A pagoda known by its six factors: `models` of the states, the mildest first.
+/// A pagoda known by its six factors: `models` of the states, the mildest first; `unlike` is what else sets it apart from the designs.
 ///
 /// # Errors
 /// Those of [`ScoreModel::score`].
 pub fn of_score(
     name: String,
-    factors: &SixFactors,
+    (factors, unlike): (&SixFactors, &[Unlike]),
     models: &[Option<ScoreModel>; 4],
     state: usize,
     outside_too: bool,
@@ -261,7 +263,11 @@ pub fn of_score(
     }
     Ok(PortfolioEntry {
         name,
-        basis: Basis::Score { reasons, outside },
+        basis: Basis::Score {
+            reasons,
+            outside,
+            unlike: unlike.to_vec(),
+        },
         states,
         hazard,
     })

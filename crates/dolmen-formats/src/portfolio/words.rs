@@ -4,7 +4,7 @@ use super::answer::{Basis, PortfolioAnswer, PortfolioEntry};
 use crate::Language;
 use crate::number::significant;
 use crate::study::YEARS;
-use dolmen::assess::{Factor, Known, KnownCapacity};
+use dolmen::assess::{Factor, Known, KnownCapacity, Unlike};
 
 /// Places by which falls alone must differ to be spoken of: a third of all. Chosen here.
 const PART_APART: f64 = 1.0 / 3.0;
@@ -52,13 +52,15 @@ pub fn basis_words(entry: &PortfolioEntry, language: Language) -> String {
             format!("study {name}, {scans} scans"),
             format!("해석 {name}, {scans}조"),
         ),
-        Basis::Score { outside, .. } if outside.is_empty() => language.pick("score", "점수").to_owned(),
-        Basis::Score { outside, .. } => {
-            let names: Vec<&str> = outside
+        Basis::Score { outside, unlike, .. } if outside.is_empty() && unlike.is_empty() => {
+            language.pick("score", "점수").to_owned()
+        }
+        Basis::Score { outside, unlike, .. } => {
+            let names = outside
                 .iter()
-                .map(|factor| factor_words(*factor, language))
-                .collect();
-            let names = names.join("; ");
+                .map(|factor| factor_words(*factor, language).to_owned());
+            let names = names.chain(unlike.iter().map(Unlike::to_string));
+            let names = names.collect::<Vec<String>>().join("; ");
             language.pick(
                 format!("score, EXTRAPOLATED: {names}"),
                 format!("점수(학습 범위 밖: {names})"),

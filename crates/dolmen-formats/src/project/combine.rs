@@ -167,7 +167,11 @@ fn place(node: &mut Node<'_>, span: &Range<usize>) {
     *node = Spanned::new(span.clone(), value);
 }
 
-/// All that a study depends on of a project file, in one order: the file without comments, surveys and other studies.
+/// Keys of a study that decide no run, only what is made of the runs.
+const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spectral_damping_ratio"];
+
+/// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, other studies, and what only
+/// says what is made of the runs.
 ///
 /// # Errors
 /// [`ProjectError`] if it is no TOML.
@@ -178,6 +182,7 @@ fn place(node: &mut Node<'_>, span: &Range<usize>) {
 /// let of = |text: &str| canonical_text(text, "p.toml", "a");
 /// let first = of("x = 1 # one\n[study.a]\ny = [2]\n[study.b]\nz = 3\n")?;
 /// assert_eq!(first, of("# again\nx = 1\n[study.a]\ny = [ 2 ]\n")?);
+/// assert_eq!(first, of("x = 1\n[study.a]\ny = [2]\ntitle = 'A'\n")?);
 /// assert_ne!(first, of("x = 1\n[study.a]\ny = [3]\n")?);
 /// # Ok::<(), dolmen_formats::project::ProjectError>(())
 /// ```
@@ -195,11 +200,17 @@ pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, Pro
     let mut root = root.into_inner();
     root.remove("survey");
     let mut out = String::new();
-    let own = root.remove("study");
+    let mut studies = root.remove("study");
     table_text(&root, &mut out);
-    let own = own.as_ref().and_then(|all| all.get_ref().as_table()?.get(study));
-    if let Some(own) = own {
-        value_text(own.get_ref(), &mut out);
+    let own = match studies.as_mut().map(Spanned::get_mut) {
+        Some(DeValue::Table(all)) => all.get_mut(study),
+        _ => None,
+    };
+    if let Some(DeValue::Table(own)) = own.map(Spanned::get_mut) {
+        for key in OF_THE_ANSWER {
+            own.remove(key);
+        }
+        table_text(own, &mut out);
     }
     Ok(out)
 }

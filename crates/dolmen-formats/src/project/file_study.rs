@@ -48,6 +48,10 @@ pub(super) struct StudyRaw {
     pub(super) damage: Option<At<DamageRaw>>,
     /// Time after the motion, s; 2 for a stack, 20 for a frame or a chain if not given.
     pub(super) rest_s: Option<At<f64>>,
+    /// Periods of the spectral accelerations that capacities are fitted over beside the peak of the ground, s; [0.2, 0.5, 1, 2] if not given.
+    pub(super) spectral_periods_s: Option<At<Vec<At<f64>>>>,
+    /// Their damping ratio; 0.05 if not given.
+    pub(super) spectral_damping_ratio: Option<At<f64>>,
     /// Trends to look for.
     pub(super) expect: Option<Vec<At<ExpectedRaw>>>,
     /// kind = "frame" or "chain": a map of sticking and slipping under harmonic motions of the ground.

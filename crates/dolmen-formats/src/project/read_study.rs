@@ -24,6 +24,13 @@ const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
 const RATIO_LEAST: f64 = 1e-4;
 /// Longest time, s.
 const TIME_MOST_S: f64 = 1e4;
+/// Periods of spectral accelerations if none are given, the range they may have, s, and how many there may be. Chosen here.
+const PERIODS_S: [f64; 4] = [0.2, 0.5, 1.0, 2.0];
+const PERIOD_RANGE_S: [f64; 2] = [0.01, 20.0];
+const PERIODS_MOST: usize = 20;
+/// Damping ratio of spectral accelerations if none is given, and the most.
+const SPECTRAL_DAMPING: f64 = 0.05;
+const SPECTRAL_DAMPING_MOST: f64 = 0.5;
 /// Contact points that a joint can have.
 const POINTS: [i64; 4] = [4, 9, 16, 36];
 
@@ -143,6 +150,17 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     let refine = reader.count(given.refine.as_ref(), &below("refine"), 0, HALVINGS_MOST);
     let points = points(reader, given.points.as_ref(), &below("points"));
     let rest_s = reader.within(given.rest_s.as_ref(), &below("rest_s"), 0.0, TIME_MOST_S);
+    let spectral_periods_s = periods(
+        reader,
+        given.spectral_periods_s.as_ref(),
+        &below("spectral_periods_s"),
+    );
+    let spectral_damping_ratio = reader.within(
+        given.spectral_damping_ratio.as_ref(),
+        &below("spectral_damping_ratio"),
+        0.0,
+        SPECTRAL_DAMPING_MOST,
+    );
     let damage = given
         .damage
         .as_ref()
@@ -169,11 +187,35 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         },
         points,
         rest_s,
+        spectral_periods_s,
+        spectral_damping_ratio: spectral_damping_ratio.unwrap_or(SPECTRAL_DAMPING),
         damage: damage.unwrap_or_default(),
         expect,
         harmonic,
         release_m,
     })
+}
+
+/// Periods of spectral accelerations: as usual if not given, none if the list is empty.
+fn periods(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str) -> Vec<f64> {
+    let Some(raw) = raw else {
+        return PERIODS_S.to_vec();
+    };
+    if raw.value.len() > PERIODS_MOST {
+        let message = format!("{path} has {} periods", raw.value.len());
+        let fault = Fault::new(raw.span.clone(), path, message);
+        reader.fault(fault.allowed(format!("must have at most {PERIODS_MOST}")));
+        return Vec::new();
+    }
+    let [least, most] = PERIOD_RANGE_S;
+    let mut found: Vec<f64> = Vec::new();
+    for (i, period) in raw.value.iter().enumerate() {
+        let path = format!("{path}[{}]", i + 1);
+        found.extend(reader.within(Some(period), &path, least, most));
+    }
+    found.sort_by(f64::total_cmp);
+    found.dedup();
+    found
 }
 
 /// Where damage states begin: what is not given is as usual.

@@ -122,6 +122,10 @@ pub struct StudyPart {
     pub points: u32,
     /// Time after the motion, s; `None`: 2 for a stack, 20 for a frame.
     pub rest_s: Option<f64>,
+    /// Periods of the spectral accelerations that capacities are fitted over beside the peak of the ground, s, rising.
+    pub spectral_periods_s: Vec<f64>,
+    /// Their damping ratio, –.
+    pub spectral_damping_ratio: f64,
     /// Where damage states of a stack begin.
     pub damage: DamageThresholds,
     /// What it expects to see.

@@ -277,7 +277,18 @@ fn note_words(note: &ChangeNote, language: Language) -> String {
             "{temperature_c}\u{202f}°C는 계수를 추정한 기온 범위 {}–{}\u{202f}°C를 벗어나므로 직선이 성립하지 않을 수 있다.",
             range_c[0], range_c[1]
         ),
+        ChangeNote::OtherShapes { frequencies_hz } => {
+            let each: Vec<String> = frequencies_hz.iter().map(|hz| significant(*hz, 4)).collect();
+            format!(
+                "{}\u{202f}Hz에서는 두 조사에 모두 모드가 있으나 모드형상이 서로 달라, 사라진 모드와 새로운 모드로 처리하였다. 채널이 바뀌었거나 센서의 방향·위치가 달라지지 않았는지 확인이 필요하다.",
+                each.join(", ")
+            )
+        }
+        ChangeNote::OneFactor { factor, modes } => format!(
+            "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor:.3}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다."
+        ),
         other => format!("[영문] {other}"),
     };
-    language.pick(format!("Note: {note}."), korean)
+    let end = if note.to_string().ends_with('?') { "" } else { "." };
+    language.pick(format!("Note: {note}{end}"), korean)
 }

@@ -50,9 +50,9 @@ pub(super) fn fragility(answer: &StudyAnswer, found: &[CombinationFragility], la
                             .into(),
                     );
                     row.push(format!("{:.2}", fit.curve.beta()).into());
-                    let velocity = state.by_velocity.as_ref().ok();
                     row.push(
-                        velocity
+                        state
+                            .by_velocity()
                             .map_or("–".to_owned(), |fit| format!("{:.2}", fit.curve.beta()))
                             .into(),
                     );
@@ -76,12 +76,90 @@ pub(super) fn fragility(answer: &StudyAnswer, found: &[CombinationFragility], la
                 "Fragility and risk. θ is the peak acceleration of the ground that half of the scans reach the state by, β the scatter of its logarithm; 95 % interval of θ.",
                 "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, θ의 95 % 구간을 함께 제시한다.",
             ), 2, &head, &rows))
+            (measures(answer, found, language))
+            (joints(answer, &shown, language))
             @for one in &shown {
                 @for (mild, severe, at, is_below) in one.crossings() {
                     p { b { (crossing_words(answer, (mild, severe), (at.intensity, is_below), language)) } }
                 }
             }
         }
+    }
+}
+
+/// β by each measure of the shaking.
+fn measures(answer: &StudyAnswer, found: &[CombinationFragility], language: Language) -> Markup {
+    let mut head = vec![
+        language.pick("state", "손상 상태").to_owned(),
+        language.pick("combinations", "입력 조합").to_owned(),
+        "PGA".to_owned(),
+    ];
+    head.extend(answer.measures().iter().map(|measure| measure.words()));
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    for own in answer.compare_measures(found) {
+        let (n, all) = (own.combinations, found.len());
+        let words = match all {
+            1 => "1".to_owned(),
+            _ => language.pick(format!("each of {n} of {all}"), format!("{all}개 중 {n}개 각각")),
+        };
+        let shown = |beta: &Option<f64>| Cell::from(beta.map_or("–".to_owned(), |beta| format!("{beta:.2}")));
+        let mut row: Vec<Cell> = vec![answer.state_words(language)[own.state].into(), words.into()];
+        row.extend(own.within.iter().map(shown));
+        rows.push(row);
+        if all > 1 {
+            let words = language.pick(format!("all {all} as one"), format!("{all}개 전체"));
+            let mut row: Vec<Cell> = vec!["".into(), words.into()];
+            row.extend(own.together.iter().map(shown));
+            rows.push(row);
+        }
+    }
+    html! {
+        @if !rows.is_empty() {
+            (table(language.pick(
+                "Scatter β of the capacity by each measure of the shaking: the one with the least tells most.",
+                "지진동 세기 척도별 내력의 대수 표준편차 β. 작을수록 내력을 잘 설명한다.",
+            ), 2, &head, &rows))
+        }
+    }
+}
+
+/// Joints by what they need for each state.
+fn joints(answer: &StudyAnswer, shown: &[&CombinationFragility], language: Language) -> Markup {
+    let first: Vec<CombinationFragility> = shown.iter().take(1).map(|one| (*one).clone()).collect();
+    let joints = answer.joint_fragilities(&first);
+    let head = [
+        language.pick("joint", "접합면"),
+        "DS1 (g)",
+        "DS2 (g)",
+        "DS3 (g)",
+        language.pick("gave way", "낙하 시작"),
+    ]
+    .map(str::to_owned);
+    let each = joints.iter().map(|one| {
+        let mut row: Vec<Cell> = vec![Cell::wrapping(one.name.clone())];
+        let states = one.states.iter();
+        row.extend(states.map(|state| Cell::from(state.median_words(answer))));
+        row.push(one.gave_way.to_string().into());
+        row
+    });
+    let rows: Vec<Vec<Cell>> = each.collect();
+    let case = first
+        .first()
+        .map_or(String::new(), |one| answer.combination_words(one.job));
+    let case = if case.is_empty() {
+        case
+    } else {
+        format!(" ({case})")
+    };
+    let caption = language.pick(
+        format!(
+            "Joints{case}: the peak acceleration of the ground at which half of the scans bring each to a state, and in how many it gave way at \
+             the first fall."
+        ),
+        format!("접합면별{case}로 해석의 절반이 각 손상 상태에 이르는 최대지반가속도와, 최초 낙하가 시작된 해석의 수."),
+    );
+    html! {
+        @if !rows.is_empty() { (table(&caption, 1, &head, &rows)) }
     }
 }
 

@@ -131,7 +131,7 @@ fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
             };
             vec![
                 input.into(),
-                Cell::wrapping(row.text.clone()),
+                Cell::wrapping(row.shown(language).to_owned()),
                 language
                     .pick(format!("{usable} of {all}"), format!("{usable}/{all}"))
                     .into(),

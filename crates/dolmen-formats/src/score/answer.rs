@@ -3,7 +3,8 @@
 use super::designs::ScoreDesigns;
 use crate::project::Names;
 use dolmen::assess::{
-    AssessError, FactorEffect, FactorShares, HeldOut, PagodaScore, SixFactors, factor_shares, held_out,
+    AssessError, FactorEffect, FactorShares, HeldOut, PagodaScore, SixFactors, Unlike, factor_shares,
+    held_out,
 };
 use dolmen::numeric::Interval;
 
@@ -37,8 +38,8 @@ pub struct ScoreAnswer {
     pub factors: SixFactors,
     /// The range of each factor trained.
     pub trained: [Interval; 6],
-    /// How it differs from the designs in all but its factors, in words; empty unless that was allowed.
-    pub unlike: Vec<String>,
+    /// How it differs from the designs in all but its factors; empty unless that was allowed.
+    pub unlike: Vec<Unlike>,
     /// Designs of the table.
     pub designs: usize,
     /// What the score says of each state that has one.
@@ -78,6 +79,12 @@ impl ScoreAnswer {
         }
         Ok((trained?, found))
     }
+}
+
+/// Differences from the designs in words.
+pub fn unlike_words(unlike: &[Unlike]) -> String {
+    let words: Vec<String> = unlike.iter().map(Unlike::to_string).collect();
+    words.join("; ")
 }
 
 /// What the score of one state is worth.

@@ -3,5 +3,5 @@
 mod answer;
 mod designs;
 
-pub use answer::{ScoreAnswer, ScoreQuality, StateScore};
+pub use answer::{ScoreAnswer, ScoreQuality, StateScore, unlike_words};
 pub use designs::{SCORE_STATES, ScoreDesign, ScoreDesigns, ScoreDesignsError};

@@ -3,6 +3,7 @@
 use super::maps::ResponseMaps;
 use super::run::{Run, RunOutcome, StudyKind};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
+use super::shaking::ShakingScales;
 use crate::project::{ExpectedTrend, HazardPart, Names, StudyPart};
 use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
 use std::collections::BTreeMap;
@@ -56,6 +57,10 @@ pub struct StudyAnswer {
     pub inputs: Vec<InputColumn>,
     /// Cases: samples of the first combination, then of the next.
     pub cases: Vec<CaseInputs>,
+    /// Of a stack, by combination: its joints, what lies on what; none where its inputs were refused.
+    pub joints: Vec<Vec<String>>,
+    /// What measures of shaking rest on.
+    pub shaking: ShakingScales,
     /// Motions, by name.
     pub motions: Vec<String>,
     /// Runs by job and scale.

@@ -1,12 +1,14 @@
 //! Fragility of what was studied: one curve a combination of inputs and state, over motions, directions and samples.
 
-use super::answer::StudyAnswer;
+use super::answer::{CaseInputs, StudyAnswer};
 use super::scans::CapacityOf;
+use super::shaking::{ShakingMeasure, scaled};
 use super::table::{Column, ColumnValues};
 use crate::Language;
 use dolmen::assess::{
-    AnnualRisk, AssessError, Crossing, FragilityBand, FragilityBound, FragilityFit, Observation, Reached,
-    annual_risk, bootstrap_fragility_of_motions, crossing, fit_fragility_of_motions, motions_needed,
+    AnnualRisk, AssessError, Crossing, FragilityBand, FragilityBound, FragilityFit, Observation,
+    ScatterSplit, annual_risk, bootstrap_fragility_of_motions, crossing, fit_fragility_of_motions,
+    motions_needed, scatter_split,
 };
 use std::collections::BTreeSet;
 
@@ -24,6 +26,17 @@ const CROSSING_LEAST: f64 = 0.01;
 /// Years of the probability that is said.
 pub const YEARS: f64 = 50.0;
 
+/// The curve of a state over another measure of the shaking.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasureFit {
+    /// The measure.
+    pub measure: ShakingMeasure,
+    /// It over the peak acceleration of the ground, of each observation.
+    pub over_peak: Vec<f64>,
+    /// The curve, or why there is none.
+    pub fit: Result<FragilityFit, AssessError>,
+}
+
 /// The curve of one state of one combination of inputs.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StateFragility {
@@ -35,8 +48,10 @@ pub struct StateFragility {
     pub motions: Vec<usize>,
     /// The curve over peak acceleration, m/s², or why there is none.
     pub by_acceleration: Result<FragilityFit, AssessError>,
-    /// The curve over peak velocity, m/s.
-    pub by_velocity: Result<FragilityFit, AssessError>,
+    /// The curves over other measures of the shaking, those of [`StudyAnswer::measures`] that are known of this combination.
+    pub by_measure: Vec<MeasureFit>,
+    /// What β is made of, where inputs are drawn.
+    pub scatter: Option<ScatterSplit>,
     /// How often it is reached, if the site has a hazard.
     pub risk: Option<AnnualRisk>,
 }
@@ -50,6 +65,19 @@ impl StateFragility {
         let band = bootstrap_fragility_of_motions(&self.observations, &self.motions, RESAMPLES, SEED)?;
         let without = band.without_curve as f64;
         Ok((without <= WITHOUT_CURVE_MOST * RESAMPLES as f64).then_some(band))
+    }
+
+    /// The curve over peak velocity, m/s, if there is one.
+    pub fn by_velocity(&self) -> Option<&FragilityFit> {
+        let by = self.by_measure.iter();
+        let mut by = by.filter(|by| by.measure == ShakingMeasure::PeakVelocity);
+        by.next()?.fit.as_ref().ok()
+    }
+
+    /// How many scans reached the state.
+    pub fn reached(&self) -> usize {
+        let seen = self.observations.iter();
+        seen.filter(|seen| !matches!(seen, Observation::Above(_))).count()
     }
 
     /// Motions that make the standard error of ln θ a tenth; `None` without a curve.
@@ -70,7 +98,7 @@ pub struct CombinationFragility {
     pub combination: usize,
     /// One of its jobs, to read its inputs from.
     pub job: usize,
-    /// Scans that can be used.
+    /// Scans that say something: those of which only a bracket is known among them.
     pub usable: usize,
     /// States that have a name, the mildest first.
     pub states: Vec<StateFragility>,
@@ -106,9 +134,10 @@ impl StudyAnswer {
         let named = self.kind.states().map(|name| name != "–");
         let mut found: Vec<CombinationFragility> = Vec::new();
         for combination in 0..self.study.combinations() {
+            let is_known = |scan: &&CapacityOf| scan.seen_m_s2.iter().any(Option::is_some);
             let own = scans
                 .iter()
-                .filter(|scan| scan.verdict.is_usable() && self.combination_of(scan.job) == combination);
+                .filter(|scan| is_known(scan) && self.combination_of(scan.job) == combination);
             let own: Vec<&CapacityOf> = own.collect();
             let Some(first) = own.first() else { continue };
             let states = (0..4)
@@ -171,23 +200,36 @@ impl StudyAnswer {
     }
 
     fn state_fragility(&self, state: usize, scans: &[&CapacityOf]) -> StateFragility {
-        let (observations, motions): (Vec<Observation>, Vec<usize>) = scans
+        let seen = scans
             .iter()
-            .filter_map(|scan| Some((scan.observation(state)?, self.motion_index(scan.job))))
-            .unzip();
-        let velocities: Vec<Observation> = scans
-            .iter()
-            .filter_map(|scan| {
-                let factor = scan.velocity_of_scale_1_m_s / scan.peak_of_scale_1_m_s2;
-                Some(times(scan.observation(state)?, factor))
+            .filter_map(|scan| Some((*scan, scan.seen_m_s2[state]?)))
+            .collect::<Vec<(&CapacityOf, Observation)>>();
+        let observations: Vec<Observation> = seen.iter().map(|(_, seen)| *seen).collect();
+        let motions: Vec<usize> = seen.iter().map(|(scan, _)| self.motion_index(scan.job)).collect();
+        let by_measure = self.measures().into_iter().filter_map(|measure| {
+            let over_peak = seen.iter().map(|(scan, _)| {
+                let size = [scan.peak_of_scale_1_m_s2, scan.velocity_of_scale_1_m_s];
+                Some(self.intensity(scan.job, measure, size)? / scan.peak_of_scale_1_m_s2)
+            });
+            let over_peak: Vec<f64> = over_peak.collect::<Option<_>>()?;
+            let each = observations.iter().zip(&over_peak);
+            let in_measure: Vec<Observation> = each.map(|(seen, factor)| scaled(*seen, *factor)).collect();
+            Some(MeasureFit {
+                measure,
+                fit: fit_fragility_of_motions(&in_measure, &motions),
+                over_peak,
             })
-            .collect();
+        });
+        let by_measure = by_measure.collect();
+        let samples: Vec<usize> = seen.iter().map(|(scan, _)| self.sample_of(scan.job)).collect();
+        let scatter = self.study.samples.filter(|samples| *samples > 1);
         let by_acceleration = fit_fragility_of_motions(&observations, &motions);
         let risk = self.hazard.as_ref().zip(by_acceleration.as_ref().ok());
         StateFragility {
             state,
             risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
-            by_velocity: fit_fragility_of_motions(&velocities, &motions),
+            scatter: scatter.and_then(|_| scatter_split(&observations, &motions, &samples).ok().flatten()),
+            by_measure,
             by_acceleration,
             observations,
             motions,
@@ -195,34 +237,31 @@ impl StudyAnswer {
     }
 }
 
-impl CapacityOf {
-    /// What the scan says of a state, 0 to 3, as peak acceleration of the ground, m/s².
-    fn observation(&self, state: usize) -> Option<Observation> {
-        let below = self.below_m_s2?[state];
-        Some(match self.first_m_s2?[state] {
-            Reached::Above(largest) => Observation::Above(largest),
-            Reached::At(first) if below > 0.0 => Observation::Between(below, first),
-            Reached::At(first) => Observation::Below(first),
-        })
+/// What each row is of: combination, variant, varied inputs. `rows` are combinations with one of their jobs.
+pub(super) fn combination_columns(answer: &StudyAnswer, rows: &[(usize, usize)]) -> Vec<Column> {
+    let column = |name: &str, values| Column {
+        name: name.to_owned(),
+        values,
+    };
+    let combinations = rows.iter().map(|(combination, _)| *combination as i64 + 1);
+    let mut columns = vec![column(
+        "combination",
+        ColumnValues::Counts(combinations.collect()),
+    )];
+    let words = |name: &str, of: &dyn Fn(&CaseInputs) -> String| {
+        let values = rows.iter().map(|(_, job)| of(answer.case(*job)));
+        column(name, ColumnValues::Words(values.collect()))
+    };
+    if !answer.study.variants.is_empty() {
+        columns.push(words("variant", &|case| case.variant.clone().unwrap_or_default()));
     }
-}
-
-fn times(observation: Observation, factor: f64) -> Observation {
-    match observation {
-        Observation::Stripe {
-            intensity,
-            motions,
-            reached,
-        } => Observation::Stripe {
-            intensity: factor * intensity,
-            motions,
-            reached,
-        },
-        Observation::At(x) => Observation::At(factor * x),
-        Observation::Above(x) => Observation::Above(factor * x),
-        Observation::Below(x) => Observation::Below(factor * x),
-        Observation::Between(low, high) => Observation::Between(factor * low, factor * high),
+    let varied = answer.inputs.iter().enumerate();
+    for (index, input) in varied.filter(|(_, input)| !input.is_drawn) {
+        columns.push(words(&input.column, &|case| {
+            case.texts.get(index).cloned().unwrap_or_default()
+        }));
     }
+    columns
 }
 
 /// Every curve, a row a combination and state: inputs, what it rests on, median, dispersion, errors, risk; why where there is none.
@@ -247,46 +286,45 @@ pub fn fragility_columns(answer: &StudyAnswer, found: &[CombinationFragility]) -
         move |state: &StateFragility| state.by_acceleration.as_ref().ok().map(of)
     };
     let states = answer.kind.states();
-    let mut columns = vec![counts("combination", &|(one, _)| one.combination + 1)];
-    if !answer.study.variants.is_empty() {
-        columns.push(words("variant", &|(one, _)| {
-            answer.case(one.job).variant.clone().unwrap_or_default()
-        }));
-    }
-    for (index, input) in answer
-        .inputs
-        .iter()
-        .enumerate()
-        .filter(|(_, input)| !input.is_drawn)
-    {
-        columns.push(words(&input.column, &|(one, _)| {
-            let texts = &answer.case(one.job).texts;
-            texts.get(index).cloned().unwrap_or_default()
-        }));
-    }
+    let of_rows: Vec<(usize, usize)> = rows.iter().map(|(one, _)| (one.combination, one.job)).collect();
+    let mut columns = combination_columns(answer, &of_rows);
     columns.extend([
         words("state", &|(_, state)| states[state.state].to_owned()),
-        counts("scans", &|(one, _)| one.usable),
+        counts("scans", &|(_, state)| state.observations.len()),
         counts("motions", &|(_, state)| {
             let different: BTreeSet<&usize> = state.motions.iter().collect();
             different.len()
         }),
-        counts("reached", &|(_, state)| {
-            let reached = state.observations.iter();
-            reached
-                .filter(|seen| !matches!(seen, Observation::Above(_)))
-                .count()
-        }),
+        counts("reached", &|(_, state)| state.reached()),
         numbers("theta_pga_m_s2", &fit(|fit| fit.curve.theta())),
         numbers("beta_pga", &fit(|fit| fit.curve.beta())),
         numbers("ln_theta_error", &fit(|fit| fit.ln_theta_error)),
         numbers("beta_error", &fit(|fit| fit.beta_error)),
-        numbers("theta_pgv_m_s", &|state| {
-            state.by_velocity.as_ref().ok().map(|fit| fit.curve.theta())
-        }),
-        numbers("beta_pgv", &|state| {
-            state.by_velocity.as_ref().ok().map(|fit| fit.curve.beta())
-        }),
+    ]);
+    for measure in answer.measures() {
+        let fit = |state: &StateFragility, of: fn(&FragilityFit) -> f64| {
+            let own = state.by_measure.iter().find(|by| by.measure == measure)?;
+            own.fit.as_ref().ok().map(of)
+        };
+        columns.extend([
+            numbers(&format!("theta_{}", measure.column()), &|state| {
+                fit(state, |fit| fit.curve.theta())
+            }),
+            numbers(&format!("beta_{}", measure.key()), &|state| {
+                fit(state, |fit| fit.curve.beta())
+            }),
+        ]);
+    }
+    if answer.study.samples.is_some() {
+        columns.extend([
+            numbers("beta_of_motions", &|state| Some(state.scatter?.of_motions)),
+            numbers("beta_of_inputs", &|state| Some(state.scatter?.of_inputs)),
+            numbers("samples_without_curve", &|state| {
+                Some(state.scatter?.without_curve as f64)
+            }),
+        ]);
+    }
+    columns.extend([
         numbers("annual_rate", &|state| state.risk.map(|risk| risk.annual_rate)),
         numbers("probability_in_50_years", &|state| {
             state.risk.map(|risk| risk.probability_in(YEARS))

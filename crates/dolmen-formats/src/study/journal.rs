@@ -4,7 +4,7 @@
 use super::run::{Run, RunOutcome, StudyKind};
 
 /// First word of a journal, with the version of its layout.
-const MAGIC: &str = "dolmen-study-journal-2";
+const MAGIC: &str = "dolmen-study-journal-3";
 
 /// What decides the results of a study: journals of different ones do not mix.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -120,6 +120,7 @@ pub fn run_line(run: &Run) -> String {
         run.peak_ground_velocity_m_s.to_string(),
         run.outcome.word().to_owned(),
         run.damage_state.to_string(),
+        joint_words(&run.joint_states),
         run.at_s.to_string(),
         escaped(&run.part),
         escaped(&run.gave_way),
@@ -186,6 +187,7 @@ fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
         velocity,
         outcome,
         damage,
+        joints,
         at,
         part,
         gave_way,
@@ -209,12 +211,25 @@ fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
         peak_ground_velocity_m_s: number(velocity)?,
         outcome: RunOutcome::of_word(outcome)?,
         damage_state: damage.parse().ok()?,
+        joint_states: joint_states(joints)?,
         at_s: number(at)?,
         part: plain(part),
         gave_way: plain(gave_way),
         measures,
         why: plain(why),
     })
+}
+
+/// States of joints as a text, a number each.
+pub(super) fn joint_words(states: &[u8]) -> String {
+    let words: Vec<String> = states.iter().map(u8::to_string).collect();
+    words.join(" ")
+}
+
+fn joint_states(text: &str) -> Option<Vec<u8>> {
+    text.split_ascii_whitespace()
+        .map(|word| word.parse().ok().filter(|state| *state <= 4))
+        .collect()
 }
 
 /// Cells as a line that tells whether it is whole.
@@ -266,6 +281,7 @@ mod tests {
             peak_ground_velocity_m_s: 1.0 / 3.0,
             outcome: RunOutcome::Fell,
             damage_state: 4,
+            joint_states: vec![0, 4, 3],
             at_s: f64::NAN,
             part: "stone\t\"1\"\\n".to_owned(),
             gave_way: "a\nb\\".to_owned(),

@@ -2,20 +2,24 @@
 
 mod answer;
 mod fragility;
+mod joints;
 mod journal;
 mod maps;
 mod method;
 mod parquet;
 mod run;
 mod scans;
+mod shaking;
 mod table;
 
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
-pub use fragility::{CombinationFragility, StateFragility, YEARS, fragility_columns};
+pub use fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS, fragility_columns};
+pub use joints::{JointFragility, JointState, joint_columns};
 pub use journal::{Journal, JournalError, JournalHeader, fingerprint, header_line, read_journal, run_line};
 pub use maps::{ResponseMaps, harmonic_columns, release_columns};
 pub use method::{SWING_REST_S, input_words, part_of_step};
 pub use parquet::{TableError, parquet};
 pub use run::{Run, RunOutcome, StudyKind};
 pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
+pub use shaking::{MeasureComparison, ShakingMeasure, ShakingScales};
 pub use table::{Column, ColumnValues, capacity_columns, run_columns, table_csv};

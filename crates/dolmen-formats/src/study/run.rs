@@ -125,6 +125,8 @@ pub struct Run {
     pub outcome: RunOutcome,
     /// 0 to 4 (DS1 to DS4); of a frame 1 if it slips and 4 at the drift limit; of a chain 1 if a joint opens or turns against friction.
     pub damage_state: u8,
+    /// Of a stack that ran: the damage state of each joint, 0 to 4, in the order of its joints.
+    pub joint_states: Vec<u8>,
     /// When a stone or a link fell or the limit was reached, s; not a number if none.
     pub at_s: f64,
     /// The stone that fell or lies on the brink; the link that fell; the storey at its limit.
@@ -153,8 +155,7 @@ impl Run {
                 .collect()
         };
         let words = |run: &Run| (run.part.clone(), run.gave_way.clone(), run.why.clone());
-        (self.job, self.outcome, self.damage_state) == (other.job, other.outcome, other.damage_state)
-            && bits(self) == bits(other)
-            && words(self) == words(other)
+        let states = |run: &Run| (run.job, run.outcome, run.damage_state, run.joint_states.clone());
+        states(self) == states(other) && bits(self) == bits(other) && words(self) == words(other)
     }
 }

@@ -1,7 +1,10 @@
 //! What scans show: first falls, what is open because runs cannot be used, and capacities at one value of an input.
 
 use super::run::{Run, RunOutcome};
-use dolmen::assess::{Capacity, Reached, Reading, ScaleTrial, Trial, capacity, reached_quantile};
+use crate::Language;
+use dolmen::assess::{
+    Capacity, Observation, Reached, Reading, ScaleTrial, Trial, capacity, reached_quantile,
+};
 
 /// Fewest scans of which 5 % and 95 % are said: of fewer they would be the least and the largest. Chosen here.
 pub const SCANS_OF_TAILS: usize = 20;
@@ -57,8 +60,8 @@ pub struct CapacityOf {
     pub velocity_of_scale_1_m_s: f64,
     /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; of scans that can be used.
     pub first_m_s2: Option<[Reached; 4]>,
-    /// The largest peak that was tried below each of them, m/s²; 0 if none was.
-    pub below_m_s2: Option<[f64; 4]>,
+    /// What is known of when DS1, DS2, DS3 and a fall are first reached, as peaks, m/s²; also of scans of which only a bracket is known.
+    pub seen_m_s2: [Option<Observation>; 4],
 }
 
 impl CapacityOf {
@@ -113,6 +116,14 @@ pub struct LevelRow {
 }
 
 impl LevelRow {
+    /// The value as it is shown: of a study that varies nothing "all".
+    pub fn shown(&self, language: Language) -> &str {
+        match (self.input, self.text.as_str()) {
+            (None, "all") => language.pick("all", "전체"),
+            (_, text) => text,
+        }
+    }
+
     /// Scans that can be used.
     pub fn usable(&self) -> usize {
         self.scans.iter().filter(|scan| scan.verdict.is_usable()).count()
@@ -172,6 +183,34 @@ impl LevelRow {
     }
 }
 
+/// What one run says of a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Seen {
+    Reached,
+    NotReached,
+    /// The run cannot be used, or ended before it could be told.
+    Unknown,
+}
+
+/// What runs at rising sizes say of when a state is first reached; `None` if they say nothing.
+pub(super) fn first_seen(runs: impl Iterator<Item = (f64, Seen)>) -> Option<Observation> {
+    let (mut below, mut is_open) = (None, false);
+    for (size, seen) in runs {
+        match seen {
+            Seen::Reached => {
+                return Some(match below {
+                    Some(below) => Observation::Between(below, size),
+                    None => Observation::Below(size),
+                });
+            }
+            Seen::NotReached if !is_open => below = Some(size),
+            Seen::NotReached => {}
+            Seen::Unknown => is_open = true, // the state may have been reached first here
+        }
+    }
+    below.map(Observation::Above)
+}
+
 /// What the runs of one scan show; `is_whole`: none is lacking.
 pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityOf {
     let usable: Vec<&Run> = runs.iter().filter(|run| run.scale > 0.0).collect();
@@ -204,10 +243,16 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
             false => Reached::Above(largest),
         }
     };
-    let below = |state: u8| {
-        let first = first(state).value();
-        let tried = usable.iter().map(|run| run.peak_ground_acceleration_m_s2);
-        tried.filter(|peak| *peak < first).fold(0.0, f64::max)
+    let seen = |state: u8| {
+        let each = usable.iter().map(|run| {
+            let seen = match run.outcome.trial() {
+                _ if run.damage_state >= state => Seen::Reached,
+                Trial::Unknown => Seen::Unknown,
+                Trial::Fell | Trial::Survived => Seen::NotReached,
+            };
+            (run.peak_ground_acceleration_m_s2, seen)
+        });
+        first_seen(each).filter(|_| is_whole)
     };
     CapacityOf {
         job,
@@ -222,9 +267,7 @@ pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityO
         first_m_s2: verdict
             .is_usable()
             .then(|| [first(1), first(2), first(3), first(4)]),
-        below_m_s2: verdict
-            .is_usable()
-            .then(|| [below(1), below(2), below(3), below(4)]),
+        seen_m_s2: [1, 2, 3, 4].map(seen),
     }
 }
 
@@ -252,6 +295,7 @@ mod tests {
             peak_ground_velocity_m_s: 0.1,
             outcome,
             damage_state: if outcome == RunOutcome::Fell { 4 } else { 0 },
+            joint_states: Vec::new(),
             at_s: f64::NAN,
             part: String::new(),
             gave_way: String::new(),
@@ -259,6 +303,19 @@ mod tests {
             why: String::new(),
         })
         .collect()
+    }
+
+    /// What lies above a run that says nothing cannot be told to be below the state.
+    #[test]
+    fn exact_what_runs_say_of_when_a_state_begins() {
+        use Seen::{NotReached as No, Reached as Yes, Unknown as Open};
+        let of = |all: &[Seen]| first_seen((1..).map(f64::from).zip(all.iter().copied()));
+        assert_eq!(of(&[No, No, Yes, No]), Some(Observation::Between(2.0, 3.0)));
+        assert_eq!(of(&[No, Open, No, Yes]), Some(Observation::Between(1.0, 4.0)));
+        assert_eq!(of(&[Open, No, Yes]), Some(Observation::Below(3.0)));
+        assert_eq!(of(&[No, No, Open, No]), Some(Observation::Above(2.0)));
+        assert_eq!(of(&[Open, No]), None);
+        assert_eq!(of(&[]), None);
     }
 
     #[test]
@@ -285,6 +342,7 @@ mod tests {
         let open = mixed.left_out().next().unwrap();
         assert_eq!(open.verdict, ScanVerdict::Bracketed);
         assert_eq!((open.survived_m_s2(), open.fell_m_s2()), (2.0, Some(6.0)));
+        assert_eq!(open.seen_m_s2[3], Some(Observation::Between(2.0, 6.0)));
         assert_eq!(mixed.quantile_m_s2(3, 0.05), None);
         assert_eq!(mixed.quantile_m_s2(3, 0.5), Some(Reached::At(4.0)));
         let halfway = capacity_of(0, &runs(&[Stood, Stood]), false);

@@ -1,8 +1,10 @@
 //! Runs and capacities as columns, for CSV and Parquet: inputs first, units in the names.
 
 use super::answer::StudyAnswer;
-use super::run::Run;
+use super::journal::joint_words;
+use super::run::{Run, StudyKind};
 use super::scans::CapacityOf;
+use super::shaking::ShakingMeasure;
 
 /// The values of a column.
 #[derive(Clone, Debug, PartialEq)]
@@ -102,8 +104,18 @@ pub fn run_columns(answer: &StudyAnswer) -> Vec<Column> {
     columns.numbers("peak_ground_velocity_m_s", |run| {
         number(run.peak_ground_velocity_m_s)
     });
+    let other = |measure: &ShakingMeasure| *measure != ShakingMeasure::PeakVelocity;
+    for measure in answer.measures().into_iter().filter(other) {
+        columns.numbers(&measure.column(), |run| {
+            let size = [run.peak_ground_acceleration_m_s2, run.peak_ground_velocity_m_s];
+            answer.intensity(run.job, measure, size).and_then(number)
+        });
+    }
     columns.words("outcome", |run| run.outcome.word().to_owned());
     columns.counts("damage_state", |run| usize::from(run.damage_state));
+    if answer.kind == StudyKind::Stack {
+        columns.words("joint_states", |run| joint_words(&run.joint_states));
+    }
     columns.numbers("at_s", |run| number(run.at_s));
     columns.words("part", |run| run.part.clone());
     columns.words("gave_way", |run| run.gave_way.clone());

@@ -3,6 +3,9 @@
 use super::Table;
 use dolmen::modal::{AtAmplitude, Decay, ModeDecay};
 
+/// Share of the motion that the poles explain below which it is warned. Chosen here.
+const EXPLAINED_LEAST: f64 = 0.8;
+
 /// How well the decay is one of linear modes, and each mode at its largest, middle and smallest swings.
 pub(super) fn decay_text(decay: &Decay) -> String {
     let mut out = format!(
@@ -79,6 +82,13 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
         said.push(format!(
             "whether frequency and damping follow the amplitude cannot be told at {} Hz: too few clear swings, or another mode too near",
             list(&hidden)
+        ));
+    }
+    if decay.explained < EXPLAINED_LEAST {
+        said.push(format!(
+            "only {:.0} % of the motion is that of modes which die away: look at the record for noise, a second blow or a recorder at its \
+             limit before these numbers are used",
+            100.0 * decay.explained
         ));
     }
     said

@@ -4,12 +4,14 @@ use super::Table;
 use crate::Language;
 use crate::number::{percent, significant};
 use crate::project::HazardSource;
-use crate::study::{CombinationFragility, StudyAnswer, YEARS};
+use crate::study::{CombinationFragility, StateFragility, StudyAnswer, YEARS};
 use dolmen::assess::AssessError;
 use std::fmt::Write as _;
 
 /// Combinations that are printed; more are in fragility.csv.
 const PRINTED_MOST: usize = 6;
+/// Combinations whose joints are printed; more are in joints.csv.
+const JOINTS_OF_MOST: usize = 2;
 /// Confidence of intervals.
 const CONFIDENCE: f64 = 0.95;
 /// Share of a rate from beyond the points of the hazard that is said. Chosen here.
@@ -38,8 +40,117 @@ pub(super) fn fragility_text(
         "\nFragility: lognormal in the peak of the ground; θ is reached by half of the scans, β is the scatter of ln; 95 % intervals\n",
     );
     out += &curves(answer, found)?;
+    out += &scatter(answer, found)?;
     out += &notes(answer, found);
+    out += &measures(answer, found);
+    out += &joints(answer, found);
     Ok(out)
+}
+
+/// What β is made of, of the combinations that are printed.
+fn scatter(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String, AssessError> {
+    let mut out = String::new();
+    for one in found.iter().take(PRINTED_MOST) {
+        for state in &one.states {
+            let Some(split) = &state.scatter else { continue };
+            let interval = split.of_inputs_interval(CONFIDENCE)?;
+            let _ = writeln!(
+                out,
+                "  β of {}{}: {:.2} from motion to motion, {:.2} ({:.2} to {:.2}) from what is not known of the structure{}",
+                answer.kind.states()[state.state],
+                words_of(answer, one),
+                split.of_motions,
+                split.of_inputs,
+                interval.lower,
+                interval.upper,
+                match split.without_curve {
+                    0 => String::new(),
+                    n => format!("; {n} of {} samples have no curve", n + split.samples),
+                }
+            );
+        }
+    }
+    let is_open = |state: &StateFragility| state.scatter.is_none() && state.by_acceleration.is_ok();
+    let mut shown = found.iter().take(PRINTED_MOST).flat_map(|one| &one.states);
+    if answer.study.samples.is_some_and(|samples| samples > 1) && shown.any(is_open) {
+        out += "  where β is not split: fewer than three samples have a curve of their own, or more than a tenth of them have none\n";
+    }
+    Ok(out)
+}
+
+/// The inputs of a combination in brackets; nothing if there is only one.
+fn words_of(answer: &StudyAnswer, one: &CombinationFragility) -> String {
+    match answer.combination_words(one.job) {
+        words if words.is_empty() => words,
+        words => format!(" ({words})"),
+    }
+}
+
+/// β by each measure of the shaking.
+fn measures(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
+    let compared = answer.compare_measures(found);
+    let measures = answer.measures();
+    if compared.is_empty() {
+        return String::new();
+    }
+    let names: Vec<String> = measures.iter().map(|measure| measure.words()).collect();
+    let mut heads = vec!["state", "combinations", "PGA"];
+    heads.extend(names.iter().map(String::as_str));
+    let mut table = Table::new(&heads, 2);
+    for row in &compared {
+        let shown = |beta: &Option<f64>| beta.map_or("–".to_owned(), |beta| format!("{beta:.2}"));
+        let own = row.within.iter().map(shown);
+        let state = answer.kind.states()[row.state].to_owned();
+        let count = match (row.combinations, found.len()) {
+            (1, 1) => "1".to_owned(),
+            (n, all) => format!("each of {n} of {all}"),
+        };
+        table.row([state, count].into_iter().chain(own).collect());
+        if found.len() > 1 {
+            let own = row.together.iter().map(shown);
+            let count = format!("all {} as one", found.len());
+            table.row([String::new(), count].into_iter().chain(own).collect());
+        }
+    }
+    format!(
+        "\nMeasures of the shaking: scatter β of the capacity by each; the one with the least tells most;\n–: no curve, as where it is below the steps of the scan\n{}",
+        table.text()
+    )
+}
+
+/// Joints by what they need for each state, of the first combinations.
+fn joints(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
+    let shown = &found[..found.len().min(JOINTS_OF_MOST)];
+    let joints = answer.joint_fragilities(shown);
+    if joints.is_empty() {
+        return String::new();
+    }
+    let mut table = Table::new(&["case", "joint", "DS1, g", "DS2, g", "DS3, g", "gave way"], 2);
+    let mut last = usize::MAX;
+    for one in &joints {
+        let case = match one.combination == last {
+            true => String::new(),
+            false => answer.combination_words(one.job),
+        };
+        last = one.combination;
+        let mut row = vec![case, one.name.clone()];
+        let states = one.states.iter();
+        row.extend(states.map(|state| state.median_words(answer)));
+        row.push(one.gave_way.to_string());
+        table.row(row);
+    }
+    let mut out = format!(
+        "\nJoints: peak of the ground at which half of the scans bring each to a state; in how many it gave way at the first fall;\nfrom – to where a stone fell elsewhere first, or too little is known for a curve\n{}",
+        table.text()
+    );
+    if found.len() > shown.len() {
+        let _ = writeln!(
+            out,
+            "  and of {} more combinations: joints.csv",
+            found.len() - shown.len()
+        );
+    }
+    out
 }
 
 fn is_too_few<T>(fit: &Result<T, AssessError>) -> bool {
@@ -67,8 +178,6 @@ fn curves(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String
     let in_g = |value: f64| format!("{:.3}", value / answer.gravity_m_s2);
     for one in found.iter().take(PRINTED_MOST) {
         for (i, state) in one.states.iter().enumerate() {
-            let reached = state.observations.iter();
-            let reached = reached.filter(|seen| !matches!(seen, dolmen::assess::Observation::Above(_)));
             let label = if i == 0 {
                 answer.combination_words(one.job)
             } else {
@@ -77,7 +186,7 @@ fn curves(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String
             let mut cells = vec![
                 label,
                 answer.kind.states()[state.state].to_owned(),
-                format!("{} of {}", reached.count(), one.usable),
+                format!("{} of {}", state.reached(), state.observations.len()),
             ];
             match &state.by_acceleration {
                 Ok(fit) => {
@@ -94,12 +203,12 @@ fn curves(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String
                     cells.resize(7, "–".to_owned());
                 }
             }
-            match &state.by_velocity {
-                Ok(fit) => cells.extend([
+            match state.by_velocity() {
+                Some(fit) => cells.extend([
                     significant(fit.curve.theta(), 3),
                     format!("{:.2}", fit.curve.beta()),
                 ]),
-                Err(_) => cells.extend(["–".to_owned(), "–".to_owned()]),
+                None => cells.extend(["–".to_owned(), "–".to_owned()]),
             }
             cells.push(state.motions_enough().map_or("–".to_owned(), |n| n.to_string()));
             if let Some(risk) = state.risk {
@@ -141,10 +250,7 @@ fn notes(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
                 at.intensity / answer.gravity_m_s2,
                 at.probability,
                 if is_below { "below" } else { "above" },
-                match answer.combination_words(one.job) {
-                    words if words.is_empty() => words,
-                    words => format!(" ({words})"),
-                }
+                words_of(answer, one)
             );
         }
     }

@@ -157,6 +157,7 @@ fn answer() -> PortfolioAnswer {
         basis: Basis::Score {
             reasons: [0.1, 0.0, -0.3, 0.0, -0.1, 0.0],
             outside: Vec::new(),
+            unlike: Vec::new(),
         },
         states: [None, None, known(ds3, Known::Found), known(falls, how)],
         hazard: None,

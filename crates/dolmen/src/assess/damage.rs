@@ -60,27 +60,43 @@ impl DamageState {
     }
 }
 
-/// What a motion did to a stack, in the numbers that damage states are made of.
+/// What a motion did to one joint.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct StackDamage {
-    /// The state.
+pub struct JointDamage {
+    /// The state: [`DamageState::Fallen`] of the joint that gave way alone, [`DamageState::Severe`] also of those below a stone on the brink.
     pub state: DamageState,
-    /// Largest opening of a joint, m.
+    /// Largest opening, m.
     pub peak_uplift_m: f64,
-    /// Largest slip in a joint, m.
+    /// Largest slip, m.
     pub peak_slip_m: f64,
-    /// Largest slip left in a joint, m.
+    /// Slip left, m.
     pub residual_slip_m: f64,
-    /// Largest slip left over the width of its joint in that direction, –.
+    /// Slip left over the width of the joint in that direction, –.
     pub residual_slip_ratio: f64,
-    /// Largest rocking of a joint, opening over its least width, over the slenderness angle of what stands on it, –.
+    /// Rocking, opening over the least width, over the slenderness angle of what stands on it, –; 0 where that part has none.
     pub peak_rocking_ratio: f64,
+    /// Largest turn of the stone above on the one below, rad.
+    pub peak_yaw_rad: f64,
+}
+
+/// What a motion did to a stack, in the numbers that damage states are made of.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackDamage {
+    /// The state: that of the worst joint.
+    pub state: DamageState,
+    /// Each joint by itself, in the order of the stack's joints.
+    pub joints: Vec<JointDamage>,
     /// Largest lean of a stone at a sample, rad.
     pub peak_tilt_rad: f64,
     /// Largest lean of a stone at the end, rad.
     pub residual_tilt_rad: f64,
-    /// Largest turn of a stone on the one below, rad.
-    pub peak_yaw_rad: f64,
+}
+
+impl StackDamage {
+    /// The largest of a quantity over the joints; 0 without joints.
+    pub fn largest(&self, of: impl Fn(&JointDamage) -> f64) -> f64 {
+        self.joints.iter().map(of).fold(0.0, f64::max)
+    }
 }
 
 /// The damage that a history shows.
@@ -92,38 +108,54 @@ pub struct StackDamage {
 ///
 /// # Limits
 /// Where several joints carry one part, or none is cut through alone, α of the cut that holds the joint and fewest blocks is taken.
-/// Of a run that was ended early only what happened until then counts.
+/// Of a run that was ended early only what happened until then counts: after a stone has fallen nothing is said of the others.
 pub fn stack_damage(
     stack: &Stack,
     limits: &StackLimitStates,
     history: &StackHistory,
     thresholds: &DamageThresholds,
 ) -> StackDamage {
+    let joints = stack.joints().iter().zip(&history.joints).enumerate();
+    let joints = joints.map(|(index, (joint, moved))| {
+        let left = moved.slip_m.last();
+        let rocking = slenderness_angle_rad(limits, index)
+            .map(|alpha| (moved.peak_opening_m / least_width(joint)).atan() / alpha);
+        let mut found = JointDamage {
+            state: DamageState::None,
+            peak_uplift_m: moved.peak_opening_m,
+            peak_slip_m: moved.peak_slip_m,
+            residual_slip_m: moved.residual_slip_m(),
+            residual_slip_ratio: left.map_or(0.0, |&left| moved.residual_slip_m() / width_along(joint, left)),
+            peak_rocking_ratio: rocking.unwrap_or(0.0),
+            peak_yaw_rad: moved.peak_yaw_rad,
+        };
+        let on_the_brink = match history.outcome {
+            Outcome::Slid { block, .. } | Outcome::StillMoving { block, .. } => joint.upper == block,
+            _ => false,
+        };
+        found.state = match history.outcome {
+            Outcome::Fell { joint, .. } if joint == index => DamageState::Fallen,
+            _ if on_the_brink => DamageState::Severe,
+            _ => state(&found, thresholds),
+        };
+        found
+    });
+    let joints: Vec<JointDamage> = joints.collect();
+    let worst = joints
+        .iter()
+        .map(|joint| joint.state)
+        .max()
+        .unwrap_or(DamageState::None);
     let mut found = StackDamage {
-        state: DamageState::None,
-        peak_uplift_m: 0.0,
-        peak_slip_m: 0.0,
-        residual_slip_m: 0.0,
-        residual_slip_ratio: 0.0,
-        peak_rocking_ratio: 0.0,
+        state: match history.outcome {
+            Outcome::Fell { .. } => DamageState::Fallen,
+            Outcome::Slid { .. } | Outcome::StillMoving { .. } => DamageState::Severe.max(worst),
+            _ => worst,
+        },
+        joints,
         peak_tilt_rad: 0.0,
         residual_tilt_rad: 0.0,
-        peak_yaw_rad: 0.0,
     };
-    for (index, (joint, moved)) in stack.joints().iter().zip(&history.joints).enumerate() {
-        found.peak_uplift_m = found.peak_uplift_m.max(moved.peak_opening_m);
-        found.peak_slip_m = found.peak_slip_m.max(moved.peak_slip_m);
-        found.peak_yaw_rad = found.peak_yaw_rad.max(moved.peak_yaw_rad);
-        found.residual_slip_m = found.residual_slip_m.max(moved.residual_slip_m());
-        if let Some(&left) = moved.slip_m.last() {
-            let ratio = moved.residual_slip_m() / width_along(joint, left);
-            found.residual_slip_ratio = found.residual_slip_ratio.max(ratio);
-        }
-        if let Some(alpha) = slenderness_angle_rad(limits, index) {
-            let theta = (moved.peak_opening_m / least_width(joint)).atan();
-            found.peak_rocking_ratio = found.peak_rocking_ratio.max(theta / alpha);
-        }
-    }
     let first = history.poses.get(..history.blocks).unwrap_or_default();
     for (index, pose) in history.poses.iter().enumerate() {
         let Some(start) = first.get(index % history.blocks.max(1)) else {
@@ -139,16 +171,11 @@ pub fn stack_damage(
     for (start, pose) in first.iter().zip(last.unwrap_or_default()) {
         found.residual_tilt_rad = found.residual_tilt_rad.max(lean(start, pose));
     }
-    found.state = state(&found, &history.outcome, thresholds);
     found
 }
 
-fn state(found: &StackDamage, outcome: &Outcome, from: &DamageThresholds) -> DamageState {
-    let slid = matches!(outcome, Outcome::Slid { .. } | Outcome::StillMoving { .. });
-    if matches!(outcome, Outcome::Fell { .. }) {
-        DamageState::Fallen
-    } else if slid
-        || found.residual_slip_ratio >= from.severe_offset_ratio
+fn state(found: &JointDamage, from: &DamageThresholds) -> DamageState {
+    if found.residual_slip_ratio >= from.severe_offset_ratio
         || found.peak_rocking_ratio >= from.severe_rocking_ratio
     {
         DamageState::Severe
@@ -222,7 +249,7 @@ mod tests {
     use crate::blocks::{Springs, simulate_springs};
     use crate::signal::{Component, GroundMotion};
     use crate::stability::stack::{StackLimits, stack_limits};
-    use crate::structure::stack::{Block, JointMaterial, Solid};
+    use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
     use std::f64::consts::PI;
 
     fn stone() -> (Stack, StackLimitStates) {
@@ -257,7 +284,7 @@ mod tests {
         let by_lean = found.peak_tilt_rad / alpha;
         assert!(by_lean > 0.02, "{found:?}");
         assert!(
-            (found.peak_rocking_ratio / by_lean - 1.0).abs() < 0.02,
+            (found.joints[0].peak_rocking_ratio / by_lean - 1.0).abs() < 0.02,
             "{found:?} {by_lean}"
         );
         assert!(found.state >= DamageState::Begun);
@@ -310,5 +337,52 @@ mod tests {
             of_thresholds(own, 0.0, 0.0, 0.4 * (0.601 * alpha).tan()),
             DamageState::Severe
         );
+    }
+
+    /// Two stones: each joint has its own state, and the stack that of the worst.
+    #[test]
+    fn exact_each_joint_has_its_own_state() {
+        let block = |name: &str, x, from_m| Block {
+            name: name.into(),
+            solid: Solid::cuboid(x, x, 0.5).unwrap().placed(&Placement {
+                position_m: [0.0, 0.0, from_m],
+                ..Placement::default()
+            }),
+            density_kg_m3: 2600.0,
+        };
+        let blocks = vec![block("base", 1.0, 0.0), block("top", 0.5, 0.5)];
+        let stack = Stack::new(blocks, JointMaterial::with_friction(0.7), 9.81).unwrap();
+        let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
+        let motion = GroundMotion::new("still", 0.01, vec![(Component::X, vec![0.0; 5])]).unwrap();
+        let mut history =
+            simulate_springs(&stack, Some(&motion), &Springs::default(), &mut |_| true).unwrap();
+        let of = |history: &StackHistory| {
+            let found = stack_damage(&stack, &limits, history, &DamageThresholds::default());
+            let each: Vec<u8> = found.joints.iter().map(|joint| joint.state.number()).collect();
+            (each, found.state.number())
+        };
+        assert_eq!(of(&history), (vec![0, 0], 0));
+        // the same 6 mm are .6 % of the wide joint and 1.2 % of the narrow one, 11 mm 1.1 and 2.2 %
+        for (left_m, wanted) in [(0.006, [2, 2]), (0.011, [2, 3])] {
+            for (joint, state) in wanted.into_iter().enumerate() {
+                let mut own = history.clone();
+                *own.joints[joint].slip_m.last_mut().unwrap() = [0.0, left_m];
+                let mut each = vec![0, 0];
+                each[joint] = state;
+                assert_eq!(of(&own), (each, state));
+            }
+        }
+        history.outcome = Outcome::Slid {
+            block: 1,
+            slip_m: 0.3,
+            margin_ratio: 0.1,
+        };
+        assert_eq!(of(&history), (vec![0, 3], 3));
+        history.outcome = Outcome::Fell {
+            block: 1,
+            joint: 0,
+            at_s: 1.0,
+        };
+        assert_eq!(of(&history), (vec![4, 0], 4));
     }
 }

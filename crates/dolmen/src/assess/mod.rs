@@ -8,6 +8,7 @@ pub mod demand;
 mod error;
 mod fragility;
 mod frame;
+mod intensity;
 mod portfolio;
 mod probability;
 mod risk;
@@ -24,20 +25,22 @@ pub use change::{
     ChangeNote, Difference, Evidence, FittedTemperature, ModeChange, SurveyChange, SurveyChangeOptions,
     Surveyed, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect, TemperatureKnowledge, survey_change,
 };
-pub use damage::{DamageState, DamageThresholds, StackDamage, stack_damage};
+pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_damage};
 pub use error::AssessError;
 pub use fragility::{
-    Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, bootstrap_fragility,
-    bootstrap_fragility_of_motions, crossing, fit_fragility, fit_fragility_by_moments,
-    fit_fragility_of_motions, motions_needed,
+    Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation, ScatterSplit,
+    bootstrap_fragility, bootstrap_fragility_of_motions, crossing, fit_fragility, fit_fragility_by_moments,
+    fit_fragility_of_motions, motions_needed, scatter_split,
 };
 pub use frame::{FrameCheck, FrameNote, check_frame};
+pub use intensity::{RockingScale, rocking_scale};
 pub use portfolio::{Candidate, Known, KnownCapacity, Place, Ranked, RankedBy, rank};
 pub use probability::{Distribution, Probability, probability, sampled};
 pub use risk::{AnnualRisk, Hazard, annual_risk};
 pub use score::{
     EffectVerdict, Factor, FactorEffect, FactorShare, FactorShares, HeldOut, OutsideFactor, PagodaScore,
-    Ranking, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign, factor_shares, held_out, shapley_shares,
+    Ranking, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign, Unlike, factor_shares, held_out,
+    shapley_shares, unlike_trained,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};

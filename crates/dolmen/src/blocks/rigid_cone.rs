@@ -15,7 +15,7 @@
 use super::block_skyline::SIX;
 use super::rigid_faces::{Face, Part, Six, Stiffness, add_wrench, velocity};
 use super::rigid_solve::{
-    Found, LEFT_MOST_M_S, Left, Momentum, OFF_MOST_M_S, Solved, Solver, ahead, held_of, hold_impulses,
+    Found, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
 };
 
 /// Times that lifts and multipliers are carried over, and rounds in which none was better before it is given up. Chosen here.
@@ -88,7 +88,7 @@ impl Solver {
     ) -> f64 {
         let mut change = vec![[0.0; SIX]; v.len()];
         let mut trial = v.to_vec();
-        let mut left = self.balance_on_cones(of, faces, v, true).largest_m_s;
+        let mut left = self.balance(of, faces, v, Pressing::OnCones, true).largest_m_s;
         for _ in 0..STEPS_MOST {
             if left <= LEFT_MOST_M_S {
                 break;
@@ -108,7 +108,7 @@ impl Solver {
             let mut part = 1.0;
             for _ in 0..LINE_MOST {
                 ahead(&mut trial, v, &change, part);
-                self.balance_on_cones(of, faces, &trial, false);
+                self.balance(of, faces, &trial, Pressing::OnCones, false);
                 let slope = -self.along(&self.right, &change);
                 if slope.abs() <= SLOPE_MOST * down {
                     break;
@@ -127,7 +127,7 @@ impl Solver {
                 };
             }
             v.copy_from_slice(&trial);
-            left = self.balance_on_cones(of, faces, v, true).largest_m_s;
+            left = self.balance(of, faces, v, Pressing::OnCones, true).largest_m_s;
         }
         left
     }
@@ -137,27 +137,6 @@ impl Solver {
         let rows = self.rows.iter().zip(change).skip(1);
         rows.map(|(row, change)| right[*row].iter().zip(change).map(|(r, c)| r * c).sum::<f64>())
             .sum()
-    }
-
-    /// As `balance`, with the impulses of the convex problem.
-    fn balance_on_cones(
-        &mut self,
-        of: Momentum<'_>,
-        faces: &mut [Face],
-        v: &[Six],
-        with_matrix: bool,
-    ) -> Left {
-        self.momentum_left(of, v, with_matrix);
-        for face in faces.iter_mut() {
-            let twist = face.twist_of(v);
-            let mut k: Stiffness = [[0.0; 6]; 6];
-            let wrench = face.press_on_cones(&twist, with_matrix.then_some(&mut k));
-            self.push(face, &wrench);
-            if with_matrix {
-                self.add(face, &k);
-            }
-        }
-        self.left(of)
     }
 }
 
@@ -175,7 +154,7 @@ impl Face {
     /// ```text
     /// p = the point of K nearest to λ − ϱ (u + s + lift n), where velocities count by 1/ϱ
     /// ```
-    fn press_on_cones(&mut self, twist: &Six, stiffness: Option<&mut Stiffness>) -> Six {
+    pub(super) fn press_on_cones(&mut self, twist: &Six, stiffness: Option<&mut Stiffness>) -> Six {
         let wanted = stiffness.is_some();
         let (mut sum, mut k) = ([0.0; 6], [[0.0; 6]; 6]);
         for point in self.points.iter_mut().filter(|point| point.part == Part::Near) {
@@ -190,7 +169,7 @@ impl Face {
             // with weights ϱ the cone has the friction μ √(ϱ_n/ϱ_t)
             let ratio = point.friction * point.friction * r / r_t;
             let reach = trial[2] + point.friction * (r / r_t) * size;
-            if size <= point.friction * trial[2] {
+            if trial[2] >= 0.0 && size <= point.friction * trial[2] {
                 point.impulse = trial;
                 add_wrench(&mut sum, x, y, &point.impulse);
                 if wanted {

@@ -86,6 +86,18 @@ pub(super) struct Found {
     pub(super) held: Vec<Vec<[f64; 3]>>,
 }
 
+/// How a face presses at a velocity.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Pressing {
+    /// By the law itself.
+    ByLaw {
+        /// Take what pressed and slipped for what will, as [`Face::press`] does.
+        presume: bool,
+    },
+    /// By the convex problem with the lifts held.
+    OnCones,
+}
+
 /// Rows of the bodies and their matrix.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Solver {
@@ -250,7 +262,7 @@ impl Solver {
         let mut trial = v.to_vec();
         let mut left = f64::INFINITY;
         for _ in 0..way.steps_most {
-            let now = self.balance(of, faces, v, presume, true);
+            let now = self.balance(of, faces, v, Pressing::ByLaw { presume }, true);
             let presumed = faces.iter().any(|face| face.swung);
             left = if presumed { f64::INFINITY } else { now.largest_m_s };
             if left <= LEFT_MOST_M_S {
@@ -269,7 +281,11 @@ impl Solver {
             ahead(&mut trial, v, &change, part);
             let halvings = if presumed { 0 } else { way.line_steps };
             for _ in 0..halvings {
-                if self.balance(of, faces, &trial, false, false).energy_j < now.energy_j {
+                if self
+                    .balance(of, faces, &trial, Pressing::ByLaw { presume: false }, false)
+                    .energy_j
+                    < now.energy_j
+                {
                     break;
                 }
                 part *= 0.5;
@@ -281,21 +297,24 @@ impl Solver {
         left
     }
 
-    /// What is left of the momentum at `v` with the impulses of the law; the right side and (if asked for) the matrix of the next Newton
-    /// step.
-    fn balance(
+    /// What is left of the momentum at `v`; the right side and (if asked for) the matrix of the next Newton step.
+    pub(super) fn balance(
         &mut self,
         of: Momentum<'_>,
         faces: &mut [Face],
         v: &[Six],
-        presume: bool,
+        pressing: Pressing,
         with_matrix: bool,
     ) -> Left {
         self.momentum_left(of, v, with_matrix);
         for face in faces.iter_mut() {
             let twist = face.twist_of(v);
             let mut k: Stiffness = [[0.0; 6]; 6];
-            let wrench = face.press(&twist, presume, with_matrix.then_some(&mut k));
+            let stiffness = with_matrix.then_some(&mut k);
+            let wrench = match pressing {
+                Pressing::ByLaw { presume } => face.press(&twist, presume, stiffness),
+                Pressing::OnCones => face.press_on_cones(&twist, stiffness),
+            };
             self.push(face, &wrench);
             if with_matrix {
                 self.add(face, &k);
@@ -305,7 +324,7 @@ impl Solver {
     }
 
     /// Makes the right side what is left of the momentum without contacts, and the matrix that of the masses.
-    pub(super) fn momentum_left(&mut self, of: Momentum<'_>, v: &[Six], with_matrix: bool) {
+    fn momentum_left(&mut self, of: Momentum<'_>, v: &[Six], with_matrix: bool) {
         if with_matrix {
             self.matrix.clear();
         }
@@ -337,7 +356,7 @@ impl Solver {
     }
 
     /// Adds what a contact does to its two bodies to the right side.
-    pub(super) fn push(&mut self, face: &Face, wrench: &Six) {
+    fn push(&mut self, face: &Face, wrench: &Six) {
         let force = face.to_ground * DVec3::new(wrench[0], wrench[1], wrench[2]);
         let torque = face.to_ground * DVec3::new(wrench[3], wrench[4], wrench[5]);
         let sides = [
@@ -357,7 +376,7 @@ impl Solver {
     }
 
     /// The size of the right side; infinite if it is no number.
-    pub(super) fn left(&self, of: Momentum<'_>) -> Left {
+    fn left(&self, of: Momentum<'_>) -> Left {
         let mut left = Left::default();
         for (body, of) in of.inertia.iter().enumerate().skip(1) {
             let right = &self.right[self.rows[body]];
@@ -378,7 +397,7 @@ impl Solver {
     /// ```text
     /// twist = Rᵀ (X_s v_s − X_p v_p),   X = [1, −[r]×; 0, 1]:   J_ab += ± X_aᵀ R K Rᵀ X_b
     /// ```
-    pub(super) fn add(&mut self, face: &Face, k: &Stiffness) {
+    fn add(&mut self, face: &Face, k: &Stiffness) {
         let part = |row: usize, column: usize| {
             let block = DMat3::from_cols(
                 DVec3::new(k[row][column], k[row + 1][column], k[row + 2][column]),

@@ -243,4 +243,26 @@ mod tests {
         );
         assert!(!found.modes.modes.is_empty() && found.stabilization.poles.is_empty());
     }
+
+    #[test]
+    fn holds_damping_that_follows_its_swings_is_told_from_scatter_and_from_beats() {
+        let all = |dampings: [f64; 3], sd: f64| {
+            dampings.map(|damping_ratio| AtAmplitude {
+                time_s: 1.0,
+                amplitude: 1.0,
+                frequency_hz: 2.0,
+                damping_ratio,
+                damping_ratio_sd: sd,
+            })
+        };
+        // √2 × 4 deviations of .1 % are .57 %
+        assert!(follows(&all([0.010, 0.013, 0.016], 1e-3)));
+        assert!(!follows(&all([0.010, 0.013, 0.0155], 1e-3)));
+        // surely another, but by no fifth; the second window alone has half of its swings in common
+        assert!(!follows(&all([0.010, 0.0105, 0.0119], 1e-5)));
+        assert!(follows(&all([0.010, 0.0105, 0.0121], 1e-5)));
+        assert!(!follows(&all([0.010, 0.030, 0.010], 1e-5)));
+        let growing = all([0.010, -0.004, 0.012], 1e-3);
+        assert!(beats(2, &growing) && !beats(1, &growing) && !beats(2, &all([0.01; 3], 1e-3)));
+    }
 }

@@ -1,7 +1,9 @@
 //! Fragility and risk: Baker (2015), Cornell (1996).
 
 use super::{Case, ValidationError};
-use crate::assess::{Fragility, Hazard, Observation, annual_risk, fit_fragility, fit_fragility_by_moments};
+use crate::assess::{
+    Fragility, Hazard, Observation, annual_risk, fit_fragility, fit_fragility_by_moments, scatter_split,
+};
 
 /// Half of the last digit that is printed.
 const SIX_DIGITS: f64 = 5e-7;
@@ -40,6 +42,16 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         corrected: None,
         note: "",
     };
+    // ln of the capacities of three samples under three motions: motions .4 apart, samples .3
+    let table = [0.0, 0.3, -0.3]
+        .map(|sample| [0.0, 0.4, 0.8].map(|motion: f64| Observation::At((sample + motion).exp())));
+    let split = scatter_split(
+        table.as_flattened(),
+        &[0, 1, 2].repeat(3),
+        &[0, 0, 0, 1, 1, 1, 2, 2, 2],
+    )?;
+    let (of_motions, of_inputs) =
+        split.map_or((f64::NAN, f64::NAN), |split| (split.of_motions, split.of_inputs));
     const BAKER: &str = "Baker (2015)";
     const BY_HAND: &str = "By hand";
     Ok(vec![
@@ -77,6 +89,20 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
             "β of the same",
             0.289162,
             moments.curve.beta(),
+            SIX_DIGITS,
+        ),
+        row(
+            BY_HAND,
+            "scatter from motion to motion of 3 samples under 3 motions .4 apart in ln",
+            0.326599,
+            of_motions,
+            SIX_DIGITS,
+        ),
+        row(
+            BY_HAND,
+            "scatter of the same from sample to sample, .3 apart",
+            0.3,
+            of_inputs,
             SIX_DIGITS,
         ),
         Case {

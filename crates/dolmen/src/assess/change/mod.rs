@@ -1,11 +1,13 @@
 //! What changed between two surveys of one structure.
 
 mod difference;
+mod notes;
 mod surveys;
 mod temperature;
 
 pub use difference::{Difference, Evidence};
+pub use notes::ChangeNote;
 pub use surveys::{
-    ChangeNote, ModeChange, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
+    ModeChange, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
 };
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};

@@ -8,6 +8,7 @@
 //! | r | `relative` | change that temperature does not explain | - |
 
 use super::difference::{Difference, Raw, tested, welch};
+use super::notes::{ChangeNote, slips};
 use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
@@ -99,45 +100,6 @@ pub struct ModeChange {
     pub uniform_stiffness: f64,
     /// Standard deviation of that.
     pub uniform_stiffness_sd: Option<f64>,
-}
-
-/// What must be known beside the numbers.
-#[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
-pub enum ChangeNote {
-    /// No line over temperature could be fitted for a mode: its change is not corrected.
-    NotFitted {
-        /// Frequency before, Hz.
-        frequency_hz: f64,
-        /// Why.
-        why: String,
-    },
-    /// The later survey is warmer or colder than all that the line was fitted to.
-    BeyondTheLine {
-        /// Temperature of the later survey, °C.
-        temperature_c: f64,
-        /// Those of the line, °C.
-        range_c: [f64; 2],
-    },
-}
-
-impl std::fmt::Display for ChangeNote {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            ChangeNote::NotFitted { frequency_hz, why } => write!(
-                f,
-                "no coefficient of temperature could be fitted for the mode at {frequency_hz:.3} Hz, so that its change is not corrected: {why}"
-            ),
-            ChangeNote::BeyondTheLine {
-                temperature_c,
-                range_c,
-            } => write!(
-                f,
-                "{temperature_c} °C lies beyond the {} to {} °C that the coefficients were fitted to: a line need not hold there",
-                range_c[0], range_c[1]
-            ),
-        }
-    }
 }
 
 /// What changed from one survey to another.
@@ -286,14 +248,18 @@ pub fn survey_change(
         Some(step_c) => TemperatureKnowledge::Unexplained { step_c },
     };
     beyond_the_line(&modes, to.temperature_c, &mut notes);
-    let of = |survey: &Surveyed, alone: &[usize]| alone.iter().map(|i| survey.modes[*i].clone()).collect();
+    let of = |survey: &Surveyed, alone: &[usize]| -> Vec<ObservedMode> {
+        alone.iter().map(|i| survey.modes[*i].clone()).collect()
+    };
+    let (lost, new) = (of(from, &paired.only_first), of(to, &paired.only_second));
+    notes.extend(slips(&modes, &lost, &new));
     Ok(SurveyChange {
         from: from.name.clone(),
         to: to.name.clone(),
         temperature,
         modes,
-        lost: of(from, &paired.only_first),
-        new: of(to, &paired.only_second),
+        lost,
+        new,
         significance: options.significance,
         power: options.power,
         notes,

@@ -72,6 +72,7 @@ pub fn bootstrap_fragility(
     resamples: usize,
     seed: u64,
 ) -> Result<FragilityBand, AssessError> {
+    fit_fragility(observations)?;
     let motions: Vec<usize> = (0..observations.len()).collect();
     resampled(observations, &motions, resamples, seed)
 }
@@ -97,7 +98,6 @@ fn resampled(
     resamples: usize,
     seed: u64,
 ) -> Result<FragilityBand, AssessError> {
-    fit_fragility(observations)?;
     let mut by_motion: BTreeMap<usize, Vec<Observation>> = BTreeMap::new();
     for (motion, observation) in motions.iter().zip(observations) {
         if !matches!(observation, Observation::Stripe { .. }) {

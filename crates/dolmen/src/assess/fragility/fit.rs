@@ -1,16 +1,11 @@
 //! Fits of a lognormal fragility curve.
-//!
-//! | symbol | code | meaning |
-//! |:--|:--|:--|
-//! | z = a x − c | `[slope, offset]` | probit; x = ln IM less its middle, a = 1/β, c = ln θ/β |
-//! | n, k | `motions`, `reached` | motions at an intensity, and those that reached the state |
 
 use super::curve::Fragility;
+use super::likelihood::{Likelihood, likelihood};
 use super::observation::{FragilityBound, Observation, bound, extent};
 use crate::assess::AssessError;
 use crate::numeric::{
-    Interval, chi_squared_quantile, ln_normal_density, ln_normal_probability, mean, normal_hazard,
-    student_two_sided_quantile, variance,
+    Interval, chi_squared_quantile, ln_normal_probability, mean, student_two_sided_quantile, variance,
 };
 use std::collections::BTreeMap;
 
@@ -156,12 +151,9 @@ impl FragilityFit {
 /// # Ok::<(), dolmen::assess::AssessError>(())
 /// ```
 pub fn fit_fragility(observations: &[Observation]) -> Result<FragilityFit, AssessError> {
-    let top = Top::of(observations, motions_of(observations))?;
-    top.fit(
-        observations,
-        motions_of(observations),
-        top.likelihood.covariance(),
-    )
+    let motions = motions_of(observations);
+    let top = Top::of(observations, motions)?;
+    top.fit(observations, motions, top.likelihood.covariance())
 }
 
 /// The same curve of observations of which several are of one motion: turned, or with other samples of uncertain inputs. `motions` has one
@@ -384,127 +376,12 @@ fn motions_of(observations: &[Observation]) -> usize {
     single + stripe
 }
 
-/// The logarithm of the likelihood with its gradient and its curvature (aa, ac, cc).
-#[derive(Clone, Copy, Debug, Default)]
-struct Likelihood {
-    value: f64,
-    gradient: [f64; 2],
-    curvature: [f64; 3],
-}
-
-impl Likelihood {
-    /// Adds a function of z = a x − c with its first and second derivative.
-    fn add(&mut self, x: f64, [value, slope, curve]: [f64; 3]) {
-        self.value += value;
-        self.gradient[0] += slope * x;
-        self.gradient[1] -= slope;
-        self.curvature[0] += curve * x * x;
-        self.curvature[1] -= curve * x;
-        self.curvature[2] += curve;
-    }
-
-    /// Inverse of what is lost around the top.
-    fn covariance(&self) -> [f64; 3] {
-        let [aa, ac, cc] = self.curvature;
-        let determinant = aa * cc - ac * ac;
-        [-cc / determinant, ac / determinant, -aa / determinant]
-    }
-
-    fn newton(&self) -> [f64; 2] {
-        let [aa, ac, cc] = self.covariance();
-        let [a, c] = self.gradient;
-        [aa * a + ac * c, ac * a + cc * c]
-    }
-}
-
-fn likelihood(observations: &[Observation], middle: f64, [slope, offset]: [f64; 2]) -> Likelihood {
-    let mut sum = Likelihood::default();
-    let place = |intensity: f64| {
-        let x = intensity.ln() - middle;
-        (x, slope * x - offset)
-    };
-    for observation in observations {
-        match *observation {
-            Observation::Stripe {
-                intensity,
-                motions,
-                reached,
-            } => {
-                let (x, z) = place(intensity);
-                sum.add(x, below(z).map(|part| reached as f64 * part));
-                sum.add(x, above(z).map(|part| (motions - reached) as f64 * part));
-            }
-            Observation::Above(intensity) => {
-                let (x, z) = place(intensity);
-                sum.add(x, above(z));
-            }
-            Observation::Below(intensity) => {
-                let (x, z) = place(intensity);
-                sum.add(x, below(z));
-            }
-            Observation::Between(low, high) if low < high => between(&mut sum, place(low), place(high)),
-            // ln φ(z) + ln a
-            Observation::At(intensity) | Observation::Between(intensity, _) => {
-                let (x, z) = place(intensity);
-                sum.add(x, [ln_normal_density(z), -z, -1.0]);
-                sum.value += slope.ln();
-                sum.gradient[0] += 1.0 / slope;
-                sum.curvature[0] -= 1.0 / (slope * slope);
-            }
-        }
-    }
-    if sum.value.is_nan() {
-        sum.value = f64::NEG_INFINITY; // a slope that is not positive, where a density needs one
-    }
-    sum
-}
-
-/// ln Φ(z) with its derivatives: m, −m (z + m), m = φ/Φ.
-fn below(z: f64) -> [f64; 3] {
-    let m = normal_hazard(z);
-    [ln_normal_probability(z), m, -m * (z + m)]
-}
-
-/// ln Φ(−z) with its derivatives by z.
-fn above(z: f64) -> [f64; 3] {
-    let [value, slope, curve] = below(-z);
-    [value, -slope, curve]
-}
-
-/// ln(Φ(z_high) − Φ(z_low)) of two places that move with the parameters.
-fn between(sum: &mut Likelihood, (x_low, z_low): (f64, f64), (x_high, z_high): (f64, f64)) {
-    // on the side where both tails are small, so that their difference keeps its digits
-    let (outer, inner) = if z_low > 0.0 {
-        (-z_low, -z_high)
-    } else {
-        (z_high, z_low)
-    };
-    let (ln_outer, ln_inner) = (ln_normal_probability(outer), ln_normal_probability(inner));
-    let value = ln_outer + (-(ln_inner - ln_outer).exp()).ln_1p();
-    let (r_low, r_high) = (
-        (ln_normal_density(z_low) - value).exp(),
-        (ln_normal_density(z_high) - value).exp(),
-    );
-    // first derivatives by (a, c), and second ones
-    let first = [r_high * x_high - r_low * x_low, r_low - r_high];
-    let second = [
-        -r_high * z_high * x_high * x_high + r_low * z_low * x_low * x_low,
-        r_high * z_high * x_high - r_low * z_low * x_low,
-        -r_high * z_high + r_low * z_low,
-    ];
-    sum.value += value;
-    sum.gradient[0] += first[0];
-    sum.gradient[1] += first[1];
-    sum.curvature[0] += second[0] - first[0] * first[0];
-    sum.curvature[1] += second[1] - first[0] * first[1];
-    sum.curvature[2] += second[2] - first[1] * first[1];
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assess::bootstrap_fragility;
+    use crate::assess::{bootstrap_fragility, bootstrap_fragility_of_motions};
     use crate::numeric::Random;
+    use crate::numeric::ln_normal_density;
 
     fn stripes(reached: &[usize]) -> Vec<Observation> {
         const INTENSITY: [f64; 8] = [0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9, 1.0];
@@ -722,6 +599,29 @@ mod tests {
         let ratio = (boot.upper / boot.lower).ln() / (wald.upper / wald.lower).ln();
         assert!((0.85..1.2).contains(&ratio), "{ratio}");
         assert_eq!(band, bootstrap_fragility(&stripes(&BAKER), 400, 1).unwrap());
+    }
+
+    /// 30 motions in 6 directions: bands are as wide as the errors of how motions differ, not of 180 observations.
+    #[test]
+    fn holds_bands_draw_motions_and_not_their_directions() {
+        let mut random = Random::new(31, 0);
+        let (mut seen, mut motions) = (Vec::new(), Vec::new());
+        for motion in 0..30 {
+            let own = 0.38 * random.normal();
+            for _ in 0..6 {
+                seen.push(Observation::At(0.7 * (own + 0.1 * random.normal()).exp()));
+                motions.push(motion);
+            }
+        }
+        let width = |interval: Interval| (interval.upper / interval.lower).ln();
+        let fit = fit_fragility_of_motions(&seen, &motions).unwrap();
+        let wald = width(fit.theta_interval(0.95).unwrap());
+        let band = bootstrap_fragility_of_motions(&seen, &motions, 400, 1).unwrap();
+        let of_motions = width(band.theta(0.95).unwrap().unwrap());
+        assert!((0.8..1.15).contains(&(of_motions / wald)), "{of_motions} {wald}");
+        let apart = bootstrap_fragility(&seen, 400, 1).unwrap();
+        let of_each = width(apart.theta(0.95).unwrap().unwrap());
+        assert!(of_each < 0.6 * of_motions, "{of_each} {of_motions}");
     }
 
     #[test]

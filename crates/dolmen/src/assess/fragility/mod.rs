@@ -3,7 +3,9 @@
 mod bootstrap;
 mod curve;
 mod fit;
+mod likelihood;
 mod observation;
+mod scatter;
 
 pub use bootstrap::{FragilityBand, bootstrap_fragility, bootstrap_fragility_of_motions};
 pub use curve::{Crossing, Fragility, crossing};
@@ -11,3 +13,4 @@ pub use fit::{
     FragilityFit, fit_fragility, fit_fragility_by_moments, fit_fragility_of_motions, motions_needed,
 };
 pub use observation::{FragilityBound, Observation};
+pub use scatter::{ScatterSplit, scatter_split};

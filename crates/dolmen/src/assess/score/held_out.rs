@@ -142,4 +142,30 @@ mod tests {
             Err(AssessError::TooFewDesigns { given: 30, least: 50 })
         ));
     }
+
+    /// Each design by a model that was trained without its part.
+    #[test]
+    fn agrees_with_models_trained_without_the_part() {
+        use super::super::model::ScoreModel;
+        let all = designs(60, 2.0);
+        let mut predicted = vec![0.0; 60];
+        for part in 0..5 {
+            let others: Vec<TrainedDesign> = (0..60)
+                .filter(|i| i % 5 != part)
+                .map(|i| all[i].clone())
+                .collect();
+            let model = ScoreModel::train(&others, None).unwrap();
+            for i in (0..60).filter(|i| i % 5 == part) {
+                predicted[i] = model.score(&all[i].factors, true).unwrap().capacity_m_s2.ln();
+            }
+        }
+        let simulated: Vec<f64> = all.iter().map(|one| one.fragility.theta().ln()).collect();
+        let wanted = ranking(&predicted, &simulated).unwrap();
+        let found = held_out(&all, 5).unwrap().score;
+        assert!(
+            (found.kendall_tau - wanted.kendall_tau).abs() < 1e-12,
+            "{found:?} {wanted:?}"
+        );
+        assert_eq!(found.worst_fifth_found, wanted.worst_fifth_found);
+    }
 }

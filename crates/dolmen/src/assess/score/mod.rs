@@ -1,5 +1,6 @@
 //! The six-factor score: capacity of a pagoda from six numbers, trained on simulated pagodas.
 
+mod alike;
 mod effects;
 mod factors;
 mod held_out;
@@ -9,6 +10,7 @@ mod shapley;
 mod shares;
 mod surface;
 
+pub use alike::{Unlike, unlike_trained};
 pub use effects::{EffectVerdict, FactorEffect};
 pub use factors::{Factor, SixFactors};
 pub use held_out::{HeldOut, Ranking, held_out};

@@ -1,0 +1,209 @@
+//! Which joint of a stack reaches a damage state at what size of shaking.
+
+use super::answer::StudyAnswer;
+use super::fragility::{CombinationFragility, combination_columns};
+use super::run::{Run, RunOutcome};
+use super::scans::{Seen, first_seen};
+use super::table::{Column, ColumnValues};
+use dolmen::assess::{FragilityFit, Observation, fit_fragility_of_motions};
+use std::collections::BTreeMap;
+
+/// States that joints have curves for: DS1 to DS3. A joint that gave way is counted.
+const STATES: u8 = 3;
+
+/// One state of one joint of one combination of inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointState {
+    /// The state, 0 to 2: DS1 to DS3.
+    pub state: usize,
+    /// What was seen, intensities as peak accelerations of the ground, m/s².
+    pub observations: Vec<Observation>,
+    /// Half of the scans reach it between these peaks, m/s²: medians of what each is known to have been without it up to, and to have reached it
+    /// by; `None` where that is not known.
+    pub median_between: [Option<f64>; 2],
+    /// The curve over peak acceleration, m/s²; `None` where there is none, and where a stone fell elsewhere first in more than a tenth of the scans: what
+    /// would have come of the joint is not independent of that, and a curve would be too far right.
+    pub fit: Option<FragilityFit>,
+}
+
+/// Share of scans that may be cut short by a fall elsewhere. Chosen here: of more, medians of curves were off by a tenth and more.
+const CUT_SHORT_MOST: f64 = 0.1;
+
+/// One joint of one combination of inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointFragility {
+    /// The combination, from 0.
+    pub combination: usize,
+    /// One of its jobs, to read its inputs from.
+    pub job: usize,
+    /// The joint, from 0.
+    pub joint: usize,
+    /// What lies on what.
+    pub name: String,
+    /// Its states, the mildest first.
+    pub states: Vec<JointState>,
+    /// Scans in which it was the joint that gave way at the first fall.
+    pub gave_way: usize,
+}
+
+impl StudyAnswer {
+    /// Every joint of every combination that has a scan which can be used: `found` as [`StudyAnswer::fragilities`] gives it. Nothing for
+    /// frames and chains.
+    pub fn joint_fragilities(&self, found: &[CombinationFragility]) -> Vec<JointFragility> {
+        let mut by_combination: BTreeMap<usize, Vec<&[Run]>> = BTreeMap::new();
+        let scans = self.runs.chunk_by(|a, b| a.job == b.job);
+        for scan in scans.filter(|scan| scan.iter().any(|run| !run.joint_states.is_empty())) {
+            if self.missing.binary_search(&scan[0].job).is_err() {
+                let combination = self.combination_of(scan[0].job);
+                by_combination.entry(combination).or_default().push(scan);
+            }
+        }
+        let mut all = Vec::new();
+        for one in found {
+            let Some(names) = self.joints.get(one.combination) else {
+                continue;
+            };
+            let own = by_combination
+                .get(&one.combination)
+                .map_or(&[][..], Vec::as_slice);
+            for (joint, name) in names.iter().enumerate() {
+                let states = (1..=STATES).map(|state| self.joint_state(joint, state, own));
+                let gives_way = |scan: &&&[Run]| {
+                    let first = scan.iter().find(|run| run.outcome == RunOutcome::Fell);
+                    first.is_some_and(|run| run.joint_states.get(joint) == Some(&4))
+                };
+                all.push(JointFragility {
+                    combination: one.combination,
+                    job: one.job,
+                    joint,
+                    name: name.clone(),
+                    states: states.collect(),
+                    gave_way: own.iter().filter(gives_way).count(),
+                });
+            }
+        }
+        all
+    }
+
+    fn joint_state(&self, joint: usize, state: u8, scans: &[&[Run]]) -> JointState {
+        let seen = |run: &Run| match run.joint_states.get(joint) {
+            Some(own) if *own >= state => Seen::Reached,
+            // what a joint would have come to after a stone fell elsewhere is not known
+            Some(_)
+                if matches!(
+                    run.outcome,
+                    RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid
+                ) =>
+            {
+                Seen::NotReached
+            }
+            _ => Seen::Unknown,
+        };
+        let mut cut_short = 0;
+        let (mut observations, mut motions, mut ends) = (Vec::new(), Vec::new(), [Vec::new(), Vec::new()]);
+        for scan in scans {
+            let told: Vec<(f64, Seen)> = scan
+                .iter()
+                .map(|run| (run.peak_ground_acceleration_m_s2, seen(run)))
+                .collect();
+            let first = told.iter().position(|(_, seen)| *seen != Seen::NotReached);
+            cut_short += usize::from(first.is_some_and(|first| told[first].1 == Seen::Unknown));
+            let found = first_seen(told.into_iter());
+            let (low, high) = match found {
+                Some(Observation::Between(low, high)) => (low, high),
+                Some(Observation::Below(high)) => (0.0, high),
+                Some(Observation::Above(low)) => (low, f64::INFINITY),
+                _ => (0.0, f64::INFINITY),
+            };
+            ends[0].push(low);
+            ends[1].push(high);
+            if let Some(found) = found {
+                observations.push(found);
+                motions.push(self.motion_index(scan[0].job));
+            }
+        }
+        let is_whole = cut_short as f64 <= CUT_SHORT_MOST * scans.len() as f64;
+        let fit = fit_fragility_of_motions(&observations, &motions).ok();
+        JointState {
+            state: usize::from(state) - 1,
+            fit: fit.filter(|_| is_whole),
+            median_between: ends.map(|ends| median(ends).filter(|end| *end > 0.0 && end.is_finite())),
+            observations,
+        }
+    }
+}
+
+/// The lower middle one of an even count, at both ends of all scans: half of them and no fewer.
+fn median(mut values: Vec<f64>) -> Option<f64> {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len().checked_sub(1)? / 2).copied()
+}
+
+impl JointState {
+    /// The median peak in g, or what is known of it, in words.
+    pub fn median_words(&self, answer: &StudyAnswer) -> String {
+        let g = |value: f64| format!("{:.3}", value / answer.gravity_m_s2);
+        let [low, high] = self.median_between;
+        match (&self.fit, low, high) {
+            (Some(fit), _, Some(_)) => g(fit.curve.theta()),
+            (_, Some(low), None) => format!("> {}", g(low)),
+            (None, Some(low), Some(high)) => format!("{} – {}", g(low), g(high)),
+            (None, None, Some(high)) => format!("< {}", g(high)),
+            (_, None, None) => "–".to_owned(),
+        }
+    }
+
+    /// How many scans reached it, of all that say something.
+    pub fn reached(&self) -> usize {
+        let reached = self.observations.iter();
+        reached
+            .filter(|seen| !matches!(seen, Observation::Above(_)))
+            .count()
+    }
+}
+
+/// Every joint and state, a row each: inputs, joint, median, dispersion and their errors, and between what the median lies whatever falls.
+pub fn joint_columns(answer: &StudyAnswer, joints: &[JointFragility]) -> Vec<Column> {
+    let rows: Vec<(&JointFragility, &JointState)> = joints
+        .iter()
+        .flat_map(|one| one.states.iter().map(move |state| (one, state)))
+        .collect();
+    let column = |name: &str, values| Column {
+        name: name.to_owned(),
+        values,
+    };
+    let counts = |name: &str, of: fn(&JointFragility, &JointState) -> usize| {
+        let values = rows.iter().map(|(one, state)| of(one, state) as i64);
+        column(name, ColumnValues::Counts(values.collect()))
+    };
+    let words = |name: &str, of: &dyn Fn(&JointFragility, &JointState) -> String| {
+        let values = rows.iter().map(|(one, state)| of(one, state));
+        column(name, ColumnValues::Words(values.collect()))
+    };
+    let numbers = |name: &str, of: fn(&FragilityFit) -> f64| {
+        let values = rows.iter().map(|(_, state)| state.fit.as_ref().map(of));
+        column(name, ColumnValues::Numbers(values.collect()))
+    };
+    let of_rows: Vec<(usize, usize)> = rows.iter().map(|(one, _)| (one.combination, one.job)).collect();
+    let mut columns = combination_columns(answer, &of_rows);
+    columns.extend([
+        counts("joint", |one, _| one.joint + 1),
+        words("name", &|one, _| one.name.clone()),
+        words("state", &|_, state| answer.kind.states()[state.state].to_owned()),
+        counts("scans", |_, state| state.observations.len()),
+        counts("reached", |_, state| state.reached()),
+        counts("gave_way", |one, _| one.gave_way),
+        numbers("theta_pga_m_s2", |fit| fit.curve.theta()),
+        numbers("beta_pga", |fit| fit.curve.beta()),
+        numbers("ln_theta_error", |fit| fit.ln_theta_error),
+        numbers("beta_error", |fit| fit.beta_error),
+    ]);
+    for (place, name) in ["median_above_m_s2", "median_at_most_m_s2"]
+        .into_iter()
+        .enumerate()
+    {
+        let values = rows.iter().map(|(_, state)| state.median_between[place]);
+        columns.push(column(name, ColumnValues::Numbers(values.collect())));
+    }
+    columns
+}

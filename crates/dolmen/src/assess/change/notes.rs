@@ -1,0 +1,183 @@
+//! What must be known beside the numbers of a change: lines that could not be fitted, and what looks like a slip of the survey.
+
+use super::surveys::ModeChange;
+use crate::modal::ObservedMode;
+
+/// Relative difference of frequencies that count as one. Chosen here: a hundredth, above what surveys of an unchanged structure differ by.
+const ONE_FREQUENCY: f64 = 0.01;
+/// Part by which ratios of frequencies may differ and be one ratio, and the least factor that is asked about. Chosen here: recorders have rates that
+/// differ by 1.25 and more.
+const ONE_RATIO: f64 = 0.01;
+const RATIO_LEAST: f64 = 1.2;
+
+/// What must be known beside the numbers.
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum ChangeNote {
+    /// No line over temperature could be fitted for a mode: its change is not corrected.
+    NotFitted {
+        /// Frequency before, Hz.
+        frequency_hz: f64,
+        /// Why.
+        why: String,
+    },
+    /// The later survey is warmer or colder than all that the line was fitted to.
+    BeyondTheLine {
+        /// Temperature of the later survey, °C.
+        temperature_c: f64,
+        /// Those of the line, °C.
+        range_c: [f64; 2],
+    },
+    /// Modes of one frequency in both surveys are no pairs, for their shapes are not alike.
+    OtherShapes {
+        /// Their frequencies before, Hz.
+        frequencies_hz: Vec<f64>,
+    },
+    /// No mode has a partner, and all frequencies differ by one factor.
+    OneFactor {
+        /// After over before.
+        factor: f64,
+        /// How many modes.
+        modes: usize,
+    },
+}
+
+impl std::fmt::Display for ChangeNote {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            ChangeNote::NotFitted { frequency_hz, why } => write!(
+                f,
+                "no coefficient of temperature could be fitted for the mode at {frequency_hz:.3} Hz, so that its change is not corrected: {why}"
+            ),
+            ChangeNote::BeyondTheLine {
+                temperature_c,
+                range_c,
+            } => write!(
+                f,
+                "{temperature_c} °C lies beyond the {} to {} °C that the coefficients were fitted to: a line need not hold there",
+                range_c[0], range_c[1]
+            ),
+            ChangeNote::OtherShapes { frequencies_hz } => {
+                let each: Vec<String> = frequencies_hz.iter().map(|hz| format!("{hz:.3}")).collect();
+                write!(
+                    f,
+                    "at {} Hz both surveys have a mode, but with shapes unlike each other, so that it counts as lost and as new: were channels \
+                     swapped, or sensors turned or moved?",
+                    each.join(", ")
+                )
+            }
+            ChangeNote::OneFactor { factor, modes } => write!(
+                f,
+                "no mode has a partner, and all {modes} frequencies are {factor:.3} times what they were: is the sampling rate of a survey wrong?"
+            ),
+        }
+    }
+}
+
+/// What looks like a slip of a survey: channels swapped, a wrong sampling rate.
+pub(super) fn slips(modes: &[ModeChange], lost: &[ObservedMode], new: &[ObservedMode]) -> Vec<ChangeNote> {
+    let mut notes = Vec::new();
+    let has_twin = |mode: &&ObservedMode| {
+        let mut twins = new.iter().filter(|other| {
+            !mode.shape.is_empty()
+                && !other.shape.is_empty()
+                && (other.frequency_hz / mode.frequency_hz - 1.0).abs() <= ONE_FREQUENCY
+        });
+        twins.next().is_some()
+    };
+    let twins: Vec<f64> = lost
+        .iter()
+        .filter(has_twin)
+        .map(|mode| mode.frequency_hz)
+        .collect();
+    if !twins.is_empty() {
+        notes.push(ChangeNote::OtherShapes {
+            frequencies_hz: twins,
+        });
+    }
+    if modes.is_empty() && lost.len() == new.len() && lost.len() >= 2 {
+        let rising = |modes: &[ObservedMode]| {
+            let mut all: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
+            all.sort_by(f64::total_cmp);
+            all
+        };
+        let ratios = rising(new).into_iter().zip(rising(lost));
+        let ratios: Vec<f64> = ratios.map(|(after, before)| after / before).collect();
+        let (least, most) = ratios.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &r| {
+            (low.min(r), high.max(r))
+        });
+        let factor = (least * most).sqrt();
+        if most <= least * (1.0 + ONE_RATIO) && factor.max(1.0 / factor) >= RATIO_LEAST {
+            notes.push(ChangeNote::OneFactor {
+                factor,
+                modes: ratios.len(),
+            });
+        }
+    }
+    notes
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::surveys::{SurveyChangeOptions, Surveyed, survey_change};
+    use super::*;
+    use crate::modal::ObservedPoint;
+    use crate::signal::Channel;
+
+    fn survey(modes: &[(f64, [f64; 3])]) -> Surveyed {
+        let mode = |(frequency_hz, shape): &(f64, [f64; 3])| ObservedMode {
+            frequency_hz: *frequency_hz,
+            frequency_sd_hz: Some(0.01),
+            damping_ratio: None,
+            damping_ratio_sd: None,
+            degrees_of_freedom: f64::INFINITY,
+            direction: None,
+            shape: ["a", "b", "c"]
+                .iter()
+                .zip(shape)
+                .map(|(name, component)| ObservedPoint::real(Channel::named(*name), *component))
+                .collect(),
+        };
+        Surveyed {
+            name: "survey".into(),
+            temperature_c: None,
+            modes: modes.iter().map(mode).collect(),
+        }
+    }
+
+    fn notes(from: &[(f64, [f64; 3])], to: &[(f64, [f64; 3])]) -> Vec<ChangeNote> {
+        let options = SurveyChangeOptions::default();
+        survey_change(&survey(from), &survey(to), &[], &options)
+            .unwrap()
+            .notes
+    }
+
+    const FIRST: [f64; 3] = [0.1, 0.5, 1.0];
+    const SECOND: [f64; 3] = [0.6, 0.8, -0.5];
+
+    /// Three channels in the order b, c, a: the frequencies stay, the shapes do not.
+    #[test]
+    fn holds_swapped_channels_are_asked_about() {
+        let swapped = |[a, b, c]: [f64; 3]| [c, a, b];
+        let before = [(2.0, FIRST), (5.0, SECOND)];
+        let found = notes(&before, &[(2.01, swapped(FIRST)), (5.0, swapped(SECOND))]);
+        let asked = ChangeNote::OtherShapes {
+            frequencies_hz: vec![2.0, 5.0],
+        };
+        assert_eq!(found, [asked]);
+        assert_eq!(notes(&before, &[(2.01, FIRST), (5.0, SECOND)]), []);
+        assert_eq!(notes(&before, &[(2.01, FIRST), (5.2, SECOND)]), []);
+    }
+
+    #[test]
+    fn holds_a_wrong_rate_is_asked_about() {
+        let before = [(2.0, FIRST), (5.0, SECOND)];
+        let found = notes(&before, &[(2.5, FIRST), (6.25, SECOND)]);
+        let wanted = ChangeNote::OneFactor {
+            factor: 1.25,
+            modes: 2,
+        };
+        assert_eq!(found, [wanted]);
+        assert_eq!(notes(&before, &[(2.5, FIRST), (7.0, SECOND)]), []);
+    }
+}

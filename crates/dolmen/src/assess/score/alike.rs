@@ -1,0 +1,149 @@
+//! Whether a pagoda is one of those that the score was trained on, in all but its six factors.
+
+use crate::structure::stack::{Joint, JointMaterial, PagodaFactors, Stack};
+use std::fmt;
+
+/// Part by which a material may differ from that of the designs and count as the same. Chosen here: granite is 2600 to 2700 kg/m³.
+const ALIKE: f64 = 0.05;
+
+/// One way in which a stack is unlike the pagodas that the score was trained on.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Unlike {
+    /// A quantity of a joint or a stone.
+    Quantity {
+        /// Which, with its unit.
+        quantity: &'static str,
+        /// Of the stack.
+        given: f64,
+        /// Of the designs.
+        trained: f64,
+    },
+    /// Joints have cohesion or tension.
+    Bonds,
+    /// It has dowels or clamps.
+    Ties,
+    /// It has side supports.
+    SideSupports,
+}
+
+impl fmt::Display for Unlike {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Unlike::Quantity {
+                quantity,
+                given,
+                trained,
+            } => write!(f, "{quantity} is {given}, trained {trained}"),
+            Unlike::Bonds => f.write_str("joints are bonded, trained dry"),
+            Unlike::Ties => f.write_str("it has dowels or clamps, trained without"),
+            Unlike::SideSupports => f.write_str("it has side supports, trained without"),
+        }
+    }
+}
+
+/// How a stack differs from the pagodas that the score was trained on in all but its six factors: friction, stiffness, damping and density by more
+/// than a twentieth, bonds, ties and side supports. Ask this before [`super::ScoreModel::score`], which sees the factors alone; empty if alike.
+pub fn unlike_trained(stack: &Stack) -> Vec<Unlike> {
+    let mut unlike: Vec<Unlike> = Vec::new();
+    let mut see = |quantity, given: f64, trained: f64| {
+        let found = Unlike::Quantity {
+            quantity,
+            given,
+            trained,
+        };
+        let is_alike = (given - trained).abs() <= ALIKE * trained;
+        if !is_alike && !unlike.contains(&found) {
+            unlike.push(found);
+        }
+    };
+    let usual = JointMaterial::default();
+    for joint in stack.joints() {
+        let own = &joint.material;
+        for (quantity, given, trained) in [
+            ("friction", own.friction_static, usual.friction_static),
+            ("kinetic friction", own.friction_kinetic, usual.friction_kinetic),
+            (
+                "normal stiffness in Pa/m",
+                own.normal_stiffness_pa_m,
+                usual.normal_stiffness_pa_m,
+            ),
+            (
+                "shear stiffness in Pa/m",
+                own.shear_stiffness_pa_m,
+                usual.shear_stiffness_pa_m,
+            ),
+            ("damping ratio of a joint", own.damping_ratio, usual.damping_ratio),
+        ] {
+            see(quantity, given, trained);
+        }
+    }
+    let density = PagodaFactors::default().density_kg_m3;
+    for block in stack.blocks() {
+        see("density in kg/m³", block.density_kg_m3, density);
+    }
+    let has_bonds = |joint: &Joint| joint.material.cohesion_pa > 0.0 || joint.material.tension_pa > 0.0;
+    for (is_so, found) in [
+        (stack.joints().iter().any(has_bonds), Unlike::Bonds),
+        (!stack.ties().is_empty(), Unlike::Ties),
+        (!stack.side_supports().is_empty(), Unlike::SideSupports),
+    ] {
+        if is_so {
+            unlike.push(found);
+        }
+    }
+    unlike
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::structure::stack::{Block, Placement, Solid};
+
+    fn stack(material: JointMaterial, density_kg_m3: f64) -> Stack {
+        let block = |name: &str, from_m| Block {
+            name: name.into(),
+            solid: Solid::cuboid(0.6, 0.6, 0.5).unwrap().placed(&Placement {
+                position_m: [0.0, 0.0, from_m],
+                ..Placement::default()
+            }),
+            density_kg_m3,
+        };
+        Stack::new(vec![block("a", 0.0), block("b", 0.5)], material, 9.81).unwrap()
+    }
+
+    #[test]
+    fn holds_each_difference_is_named_once_and_a_twentieth_is_none() {
+        let usual = JointMaterial::default();
+        let of = |material: JointMaterial, density| unlike_trained(&stack(material, density));
+        assert_eq!(of(usual, 2600.0), []);
+        assert_eq!(of(usual, 2700.0), []);
+        assert_eq!(of(usual, 2300.0).len(), 1); // two blocks, named once
+        let slippery = JointMaterial {
+            friction_static: 0.5,
+            friction_kinetic: 0.5,
+            ..usual
+        };
+        let words: Vec<String> = of(slippery, 2600.0).iter().map(Unlike::to_string).collect();
+        let wanted = [
+            "friction is 0.5, trained 0.6",
+            "kinetic friction is 0.5, trained 0.6",
+        ];
+        assert_eq!(words, wanted);
+        let bonded = JointMaterial {
+            cohesion_pa: 1e4,
+            normal_stiffness_pa_m: 2e9,
+            ..usual
+        };
+        assert_eq!(
+            of(bonded, 2600.0),
+            [
+                Unlike::Quantity {
+                    quantity: "normal stiffness in Pa/m",
+                    given: 2e9,
+                    trained: 1e9
+                },
+                Unlike::Bonds
+            ]
+        );
+    }
+}
