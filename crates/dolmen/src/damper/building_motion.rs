@@ -27,41 +27,10 @@ pub fn damped_building_history(
     motion: &GroundMotion,
     run: &BuildingRun,
 ) -> Result<BuildingHistory, DamperError> {
-    if !building.tuned_masses().is_empty() {
-        return Err(DamperError::Argument {
-            argument: "the number of tuned masses of the building itself",
-            given: building.tuned_masses().len() as f64,
-            allowed: "0: give every damper in the list",
-        });
-    }
     let modes = building.modes();
     let n = modes.modes.len();
-    // in the modes: M = I, e = Γ
     let omegas = modes.omegas_rad_s();
-    let squares: Vec<f64> = omegas.iter().map(|omega| omega * omega).collect();
-    let each = omegas.iter().zip(building.damping_ratios());
-    let damping: Vec<f64> = each.map(|(omega, zeta)| 2.0 * zeta * omega).collect();
-    let alone = LinearSystem::new(
-        Matrix::identity(n),
-        Matrix::from_diagonal(&damping),
-        Matrix::from_diagonal(&squares),
-    )?;
-    let in_modes: Vec<AttachedDamper> = dampers
-        .iter()
-        .enumerate()
-        .map(|(k, damper)| {
-            super::assembled::check_row(k + 1, &damper.row, n)?;
-            let along = |j: usize| -> f64 {
-                let shape = modes.shapes.column(j).iter();
-                shape.zip(&damper.row).map(|(phi, a)| phi * a).sum()
-            };
-            Ok(AttachedDamper {
-                kind: damper.kind,
-                row: (0..n).map(along).collect(),
-            })
-        })
-        .collect::<Result<_, DamperError>>()?;
-    let damped = DampedSystem::new(&alone, &in_modes)?;
+    let damped = in_modes(building, dampers)?;
     let system = &damped.system;
     let size = system.degrees_of_freedom();
     let mut rows: Vec<Vec<f64>> = (0..n)
@@ -94,6 +63,47 @@ pub fn damped_building_history(
     let (ground, over) = shaken(building, motion, run, slowest_hz)?;
     let stepping = ExponentialSteps::new(&driven, over.h);
     Ok(over.history(&stepping, HistoryMethod::MatrixExponential, &ground))
+}
+
+/// Building and dampers in the coordinates of the building's modes, M = I there, followed by the dampers' own.
+pub(super) fn in_modes(
+    building: &VibratingBuilding,
+    dampers: &[AttachedDamper],
+) -> Result<DampedSystem, DamperError> {
+    if !building.tuned_masses().is_empty() {
+        return Err(DamperError::Argument {
+            argument: "the number of tuned masses of the building itself",
+            given: building.tuned_masses().len() as f64,
+            allowed: "0: give every damper in the list",
+        });
+    }
+    let modes = building.modes();
+    let n = modes.modes.len();
+    let omegas = modes.omegas_rad_s();
+    let squares: Vec<f64> = omegas.iter().map(|omega| omega * omega).collect();
+    let each = omegas.iter().zip(building.damping_ratios());
+    let damping: Vec<f64> = each.map(|(omega, zeta)| 2.0 * zeta * omega).collect();
+    let alone = LinearSystem::new(
+        Matrix::identity(n),
+        Matrix::from_diagonal(&damping),
+        Matrix::from_diagonal(&squares),
+    )?;
+    let in_modes: Vec<AttachedDamper> = dampers
+        .iter()
+        .enumerate()
+        .map(|(k, damper)| {
+            super::assembled::check_row(k + 1, &damper.row, n)?;
+            let along = |j: usize| -> f64 {
+                let shape = modes.shapes.column(j).iter();
+                shape.zip(&damper.row).map(|(phi, a)| phi * a).sum()
+            };
+            Ok(AttachedDamper {
+                kind: damper.kind,
+                row: (0..n).map(along).collect(),
+            })
+        })
+        .collect::<Result<_, DamperError>>()?;
+    DampedSystem::new(&alone, &in_modes)
 }
 
 /// Own frequencies of a damper, Hz.

@@ -3,6 +3,7 @@
 use super::spot::{DAMPING_MOST, Spot, SpotSearch};
 use super::{ColumnAsMass, DamperError, Goal, PlacedDamper, Plan, TuningRule};
 use crate::numeric::{Minimax, minimax};
+use rayon::prelude::*;
 
 /// How the damper is tuned at each place.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,29 +153,31 @@ pub fn position_map(
         MapTuning::Best => looked.coarse(),
         _ => Vec::new(),
     };
-    let mut before = None;
-    for j in 0..rows {
-        for step in 0..columns {
-            // there and back, so that the place before is a neighbour
-            let i = if j % 2 == 0 { step } else { columns - 1 - step };
-            let place_m = [options.x_m[i], options.y_m[j]];
-            if site.nearest_m(place_m).1 > 0.0 {
-                continue;
+    // each row for itself, so that it is the same on any number of threads
+    cells
+        .par_chunks_mut(columns.max(1))
+        .enumerate()
+        .for_each(|(j, row)| {
+            let mut before = None;
+            for (i, cell) in row.iter_mut().enumerate() {
+                let place_m = [options.x_m[i], options.y_m[j]];
+                if site.nearest_m(place_m).1 > 0.0 {
+                    continue;
+                }
+                let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
+                if options.tuning != MapTuning::Best {
+                    *cell = looked.tuned(&spot, place_m, &mut None);
+                    continue;
+                }
+                let far =
+                    |(at, _): &&([f64; 2], Vec<PlacedDamper>)| (at[0] - place_m[0]).hypot(at[1] - place_m[1]);
+                let near = coarse
+                    .iter()
+                    .reduce(|best, next| if far(&next) < far(&best) { next } else { best });
+                let starts: Vec<PlacedDamper> = near.map_or(Vec::new(), |(_, valleys)| valleys.clone());
+                *cell = looked.followed(&spot, place_m, &starts, &mut before);
             }
-            let spot = Spot::new(plan, &PlacedDamper { place_m, ..*damper });
-            if options.tuning != MapTuning::Best {
-                cells[j * columns + i] = looked.tuned(&spot, place_m, &mut None);
-                continue;
-            }
-            let far =
-                |(at, _): &&([f64; 2], Vec<PlacedDamper>)| (at[0] - place_m[0]).hypot(at[1] - place_m[1]);
-            let near = coarse
-                .iter()
-                .reduce(|best, next| if far(&next) < far(&best) { next } else { best });
-            let starts: Vec<PlacedDamper> = near.map_or(Vec::new(), |(_, valleys)| valleys.clone());
-            cells[j * columns + i] = looked.followed(&spot, place_m, &starts, &mut before);
-        }
-    }
+        });
     if options.tuning == MapTuning::Best {
         looked.spread(&mut cells);
     }
@@ -250,20 +253,21 @@ impl Looked<'_> {
             let step = all.len().div_ceil(COARSE).max(1);
             all.iter().skip(step / 2).step_by(step).copied().collect()
         };
-        let mut places = Vec::new();
-        for &y in &few(&self.options.y_m) {
-            for &x in &few(&self.options.x_m) {
-                let place_m = [x, y];
-                let there = PlacedDamper {
-                    place_m,
-                    ..self.given
-                };
-                let spot = Spot::new(self.plan, &there);
-                let valleys = self.valleys(&spot, place_m);
-                places.push((place_m, valleys.iter().map(|cell| cell.damper).collect()));
-            }
-        }
-        places
+        let (x_m, y_m) = (few(&self.options.x_m), few(&self.options.y_m));
+        let places: Vec<[f64; 2]> = y_m
+            .iter()
+            .flat_map(|&y| x_m.iter().map(move |&x| [x, y]))
+            .collect();
+        let each = places.into_par_iter().map(|place_m| {
+            let there = PlacedDamper {
+                place_m,
+                ..self.given
+            };
+            let spot = Spot::new(self.plan, &there);
+            let valleys = self.valleys(&spot, place_m);
+            (place_m, valleys.iter().map(|cell| cell.damper).collect())
+        });
+        each.collect()
     }
 
     /// The damper tuned to a place, the best of all valleys of a grid.

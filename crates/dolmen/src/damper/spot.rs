@@ -11,6 +11,7 @@
 use super::{PlacedDamper, Plan};
 use crate::numeric::{Piece, Worst};
 use dolmen_linalg::Complex64;
+use pulp::Arch;
 use std::f64::consts::TAU;
 
 /// Frequencies worked on at once.
@@ -83,49 +84,11 @@ impl Spot {
     pub(super) fn judge(&self, frequency_hz: f64, damping_ratio: f64) -> Vec<SpotValue> {
         let own = TAU * frequency_hz;
         let (spring, dashpot) = (own * own, 2.0 * damping_ratio * own);
-        let m = self.mass_kg;
-        let swings = self.length_ratio * self.length_ratio;
-        let rides = 1.0 - swings;
-        let count = self.points * self.loads;
-        let mut sums = vec![[[0.0; LANES]; 3]; count];
-        for i in 0..self.omega.len() {
-            let (mut force, mut change) = ([[0.0; LANES]; 2], [[0.0; LANES]; 2]);
-            let mut damped = [0.0; LANES];
-            for k in 0..LANES {
-                let w = self.omega[i][k];
-                let w2 = w * w;
-                let link = dashpot * w;
-                damped[k] = link;
-                let (g_re, g_im) = (self.own[0][i][k] * w2 * m, self.own[1][i][k] * w2 * m);
-                let above = spring - rides * w2;
-                let below_re = spring - w2 - (above * g_re - link * g_im);
-                let below_im = link - (above * g_im + link * g_re);
-                let inverse = 1.0 / (below_re * below_re + below_im * below_im);
-                let (r_re, r_im) = (below_re * inverse, -below_im * inverse);
-                force[0][k] = m * (above * r_re - link * r_im);
-                force[1][k] = m * (above * r_im + link * r_re);
-                let scale = -m * swings * w2;
-                change[0][k] = scale * (r_re * r_re - r_im * r_im);
-                change[1][k] = scale * (2.0 * r_re * r_im);
-            }
-            for (which, sums) in sums.iter_mut().enumerate() {
-                let density = &self.densities[which % self.loads][i];
-                let (q, free) = (&self.through[which], &self.free[which]);
-                for k in 0..LANES {
-                    let (q_re, q_im) = (q[0][i][k], q[1][i][k]);
-                    let h_re = free[0][i][k] + q_re * force[0][k] - q_im * force[1][k];
-                    let h_im = free[1][i][k] + q_re * force[1][k] + q_im * force[0][k];
-                    // conj(H) q dT/dN
-                    let x_re = h_re * q_re + h_im * q_im;
-                    let x_im = h_re * q_im - h_im * q_re;
-                    let y_re = x_re * change[0][k] - x_im * change[1][k];
-                    let y_im = x_re * change[1][k] + x_im * change[0][k];
-                    sums[0][k] += density[k] * (h_re * h_re + h_im * h_im);
-                    sums[1][k] += density[k] * y_re;
-                    sums[2][k] += density[k] * y_im * damped[k];
-                }
-            }
-        }
+        // in the widest vectors of the machine; the same operations, and so the same bits, on any
+        let sums = Arch::new().dispatch(
+            #[inline(always)]
+            || self.sums(spring, dashpot),
+        );
         (0..self.points)
             .map(|p| {
                 let [mut variance, mut along, mut across] = [0.0; 3];
@@ -143,6 +106,82 @@ impl Spot {
             })
             .collect()
     }
+
+    /// What the damper does at each frequency.
+    #[inline(always)]
+    fn worked(&self, spring: f64, dashpot: f64) -> Vec<Worked> {
+        let m = self.mass_kg;
+        let swings = self.length_ratio * self.length_ratio;
+        let rides = 1.0 - swings;
+        let nodes = self.omega.iter().zip(&self.own[0]).zip(&self.own[1]);
+        let each = nodes.map(
+            #[inline(always)]
+            |((omega, own_re), own_im)| {
+                let mut worked = Worked::default();
+                for k in 0..LANES {
+                    let w = omega[k];
+                    let w2 = w * w;
+                    let link = dashpot * w;
+                    worked.damped[k] = link;
+                    let (g_re, g_im) = (own_re[k] * w2 * m, own_im[k] * w2 * m);
+                    let above = spring - rides * w2;
+                    let below_re = spring - w2 - (above * g_re - link * g_im);
+                    let below_im = link - (above * g_im + link * g_re);
+                    let inverse = 1.0 / (below_re * below_re + below_im * below_im);
+                    let (r_re, r_im) = (below_re * inverse, -below_im * inverse);
+                    worked.force[0][k] = m * (above * r_re - link * r_im);
+                    worked.force[1][k] = m * (above * r_im + link * r_re);
+                    let scale = -m * swings * w2;
+                    worked.change[0][k] = scale * (r_re * r_re - r_im * r_im);
+                    worked.change[1][k] = scale * (2.0 * r_re * r_im);
+                }
+                worked
+            },
+        );
+        each.collect()
+    }
+
+    /// Of each point and load the variance, and what makes its derivatives, in lanes.
+    #[inline(always)]
+    fn sums(&self, spring: f64, dashpot: f64) -> Vec<[Lane; 3]> {
+        let worked = self.worked(spring, dashpot);
+        let count = self.points * self.loads;
+        let mut all = Vec::with_capacity(count);
+        for which in 0..count {
+            let ([q_re, q_im], [free_re, free_im]) = (&self.through[which], &self.free[which]);
+            let q = q_re.iter().zip(q_im);
+            let free = free_re.iter().zip(free_im);
+            let density = &self.densities[which % self.loads];
+            let mut sums = [[0.0; LANES]; 3];
+            for (((of, (q_re, q_im)), (free_re, free_im)), density) in
+                worked.iter().zip(q).zip(free).zip(density)
+            {
+                for k in 0..LANES {
+                    let (q_re, q_im) = (q_re[k], q_im[k]);
+                    let h_re = free_re[k] + q_re * of.force[0][k] - q_im * of.force[1][k];
+                    let h_im = free_im[k] + q_re * of.force[1][k] + q_im * of.force[0][k];
+                    // conj(H) q dT/dN
+                    let x_re = h_re * q_re + h_im * q_im;
+                    let x_im = h_re * q_im - h_im * q_re;
+                    let y_re = x_re * of.change[0][k] - x_im * of.change[1][k];
+                    let y_im = x_re * of.change[1][k] + x_im * of.change[0][k];
+                    sums[0][k] += density[k] * (h_re * h_re + h_im * h_im);
+                    sums[1][k] += density[k] * y_re;
+                    sums[2][k] += density[k] * y_im * of.damped[k];
+                }
+            }
+            all.push(sums);
+        }
+        all
+    }
+}
+
+/// Force of the damper, its change with N, and the damping in its link, at some frequencies.
+#[derive(Clone, Copy, Default)]
+struct Worked {
+    force: [Lane; 2],
+    change: [Lane; 2],
+    damped: Lane,
 }
 
 /// The tuning of a damper at a spot: ln f and ln ζ; the functions are ln of each point's standard deviation.

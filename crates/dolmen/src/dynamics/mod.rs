@@ -30,7 +30,7 @@ mod rocking_run;
 
 pub(crate) use building::{BaseDriven, ExponentialSteps, shaken};
 pub use building::{
-    BuildingHistory, BuildingPeaks, BuildingRun, DirectionalCombination, FloorPeak, HistoryMethod,
+    BuildingHistory, BuildingPeaks, BuildingRun, DirectionalCombination, FloorPeak, Histories, HistoryMethod,
     LeastFavourable, ModalCombination, Peak, SpectralAnalysis, SpectralMode, StoreyPeak, TunedMass,
     VibratingBuilding, WatchedHistory, building_history, correlation_coefficient, spectral_analysis,
 };

@@ -333,7 +333,11 @@ impl GroundMotion {
                 allowed: "a finite number",
             });
         }
+        /// Sines below this are round-off of quarter turns, which then leave nothing of what they turn away.
+        const ROUND_OFF: f64 = 4e-16;
+        let exact = |x: f64| if x.abs() < ROUND_OFF { 0.0 } else { x };
         let (sin, cos) = angle_rad.sin_cos();
+        let (sin, cos) = (exact(sin), exact(cos));
         let [x, y, _] = &mut self.series;
         for (x, y) in x.iter_mut().zip(y) {
             (*x, *y) = (*x * cos - *y * sin, *x * sin + *y * cos);

@@ -1,17 +1,25 @@
 //! Buildings and dampers in time: closed forms, and one method beside another.
 
 use super::{Case, ValidationError, twisting_floor};
-use crate::damper::{AttachedDamper, DamperKind, damped_building_history};
-use crate::dynamics::{BuildingHistory, BuildingRun, TunedMass, VibratingBuilding, building_history};
+use crate::damper::{
+    AttachedDamper, DampedSystem, DamperKind, damped_building_history, damped_spectral_analysis,
+};
+use crate::dynamics::{
+    BuildingHistory, BuildingRun, DirectionalCombination, LinearSystem, RandomInput, RandomLoad, ResponseRow,
+    Spectrum, TunedMass, VibratingBuilding, building_history, rms_by_lyapunov,
+};
 use crate::signal::{Component, GroundMotion};
 use crate::structure::Building;
 use crate::structure::building::{
     BuildingDamping, Floor, Outline, PDelta, PlanDirection, Storey, StoreyStiffness,
 };
+use std::f64::consts::{PI, TAU};
 
 const BETWEEN: &str = "A step of the ground under one mode, ω = 10 rad/s, ζ = .1, in steps of .05 s: the overshoot 1 + e^(−πζ/√(1−ζ²)) lies between them.";
 const FREE: &str = "0.31 s of 3 m/s² under a floor of 3.27 s: the peak comes after the motion. By the matrix exponential of another program at steps of \
                     .01 s; between the steps up to π²/(2·327²) more.";
+const SPECTRUM: &str = "A floor with a mass and a liquid column in the spectrum of white noise, complex modes put together by CQC: its standard deviation over that of \
+                        Lyapunov's equation.";
 const COLUMN: &str = "A liquid column of α = 1 by the matrix exponential of everything, beside the same tuned mass mode by mode: largest motion of the floor.";
 
 pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
@@ -77,7 +85,71 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
         [1.0, column / mass, 1e-9],
         COLUMN,
     );
+    for (what, [by_lyapunov, by_modes]) in ["point of the floor", "stroke of the mass", "rise of the liquid"]
+        .into_iter()
+        .zip(white_noise()?)
+    {
+        case(
+            "Two methods: dampers in a spectrum",
+            what,
+            "",
+            [1.0, by_modes / by_lyapunov, 1e-8],
+            SPECTRUM,
+        );
+    }
     Ok(cases)
+}
+
+/// Standard deviations under white noise along y, each by Lyapunov's equation and by complex modes put together.
+fn white_noise() -> Result<[[f64; 2]; 3], ValidationError> {
+    let damping = BuildingDamping::Modal(vec![0.02]);
+    let alone = VibratingBuilding::new(twisting_floor(1e5)?, &damping, Vec::new())?;
+    let building = alone.building();
+    let at = |x: f64| building.point_row(1, x, 1.0, PlanDirection::Y);
+    let dampers = [
+        AttachedDamper {
+            kind: DamperKind::TunedMass {
+                mass_kg: 5e3,
+                frequency_hz: 0.28,
+                damping_ratio: 0.13,
+            },
+            row: at(4.0)?,
+        },
+        AttachedDamper {
+            kind: DamperKind::LiquidColumn {
+                liquid_mass_kg: 2e3,
+                length_ratio: 0.6,
+                frequency_hz: 0.55,
+                damping_ratio: 0.08,
+            },
+            row: at(-4.0)?,
+        },
+    ];
+    // an oscillator under white noise of density 1: σ² = π/(2 ζ ω³)
+    let read = |period_s: f64, zeta: f64| -> Result<[f64; 2], ValidationError> {
+        let omega = TAU / period_s;
+        Ok([0.0, omega * omega * (PI / (2.0 * zeta * omega.powi(3))).sqrt()])
+    };
+    let analysis = damped_spectral_analysis(&alone, &dampers, read)?;
+    let structure = LinearSystem::new(
+        building.mass_matrix(),
+        building.damping_matrix(&damping)?,
+        building.stiffness_matrix(),
+    )?;
+    let damped = DampedSystem::new(&structure, &dampers)?;
+    let load = damped.load(&RandomLoad {
+        input: RandomInput::Base(building.ground_column(PlanDirection::Y)),
+        spectrum: Spectrum::White { density: 1.0 },
+    });
+    let point = at(5.0)?;
+    let along = DirectionalCombination::YAlone;
+    let stroke = |damper| analysis.largest_stroke_m(damper, along).unwrap_or(f64::NAN);
+    let found = [analysis.largest(&point, along), stroke(0), stroke(1)];
+    let strokes = [0, 1].map(|damper| damped.stroke_row(damper).unwrap_or_default());
+    let [first, second] = strokes;
+    let rows = [damped.row(&point), first, second].map(ResponseRow::displacement);
+    let expected = rms_by_lyapunov(&damped.system, &[load], &rows)?;
+    Ok([0, 1, 2].map(|i| [expected[i], found[i]]))
 }
 
 fn one_floor(stiffness: StoreyStiffness, mass_kg: f64, height_m: f64) -> Result<Building, ValidationError> {

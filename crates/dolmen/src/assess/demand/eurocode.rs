@@ -58,6 +58,7 @@ pub enum EurocodeGround {
 ///
 /// ```text
 /// A_0 = S a_g    A_p = 2.5 S a_g    η = √(10/(5 + ξ)) ≥ 0.55, ξ in percent    beyond T_D: η A_p T_C T_D/T²
+/// a_v = 0.9 a_g (type 1), 0.45 a_g (type 2): without S, so that over A_0 it is 0.9/S, 0.45/S
 /// ```
 ///
 /// # Errors
@@ -65,7 +66,7 @@ pub enum EurocodeGround {
 ///
 /// # Limits
 /// Recommended parameters; a national annex may change them. T is used beyond 4 s, where the code refers to its annex A. η and
-/// the vertical ratio (0.9 for type 1, 0.45 for type 2) have not been held against the text of the code.
+/// the vertical acceleration (table 3.4 as it is commonly cited) have not been held against the text of the code.
 ///
 /// # Source
 /// EN 1998-1:2004, 3.2.2.2, tables 3.2 and 3.3.
@@ -96,13 +97,13 @@ pub fn eurocode_8(
             spectrum as usize + 1
         ),
         vertical: Some(VerticalRatio {
-            ratio: VERTICAL[spectrum as usize],
+            ratio: VERTICAL[spectrum as usize] / soil,
             verified: false,
         }),
         unverified: vec![
             Unverified::Edition { year: YEAR },
             Unverified::VerticalRatio {
-                ratio: VERTICAL[spectrum as usize],
+                ratio: VERTICAL[spectrum as usize] / soil,
             },
             Unverified::DampingFactor,
         ],
@@ -204,7 +205,7 @@ mod tests {
                 }
                 assert!(at(0.9995 * tb) < 1.0 - 1e-4);
                 let vertical = if kind == EurocodeType::One { 0.9 } else { 0.45 };
-                assert_eq!(spectrum.vertical.unwrap().ratio, vertical);
+                assert_eq!(spectrum.vertical.unwrap().ratio, vertical / s);
             }
         }
     }

@@ -251,6 +251,7 @@ impl Stepping for Steps<'_> {
         })
     }
 
+    #[inline(always)]
     fn advance(&self, from: &[f64], to: &mut [f64], ground: Ground) {
         let n = self.count;
         let (re, im) = from.split_at(n);

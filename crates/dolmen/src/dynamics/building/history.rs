@@ -8,8 +8,9 @@
 
 use super::complex_modes::{Steps, complex_modes};
 use super::exponential::ExponentialSteps;
-use super::peaks::Watcher;
-use super::stepping::{Stepping, Walked, walk};
+use super::looking::Looker;
+use super::peaks::{Kept, Watcher};
+use super::stepping::{Stepping, walk};
 use super::vibrating::VibratingBuilding;
 use crate::dynamics::DynamicsError;
 use crate::signal::{Component, GroundMotion};
@@ -36,6 +37,18 @@ pub struct BuildingRun {
     /// Points whose motion and absolute acceleration are wanted, each a row of
     /// [`Building::point_row`](crate::structure::Building::point_row).
     pub watched: Vec<Vec<f64>>,
+    /// What is kept of it.
+    pub histories: Histories,
+}
+
+/// What a run keeps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Histories {
+    /// Every value at every step.
+    #[default]
+    Kept,
+    /// Largest values alone: histories are empty, and a run of twenty storeys needs 4 MB less.
+    PeaksAlone,
 }
 
 /// How a run was computed.
@@ -91,6 +104,8 @@ pub struct BuildingPeaks {
     pub storeys: Vec<StoreyPeak>,
     /// Travel of each mass relative to its place, m.
     pub strokes_m: Vec<Peak>,
+    /// The rate of each stroke, m/s: a linear dashpot gives its coefficient times this.
+    pub stroke_rates_m_s: Vec<Peak>,
     /// What the walls of the lowest storey carry along x and y, N.
     pub base_shear_n: [Peak; 2],
     /// Their torque about the vertical through the centre of all mass, N·m.
@@ -100,7 +115,7 @@ pub struct BuildingPeaks {
 /// A point in time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct WatchedHistory {
-    /// Displacement relative to the ground at each step, m.
+    /// Displacement relative to the ground at each step, m; empty where peaks alone were asked for, as the next.
     pub displacement_m: Vec<f64>,
     /// Acceleration with that of the ground at each step, m/s²: what stands there feels.
     pub acceleration_m_s2: Vec<f64>,
@@ -115,9 +130,12 @@ pub struct WatchedHistory {
 pub struct BuildingHistory {
     /// Time between steps, s.
     pub time_step_s: f64,
-    /// u, v, θ of each floor, lowest first, then the stroke of each mass: a column for each step, the first at rest.
+    /// Steps of the run.
+    pub steps: usize,
+    /// u, v, θ of each floor, lowest first, then the stroke of each mass: a column for each step, the first at rest; no column where
+    /// peaks alone were asked for.
     pub coordinates: Matrix,
-    /// Elastic base shear along x, y, N, and base torque, N·m: a column for each step.
+    /// Elastic base shear along x, y, N, and base torque, N·m: a column for each step, or none.
     pub base: Matrix,
     /// How it was computed.
     pub method: HistoryMethod,
@@ -140,7 +158,7 @@ impl BuildingHistory {
 
     /// Steps, the first at rest included.
     pub fn length(&self) -> usize {
-        self.coordinates.columns()
+        self.steps + 1
     }
 
     /// The time of a step, s.
@@ -160,7 +178,7 @@ impl BuildingHistory {
             let column = self.coordinates.column(step);
             used.iter().map(|&(i, factor)| factor * column[i]).sum()
         };
-        (0..self.length()).map(at).collect()
+        (0..self.coordinates.columns()).map(at).collect()
     }
 }
 
@@ -294,6 +312,7 @@ pub(crate) fn shaken<'a>(
         steps,
         h,
         watched: &run.watched,
+        histories: run.histories,
     };
     Ok((ground, over))
 }
@@ -305,6 +324,7 @@ pub(crate) struct Over<'a> {
     /// Time of a step, s.
     pub(crate) h: f64,
     watched: &'a [Vec<f64>],
+    histories: Histories,
 }
 
 impl Over<'_> {
@@ -315,31 +335,36 @@ impl Over<'_> {
         method: HistoryMethod,
         ground: &dyn Fn(usize) -> Ground,
     ) -> BuildingHistory {
-        let own = stepping.outputs().rows();
+        let (own, points) = (stepping.outputs().rows(), self.watched.len());
         let watcher = Watcher::new(self.building, stepping, self.watched);
-        let Walked {
-            values,
-            others: accelerations,
-            states,
-        } = walk(stepping, (&watcher.outputs, own), self.steps, ground);
-        let base = watcher.base(&values);
+        let mut looker = Looker::new(watcher.reaches(), watcher.others());
+        let mut kept = match self.histories {
+            Histories::Kept => Some(Kept::new(own, points, self.steps)),
+            Histories::PeaksAlone => None,
+        };
+        let mut see = |block: &Matrix, first: usize, now: usize| {
+            watcher.see(block, (first, now), &mut looker, kept.as_mut());
+        };
+        let states = walk(stepping, &watcher.outputs, self.steps, ground, &mut see);
+        let largest = looker.largest();
+        let found = watcher.peaks(&largest, (self.steps + 1, self.h), &states, stepping, ground);
+        let Kept {
+            coordinates,
+            base,
+            moved,
+            felt,
+        } = kept.unwrap_or_else(|| Kept::none(own, points));
         let mut history = BuildingHistory {
             time_step_s: self.h,
-            coordinates: values,
+            steps: self.steps,
+            coordinates,
             base,
             method,
             peaks: BuildingPeaks::default(),
             watched: Vec::new(),
         };
-        let moved: Vec<Vec<f64>> = self.watched.iter().map(|row| history.along(row)).collect();
-        let all = (
-            &history.coordinates,
-            &history.base,
-            [&moved[..], &accelerations[..]],
-        );
-        let found = watcher.peaks(all, self.h, &states, stepping, ground);
         history.peaks = found.building;
-        let each = moved.into_iter().zip(accelerations).zip(found.watched);
+        let each = moved.into_iter().zip(felt).zip(found.watched);
         history.watched = each
             .map(
                 |((displacement_m, acceleration_m_s2), [displacement_peak_m, acceleration_peak_m_s2])| {

@@ -3,6 +3,7 @@
 mod complex_modes;
 mod exponential;
 mod history;
+mod looking;
 mod peaks;
 mod secular;
 mod spectrum_analysis;
@@ -12,8 +13,8 @@ mod vibrating;
 pub(crate) use exponential::{BaseDriven, ExponentialSteps};
 pub(crate) use history::shaken;
 pub use history::{
-    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, HistoryMethod, Peak, StoreyPeak, WatchedHistory,
-    building_history,
+    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, Histories, HistoryMethod, Peak, StoreyPeak,
+    WatchedHistory, building_history,
 };
 pub use spectrum_analysis::{
     DirectionalCombination, LeastFavourable, ModalCombination, SpectralAnalysis, SpectralMode,

@@ -6,7 +6,8 @@
 //! | p, v, w | | value, rate and second rate at a step: r s, r A s + r B a, r A² s + r A B a + r B a′ |
 
 use super::history::{BuildingPeaks, FloorPeak, Ground, Peak, StoreyPeak};
-use super::stepping::{BLOCK, Stepping, states_at};
+use super::looking::{LOOKED_AT, Looker, Reach, look, reaches};
+use super::stepping::{Stepping, states_at};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 
@@ -17,9 +18,47 @@ pub(super) struct Watcher {
     base_rows: [Vec<f64>; 3],
     /// Rows of the points over the coordinates.
     watched: Vec<Vec<f64>>,
-    /// O, then the absolute accelerations of the points.
+    /// O, then the absolute accelerations of the points, then the rates of the strokes, turned: states × rows.
     pub(super) outputs: Matrix,
     own: usize,
+}
+
+/// Histories that are kept, from rest on.
+pub(super) struct Kept {
+    /// u, v, θ of each floor, then strokes: a column for each step.
+    pub(super) coordinates: Matrix,
+    /// Base shear and torque: a column for each step.
+    pub(super) base: Matrix,
+    /// Displacement of each point.
+    pub(super) moved: Vec<Vec<f64>>,
+    /// Absolute acceleration of each point.
+    pub(super) felt: Vec<Vec<f64>>,
+}
+
+impl Kept {
+    pub(super) fn new(coordinates: usize, points: usize, steps: usize) -> Self {
+        let at_rest = || {
+            let mut values = Vec::with_capacity(steps + 1);
+            values.push(0.0);
+            values
+        };
+        Kept {
+            coordinates: Matrix::zeros(coordinates, steps + 1),
+            base: Matrix::zeros(3, steps + 1),
+            moved: (0..points).map(|_| at_rest()).collect(),
+            felt: (0..points).map(|_| at_rest()).collect(),
+        }
+    }
+
+    /// Nothing.
+    pub(super) fn none(coordinates: usize, points: usize) -> Self {
+        Kept {
+            coordinates: Matrix::zeros(coordinates, 0),
+            base: Matrix::zeros(3, 0),
+            moved: vec![Vec::new(); points],
+            felt: vec![Vec::new(); points],
+        }
+    }
 }
 
 /// Largest values of the building, and of each point: displacement and absolute acceleration.
@@ -31,8 +70,8 @@ pub(super) struct Found {
 impl Watcher {
     pub(super) fn new(building: &VibratingBuilding, stepping: &impl Stepping, watched: &[Vec<f64>]) -> Self {
         let own = stepping.outputs();
-        let states = own.columns();
-        let accelerations: Vec<Vec<f64>> = watched
+        let (states, coordinates) = (own.columns(), building.building().coordinates());
+        let mut others: Vec<Vec<f64>> = watched
             .iter()
             .map(|row| {
                 // the ground itself is what r A B a brings, with its sign turned
@@ -42,15 +81,17 @@ impl Watcher {
                 stepping.rate_row(&stepping.rate_row(&displacement))
             })
             .collect();
-        let outputs = match accelerations.is_empty() {
-            true => own.clone(),
-            false => Matrix::from_fn(own.rows() + accelerations.len(), states, |i, k| {
-                match i.checked_sub(own.rows()) {
-                    None => own[(i, k)],
-                    Some(point) => accelerations[point][k],
-                }
-            }),
-        };
+        others.extend((coordinates..own.rows()).map(|i| {
+            // a displacement: the ground adds nothing to its rate at once
+            let stroke: Vec<f64> = (0..states).map(|k| own[(i, k)]).collect();
+            stepping.rate_row(&stroke)
+        }));
+        let outputs = Matrix::from_fn(states, own.rows() + others.len(), |k, i| {
+            match i.checked_sub(own.rows()) {
+                None => own[(i, k)],
+                Some(other) => others[other][k],
+            }
+        });
         Watcher {
             floors: building.building().floors().len(),
             reaches: reaches(building),
@@ -61,60 +102,93 @@ impl Watcher {
         }
     }
 
-    /// ιᵀ K q at each step: only the lowest storey's walls hold to the ground.
-    pub(super) fn base(&self, coordinates: &Matrix) -> Matrix {
-        let mut base = Matrix::zeros(3, coordinates.columns());
-        let columns = coordinates.as_slice().chunks_exact(coordinates.rows());
-        for (step, column) in columns.enumerate() {
-            self.base_of(column, base.column_mut(step));
-        }
-        base
-    }
-
+    /// ιᵀ K q of one column of coordinates: only the lowest storey's walls hold to the ground.
     fn base_of(&self, column: &[f64], base: &mut [f64]) {
         for (sum, row) in base.iter_mut().zip(&self.base_rows) {
             *sum = row[0] * column[0] + row[1] * column[1] + row[2] * column[2];
         }
     }
 
-    /// Where each value is largest at a step, and the top beside it.
+    /// Strokes in the outputs.
+    fn masses(&self) -> usize {
+        self.own - 3 * self.floors
+    }
+
+    /// How many values are looked at besides those of the storeys.
+    pub(super) fn others(&self) -> usize {
+        2 * self.masses() + 3 + 2 * self.watched.len()
+    }
+
+    pub(super) fn reaches(&self) -> &[Reach] {
+        &self.reaches
+    }
+
+    /// A block of `now` steps from `first` on, a column a row of the outputs: largest values, and histories where they are kept.
+    pub(super) fn see(
+        &self,
+        block: &Matrix,
+        (first, now): (usize, usize),
+        looker: &mut Looker<'_>,
+        kept: Option<&mut Kept>,
+    ) {
+        let (masses, points) = (self.masses(), self.watched.len());
+        looker.storeys(block, (first, now));
+        for k in 0..masses {
+            looker.other(k, &block.column(3 * self.floors + k)[..now], first);
+        }
+        let sum = |row: &[f64]| -> Vec<f64> {
+            let mut sum = vec![0.0; now];
+            for (i, factor) in row.iter().enumerate().filter(|(_, factor)| **factor != 0.0) {
+                for (sum, x) in sum.iter_mut().zip(block.column(i)) {
+                    *sum += factor * x;
+                }
+            }
+            sum
+        };
+        let base = self.base_rows.each_ref().map(|row| sum(&row[..3]));
+        for (axis, values) in base.iter().enumerate() {
+            looker.other(masses + axis, values, first);
+        }
+        let moved: Vec<Vec<f64>> = self.watched.iter().map(|row| sum(row)).collect();
+        for (i, values) in moved.iter().enumerate() {
+            looker.other(masses + 3 + i, values, first);
+        }
+        for k in 0..points + masses {
+            let felt = &block.column(self.own + k)[..now];
+            looker.other(masses + 3 + points + k, felt, first);
+        }
+        let Some(kept) = kept else { return };
+        for i in 0..now {
+            let column = kept.coordinates.column_mut(first + i);
+            for (k, to) in column.iter_mut().enumerate() {
+                *to = block[(i, k)];
+            }
+            for (to, values) in kept.base.column_mut(first + i).iter_mut().zip(&base) {
+                *to = values[i];
+            }
+        }
+        for (i, values) in moved.into_iter().enumerate() {
+            kept.moved[i].extend(values);
+            kept.felt[i].extend(&block.column(self.own + i)[..now]);
+        }
+    }
+
+    /// The top beside each of the largest values at steps.
     pub(super) fn peaks(
         &self,
-        (coordinates, base, watched): (&Matrix, &Matrix, [&[Vec<f64>]; 2]),
-        h: f64,
+        all: &[(f64, usize)],
+        (steps, h): (usize, f64),
         states: &[Vec<f64>],
         stepping: &impl Stepping,
         ground: &dyn Fn(usize) -> Ground,
     ) -> Found {
-        let (n, steps) = (self.floors, coordinates.columns());
-        let mut all = largest(LOOKED_AT * n, steps, |step, values| {
-            look(&coordinates.column(step)[..3 * n], &self.reaches, values);
-        });
-        let masses = self.own - 3 * n;
-        all.extend(largest(masses, steps, |step, values| {
-            values.copy_from_slice(&coordinates.column(step)[3 * n..]);
-        }));
-        all.extend(largest(3, steps, |step, values| {
-            values.copy_from_slice(base.column(step))
-        }));
-        let points = self.watched.len();
-        for histories in watched {
-            all.extend(histories.iter().map(|history| {
-                let each = history.iter().copied().enumerate();
-                each.fold((0.0_f64, 0), |most, (step, value)| {
-                    if value.abs() > most.0.abs() {
-                        (value, step)
-                    } else {
-                        most
-                    }
-                })
-            }));
-        }
-        let peaks = self.between(&all, (steps, h), states, stepping, ground);
+        let (n, masses, points) = (self.floors, self.masses(), self.watched.len());
+        let peaks = self.between(all, (steps, h), states, stepping, ground);
         let (storeys, rest) = peaks.split_at(LOOKED_AT * n);
         let (strokes, rest) = rest.split_at(masses);
         let (base, rest) = rest.split_at(3);
-        let (moved, felt) = rest.split_at(points);
+        let (moved, rest) = rest.split_at(points);
+        let (felt, rates) = rest.split_at(points);
         let larger = |a: Peak, b: Peak| if b.value.abs() > a.value.abs() { b } else { a };
         let storeys = storeys.chunks_exact(LOOKED_AT);
         Found {
@@ -139,6 +213,7 @@ impl Watcher {
                     })
                     .collect(),
                 strokes_m: strokes.to_vec(),
+                stroke_rates_m_s: rates.to_vec(),
                 base_shear_n: [base[0], base[1]],
                 base_torque_n_m: base[2],
             },
@@ -148,11 +223,13 @@ impl Watcher {
     /// All values that are looked at, as rows of the state, in their order.
     fn rows(&self) -> Matrix {
         let (n, points) = (self.floors, self.watched.len());
-        let masses = self.own - 3 * n;
-        let count = LOOKED_AT * n + masses + 3 + 2 * points;
-        let mut rows = Matrix::zeros(count, self.outputs.columns());
-        for k in 0..self.outputs.columns() {
-            let column = self.outputs.column(k).to_vec();
+        let masses = self.masses();
+        let count = LOOKED_AT * n + self.others();
+        let mut rows = Matrix::zeros(count, self.outputs.rows());
+        for k in 0..self.outputs.rows() {
+            let column: Vec<f64> = (0..self.outputs.columns())
+                .map(|i| self.outputs[(k, i)])
+                .collect();
             let into = rows.column_mut(k);
             look(&column[..3 * n], &self.reaches, &mut into[..LOOKED_AT * n]);
             let rest = &mut into[LOOKED_AT * n..];
@@ -162,6 +239,7 @@ impl Watcher {
                 rest[masses + 3 + i] = row.iter().zip(&column).map(|(r, x)| r * x).sum();
                 rest[masses + 3 + points + i] = column[self.own + i];
             }
+            rest[masses + 3 + 2 * points..].copy_from_slice(&column[self.own + points..]);
         }
         rows
     }
@@ -287,106 +365,6 @@ fn top([a, b]: [[f64; 3]; 2]) -> Option<(f64, f64)> {
 
 /// Halvings of a step in which its top is sought: the value is flat there, so that 1e-8 of a step is round-off of it.
 const HALVINGS: usize = 26;
-
-/// Least and most y and x of a floor from its centre of mass.
-struct Reach {
-    is_known: bool,
-    x: [f64; 2],
-    y: [f64; 2],
-    /// The centre of mass from that of the floor below.
-    from_below: [f64; 2],
-}
-
-fn reaches(building: &VibratingBuilding) -> Vec<Reach> {
-    let floors = building.building().floors();
-    let each = floors.iter().enumerate().map(|(i, floor)| {
-        let corners = floor
-            .outline
-            .as_ref()
-            .map_or(&[][..], |outline| outline.corners_m());
-        let extent = |axis: usize| {
-            corners
-                .iter()
-                .map(|corner| corner[axis] - floor.centre_m[axis])
-                .fold([0.0_f64; 2], |[least, most], from| {
-                    [least.min(from), most.max(from)]
-                })
-        };
-        let below = if i > 0 {
-            floors[i - 1].centre_m
-        } else {
-            floor.centre_m
-        };
-        Reach {
-            is_known: floor.outline.is_some(),
-            x: extent(0),
-            y: extent(1),
-            from_below: [floor.centre_m[0] - below[0], floor.centre_m[1] - below[1]],
-        }
-    });
-    each.collect()
-}
-
-/// Values that are looked at in each storey, in this order.
-const LOOKED_AT: usize = 10;
-
-/// Displacements, drifts of the centre, of the edges, and twists, storey after storey.
-fn look(column: &[f64], reaches: &[Reach], values: &mut [f64]) {
-    let mut below = [0.0; 3];
-    let storeys = column
-        .chunks_exact(3)
-        .zip(reaches)
-        .zip(values.chunks_exact_mut(LOOKED_AT));
-    for ((own, reach), values) in storeys {
-        let [u, v, theta] = [own[0], own[1], own[2]];
-        let twist = theta - below[2];
-        // the floor below at the centre of the floor above
-        let drift_x = u - (below[0] - reach.from_below[1] * below[2]);
-        let drift_y = v - (below[1] + reach.from_below[0] * below[2]);
-        values.copy_from_slice(&[
-            u,
-            v,
-            theta,
-            drift_x,
-            drift_y,
-            twist,
-            drift_x - reach.y[0] * twist,
-            drift_x - reach.y[1] * twist,
-            drift_y + reach.x[0] * twist,
-            drift_y + reach.x[1] * twist,
-        ]);
-        below = [u, v, theta];
-    }
-}
-
-/// The first largest of each of `count` values at each step: the largest of a block of steps, and only where it is more than before, when.
-fn largest(count: usize, steps: usize, mut at: impl FnMut(usize, &mut [f64])) -> Vec<(f64, usize)> {
-    if count == 0 {
-        return Vec::new();
-    }
-    let mut values = vec![0.0; count * BLOCK];
-    let mut found = vec![(0.0_f64, 0); count];
-    let mut most = vec![0.0_f64; count];
-    for first in (0..steps).step_by(BLOCK) {
-        let block = BLOCK.min(steps - first);
-        most.fill(0.0);
-        for (step, values) in values.chunks_exact_mut(count).take(block).enumerate() {
-            at(first + step, values);
-            for (value, most) in values.iter().zip(&mut most) {
-                let size = value.abs();
-                *most = if size > *most { size } else { *most };
-            }
-        }
-        for (i, (most, found)) in most.iter().zip(&mut found).enumerate() {
-            if *most > found.0.abs() {
-                let mut column = values.iter().skip(i).step_by(count).take(block);
-                let step = column.position(|value| value.abs() == *most).unwrap_or(0);
-                *found = (values[step * count + i], first + step);
-            }
-        }
-    }
-    found
-}
 
 #[cfg(test)]
 mod tests {

@@ -8,8 +8,9 @@
 
 use super::history::Ground;
 use dolmen_linalg::Matrix;
+use pulp::Arch;
 
-/// Steps that are multiplied together: the block stays in the cache. Our choice.
+/// Steps that are multiplied together: the block stays in the cache. Our choice; a multiple of 4.
 pub(super) const BLOCK: usize = 128;
 
 /// A state that is stepped exactly.
@@ -24,27 +25,17 @@ pub(crate) trait Stepping {
     fn ground_of_row(&self, row: &[f64]) -> [f64; 2];
 }
 
-/// What was walked through.
-pub(super) struct Walked {
-    /// The first rows of O s: a column for each step, the first at rest.
-    pub(super) values: Matrix,
-    /// The other rows of O s, each in time.
-    pub(super) others: Vec<Vec<f64>>,
-    /// The state at the beginning of each block.
-    pub(super) states: Vec<Vec<f64>>,
-}
-
-/// Steps the state from rest and turns it into what is wanted, block by block: the first `own` rows of `outputs`, and the others.
+/// Steps the state from rest and turns it into what is wanted, block by block: `outputs` is O turned, states × rows, and `see` gets the
+/// values of a block, a column a row of O, its first step and how many there are. The states at the beginnings of the blocks are given back.
 pub(super) fn walk(
     stepping: &impl Stepping,
-    (outputs, own): (&Matrix, usize),
+    outputs: &Matrix,
     steps: usize,
     ground: &dyn Fn(usize) -> Ground,
-) -> Walked {
-    let (rows, count) = (outputs.rows(), outputs.columns());
-    let mut values = Matrix::zeros(own, steps + 1);
-    let mut others: Vec<Vec<f64>> = (own..rows).map(|_| Vec::with_capacity(steps + 1)).collect();
-    others.iter_mut().for_each(|other| other.push(0.0));
+    see: &mut dyn FnMut(&Matrix, usize, usize),
+) -> Vec<Vec<f64>> {
+    let arch = Arch::new();
+    let count = outputs.rows();
     let mut block = Matrix::zeros(count, BLOCK);
     let mut state = vec![0.0; count];
     let mut states = Vec::with_capacity(steps / BLOCK + 1);
@@ -52,30 +43,26 @@ pub(super) fn walk(
     while done < steps {
         states.push(state.clone());
         let now = BLOCK.min(steps - done);
-        for i in 0..now {
-            let (before, rest) = block.as_mut_slice().split_at_mut(i * count);
-            let from = if i == 0 {
-                &state[..]
-            } else {
-                &before[(i - 1) * count..]
-            };
-            stepping.advance(from, &mut rest[..count], ground(done + i));
-        }
+        // in the widest vectors of the machine; the same operations, and so the same bits, on any
+        arch.dispatch(
+            #[inline(always)]
+            || {
+                for i in 0..now {
+                    let (before, rest) = block.as_mut_slice().split_at_mut(i * count);
+                    let from = if i == 0 {
+                        &state[..]
+                    } else {
+                        &before[(i - 1) * count..]
+                    };
+                    stepping.advance(from, &mut rest[..count], ground(done + i));
+                }
+            },
+        );
         state.copy_from_slice(block.column(now - 1));
-        let moved = outputs * &block;
-        for (i, column) in moved.as_slice().chunks_exact(rows).take(now).enumerate() {
-            values.column_mut(done + 1 + i).copy_from_slice(&column[..own]);
-            for (other, value) in others.iter_mut().zip(&column[own..]) {
-                other.push(*value);
-            }
-        }
+        see(&block.transpose_times(outputs), done + 1, now);
         done += now;
     }
-    Walked {
-        values,
-        others,
-        states,
-    }
+    states
 }
 
 /// The states at given steps, ascending and each once, from those at the beginnings of blocks.
