@@ -2,11 +2,14 @@
 
 use anyhow::{Context as _, Result};
 use dolmen::assess::demand::SiteDemand;
+use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_spectral_analysis};
 use dolmen::dynamics::{DirectionalCombination, ModalCombination, SpectralAnalysis, spectral_analysis};
 use dolmen::structure::Building;
 use dolmen::structure::building::{PDelta, PlanDirection, StoreyFall, storey_falls};
-use dolmen_formats::building::{BuildingAnswer, BuildingSpectral, MINOR_RATIO, StandingBuilding};
-use dolmen_formats::project::{BuildingPart, Pick, Project};
+use dolmen_formats::building::{
+    BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
+};
+use dolmen_formats::project::{BuildingPart, BuiltDamper, Pick, Project};
 
 /// What is known of a building, each input with the value that `pick` chooses.
 pub(crate) fn check(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingAnswer> {
@@ -32,6 +35,7 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
     let dampers = part.dampers(vibrating.building(), vibrating.modes(), pick)?;
     let mut spectral_refused = None;
     let mut spectral = None;
+    let (mut damped, mut damped_refused) = (None, None);
     // a site that is refused is said with its demand
     if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
         let read = |period_s: f64, damping_ratio: f64| -> Result<[f64; 2]> {
@@ -50,6 +54,13 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
             }
             Err(why) => spectral_refused = Some(format!("{why:#}")),
         }
+        if !dampers.is_empty() {
+            let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
+            match damped_spectral_analysis(&vibrating, &attached, read) {
+                Ok(analysis) => damped = Some(with_dampers(part, vibrating.building(), &analysis, pick)?),
+                Err(why) => damped_refused = Some(format!("{why:#}")),
+            }
+        }
     }
     Ok(StandingBuilding {
         building: vibrating.building().clone(),
@@ -58,7 +69,41 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
         dampers,
         spectral,
         spectral_refused,
+        damped,
+        damped_refused,
     })
+}
+
+fn with_dampers(
+    part: &BuildingPart,
+    building: &Building,
+    analysis: &DampedSpectralAnalysis,
+    pick: Pick<'_>,
+) -> Result<DampedSpectral> {
+    let both = |row: &[f64]| analysis.largest(row, DirectionalCombination::Srss);
+    let [shear_x, shear_y, torque] = building.base_rows();
+    let Moved {
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    } = moved(part, building, &both, pick)?;
+    let strokes = (0..).map_while(|damper| analysis.largest_stroke_m(damper, DirectionalCombination::Srss));
+    Ok(DampedSpectral {
+        modes: analysis.modes.clone(),
+        base_shear_n: [both(&shear_x), both(&shear_y)],
+        base_torque_n_m: both(&torque),
+        displacement_m,
+        edge_drift_m,
+        points_m,
+        strokes_m: strokes.collect(),
+    })
+}
+
+/// Floors, storeys and points by the largest value of a row.
+struct Moved {
+    displacement_m: Vec<[f64; 2]>,
+    edge_drift_m: Vec<Option<[f64; 2]>>,
+    points_m: Vec<(String, [f64; 2])>,
 }
 
 /// At the damping of the mode.
@@ -85,6 +130,31 @@ fn by_spectrum(
             analysis.largest(&shear_y, modal, DirectionalCombination::Srss),
         ]
     });
+    let Moved {
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    } = moved(part, building, &both, pick)?;
+    Ok(BuildingSpectral {
+        modes: analysis.modes.clone(),
+        base_shear_n,
+        base_torque_n_m: both(&torque),
+        least_favourable: [
+            analysis.least_favourable(&shear_x, MINOR_RATIO)?,
+            analysis.least_favourable(&shear_y, MINOR_RATIO)?,
+        ],
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    })
+}
+
+fn moved(
+    part: &BuildingPart,
+    building: &Building,
+    both: &dyn Fn(&[f64]) -> f64,
+    pick: Pick<'_>,
+) -> Result<Moved> {
     let (mut displacement_m, mut edge_drift_m) = (Vec::new(), Vec::new());
     for i in 0..building.floors().len() {
         let centre = |axis: usize| {
@@ -108,14 +178,7 @@ fn by_spectrum(
             [along(PlanDirection::X)?, along(PlanDirection::Y)?],
         ));
     }
-    Ok(BuildingSpectral {
-        modes: analysis.modes.clone(),
-        base_shear_n,
-        base_torque_n_m: both(&torque),
-        least_favourable: [
-            analysis.least_favourable(&shear_x, MINOR_RATIO)?,
-            analysis.least_favourable(&shear_y, MINOR_RATIO)?,
-        ],
+    Ok(Moved {
         displacement_m,
         edge_drift_m,
         points_m,

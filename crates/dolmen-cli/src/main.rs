@@ -24,6 +24,7 @@ mod stack_frequencies;
 mod study;
 mod tools;
 mod tune;
+mod tune_room;
 mod tune_together;
 mod validate;
 

@@ -29,6 +29,28 @@ pub(crate) fn is_changed(options: &Options) -> bool {
     numbers.iter().any(Option::is_some) || options.peak.is_some() || base_line
 }
 
+/// A motion by its name, as if it had been typed.
+pub(crate) fn named(name: &str) -> Options {
+    Options {
+        motion: Some(name.to_owned()),
+        motion_file: Vec::new(),
+        unit: None,
+        sample_step: None,
+        channel: None,
+        factor: 1.0,
+        shortest: false,
+        ignore_stated_peak: false,
+        x_azimuth: None,
+        baseline: None,
+        high_pass: None,
+        keep_first: None,
+        taper: None,
+        turn: None,
+        scale: None,
+        peak: None,
+    }
+}
+
 /// What is to be read and done: the file's words, with what was typed in their place.
 struct Wanted {
     from: From,

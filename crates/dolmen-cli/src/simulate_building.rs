@@ -5,7 +5,9 @@ use crate::simulate::language;
 use crate::{Outcome, files};
 use anyhow::{Result, bail};
 use dolmen::damper::{AttachedDamper, damped_building_history};
-use dolmen::dynamics::{BuildingHistory, BuildingRun, TunedMass, VibratingBuilding, building_history};
+use dolmen::dynamics::{
+    BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
+};
 use dolmen::signal::GroundMotion;
 use dolmen::structure::building::{BuildingError, PlanDirection};
 use dolmen_formats::Language;
@@ -24,7 +26,7 @@ pub(crate) struct Wish<'a> {
     pub(crate) duration_s: Option<f64>,
     /// Longest step, s.
     pub(crate) step_s: f64,
-    /// Whether it is also run without its dampers.
+    /// Whether it is also run without its dampers, and every history kept.
     pub(crate) compare: bool,
 }
 
@@ -58,7 +60,10 @@ pub(crate) fn run(
             eprintln!("histories and figures are in {}", folder.display());
         }
     }
-    Ok(Outcome::Stands)
+    Ok(match simulation.beyond_room().is_empty() {
+        true => Outcome::Stands,
+        false => Outcome::Falls,
+    })
 }
 
 /// The building under a motion; `None` if it falls under its own weight.
@@ -76,11 +81,14 @@ pub(crate) fn simulation(
     };
     let alone = part.vibrating(building, pick)?;
     let dampers = part.dampers(alone.building(), alone.modes(), pick)?;
-    let sample_s = motion.motion.time_step_s();
     let run = BuildingRun {
-        steps_per_sample: (sample_s / wish.step_s * (1.0 - 1e-9)).ceil().max(1.0) as usize,
+        steps_per_sample: steps_per_sample(&motion.motion, wish.step_s),
         end_s: wish.duration_s,
         watched: watched(&alone, part)?,
+        histories: match wish.compare {
+            true => Histories::Kept,
+            false => Histories::PeaksAlone,
+        },
     };
     let without_dampers = match !dampers.is_empty() && wish.compare {
         true => Some(Box::new(building_history(&alone, &motion.motion, &run)?)),
@@ -113,6 +121,11 @@ pub(crate) fn simulation(
         without_dampers,
         points,
     }))
+}
+
+/// Into how many steps no longer than `step_s` a sample of a motion is cut.
+pub(crate) fn steps_per_sample(motion: &GroundMotion, step_s: f64) -> usize {
+    (motion.time_step_s() / step_s * (1.0 - 1e-9)).ceil().max(1.0) as usize
 }
 
 /// Options that are of other kinds would be without effect.

@@ -2,11 +2,13 @@
 
 use crate::cli_tune::{Tune as Options, TuneGoal, TuneLoad as Load};
 use crate::simulate::language;
+use crate::tune_room::room_check;
 use crate::tune_together::of_all;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::damper::{
-    ComparisonOptions, DamperKind, DamperProblem, DamperSite, Goal, PlacedDamper, Plan, PlanOptions, compare,
+    Comparison, ComparisonOptions, DamperKind, DamperProblem, DamperSite, Goal, PlacedDamper, Plan,
+    PlanOptions, compare,
 };
 use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
 use dolmen::structure::building::{Building, BuildingModes, PlanDirection};
@@ -14,7 +16,7 @@ use dolmen_formats::figures::tune_figures;
 use dolmen_formats::json::{together_json, tune_json};
 use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
 use dolmen_formats::text::{together_text, tune_text};
-use dolmen_formats::tune::{TogetherAnswer, TuneAnswer, TuneLoad, TunePoint};
+use dolmen_formats::tune::{RoomCheck, TogetherAnswer, TuneAnswer, TuneLoad, TunePoint};
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -75,7 +77,13 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             eprintln!("results and figures are in {}", folder.display());
         }
     }
-    Ok(Outcome::Stands)
+    let beyond = answers.iter().any(TuneAnswer::is_beyond_room);
+    Ok(
+        match beyond || together.iter().any(TogetherAnswer::is_beyond_room) {
+            true => Outcome::Falls,
+            false => Outcome::Stands,
+        },
+    )
 }
 
 /// The dampers that a report shows, each under a white-noise force along it.
@@ -259,8 +267,25 @@ impl Of<'_> {
             points,
             direction_degrees: degrees(damper.direction),
             goal,
+            room: self.room(damper, &comparison)?,
             comparison,
         })
+    }
+
+    /// The damper of each row under the motions of the file.
+    fn room(&self, damper: &BuiltDamper, comparison: &Comparison) -> Result<RoomCheck> {
+        let sites = [site(self.building, damper.floor)?];
+        let each = comparison.rows.iter().map(|row| {
+            let attached = row.damper.attached(&sites, self.building.coordinates())?;
+            Ok(vec![BuiltDamper {
+                place_m: row.damper.place_m,
+                kind: attached.kind,
+                row: attached.row,
+                ..damper.clone()
+            }])
+        });
+        let rows: Vec<Vec<BuiltDamper>> = each.collect::<Result<_>>()?;
+        room_check((self.project, self.part), Path::new(self.file), &rows)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::cli_tune::Tune as Options;
 use crate::tune::{self, degrees, placed};
+use crate::tune_room::room_check;
 use anyhow::Result;
 use dolmen::damper::{
     AttachedDamper, DamperKind, DamperProblem, DamperSite, DesignEnd, DesignOptions, Freedom, Goal, Judged,
@@ -11,6 +12,7 @@ use dolmen::structure::Building;
 use dolmen::structure::building::PlanDirection;
 use dolmen_formats::project::{BuiltDamper, Project, Quantity};
 use dolmen_formats::tune::{TogetherAnswer, TogetherChoice, TogetherRow, TunePoint};
+use std::path::Path;
 
 /// Steps of the search for places of several dampers. Chosen here: enough for four.
 const ITERATIONS_MOST: usize = 60;
@@ -65,6 +67,9 @@ pub(crate) fn of_all(
         },
         options,
     };
+    let rows = all.rows()?;
+    let each: Vec<Vec<BuiltDamper>> = rows.iter().map(|row| row.dampers.clone()).collect();
+    let room = room_check((project, part), Path::new(file), &each)?;
     Ok(Some(TogetherAnswer {
         file: file.to_owned(),
         name: project.name.clone(),
@@ -74,7 +79,8 @@ pub(crate) fn of_all(
         points,
         goal: all.goal,
         stroke_most: options.stroke_most,
-        rows: all.rows()?,
+        rows,
+        room,
     }))
 }
 

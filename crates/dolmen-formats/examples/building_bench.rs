@@ -2,7 +2,7 @@
 
 #![allow(clippy::print_stdout, reason = "a measurement")]
 
-use dolmen::dynamics::{BuildingRun, building_history};
+use dolmen::dynamics::{BuildingRun, Histories, building_history};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_formats::project::{Quantity, Structure, parse_project};
 
@@ -41,6 +41,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let run = BuildingRun {
         steps_per_sample: 4,
         end_s: Some(40.0),
+        histories: Histories::PeaksAlone,
         ..BuildingRun::default()
     };
     let (start, mut runs, mut top) = (cpu_s(), 0, 0.0);

@@ -322,6 +322,17 @@ pub struct StiffnessAnswer {
 }
 
 impl State {
+    /// Whether a damper of a building needs more room under the spectrum of its site than it has.
+    pub fn is_beyond_room(&self) -> bool {
+        match &self.check {
+            Check::Building(answer) => {
+                let mut standing = answer.stands.iter();
+                standing.any(|standing| !standing.beyond_room().is_empty())
+            }
+            _ => false,
+        }
+    }
+
     /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known, and of a stack.
     pub fn load_factor(&self) -> Option<f64> {
         match &self.check {
@@ -389,8 +400,16 @@ impl Answer {
         simulated.any(|simulation| simulation.falls())
             || self.frame_simulations.iter().any(FrameSimulation::falls)
             || self.chain_simulations.iter().any(ChainSimulation::falls)
+            || self
+                .building_simulations
+                .iter()
+                .any(|run| !run.beyond_room().is_empty())
+            || self.tunings.iter().any(TuneAnswer::is_beyond_room)
+            || self.together.iter().any(TogetherAnswer::is_beyond_room)
             || states.any(|state| {
-                state.verdict() == Verdict::Unstable || state.demand_verdict() == Some(DemandVerdict::Below)
+                state.is_beyond_room()
+                    || state.verdict() == Verdict::Unstable
+                    || state.demand_verdict() == Some(DemandVerdict::Below)
             })
     }
 }

@@ -38,6 +38,44 @@ pub struct StandingBuilding {
     pub spectral: Option<BuildingSpectral>,
     /// Why there is none although the site has one.
     pub spectral_refused: Option<String>,
+    /// The same with the dampers; `None` without dampers or site.
+    pub damped: Option<DampedSpectral>,
+    /// Why there is none although there are dampers and a site.
+    pub damped_refused: Option<String>,
+}
+
+/// Largest responses of a building with its dampers by the spectrum of the site: complex modes by CQC, shaking along x and y by the square root
+/// of the sum of squares.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DampedSpectral {
+    /// The complex modes in the spectrum.
+    pub modes: Vec<SpectralMode>,
+    /// Shear in the walls of the lowest storey along x and y, N.
+    pub base_shear_n: [f64; 2],
+    /// Their torque about the vertical through the centre of all mass, N·m.
+    pub base_torque_n_m: f64,
+    /// Displacement of the centre of mass of each floor along x and y, m.
+    pub displacement_m: Vec<[f64; 2]>,
+    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
+    pub edge_drift_m: Vec<Option<[f64; 2]>>,
+    /// Displacement of the points of the file along x and y, m.
+    pub points_m: Vec<(String, [f64; 2])>,
+    /// Largest stroke of each damper, m.
+    pub strokes_m: Vec<f64>,
+}
+
+impl StandingBuilding {
+    /// Dampers that need more room under the spectrum than they have: each with its stroke and its room, m.
+    pub fn beyond_room(&self) -> Vec<(&BuiltDamper, f64, f64)> {
+        let strokes = self.damped.iter().flat_map(|damped| &damped.strokes_m);
+        let pairs = self.dampers.iter().zip(strokes);
+        pairs
+            .filter_map(|(damper, stroke_m)| {
+                let room_m = damper.room_m?;
+                (*stroke_m > room_m).then_some((damper, *stroke_m, room_m))
+            })
+            .collect()
+    }
 }
 
 /// The weaker horizontal component over the stronger: Menun & Der Kiureghian (1998) give 0.5 to 0.85; the larger is taken.

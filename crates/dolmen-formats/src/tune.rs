@@ -80,6 +80,44 @@ pub struct TunePoint {
     pub place_m: [f64; 2],
 }
 
+/// The stroke of a damper of a row under a motion of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowStroke {
+    /// Which row of the comparison.
+    pub row: usize,
+    /// The damper.
+    pub damper: String,
+    /// The motion's name in the file.
+    pub motion: String,
+    /// Its largest stroke, m.
+    pub stroke_m: f64,
+    /// Its room each way, m.
+    pub room_m: f64,
+}
+
+/// Strokes under the motions of the file beside the rooms of the dampers; empty where the file gives no room.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RoomCheck {
+    /// Whether some damper says how much room it has.
+    pub has_room: bool,
+    /// Whether the file has a motion to judge it under.
+    pub has_motion: bool,
+    /// Of every row, damper with a room, and motion.
+    pub strokes: Vec<RowStroke>,
+}
+
+impl RoomCheck {
+    /// Those that need more room than there is.
+    pub fn beyond(&self) -> impl Iterator<Item = &RowStroke> {
+        self.strokes.iter().filter(|of| of.stroke_m > of.room_m)
+    }
+
+    /// A room is given, and nothing to hold it against.
+    pub fn is_unjudged(&self) -> bool {
+        self.has_room && !self.has_motion
+    }
+}
+
 /// One damper of a project, tuned.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TuneAnswer {
@@ -121,9 +159,17 @@ pub struct TuneAnswer {
     pub goal: Goal,
     /// All that was found.
     pub comparison: Comparison,
+    /// Strokes under the motions of the file, in the order of the comparison's rows.
+    pub room: RoomCheck,
 }
 
 impl TuneAnswer {
+    /// Whether the damper as in the file needs more room than it has: exit status 1.
+    pub fn is_beyond_room(&self) -> bool {
+        let row = |of: &RowStroke| self.comparison.rows.get(of.row).map(|row| row.choice);
+        self.room.beyond().any(|of| row(of) == Some(Choice::Given))
+    }
+
     /// What the goal is made of at each point, over that without a damper: standard deviations, or largest amplitudes.
     pub fn ratios(&self, row: &Compared) -> Vec<f64> {
         self.over_without(&row.point_values)
@@ -234,9 +280,19 @@ pub struct TogetherAnswer {
     pub stroke_most: Option<f64>,
     /// Without, given, each alone, all but each, tuned, placed, shared.
     pub rows: Vec<TogetherRow>,
+    /// Strokes under the motions of the file, in the order of the rows.
+    pub room: RoomCheck,
 }
 
 impl TogetherAnswer {
+    /// Whether a damper needs more room than it has while all are as in the file: exit status 1.
+    pub fn is_beyond_room(&self) -> bool {
+        let row = |of: &RowStroke| self.rows.get(of.row).map(|row| &row.choice);
+        self.room
+            .beyond()
+            .any(|of| row(of) == Some(&TogetherChoice::Given))
+    }
+
     /// Standard deviations over those without dampers.
     pub fn ratios(&self, row: &TogetherRow) -> Vec<f64> {
         let without = self.rows.first().map_or(&[][..], |row| &row.point_rms);

@@ -29,6 +29,7 @@ pub(super) enum Model {
     Stack(Box<(Stack, StackLimitStates)>),
     Frame(Box<super::frames::FrameModel>),
     Chain(Box<super::chains::MovingChain>),
+    Building(Box<super::buildings::BuildingModel>),
 }
 
 /// A scan in progress.
@@ -194,7 +195,9 @@ pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn)
             super::frames::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
         }
         Structure::Chain(part) => super::chains::model(part, pick).map(|model| Model::Chain(Box::new(model))),
-        Structure::Building(_) => Err("buildings cannot be studied so far".to_owned()),
+        Structure::Building(part) => {
+            super::buildings::model(part, pick).map(|model| Model::Building(Box::new(model)))
+        }
         Structure::Survey => Err("a survey holds no structure".to_owned()),
     }
 }
@@ -272,6 +275,12 @@ fn run_batch(
             Ok(Model::Stack(model)) => of_stacks.push((index, run, model, acting)),
             Ok(Model::Frame(model)) => keep(index, super::frames::row(plan.study, run, model, &acting))?,
             Ok(Model::Chain(model)) => keep(index, super::chains::row(plan.study, run, model, &acting))?,
+            Ok(Model::Building(model)) => {
+                keep(
+                    index,
+                    Some(super::buildings::row(plan.study, run, model, &acting)),
+                )?;
+            }
             Err(_) => {}
         }
     }

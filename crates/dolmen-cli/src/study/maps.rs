@@ -55,7 +55,7 @@ fn of_case(plan: &Plan<'_>, case: usize) -> Result<Option<ResponseMaps>> {
             })?;
             maps.parts = model.links;
         }
-        Model::Stack(_) => bail!("harmonic and release are for frames and chains"),
+        Model::Stack(_) | Model::Building(_) => bail!("harmonic and release are for frames and chains"),
     }
     Ok(Some(maps))
 }

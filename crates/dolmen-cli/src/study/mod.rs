@@ -1,5 +1,6 @@
 //! `dolmen study`: runs over grids of inputs, samples, motions and growing shaking; kept, resumed, shared out and put together.
 
+mod buildings;
 mod chains;
 mod engine;
 mod folder;

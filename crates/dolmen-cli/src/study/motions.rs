@@ -1,6 +1,5 @@
 //! Motions of a study: of the file, carried by the command, or made from a seed.
 
-use crate::cli;
 use crate::motion;
 use anyhow::{Context as _, Result, bail};
 use dolmen::signal::{
@@ -123,7 +122,7 @@ pub(super) fn prepared(
             };
             noise_motion(&options, made.seed.wrapping_add(number - 1))?
         }
-        _ => motion::motion(&named(name), project, file)?.motion,
+        _ => motion::motion(&motion::named(name), project, file)?.motion,
     };
     let horizontal = [Component::X, Component::Y];
     let largest = horizontal
@@ -147,26 +146,4 @@ fn measured(motion: GroundMotion, component: Component) -> Result<PreparedMotion
         component,
         motion,
     })
-}
-
-/// As if it had been typed.
-fn named(name: &str) -> cli::Motion {
-    cli::Motion {
-        motion: Some(name.to_owned()),
-        motion_file: Vec::new(),
-        unit: None,
-        sample_step: None,
-        channel: None,
-        factor: 1.0,
-        shortest: false,
-        ignore_stated_peak: false,
-        x_azimuth: None,
-        baseline: None,
-        high_pass: None,
-        keep_first: None,
-        taper: None,
-        turn: None,
-        scale: None,
-        peak: None,
-    }
 }

@@ -7,7 +7,8 @@ use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{DamageThresholds, RockingScale, rocking_scale};
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_formats::project::{
-    Files, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
+    DRIFT_LIMITS, Files, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text,
+    parse_combination,
 };
 use dolmen_formats::study::{
     CaseInputs, InputColumn, JournalHeader, Run, ShakingScales, StudyAnswer, StudyKind, fingerprint,
@@ -50,11 +51,11 @@ impl<'o> Plan<'o> {
             Structure::Stack(_) => StudyKind::Stack,
             Structure::Frame(_) => StudyKind::Frame,
             Structure::Chain(_) => StudyKind::Chain,
-            Structure::Building(_) => bail!(
-                "only stacks, frames and chains can be studied so far: give this building to `dolmen simulate` with one --peak after the other"
-            ),
+            Structure::Building(_) => StudyKind::Building,
             Structure::Survey => {
-                bail!("a survey holds no structure that could be studied: kind is stack, frame or chain")
+                bail!(
+                    "a survey holds no structure that could be studied: kind is stack, frame, chain or building"
+                )
             }
         };
         for (key, is_given, is_for, words) in [
@@ -82,6 +83,12 @@ impl<'o> Plan<'o> {
                 &[StudyKind::Frame],
                 "frames",
             ),
+            (
+                "drift_limits",
+                study.drift_limits != DRIFT_LIMITS,
+                &[StudyKind::Building],
+                "buildings",
+            ),
         ] {
             if is_given && !is_for.contains(&kind) {
                 bail!(
@@ -96,7 +103,9 @@ impl<'o> Plan<'o> {
                 let motion = prepared(&opened.project, &opened.file, study, &name)?;
                 motions.push((name, motion));
             }
-        } else if kind == StudyKind::Stack || (study.harmonic.is_none() && study.release_m.is_none()) {
+        } else if matches!(kind, StudyKind::Stack | StudyKind::Building)
+            || (study.harmonic.is_none() && study.release_m.is_none())
+        {
             bail!("the study says not how the shaking grows: give scale or peak");
         }
         let samples = study.samples.unwrap_or(1);

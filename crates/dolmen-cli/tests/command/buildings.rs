@@ -102,7 +102,6 @@ fn holds_every_file_of_a_simulation_says_the_same() {
     assert!(value(&floor["displacement_y_m"]) < 0.9 * without);
     for figure in [
         "ground",
-        "top-x",
         "top-y",
         "rotation",
         "base-shear",
@@ -114,6 +113,9 @@ fn holds_every_file_of_a_simulation_says_the_same() {
     ] {
         assert!(text(&format!("{figure}.svg")).starts_with("<svg"), "{figure}");
     }
+    // a quarter turn leaves nothing along x, and a level line is no figure
+    assert!(!out.join("top-x.svg").exists());
+    assert_eq!(most("floor_1_displacement_x_m"), 0.0);
 }
 
 #[test]
@@ -316,11 +318,85 @@ fn holds_dampers_of_every_kind_through_check_simulate_and_report() {
     assert!(json["against_without"].as_array().unwrap().len() >= 3);
     let file = scratch.path().join("examples/several_dampers/project.toml");
     let text = fs::read_to_string(&file).unwrap();
-    fs::write(&file, text.replace("stroke = \"600 mm\"", "stroke = \"1 mm\"")).unwrap();
+    fs::write(&file, text.replace("stroke = \"600 mm\"", "stroke = \"3 mm\"")).unwrap();
+    let answer = scratch.dolmen("simulate examples/several_dampers --motion el-centro");
+    // in the headline, and in the exit status
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    let (said, moved) = (
+        answer.stdout.find("BEYOND ITS ROOM: damper pair-1 needs"),
+        answer.stdout.find("MOVED:"),
+    );
+    assert!(said.is_some() && said < moved, "{}", answer.stdout);
+    let answer = scratch.dolmen("report examples/several_dampers --motion el-centro -o page.html");
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    let page = fs::read_to_string(scratch.path().join("page.html")).unwrap();
+    let findings = page.split("What was given").next().unwrap_or_default();
+    assert!(
+        findings.contains("damper pair-1 is beyond its room: it needs"),
+        "the findings say it"
+    );
+}
+
+#[test]
+fn exact_the_force_of_a_dashpot_is_its_coefficient_times_the_rate_of_its_stroke() {
+    let scratch = Scratch::with_examples("dashpot_force");
+    let answer = scratch.dolmen("--json simulate examples/several_dampers --motion el-centro");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let rate = |k: usize| json["peaks"]["stroke_rates_m_s"][k]["value"].as_f64().unwrap();
+    let force = |k: usize| json["dashpot_forces_n"][k]["value"].as_f64();
+    let damper = |k: usize, key: &str| json["dampers"][k][key].as_f64().unwrap();
+    let names: Vec<&str> = (0..5)
+        .map(|k| json["dampers"][k]["name"].as_str().unwrap())
+        .collect();
+    assert_eq!(names, ["pair-1", "pair-2", "tank", "swing", "dashpot"]);
+    for k in [0, 1, 3] {
+        let own = std::f64::consts::TAU * damper(k, "frequency_hz");
+        let coefficient = 2.0 * damper(k, "damping_ratio") * damper(k, "mass_kg") * own;
+        assert!(
+            (force(k).unwrap() / (coefficient * rate(k)) - 1.0).abs() < 1e-12,
+            "{k}"
+        );
+    }
+    assert_eq!(force(2), None, "a liquid column has no dashpot");
+    assert!((force(4).unwrap() / (2000.0 * rate(4)) - 1.0).abs() < 1e-12);
     let answer = scratch.dolmen("simulate examples/several_dampers --motion el-centro");
     assert!(
-        answer.stdout.contains("BEYOND ITS ROOM: damper pair-1"),
+        answer.stdout.contains("; force of its dashpot "),
         "{}",
         answer.stdout
     );
+}
+
+#[test]
+fn holds_dampers_are_in_the_spectrum_of_a_site_and_their_rooms_too() {
+    let scratch = Scratch::with_examples("damped_spectrum");
+    let answer = scratch.dolmen("--json check examples/twisting_floor");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let standing = &json["variants"][0]["state"]["check"]["building"]["standing"];
+    let with = &standing["spectral_with_dampers"];
+    let shear = |of: &serde_json::Value| of[1].as_f64().unwrap();
+    let (damped, bare) = (
+        shear(&with["base_shear_n"]),
+        shear(&standing["spectral"]["base_shear_n"]["cqc"]),
+    );
+    assert!(damped < 0.7 * bare, "{damped} {bare}");
+    let stroke_mm = 1e3 * with["strokes_m"][0].as_f64().unwrap();
+    let file = scratch.path().join("examples/twisting_floor/project.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let room = |mm: f64| {
+        let roomy = text.replace("mass = 5.125", &format!("mass = 5.125\nstroke = \"{mm} mm\""));
+        fs::write(&file, roomy).unwrap();
+        scratch.dolmen("check examples/twisting_floor")
+    };
+    let answer = room((0.99 * stroke_mm).round());
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    assert!(
+        answer.stdout.contains("BEYOND ITS ROOM: damper tmd needs"),
+        "{}",
+        answer.stdout
+    );
+    let answer = room((1.01 * stroke_mm).round());
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
 }

@@ -217,3 +217,32 @@ tuning = "den_hartog"
     let rule = &json["dampers"][0]["choices"][1];
     assert_eq!(rule["damper"]["place_m"], serde_json::json!([1.0, 0.0]));
 }
+
+#[test]
+fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
+    let scratch = Scratch::with_examples("tune_room");
+    let file = scratch.path().join("examples/twisting_floor/project.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let roomy =
+        |text: &str, mm: &str| text.replace("mass = 5.125", &format!("mass = 5.125\nstroke = \"{mm} mm\""));
+    // 211.25 mm under el-centro, as `simulate` has it
+    fs::write(&file, roomy(&text, "211")).unwrap();
+    let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    let said = "BEYOND ITS ROOM: as in the file, damper tmd needs 211.3 mm each way under motion el-centro and has 211.0 mm";
+    let (place, table) = (answer.stdout.find(said), answer.stdout.find("Standard deviation"));
+    assert!(place.is_some() && place < table, "{}", answer.stdout);
+    fs::write(&file, roomy(&text, "212")).unwrap();
+    let answer = scratch.dolmen("--json tune examples/twisting_floor --map 2");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let strokes = json["dampers"][0]["strokes_under_motions"].as_array().unwrap();
+    assert_eq!(strokes.len(), 5);
+    assert!((strokes[0]["stroke_m"].as_f64().unwrap() - 0.21125).abs() < 5e-6);
+    // a room, and nothing to hold it against
+    let still = text.split("# An earthquake to simulate").next().unwrap();
+    fs::write(&file, roomy(still, "212")).unwrap();
+    let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    assert!(answer.stdout.contains("ROOM NOT JUDGED"), "{}", answer.stdout);
+}

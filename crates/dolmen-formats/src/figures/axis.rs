@@ -7,6 +7,9 @@ use std::ops::Range;
 /// Powers of ten shown with all their multiples when the axis holds no more than this many of them.
 const DECADES_WITH_FIVES: f64 = 3.2;
 
+/// An axis has so many ticks at least, where that many are wanted: one alone gives no scale.
+const TICKS_LEAST: i64 = 2;
+
 /// Shares of the span kept free at both ends of an axis.
 const FREE_SHARE: f64 = 0.04;
 
@@ -40,14 +43,20 @@ impl Axis {
         let (from, to) = proper(from, to);
         let rough = (to - from) / wanted.max(1) as f64;
         let power = 10f64.powf(rough.log10().floor());
-        let step = [1.0, 2.0, 5.0, 10.0]
-            .map(|s| s * power)
-            .into_iter()
-            .find(|s| *s >= rough * 0.999);
-        let step = step.unwrap_or(power);
+        let steps = [10.0, 5.0, 2.0, 1.0].map(|s| s * power);
+        let ends = |step: f64| {
+            let first = (from / step - 1e-9).ceil() as i64;
+            (first, (to / step + 1e-9).floor() as i64)
+        };
+        // the finest step of about as many ticks as are wanted, or the next one if that has hardly any
+        let coarse = steps.iter().rposition(|s| *s >= rough * 0.999).unwrap_or(0);
+        let finer = (coarse..steps.len()).find(|i| {
+            let (first, last) = ends(steps[*i]);
+            last - first + 1 >= TICKS_LEAST.min(wanted as i64)
+        });
+        let step = steps[finer.unwrap_or(coarse)];
         let decimals = (-step.log10().floor()).max(0.0) as usize;
-        let first = (from / step - 1e-9).ceil() as i64;
-        let last = (to / step + 1e-9).floor() as i64;
+        let (first, last) = ends(step);
         let tick = |i: i64| Tick {
             at: i as f64 * step,
             text: number::fixed(i as f64 * step, decimals),

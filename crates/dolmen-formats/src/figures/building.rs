@@ -150,6 +150,23 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
             format!("{name}, {hertz}\u{202f}Hz: {}", place(at)),
         );
     }
+    let mut named: Vec<([f64; 2], Vec<&str>)> = Vec::new();
+    for damper in &standing.dampers {
+        match named.iter_mut().find(|(place, _)| *place == damper.place_m) {
+            Some((_, names)) => names.push(&damper.name),
+            None => named.push((damper.place_m, vec![&damper.name])),
+        }
+    }
+    for (place_m, names) in named {
+        // inward, so that a name does not lie on a wall
+        let [x, y] = view.px(place_m);
+        let (anchor, aside) = match place_m[0] > 0.5 * (left + right) {
+            true => (Anchor::End, -9.0),
+            false => (Anchor::Start, 9.0),
+        };
+        let name = Label::new(names.join(", "), anchor).small();
+        scene.text([x + aside, y - 22.0], &name);
+    }
     for damper in &standing.dampers {
         let at = view.px(damper.place_m);
         let [cos, sin] = damper.direction.unit();
@@ -234,10 +251,21 @@ fn walls(scene: &mut Scene, view: &View, elements: &[dolmen::structure::building
     }
 }
 
+/// Whether nothing moves: a level line is no figure.
+fn still(series: &[Series]) -> bool {
+    let mut values = series
+        .iter()
+        .flat_map(|one| one.points.iter().map(|point| point[1]));
+    values.all(|value| value == 0.0)
+}
+
 /// The figures of a simulation: ground, top, rotation, base shear, damper strokes, points.
 pub fn building_histories(simulation: &BuildingSimulation, language: Language) -> Vec<Figure> {
     let mut figures = Vec::new();
     let mut add = |name: &str, series: &[Series], axis: &str, title: &str| {
+        if still(series) {
+            return;
+        }
         if let Some(svg) = plot(series, axis, language, title) {
             figures.push(Figure {
                 name: name.to_owned(),

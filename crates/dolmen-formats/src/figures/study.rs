@@ -116,7 +116,7 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
             "First fall: peak ground acceleration (g)",
             "최초 낙하: 최대지반가속도 (g)",
         ),
-        StudyKind::Frame => language.pick(
+        StudyKind::Frame | StudyKind::Building => language.pick(
             "Drift limit: peak ground acceleration (g)",
             "층간변위 한계: 최대지반가속도 (g)",
         ),
@@ -281,6 +281,24 @@ fn survived(
             plot.key(
                 Key::Dot(Shape::Cross, VERMILLION),
                 language.pick("beyond the drift limit", "층간변위 한계 초과"),
+            );
+        }
+        StudyKind::Building => {
+            plot.key(
+                Key::Dot(Shape::Circle, SKY),
+                language.pick("below every limit", "모든 한계 이내"),
+            );
+            plot.key(
+                Key::Dot(Shape::Circle, BLUE),
+                language.pick("limits 1, 2", "한계 1, 2 초과"),
+            );
+            plot.key(
+                Key::Dot(Shape::Square, ORANGE),
+                language.pick("limit 3", "한계 3 초과"),
+            );
+            plot.key(
+                Key::Dot(Shape::Cross, VERMILLION),
+                language.pick("limit 4", "한계 4 초과"),
             );
         }
     }

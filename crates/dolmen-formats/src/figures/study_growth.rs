@@ -123,6 +123,14 @@ fn grown(kind: StudyKind, language: Language) -> &'static [(&'static str, &'stat
             ("peak_joint_rotation_rad", "연결부 최대 회전각 (mrad)", 1e3),
             ("open_share", "연결부 벌어짐 시간 비율 (%)", 100.0),
         ],
+        (StudyKind::Building, Language::English) => &[
+            ("peak_edge_drift_ratio", "Largest drift, % of the height", 100.0),
+            ("peak_stroke_m", "Stroke of the dampers (mm)", 1e3),
+        ],
+        (StudyKind::Building, Language::Korean) => &[
+            ("peak_edge_drift_ratio", "최대 층간변위 (층고의 %)", 100.0),
+            ("peak_stroke_m", "제진장치 행정 (mm)", 1e3),
+        ],
     }
 }
 
@@ -356,7 +364,7 @@ fn fractiles(
 
 /// Whether a run ended in a fall, at whatever angle a fall is counted: what it reached by then tells nothing.
 fn falls(kind: StudyKind, run: &Run) -> bool {
-    kind != StudyKind::Frame && run.outcome == RunOutcome::Fell
+    !matches!(kind, StudyKind::Frame | StudyKind::Building) && run.outcome == RunOutcome::Fell
 }
 
 /// Half way between values, and as far beyond the ends.

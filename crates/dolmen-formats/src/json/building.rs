@@ -1,7 +1,7 @@
 //! A building as JSON: its check, its simulation.
 
 use super::simulation::motion_json;
-use crate::building::{BuildingAnswer, BuildingSpectral, MINOR_RATIO, StandingBuilding};
+use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::project::BuiltDamper;
 use crate::simulation::BuildingSimulation;
 use dolmen::damper::DamperKind;
@@ -49,6 +49,11 @@ fn standing(standing: &StandingBuilding) -> Value {
         "dampers": standing.dampers.iter().map(damper).collect::<Vec<_>>(),
         "spectral": standing.spectral.as_ref().map(spectral),
         "spectral_refused": standing.spectral_refused,
+        "spectral_with_dampers": standing.damped.as_ref().map(damped),
+        "spectral_with_dampers_refused": standing.damped_refused,
+        "beyond_room": standing.beyond_room().iter().map(|(damper, stroke_m, room_m)| json!({
+            "damper": damper.name, "stroke_m": stroke_m, "room_m": room_m,
+        })).collect::<Vec<_>>(),
     })
 }
 
@@ -102,6 +107,20 @@ fn spectral(spectral: &BuildingSpectral) -> Value {
     })
 }
 
+fn damped(damped: &DampedSpectral) -> Value {
+    json!({
+        "modes": damped.modes.iter().map(|mode| json!({
+            "period_s": mode.period_s, "damping_ratio": mode.damping_ratio, "acceleration_m_s2": mode.acceleration_m_s2,
+        })).collect::<Vec<_>>(),
+        "base_shear_n": damped.base_shear_n,
+        "base_torque_n_m": damped.base_torque_n_m,
+        "displacement_m": damped.displacement_m,
+        "edge_drift_m": damped.edge_drift_m,
+        "points": damped.points_m.iter().map(|(name, at)| json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
+        "strokes_m": damped.strokes_m,
+    })
+}
+
 /// Everything of a simulation but its histories.
 pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
     let history = &simulation.history;
@@ -126,6 +145,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "dampers": simulation.dampers.iter().map(damper).collect::<Vec<_>>(),
         "peaks": peaks(&history.peaks, simulation),
         "peaks_without_dampers": simulation.without_dampers.as_ref().map(|other| peaks(&other.peaks, simulation)),
+        "dashpot_forces_n": simulation.dashpot_forces_n().iter().map(|force| force.as_ref().map(peak)).collect::<Vec<_>>(),
         "points": points.collect::<Vec<_>>(),
         "drift_ratio": simulation.drift().ratio,
         "drift_at": if simulation.drift().at_edge { "edge" } else { "centre_of_mass" },
@@ -157,6 +177,7 @@ fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
     json!({
         "floors": floors.collect::<Vec<_>>(),
         "strokes_m": peaks.strokes_m.iter().map(peak).collect::<Vec<_>>(),
+        "stroke_rates_m_s": peaks.stroke_rates_m_s.iter().map(peak).collect::<Vec<_>>(),
         "stroke_names": simulation.stroke_names(),
         "base_shear_x_n": peak(&peaks.base_shear_n[0]), "base_shear_y_n": peak(&peaks.base_shear_n[1]),
         "base_torque_n_m": peak(&peaks.base_torque_n_m),

@@ -1,6 +1,6 @@
 //! A damper beside the rule and the best, as JSON.
 
-use crate::tune::{TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
+use crate::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
 use dolmen::damper::{Compared, DesignEnd, Goal, MapCell, PlacedDamper, RobustnessPoint};
 use serde_json::{Value, json};
 
@@ -68,6 +68,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
         "cost_without_damper": comparison.cost_without,
         "choices": comparison.rows.iter().map(|row| row_json(answer, row)).collect::<Vec<_>>(),
         "tunings": tunings.collect::<Vec<_>>(),
+        "strokes_under_motions": room_json(&answer.room), "room_is_unjudged": answer.room.is_unjudged(),
         "line": { "tuned_as_given": line(&comparison.line_given), "tuned_best": line(&comparison.line_best) },
         "map": { "x_m": comparison.map.x_m, "y_m": comparison.map.y_m, "cells": map },
         "frequency_off": curves(&comparison.off_frequency),
@@ -129,7 +130,18 @@ pub fn together_json(answer: &TogetherAnswer) -> Value {
             "name": point.name, "floor": point.floor, "place_m": point.place_m, "direction_degrees": degrees,
         })).collect::<Vec<_>>(),
         "rows": rows.collect::<Vec<_>>(),
+        "strokes_under_motions": room_json(&answer.room), "room_is_unjudged": answer.room.is_unjudged(),
     })
+}
+
+fn room_json(room: &RoomCheck) -> Vec<Value> {
+    let each = room.strokes.iter().map(|of| {
+        json!({
+            "row": of.row, "damper": of.damper, "motion": of.motion, "stroke_m": of.stroke_m, "room_m": of.room_m,
+            "beyond_room": of.stroke_m > of.room_m,
+        })
+    });
+    each.collect()
 }
 
 fn goal_word(goal: Goal) -> &'static str {

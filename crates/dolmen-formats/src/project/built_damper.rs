@@ -97,6 +97,24 @@ impl BuiltDamper {
         }
     }
 
+    /// Coefficient of its dashpot, N s/m: of a mass and of a container on a spring 2 ζ m ω; `None` of a liquid column, which has none.
+    pub fn dashpot_n_s_m(&self) -> Option<f64> {
+        match self.kind {
+            DamperKind::TunedMass {
+                frequency_hz,
+                damping_ratio,
+                ..
+            }
+            | DamperKind::LiquidColumnMass {
+                frequency_hz,
+                damping_ratio,
+                ..
+            } => Some(2.0 * damping_ratio * self.kind.mass_kg() * std::f64::consts::TAU * frequency_hz),
+            DamperKind::Viscous { coefficient_n_s_m } => Some(coefficient_n_s_m),
+            DamperKind::LiquidColumn { .. } => None,
+        }
+    }
+
     /// As a damper of the science.
     pub fn attached(&self) -> AttachedDamper {
         AttachedDamper {

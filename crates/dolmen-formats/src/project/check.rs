@@ -277,6 +277,12 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         false
     }
 
+    /// Whether some branch is a list of tables.
+    fn lists_tables(&self, branches: &[&'static Tree]) -> bool {
+        let mut items = branches.iter().filter_map(|branch| branch.get("items"));
+        items.any(|items| properties(self.schema.resolved(items)).is_some())
+    }
+
     fn wrong_type(&mut self, node: &Node<'i>, schema: &'static Tree, branches: &[&'static Tree], path: &str) {
         let span = node.span();
         let needed = match schema.get("x-must-be").and_then(Tree::text) {
@@ -304,6 +310,13 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 Some("write a number without quotes".to_owned())
             }
             DeValue::Datetime(_) if needed == "text" => Some(format!("put it in quotes: \"{written}\"")),
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_)
+                if needed == "a list" && self.lists_tables(branches) =>
+            {
+                Some(format!(
+                    "list each with its values: {path} = [ {{ … }}, {{ … }} ]"
+                ))
+            }
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a list" => {
                 Some(format!("put it in brackets: [{written}]"))
             }

@@ -46,7 +46,9 @@ pub(super) struct StudyRaw {
     pub(super) points: Option<At<i64>>,
     /// kind = "stack": where damage states begin.
     pub(super) damage: Option<At<DamageRaw>>,
-    /// Time after the motion, s; 2 for a stack, 20 for a frame or a chain if not given.
+    /// kind = "building": four rising drifts over the height of the storey, where its states begin; [0.005, 0.01, 0.02, 0.04] if not given.
+    pub(super) drift_limits: Option<At<Vec<At<f64>>>>,
+    /// Time after the motion, s; 2 for a stack, 20 for a frame or a chain, 20 and at least ten periods for a building if not given.
     pub(super) rest_s: Option<At<f64>>,
     /// Periods of the spectral accelerations that capacities are fitted over beside the peak of the ground, s; [0.2, 0.5, 1, 2] if not given.
     pub(super) spectral_periods_s: Option<At<Vec<At<f64>>>>,

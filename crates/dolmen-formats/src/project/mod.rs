@@ -44,6 +44,7 @@ mod site;
 mod slips;
 mod slips_building;
 mod slips_chain;
+mod slips_damper;
 mod slips_frame;
 mod slips_stack;
 mod stack;
@@ -78,6 +79,8 @@ pub use stack::{
     ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
 };
 pub use stack_build::StackFault;
-pub use study::{ArtificialPart, Axis, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart};
+pub use study::{
+    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
+};
 pub use survey::{ChangePart, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 pub use units::{AngleError, parse_angle_rad};

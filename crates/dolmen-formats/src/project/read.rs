@@ -179,6 +179,9 @@ pub(super) fn read_one<'i>(
     own: Option<BTreeSet<usize>>,
     faults: &mut Vec<Fault>,
 ) -> Option<Project> {
+    // first: what belongs to another kind is no fault of type or spelling
+    let mut foreign = Vec::new();
+    foreign_keys(root, &mut foreign);
     let untouched = root.clone();
     let mut check = SchemaCheck::new(text, &TREE);
     check.file(root, span);
@@ -188,7 +191,7 @@ pub(super) fn read_one<'i>(
         check = SchemaCheck::new(text, &BUILT);
         check.file(root, span);
     }
-    foreign_keys(root, &mut check.faults);
+    check.faults.append(&mut foreign);
     let tree = Spanned::new(span.clone(), std::mem::take(root));
     let raw = match FileRaw::deserialize(toml::Deserializer::from(tree)) {
         Ok(raw) => raw,
@@ -217,6 +220,9 @@ fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
     else {
         return;
     };
+    if kind != "survey" && KEYS_OF_KIND.iter().all(|(owner, _)| *owner != kind) {
+        return; // a misspelled kind is one fault
+    }
     if kind == "survey"
         && let Some((key, _)) = root.remove_entry("motion")
     {

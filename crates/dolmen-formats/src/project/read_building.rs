@@ -11,13 +11,10 @@ use super::read_damper::{dampers, damping};
 use super::read_stack::lengths;
 use super::read_structure::{countable, heaviness, missing};
 use super::reader::Reader;
+use super::slips_damper::judge_dampers;
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingError, Outline, PDelta, PlanDirection};
 
-/// A damper heavier than this part of the building. Our choice: built ones have a hundredth.
-const HEAVY: f64 = 0.25;
-/// A damper whose frequency is beyond this factor of its mode's is none for it. Our choice: 2π, rad/s for Hz, is beyond.
-const OUT_OF_TUNE: f64 = 5.0;
 /// Most floors of a building. Our choice: none has more than 200.
 const FLOORS_MOST: usize = 300;
 
@@ -50,6 +47,7 @@ pub(super) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
         reader.fault(fault.allowed(format!("must be at most {FLOORS_MOST}")));
         return None;
     }
+    names_apart(reader, &floors, list);
     let before = reader.faults.len();
     let damping = damping(reader, raw.damping.as_ref());
     let dampers = dampers(reader, raw.damper.as_ref(), count);
@@ -63,6 +61,33 @@ pub(super) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
         points,
         gravity_m_s2,
     })
+}
+
+/// Two floors of one name, or two walls of one storey, would be one in every table.
+fn names_apart(reader: &mut Reader, floors: &[FloorPart], list: &At<Vec<At<FloorRaw>>>) {
+    let mut refuse = |what: &str, path: &str, span, name: &str| {
+        let fault = Fault::new(span, path, format!("two {what} are named \"{name}\""));
+        reader.fault(fault.help("give each its own name"));
+    };
+    for (i, (floor, raw)) in floors.iter().zip(&list.value).enumerate() {
+        let path = format!("floors[{}]", i + 1);
+        if let Some(name) = &floor.name
+            && floors[..i].iter().any(|other| other.name.as_ref() == Some(name))
+        {
+            refuse("floors", &format!("{path}.name"), raw.span.clone(), name);
+        }
+        let (StoreyStiffnessPart::Walls(walls), Some(raw)) = (&floor.stiffness, &raw.value.walls) else {
+            continue;
+        };
+        for (k, (wall, raw)) in walls.iter().zip(&raw.value).enumerate() {
+            if let Some(name) = &wall.name
+                && walls[..k].iter().any(|other| other.name.as_ref() == Some(name))
+            {
+                let path = format!("{path}.walls[{}].name", k + 1);
+                refuse("walls of one storey", &path, raw.span.clone(), name);
+            }
+        }
+    }
 }
 
 fn floor(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<FloorPart> {
@@ -378,6 +403,15 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
             let fault = Fault::new(name.span.clone(), &format!("{path}.name"), message);
             reader.fault(fault.help("give each its own name"));
         }
+        if let (Some(floor), Some([x, y])) = (floor, &place)
+            && let Some(other) = all.iter().find(|other| {
+                let [u, v] = &*other.place;
+                other.floor == floor && u.value == x.value && v.value == y.value
+            })
+        {
+            let message = format!("point \"{}\" is where \"{}\" is", name.value, other.name);
+            reader.slip(&path, message, "is its place right?".to_owned());
+        }
         if let (Some(floor), Some(place)) = (floor, place) {
             all.push(WatchedPart {
                 name: name.value.clone(),
@@ -433,48 +467,7 @@ pub(super) fn buildable(reader: &mut Reader, part: &BuildingPart) {
             "damping",
             format!("damping: {why}"),
         ));
+        return; // dampers are tuned to damped modes
     }
-    for damper in &part.dampers {
-        let alone = BuildingPart {
-            dampers: vec![damper.clone()],
-            ..part.clone()
-        };
-        let path = format!("damper.{}", damper.name);
-        match alone.dampers(&building, &modes, pick) {
-            Err(why) => reader.fault(Fault::new(reader.place(&path), &path, why.to_string())),
-            Ok(built) => {
-                let mass_kg: f64 = built.iter().map(|own| own.kind.mass_kg()).sum();
-                if mass_kg > HEAVY * building.mass_kg() {
-                    let message = format!(
-                        "{path} weighs {:.1} t, {:.0} % of the building",
-                        1e-3 * mass_kg,
-                        100.0 * mass_kg / building.mass_kg()
-                    );
-                    reader.slip(
-                        &path,
-                        message,
-                        "does its mode hardly move at its place?".to_owned(),
-                    );
-                }
-                for own in built {
-                    let mode = own.tuned_to.and_then(|to| modes.modes.get(to.mode - 1));
-                    let (Some(mode), Some([hz, _])) = (mode, own.own()) else {
-                        continue;
-                    };
-                    let ratio = hz / mode.frequency_hz;
-                    if !(1.0 / OUT_OF_TUNE..=OUT_OF_TUNE).contains(&ratio) {
-                        let message = format!(
-                            "{path}: its frequency is {hz:.4} Hz, {ratio:.2} of that of its mode, {:.4} Hz",
-                            mode.frequency_hz
-                        );
-                        reader.slip(
-                            &path,
-                            message,
-                            "is it in Hz, not rad/s, and for this mode?".to_owned(),
-                        );
-                    }
-                }
-            }
-        }
-    }
+    judge_dampers(reader, part, &building, &modes);
 }

@@ -319,22 +319,22 @@ fn moving(
     let parts = masses(reader, given.masses.as_ref(), path);
     let tuning = given.tuning.as_ref().map(|tuning| rule(tuning.value));
     (reader.faults.len() == before).then_some(())?;
+    if let (None, Some(ratio)) = (&mass, mass_ratio.as_ref().filter(|ratio| ratio.value > 1.0)) {
+        let message = format!(
+            "{} = {}, but a damper is lighter than what it damps",
+            ratio.path, ratio.written
+        );
+        let fault = Fault::new(reader.place(&ratio.path), &ratio.path, message);
+        let fault = fault.allowed("must be above 0, at most 1");
+        reader.fault(fault.help("a mass ratio is 0.01 to 0.1, as a rule: write 5 % as 0.05 or \"5 %\""));
+        return None;
+    }
     let mut refuse = |message: String, help: &str| -> Option<DamperBody> {
         reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
         None
     };
     let mass = match (mass, mass_ratio) {
         (Some(mass), None) => DamperMass::Mass(mass),
-        (None, Some(ratio)) if ratio.value > 1.0 => {
-            let message = format!(
-                "{} = {}, but a damper is lighter than what it damps",
-                ratio.path, ratio.written
-            );
-            return refuse(
-                message,
-                "a mass ratio is 0.01 to 0.1, as a rule: write 5 % as 0.05 or \"5 %\"",
-            );
-        }
         (None, Some(ratio)) => DamperMass::Ratio(ratio),
         (Some(_), Some(_)) => {
             return refuse(format!("{path} has both mass and mass_ratio"), "keep one of them");

@@ -6,7 +6,9 @@ use super::file_study::{DamageRaw, ExpectedRaw, LawRaw, SeriesRaw, StudyRaw, Tre
 use super::measure::{Bound, Measure};
 use super::read_study_values::{axis, leaves, series};
 use super::reader::{Reader, names};
-use super::study::{ArtificialPart, Axis, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart};
+use super::study::{
+    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
+};
 use dolmen::assess::{DamageThresholds, Direction};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::collections::BTreeMap;
@@ -22,6 +24,8 @@ const HALVINGS: u32 = 3;
 const PEAK_MOST_M_S2: f64 = 10.0 * STANDARD_GRAVITY_M_S2;
 /// Least ratio at which a damage state may begin: below it every stack is damaged. Chosen here.
 const RATIO_LEAST: f64 = 1e-4;
+/// Largest drift over the height of the storey that may be a limit: beyond, nothing is linear. Chosen here.
+const DRIFT_MOST: f64 = 0.1;
 /// Longest time, s.
 const TIME_MOST_S: f64 = 1e4;
 /// Periods of spectral accelerations if none are given, the range they may have, s, and how many there may be. Chosen here.
@@ -165,6 +169,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         .damage
         .as_ref()
         .map(|raw| damage(reader, raw, &below("damage")));
+    let drift_limits = drift_limits(reader, given.drift_limits.as_ref(), &below("drift_limits"));
     let expect = expected(reader, given.expect.as_deref(), &vary, &path);
     (reader.faults.len() == before).then_some(())?;
     Some(StudyPart {
@@ -190,6 +195,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
         spectral_periods_s,
         spectral_damping_ratio: spectral_damping_ratio.unwrap_or(SPECTRAL_DAMPING),
         damage: damage.unwrap_or_default(),
+        drift_limits,
         expect,
         harmonic,
         release_m,
@@ -259,6 +265,27 @@ fn damage(reader: &mut Reader, raw: &At<DamageRaw>, path: &str) -> DamageThresho
         reader.fault(fault.help("DS3 is worse than DS2: give both, the larger one for DS3"));
     }
     found
+}
+
+/// Four rising drifts over the height of the storey.
+fn drift_limits(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str) -> [f64; 4] {
+    let Some(raw) = raw else { return DRIFT_LIMITS };
+    let values: Vec<f64> = raw.value.iter().map(|value| value.value).collect();
+    let rises = values.windows(2).all(|pair| pair[1] > pair[0]);
+    let in_range = values
+        .iter()
+        .all(|value| (RATIO_LEAST..=DRIFT_MOST).contains(value));
+    match <[f64; 4]>::try_from(values.as_slice()) {
+        Ok(limits) if rises && in_range => limits,
+        _ => {
+            let words: Vec<String> = values.iter().map(f64::to_string).collect();
+            let message = format!("{path} = [{}] are no limits", words.join(", "));
+            let fault = Fault::new(raw.span.clone(), path, message);
+            let fault = fault.allowed(format!("must be 4, rising, {RATIO_LEAST} to {DRIFT_MOST}"));
+            reader.fault(fault.help("drifts over the height of the storey: 1 % is 0.01"));
+            DRIFT_LIMITS
+        }
+    }
 }
 
 /// Refuses what is written twice: it would count as more than it is.

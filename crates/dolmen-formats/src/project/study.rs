@@ -87,6 +87,10 @@ pub struct HarmonicPart {
     pub accelerations_m_s2: Vec<f64>,
 }
 
+/// Drifts where the states of a building begin if its file names none: FEMA 356 (2000), table C1-3, of concrete walls .5, 1 and 2 %, of
+/// concrete frames 1, 2 and 4 % for immediate occupancy, life safety and collapse prevention.
+pub const DRIFT_LIMITS: [f64; 4] = [0.005, 0.01, 0.02, 0.04];
+
 /// A study of a project file, checked but for the values that its inputs take: those are read with each run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StudyPart {
@@ -128,6 +132,8 @@ pub struct StudyPart {
     pub spectral_damping_ratio: f64,
     /// Where damage states of a stack begin.
     pub damage: DamageThresholds,
+    /// Drifts of a building, over the height of the storey, where its states begin; rising.
+    pub drift_limits: [f64; 4],
     /// What it expects to see.
     pub expect: Vec<ExpectedTrend>,
     /// Of a frame or a chain: a map of sticking and slipping.

@@ -4,7 +4,8 @@ use super::chain_findings::load_factor_words;
 use super::findings::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use crate::Language;
-use crate::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
+use crate::answer::{Check, VariantAnswer};
+use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, StandingBuilding};
 use crate::figures::building_plan;
 use crate::number::{beside_one, fixed, percent, prefix, significant};
 use crate::project::BuiltDamper;
@@ -40,8 +41,36 @@ pub(super) fn findings(answer: &BuildingAnswer, language: Language) -> Vec<Findi
         if let Some(spectral) = &standing.spectral {
             all.push(spectral_finding(answer, spectral, language));
         }
+        all.extend(room_findings(standing, language));
     }
     all
+}
+
+/// Dampers that need more room under the spectrum of the site than they have.
+fn room_findings(standing: &StandingBuilding, language: Language) -> Vec<Finding> {
+    let each = standing.beyond_room().into_iter().map(|(damper, stroke_m, room_m)| {
+        let (needed, has) = (significant(1e3 * stroke_m, 4), significant(1e3 * room_m, 4));
+        Finding::new(
+            Tone::Bad,
+            language.pick(
+                format!("Damper {} is beyond its room under the spectrum of the site: it needs {needed}\u{202f}mm each way and has {has}\u{202f}mm.", damper.name),
+                format!("부지 스펙트럼에서 제진장치 {}의 행정 {needed}\u{202f}mm가 여유 {has}\u{202f}mm를 넘는다.", damper.name),
+            ),
+        )
+    });
+    each.collect()
+}
+
+/// The same of the variants.
+pub(super) fn variant_findings(variants: &[VariantAnswer], language: Language) -> Vec<Finding> {
+    let states = variants.iter().map(|variant| &variant.state.check);
+    let standing = states.filter_map(|check| match check {
+        Check::Building(answer) => answer.stands.as_deref(),
+        _ => None,
+    });
+    standing
+        .flat_map(|standing| room_findings(standing, language))
+        .collect()
 }
 
 fn mode_findings(standing: &StandingBuilding, language: Language) -> Vec<Finding> {
@@ -126,6 +155,10 @@ pub(super) fn sections(answer: &BuildingAnswer, language: Language) -> Markup {
             (modes(standing, language))
             (dampers(&standing.dampers, language))
             @if let Some(spectral) = &standing.spectral { (spectrum(answer, spectral, language)) }
+            @if let Some(damped) = &standing.damped { (damped_spectrum(answer, damped, standing, language)) }
+            @if let Some(why) = &standing.damped_refused {
+                p { b { (language.pick("The response with the dampers is not computed: ", "제진장치를 포함한 스펙트럼 응답을 계산하지 않았다: ")) (why) } }
+            }
             @if let Some(why) = &standing.spectral_refused {
                 p { b { (language.pick("The response to the spectrum of the site is not computed: ", "부지 스펙트럼에 대한 응답을 계산하지 않았다: ")) (why) } }
             }
@@ -271,18 +304,41 @@ pub(super) fn dampers(dampers: &[BuiltDamper], language: Language) -> Markup {
                     .into(),
                 own.map_or_else(none, |own| significant(own[0], 4)).into(),
                 own.map_or_else(none, |own| percent(own[1], 3)).into(),
-                damper.rest().into(),
+                Cell::wrapping(damper.rest()),
             ]
         })
         .collect();
     let caption = language.pick(
-        "Dampers: tmd, a mass on a spring; tlcd, a liquid column; tlcmd, such a column on a spring; link, a dashpot. The mass ratio is of the modal mass at the damper's place, the damping ratio on its own frequency.",
+        "Dampers. tmd, a mass on a spring; tlcd, a liquid column; tlcmd, such a column on a spring; link, a dashpot. The mass ratio is of the modal mass at the damper's place, the damping ratio on its own frequency.",
         "제진장치. tmd 동조질량감쇠기, tlcd 동조액체기둥감쇠기, tlcmd 그 혼합형, link 점성감쇠기. 질량비는 장치 위치에서의 모드질량에 대한 값이고 감쇠비는 장치 자신의 진동수에 대한 값이다.",
     );
     table(caption, 2, &head, &rows)
 }
 
 fn spectrum(answer: &BuildingAnswer, spectral: &BuildingSpectral, language: Language) -> Markup {
+    let [sum, srss, cqc] = spectral.base_shear_n;
+    let kn = |value: f64| significant(1e-3 * value, 4);
+    let worst = spectral.least_favourable.map(|of| of.largest);
+    html! {
+        h2 { (language.pick("Response to the spectrum of the site", "부지 스펙트럼에 대한 응답")) }
+        p { (language.pick(
+            format!("Base shear along x {} kN, along y {} kN by CQC (SRSS {} and {}, absolute sums {} and {} kN); torque about the centre of all mass {} kN·m. In the least favourable direction of shaking, the weaker component .85 of the stronger, {} and {} kN.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m), kn(worst[0]), kn(worst[1])),
+            format!("CQC에 의한 밑면전단력은 x 방향 {} kN, y 방향 {} kN(SRSS {}, {}; 절대합 {}, {} kN)이고 전체 질량중심에 대한 비틀림모멘트는 {} kN·m이다. 가장 불리한 지진 방향(약축 성분 0.85)에서는 {}, {} kN이다.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m), kn(worst[0]), kn(worst[1])),
+        )) }
+        (moved(answer, (&spectral.displacement_m, &spectral.edge_drift_m), language, language.pick(
+            "Largest elastic response, without dampers. Modes by CQC with the damping of each, shaking along x and y by the root of the sum of squares.",
+            "최대 탄성응답(제진장치 제외). 모드는 각 감쇠비를 고려한 CQC로, x·y 방향 지진은 제곱합의 제곱근으로 조합하였다.",
+        )))
+    }
+}
+
+/// Floors and the storeys below them.
+fn moved(
+    answer: &BuildingAnswer,
+    (displacement_m, edge_drift_m): (&[[f64; 2]], &[Option<[f64; 2]>]),
+    language: Language,
+    caption: &str,
+) -> Markup {
     let head = [
         language.pick("Floor", "층").to_owned(),
         language.pick("x (mm)", "변위 x (mm)").to_owned(),
@@ -297,28 +353,43 @@ fn spectrum(answer: &BuildingAnswer, spectral: &BuildingSpectral, language: Lang
     let rows: Vec<Vec<Cell>> = (0..storeys.len())
         .rev()
         .map(|i| {
-            let [x, y] = spectral.displacement_m[i];
+            let [x, y] = displacement_m[i];
             let mm = |value: f64| significant(1e3 * value, 3);
             let mut row: Vec<Cell> = vec![answer.floors[i].clone().into(), mm(x).into(), mm(y).into()];
-            row.extend(match spectral.edge_drift_m[i] {
+            row.extend(match edge_drift_m[i] {
                 Some([x, y]) => [mm(x), mm(y), percent(x.max(y) / storeys[i].height_m, 3)].map(Cell::from),
                 None => ["–", "–", "–"].map(|none| none.to_owned().into()),
             });
             row
         })
         .collect();
-    let [sum, srss, cqc] = spectral.base_shear_n;
+    table(caption, 1, &head, &rows)
+}
+
+/// With the dampers.
+fn damped_spectrum(
+    answer: &BuildingAnswer,
+    damped: &DampedSpectral,
+    standing: &StandingBuilding,
+    language: Language,
+) -> Markup {
     let kn = |value: f64| significant(1e-3 * value, 4);
-    let worst = spectral.least_favourable.map(|of| of.largest);
+    let [x, y] = damped.base_shear_n.map(kn);
+    let strokes: Vec<String> = standing
+        .dampers
+        .iter()
+        .zip(&damped.strokes_m)
+        .map(|(damper, stroke_m)| format!("{} {}\u{202f}mm", damper.name, significant(1e3 * stroke_m, 4)))
+        .collect();
+    let list = strokes.join(", ");
     html! {
-        h2 { (language.pick("Response to the spectrum of the site", "부지 스펙트럼에 대한 응답")) }
         p { (language.pick(
-            format!("Base shear along x {} kN, along y {} kN by CQC (SRSS {} and {}, absolute sums {} and {} kN); torque about the centre of all mass {} kN·m. In the least favourable direction of shaking, the weaker component .85 of the stronger, {} and {} kN.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m), kn(worst[0]), kn(worst[1])),
-            format!("CQC에 의한 밑면전단력은 x 방향 {} kN, y 방향 {} kN(SRSS {}, {}; 절대합 {}, {} kN)이고 전체 질량중심에 대한 비틀림모멘트는 {} kN·m이다. 가장 불리한 지진 방향(약축 성분 0.85)에서는 {}, {} kN이다.", kn(cqc[0]), kn(cqc[1]), kn(srss[0]), kn(srss[1]), kn(sum[0]), kn(sum[1]), kn(spectral.base_torque_n_m), kn(worst[0]), kn(worst[1])),
+            format!("With the dampers: base shear along x {x} kN, along y {y} kN; strokes {list}."),
+            format!("제진장치 포함: 밑면전단력 x 방향 {x} kN, y 방향 {y} kN, 행정 {list}."),
         )) }
-        (table(language.pick(
-            "Largest elastic response, without dampers. Modes by CQC with the damping of each, shaking along x and y by the root of the sum of squares.",
-            "최대 탄성응답(제진장치 제외). 모드는 각 감쇠비를 고려한 CQC로, x·y 방향 지진은 제곱합의 제곱근으로 조합하였다.",
-        ), 1, &head, &rows))
+        (moved(answer, (&damped.displacement_m, &damped.edge_drift_m), language, language.pick(
+            "Largest elastic response with the dampers. Complex modes by CQC for damping that couples them.",
+            "제진장치를 포함한 최대 탄성응답. 비고전감쇠 복소모드를 CQC로 조합하였다.",
+        )))
     }
 }

@@ -4,6 +4,7 @@ use super::building::{dampers, floor_words};
 use super::findings::{Finding, Tone};
 use super::frame_simulation::variant_words;
 use super::simulation::motion_table;
+use super::stack_notes::capitalised;
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::building_histories;
@@ -12,6 +13,9 @@ use crate::simulation::{Against, BuildingSimulation};
 use crate::text::GROWN;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use maud::{Markup, html};
+
+/// Motion below this part of the largest is round-off.
+const NOTHING: f64 = 1e-9;
 
 /// How each moved, as findings.
 pub(super) fn findings(simulations: &[BuildingSimulation], language: Language) -> Vec<Finding> {
@@ -24,7 +28,27 @@ pub(super) fn findings(simulations: &[BuildingSimulation], language: Language) -
         let lead = language.pick(format!("Under {motion}, {of}"), format!("{of}{motion} 작용 시: "));
         let grown = simulation.against_without().iter().any(|of| of.ratio > GROWN);
         let tone = if grown { Tone::Warn } else { Tone::Plain };
-        Finding::new(tone, lead + &moved(simulation, language))
+        let mut own: Vec<Finding> = beyond_room(simulation, language)
+            .into_iter()
+            .map(|beyond| Finding::new(Tone::Bad, lead.clone() + &beyond))
+            .collect();
+        own.push(Finding::new(tone, lead + &moved(simulation, language)));
+        own
+    });
+    each.flatten().collect()
+}
+
+/// Dampers that need more room than they have, a sentence each.
+fn beyond_room(simulation: &BuildingSimulation, language: Language) -> Vec<String> {
+    let each = simulation.beyond_room().into_iter().map(|beyond| {
+        let (needed, room) = (
+            significant(1e3 * beyond.stroke_m, 4),
+            significant(1e3 * beyond.room_m, 4),
+        );
+        language.pick(
+            format!("damper {} is beyond its room: it needs {needed} mm each way and has {room} mm. It would meet its stops, which this run does not have.", beyond.name),
+            format!("제진장치 {}의 행정 {needed} mm가 여유 {room} mm를 넘는다. 이 해석은 스토퍼 충돌을 고려하지 않으므로 결과를 그대로 쓸 수 없다.", beyond.name),
+        )
     });
     each.collect()
 }
@@ -92,20 +116,16 @@ fn section(simulation: &BuildingSimulation, language: Language) -> Markup {
     let variant = variant_words(&simulation.variant, &simulation.variant_title, language);
     html! {
         h2 { (language.pick("Simulated earthquake", "지진응답 시뮬레이션")) @if let Some(variant) = variant { ": " (variant) } }
+        @for beyond in beyond_room(simulation, language) { p { b { (capitalised(&beyond)) } } }
         p { b { (moved(simulation, language)) } }
         (motion_table(&simulation.motion, language))
         (dampers(&simulation.dampers, language))
+        (strokes_table(simulation, language))
         (floors_table(simulation, language))
         @for found in building_histories(simulation, language) {
             (figure(&found.svg, &caption(&found.name, simulation, language)))
         }
         (points_table(simulation, language))
-        @for beyond in simulation.beyond_room() {
-            p { b { (language.pick(
-                format!("Damper {} moves {:.0} mm and has {:.0} mm: it meets its stops, which this run does not have.", beyond.name, 1e3 * beyond.stroke_m, 1e3 * beyond.room_m),
-                format!("제진장치 {}의 행정 {:.0} mm가 여유 {:.0} mm를 넘는다. 이 해석은 스토퍼 충돌을 고려하지 않는다.", beyond.name, 1e3 * beyond.stroke_m, 1e3 * beyond.room_m),
-            )) } }
-        }
         p { (run(simulation, language)) }
     }
 }
@@ -153,6 +173,55 @@ fn caption(name: &str, simulation: &BuildingSimulation, language: Language) -> S
     text.to_owned()
 }
 
+/// Strokes of the dampers with the room that each has, and the forces of their dashpots.
+fn strokes_table(simulation: &BuildingSimulation, language: Language) -> Markup {
+    if simulation.dampers.is_empty() {
+        return html! {};
+    }
+    let head = [
+        language.pick("Damper", "제진장치"),
+        language.pick("stroke (mm)", "행정 (mm)"),
+        language.pick("room (mm)", "여유 (mm)"),
+        language.pick("force of the dashpot (kN)", "감쇠력 (kN)"),
+    ]
+    .map(String::from);
+    let peaks = &simulation.history.peaks;
+    let forces = simulation.dashpot_forces_n();
+    let mut rows: Vec<Vec<Cell>> = Vec::new();
+    for (k, (name, stroke)) in simulation
+        .stroke_names()
+        .into_iter()
+        .zip(&peaks.strokes_m)
+        .enumerate()
+    {
+        let room_m = simulation.dampers.get(k).and_then(|damper| damper.room_m);
+        let stroke_m = stroke.value.abs();
+        let text = significant(1e3 * stroke_m, 4);
+        let none = || "–".to_owned();
+        rows.push(vec![
+            name.into(),
+            match room_m {
+                Some(room_m) if stroke_m > room_m => Cell::bad(text),
+                _ => text.into(),
+            },
+            room_m
+                .map_or_else(none, |room_m| significant(1e3 * room_m, 4))
+                .into(),
+            forces
+                .get(k)
+                .copied()
+                .flatten()
+                .map_or_else(none, |force| significant(1e-3 * force.value.abs(), 4))
+                .into(),
+        ]);
+    }
+    let caption = language.pick(
+        "What the dampers do. Largest travel each way from the place at rest, the room that each has, and the largest force of its dashpot.",
+        "제진장치의 거동. 정지 위치에서의 한쪽 최대 행정, 주어진 여유 공간과 감쇠기의 최대 감쇠력.",
+    );
+    table(caption, 1, &head, &rows)
+}
+
 fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {
     let head = [
         language.pick("Floor", "층").to_owned(),
@@ -167,11 +236,19 @@ fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {
     ];
     let peaks = &simulation.history.peaks;
     let storeys = simulation.building.building().storeys();
+    let moved = peaks
+        .floors
+        .iter()
+        .flat_map(|floor| [floor.displacement_x_m.value, floor.displacement_y_m.value]);
+    let most = moved.map(f64::abs).fold(0.0, f64::max);
     let rows: Vec<Vec<Cell>> = (0..storeys.len())
         .rev()
         .map(|i| {
             let (floor, storey) = (&peaks.floors[i], &peaks.storeys[i]);
-            let milli = |value: f64| significant(1e3 * value.abs(), 3);
+            let milli = |value: f64| match value.abs() > NOTHING * most {
+                true => significant(1e3 * value.abs(), 3),
+                false => "0".to_owned(),
+            };
             let edges = storey.edge_drift_x_m.zip(storey.edge_drift_y_m);
             let mut row: Vec<Cell> = vec![
                 simulation.floors[i].clone().into(),

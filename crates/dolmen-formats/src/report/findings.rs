@@ -63,12 +63,14 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         all.extend(samples::findings(state.sampled.as_ref(), language));
     }
     all.extend(variants::findings(answer, language));
+    all.extend(building::variant_findings(&answer.variants, language));
     if let Some(simulated) = &answer.simulation {
         all.extend(simulation::findings(simulated, language));
     }
     all.extend(frame_simulation::findings(&answer.frame_simulations, language));
     all.extend(chain_simulation::findings(&answer.chain_simulations, language));
     all.extend(tune::findings(&answer.tunings, language));
+    all.extend(tune::findings_together(&answer.together, language));
     all.extend(building_simulation::findings(
         &answer.building_simulations,
         language,

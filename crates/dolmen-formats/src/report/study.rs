@@ -157,6 +157,10 @@ fn capacities(answer: &StudyAnswer, language: Language) -> Markup {
             "Peak acceleration of the ground at which a storey first leans by more than 10 %.",
             "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도.",
         ),
+        StudyKind::Building => language.pick(
+            "Peak acceleration of the ground at which a storey first drifts beyond the last limit.",
+            "층간변위가 처음 마지막 한계를 넘는 최대지반가속도.",
+        ),
     };
     let how = language.pick(
         format!("“>”: not up to the largest that was tried. 5 % and 95 % are said of {SCANS_OF_TAILS} scans and more."),

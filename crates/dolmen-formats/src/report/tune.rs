@@ -4,8 +4,9 @@ use super::findings::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::tune_figures;
-use crate::text::{choice_words, findings as sentences, together_words};
-use crate::tune::{TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
+use crate::number::significant;
+use crate::text::{choice_words, findings as sentences, room_words, together_words};
+use crate::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use dolmen::damper::{Aim, Choice, DesignEnd, TuningRule};
 use maud::{Markup, html};
 
@@ -34,6 +35,10 @@ pub(super) fn findings(answers: &[TuneAnswer], language: Language) -> Vec<Findin
                 ),
             ));
         }
+        all.extend(beyond_room(&answer.room, language, |row| {
+            let row = answer.comparison.rows.get(row);
+            row.is_some_and(|row| row.choice == Choice::Given)
+        }));
         let ratio = |choice| {
             answer
                 .comparison
@@ -61,6 +66,47 @@ pub(super) fn findings(answers: &[TuneAnswer], language: Language) -> Vec<Findin
     all
 }
 
+/// Dampers as in the file that need more room than they have.
+fn beyond_room(room: &RoomCheck, language: Language, is_given: impl Fn(usize) -> bool) -> Vec<Finding> {
+    let beyond = room.beyond().filter(|of| is_given(of.row));
+    let mut all: Vec<Finding> = beyond
+        .map(|of| {
+            let (needed, has) = (
+                significant(1e3 * of.stroke_m, 4),
+                significant(1e3 * of.room_m, 4),
+            );
+            Finding::new(
+                Tone::Bad,
+                language.pick(
+                    format!("Damper {} is beyond its room under {}: it needs {needed}\u{202f}mm each way and has {has}\u{202f}mm.", of.damper, of.motion),
+                    format!("제진장치 {}의 행정 {needed}\u{202f}mm가 여유 {has}\u{202f}mm를 넘는다({}).", of.damper, of.motion),
+                ),
+            )
+        })
+        .collect();
+    if room.is_unjudged() {
+        all.push(Finding::new(
+            Tone::Unknown,
+            language.pick(
+                "The room of a damper is given, and the file has no motion to hold it against.",
+                "제진장치의 여유 공간은 주어졌으나 비교할 지진동이 없다.",
+            ),
+        ));
+    }
+    all
+}
+
+/// What all dampers together need beyond their room.
+pub(super) fn findings_together(answers: &[TogetherAnswer], language: Language) -> Vec<Finding> {
+    let each = answers.iter().map(|answer| {
+        beyond_room(&answer.room, language, |row| {
+            let row = answer.rows.get(row);
+            row.is_some_and(|row| row.choice == TogetherChoice::Given)
+        })
+    });
+    each.flatten().collect()
+}
+
 /// One section a damper.
 pub(super) fn sections(answers: &[TuneAnswer], language: Language) -> Markup {
     html! { @for answer in answers { (section(answer, language)) } }
@@ -78,8 +124,13 @@ fn section(answer: &TuneAnswer, language: Language) -> Markup {
         div.note {
             @if language == Language::English {
                 @for sentence in sentences(answer) { p { (sentence) "." } }
+                @for sentence in room_words(&answer.room, |row| row_words(answer, row, language)) { p { (sentence) "." } }
             } @else {
                 @for sentence in korean_sentences(answer) { p { (sentence) } }
+                @for of in answer.room.beyond() {
+                    p { "여유 초과: " (row_words(answer, of.row, language)) "의 경우 " (of.motion) "에서 행정 "
+                        (significant(1e3 * of.stroke_m, 4)) " mm, 여유 " (significant(1e3 * of.room_m, 4)) " mm." }
+                }
             }
             p { (language.pick(
                 "The rule of Hwang, Min & Hong puts a damper as far from the centre of the mode as the floor allows. It makes the damper work more on that mode, not the points move less. Their eq. 5a gives a damper along x the sign +Y; by their own eq. 12 it is −Y, which is used here.",
@@ -87,6 +138,12 @@ fn section(answer: &TuneAnswer, language: Language) -> Markup {
             )) }
         }
     }
+}
+
+/// A row of the comparison in words.
+fn row_words(answer: &TuneAnswer, row: usize, language: Language) -> String {
+    let row = answer.comparison.rows.get(row);
+    row.map_or(String::new(), |row| choice(row.choice, answer.mode, language))
 }
 
 fn lead(answer: &TuneAnswer, language: Language) -> String {

@@ -2,7 +2,7 @@
 
 use super::MotionAnswer;
 use crate::project::{BuiltDamper, Names};
-use dolmen::dynamics::{BuildingHistory, BuildingPeaks, VibratingBuilding, WatchedHistory};
+use dolmen::dynamics::{BuildingHistory, BuildingPeaks, Peak, VibratingBuilding, WatchedHistory};
 
 /// A point of a floor that is watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -172,6 +172,18 @@ impl BuildingSimulation {
         let apart = self.dampers.iter().filter(|damper| damper.has_liquid_apart());
         own.chain(apart.map(|damper| format!("{} liquid", damper.name)))
             .collect()
+    }
+
+    /// The largest force of the dashpot of each damper, N, and when; `None` of a liquid column, which has none.
+    pub fn dashpot_forces_n(&self) -> Vec<Option<Peak>> {
+        let pairs = self.dampers.iter().zip(&self.history.peaks.stroke_rates_m_s);
+        let each = pairs.map(|(damper, rate)| {
+            Some(Peak {
+                value: damper.dashpot_n_s_m()? * rate.value,
+                at_s: rate.at_s,
+            })
+        });
+        each.collect()
     }
 
     /// Dampers that move further than their room: the run does not know their stops.

@@ -17,7 +17,7 @@ impl StudyAnswer {
     pub fn rest_s(&self) -> f64 {
         let usual = match self.kind {
             StudyKind::Stack => Springs::default().rest_s,
-            StudyKind::Frame | StudyKind::Chain => SWING_REST_S,
+            StudyKind::Frame | StudyKind::Chain | StudyKind::Building => SWING_REST_S,
         };
         self.study.rest_s.unwrap_or(usual)
     }
@@ -56,6 +56,16 @@ impl StudyAnswer {
                 );
             }
         }
+        if self.kind == StudyKind::Building {
+            let limits = study
+                .drift_limits
+                .map(|limit| trimmed(100.0 * limit, 4))
+                .join(", ");
+            words.push(language.pick(
+                format!("drift limits {limits} % of the storey's height"),
+                format!("층간변위 한계 층고의 {limits} %"),
+            ));
+        }
         if study.damage != DamageThresholds::default() {
             words.push(
                 language
@@ -65,10 +75,16 @@ impl StudyAnswer {
         }
         if study.scan.is_some() {
             let rest = trimmed(self.rest_s(), 3);
-            words.push(language.pick(
-                format!("{rest} s after the motion"),
-                format!("지진동 종료 후 {rest}초"),
-            ));
+            words.push(match (self.kind, study.rest_s) {
+                (StudyKind::Building, None) => language.pick(
+                    format!("{rest} s and at least ten periods after the motion"),
+                    format!("지진동 종료 후 {rest}초, 최소 10주기"),
+                ),
+                _ => language.pick(
+                    format!("{rest} s after the motion"),
+                    format!("지진동 종료 후 {rest}초"),
+                ),
+            });
             let part = part_of_step(study.refine);
             words.push(language.pick(
                 format!("first fall to {part} of a step"),

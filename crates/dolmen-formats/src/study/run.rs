@@ -9,6 +9,8 @@ pub enum StudyKind {
     Frame,
     /// A chain of links.
     Chain,
+    /// A building of rigid floors.
+    Building,
 }
 
 impl StudyKind {
@@ -46,15 +48,27 @@ impl StudyKind {
                 "residual_rotation_rad",
                 "energy_left_over_ratio",
             ],
+            StudyKind::Building => &[
+                "peak_top_displacement_m",
+                "peak_drift_m",
+                "peak_edge_drift_m",
+                "peak_edge_drift_ratio",
+                "base_shear_x_n",
+                "base_shear_y_n",
+                "base_torque_n_m",
+                "peak_stroke_m",
+                "stroke_over_room",
+            ],
         }
     }
 
-    /// "stack", "frame" or "chain".
+    /// "stack", "frame", "chain" or "building".
     pub fn word(self) -> &'static str {
         match self {
             StudyKind::Stack => "stack",
             StudyKind::Frame => "frame",
             StudyKind::Chain => "chain",
+            StudyKind::Building => "building",
         }
     }
 
@@ -64,6 +78,7 @@ impl StudyKind {
             StudyKind::Stack => ["DS1", "DS2", "DS3", "falls"],
             StudyKind::Frame => ["slips", "–", "–", "drift limit"],
             StudyKind::Chain => ["opens", "–", "–", "falls"],
+            StudyKind::Building => ["limit 1", "limit 2", "limit 3", "limit 4"],
         }
     }
 }
@@ -123,7 +138,7 @@ pub struct Run {
     pub peak_ground_velocity_m_s: f64,
     /// How it ended.
     pub outcome: RunOutcome,
-    /// 0 to 4 (DS1 to DS4); of a frame 1 if it slips and 4 at the drift limit; of a chain 1 if a joint opens or turns against friction.
+    /// 0 to 4 (DS1 to DS4; of a building the limits of drift that are reached); of a frame 1 if it slips and 4 at the drift limit; of a chain 1 if a joint opens or turns against friction.
     pub damage_state: u8,
     /// Of a stack that ran: the damage state of each joint, 0 to 4, in the order of its joints.
     pub joint_states: Vec<u8>,

@@ -1,7 +1,7 @@
 //! `dolmen check` of a building as text.
 
 use super::Table;
-use crate::building::{BuildingAnswer, BuildingSpectral, MINOR_RATIO, StandingBuilding};
+use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::number::{beside_one, significant};
 use crate::project::BuiltDamper;
 use std::f64::consts::TAU;
@@ -13,9 +13,9 @@ pub(super) fn building_text(answer: &BuildingAnswer) -> String {
     if let Some(standing) = &answer.stands {
         out += &modes_text(standing);
         out += &dampers_text(&standing.dampers);
-        out += &standing.spectral.as_ref().map_or_else(String::new, |spectral| {
-            spectral_text(answer, spectral, &standing.dampers)
-        });
+        if let Some(spectral) = &standing.spectral {
+            out += &spectral_text(answer, spectral, standing);
+        }
         if let Some(why) = &standing.spectral_refused {
             let _ = writeln!(
                 out,
@@ -182,18 +182,18 @@ pub(super) fn dampers_text(dampers: &[BuiltDamper]) -> String {
     out
 }
 
-fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral, dampers: &[BuiltDamper]) -> String {
-    let mut out = String::from(
-        "\nResponse to the spectrum of the site, all modes; shaking along x and y together by the root of the sum of squares\n",
+fn spectral_text(
+    answer: &BuildingAnswer,
+    spectral: &BuildingSpectral,
+    standing: &StandingBuilding,
+) -> String {
+    let without = match standing.dampers.is_empty() {
+        true => "",
+        false => " WITHOUT ITS DAMPERS",
+    };
+    let mut out = format!(
+        "\nResponse to the spectrum of the site{without}, all modes; shaking along x and y together by the root of the sum of squares\n"
     );
-    if !dampers.is_empty() {
-        let names: Vec<&str> = dampers.iter().map(|damper| damper.name.as_str()).collect();
-        let _ = writeln!(
-            out,
-            "  LEFT OUT: {}. A spectrum is read at modes of the building alone, and no combination of them holds a damper: `dolmen simulate` has it",
-            names.join(", ")
-        );
-    }
     let mut table = Table::new(&["base shear, kN", "along x", "along y"], 1);
     for (word, [x, y]) in ["absolute sum", "SRSS", "CQC"]
         .into_iter()
@@ -220,6 +220,58 @@ fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral, dampers: 
         significant(1e-3 * y.largest, 5),
         y.direction_degrees
     );
+    out += &moved_text(
+        answer,
+        &spectral.displacement_m,
+        &spectral.edge_drift_m,
+        &spectral.points_m,
+    );
+    if let Some(damped) = &standing.damped {
+        out += &damped_text(answer, damped, standing);
+    }
+    if let Some(why) = &standing.damped_refused {
+        let _ = writeln!(
+            out,
+            "\nThe same with the dampers: NOT COMPUTED: {why}. `dolmen simulate` has it under a motion"
+        );
+    }
+    out
+}
+
+/// With the dampers, whose modes are complex.
+fn damped_text(answer: &BuildingAnswer, damped: &DampedSpectral, standing: &StandingBuilding) -> String {
+    let [x, y] = damped.base_shear_n.map(|n| significant(1e-3 * n, 5));
+    let mut out = format!(
+        "\nResponse to the spectrum of the site with its dampers: complex modes by CQC\n  base shear x {x} kN, y {y} kN; torque {} kN·m\n",
+        significant(1e-3 * damped.base_torque_n_m, 5)
+    );
+    out += &moved_text(
+        answer,
+        &damped.displacement_m,
+        &damped.edge_drift_m,
+        &damped.points_m,
+    );
+    for (damper, stroke_m) in standing.dampers.iter().zip(&damped.strokes_m) {
+        let _ = writeln!(out, "  damper {}: stroke {:.2} mm", damper.name, 1e3 * stroke_m);
+    }
+    for (damper, stroke_m, room_m) in standing.beyond_room() {
+        let _ = writeln!(
+            out,
+            "BEYOND ITS ROOM: damper {} needs {:.1} mm each way under the spectrum of the site and has {:.1} mm",
+            damper.name,
+            1e3 * stroke_m,
+            1e3 * room_m
+        );
+    }
+    out
+}
+
+fn moved_text(
+    answer: &BuildingAnswer,
+    displacement_m: &[[f64; 2]],
+    edge_drift_m: &[Option<[f64; 2]>],
+    points_m: &[(String, [f64; 2])],
+) -> String {
     let heads = [
         "floor",
         "x, mm",
@@ -230,20 +282,20 @@ fn spectral_text(answer: &BuildingAnswer, spectral: &BuildingSpectral, dampers: 
     ];
     let mut table = Table::new(&heads, 1);
     for (i, storey) in answer.elastic.storeys().iter().enumerate().rev() {
-        let [x, y] = spectral.displacement_m[i];
+        let [x, y] = displacement_m[i];
         let mut row = vec![
             answer.floors[i].clone(),
             format!("{:.3}", 1e3 * x),
             format!("{:.3}", 1e3 * y),
         ];
-        row.extend(match spectral.edge_drift_m[i] {
+        row.extend(match edge_drift_m[i] {
             Some([x, y]) => [1e3 * x, 1e3 * y, 100.0 * x.max(y) / storey.height_m].map(|v| format!("{v:.3}")),
             None => ["unknown", "unknown", "no outline"].map(str::to_owned),
         });
         table.row(row);
     }
-    out += &table.text();
-    for (name, [x, y]) in &spectral.points_m {
+    let mut out = table.text();
+    for (name, [x, y]) in points_m {
         let _ = writeln!(out, "  point {name}: x {:.3} mm, y {:.3} mm", 1e3 * x, 1e3 * y);
     }
     out

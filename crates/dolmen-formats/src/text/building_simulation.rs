@@ -15,21 +15,21 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
     out += &floors_text(simulation);
     out += &base_text(simulation);
     let peaks = &simulation.history.peaks;
-    for (name, stroke) in simulation.stroke_names().iter().zip(&peaks.strokes_m) {
+    let forces = simulation.dashpot_forces_n();
+    for (k, (name, stroke)) in simulation.stroke_names().iter().zip(&peaks.strokes_m).enumerate() {
+        let force = match forces.get(k).copied().flatten() {
+            Some(force) => format!(
+                "; force of its dashpot {} kN at {:.3} s",
+                significant(1e-3 * force.value.abs(), 4),
+                force.at_s
+            ),
+            None => String::new(),
+        };
         let _ = writeln!(
             out,
-            "Damper {name}: stroke {:.2} mm at {:.3} s",
+            "Damper {name}: stroke {:.2} mm at {:.3} s{force}",
             1e3 * stroke.value.abs(),
             stroke.at_s
-        );
-    }
-    for beyond in simulation.beyond_room() {
-        let _ = writeln!(
-            out,
-            "BEYOND ITS ROOM: damper {} moves {:.2} mm and has {:.2} mm: it meets its stops, which this run does not have",
-            beyond.name,
-            1e3 * beyond.stroke_m,
-            1e3 * beyond.room_m
         );
     }
     for point in &simulation.points {
@@ -87,7 +87,19 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
     } else {
         "of a centre of mass"
     };
-    let mut out = format!(
+    let mut out = String::new();
+    for beyond in simulation.beyond_room() {
+        let _ = writeln!(
+            out,
+            "BEYOND ITS ROOM: damper {} needs {:.1} mm each way and has {:.1} mm: it would meet its stops, which this run does not have, so that \
+             all below is too good",
+            beyond.name,
+            1e3 * beyond.stroke_m,
+            1e3 * beyond.room_m
+        );
+    }
+    let _ = write!(
+        out,
         "MOVED: the largest drift {place} is {} % of the height of the storey below floor {name}",
         significant(100.0 * drift.ratio, 3)
     );

@@ -40,5 +40,5 @@ pub(crate) use setups::remarks as setup_remarks;
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
 pub use study::study_text;
 pub use table::Table;
-pub use tune::{choice_words, findings, goal_words, together_text, together_words, tune_text};
+pub use tune::{choice_words, findings, goal_words, room_words, together_text, together_words, tune_text};
 pub use validate::validation_text;

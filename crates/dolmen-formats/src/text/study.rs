@@ -96,6 +96,7 @@ fn outcomes(answer: &StudyAnswer) -> String {
     for (outcome, count) in answer.outcomes() {
         let word = match (answer.kind, outcome) {
             (StudyKind::Frame, RunOutcome::Fell) => "beyond the drift limit",
+            (StudyKind::Building, RunOutcome::Fell) => "beyond the last drift limit",
             (_, outcome) => outcome.word(),
         };
         let _ = write!(out, ", {count} {word}");
@@ -142,14 +143,17 @@ fn levels(answer: &StudyAnswer) -> String {
             StudyKind::Stack => "sheds a stone",
             StudyKind::Chain => "falls",
             StudyKind::Frame => "leans beyond the drift limit",
+            StudyKind::Building => "drifts beyond the last limit",
         }
     );
     let mut heads = vec![
         "input", "value", "scans", "fell", "least", "5 %", "median", "95 %", states[0],
     ];
-    if answer.kind == StudyKind::Stack {
-        heads.extend([states[1], states[2]]);
-    }
+    let milder = match answer.kind {
+        StudyKind::Stack | StudyKind::Building => 3,
+        StudyKind::Frame | StudyKind::Chain => 1,
+    };
+    heads.extend(&states[1..milder]);
     heads.push("survived above");
     let mut table = Table::new(&heads, 2);
     let name = |row: &LevelRow| match row.input {
@@ -173,8 +177,7 @@ fn levels(answer: &StudyAnswer) -> String {
         cells.push(format!("{} of {usable}", row.fell()));
         cells.push(in_g(answer, row.least_m_s2()));
         cells.extend([0.05, 0.5, 0.95].map(|p| in_g(answer, row.quantile_m_s2(3, p))));
-        let states = 0..if answer.kind == StudyKind::Stack { 3 } else { 1 };
-        cells.extend(states.map(|state| begun_g(answer, row.quantile_m_s2(state, 0.5))));
+        cells.extend((0..milder).map(|state| begun_g(answer, row.quantile_m_s2(state, 0.5))));
         cells.push(format!("{} of {usable}", row.survived_above()));
         table.row(cells);
     }
@@ -182,8 +185,12 @@ fn levels(answer: &StudyAnswer) -> String {
     if levels.iter().any(|row| row.usable() < SCANS_OF_TAILS) {
         let _ = writeln!(out, "  5 % and 95 % are said of {SCANS_OF_TAILS} scans and more");
     }
-    if answer.kind == StudyKind::Stack {
-        out += "  DS1 to DS3: medians, to a step of the scan\n";
+    match answer.kind {
+        StudyKind::Stack => out += "  DS1 to DS3: medians, to a step of the scan\n",
+        StudyKind::Building => {
+            out += "  a linear building drifts in proportion: limits are medians, to a step of the scan; beyond yielding they say little\n";
+        }
+        StudyKind::Frame | StudyKind::Chain => {}
     }
     out += &left_out(answer);
     let scans = answer.capacities();
@@ -279,6 +286,17 @@ fn growth(answer: &StudyAnswer) -> String {
                 ("joint turns, mrad", "peak_joint_rotation_rad", 1e3),
                 ("open, % of the time", "open_share", 100.0),
                 ("slips, mrad", "slipped_rad", 1e3),
+            ],
+        ),
+        StudyKind::Building => (
+            "storeys",
+            &[
+                ("top moves, mm", "peak_top_displacement_m", 1e3),
+                ("drift at an edge, mm", "peak_edge_drift_m", 1e3),
+                ("% of height", "peak_edge_drift_ratio", 100.0),
+                ("base shear x, kN", "base_shear_x_n", 1e-3),
+                ("y, kN", "base_shear_y_n", 1e-3),
+                ("stroke, mm", "peak_stroke_m", 1e3),
             ],
         ),
     };

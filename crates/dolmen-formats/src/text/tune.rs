@@ -1,18 +1,48 @@
 //! A damper beside the rule and the best, as text.
 
 use super::Table;
-use crate::tune::{TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
+use crate::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use dolmen::damper::{Aim, Choice, Compared, DesignEnd, Goal};
 use std::fmt::Write as _;
 
 /// What is compared, what each choice does, tunings with their names, and what being off costs.
 pub fn tune_text(answer: &TuneAnswer) -> String {
     let mut out = given(answer);
+    for words in room_words(&answer.room, |row| {
+        let choice = answer.comparison.rows.get(row).map(|row| row.choice);
+        choice.map_or(String::new(), |choice| choice_words(choice, answer.mode))
+    }) {
+        let _ = writeln!(out, "{words}");
+    }
     out += &choices(answer);
     out += &sentences(answer);
     out += &tunings(answer);
     out += &off(answer);
     out
+}
+
+/// Dampers that need more room than they have, and rooms that nothing is held against, a sentence each.
+pub fn room_words(room: &RoomCheck, row: impl Fn(usize) -> String) -> Vec<String> {
+    let mut all: Vec<String> = room
+        .beyond()
+        .map(|of| {
+            format!(
+                "BEYOND ITS ROOM: {}, damper {} needs {:.1} mm each way under motion {} and has {:.1} mm",
+                row(of.row),
+                of.damper,
+                1e3 * of.stroke_m,
+                of.motion,
+                1e3 * of.room_m
+            )
+        })
+        .collect();
+    if room.is_unjudged() {
+        all.push(
+            "ROOM NOT JUDGED: the file says how much room there is, and has no [motion.NAME] to hold it against; the loads here have no size"
+                .to_owned(),
+        );
+    }
+    all
 }
 
 /// From this relative difference on numbers at prepared frequencies are called rough.
@@ -304,6 +334,12 @@ pub fn together_text(answer: &TogetherAnswer) -> String {
             out,
             "What is designed keeps to {most} of the strokes of the file's dampers"
         );
+    }
+    for words in room_words(&answer.room, |row| {
+        let row = answer.rows.get(row);
+        row.map_or(String::new(), |row| together_words(&row.choice))
+    }) {
+        let _ = writeln!(out, "{words}");
     }
     let mut heads = vec!["dampers".to_owned()];
     for (point, degrees) in &answer.points {

@@ -178,6 +178,41 @@ fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
             "mass_ratio = 1.5",
             "a damper is lighter than what it damps",
         ),
+        (
+            "mass_ratio = 0.05",
+            "mass_ratio = 1.5",
+            "mass_ratio = 1.5\n    |              ^^^ must be above 0, at most 1",
+        ),
+        (
+            "direction = \"y\"",
+            "direction = \"y\"\nstroke = 600",
+            "dampers have 2 mm to 5 m of room each way here",
+        ),
+        (
+            "kind = \"tmd\"\nfloor = 3\nplace = [4, 0]\ndirection = \"y\"\nmass_ratio = 0.05\ntuning = \"den_hartog\"",
+            "kind = \"link\"\nfloor = 3\nplace = [4, 0]\ndirection = \"y\"\ncoefficient = \"5e6 kN*s/m\"",
+            "is it in N*s/m, kN*s/m or MN*s/m?",
+        ),
+        (
+            "kind = \"tmd\"",
+            "kind = \"tlcmd\"\nlength_ratio = 0.6\nliquid_frequency = 60\nliquid_share = 0.5\nliquid_damping_ratio = 0.1",
+            "damper.top: its liquid swings at 60.0000 Hz",
+        ),
+        (
+            "damping.ratio",
+            "storeys = 4\ndamping.ratio",
+            "\"storeys\" belongs to kind = \"frame\"",
+        ),
+        (
+            "{ x = 0, y = -4, stiffness_x = 20 },\n    { x = 0, y = 4, stiffness_x = 20 }",
+            "{ name = \"a\", x = 0, y = -4, stiffness_x = 20 },\n    { name = \"a\", x = 0, y = 4, stiffness_x = 20 }",
+            "two walls of one storey are named \"a\"",
+        ),
+        (
+            "place = [5, 4] }]",
+            "place = [5, 4] }, { name = \"other\", floor = 3, place = [5, 4] }]",
+            "point \"other\" is where \"corner\" is",
+        ),
         ("mass_ratio = 0.05", "mass = 5000", "more than 1"),
         (
             "mass_ratio = 0.05",

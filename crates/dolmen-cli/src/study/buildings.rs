@@ -1,0 +1,119 @@
+//! Runs of buildings.
+
+use crate::simulate_building;
+use dolmen::damper::{AttachedDamper, damped_building_history};
+use dolmen::dynamics::{
+    BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
+};
+use dolmen::signal::GroundMotion;
+use dolmen_formats::project::{BuildingPart, BuiltDamper, Pick, StudyPart};
+use dolmen_formats::study::{Run, RunOutcome};
+
+/// Longest step between samples of a motion, s: that of `dolmen simulate`.
+const STEP_S: f64 = 0.01;
+
+/// A building with its dampers, ready to be shaken.
+pub(super) struct BuildingModel {
+    building: VibratingBuilding,
+    dampers: Vec<BuiltDamper>,
+    floors: Vec<String>,
+}
+
+/// The building of a study, or why it cannot be.
+pub(super) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel, String> {
+    let words = |why: &dyn std::fmt::Display| why.to_string();
+    let building = part.build(pick).map_err(|why| words(&why))?;
+    let building = part.vibrating(building, pick).map_err(|why| words(&why))?;
+    let dampers = part
+        .dampers(building.building(), building.modes(), pick)
+        .map_err(|why| words(&why))?;
+    let masses: Option<Vec<TunedMass>> = dampers.iter().map(BuiltDamper::tuned_mass).collect();
+    let building = match masses {
+        Some(masses) => building.with_tuned_masses(masses).map_err(|why| words(&why))?,
+        None => building,
+    };
+    Ok(BuildingModel {
+        building,
+        dampers,
+        floors: part.floor_names(),
+    })
+}
+
+fn history(
+    model: &BuildingModel,
+    motion: &GroundMotion,
+    run: &BuildingRun,
+) -> Result<BuildingHistory, String> {
+    if model.building.tuned_masses().len() == model.dampers.len() {
+        return building_history(&model.building, motion, run).map_err(|why| why.to_string());
+    }
+    let attached: Vec<AttachedDamper> = model.dampers.iter().map(BuiltDamper::attached).collect();
+    damped_building_history(&model.building, &attached, motion, run).map_err(|why| why.to_string())
+}
+
+/// Runs a building.
+pub(super) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion: &GroundMotion) -> Run {
+    let options = BuildingRun {
+        steps_per_sample: simulate_building::steps_per_sample(motion, STEP_S),
+        end_s: study.rest_s.map(|rest_s| motion.duration_s() + rest_s),
+        histories: Histories::PeaksAlone,
+        ..BuildingRun::default()
+    };
+    let found = match history(model, motion, &options) {
+        Ok(found) => found,
+        Err(why) => {
+            run.outcome = RunOutcome::Refused;
+            run.why = why;
+            return run;
+        }
+    };
+    let storeys = model.building.building().storeys();
+    // as `dolmen simulate`: at an edge where the outline is known
+    let drifts = found.peaks.storeys.iter().zip(storeys).map(|(peak, storey)| {
+        let edges = peak.edge_drift_x_m.zip(peak.edge_drift_y_m);
+        let (x, y) = edges.unwrap_or((peak.drift_x_m, peak.drift_y_m));
+        let most = if y.value.abs() > x.value.abs() { y } else { x };
+        (most, most.value.abs() / storey.height_m)
+    });
+    let worst = drifts
+        .enumerate()
+        .reduce(|worst, own| if own.1.1 > worst.1.1 { own } else { worst });
+    let Some((storey, (drift, drift_ratio))) = worst else {
+        return run; // a building has a storey
+    };
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let peaks = &found.peaks;
+    let top = peaks.floors.last().copied().unwrap_or_default();
+    let room =
+        |(damper, stroke): (&BuiltDamper, &dolmen::dynamics::Peak)| Some(stroke.value.abs() / damper.room_m?);
+    let pairs = model.dampers.iter().zip(&peaks.strokes_m);
+    let strokes = peaks.strokes_m.iter().take(model.dampers.len());
+    run.measures = vec![
+        largest(&mut [top.displacement_x_m.value, top.displacement_y_m.value].into_iter()),
+        largest(
+            &mut peaks
+                .storeys
+                .iter()
+                .flat_map(|s| [s.drift_x_m.value, s.drift_y_m.value]),
+        ),
+        drift.value.abs(),
+        drift_ratio,
+        peaks.base_shear_n[0].value.abs(),
+        peaks.base_shear_n[1].value.abs(),
+        peaks.base_torque_n_m.value.abs(),
+        largest(&mut strokes.map(|stroke| stroke.value)),
+        largest(&mut pairs.filter_map(room)),
+    ];
+    run.damage_state = study
+        .drift_limits
+        .iter()
+        .filter(|limit| drift_ratio >= **limit)
+        .count() as u8;
+    run.outcome = RunOutcome::Stood;
+    if usize::from(run.damage_state) == study.drift_limits.len() {
+        run.outcome = RunOutcome::Fell;
+        run.at_s = drift.at_s;
+        run.part = model.floors.get(storey).cloned().unwrap_or_default();
+    }
+    run
+}
