@@ -5,6 +5,7 @@ mod building_damper_spectra;
 mod building_dampers;
 mod building_history;
 mod building_modes;
+mod building_peaks;
 mod building_spectra;
 mod chain_friction;
 mod chain_identification;

@@ -1,0 +1,88 @@
+// SOURCE     The same run twice: with and without histories; tuned masses as part of the modes, and as dampers on the building.
+// GOAL       Peaks do not depend on what is kept, and the rate of a stroke is that of its history.
+// TOLERANCE  peaks: none; rates 1e-9 between methods, 1e-4 against differences at 1 ms.
+
+use super::building_history::{el_centro, mass, stepped};
+use dolmen::damper::{AttachedDamper, DamperKind, damped_building_history};
+use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding, building_history};
+use dolmen::signal::Component;
+use dolmen::structure::building::{BuildingDamping, PlanDirection};
+
+#[test]
+fn holds_peaks_alone_are_those_of_a_run_that_keeps_everything() {
+    let damping = BuildingDamping::Modal(vec![0.02]);
+    let building = stepped();
+    let hz = building.modes().unwrap().modes[0].frequency_hz;
+    let row = building
+        .point_row(3, 1.0, 1.0, PlanDirection::Degrees(30.0))
+        .unwrap();
+    let vibrating = VibratingBuilding::new(building, &damping, vec![mass(3, 2.0, 30.0, hz, 0.1)]).unwrap();
+    let motion = el_centro(&[(Component::X, 9.8), (Component::Y, -5.0)]);
+    let run = |histories| BuildingRun {
+        steps_per_sample: 2,
+        end_s: Some(33.33), // no whole number of blocks
+        watched: vec![row.clone()],
+        histories,
+    };
+    let kept = building_history(&vibrating, &motion, &run(Histories::Kept)).unwrap();
+    let alone = building_history(&vibrating, &motion, &run(Histories::PeaksAlone)).unwrap();
+    assert_eq!(kept.peaks, alone.peaks);
+    assert_eq!((kept.length(), kept.coordinates.columns()), (3334, 3334));
+    assert_eq!((alone.length(), alone.coordinates.columns()), (3334, 0));
+    assert_eq!(
+        kept.watched[0].displacement_peak_m,
+        alone.watched[0].displacement_peak_m
+    );
+    assert!(alone.watched[0].displacement_m.is_empty() && kept.watched[0].displacement_m.len() == 3334);
+    // what is kept is what was looked at: no step beyond a peak, and some step near it
+    let same = |steps: &[f64], peak: dolmen::dynamics::Peak| {
+        let most = steps.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let peak = peak.value.abs();
+        assert!(
+            most <= peak * (1.0 + 1e-12) && most > 0.97 * peak,
+            "{most} {peak}"
+        );
+    };
+    let of_row = |i: usize| -> Vec<f64> { (0..kept.length()).map(|k| kept.coordinates[(i, k)]).collect() };
+    same(&of_row(6), kept.peaks.floors[2].displacement_x_m);
+    same(&of_row(9), kept.peaks.strokes_m[0]);
+    same(
+        &kept.watched[0].displacement_m,
+        kept.watched[0].displacement_peak_m,
+    );
+}
+
+#[test]
+fn agrees_the_rate_of_a_stroke_by_differences_and_by_both_methods() {
+    let damping = BuildingDamping::Modal(vec![0.02]);
+    let building = stepped();
+    let hz = building.modes().unwrap().modes[0].frequency_hz;
+    let tuned = mass(3, 2.0, 30.0, hz, 0.1);
+    let row = building
+        .point_row(tuned.floor, tuned.x_m, tuned.y_m, tuned.direction)
+        .unwrap();
+    let attached = AttachedDamper {
+        kind: DamperKind::TunedMass {
+            mass_kg: tuned.mass_kg,
+            frequency_hz: tuned.frequency_hz,
+            damping_ratio: tuned.damping_ratio,
+        },
+        row,
+    };
+    let alone = VibratingBuilding::new(building, &damping, Vec::new()).unwrap();
+    let motion = el_centro(&[(Component::X, 9.8), (Component::Y, -5.0)]);
+    let run = BuildingRun {
+        steps_per_sample: 20, // 1 ms
+        end_s: Some(20.0),
+        ..BuildingRun::default()
+    };
+    let whole = damped_building_history(&alone, &[attached], &motion, &run).unwrap();
+    let modes = building_history(&alone.with_tuned_masses(vec![tuned]).unwrap(), &motion, &run).unwrap();
+    let rate = modes.peaks.stroke_rates_m_s[0];
+    let other = whole.peaks.stroke_rates_m_s[0];
+    assert!((rate.value / other.value - 1.0).abs() < 1e-9 && (rate.at_s - other.at_s).abs() < 1e-6);
+    let strokes: Vec<f64> = (0..modes.length()).map(|k| modes.coordinates[(9, k)]).collect();
+    let differences = strokes.windows(3).map(|three| (three[2] - three[0]) / 2e-3);
+    let most = differences.fold(0.0_f64, |most, rate| most.max(rate.abs()));
+    assert!((most / rate.value.abs() - 1.0).abs() < 1e-4, "{most} {rate:?}");
+}
