@@ -112,8 +112,7 @@ pub(crate) fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
     c
 }
 
-pub(crate) fn multiply_transposed(a: &Matrix, b: &Matrix) -> Matrix {
-    let mut c = Matrix::zeros(a.columns(), b.columns());
+pub(crate) fn multiply_transposed(a: &Matrix, b: &Matrix, c: &mut Matrix) {
     let target = MatMut::from_column_major_slice_mut(c.as_mut_slice(), a.columns(), b.columns());
     matmul(
         target,
@@ -123,7 +122,6 @@ pub(crate) fn multiply_transposed(a: &Matrix, b: &Matrix) -> Matrix {
         1.0,
         Par::Seq,
     );
-    c
 }
 
 /// Eigenvalues and vectors of a symmetric matrix (its lower triangle is read).

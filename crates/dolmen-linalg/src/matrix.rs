@@ -138,8 +138,23 @@ impl Matrix {
 
     /// Selfᵀ times `other`, without forming the transpose.
     pub fn transpose_times(&self, other: &Matrix) -> Matrix {
+        let mut product = Matrix::zeros(self.columns, other.columns);
+        self.transpose_times_into(other, &mut product);
+        product
+    }
+
+    /// Selfᵀ times `other` in place of what `product` held: for a product that is formed again and again.
+    ///
+    /// # Panics
+    /// Unless `product` has as many rows as `self` has columns, and as many columns as `other`.
+    pub fn transpose_times_into(&self, other: &Matrix, product: &mut Matrix) {
         assert_eq!(self.rows, other.rows, "Aᵀ B needs as many rows in A as in B");
-        crate::decompose::multiply_transposed(self, other)
+        assert_eq!(
+            (product.rows, product.columns),
+            (self.columns, other.columns),
+            "Aᵀ B has the columns of A as rows and those of B as columns"
+        );
+        crate::decompose::multiply_transposed(self, other, product);
     }
 }
 

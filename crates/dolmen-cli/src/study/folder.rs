@@ -168,11 +168,9 @@ impl StudyFolder {
         if answer.study.scan.is_some() {
             table("runs", run_columns(answer))?;
             table("capacities", capacity_columns(answer))?;
-            let found = answer.fragilities();
-            table("fragility", fragility_columns(answer, &found))?;
-            let joints = answer.joint_fragilities(&found);
-            if !joints.is_empty() {
-                table("joints", joint_columns(answer, &joints))?;
+            table("fragility", fragility_columns(answer))?;
+            if !answer.joint_fragilities().is_empty() {
+                table("joints", joint_columns(answer))?;
             }
         }
         if answer.study.harmonic.is_some() {

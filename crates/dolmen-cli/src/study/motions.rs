@@ -3,7 +3,7 @@
 use crate::motion;
 use anyhow::{Context as _, Result, bail};
 use dolmen::signal::{
-    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, intensity_measures, noise_motion,
+    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, noise_motion, peak_velocity_m_s,
     response_spectrum,
 };
 use dolmen_formats::project::{Project, StudyPart};
@@ -139,7 +139,7 @@ pub(super) fn prepared(
 
 /// A motion with the size of one of its components.
 fn measured(motion: GroundMotion, component: Component) -> Result<PreparedMotion> {
-    let velocity_m_s = intensity_measures(&motion, component)?.peak_velocity_m_s;
+    let velocity_m_s = peak_velocity_m_s(&motion, component)?;
     Ok(PreparedMotion {
         peak_m_s2: motion.component_peak_m_s2(component),
         velocity_m_s,

@@ -11,7 +11,7 @@ use dolmen_formats::project::{
     parse_combination,
 };
 use dolmen_formats::study::{
-    CaseInputs, InputColumn, JournalHeader, Run, ShakingScales, StudyAnswer, StudyKind, fingerprint,
+    CaseInputs, Fitted, InputColumn, JournalHeader, Run, ShakingScales, StudyAnswer, StudyKind, fingerprint,
 };
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -372,6 +372,7 @@ impl<'o> Plan<'o> {
             runs,
             missing,
             maps: Vec::new(),
+            fitted: Fitted::default(),
         }
     }
 

@@ -18,12 +18,9 @@ const COLOURS: [&str; 4] = [GREEN, BLUE, ORANGE, VERMILLION];
 const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
 
 /// One figure a combination of inputs, of the first ones of many.
-pub(super) fn fragility_figures(
-    answer: &StudyAnswer,
-    found: &[CombinationFragility],
-    language: Language,
-) -> Vec<Figure> {
-    let drawn = found
+pub(super) fn fragility_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+    let drawn = answer
+        .fragilities()
         .iter()
         .filter(|one| one.states.iter().any(|s| s.by_acceleration.is_ok()));
     let each = drawn.take(DRAWN_MOST).map(|one| Figure {

@@ -53,7 +53,7 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
             );
         }
     }
-    figures.extend(fragility_figures(answer, &answer.fragilities(), language));
+    figures.extend(fragility_figures(answer, language));
     figures.extend(growth_figures(answer, language));
     figures
 }

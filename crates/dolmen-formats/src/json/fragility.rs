@@ -1,6 +1,6 @@
 //! Fragility and risk of a study, as JSON.
 
-use crate::study::{CombinationFragility, StateFragility, StudyAnswer, YEARS};
+use crate::study::{StateFragility, StudyAnswer, YEARS};
 use dolmen::assess::{AssessError, FragilityFit};
 use serde_json::{Map, Value, json};
 
@@ -11,11 +11,8 @@ const CONFIDENCE: f64 = 0.95;
 ///
 /// # Errors
 /// None for curves as they are fitted.
-pub(super) fn fragilities_json(
-    answer: &StudyAnswer,
-    found: &[CombinationFragility],
-) -> Result<Vec<Value>, AssessError> {
-    let each = found.iter().map(|one| {
+pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
+    let each = answer.fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
             Ok(json!({
                 "state": answer.kind.states()[state.state],
@@ -61,10 +58,10 @@ fn by_measure(state: &StateFragility) -> Result<Value, AssessError> {
 }
 
 /// β by each measure of the shaking, within combinations and of all as one.
-pub(super) fn measures_json(answer: &StudyAnswer, found: &[CombinationFragility]) -> Vec<Value> {
+pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
     let mut names = vec!["peak_acceleration_m_s2".to_owned()];
     names.extend(answer.measures().iter().map(|measure| measure.column()));
-    let each = answer.compare_measures(found).into_iter().map(|row| {
+    let each = answer.compare_measures().iter().map(|row| {
         let measures = names.iter().zip(&row.within).zip(&row.together);
         let measures = measures.map(|((name, within), together)| {
             (
@@ -85,11 +82,8 @@ pub(super) fn measures_json(answer: &StudyAnswer, found: &[CombinationFragility]
 ///
 /// # Errors
 /// None for curves as they are fitted.
-pub(super) fn joints_json(
-    answer: &StudyAnswer,
-    found: &[CombinationFragility],
-) -> Result<Vec<Value>, AssessError> {
-    let joints = answer.joint_fragilities(found).into_iter().map(|one| {
+pub(super) fn joints_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
+    let joints = answer.joint_fragilities().iter().map(|one| {
         let states = one.states.iter().map(|state| {
             Ok(json!({
                 "state": answer.kind.states()[state.state],

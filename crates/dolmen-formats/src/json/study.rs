@@ -23,7 +23,6 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
     let inputs = answer.inputs.iter().map(|input| {
         json!({ "path": input.path, "column": input.column, "unit": input.unit, "drawn": input.is_drawn })
     });
-    let found = answer.fragilities();
     Ok(json!({
         "file": answer.file,
         "name": { "en": answer.name.en, "ko": answer.name.ko },
@@ -55,9 +54,9 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "levels": levels(answer),
         "trends": trends(answer)?,
         "spectral_damping_ratio": study.spectral_damping_ratio,
-        "fragility": fragilities_json(answer, &found)?,
-        "measures": measures_json(answer, &found),
-        "joints": joints_json(answer, &found)?,
+        "fragility": fragilities_json(answer)?,
+        "measures": measures_json(answer),
+        "joints": joints_json(answer)?,
         "hazard": answer.hazard.as_ref().map(|hazard| hazard.curve.points().iter().map(|[peak, rate]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate })).collect::<Vec<_>>()),
     }))
 }

@@ -176,7 +176,7 @@ pub fn of_study(
         ));
     }
     let found = answer.fragilities();
-    let [only] = found.as_slice() else {
+    let [only] = found else {
         return Err(match found.len() {
             0 => format!("study \"{}\" has no scan that can be used", answer.study.name),
             n => format!(

@@ -3,14 +3,15 @@
 use super::table::{Cell, table};
 use crate::Language;
 use crate::number::percent;
-use crate::study::{CombinationFragility, StudyAnswer, YEARS};
+use crate::study::{CombinationFragility, JointFragility, StudyAnswer, YEARS};
 use maud::{Markup, html};
 
 /// Combinations in the table; all are in fragility.csv.
 const SHOWN_MOST: usize = 8;
 
 /// The table of curves and what it rests on; nothing without a curve.
-pub(super) fn fragility(answer: &StudyAnswer, found: &[CombinationFragility], language: Language) -> Markup {
+pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
+    let found = answer.fragilities();
     let has_curve = |one: &&CombinationFragility| one.states.iter().any(|s| s.by_acceleration.is_ok());
     let shown: Vec<&CombinationFragility> = found.iter().filter(has_curve).take(SHOWN_MOST).collect();
     let mut head = vec![
@@ -96,7 +97,7 @@ fn measures(answer: &StudyAnswer, found: &[CombinationFragility], language: Lang
     ];
     head.extend(answer.measures().iter().map(|measure| measure.words()));
     let mut rows: Vec<Vec<Cell>> = Vec::new();
-    for own in answer.compare_measures(found) {
+    for own in answer.compare_measures() {
         let (n, all) = (own.combinations, found.len());
         let words = match all {
             1 => "1".to_owned(),
@@ -125,8 +126,9 @@ fn measures(answer: &StudyAnswer, found: &[CombinationFragility], language: Lang
 
 /// Joints by what they need for each state.
 fn joints(answer: &StudyAnswer, shown: &[&CombinationFragility], language: Language) -> Markup {
-    let first: Vec<CombinationFragility> = shown.iter().take(1).map(|one| (*one).clone()).collect();
-    let joints = answer.joint_fragilities(&first);
+    let first = shown.first();
+    let is_shown = |joint: &&JointFragility| first.is_some_and(|one| one.combination == joint.combination);
+    let joints = answer.joint_fragilities().iter().filter(is_shown);
     let head = [
         language.pick("joint", "접합면"),
         "DS1 (g)",
@@ -135,7 +137,7 @@ fn joints(answer: &StudyAnswer, shown: &[&CombinationFragility], language: Langu
         language.pick("gave way", "낙하 시작"),
     ]
     .map(str::to_owned);
-    let each = joints.iter().map(|one| {
+    let each = joints.map(|one| {
         let mut row: Vec<Cell> = vec![Cell::wrapping(one.name.clone())];
         let states = one.states.iter();
         row.extend(states.map(|state| Cell::from(state.median_words(answer))));
@@ -143,9 +145,7 @@ fn joints(answer: &StudyAnswer, shown: &[&CombinationFragility], language: Langu
         row
     });
     let rows: Vec<Vec<Cell>> = each.collect();
-    let case = first
-        .first()
-        .map_or(String::new(), |one| answer.combination_words(one.job));
+    let case = first.map_or(String::new(), |one| answer.combination_words(one.job));
     let case = if case.is_empty() {
         case
     } else {

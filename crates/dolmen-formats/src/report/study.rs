@@ -35,7 +35,7 @@ fn section(answer: &StudyAnswer, language: Language) -> Markup {
             (capacities(answer, language))
             (left_out(answer, language))
             (trends(answer, language))
-            (fragility(answer, &answer.fragilities(), language))
+            (fragility(answer, language))
         }
         @for found in study_figures(answer, language).into_iter().take(FIGURES_MOST) {
             (figure(&found.svg, &caption(&found.name, language)))

@@ -1,5 +1,6 @@
 //! A study as it is answered: inputs, runs, levels and trends.
 
+use super::fitted::Fitted;
 use super::maps::ResponseMaps;
 use super::run::{Run, RunOutcome, StudyKind};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
@@ -69,6 +70,8 @@ pub struct StudyAnswer {
     pub missing: Vec<usize>,
     /// Of a frame: maps and releases by case.
     pub maps: Vec<ResponseMaps>,
+    /// What was fitted to the runs so far.
+    pub fitted: Fitted,
 }
 
 /// What is said of an expected trend.

@@ -125,8 +125,7 @@ impl CombinationFragility {
 }
 
 impl StudyAnswer {
-    /// Fragility of each combination of inputs that has a scan which can be used; nothing for a study without a scan.
-    pub fn fragilities(&self) -> Vec<CombinationFragility> {
+    pub(super) fn fit_combinations(&self) -> Vec<CombinationFragility> {
         if self.study.scan.is_none() {
             return Vec::new();
         }
@@ -265,8 +264,9 @@ pub(super) fn combination_columns(answer: &StudyAnswer, rows: &[(usize, usize)])
 }
 
 /// Every curve, a row a combination and state: inputs, what it rests on, median, dispersion, errors, risk; why where there is none.
-pub fn fragility_columns(answer: &StudyAnswer, found: &[CombinationFragility]) -> Vec<Column> {
-    let rows: Vec<(&CombinationFragility, &StateFragility)> = found
+pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
+    let rows: Vec<(&CombinationFragility, &StateFragility)> = answer
+        .fragilities()
         .iter()
         .flat_map(|one| one.states.iter().map(move |state| (one, state)))
         .collect();

@@ -47,9 +47,7 @@ pub struct JointFragility {
 }
 
 impl StudyAnswer {
-    /// Every joint of every combination that has a scan which can be used: `found` as [`StudyAnswer::fragilities`] gives it. Nothing for
-    /// frames and chains.
-    pub fn joint_fragilities(&self, found: &[CombinationFragility]) -> Vec<JointFragility> {
+    pub(super) fn fit_joints(&self, found: &[CombinationFragility]) -> Vec<JointFragility> {
         let mut by_combination: BTreeMap<usize, Vec<&[Run]>> = BTreeMap::new();
         let scans = self.runs.chunk_by(|a, b| a.job == b.job);
         for scan in scans.filter(|scan| scan.iter().any(|run| !run.joint_states.is_empty())) {
@@ -163,8 +161,9 @@ impl JointState {
 }
 
 /// Every joint and state, a row each: inputs, joint, median, dispersion and their errors, and between what the median lies whatever falls.
-pub fn joint_columns(answer: &StudyAnswer, joints: &[JointFragility]) -> Vec<Column> {
-    let rows: Vec<(&JointFragility, &JointState)> = joints
+pub fn joint_columns(answer: &StudyAnswer) -> Vec<Column> {
+    let rows: Vec<(&JointFragility, &JointState)> = answer
+        .joint_fragilities()
         .iter()
         .flat_map(|one| one.states.iter().map(move |state| (one, state)))
         .collect();

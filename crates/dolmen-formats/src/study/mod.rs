@@ -1,6 +1,7 @@
 //! Studies: their runs, the journal that keeps them, and what they say together.
 
 mod answer;
+mod fitted;
 mod fragility;
 mod joints;
 mod journal;
@@ -13,6 +14,7 @@ mod shaking;
 mod table;
 
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
+pub use fitted::Fitted;
 pub use fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS, fragility_columns};
 pub use joints::{JointFragility, JointState, joint_columns};
 pub use journal::{Journal, JournalError, JournalHeader, fingerprint, header_line, read_journal, run_line};

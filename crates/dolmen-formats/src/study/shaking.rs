@@ -112,9 +112,7 @@ impl StudyAnswer {
         }
     }
 
-    /// Which measure of shaking tells most of each state: the one by which capacities scatter least. States that have a curve by no measure are left
-    /// out. `within` is of the combinations that have a curve by every measure; of a single combination each measure stands for itself.
-    pub fn compare_measures(&self, found: &[CombinationFragility]) -> Vec<MeasureComparison> {
+    pub(super) fn fit_measures(&self, found: &[CombinationFragility]) -> Vec<MeasureComparison> {
         let measures = self.measures();
         let mut all = Vec::new();
         for state in 0..4 {

@@ -4,7 +4,7 @@ use super::Table;
 use crate::Language;
 use crate::number::{percent, significant};
 use crate::project::HazardSource;
-use crate::study::{CombinationFragility, StateFragility, StudyAnswer, YEARS};
+use crate::study::{CombinationFragility, JointFragility, StateFragility, StudyAnswer, YEARS};
 use dolmen::assess::AssessError;
 use std::fmt::Write as _;
 
@@ -21,10 +21,8 @@ const BEYOND_SAID: f64 = 0.1;
 ///
 /// # Errors
 /// None for curves as they are fitted.
-pub(super) fn fragility_text(
-    answer: &StudyAnswer,
-    found: &[CombinationFragility],
-) -> Result<String, AssessError> {
+pub(super) fn fragility_text(answer: &StudyAnswer) -> Result<String, AssessError> {
+    let found = answer.fragilities();
     let few = |one: &CombinationFragility| one.states.iter().all(|s| is_too_few(&s.by_acceleration));
     if found.is_empty() {
         return Ok(String::new());
@@ -88,7 +86,7 @@ fn words_of(answer: &StudyAnswer, one: &CombinationFragility) -> String {
 
 /// β by each measure of the shaking.
 fn measures(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
-    let compared = answer.compare_measures(found);
+    let compared = answer.compare_measures();
     let measures = answer.measures();
     if compared.is_empty() {
         return String::new();
@@ -97,7 +95,7 @@ fn measures(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
     let mut heads = vec!["state", "combinations", "PGA"];
     heads.extend(names.iter().map(String::as_str));
     let mut table = Table::new(&heads, 2);
-    for row in &compared {
+    for row in compared {
         let shown = |beta: &Option<f64>| beta.map_or("–".to_owned(), |beta| format!("{beta:.2}"));
         let own = row.within.iter().map(shown);
         let state = answer.kind.states()[row.state].to_owned();
@@ -121,13 +119,14 @@ fn measures(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
 /// Joints by what they need for each state, of the first combinations.
 fn joints(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
     let shown = &found[..found.len().min(JOINTS_OF_MOST)];
-    let joints = answer.joint_fragilities(shown);
+    let is_shown = |joint: &&JointFragility| shown.iter().any(|one| one.combination == joint.combination);
+    let joints: Vec<&JointFragility> = answer.joint_fragilities().iter().filter(is_shown).collect();
     if joints.is_empty() {
         return String::new();
     }
     let mut table = Table::new(&["case", "joint", "DS1, g", "DS2, g", "DS3, g", "gave way"], 2);
     let mut last = usize::MAX;
-    for one in &joints {
+    for one in joints {
         let case = match one.combination == last {
             true => String::new(),
             false => answer.combination_words(one.job),

@@ -25,7 +25,7 @@ pub fn study_text(answer: &StudyAnswer) -> Result<String, AssessError> {
     out += &levels(answer);
     out += &growth(answer);
     out += &trends(answer, &answer.trends()?);
-    out += &fragility_text(answer, &answer.fragilities())?;
+    out += &fragility_text(answer)?;
     Ok(out + &releases(answer))
 }
 

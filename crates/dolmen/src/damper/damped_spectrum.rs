@@ -201,26 +201,15 @@ impl DampedSpectralAnalysis {
             pairs.map(|(r, phi)| r * phi).sum()
         };
         let in_modes: Vec<f64> = (0..shapes.columns()).map(along).collect();
-        self.of_system(&self.damped.row(&in_modes), directional)
+        let of_system = self.damped.row(&in_modes);
+        directional.of(|axis| self.along(&of_system, axis))
     }
 
     /// The largest stroke of a damper, numbered from 0, m: travel of a mass, rise of a liquid, elongation of a dashpot; `None` if there is no
     /// such damper.
     pub fn largest_stroke_m(&self, damper: usize, directional: DirectionalCombination) -> Option<f64> {
-        Some(self.of_system(&self.damped.stroke_row(damper)?, directional))
-    }
-
-    fn of_system(&self, row: &[f64], directional: DirectionalCombination) -> f64 {
-        let along = |axis: usize| self.along(row, axis);
-        match directional {
-            DirectionalCombination::XAlone => along(0),
-            DirectionalCombination::YAlone => along(1),
-            DirectionalCombination::Srss => along(0).hypot(along(1)),
-            DirectionalCombination::HundredThirty => {
-                let (x, y) = (along(0), along(1));
-                (x + 0.3 * y).max(y + 0.3 * x)
-            }
-        }
+        let stroke = self.damped.stroke_row(damper)?;
+        Some(directional.of(|axis| self.along(&stroke, axis)))
     }
 
     fn along(&self, row: &[f64], axis: usize) -> f64 {

@@ -82,41 +82,19 @@ pub fn intensity_measures(
     motion: &GroundMotion,
     component: Component,
 ) -> Result<IntensityMeasures, SignalError> {
-    let a = motion.acceleration_m_s2(component);
     let h = motion.time_step_s();
-    let peak = motion.component_peak_m_s2(component);
-    if peak == 0.0 {
-        return Err(SignalError::NoMotion {
-            component: component.name(),
-            peak_m_s2: peak,
-        });
-    }
-    let (mut v, mut u) = (0.0_f64, 0.0_f64);
-    let (mut most_v, mut most_u, mut absolute) = (0.0_f64, 0.0_f64, 0.0);
+    let (peak, a) = moving(motion, component)?;
+    let travel = Travel::of(a, h);
+    let mut absolute = 0.0;
     let mut energy = vec![0.0; a.len()];
     for (i, pair) in a.windows(2).enumerate() {
         let (a0, a1) = (pair[0], pair[1]);
-        let s = (a1 - a0) / h;
-        let at = |tau: f64| {
-            let speed = v + tau * (a0 + 0.5 * s * tau);
-            (speed, u + tau * (v + tau * (0.5 * a0 + s * tau / 6.0)))
-        };
-        if a0 * a1 < 0.0 {
-            most_v = most_v.max(at(-a0 / s).0.abs());
-            absolute += 0.5 * h * (a0 * a0 + a1 * a1) / (a0 - a1).abs();
+        absolute += if a0 * a1 < 0.0 {
+            0.5 * h * (a0 * a0 + a1 * a1) / (a0 - a1).abs()
         } else {
-            absolute += 0.5 * h * (a0 + a1).abs();
-        }
-        for tau in zeros(0.5 * s, a0, v)
-            .into_iter()
-            .filter(|tau| (0.0..=h).contains(tau))
-        {
-            most_u = most_u.max(at(tau).1.abs());
-        }
+            0.5 * h * (a0 + a1).abs()
+        };
         energy[i + 1] = energy[i] + h * (a0 * a0 + a0 * a1 + a1 * a1) / 3.0;
-        (v, u) = at(h);
-        most_v = most_v.max(v.abs());
-        most_u = most_u.max(u.abs());
     }
     let [from, to] = SIGNIFICANT.map(|share| reached(a, h, &energy, share));
     let periods =
@@ -140,10 +118,10 @@ pub fn intensity_measures(
     });
     Ok(IntensityMeasures {
         peak_acceleration_m_s2: peak,
-        peak_velocity_m_s: most_v,
-        peak_displacement_m: most_u,
-        last_velocity_m_s: v,
-        last_displacement_m: u,
+        peak_velocity_m_s: travel.peak_velocity,
+        peak_displacement_m: travel.peak_displacement,
+        last_velocity_m_s: travel.velocity,
+        last_displacement_m: travel.displacement,
         arias_intensity_m_s: PI / (2.0 * STANDARD_GRAVITY_M_S2) * energy[a.len() - 1],
         cumulative_absolute_velocity_m_s: absolute,
         housner_intensity_m: housner,
@@ -152,6 +130,67 @@ pub fn intensity_measures(
         mean_period_s: mean_period(a, h)?,
         predominant_period_s: largest.map(|one| one.period_s),
     })
+}
+
+/// The largest velocity of a component, m/s, without the other measures: as [`intensity_measures`] gives it.
+///
+/// # Errors
+/// [`SignalError::NoMotion`] if the component does not move.
+pub fn peak_velocity_m_s(motion: &GroundMotion, component: Component) -> Result<f64, SignalError> {
+    let (_, a) = moving(motion, component)?;
+    Ok(Travel::of(a, motion.time_step_s()).peak_velocity)
+}
+
+/// The peak of a component, not zero, and its samples.
+fn moving(motion: &GroundMotion, component: Component) -> Result<(f64, &[f64]), SignalError> {
+    let peak_m_s2 = motion.component_peak_m_s2(component);
+    if peak_m_s2 == 0.0 {
+        return Err(SignalError::NoMotion {
+            component: component.name(),
+            peak_m_s2,
+        });
+    }
+    Ok((peak_m_s2, motion.acceleration_m_s2(component)))
+}
+
+/// Velocity and displacement of an acceleration that is straight between its samples: at the end, and largest.
+struct Travel {
+    velocity: f64,
+    displacement: f64,
+    peak_velocity: f64,
+    peak_displacement: f64,
+}
+
+impl Travel {
+    fn of(a: &[f64], h: f64) -> Self {
+        let (mut v, mut u, mut most_v, mut most_u) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+        for pair in a.windows(2) {
+            let (a0, a1) = (pair[0], pair[1]);
+            let s = (a1 - a0) / h;
+            let at = |tau: f64| {
+                let speed = v + tau * (a0 + 0.5 * s * tau);
+                (speed, u + tau * (v + tau * (0.5 * a0 + s * tau / 6.0)))
+            };
+            if a0 * a1 < 0.0 {
+                most_v = most_v.max(at(-a0 / s).0.abs());
+            }
+            for tau in zeros(0.5 * s, a0, v)
+                .into_iter()
+                .filter(|tau| (0.0..=h).contains(tau))
+            {
+                most_u = most_u.max(at(tau).1.abs());
+            }
+            (v, u) = at(h);
+            most_v = most_v.max(v.abs());
+            most_u = most_u.max(u.abs());
+        }
+        Travel {
+            velocity: v,
+            displacement: u,
+            peak_velocity: most_v,
+            peak_displacement: most_u,
+        }
+    }
 }
 
 /// Real zeros of p τ² + q τ + r, without loss of digits.

@@ -34,6 +34,21 @@ pub enum DirectionalCombination {
     HundredThirty,
 }
 
+impl DirectionalCombination {
+    /// What shaking along both axes gives together, from what that along one gives (0 x, 1 y).
+    pub fn of(self, along: impl Fn(usize) -> f64) -> f64 {
+        match self {
+            DirectionalCombination::XAlone => along(0),
+            DirectionalCombination::YAlone => along(1),
+            DirectionalCombination::Srss => along(0).hypot(along(1)),
+            DirectionalCombination::HundredThirty => {
+                let (x, y) = (along(0), along(1));
+                (x + 0.3 * y).max(y + 0.3 * x)
+            }
+        }
+    }
+}
+
 /// Correlation coefficient of two modes under wide-band shaking.
 ///
 /// ```text
@@ -173,16 +188,7 @@ impl SpectralAnalysis {
 
     /// The largest response of what `row` gives from all coordinates.
     pub fn largest(&self, row: &[f64], modal: ModalCombination, directional: DirectionalCombination) -> f64 {
-        let along = |axis: usize| self.combined(&self.of_modes(row, axis), modal);
-        match directional {
-            DirectionalCombination::XAlone => along(0),
-            DirectionalCombination::YAlone => along(1),
-            DirectionalCombination::Srss => along(0).hypot(along(1)),
-            DirectionalCombination::HundredThirty => {
-                let (x, y) = (along(0), along(1));
-                (x + 0.3 * y).max(y + 0.3 * x)
-            }
-        }
+        directional.of(|axis| self.combined(&self.of_modes(row, axis), modal))
     }
 
     /// The largest response over all directions of shaking, with a weaker component across it: CQC3.

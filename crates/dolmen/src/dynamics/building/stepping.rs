@@ -37,6 +37,7 @@ pub(super) fn walk(
     let arch = Arch::new();
     let count = outputs.rows();
     let mut block = Matrix::zeros(count, BLOCK);
+    let mut values = Matrix::zeros(BLOCK, outputs.columns());
     let mut state = vec![0.0; count];
     let mut states = Vec::with_capacity(steps / BLOCK + 1);
     let mut done = 0;
@@ -59,7 +60,8 @@ pub(super) fn walk(
             },
         );
         state.copy_from_slice(block.column(now - 1));
-        see(&block.transpose_times(outputs), done + 1, now);
+        block.transpose_times_into(outputs, &mut values);
+        see(&values, done + 1, now);
         done += now;
     }
     states
