@@ -136,6 +136,20 @@ fn holds_twenty_storeys_through_el_centro_in_steps_of_five_milliseconds() {
             .abs()
             > 0.1
     );
+    assert_eq!(json["dampers_across_the_motion"], serde_json::json!([]));
+}
+
+#[test]
+fn holds_a_damper_that_the_ground_shakes_across_is_named() {
+    let scratch = Scratch::with_examples("building_across");
+    let run = "simulate examples/twenty_storeys --motion el-centro-1940-ns --duration 1";
+    let answer = scratch.dolmen(run);
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let said = "the ground shakes across damper top (it moves along 90 deg)";
+    assert!(answer.stdout.contains(said), "{}", answer.stdout);
+    // nearly across is not across: some of the motion is along it
+    let answer = scratch.dolmen(&format!("{run} --turn 1"));
+    assert!(!answer.stdout.contains("shakes across"), "{}", answer.stdout);
 }
 
 #[test]

@@ -153,6 +153,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
             "what": of.what[0], "ratio": of.ratio,
         })).collect::<Vec<_>>(),
         "grows_at_the_end": history.grows_at_the_end(),
+        "dampers_across_the_motion": simulation.across_the_motion().iter().map(|damper| &damper.name).collect::<Vec<_>>(),
         "beyond_room": simulation.beyond_room().iter().map(|beyond| json!({
             "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),

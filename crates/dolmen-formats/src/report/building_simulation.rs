@@ -219,7 +219,21 @@ fn strokes_table(simulation: &BuildingSimulation, language: Language) -> Markup 
         "What the dampers do. Largest travel each way from the place at rest, the room that each has, and the largest force of its dashpot.",
         "제진장치의 거동. 정지 위치에서의 한쪽 최대 행정, 주어진 여유 공간과 감쇠기의 최대 감쇠력.",
     );
-    table(caption, 1, &head, &rows)
+    let across: Vec<&str> = simulation
+        .across_the_motion()
+        .iter()
+        .map(|damper| damper.name.as_str())
+        .collect();
+    let names = across.join(", ");
+    html! {
+        (table(caption, 1, &head, &rows))
+        @if !across.is_empty() {
+            p { (language.pick(
+                format!("The ground shakes across the direction of {names}: this run does not show what it does."),
+                format!("지진동이 {names}의 작동 방향과 직각이므로 이 해석은 그 효과를 보여 주지 않는다."),
+            )) }
+        }
+    }
 }
 
 fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {

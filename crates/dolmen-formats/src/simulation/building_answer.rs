@@ -3,6 +3,7 @@
 use super::MotionAnswer;
 use crate::project::{BuiltDamper, Names};
 use dolmen::dynamics::{BuildingHistory, BuildingPeaks, Peak, VibratingBuilding, WatchedHistory};
+use dolmen::signal::Component;
 
 /// A point of a floor that is watched.
 #[derive(Clone, Debug, PartialEq)]
@@ -184,6 +185,26 @@ impl BuildingSimulation {
             })
         });
         each.collect()
+    }
+
+    /// Dampers across whose direction the ground shakes: they move with the twist of their floor alone, and the run does not say what they are good
+    /// for.
+    pub fn across_the_motion(&self) -> Vec<&BuiltDamper> {
+        const HARDLY: f64 = 1e-6; // what a turn by 90° leaves along an axis is 1e-16
+        let motion = &self.motion.motion;
+        let of = |component| match motion.has(component) {
+            true => motion.acceleration_m_s2(component),
+            false => &[],
+        };
+        let shaken = [of(Component::X), of(Component::Y)];
+        let along = |[c_x, c_y]: [f64; 2]| {
+            let at = |axis: usize, i: usize| shaken[axis].get(i).copied().unwrap_or(0.0);
+            let each = (0..motion.length()).map(|i| (c_x * at(0, i) + c_y * at(1, i)).abs());
+            each.fold(0.0, f64::max)
+        };
+        let peak = along([1.0, 0.0]).max(along([0.0, 1.0]));
+        let is_across = |damper: &&BuiltDamper| along(damper.direction.unit()) <= HARDLY * peak;
+        self.dampers.iter().filter(is_across).collect()
     }
 
     /// Dampers that move further than their room: the run does not know their stops.

@@ -32,6 +32,15 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
             stroke.at_s
         );
     }
+    for damper in simulation.across_the_motion() {
+        let [cos, sin] = damper.direction.unit();
+        let _ = writeln!(
+            out,
+            "note: the ground shakes across damper {} (it moves along {} deg): this run does not show what it does; turn the motion (--turn)",
+            damper.name,
+            significant(sin.atan2(cos).to_degrees(), 4)
+        );
+    }
     for point in &simulation.points {
         let [x, y] = point
             .along
