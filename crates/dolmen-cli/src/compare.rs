@@ -32,7 +32,7 @@ pub(crate) fn run(options: &Compare, as_json: bool, quiet: bool) -> Result<Outco
         let svg = figures::survey_changes(&change, Language::English);
         files::write(&folder.join("change.svg"), svg.as_bytes())?;
         if !quiet {
-            eprintln!("change.svg and change.json are in {}", folder.display());
+            note!("change.svg and change.json are in {}", folder.display());
         }
     }
     Ok(Outcome::Stands)

@@ -64,7 +64,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             )?;
         }
         if !quiet {
-            eprintln!("figures and identification.json are in {}", folder.display());
+            note!("figures and identification.json are in {}", folder.display());
         }
     }
     Ok(Outcome::Stands)

@@ -1,5 +1,13 @@
 //! The command `dolmen`: opens the files, calls the science, prints the answer.
 
+/// Prints a line to standard error; a reader that has gone (`2>&1 | head`) is no fault.
+macro_rules! note {
+    ($($said:tt)*) => {{
+        use std::io::Write as _;
+        let _ = writeln!(std::io::stderr(), $($said)*);
+    }};
+}
+
 mod building;
 mod check;
 mod cli;

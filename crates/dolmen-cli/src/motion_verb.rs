@@ -320,7 +320,7 @@ fn written(options: &Options, report: &MotionReport, quiet: bool) -> Result<()> 
         said.push(folder.display().to_string());
     }
     if !quiet && !said.is_empty() {
-        eprintln!("wrote {}", said.join(", "));
+        note!("wrote {}", said.join(", "));
     }
     Ok(())
 }

@@ -79,7 +79,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     if let Some(folder) = &options.output {
         write(&answer, folder, options)?;
         if !quiet {
-            eprintln!("ranking, figure and page are in {}", folder.display());
+            note!("ranking, figure and page are in {}", folder.display());
         }
     }
     Ok(Outcome::Stands)

@@ -120,7 +120,7 @@ fn train(options: &Options, project: &Path, name: &str, output: &Path, quiet: bo
     }
     files::write(output, found.designs.csv().as_bytes())?;
     if !quiet {
-        eprintln!(
+        note!(
             "{} designs are in {}; {} were left out: scans are missing or cannot be used",
             found.designs.designs.len(),
             output.display(),

@@ -89,7 +89,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
     if let Some(folder) = &options.output {
         write(&simulation, &limits, folder, language(options.language))?;
         if !quiet {
-            eprintln!("histories, figures, film and exports are in {}", folder.display());
+            note!("histories, figures, film and exports are in {}", folder.display());
         }
     }
     Ok(match (simulation.falls(), simulation.is_whole()) {

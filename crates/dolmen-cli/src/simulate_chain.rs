@@ -72,7 +72,7 @@ pub(crate) fn run(
     if let Some(folder) = &options.output {
         write(&simulation, folder, language(options.language))?;
         if !quiet {
-            eprintln!("histories and figures are in {}", folder.display());
+            note!("histories and figures are in {}", folder.display());
         }
     }
     Ok(match (simulation.falls(), simulation.is_whole()) {

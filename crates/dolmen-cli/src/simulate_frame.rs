@@ -56,7 +56,7 @@ pub(crate) fn run(
             )?;
         }
         if !quiet {
-            eprintln!("histories and figures are in {}", folder.display());
+            note!("histories and figures are in {}", folder.display());
         }
     }
     Ok(if simulations.iter().any(FrameSimulation::falls) {

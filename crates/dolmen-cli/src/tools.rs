@@ -22,7 +22,7 @@ pub(crate) fn complain(fault: &anyhow::Error) {
     if !text.starts_with("error") {
         text.insert_str(0, "error: ");
     }
-    eprintln!("{text}");
+    note!("{text}");
 }
 
 /// The exit status that an error stands for.

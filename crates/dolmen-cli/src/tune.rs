@@ -74,7 +74,7 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             files::write(&folder.join(name), json.as_bytes())?;
         }
         if !quiet {
-            eprintln!("results and figures are in {}", folder.display());
+            note!("results and figures are in {}", folder.display());
         }
     }
     let beyond = answers.iter().any(TuneAnswer::is_beyond_room);

@@ -103,7 +103,7 @@ fn simulated(
     let (journal, done) = folder.journal(&plan.header(shard), plan.kind, options.restart)?;
     let resumed = done.len();
     if resumed > 0 && !quiet {
-        eprintln!(
+        note!(
             "{}: {resumed} runs are kept from before",
             folder.journal_file(shard).display()
         );
@@ -185,7 +185,7 @@ fn finish(plan: &Plan, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed) 
         files::say(&study_text(&answer)?)?;
     }
     if !printed.quiet {
-        eprintln!("tables and figures are in {}", folder.path().display());
+        note!("tables and figures are in {}", folder.path().display());
     }
     // a fall is what a study looks for; a scan without an answer is not
     let has_scan = answer.study.scan.is_some();
@@ -256,7 +256,7 @@ pub(crate) fn of_report(file: &Path, quiet: bool) -> Result<Vec<StudyAnswer>> {
         };
         match answered() {
             Ok(answer) => found.push(answer),
-            Err(why) if !quiet => eprintln!("study \"{}\" is left out of the report: {why:#}", study.name),
+            Err(why) if !quiet => note!("study \"{}\" is left out of the report: {why:#}", study.name),
             Err(_) => {}
         }
     }

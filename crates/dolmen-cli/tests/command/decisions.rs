@@ -334,6 +334,36 @@ fn refuses_a_score_of_a_pagoda_unlike_the_designs_and_marks_it_where_forced() {
     );
 }
 
+/// Rates need the hazard of every site: where one lacks it, the order is by capacity, and that is said first.
+#[test]
+fn holds_a_list_that_lacks_a_hazard_says_that_rates_do_not_order_it() {
+    let scratch = Scratch::with_examples("lacking_hazard");
+    let ranked = |second: &str| {
+        let list = format!(
+            "name,storeys,body_height_m,body_slenderness,taper_deg,body_base_height_ratio,zone_factor_g,soil\n\
+             First,5,6,3,9,2,0.11,S2\nSecond,3,5,3,8,2,{second}\n"
+        );
+        fs::write(scratch.path().join("list.csv"), list).unwrap();
+        (
+            scratch.dolmen("rank list.csv").stdout,
+            json(&scratch, "rank list.csv"),
+        )
+    };
+    let (text, found) = ranked(",");
+    assert!(
+        text.contains("NOT BY RATE: 1 of 2 have no hazard of their site (Second)"),
+        "{text}"
+    );
+    assert_eq!(found["ranked_by"], "capacity");
+    assert!(found["not_by_rate"].as_str().unwrap().contains("(Second)"));
+    let (text, found) = ranked("0.07,S4");
+    assert!(!text.contains("NOT BY RATE"), "{text}");
+    assert_eq!(
+        (&found["ranked_by"], &found["not_by_rate"]),
+        (&"annual_rate".into(), &serde_json::Value::Null)
+    );
+}
+
 #[test]
 fn refuses_curves_of_two_motions_and_hazards_that_do_not_fall() {
     let scratch = Scratch::with_examples("fragility_refused");

@@ -83,6 +83,19 @@ impl Answer {
     }
 }
 
+/// An error whose reader has gone (`2>&1 | head`) still ends with its own status.
+#[test]
+fn holds_an_error_nobody_reads_keeps_its_status() {
+    let (reader, writer) = std::io::pipe().unwrap();
+    drop(reader);
+    let status = std::process::Command::new(env!("CARGO_BIN_EXE_dolmen"))
+        .args(["check", "there/is/no/such/file.toml"])
+        .stderr(writer)
+        .status()
+        .unwrap();
+    assert_eq!(status.code(), Some(2));
+}
+
 #[test]
 fn holds_new_makes_a_project_and_never_overwrites() {
     let scratch = Scratch::new("new");

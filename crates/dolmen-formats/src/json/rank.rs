@@ -1,6 +1,7 @@
 //! A ranked portfolio as JSON.
 
-use crate::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_years};
+use crate::Language;
+use crate::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_years, without_hazard};
 use crate::score::SCORE_STATES;
 use dolmen::assess::{Factor, RankedBy};
 use serde_json::{Map, Value, json};
@@ -55,6 +56,7 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         "source": answer.source,
         "state": SCORE_STATES[answer.state],
         "ranked_by": match answer.ranked.by { RankedBy::AnnualRate => "annual_rate", RankedBy::Capacity => "capacity" },
+        "not_by_rate": without_hazard(answer, Language::English),
         "designs": answer.designs,
         "draws": answer.draws,
         "structures": rows.collect::<Vec<_>>(),

@@ -10,5 +10,5 @@ pub use columns::ranking_columns;
 pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
 pub use words::{
     basis_words, capacity_words, factor_words, known_word, misjudged, probability_in_years, reason_words,
-    state_words,
+    state_words, without_hazard,
 };

@@ -90,6 +90,35 @@ pub fn reason_words(entry: &PortfolioEntry, language: Language) -> String {
     }
 }
 
+/// Why rates do not order the structures although some have a hazard: those without it, by name; `None` if all have one, or none.
+pub fn without_hazard(answer: &PortfolioAnswer, language: Language) -> Option<String> {
+    const NAMED: usize = 5;
+    let entries = &answer.entries;
+    let lacking: Vec<&str> = entries
+        .iter()
+        .filter(|entry| entry.hazard.is_none())
+        .map(|entry| entry.name.as_str())
+        .collect();
+    let (lack, all) = (lacking.len(), entries.len());
+    if lack == 0 || lack == all {
+        return None;
+    }
+    let mut names = lacking[..lack.min(NAMED)].join(", ");
+    if lack > NAMED {
+        names += language.pick(", …", " 등");
+    }
+    Some(language.pick(
+        format!(
+            "{lack} of {all} have no hazard of their site ({names}): all are ordered by what they bear, not by how often it comes. Give zone_factor_g \
+             and soil for each, or site.hazard in its project"
+        ),
+        format!(
+            "{all}기 가운데 {lack}기({names})는 부지의 지진재해도가 없어, 발생률이 아니라 저항능력만으로 순서를 매겼다. 모든 구조물에 zone_factor_g와 soil을, \
+             또는 과제 파일에 site.hazard를 주어야 한다."
+        ),
+    ))
+}
+
 /// Structures that falls alone would put far further back than the state does, each in a sentence.
 pub fn misjudged(answer: &PortfolioAnswer, language: Language) -> Vec<String> {
     let apart = (PART_APART * answer.entries.len() as f64).max(1.0);

@@ -7,6 +7,7 @@ use crate::figures::ranking;
 use crate::number::{fixed, percent, significant};
 use crate::portfolio::{
     PortfolioAnswer, basis_words, capacity_words, misjudged, probability_in_years, reason_words, state_words,
+    without_hazard,
 };
 use dolmen::assess::RankedBy;
 use maud::{Markup, html};
@@ -41,6 +42,7 @@ pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Impr
                 format!("{count} structures by the {by} of {state}, the worst first."),
                 format!("구조물 {count}기를 {state}의 {by} 기준으로 나쁜 순서대로 나열하였다."),
             )) }
+            @if let Some(sentence) = without_hazard(answer, language) { p { b { (sentence) } } }
             @let said = misjudged(answer, language);
             @for sentence in said.iter().take(MISJUDGED_SHOWN) { p { b { (sentence) } } }
             @if said.len() > MISJUDGED_SHOWN {

@@ -2,7 +2,7 @@
 
 use super::Table;
 use super::building::dampers_text;
-use crate::number::significant;
+use crate::number::{significant, trimmed};
 use crate::simulation::BuildingSimulation;
 use dolmen::dynamics::HistoryMethod;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -38,7 +38,7 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
             out,
             "note: the ground shakes across damper {} (it moves along {} deg): this run does not show what it does; turn the motion (--turn)",
             damper.name,
-            significant(sin.atan2(cos).to_degrees(), 4)
+            trimmed(sin.atan2(cos).to_degrees(), 4)
         );
     }
     for point in &simulation.points {

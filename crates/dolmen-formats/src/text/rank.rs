@@ -5,7 +5,7 @@ use crate::Language::English;
 use crate::number::{fixed, percent, significant};
 use crate::portfolio::{
     PortfolioAnswer, PortfolioEntry, basis_words, capacity_words, misjudged, probability_in_years,
-    reason_words, state_words,
+    reason_words, state_words, without_hazard,
 };
 use dolmen::assess::{KnownCapacity, Place, RankedBy};
 use std::fmt::Write as _;
@@ -52,6 +52,9 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
     }
     out += "  worst tenth: in how many of the draws of what is not known it is among the worst tenth\n";
     let said = misjudged(answer, English);
+    if let Some(line) = without_hazard(answer, English) {
+        let _ = writeln!(out, "  NOT BY RATE: {line}");
+    }
     for line in said.iter().take(MISJUDGED_SHOWN) {
         let _ = writeln!(out, "  {line}");
     }

@@ -6,7 +6,10 @@ use super::building_history::{el_centro, mass, stepped};
 use dolmen::damper::{AttachedDamper, DamperKind, damped_building_history};
 use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding, building_history};
 use dolmen::signal::Component;
-use dolmen::structure::building::{BuildingDamping, PlanDirection};
+use dolmen::structure::Building;
+use dolmen::structure::building::{
+    BuildingDamping, Floor, Outline, PDelta, PlanDirection, Storey, StoreyStiffness,
+};
 
 #[test]
 fn holds_peaks_alone_are_those_of_a_run_that_keeps_everything() {
@@ -85,4 +88,88 @@ fn agrees_the_rate_of_a_stroke_by_differences_and_by_both_methods() {
     let differences = strokes.windows(3).map(|three| (three[2] - three[0]) / 2e-3);
     let most = differences.fold(0.0_f64, |most, rate| most.max(rate.abs()));
     assert!((most / rate.value.abs() - 1.0).abs() < 1e-4, "{most} {rate:?}");
+}
+
+/// Two floors that reach further to one side than to the other, the upper one shifted.
+fn lopsided() -> Building {
+    let floor = |centre_m, middle_m, sides: [f64; 2]| Floor {
+        mass_kg: 1e5,
+        centre_m,
+        gyration_m: 4.0,
+        outline: Some(Outline::rectangle(middle_m, sides[0], sides[1]).unwrap()),
+    };
+    let storey = || Storey {
+        height_m: 3.0,
+        stiffness: StoreyStiffness::at_centre(3e7, 2e7, 4e8, [-1.5, 1.0]),
+    };
+    let floors = vec![
+        floor([0.0, 0.0], [3.0, -2.0], [12.0, 10.0]),
+        floor([1.0, 0.5], [-1.0, 2.5], [8.0, 9.0]),
+    ];
+    Building::new(floors, vec![storey(), storey()], PDelta::LeftOut).unwrap()
+}
+
+/// Largest drifts of a storey along x and y over its corners, each a row.
+fn corner_drifts(building: &Building, storey: usize, middle: [f64; 2], half: [f64; 2]) -> [Vec<Vec<f64>>; 2] {
+    [PlanDirection::X, PlanDirection::Y].map(|direction| {
+        let corners = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)];
+        let each = corners.map(|(i, j)| {
+            let (x, y) = (middle[0] + i * half[0], middle[1] + j * half[1]);
+            let mut row = building.point_row(storey, x, y, direction).unwrap();
+            if storey == 2 {
+                // of the floor below as of a plate that reaches as far
+                let centre = building.floors()[0].centre_m;
+                match direction {
+                    PlanDirection::X => (row[0], row[2]) = (-1.0, y - centre[1]),
+                    _ => (row[1], row[2]) = (-1.0, -(x - centre[0])),
+                }
+            }
+            row
+        });
+        each.to_vec()
+    })
+}
+
+#[test]
+fn holds_drifts_of_lopsided_edges_are_those_of_the_corners() {
+    let building = lopsided();
+    let vibrating =
+        VibratingBuilding::new(building.clone(), &BuildingDamping::Modal(vec![0.05]), Vec::new()).unwrap();
+    let places = [([3.0, -2.0], [6.0, 5.0]), ([-1.0, 2.5], [4.0, 4.5])];
+    for motion in [[9.8, 0.0], [0.0, 9.8], [9.8, -5.0]] {
+        let motion = el_centro(&[(Component::X, motion[0]), (Component::Y, motion[1])]);
+        for (storey, (middle, half)) in (1..).zip(places) {
+            let corners = corner_drifts(&building, storey, middle, half);
+            let run = BuildingRun {
+                watched: corners.concat(),
+                ..BuildingRun::default()
+            };
+            let history = building_history(&vibrating, &motion, &run).unwrap();
+            let most = |from: usize| {
+                let own = &history.watched[from..from + 4];
+                let sizes = own.iter().map(|one| one.displacement_peak_m.value.abs());
+                sizes.fold(0.0, f64::max)
+            };
+            let peak = &history.peaks.storeys[storey - 1];
+            let [x, y] = [peak.edge_drift_x_m, peak.edge_drift_y_m].map(|one| one.unwrap().value.abs());
+            let (x_there, y_there) = (most(0), most(4));
+            assert!(
+                (x / x_there - 1.0).abs() < 1e-12 && (y / y_there - 1.0).abs() < 1e-12,
+                "storey {storey}: {x} {x_there}, {y} {y_there}"
+            );
+            // and the rows of which response spectra are made: front, back, left, right
+            let edges = building.edge_drift_rows(storey).unwrap().unwrap();
+            let [along_x, along_y] = &corners;
+            let pairs = [
+                (&edges[0], &along_x[0]),
+                (&edges[1], &along_x[2]),
+                (&edges[2], &along_y[0]),
+                (&edges[3], &along_y[1]),
+            ];
+            for (edge, corner) in pairs {
+                let apart = edge.iter().zip(corner).map(|(a, b)| (a - b).abs());
+                assert!(apart.fold(0.0, f64::max) < 1e-12, "{edge:?} {corner:?}");
+            }
+        }
+    }
 }
