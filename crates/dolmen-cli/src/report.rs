@@ -164,6 +164,7 @@ fn buildings(project: &Project, file: &Path, options: &Motion) -> Result<Vec<Bui
             duration_s: None,
             step_s: REPORT_STEP_S,
             compare: true,
+            keep: true,
         };
         let shown = file.display().to_string();
         found.extend(simulate_building::simulation(

@@ -26,8 +26,10 @@ pub(crate) struct Wish<'a> {
     pub(crate) duration_s: Option<f64>,
     /// Longest step, s.
     pub(crate) step_s: f64,
-    /// Whether it is also run without its dampers, and every history kept.
+    /// Whether it is also run without its dampers.
     pub(crate) compare: bool,
+    /// Whether every history is kept.
+    pub(crate) keep: bool,
 }
 
 pub(crate) fn run(
@@ -42,7 +44,9 @@ pub(crate) fn run(
         variant: options.variant.as_deref().map(|name| (name, title)),
         duration_s: options.duration,
         step_s: options.step.unwrap_or(options.output_step),
-        compare: options.output.is_some(),
+        // numbers alone are of one run
+        compare: options.output.is_some() || !as_json,
+        keep: options.output.is_some(),
     };
     let Some(simulation) = simulation((project, part), file, motion, &wish)? else {
         bail!(
@@ -85,7 +89,7 @@ pub(crate) fn simulation(
         steps_per_sample: steps_per_sample(&motion.motion, wish.step_s),
         end_s: wish.duration_s,
         watched: watched(&alone, part)?,
-        histories: match wish.compare {
+        histories: match wish.keep {
             true => Histories::Kept,
             false => Histories::PeaksAlone,
         },

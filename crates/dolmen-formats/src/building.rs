@@ -1,6 +1,7 @@
 //! What `dolmen check` found of a building.
 
 use crate::project::{BuiltDamper, StoreyStiffnessPart};
+use crate::simulation::Against;
 use dolmen::dynamics::{LeastFavourable, SpectralMode};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, StoreyFall};
@@ -75,6 +76,66 @@ impl StandingBuilding {
                 (*stroke_m > room_m).then_some((damper, *stroke_m, room_m))
             })
             .collect()
+    }
+
+    /// What the spectrum of the site makes of the building with its dampers over what it makes of it without: base shear, the top, the
+    /// largest drift of a storey at its edges, points; each along x and y. What hardly moves without, less than a thousandth of the largest of
+    /// its kind, is left out; empty without dampers or site.
+    pub fn against_without(&self) -> Vec<Against> {
+        const HARDLY: f64 = 1e-3;
+        let (Some(without), Some(with)) = (&self.spectral, &self.damped) else {
+            return Vec::new();
+        };
+        let most = |drifts: &[Option<[f64; 2]>]| {
+            let each = drifts.iter().zip(self.building.storeys());
+            each.filter_map(|(drift, storey)| drift.map(|drift| drift.map(|m| m / storey.height_m)))
+                .fold([0.0_f64; 2], |[x, y], [own_x, own_y]| {
+                    [x.max(own_x), y.max(own_y)]
+                })
+        };
+        let top = |moved: &[[f64; 2]]| moved.last().copied().unwrap_or_default();
+        let [.., shear_n] = without.base_shear_n;
+        let mut kinds = vec![
+            (
+                ["the base shear", "밑면 전단력"].map(str::to_owned),
+                with.base_shear_n,
+                shear_n,
+            ),
+            (
+                ["the top", "최상층"].map(str::to_owned),
+                top(&with.displacement_m),
+                top(&without.displacement_m),
+            ),
+            (
+                ["the largest drift at an edge", "최대 단부 층간변위"].map(str::to_owned),
+                most(&with.edge_drift_m),
+                most(&without.edge_drift_m),
+            ),
+        ];
+        let points = with.points_m.iter().zip(&without.points_m);
+        kinds.extend(points.map(|((name, with), (_, without))| {
+            ([format!("point {name}"), format!("지점 {name}")], *with, *without)
+        }));
+        let mut all = Vec::new();
+        // about an arm of a millimetre there is no torque
+        if without.base_torque_n_m > HARDLY * shear_n[0].max(shear_n[1]) {
+            all.push(Against {
+                what: ["the base torque", "밑면 비틀림 모멘트"].map(str::to_owned),
+                ratio: with.base_torque_n_m / without.base_torque_n_m,
+            });
+        }
+        for ([english, korean], with, without) in kinds {
+            let largest = without[0].max(without[1]);
+            for (axis, name) in ["x", "y"].into_iter().enumerate() {
+                if without[axis] > HARDLY * largest {
+                    all.push(Against {
+                        what: [format!("{english} along {name}"), format!("{korean} {name} 방향")],
+                        ratio: with[axis] / without[axis],
+                    });
+                }
+            }
+        }
+        all
     }
 }
 

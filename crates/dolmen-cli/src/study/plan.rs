@@ -314,12 +314,14 @@ impl<'o> Plan<'o> {
 
     /// The one axis along which every motion shakes; `None` if there are several.
     fn axis(&self) -> Option<[f64; 2]> {
+        self.axis_of_file().filter(|_| !self.varies_motions())
+    }
+
+    /// The same of the motions as the file has them, whatever variants change.
+    fn axis_of_file(&self) -> Option<[f64; 2]> {
         let [turn] = self.study.turns_rad.as_slice() else {
             return None;
         };
-        if self.varies_motions() {
-            return None;
-        }
         let mut along = self.motions.iter().map(|(_, motion)| motion.axis(*turn));
         let first = along.next()??;
         along.all(|other| other == Some(first)).then_some(first)
@@ -379,9 +381,15 @@ impl<'o> Plan<'o> {
     /// Warnings of the file, each with its line.
     fn notes(&self) -> Vec<String> {
         let warnings = self.opened.project.warnings.iter();
-        warnings
-            .map(|warning| format!("line {}: {}", warning.line, warning.message))
-            .collect()
+        let warnings = warnings.map(|warning| format!("line {}: {}", warning.line, warning.message));
+        let mut notes: Vec<String> = warnings.collect();
+        if let (StudyKind::Building, Some([x, y])) = (self.kind, self.axis_of_file()) {
+            notes.push(format!(
+                "every motion shakes along one axis, {:.0} deg from x, and across it nothing is studied: give directions, or motions of two components",
+                y.atan2(x).to_degrees() + 0.0
+            ));
+        }
+        notes
     }
 
     pub(super) fn cases(&self) -> usize {

@@ -21,8 +21,9 @@ fn floor(name: &str) -> Scratch {
     let scratch = Scratch::with_examples(name);
     let file = scratch.path().join("examples/twisting_floor/project.toml");
     let text = fs::read_to_string(&file).unwrap();
+    let tight = text.replace("direction = \"y\"\n", "direction = \"y\"\nstroke = \"0.1 m\"\n");
     let study = STUDY.replace("variant.damped.damper", "damper");
-    fs::write(&file, text + &study).unwrap();
+    fs::write(&file, tight + &study).unwrap();
     scratch
 }
 
@@ -38,6 +39,7 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
     ] {
         assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
     }
+    let stdout = answer.stdout;
     let all = rows(&scratch.path().join("out/shaken/runs.csv"));
     let number = |row: &std::collections::BTreeMap<String, String>, key: &str| -> f64 {
         row.get(key)
@@ -78,6 +80,50 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
         assert_eq!(other["outcome"] == "fell", fell, "{other:?}");
     }
     assert!(own.iter().any(|row| row["outcome"] == "fell"));
+    // and so the limits are known between the steps of the scan
+    let scans = rows(&scratch.path().join("out/shaken/capacities.csv"));
+    let scan = scans
+        .iter()
+        .find(|row| row["motion"] == "el-centro" && row["damper_tmd_damping_ratio"] == "0.1273")
+        .unwrap();
+    let peak_m_s2 = number(row, "peak_ground_acceleration_m_s2");
+    for (key, limit) in [
+        ("first_ds1_m_s2", 0.001),
+        ("first_ds2_m_s2", 0.003),
+        ("first_fall_m_s2", 0.012),
+    ] {
+        let found = number(scan, key);
+        assert!(
+            (found / (limit / drift * peak_m_s2) - 1.0).abs() < 1e-9,
+            "{key}: {found}"
+        );
+    }
+    // the mass has 100 mm: runs beyond it are counted, from the least peak on
+    let beyond = all
+        .iter()
+        .filter(|row| number(row, "peak_stroke_m") > 0.1)
+        .count();
+    let said = format!("BEYOND ITS ROOM: in {beyond} of {} runs", all.len());
+    assert!(beyond > 0 && stdout.contains(&said), "{said}: {stdout}");
+}
+
+#[test]
+fn holds_a_study_that_shakes_along_one_axis_says_so() {
+    let scratch = floor("study_building_one_axis");
+    let file = scratch.path().join("examples/twisting_floor/project.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let said = "every motion shakes along one axis, 0 deg from x, and across it nothing is studied";
+    let noise = text.replace("motions = [\"el-centro\"]\n", "");
+    fs::write(&file, &noise).unwrap();
+    let answer = scratch.dolmen("study examples/twisting_floor --study shaken -o out");
+    assert!(answer.stdout.contains(said), "{}", answer.stdout);
+    let both = noise.replace(
+        "refine = 1\n",
+        "refine = 1\ndirections = [\"0 deg\", \"90 deg\"]\n",
+    );
+    fs::write(&file, both).unwrap();
+    let answer = scratch.dolmen("study examples/twisting_floor --study shaken -o both");
+    assert!(!answer.stdout.contains(said), "{}", answer.stdout);
 }
 
 #[test]

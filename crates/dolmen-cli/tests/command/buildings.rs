@@ -233,7 +233,7 @@ soil = "S4"
     let answer = scratch.dolmen("simulate b.toml --motion el-centro-1940-ns");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     for said in [
-        "the largest drift of a centre of mass",
+        "the largest drift along x or y of a centre of mass",
         "give sides or outline",
         "unknown",
     ] {

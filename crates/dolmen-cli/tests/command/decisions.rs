@@ -378,7 +378,7 @@ fn refuses_curves_of_two_motions_and_hazards_that_do_not_fall() {
     .unwrap();
     let answer = scratch.dolmen(&format!("study {PILE} -o few"));
     assert_eq!(answer.status, 0, "{}", answer.stderr);
-    let said = "No fragility curves: 2 usable scans a combination of inputs, 3 or more are needed";
+    let said = "No fragility curves: usable scans of 2 motions a combination of inputs, 3 motions or more are needed";
     assert!(answer.stdout.contains(said), "{}", answer.stdout);
     for (hazard, said) in [
         (

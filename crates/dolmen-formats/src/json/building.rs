@@ -51,6 +51,9 @@ fn standing(standing: &StandingBuilding) -> Value {
         "spectral_refused": standing.spectral_refused,
         "spectral_with_dampers": standing.damped.as_ref().map(damped),
         "spectral_with_dampers_refused": standing.damped_refused,
+        "against_without": standing.against_without().iter().map(|of| json!({
+            "what": of.what[0], "ratio": of.ratio,
+        })).collect::<Vec<_>>(),
         "beyond_room": standing.beyond_room().iter().map(|(damper, stroke_m, room_m)| json!({
             "damper": damper.name, "stroke_m": stroke_m, "room_m": room_m,
         })).collect::<Vec<_>>(),
@@ -149,9 +152,9 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "points": points.collect::<Vec<_>>(),
         "drift_ratio": simulation.drift().ratio,
         "drift_at": if simulation.drift().at_edge { "edge" } else { "centre_of_mass" },
-        "against_without": simulation.against_without().iter().map(|of| json!({
+        "against_without": simulation.without_dampers.is_some().then(|| simulation.against_without().iter().map(|of| json!({
             "what": of.what[0], "ratio": of.ratio,
-        })).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>()),
         "grows_at_the_end": history.grows_at_the_end(),
         "dampers_across_the_motion": simulation.across_the_motion().iter().map(|damper| &damper.name).collect::<Vec<_>>(),
         "beyond_room": simulation.beyond_room().iter().map(|beyond| json!({

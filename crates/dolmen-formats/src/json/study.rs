@@ -50,6 +50,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
         "scans_left_out": left_out(answer),
         "runs": answer.runs.len(),
         "outcomes": outcomes,
+        "runs_beyond_room": answer.beyond_room().map_or(0, |(beyond, ..)| beyond),
         "refused": refusals.collect::<Vec<_>>(),
         "levels": levels(answer),
         "trends": trends(answer)?,

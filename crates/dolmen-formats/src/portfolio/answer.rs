@@ -216,6 +216,12 @@ fn of_bound(bound: &FragilityBound) -> Option<KnownCapacity> {
     let (theta, ln_theta_sd, known) = match bound {
         FragilityBound::NoneReached { intensity, .. } => (*intensity, 0.0, Known::AtLeast),
         FragilityBound::AllReached { intensity, .. } => (*intensity, 0.0, Known::AtMost),
+        FragilityBound::Middle { above, at_most } if at_most.is_finite() && *above > 0.0 => {
+            let width = (at_most / above).ln();
+            ((above * at_most).sqrt(), width / 12.0_f64.sqrt(), Known::Found)
+        }
+        FragilityBound::Middle { above, .. } if *above > 0.0 => (*above, 0.0, Known::AtLeast),
+        FragilityBound::Middle { at_most, .. } => (*at_most, 0.0, Known::AtMost),
         // anywhere between the two, in logarithms
         FragilityBound::Separated { survived, reached } => {
             let width = if *survived > 0.0 {

@@ -9,6 +9,7 @@ use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, Standing
 use crate::figures::building_plan;
 use crate::number::{beside_one, fixed, percent, prefix, significant};
 use crate::project::BuiltDamper;
+use crate::text::GROWN;
 use dolmen::stability::Verdict;
 use dolmen::structure::building::StoreyFall;
 use maud::{Markup, html};
@@ -23,16 +24,16 @@ pub(super) fn findings(answer: &BuildingAnswer, language: Language) -> Vec<Findi
     if let Some(first) = StoreyFall::first(&answer.falls) {
         let name = &answer.floors[first.storey - 1];
         let (motion, korean) = if first.motion() == "twists" {
-            ("twisting", "비틀림")
+            ("twisting", "비틀림으로")
         } else {
-            ("swaying", "횡변위")
+            ("swaying", "횡변위로")
         };
         let factor = beside_one(first.load_factor, 3);
         all.push(Finding::of(
             verdict,
             language.pick(
                 format!("The storey below floor {} has the least margin: it would fall by {motion} under {factor} times the weight above it.", floor_words(name, language)),
-                format!("여유가 가장 작은 층은 {} 바닥 아래이며, 상부 무게의 {factor}배에서 {korean}으로 무너진다.", floor_words(name, language)),
+                format!("여유가 가장 작은 층은 {} 바닥 아래이며, 상부 무게의 {factor}배에서 {korean} 무너진다.", floor_words(name, language)),
             ),
         ));
     }
@@ -41,9 +42,30 @@ pub(super) fn findings(answer: &BuildingAnswer, language: Language) -> Vec<Findi
         if let Some(spectral) = &standing.spectral {
             all.push(spectral_finding(answer, spectral, language));
         }
+        all.extend(more_finding(standing, language));
         all.extend(room_findings(standing, language));
     }
     all
+}
+
+/// What the dampers make more under the spectrum of the site.
+fn more_finding(standing: &StandingBuilding, language: Language) -> Option<Finding> {
+    let more = standing.against_without();
+    let more = more.iter().filter(|of| of.ratio > GROWN).map(|of| {
+        let [english, korean] = &of.what;
+        format!("{} {}", language.pick(english, korean), significant(of.ratio, 4))
+    });
+    let list: Vec<String> = more.collect();
+    (!list.is_empty()).then(|| {
+        let list = list.join(", ");
+        Finding::new(
+            Tone::Warn,
+            language.pick(
+                format!("With the dampers some of the response to the spectrum is more than without, by these factors: {list}."),
+                format!("제진장치로 인해 부지 스펙트럼에 대한 응답 일부가 커진다(배수): {list}."),
+            ),
+        )
+    })
 }
 
 /// Dampers that need more room under the spectrum of the site than they have.
@@ -103,12 +125,12 @@ fn mode_findings(standing: &StandingBuilding, language: Language) -> Vec<Finding
 }
 
 fn spectral_finding(answer: &BuildingAnswer, spectral: &BuildingSpectral, language: Language) -> Finding {
-    let storeys = answer
-        .elastic
-        .storeys()
-        .iter()
-        .zip(&spectral.edge_drift_m)
-        .enumerate();
+    let damped = answer
+        .stands
+        .as_ref()
+        .and_then(|standing| standing.damped.as_ref());
+    let drifts = damped.map_or(&spectral.edge_drift_m, |damped| &damped.edge_drift_m);
+    let storeys = answer.elastic.storeys().iter().zip(drifts).enumerate();
     let worst = storeys
         .filter_map(|(i, (storey, drift))| drift.map(|[x, y]| (i, x.max(y) / storey.height_m)))
         .reduce(|most, own| if own.1 > most.1 { own } else { most });
@@ -122,11 +144,15 @@ fn spectral_finding(answer: &BuildingAnswer, spectral: &BuildingSpectral, langua
         );
     };
     let (name, ratio) = (&answer.floors[worst.0], percent(worst.1, 3));
+    let [with, with_ko] = match damped {
+        Some(_) => [", with the dampers,", "제진장치를 포함한 "],
+        None => ["", ""],
+    };
     Finding::new(
         Tone::Plain,
         language.pick(
-            format!("By the spectrum of the site the largest elastic drift at an edge is {ratio} of the storey height, below floor {}.", floor_words(name, language)),
-            format!("부지 스펙트럼에 의한 최대 탄성 층간변위(단부)는 {} 바닥 아래에서 층고의 {ratio}이다.", floor_words(name, language)),
+            format!("By the spectrum of the site the largest elastic drift at an edge{with} is {ratio} of the storey height, below floor {}.", floor_words(name, language)),
+            format!("부지 스펙트럼에 의한 {with_ko}최대 탄성 층간변위(단부)는 {} 바닥 아래에서 층고의 {ratio}이다.", floor_words(name, language)),
         ),
     )
 }
@@ -382,10 +408,11 @@ fn damped_spectrum(
         .map(|(damper, stroke_m)| format!("{} {}\u{202f}mm", damper.name, significant(1e3 * stroke_m, 4)))
         .collect();
     let list = strokes.join(", ");
+    let torque = significant(1e-3 * damped.base_torque_n_m, 4);
     html! {
         p { (language.pick(
-            format!("With the dampers: base shear along x {x} kN, along y {y} kN; strokes {list}."),
-            format!("제진장치 포함: 밑면전단력 x 방향 {x} kN, y 방향 {y} kN, 행정 {list}."),
+            format!("With the dampers: base shear along x {x} kN, along y {y} kN, torque {torque} kN·m; strokes {list}."),
+            format!("제진장치 포함: 밑면전단력 x 방향 {x} kN, y 방향 {y} kN, 비틀림 모멘트 {torque} kN·m, 행정 {list}."),
         )) }
         (moved(answer, (&damped.displacement_m, &damped.edge_drift_m), language, language.pick(
             "Largest elastic response with the dampers. Complex modes by CQC for damping that couples them.",

@@ -4,6 +4,7 @@ use super::fragility::fragility;
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::study_figures;
+use crate::number::significant;
 use crate::study::{
     CapacityOf, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind, TrendVerdict, input_words,
 };
@@ -31,6 +32,13 @@ fn section(answer: &StudyAnswer, language: Language) -> Markup {
         @if has_scan {
             p { (what_was_run(answer, language)) }
             p { (answer.method(language)) "." }
+            @if let Some((beyond, all, least)) = answer.beyond_room() {
+                @let least = significant(least / answer.gravity_m_s2, 3);
+                p { b { (language.pick(
+                    format!("In {beyond} of {all} runs a damper needs more room than it has, from {least} g on: the runs do not have its stops, and are too good there."),
+                    format!("{all}회 가운데 {beyond}회에서({least} g부터) 제진장치의 행정이 여유 공간을 넘는다. 해석에는 멈춤 장치가 없어 그 결과는 실제보다 유리하다."),
+                )) } }
+            }
             @if !answer.missing.is_empty() { p { b { (unfinished(answer, language)) } } }
             (capacities(answer, language))
             (left_out(answer, language))

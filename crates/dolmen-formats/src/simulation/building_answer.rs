@@ -132,6 +132,23 @@ impl BuildingSimulation {
                 (words, top[0][axis], top[1][axis])
             })
             .collect());
+        let base = |peaks: &BuildingPeaks| peaks.base_shear_n.map(|peak| peak.value);
+        let shear = peaks.map(base);
+        add((0..2)
+            .map(|axis| {
+                let words = [
+                    format!("the base shear along {}", axes[axis]),
+                    format!("밑면 전단력 {} 방향", axes[axis]),
+                ];
+                (words, shear[0][axis], shear[1][axis])
+            })
+            .collect());
+        // about an arm of a millimetre there is no torque
+        let torque = peaks.map(|peaks| peaks.base_torque_n_m.value);
+        if torque[1].abs() > HARDLY * shear[1][0].abs().max(shear[1][1].abs()) {
+            let words = ["the base torque", "밑면 비틀림 모멘트"].map(str::to_owned);
+            add(vec![(words, torque[0], torque[1])]);
+        }
         let drift = |peaks: &BuildingPeaks, storey: usize, axis: usize| {
             let own = &peaks.storeys[storey];
             let edge = [own.edge_drift_x_m, own.edge_drift_y_m][axis];

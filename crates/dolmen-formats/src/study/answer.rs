@@ -186,10 +186,20 @@ impl StudyAnswer {
     /// What each scan shows, by job; also those that cannot be used.
     pub fn capacities(&self) -> Vec<CapacityOf> {
         let mut scans = self.runs.chunk_by(|a, b| a.job == b.job).peekable();
+        let drift_ratio = self
+            .kind
+            .measures()
+            .iter()
+            .position(|name| self.kind == StudyKind::Building && *name == "peak_edge_drift_ratio");
         let each = (0..self.jobs()).map(|job| {
             let runs = scans.next_if(|runs| runs.first().is_some_and(|run| run.job == job));
             let is_whole = self.missing.binary_search(&job).is_err();
-            capacity_of(job, runs.unwrap_or_default(), is_whole)
+            let runs = runs.unwrap_or_default();
+            let found = capacity_of(job, runs, is_whole);
+            match drift_ratio {
+                Some(place) => found.in_proportion(runs, &self.study.drift_limits, place),
+                None => found,
+            }
         });
         each.collect()
     }

@@ -180,6 +180,15 @@ impl StudyAnswer {
                     language.pick(format!("{from} to {to}"), format!("{from} – {to}"))
                 }
             }
+            AssessError::NoFragility(FragilityBound::Middle { above, at_most }) => {
+                let (from, to) = (g(*above), g(*at_most));
+                match (*above > 0.0, at_most.is_finite()) {
+                    (true, true) => language.pick(format!("{from} to {to}"), format!("{from} – {to}")),
+                    (true, false) => format!("> {from}"),
+                    (false, true) => format!("< {to}"),
+                    (false, false) => language.pick("no curve", "곡선 없음").to_owned(),
+                }
+            }
             AssessError::TooFewMotions { .. } => language.pick("too few", "자료 부족").to_owned(),
             _ => language.pick("no curve", "곡선 없음").to_owned(),
         }

@@ -12,7 +12,36 @@ use dolmen::blocks::Springs;
 /// simulation alike: with a damping ratio of 2 % a swing of 1 Hz dies down to a tenth. Chosen here.
 pub const SWING_REST_S: f64 = 20.0;
 
+/// A direction as it was written: degrees to their ninth decimal, which radians do not keep to the last digit.
+pub(super) fn direction_deg(turn_rad: f64) -> f64 {
+    (turn_rad.to_degrees() * 1e9).round() / 1e9
+}
+
 impl StudyAnswer {
+    /// Of a building whose dampers have a room: runs in which one needs more than it has, of how many, and the least peak of the ground at which,
+    /// m/s²; `None` if there is no such run. The runs do not know the stops.
+    pub fn beyond_room(&self) -> Option<(usize, usize, f64)> {
+        let place = self
+            .kind
+            .measures()
+            .iter()
+            .position(|name| *name == "stroke_over_room")?;
+        let known = self.runs.iter().filter_map(|run| {
+            let share = run.measures.get(place).copied().filter(|share| !share.is_nan())?;
+            Some((share, run.peak_ground_acceleration_m_s2))
+        });
+        let known: Vec<(f64, f64)> = known.collect();
+        let beyond: Vec<f64> = known
+            .iter()
+            .filter(|(share, _)| *share > 1.0)
+            .map(|(_, peak)| *peak)
+            .collect();
+        (!beyond.is_empty()).then(|| {
+            let least = beyond.iter().copied().fold(f64::INFINITY, f64::min);
+            (beyond.len(), known.len(), least)
+        })
+    }
+
     /// Time after the motion, s.
     pub fn rest_s(&self) -> f64 {
         let usual = match self.kind {

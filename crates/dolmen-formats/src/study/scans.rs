@@ -92,6 +92,31 @@ impl CapacityOf {
         scales.map(|scale| scale * self.peak_of_scale_1_m_s2).collect()
     }
 
+    /// The same of a linear building, in which everything is in proportion: the largest of its runs tells exactly when each drift limit is reached, up
+    /// to the largest size that was tried. `place` is that of the drift ratio among the numbers of a run.
+    pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4], place: usize) -> Self {
+        let ratio = |run: &Run| run.measures.get(place).copied().filter(|ratio| *ratio > 0.0);
+        let usable = runs.iter().filter(|run| run.scale > 0.0);
+        let known = usable.filter_map(|run| Some((run.peak_ground_acceleration_m_s2, ratio(run)?)));
+        let Some((largest, ratio)) = known.reduce(|most, own| if own.0 > most.0 { own } else { most }) else {
+            return self;
+        };
+        let exact = limits.map(|limit| limit * (largest / ratio));
+        if self.first_m_s2.is_some() {
+            self.first_m_s2 = Some(exact.map(|peak| match peak <= largest {
+                true => Reached::At(peak),
+                false => Reached::Above(largest),
+            }));
+        }
+        for (seen, peak) in self.seen_m_s2.iter_mut().zip(exact) {
+            *seen = seen.map(|_| match peak <= largest {
+                true => Observation::At(peak),
+                false => Observation::Above(largest),
+            });
+        }
+        self
+    }
+
     /// How many of its runs cannot be used.
     pub fn unusable_runs(&self) -> usize {
         self.scan.as_ref().map_or(0, |scan| scan.unknown.len())

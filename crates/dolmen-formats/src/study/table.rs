@@ -2,6 +2,7 @@
 
 use super::answer::StudyAnswer;
 use super::journal::joint_words;
+use super::method::direction_deg;
 use super::run::{Run, StudyKind};
 use super::scans::CapacityOf;
 use super::shaking::ShakingMeasure;
@@ -86,7 +87,7 @@ fn inputs<R>(answer: &StudyAnswer, columns: &mut Columns<'_, R>, job: impl Fn(&R
     }
     columns.words("motion", |row| answer.motion_of(job(row)).to_owned());
     columns.numbers("direction_deg", |row| {
-        Some(answer.turn_rad(job(row)).to_degrees())
+        Some(direction_deg(answer.turn_rad(job(row))))
     });
 }
 

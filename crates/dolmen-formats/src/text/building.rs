@@ -1,6 +1,6 @@
 //! `dolmen check` of a building as text.
 
-use super::Table;
+use super::{GROWN, Table};
 use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::number::{beside_one, significant};
 use crate::project::BuiltDamper;
@@ -234,6 +234,13 @@ fn spectral_text(
             out,
             "\nThe same with the dampers: NOT COMPUTED: {why}. `dolmen simulate` has it under a motion"
         );
+        for damper in standing.dampers.iter().filter(|damper| damper.room_m.is_some()) {
+            let _ = writeln!(
+                out,
+                "  whether damper {} has room enough is not known",
+                damper.name
+            );
+        }
     }
     out
 }
@@ -251,6 +258,14 @@ fn damped_text(answer: &BuildingAnswer, damped: &DampedSpectral, standing: &Stan
         &damped.edge_drift_m,
         &damped.points_m,
     );
+    for of in standing.against_without().iter().filter(|of| of.ratio > GROWN) {
+        let _ = writeln!(
+            out,
+            "MORE THAN WITHOUT DAMPERS: {} is {} of what it would be",
+            of.what[0],
+            significant(of.ratio, 4)
+        );
+    }
     for (damper, stroke_m) in standing.dampers.iter().zip(&damped.strokes_m) {
         let _ = writeln!(out, "  damper {}: stroke {:.2} mm", damper.name, 1e3 * stroke_m);
     }

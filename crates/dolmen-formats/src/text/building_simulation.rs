@@ -109,7 +109,7 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
     }
     let _ = write!(
         out,
-        "MOVED: the largest drift {place} is {} % of the height of the storey below floor {name}",
+        "MOVED: the largest drift along x or y {place} is {} % of the height of the storey below floor {name}",
         significant(100.0 * drift.ratio, 3)
     );
     if !drift.at_edge {
@@ -127,7 +127,7 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
     for of in against.iter().filter(|of| of.ratio > GROWN) {
         let _ = write!(
             out,
-            "\nMORE THAN WITHOUT DAMPERS: {} moves {} of what it would",
+            "\nMORE THAN WITHOUT DAMPERS: {} is {} of what it would be",
             of.what[0],
             significant(of.ratio, 4)
         );

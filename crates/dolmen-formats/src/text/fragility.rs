@@ -6,6 +6,7 @@ use crate::number::{percent, significant};
 use crate::project::HazardSource;
 use crate::study::{CombinationFragility, JointFragility, StateFragility, StudyAnswer, YEARS};
 use dolmen::assess::AssessError;
+use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
 /// Combinations that are printed; more are in fragility.csv.
@@ -28,9 +29,13 @@ pub(super) fn fragility_text(answer: &StudyAnswer) -> Result<String, AssessError
         return Ok(String::new());
     }
     if found.iter().all(few) {
-        let most = found.iter().map(|one| one.usable).max().unwrap_or(0);
+        let motions = found.iter().flat_map(|one| &one.states).map(|state| {
+            let different: BTreeSet<&usize> = state.motions.iter().collect();
+            different.len()
+        });
+        let most = motions.max().unwrap_or(0);
         return Ok(format!(
-            "\nNo fragility curves: {most} usable scan{} a combination of inputs, 3 or more are needed\n",
+            "\nNo fragility curves: usable scans of {most} motion{} a combination of inputs, 3 motions or more are needed\n",
             if most == 1 { "" } else { "s" }
         ));
     }

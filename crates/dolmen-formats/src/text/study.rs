@@ -102,6 +102,13 @@ fn outcomes(answer: &StudyAnswer) -> String {
         let _ = write!(out, ", {count} {word}");
     }
     out.push('\n');
+    if let Some((beyond, all, least)) = answer.beyond_room() {
+        let _ = writeln!(
+            out,
+            "BEYOND ITS ROOM: in {beyond} of {all} runs a damper needs more room than it has, from {} g on: the runs do not have its stops, and are too good there",
+            significant(least / answer.gravity_m_s2, 3)
+        );
+    }
     for (why, count) in answer.refusals() {
         let _ = writeln!(out, "  refused {count} ×: {why}");
     }
@@ -177,7 +184,11 @@ fn levels(answer: &StudyAnswer) -> String {
         cells.push(format!("{} of {usable}", row.fell()));
         cells.push(in_g(answer, row.least_m_s2()));
         cells.extend([0.05, 0.5, 0.95].map(|p| in_g(answer, row.quantile_m_s2(3, p))));
-        cells.extend((0..milder).map(|state| begun_g(answer, row.quantile_m_s2(state, 0.5))));
+        let shown = match answer.kind {
+            StudyKind::Building => in_g,
+            _ => begun_g,
+        };
+        cells.extend((0..milder).map(|state| shown(answer, row.quantile_m_s2(state, 0.5))));
         cells.push(format!("{} of {usable}", row.survived_above()));
         table.row(cells);
     }
@@ -188,7 +199,7 @@ fn levels(answer: &StudyAnswer) -> String {
     match answer.kind {
         StudyKind::Stack => out += "  DS1 to DS3: medians, to a step of the scan\n",
         StudyKind::Building => {
-            out += "  a linear building drifts in proportion: limits are medians, to a step of the scan; beyond yielding they say little\n";
+            out += "  a linear building drifts in proportion: limits are medians, exact up to the largest size that was tried; beyond yielding they say little\n";
         }
         StudyKind::Frame | StudyKind::Chain => {}
     }

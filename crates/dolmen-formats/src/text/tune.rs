@@ -53,7 +53,9 @@ pub fn goal_words(goal: Goal) -> &'static str {
     match goal {
         Goal::LargestRms => "the largest standard deviation of the points",
         Goal::MeanSquare => "the root of the mean variance of the points",
-        Goal::LargestPeak => "the largest amplitude of the points under a harmonic load",
+        Goal::LargestPeak => {
+            "the largest amplitude of the points under a harmonic load of that place and direction, of any frequency alike (its spectrum is not in this goal)"
+        }
     }
 }
 

@@ -213,6 +213,15 @@ fn no_fragility(bound: &FragilityBound) -> String {
             "the state is reached at an intensity of {reached:.4} and not below: its scatter is smaller than the steps tell, and no curve can be \
              fitted; try more motions, or finer steps"
         ),
+        FragilityBound::Middle { above, at_most } => {
+            let known = match (*above > 0.0, at_most.is_finite()) {
+                (true, true) => format!("half of the capacities lie between {above:.4} and {at_most:.4}"),
+                (true, false) => format!("half of the capacities lie above {above:.4}"),
+                (false, true) => format!("half of the capacities lie at or below {at_most:.4}"),
+                (false, false) => "nothing is known of the middle capacity".to_owned(),
+            };
+            format!("{known}, too little for a curve: add intensities or motions")
+        }
         FragilityBound::Separated { survived, reached } => format!(
             "nothing reached the state up to an intensity of {survived:.4} and everything from {reached:.4} on: its scatter is smaller than the \
              steps tell, and no curve can be fitted; try finer steps between"

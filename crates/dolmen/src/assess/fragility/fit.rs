@@ -2,7 +2,7 @@
 
 use super::curve::Fragility;
 use super::likelihood::{Likelihood, likelihood};
-use super::observation::{FragilityBound, Observation, bound, extent};
+use super::observation::{Observation, bound, middle_capacity};
 use crate::assess::AssessError;
 use crate::numeric::{
     Interval, chi_squared_quantile, ln_normal_probability, mean, student_two_sided_quantile, variance,
@@ -262,7 +262,7 @@ impl Top {
             return Err(AssessError::FragilityFalls);
         }
         if left.is_nan() || left > STEP_MOST {
-            return Err(unknown(observations));
+            return Err(AssessError::NoFragility(middle_capacity(observations)));
         }
         Ok(Top {
             middle,
@@ -287,7 +287,7 @@ impl Top {
         let (ln_theta_error, beta_error) = (ln_theta.sqrt(), aa.sqrt() / (slope * slope));
         let is_known = ln_theta_error.is_finite() && beta_error <= BETA_ERROR_MOST * beta;
         if !is_known {
-            return Err(unknown(observations));
+            return Err(AssessError::NoFragility(middle_capacity(observations)));
         }
         let jacobian: f64 = observations
             .iter()
@@ -307,15 +307,6 @@ impl Top {
             observations: observations.iter().map(Observation::motions).sum(),
         })
     }
-}
-
-/// Of observations that overlap so little that the likelihood has no top to be found.
-fn unknown(observations: &[Observation]) -> AssessError {
-    let (survived, reached) = extent(observations);
-    AssessError::NoFragility(FragilityBound::Separated {
-        survived: survived.min(reached),
-        reached: survived.max(reached),
-    })
 }
 
 /// Median and dispersion of capacities that are all known, by their moments.

@@ -110,6 +110,13 @@ pub enum FragilityBound {
         /// The least at which some reached the state.
         reached: f64,
     },
+    /// Brackets overlap so widely, or so little else is known, that the likelihood has no top: what is known of the middle capacity alone.
+    Middle {
+        /// Half of the capacities at least lie above; 0 if that is known of none.
+        above: f64,
+        /// Half of them at least lie at or below; infinite if that is not known.
+        at_most: f64,
+    },
 }
 
 /// 1 − 0.95: what is left out by a bound of 95 %.
@@ -218,6 +225,38 @@ pub(super) fn extent(observations: &[Observation]) -> (f64, f64) {
     (survived, reached)
 }
 
+/// What is known of the middle capacity: the lower middle of the lower ends of all brackets, and the upper middle of their upper ends.
+pub(super) fn middle_capacity(observations: &[Observation]) -> FragilityBound {
+    let (mut lower, mut upper) = (Vec::new(), Vec::new());
+    let mut add = |count: usize, low: f64, high: f64| {
+        lower.extend(std::iter::repeat_n(low, count));
+        upper.extend(std::iter::repeat_n(high, count));
+    };
+    for observation in observations {
+        match *observation {
+            Observation::Stripe {
+                intensity,
+                motions,
+                reached,
+            } => {
+                add(reached, 0.0, intensity);
+                add(motions - reached, intensity, f64::INFINITY);
+            }
+            Observation::Above(x) => add(1, x, f64::INFINITY),
+            Observation::Below(x) => add(1, 0.0, x),
+            Observation::Between(low, high) => add(1, low, high),
+            Observation::At(x) => add(1, x, x),
+        }
+    }
+    lower.sort_by(f64::total_cmp);
+    upper.sort_by(f64::total_cmp);
+    let count = lower.len();
+    FragilityBound::Middle {
+        above: lower.get(count.saturating_sub(1) / 2).copied().unwrap_or(0.0),
+        at_most: upper.get(count / 2).copied().unwrap_or(f64::INFINITY),
+    }
+}
+
 /// Whether survivors and others are told apart by the intensity alone: then β → 0 is the likeliest, and no curve can be had.
 fn separated(observations: &[Observation]) -> Option<FragilityBound> {
     let (survived, reached) = extent(observations);
@@ -245,6 +284,22 @@ mod tests {
             motions,
             reached,
         }
+    }
+
+    #[test]
+    fn exact_the_middle_of_overlapping_brackets() {
+        // sorted ends 0 .1 .2 .9 and .15 1 2 3: two of four lie above .1, two at or below 2
+        let wide = [
+            Observation::Between(0.1, 1.0),
+            Observation::Between(0.2, 2.0),
+            Observation::Between(0.9, 3.0),
+            Observation::Below(0.15),
+        ];
+        let between = |above, at_most| FragilityBound::Middle { above, at_most };
+        assert_eq!(middle_capacity(&wide), between(0.1, 2.0));
+        assert_eq!(middle_capacity(&[stripe(0.3, 5, 1)]), between(0.3, f64::INFINITY));
+        assert_eq!(middle_capacity(&[stripe(0.3, 4, 2)]), between(0.0, f64::INFINITY));
+        assert_eq!(middle_capacity(&[Observation::At(0.4)]), between(0.4, 0.4));
     }
 
     #[test]
