@@ -3,8 +3,8 @@
 use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
-use dolmen::modal::{Identify, MergeSetups, Modes, identify, merge_setups};
-use dolmen::signal::Channel;
+use dolmen::modal::{Identify, MergeSetups, Modes, identify, joint_setups, merge_setups};
+use dolmen::signal::{Channel, Record};
 use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
     Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, StiffnessNote, StiffnessSolution,
@@ -16,7 +16,7 @@ use dolmen_formats::answer::{
 };
 use dolmen_formats::figures;
 use dolmen_formats::json::identification_json;
-use dolmen_formats::project::{ModeKind, Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_formats::project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_formats::text::identification_text;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
@@ -100,13 +100,13 @@ pub(crate) fn surveys(
 pub(crate) fn found_in(survey: &Survey, file: &Path, quiet: bool) -> Result<SurveyAnswer> {
     let context = || format!("survey {}", survey.name);
     let records = match &survey.records {
-        Some(source) => Some(of_record(source, file, quiet).with_context(context)?),
+        Some(source) => Some(of_record(source, file, quiet).with_context(context)?.0),
         None => None,
     };
     let setups = if survey.setups.is_empty() {
         None
     } else {
-        Some(of_setups(&survey.setups, file, quiet).with_context(context)?)
+        Some(of_setups(survey, file, quiet).with_context(context)?)
     };
     Ok(SurveyAnswer {
         name: survey.name.clone(),
@@ -116,16 +116,39 @@ pub(crate) fn found_in(survey: &Survey, file: &Path, quiet: bool) -> Result<Surv
     })
 }
 
-/// Each setup by itself, then all together.
-fn of_setups(sources: &[RecordSource], file: &Path, quiet: bool) -> Result<SetupsAnswer> {
-    let of = |source| of_record(source, file, quiet);
-    let records: Vec<RecordAnswer> = sources.iter().map(of).collect::<Result<_>>()?;
+/// Each setup by itself, then all together, and as one where the file asks for it.
+fn of_setups(survey: &Survey, file: &Path, quiet: bool) -> Result<SetupsAnswer> {
+    let (mut records, mut measured) = (Vec::new(), Vec::new());
+    for source in &survey.setups {
+        let (answer, record) = of_record(source, file, quiet)?;
+        records.push(answer);
+        measured.push(record);
+    }
     let modes: Vec<Modes> = records
         .iter()
         .map(|record| record.analysis.modes.clone())
         .collect();
-    let merged = merge_setups(&modes, &MergeSetups::default())?;
-    Ok(SetupsAnswer { records, merged })
+    let merge = MergeSetups::default();
+    let merged = merge_setups(&modes, &merge)?;
+    let joint = match (survey.merge, survey.setups.first()) {
+        (Merge::Preger, Some(first)) => {
+            let spinner = spinner(quiet, "all setups as one".to_owned());
+            let options = Identify {
+                references: Vec::new(),
+                ..options(first, measured[0].channels())?
+            };
+            let joint = joint_setups(&measured, &options, merge.pairing.place_within_m)
+                .context("all setups as one")?;
+            spinner.finish_and_clear();
+            Some(joint)
+        }
+        _ => None,
+    };
+    Ok(SetupsAnswer {
+        records,
+        merged,
+        joint,
+    })
 }
 
 fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Result<SurveyAnswer> {
@@ -163,14 +186,32 @@ fn twisting(survey: &Survey, direction: &str) -> Vec<StiffnessNote> {
         .collect()
 }
 
-fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<RecordAnswer> {
+fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<(RecordAnswer, Record)> {
     let spinner = spinner(quiet, format!("reading {}", source.file));
     let opened = open::record(source, project_file)?;
     spinner.set_message(format!("modes of {}", source.file));
+    let options = options(source, opened.record.channels())?;
+    let analysis = identify(&opened.record, &options).with_context(|| source.file.clone())?;
+    spinner.finish_and_clear();
+    let answer = RecordAnswer {
+        file: source.file.clone(),
+        channels: opened.channels,
+        samples: opened.samples,
+        sampling_rate_hz: opened.sampling_rate_hz,
+        unit: opened.unit,
+        remarks: opened.remarks,
+        faults: opened.faults,
+        analysis,
+    };
+    Ok((answer, opened.record))
+}
+
+/// How modes are sought, as the file says.
+fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify> {
     let defaults = Identify::default();
-    let options = Identify {
+    Ok(Identify {
         method: source.modal.method.unwrap_or(defaults.method),
-        references: references(&source.modal.references, opened.record.channels())
+        references: references(&source.modal.references, channels)
             .with_context(|| source.file.clone())?,
         pick_hz: source.modal.pick_hz.clone(),
         harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
@@ -180,18 +221,6 @@ fn of_record(source: &RecordSource, project_file: &Path, quiet: bool) -> Result<
         order_most: source.modal.order_most,
         modes_wanted: source.modal.modes_wanted,
         ..defaults
-    };
-    let analysis = identify(&opened.record, &options).with_context(|| source.file.clone())?;
-    spinner.finish_and_clear();
-    Ok(RecordAnswer {
-        file: source.file.clone(),
-        channels: opened.channels,
-        samples: opened.samples,
-        sampling_rate_hz: opened.sampling_rate_hz,
-        unit: opened.unit,
-        remarks: opened.remarks,
-        faults: opened.faults,
-        analysis,
     })
 }
 

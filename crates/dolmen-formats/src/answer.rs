@@ -8,7 +8,7 @@ use crate::tune::{TogetherAnswer, TuneAnswer};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck, SurveyChange};
 use dolmen::blocks::{MatchedFrequency, StackMode};
-use dolmen::modal::{MergedSetups, ModalAnalysis, Modes};
+use dolmen::modal::{JointSetups, MergedSetups, ModalAnalysis, Modes};
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::DemandVerdict;
@@ -265,8 +265,17 @@ pub struct SurveyAnswer {
 pub struct SetupsAnswer {
     /// Each by itself.
     pub records: Vec<RecordAnswer>,
-    /// Put together.
+    /// Put together after each was identified.
     pub merged: MergedSetups,
+    /// Identified as one, where the file asks for that: then these are the modes of the survey.
+    pub joint: Option<JointSetups>,
+}
+
+impl SetupsAnswer {
+    /// The modes of all setups.
+    pub fn modes(&self) -> &Modes {
+        self.joint.as_ref().map_or(&self.merged.modes, |joint| &joint.modes)
+    }
 }
 
 impl SurveyAnswer {
@@ -275,7 +284,7 @@ impl SurveyAnswer {
         match (&self.setups, &self.records) {
             (Some(setups), _) => {
                 let blocks = setups.records.iter().map(|r| r.analysis.settings.time_blocks);
-                Some((&setups.merged.modes, blocks.min().unwrap_or(0)))
+                Some((setups.modes(), blocks.min().unwrap_or(0)))
             }
             (None, Some(record)) => Some((&record.analysis.modes, record.analysis.settings.time_blocks)),
             (None, None) => None,

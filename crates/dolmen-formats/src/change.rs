@@ -139,7 +139,9 @@ pub fn surveyed(survey: &Survey, found: Option<&SurveyAnswer>) -> Surveyed {
     let mut modes = match found.and_then(SurveyAnswer::modes) {
         Some((modes, time_blocks)) => {
             let mut all = ObservedMode::all(modes, time_blocks);
-            let setups = found.and_then(|found| found.setups.as_ref());
+            let setups = found
+                .and_then(|found| found.setups.as_ref())
+                .filter(|setups| setups.joint.is_none());
             let merged = setups.iter().flat_map(|setups| &setups.merged.merged);
             for (mode, merged) in all.iter_mut().zip(merged) {
                 let own = merged.degrees_of_freedom.unwrap_or(f64::INFINITY);

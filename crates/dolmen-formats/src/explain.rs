@@ -36,7 +36,7 @@ which force you give: `axial = \"storey\"` (all that the storey carries) or `axi
 Subspace methods see lags up to twice the block rows. If they span less than half a period of the lowest mode
 (br < fs / (2 f1)) that mode is lost or its damping is wrong by 100 % and more. Dolmen takes the lowest peak of the
 spectrum for f1, chooses block rows from it, says what it chose, and refuses values that cannot work. Decimating the
-record makes the same span cheaper.",
+record makes the same span cheaper. plscf reads the same 2 br - 1 lags: they set how fine its lines are.",
     },
     Explanation {
         code: "cap-left-out",

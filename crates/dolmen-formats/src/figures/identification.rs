@@ -50,10 +50,10 @@ pub fn identification(answer: &Answer, language: Language) -> Vec<Figure> {
                     stabilization(&record.analysis, language),
                 );
             }
-            if !setups.merged.modes.modes.is_empty() {
-                add("mode-shapes", sensor_shapes(&setups.merged.modes, language));
+            if !setups.modes().modes.is_empty() {
+                add("mode-shapes", sensor_shapes(setups.modes(), language));
             }
-            if let Some(moving) = moving_shapes(&setups.merged.modes, language) {
+            if let Some(moving) = moving_shapes(setups.modes(), language) {
                 add("moving-shapes", moving);
             }
         }

@@ -3,7 +3,7 @@
 use super::check::{modes, project};
 use crate::answer::{Answer, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::text::{decay_remarks, setup_remarks};
-use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes};
+use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
 use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use serde_json::{Value, json};
@@ -48,13 +48,19 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "setups": p.setups.iter().map(|s| s + 1).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),
+        "joint": setups.joint.as_ref().map(|joint| json!({
+            "modes": identified(&joint.modes),
+            "references": joint.references.iter().map(|&c| &joint.modes.channels[c].name).collect::<Vec<_>>(),
+            "strength": joint.strength,
+            "settings": settings(&joint.settings),
+            "notes": joint.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        })),
         "notes": setup_remarks(setups),
     })
 }
 
 fn record(record: &RecordAnswer) -> Value {
     let analysis = &record.analysis;
-    let settings = &analysis.settings;
     json!({
         "file": record.file,
         "channels": record.channels,
@@ -64,22 +70,26 @@ fn record(record: &RecordAnswer) -> Value {
         "remarks": record.remarks,
         "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "settings": {
-            "lowest_hz": settings.lowest_hz,
-            "highest_hz": settings.highest_hz,
-            "decimation": settings.decimation,
-            "sampling_rate_hz": settings.sampling_rate_hz,
-            "lines": settings.lines,
-            "block_rows": settings.block_rows,
-            "block_rows_least": settings.block_rows_least,
-            "order_most": settings.order_most,
-            "time_blocks": settings.time_blocks,
-            "range_hz": settings.range_hz,
-        },
+        "settings": settings(&analysis.settings),
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
         "decay": analysis.decay.as_ref().map(decay),
         "notes": analysis.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn settings(settings: &Settings) -> Value {
+    json!({
+        "lowest_hz": settings.lowest_hz,
+        "highest_hz": settings.highest_hz,
+        "decimation": settings.decimation,
+        "sampling_rate_hz": settings.sampling_rate_hz,
+        "lines": settings.lines,
+        "block_rows": settings.block_rows,
+        "block_rows_least": settings.block_rows_least,
+        "order_most": settings.order_most,
+        "time_blocks": settings.time_blocks,
+        "range_hz": settings.range_hz,
     })
 }
 

@@ -26,6 +26,18 @@ pub(super) struct SurveyRaw {
     pub(super) records: Option<At<RecordsRaw>>,
     /// Several records, one after the other, with some sensors that stayed: instead of records.
     pub(super) setups: Option<Vec<At<RecordsRaw>>>,
+    /// How setups are put together; "poser" if not given.
+    pub(super) merge: Option<At<MergeRaw>>,
+}
+
+/// How setups are put together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum MergeRaw {
+    /// Each is identified by itself, then modes are paired and scaled.
+    Poser,
+    /// All are identified as one, from correlations brought to one shaking.
+    Preger,
 }
 
 /// How the plan moves in a mode.
@@ -236,6 +248,8 @@ pub(super) enum MethodRaw {
     SsiCov,
     /// Data-driven subspace method.
     SsiData,
+    /// Poly-reference least squares on half spectra.
+    Plscf,
     /// Free decay: the record begins when the last force has ended.
     Era,
 }

@@ -82,5 +82,5 @@ pub use stack_build::StackFault;
 pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
 };
-pub use survey::{ChangePart, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
+pub use survey::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 pub use units::{AngleError, parse_angle_rad};

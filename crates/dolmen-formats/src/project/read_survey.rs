@@ -2,12 +2,12 @@
 
 use super::error::Fault;
 use super::file_number::{At, NumberRaw};
-use super::file_survey::{ChangeRaw, ChannelRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
+use super::file_survey::{ChangeRaw, ChannelRaw, MergeRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
 use super::measure::{Bound, Measure};
 use super::read_records::records;
 use super::reader::{Reader, short};
 use super::records::RecordSource;
-use super::survey::{ChangePart, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
+use super::survey::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 use super::units::{Dimension, parse_unit, split_number};
 use dolmen::structure::ShapePoint;
 use std::collections::BTreeMap;
@@ -94,6 +94,22 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             .as_ref()
             .and_then(|raw| records(reader, raw, &format!("{path}.records"))),
         setups,
+        merge: merge(reader, raw, &path),
+    }
+}
+
+fn merge(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Merge {
+    let Some(given) = &raw.merge else {
+        return Merge::default();
+    };
+    if raw.setups.as_ref().is_none_or(Vec::is_empty) {
+        let path = format!("{path}.merge");
+        let fault = Fault::new(given.span.clone(), &path, format!("{path} has no setups to put together"));
+        reader.fault(fault.help("leave merge out, or list the records as setups"));
+    }
+    match given.value {
+        MergeRaw::Poser => Merge::Poser,
+        MergeRaw::Preger => Merge::Preger,
     }
 }
 

@@ -94,6 +94,18 @@ pub struct Survey {
     pub records: Option<RecordSource>,
     /// Several records with some sensors that stayed, to be put together; empty if there are none.
     pub setups: Vec<RecordSource>,
+    /// How they are put together.
+    pub merge: Merge,
+}
+
+/// How several setups are put together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Merge {
+    /// Each is identified by itself, then modes are paired and scaled.
+    #[default]
+    Poser,
+    /// All are identified as one as well, from correlations brought to one shaking.
+    Preger,
 }
 
 impl Survey {

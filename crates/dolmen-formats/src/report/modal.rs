@@ -236,6 +236,10 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
             "data-driven stochastic subspace identification",
             "데이터 기반 확률적 부분공간법(SSI-data)",
         ),
+        Method::Plscf => language.pick(
+            "poly-reference least squares in the frequency domain",
+            "다기준 최소자승 복소주파수법(pLSCF)",
+        ),
         Method::Era => language.pick(
             "eigensystem realization of a free decay",
             "자유감쇠의 고유계 실현법(ERA)",
@@ -253,7 +257,7 @@ fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
     let (low, high) = (significant(s.range_hz[0], 3), significant(s.range_hz[1], 3));
     let rate = number::trimmed(s.sampling_rate_hz, 5);
     let (rows, order, blocks) = (s.block_rows, s.order_most, s.time_blocks);
-    if s.lines > 0 {
+    if s.lines > 0 && analysis.modes.method != Method::Plscf {
         let lines = s.lines;
         return html! {
             p { (language.pick(
@@ -268,10 +272,19 @@ fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
         refused(Fate::Scattered),
         refused(Fate::Double),
     );
+    let (lines, lags) = (s.lines, (2 * s.block_rows).saturating_sub(1));
+    let (rows_en, rows_ko) = if analysis.modes.method == Method::Plscf {
+        (
+            format!("{lines} lines of half spectra from {lags} lags"),
+            format!("반스펙트럼 선 {lines}개(시간 지연 {lags}개)"),
+        )
+    } else {
+        (format!("{rows} block rows"), format!("블록 행 {rows}개"))
+    };
     html! {
         p { (language.pick(
-            format!("Chosen from the data: {rows} block rows at {rate}\u{202f}Hz, model orders to {order}, modes accepted between {low} and {high}\u{202f}Hz, deviations from {blocks} blocks of time. Groups of poles not taken as modes: {few} in too few orders, {scattered} too scattered, {double} doubles of another."),
-            format!("자료로부터 정한 값: 블록 행 {rows}개({rate}\u{202f}Hz), 모델 차수 {order}까지, 모드 채택 범위 {low}–{high}\u{202f}Hz, 표준편차는 시간 블록 {blocks}개에서 산정. 모드로 보지 않은 극점군: 차수 부족 {few}개, 산포 과다 {scattered}개, 중복 {double}개."),
+            format!("Chosen from the data: {rows_en} at {rate}\u{202f}Hz, model orders to {order}, modes accepted between {low} and {high}\u{202f}Hz, deviations from {blocks} blocks of time. Groups of poles not taken as modes: {few} in too few orders, {scattered} too scattered, {double} doubles of another."),
+            format!("자료로부터 정한 값: {rows_ko}({rate}\u{202f}Hz), 모델 차수 {order}까지, 모드 채택 범위 {low}–{high}\u{202f}Hz, 표준편차는 시간 블록 {blocks}개에서 산정. 모드로 보지 않은 극점군: 차수 부족 {few}개, 산포 과다 {scattered}개, 중복 {double}개."),
         )) }
     }
 }

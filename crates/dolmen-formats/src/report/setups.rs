@@ -9,10 +9,11 @@ use crate::answer::SetupsAnswer;
 use crate::figures::{moving_shapes, sensor_shapes};
 use crate::number::{fixed, with_sd};
 use crate::text::setup_remarks;
+use dolmen::modal::JointSetups;
 use maud::{Markup, html};
 
 pub(super) fn finding(setups: &SetupsAnswer, language: Language) -> Finding {
-    let modes = &setups.merged.modes.modes;
+    let modes = &setups.modes().modes;
     let (count, records, sensors) = (
         modes.len(),
         setups.records.len(),
@@ -74,7 +75,57 @@ pub(super) fn section(survey: &str, setups: &SetupsAnswer, language: Language) -
                 ))
             }
         }
+        @if let Some(joint) = &setups.joint { (joint_section(joint, survey, language)) }
         @for remark in setup_remarks(setups) { p.note { (language.pick(String::new(), "[영문] ".to_owned())) (remark) "." } }
+    }
+}
+
+/// All setups identified as one.
+fn joint_section(joint: &JointSetups, survey: &str, language: Language) -> Markup {
+    let head = [
+        language.pick("Mode", "모드"),
+        language.pick("frequency (Hz)", "고유진동수 (Hz)"),
+        language.pick("damping ratio (%)", "감쇠비 (%)"),
+        language.pick("phase collinearity", "모드 위상 공선성 (MPC)"),
+        language.pick("model orders", "모델 차수 수"),
+    ]
+    .map(str::to_string);
+    let rows: Vec<Vec<Cell>> = joint
+        .modes
+        .modes
+        .iter()
+        .enumerate()
+        .map(|(i, mode)| {
+            let zeta = mode.damping_ratio.map_or("–".to_owned(), |z| {
+                with_sd(100.0 * z, 100.0 * mode.damping_ratio_sd.unwrap_or(0.0))
+            });
+            vec![
+                (i + 1).to_string().into(),
+                with_sd(mode.frequency_hz, mode.frequency_sd_hz.unwrap_or(0.0)).into(),
+                zeta.into(),
+                fixed(mode.phase_collinearity, 3).into(),
+                mode.orders.len().to_string().into(),
+            ]
+        })
+        .collect();
+    let caption = language.pick(
+        "Modes of all setups identified as one (PreGER), ± standard deviation: correlations brought to the shaking of the first setup and stacked. These are the modes of the survey; the means above are beside them.",
+        "모든 배치를 하나로 식별한 모드(PreGER), ± 표준편차. 상관함수를 첫 배치의 가진 수준으로 환산하여 쌓았다. 이 값이 조사의 모드이며 위의 평균은 비교용이다.",
+    );
+    html! {
+        h2 { (language.pick("Setups identified as one", "측정 배치의 일괄 식별")) ": " (survey) }
+        @if joint.modes.modes.is_empty() {
+            p { (language.pick("No mode was found.", "모드를 찾지 못했다.")) }
+        } @else {
+            (table(caption, 1, &head, &rows))
+            (figure(
+                &sensor_shapes(&joint.modes, language),
+                language.pick(
+                    "Mode shapes at the sensors of all setups, from one identification.",
+                    "일괄 식별로 얻은 모든 배치의 센서 위치 모드형상.",
+                ),
+            ))
+        }
     }
 }
 

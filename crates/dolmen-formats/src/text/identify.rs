@@ -3,7 +3,7 @@
 use super::Table;
 use super::decay::decay_text;
 use super::project::{convention_words, heading_text, warnings_text};
-use super::setups::merged_text;
+use super::setups::{joint_heading, merged_text};
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::number::{beside_one, prefix, trimmed};
 use dolmen::modal::{Method, Modes, Settings};
@@ -43,7 +43,16 @@ fn survey_text(survey: &SurveyAnswer) -> String {
             out += &record_text(record);
         }
         out += &merged_text(setups);
-        out += &channel_shapes_text(&setups.merged.modes);
+        match &setups.joint {
+            None => out += &channel_shapes_text(&setups.merged.modes),
+            Some(joint) => {
+                out += &joint_heading(joint);
+                out += &modes_text(&joint.modes);
+                for note in &joint.notes {
+                    let _ = writeln!(out, "  note: {note}");
+                }
+            }
+        }
     }
     let mut direction = "";
     for stiffness in &survey.stiffness {
@@ -98,6 +107,16 @@ fn chosen_text(method: Method, chosen: &Settings) -> String {
         return format!(
             "  era: a free decay, {} block rows, model of order {}, modes sought in {low:.3} to {high:.3} Hz\n",
             chosen.block_rows, chosen.order_most
+        );
+    }
+    if method == Method::Plscf {
+        return format!(
+            "  plscf, chosen from the data: {} lines of half spectra at {:.4} Hz, from {} lags, orders to {}, modes\n  sought in \
+             {low:.3} to {high:.3} Hz; shapes have no standard deviation [block-rows]\n",
+            chosen.lines,
+            chosen.sampling_rate_hz,
+            2 * chosen.block_rows - 1,
+            chosen.order_most,
         );
     }
     let method = method.name();

@@ -2,7 +2,7 @@
 
 use super::Table;
 use crate::answer::SetupsAnswer;
-use dolmen::modal::{Agreement, MergedMode, Mode, PartialMode};
+use dolmen::modal::{Agreement, JointSetups, MergedMode, Mode, PartialMode};
 
 /// Half width of a 95 % interval, in standard deviations of a normal variable.
 const TWO_SIDED_95: f64 = 1.96;
@@ -37,6 +37,29 @@ pub(super) fn merged_text(setups: &SetupsAnswer) -> String {
         out += &format!("  note: {sentence}\n");
     }
     out
+}
+
+/// What the identification of all setups as one rests on; its modes follow.
+pub(super) fn joint_heading(joint: &JointSetups) -> String {
+    let names: Vec<&str> = joint
+        .references
+        .iter()
+        .map(|&c| joint.modes.channels[c].name.as_str())
+        .collect();
+    let strength: Vec<String> = joint.strength.iter().map(|s| format!("{s:.3}")).collect();
+    format!(
+        "\nAll setups identified as one (PreGER): {} sensors, of which in every setup: {}; strength of their motion: {}\n  {} block rows \
+         at {:.4} Hz, orders to {}, modes sought in {:.3} to {:.3} Hz; these are the modes of the survey, those above are beside \
+         them [setups]\n",
+        joint.modes.channels.len(),
+        names.join(", "),
+        strength.join(" : "),
+        joint.settings.block_rows,
+        joint.settings.sampling_rate_hz,
+        joint.settings.order_most,
+        joint.settings.range_hz[0],
+        joint.settings.range_hz[1],
+    )
 }
 
 fn row(i: usize, mode: &Mode, of: &MergedMode) -> Vec<String> {

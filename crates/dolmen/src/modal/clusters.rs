@@ -7,7 +7,8 @@
 
 use super::indicators::assurance;
 use super::ssi::{Pole, Subspace};
-use super::stabilization::{JudgedPole, Stabilization};
+use super::stabilization::{AllOrders, JudgedPole, Stabilization};
+use super::uncertainty::Deviations;
 use super::{ModalError, PoleDeviation, Propagation};
 
 /// Options of [`clusters`].
@@ -88,17 +89,31 @@ pub fn clusters(
     stabilization: &Stabilization,
     options: &Clustering,
 ) -> Result<Vec<Cluster>, ModalError> {
+    group_poles(
+        &AllOrders::of(subspace),
+        &mut Propagation::new(subspace),
+        stabilization,
+        options,
+    )
+}
+
+/// As [`clusters`], of any poles.
+pub(super) fn group_poles(
+    all: &AllOrders<'_>,
+    deviations: &mut dyn Deviations,
+    stabilization: &Stabilization,
+    options: &Clustering,
+) -> Result<Vec<Cluster>, ModalError> {
     let poles: Vec<&JudgedPole> = stabilization
         .poles
         .iter()
         .filter(|j| j.stability.possible())
         .collect();
-    let mut propagation = Propagation::new(subspace);
     let groups = group(&poles, options);
     // an order below twice the number of modes lumps some of them: biased, and no less sure of itself
-    let found = judged(&groups, &poles, 0, subspace, (&mut propagation, options))?;
+    let found = judged(&groups, &poles, 0, all, (deviations, options))?;
     let modes = found.iter().filter(|c| c.fate == Fate::Mode).count();
-    let mut found = judged(&groups, &poles, 2 * modes, subspace, (&mut propagation, options))?;
+    let mut found = judged(&groups, &poles, 2 * modes, all, (deviations, options))?;
     found.sort_by(|a, b| a.medoid.frequency_hz.total_cmp(&b.medoid.frequency_hz));
     Ok(found)
 }
@@ -108,13 +123,13 @@ fn judged(
     groups: &[Vec<usize>],
     poles: &[&JudgedPole],
     first_whole: usize,
-    subspace: &Subspace,
-    (propagation, options): (&mut Propagation<'_>, &Clustering),
+    all: &AllOrders<'_>,
+    (deviations, options): (&mut dyn Deviations, &Clustering),
 ) -> Result<Vec<Cluster>, ModalError> {
     let mut found = Vec::with_capacity(groups.len());
     for members in groups {
         let first = members.first().map_or(0, |&m| poles[m].pole.order);
-        let possible = (subspace.order_most.saturating_sub(first)) / 2 + 1;
+        let possible = all.order_most.saturating_sub(first) / all.order_step + 1;
         let needed = (options.orders_share_least * possible as f64).ceil() as usize;
         let whole: Vec<usize> = members
             .iter()
@@ -131,9 +146,9 @@ fn judged(
         );
         let Some(medoid) = medoid(&best) else { continue };
         let enough = members.len() >= needed.max(options.orders_least);
-        let most_hz = options.deviation_over_floor_most * medoid.floor_hz(subspace.duration_s);
+        let most_hz = options.deviation_over_floor_most * medoid.floor_hz(all.duration_s);
         let deviation = if enough {
-            Some(propagation.deviation(medoid)?)
+            Some(deviations.deviation(medoid)?)
         } else {
             None
         };

@@ -25,9 +25,16 @@ pub(super) struct Decomposed {
 
 /// Of the correlations.
 pub(super) fn of_covariance(r: &Correlations, options: &Ssi) -> Result<Decomposed, ModalError> {
-    let cross = future_past(r, &options.references, options.block_rows);
-    let f = leading(&Covariance(&cross), options.order_most, || Ok(cross.clone()))?;
-    let n = options.order_most.min(f.s.len());
+    of_matrix(
+        &future_past(r, &options.references, options.block_rows),
+        options.order_most,
+    )
+}
+
+/// Of a matrix of correlations.
+pub(super) fn of_matrix(cross: &Matrix, order_most: usize) -> Result<Decomposed, ModalError> {
+    let f = leading(&Covariance(cross), order_most, || Ok(cross.clone()))?;
+    let n = order_most.min(f.s.len());
     Ok(Decomposed {
         x: over_singular_values(&f, n),
         u: f.u.block(0, 0, f.u.rows(), n),

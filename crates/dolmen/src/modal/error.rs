@@ -209,6 +209,28 @@ pub enum ModalError {
         /// Which, from 1.
         setup: usize,
     },
+    /// No sensor is in every setup.
+    #[error(
+        "no sensor is in all {setups} setups, but setups identified as one need one that stays throughout, better three: merge = \
+         \"poser\" needs one with the setups before"
+    )]
+    NoCommonReference {
+        /// Setups given.
+        setups: usize,
+    },
+    /// A setup was sampled at another rate.
+    #[error(
+        "setup {setup} has {given_hz} samples a second, the first {first_hz}: setups identified as one need one rate; decimate_factor \
+         in conditioning gives it, or take merge = \"poser\""
+    )]
+    SetupRate {
+        /// Which, from 1.
+        setup: usize,
+        /// Its rate, Hz.
+        given_hz: f64,
+        /// That of the first, Hz.
+        first_hz: f64,
+    },
     /// A number is refused.
     #[error(transparent)]
     Numeric(#[from] NumericError),

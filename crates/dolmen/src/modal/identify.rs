@@ -1,14 +1,17 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
-use super::clusters::{Cluster, Clustering, Fate, clusters};
+use super::clusters::{Cluster, Clustering, Fate, group_poles};
 use super::decay::{Decay, SHORT, of_decay, short_spectrum};
 use super::efdd::{Efdd, efdd};
 use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
+use super::fraction_deviation::FractionScatter;
 use super::harmonics::{Kurtosis, band_kurtosis};
+use super::plscf::{Plscf, plscf};
 use super::settings::{Settings, choose};
-use super::ssi::{Ssi, Subspace, ssi_cov, ssi_data};
-use super::stabilization::{Criteria, Stabilization, stabilize};
-use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Tone};
+use super::ssi::{Ssi, ssi_cov, ssi_data};
+use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
+use super::uncertainty::Deviations;
+use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation, Tone};
 use crate::signal::{ChannelFault, Record, inspect};
 
 /// What becomes of a mode that looks like a machine.
@@ -137,7 +140,9 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, options),
         Method::Era => of_decay(record, options, peaks)?,
-        Method::SsiCov | Method::SsiData => of_subspace(record, options, (peaks, &tones_hz), &mut notes)?,
+        Method::SsiCov | Method::SsiData | Method::Plscf => {
+            of_poles(record, options, (peaks, &tones_hz), &mut notes)?
+        }
     };
     if options.method != Method::Era {
         test_for_machines(record, options, &mut analysis.modes, &mut notes)?;
@@ -149,7 +154,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     Ok(analysis)
 }
 
-fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError> {
+pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError> {
     let fdd_options = Fdd {
         frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
         frequency_high_hz: options.frequency_high_hz.or(options.fdd.frequency_high_hz),
@@ -208,49 +213,93 @@ pub(super) fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
 }
 
 /// Poles of all orders, judged and grouped.
-fn of_subspace(
+fn of_poles(
     record: &Record,
     options: &Identify,
     (peaks, tones_hz): (FddResult, &[f64]),
     notes: &mut Vec<Note>,
 ) -> Result<ModalAnalysis, ModalError> {
-    let settings = choose(record, options, (&peaks.modes, tones_hz), notes)?;
-    let ssi = Ssi {
-        block_rows: settings.block_rows,
-        order_most: settings.order_most,
-        decimation: settings.decimation,
-        time_blocks: settings.time_blocks,
-        references: options.references.clone(),
+    let mut settings = choose(record, options, (&peaks.modes, tones_hz), notes)?;
+    let criteria = Criteria {
+        frequency_low_hz: options.criteria.frequency_low_hz.max(settings.range_hz[0]),
+        frequency_high_hz: options.criteria.frequency_high_hz.min(settings.range_hz[1]),
+        ..options.criteria.clone()
     };
-    let subspace = match options.method {
-        Method::SsiCov => ssi_cov(record, &ssi)?,
-        _ => ssi_data(record, &ssi)?,
+    let mut hankel_singular_values = Vec::new();
+    let (stabilization, clusters) = if options.method == Method::Plscf {
+        let found = plscf(
+            record,
+            &Plscf {
+                lags: 2 * settings.block_rows - 1,
+                order_most: settings.order_most,
+                decimation: settings.decimation,
+                time_blocks: settings.time_blocks,
+                references: options.references.clone(),
+                frequency_low_hz: settings.range_hz[0],
+                frequency_high_hz: settings.range_hz[1],
+                ..Plscf::default()
+            },
+        )?;
+        settings.lines = found.lines;
+        let all = AllOrders {
+            poles: &found.poles,
+            duration_s: found.duration_s,
+            order_most: found.order_most,
+            order_step: found.references.len(),
+        };
+        judged(&all, &mut FractionScatter::new(&found), &criteria, &options.clustering)?
+    } else {
+        let ssi = Ssi {
+            block_rows: settings.block_rows,
+            order_most: settings.order_most,
+            decimation: settings.decimation,
+            time_blocks: settings.time_blocks,
+            references: options.references.clone(),
+        };
+        let found = match options.method {
+            Method::SsiCov => ssi_cov(record, &ssi)?,
+            _ => ssi_data(record, &ssi)?,
+        };
+        hankel_singular_values.clone_from(&found.singular_values);
+        judged(
+            &AllOrders::of(&found),
+            &mut Propagation::new(&found),
+            &criteria,
+            &options.clustering,
+        )?
     };
-    let stabilization = stabilize(
-        &subspace,
-        &Criteria {
-            frequency_low_hz: options.criteria.frequency_low_hz.max(settings.range_hz[0]),
-            frequency_high_hz: options.criteria.frequency_high_hz.min(settings.range_hz[1]),
-            ..options.criteria.clone()
-        },
-    )?;
-    let clusters = clusters(&subspace, &stabilization, &options.clustering)?;
-    let modes = modes_of(record, &clusters, options.method);
-    let Subspace { singular_values, .. } = subspace;
     Ok(ModalAnalysis {
-        modes,
+        modes: Modes {
+            modes: modes_of(&clusters, record.duration_s()),
+            channels: record.channels().to_vec(),
+            method: options.method,
+            duration_s: record.duration_s(),
+            history: record.history().to_vec(),
+        },
         spectrum: peaks.spectrum,
         fdd_modes: peaks.modes,
         stabilization,
         clusters,
-        hankel_singular_values: singular_values,
+        hankel_singular_values,
         settings,
         decay: None,
         notes: Vec::new(),
     })
 }
 
-fn check(record: &Record, options: &Identify) -> Result<(), ModalError> {
+/// The diagram, and the groups of its poles.
+pub(super) fn judged(
+    all: &AllOrders<'_>,
+    deviations: &mut dyn Deviations,
+    criteria: &Criteria,
+    clustering: &Clustering,
+) -> Result<(Stabilization, Vec<Cluster>), ModalError> {
+    let stabilization = judge_poles(all, deviations, criteria)?;
+    let clusters = group_poles(all, deviations, &stabilization, clustering)?;
+    Ok((stabilization, clusters))
+}
+
+pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalError> {
     let nyquist_hz = 0.5 * record.sampling_rate_hz();
     let low_hz = options.frequency_low_hz.unwrap_or(0.0);
     let high_hz = options.frequency_high_hz.unwrap_or(nyquist_hz);
@@ -281,7 +330,7 @@ fn check(record: &Record, options: &Identify) -> Result<(), ModalError> {
 }
 
 /// Refuses dead and duplicated channels; notes faint and clipped ones.
-fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
+pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     let mut notes = Vec::new();
     for fault in inspect(record) {
         match fault {
@@ -296,7 +345,7 @@ fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
 
 /// Takes the peaks out that machines make: narrower than any structure's where the lines are fine enough to tell, or too
 /// steady for random forces; returns their frequencies, Hz.
-fn split_tones(
+pub(super) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
     damping_ratio_least: f64,
@@ -384,7 +433,7 @@ fn test_for_machines(
 }
 
 /// Keeps the modes picked by hand; each must be there.
-fn pick(options: &Identify, modes: &mut Modes) -> Result<(), ModalError> {
+pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<(), ModalError> {
     if options.pick_hz.is_empty() {
         return Ok(());
     }
@@ -400,8 +449,8 @@ fn pick(options: &Identify, modes: &mut Modes) -> Result<(), ModalError> {
     Ok(())
 }
 
-fn modes_of(record: &Record, clusters: &[Cluster], method: Method) -> Modes {
-    let modes = clusters
+pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
+    clusters
         .iter()
         .filter(|c| c.fate == Fate::Mode)
         .map(|c| Mode {
@@ -410,21 +459,18 @@ fn modes_of(record: &Record, clusters: &[Cluster], method: Method) -> Modes {
             damping_ratio: Some(c.medoid.damping_ratio),
             damping_ratio_sd: sd(c, |d| d.damping_ratio_sd, c.damping_ratio_spread),
             shape: c.medoid.shape.clone(),
-            shape_sd: c.deviation.as_ref().map(|d| d.shape_sd.clone()),
+            shape_sd: c
+                .deviation
+                .as_ref()
+                .map(|d| d.shape_sd.clone())
+                .filter(|sd| !sd.is_empty()),
             phase_collinearity: c.medoid.phase_collinearity,
-            cycles: c.medoid.frequency_hz * record.duration_s(),
+            cycles: c.medoid.frequency_hz * duration_s,
             orders: c.orders.clone(),
             kurtosis: None,
             window_bias: None,
         })
-        .collect();
-    Modes {
-        modes,
-        channels: record.channels().to_vec(),
-        method,
-        duration_s: record.duration_s(),
-        history: record.history().to_vec(),
-    }
+        .collect()
 }
 
 /// Scatter between blocks of time and scatter between orders, together: which order is looked at is as much chance as
@@ -433,7 +479,7 @@ fn sd(cluster: &Cluster, of_time: fn(&PoleDeviation) -> f64, of_order: f64) -> O
     cluster.deviation.as_ref().map(|d| of_time(d).hypot(of_order))
 }
 
-fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
+pub(super) fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
     match options.modes_wanted {
         Some(given) if given > modes.modes.len() => Err(ModalError::ModesMissing {
             given,
@@ -444,7 +490,7 @@ fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError> {
     }
 }
 
-fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
+pub(super) fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
     const NEAR: f64 = 0.03; // relative; a line of the spectrum lies so near its mode
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
     let explained = |peak: &Mode| {

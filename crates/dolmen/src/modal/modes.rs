@@ -18,18 +18,21 @@ pub enum Method {
     SsiCov,
     /// Data-driven stochastic subspace identification.
     SsiData,
+    /// Poly-reference least squares in the frequency domain.
+    Plscf,
     /// Eigensystem realization of a free decay.
     Era,
 }
 
 impl Method {
     /// All methods.
-    pub const ALL: [Method; 6] = [
+    pub const ALL: [Method; 7] = [
         Method::Fdd,
         Method::Efdd,
         Method::Fsdd,
         Method::SsiCov,
         Method::SsiData,
+        Method::Plscf,
         Method::Era,
     ];
 
@@ -41,6 +44,7 @@ impl Method {
             Method::Fsdd => "fsdd",
             Method::SsiCov => "ssi-cov",
             Method::SsiData => "ssi-data",
+            Method::Plscf => "plscf",
             Method::Era => "era",
         }
     }

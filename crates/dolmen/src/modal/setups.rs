@@ -8,10 +8,10 @@
 //! | f_s, σ_s | | frequency (or damping ratio) in setup s and its deviation | - |
 
 use super::indicators::{assurance, normalized, phase_collinearity};
-use super::pairing::{ObservedMode, ObservedPoint, Pairing, pair_modes, same_place};
+use super::pairing::{ObservedMode, ObservedPoint, Pairing, pair_modes};
+use super::places::{Places, Seat};
 use super::{ModalError, Mode, Modes};
 use crate::numeric::chi_squared_above;
-use crate::signal::Channel;
 use dolmen_linalg::Complex64;
 
 /// Options of [`merge_setups`].
@@ -124,12 +124,12 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
     if others.is_empty() {
         return Err(ModalError::Setups { given: 1 });
     }
-    let mut places = Places::of(first);
+    let mut places = Places::of(&first.channels);
     let mut growing: Vec<Growing> = first.modes.iter().map(Growing::of).collect();
     let mut partial = Vec::new();
     for (index, setup) in others.iter().enumerate() {
         let number = index + 1;
-        let seats = places.seats(setup, number, options.pairing.place_within_m)?;
+        let seats = places.seats(&setup.channels, number, options.pairing.place_within_m)?;
         let known: Vec<ObservedMode> = growing.iter().map(|g| g.observed(&places)).collect();
         let paired = pair_modes(&known, &ObservedMode::all(setup, 0), &options.pairing)?;
         for &alone in &paired.only_first {
@@ -158,6 +158,7 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
     }
     found.sort_by(|a, b| a.0.frequency_hz.total_cmp(&b.0.frequency_hz));
     let (modes, merged) = found.into_iter().unzip();
+    let references = places.seen_by(2);
     Ok(MergedSetups {
         modes: Modes {
             modes,
@@ -168,72 +169,8 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         },
         merged,
         partial,
-        references: (0..places.seen.len()).filter(|&c| places.seen[c] > 1).collect(),
+        references,
     })
-}
-
-/// The sensors of all setups so far.
-struct Places {
-    channels: Vec<Channel>,
-    /// Setups that have each.
-    seen: Vec<usize>,
-}
-
-/// Where a channel of a setup stands among all places, and whether it points the other way.
-#[derive(Clone, Copy)]
-struct Seat {
-    place: usize,
-    sign: f64,
-    /// Whether a setup before has it.
-    known: bool,
-}
-
-impl Places {
-    fn of(setup: &Modes) -> Self {
-        Places {
-            channels: setup.channels.clone(),
-            seen: vec![1; setup.channels.len()],
-        }
-    }
-
-    /// A place for each channel of a setup, new ones at the end.
-    fn seats(&mut self, setup: &Modes, number: usize, within_m: f64) -> Result<Vec<Seat>, ModalError> {
-        let before = self.channels.len();
-        let mut taken = vec![false; before];
-        let mut seats = Vec::with_capacity(setup.channels.len());
-        for channel in &setup.channels {
-            let found = (0..before).find_map(|place| {
-                let sign = same_place(&self.channels[place], channel, within_m).filter(|_| !taken[place])?;
-                Some(Seat {
-                    place,
-                    sign,
-                    known: true,
-                })
-            });
-            let seat = match found {
-                Some(seat) => {
-                    taken[seat.place] = true;
-                    self.seen[seat.place] += 1;
-                    seat
-                }
-                None => {
-                    self.channels.push(channel.clone());
-                    self.seen.push(1);
-                    Seat {
-                        place: self.channels.len() - 1,
-                        sign: 1.0,
-                        known: false,
-                    }
-                }
-            };
-            seats.push(seat);
-        }
-        if seats.iter().any(|seat| seat.known) {
-            Ok(seats)
-        } else {
-            Err(ModalError::NoReference { setup: number + 1 })
-        }
-    }
 }
 
 /// A mode as the setups so far show it.
@@ -441,6 +378,7 @@ fn mean(all: &[Known]) -> Result<Mean, ModalError> {
 mod tests {
     use super::super::{Method, ReferenceCase};
     use super::*;
+    use crate::signal::Channel;
 
     /// Exact modes of four floors, seen at the channels named, each shape scaled by itself.
     fn setup(channels: &[usize], scale: Complex64, factor: f64) -> Modes {

@@ -21,7 +21,7 @@ use dolmen_linalg::{Complex64, Matrix, Qr, eigen, qr};
 use std::f64::consts::PI;
 
 /// Singular values below this share of the largest are rounding (double precision, FFT sums of many samples).
-const RANK_LEAST: f64 = 1e-13;
+pub(super) const RANK_LEAST: f64 = 1e-13;
 
 /// Options of [`ssi_cov`] and [`ssi_data`].
 #[derive(Clone, Debug, PartialEq)]
@@ -114,6 +114,8 @@ pub struct Subspace {
     pub(super) upper: Qr,
     /// Qᵀ O↓.
     pub(super) shifted: Matrix,
+    /// dH X of each block of time where the correlations do not hold them: of setups put together.
+    pub(super) moved: Vec<Matrix>,
 }
 
 /// Poles of the model orders 2, 4 … `order_most` of an ambient record, from its correlations.
@@ -189,7 +191,7 @@ fn correlated(record: &Record, options: &Ssi) -> Result<(Ssi, Correlations), Mod
     Ok((options, correlations))
 }
 
-fn check(options: &Ssi, channels: usize) -> Result<Ssi, ModalError> {
+pub(super) fn check(options: &Ssi, channels: usize) -> Result<Ssi, ModalError> {
     let refused = |option, given, allowed| {
         Err(ModalError::Option {
             option,
@@ -236,7 +238,7 @@ fn check(options: &Ssi, channels: usize) -> Result<Ssi, ModalError> {
     Ok(options)
 }
 
-fn subspace(
+pub(super) fn subspace(
     correlations: Correlations,
     options: &Ssi,
     (method, duration_s): (Method, f64),
@@ -269,6 +271,7 @@ fn subspace(
         x,
         upper,
         shifted,
+        moved: Vec::new(),
     })
 }
 

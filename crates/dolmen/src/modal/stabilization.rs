@@ -1,6 +1,7 @@
 //! Which poles can be modes at all, and which come back from one model order to the next.
 
 use super::indicators::assurance;
+use super::uncertainty::Deviations;
 use super::{ModalError, Pole, Propagation, Subspace};
 
 /// Criteria of [`stabilize`].
@@ -107,19 +108,51 @@ pub struct Stabilization {
 /// Floor of the deviation: Au (2014) Mech. Syst. Signal Process. 48:15-33. Differs from the practice of judging poles by
 /// the diagram alone: the deviation tells a mode from a pole that fits noise where both come back at every order.
 pub fn stabilize(subspace: &Subspace, criteria: &Criteria) -> Result<Stabilization, ModalError> {
-    let mut propagation = Propagation::new(subspace);
-    let mut judged: Vec<JudgedPole> = Vec::with_capacity(subspace.poles.len());
+    judge_poles(
+        &AllOrders::of(subspace),
+        &mut Propagation::new(subspace),
+        criteria,
+    )
+}
+
+/// The poles of every order of an analysis, and from which record.
+pub(super) struct AllOrders<'a> {
+    pub(super) poles: &'a [Pole],
+    pub(super) duration_s: f64,
+    pub(super) order_most: usize,
+    /// From one order to the next.
+    pub(super) order_step: usize,
+}
+
+impl<'a> AllOrders<'a> {
+    pub(super) fn of(subspace: &'a Subspace) -> Self {
+        AllOrders {
+            poles: &subspace.poles,
+            duration_s: subspace.duration_s,
+            order_most: subspace.order_most,
+            order_step: 2,
+        }
+    }
+}
+
+/// As [`stabilize`], of any poles.
+pub(super) fn judge_poles(
+    all: &AllOrders<'_>,
+    deviations: &mut dyn Deviations,
+    criteria: &Criteria,
+) -> Result<Stabilization, ModalError> {
+    let mut judged: Vec<JudgedPole> = Vec::with_capacity(all.poles.len());
     let (mut below, mut start) = (0..0, 0);
-    for pole in &subspace.poles {
+    for pole in all.poles {
         if judged.last().is_some_and(|last| last.pole.order != pole.order) {
             (below, start) = (start..judged.len(), judged.len());
         }
         let mut frequency_sd_hz = None;
         let mut stability = hard(pole, criteria);
         if stability.is_none() {
-            let sd_hz = propagation.frequency_sd_hz(pole)?;
+            let sd_hz = deviations.frequency_sd_hz(pole)?;
             frequency_sd_hz = Some(sd_hz);
-            let settled = sd_hz <= criteria.deviation_over_floor_most * pole.floor_hz(subspace.duration_s);
+            let settled = sd_hz <= criteria.deviation_over_floor_most * pole.floor_hz(all.duration_s);
             stability = if settled { None } else { Some(Stability::Scattered) };
         }
         let possible_below = judged[below.clone()].iter().filter(|j| j.stability.possible());

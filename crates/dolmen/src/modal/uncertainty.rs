@@ -24,8 +24,25 @@ pub struct PoleDeviation {
     pub frequency_sd_hz: f64,
     /// Of the damping ratio.
     pub damping_ratio_sd: f64,
-    /// Of the modulus of each shape component; 0 for the component that is set to 1.
+    /// Of the modulus of each shape component; 0 for the component that is set to 1. Empty where the method gives none.
     pub shape_sd: Vec<f64>,
+}
+
+/// Who knows how far the poles of one analysis scatter.
+pub(super) trait Deviations {
+    /// Standard deviation of the frequency of a pole, Hz.
+    fn frequency_sd_hz(&mut self, pole: &Pole) -> Result<f64, ModalError>;
+    /// Standard deviations of a pole.
+    fn deviation(&mut self, pole: &Pole) -> Result<PoleDeviation, ModalError>;
+}
+
+impl Deviations for Propagation<'_> {
+    fn frequency_sd_hz(&mut self, pole: &Pole) -> Result<f64, ModalError> {
+        Propagation::frequency_sd_hz(self, pole)
+    }
+    fn deviation(&mut self, pole: &Pole) -> Result<PoleDeviation, ModalError> {
+        Propagation::deviation(self, pole)
+    }
 }
 
 /// First-order propagation from the correlations of each block of time to the poles of one [`Subspace`].
@@ -58,10 +75,12 @@ pub struct Propagation<'a> {
 impl<'a> Propagation<'a> {
     /// Projects every block's deviation: the work that all poles share.
     pub fn new(subspace: &'a Subspace) -> Self {
-        let lags = subspace.correlations.deviations.iter();
+        let of_lags = subspace.correlations.deviations.iter();
+        let of_lags = of_lags.map(|lags| Block::new(subspace, &changes(subspace, lags)));
+        let of_setups = subspace.moved.iter().map(|d| Block::new(subspace, d));
         Propagation {
             subspace,
-            blocks: lags.map(|lags| Block::new(subspace, lags)).collect(),
+            blocks: of_lags.chain(of_setups).collect(),
             orders: (0..=subspace.order_most).map(|_| None).collect(),
         }
     }
@@ -125,12 +144,13 @@ impl<'a> Propagation<'a> {
     }
 }
 
-fn correction(blocks: usize) -> f64 {
+/// Of a sum of squares over blocks of time whose mean is their own.
+pub(super) fn correction(blocks: usize) -> f64 {
     blocks as f64 / (blocks as f64 - 1.0)
 }
 
 /// Changes of frequency, Hz, and of damping ratio, for a change of the discrete eigenvalue.
-fn frequency_and_damping(pole: &Pole, d_lambda: Complex64, rate_hz: f64) -> [f64; 2] {
+pub(super) fn frequency_and_damping(pole: &Pole, d_lambda: Complex64, rate_hz: f64) -> [f64; 2] {
     let mu = pole.eigenvalue.ln() * rate_hz;
     let omega = mu.norm();
     let d_mu = d_lambda / pole.eigenvalue * rate_hz;
@@ -161,13 +181,12 @@ struct Block {
 }
 
 impl Block {
-    fn new(s: &Subspace, lags: &[f64]) -> Self {
+    fn new(s: &Subspace, d: &Matrix) -> Self {
         let (l, m, n) = (s.correlations.channels, s.u.rows(), s.order_most);
-        let d = changes(s, lags);
         let (up, down) = (d.block(0, 0, m - l, n), d.block(l, 0, m - l, n));
         let (u_up, u_down) = (s.u.block(0, 0, m - l, n), s.u.block(l, 0, m - l, n));
         Block {
-            e: s.u.transpose_times(&d),
+            e: s.u.transpose_times(d),
             f: s.upper.q.transpose_times(&down),
             g: s.upper.q.transpose_times(&up),
             j: up.transpose_times(&u_down),

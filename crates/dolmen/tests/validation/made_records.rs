@@ -107,6 +107,29 @@ fn holds_two_channels_of_any_quantity_show_both_modes() {
 }
 
 #[test]
+fn holds_plscf_finds_every_mode_and_no_other() {
+    let options = Identify {
+        method: Method::Plscf,
+        ..Identify::default()
+    };
+    let seeds = [
+        (ReferenceCase::ShearChain, 100..105),
+        (ReferenceCase::ClosePairs, 100..102),
+    ];
+    for (case, seeds) in seeds {
+        for seed in seeds {
+            let made = case.made(seed).unwrap();
+            let modes = identify(&made.make().unwrap(), &options).unwrap().modes;
+            matched(&made.modes, &modes, seed);
+            for mode in &modes.modes {
+                assert!(mode.frequency_sd_hz.is_some() && mode.damping_ratio_sd.is_some());
+                assert!(mode.shape_sd.is_none(), "the method gives none");
+            }
+        }
+    }
+}
+
+#[test]
 fn holds_scale_order_and_sign_of_channels_do_not_move_the_modes() {
     let made = ReferenceCase::ClosePairs.made(100).unwrap();
     let record = made.make().unwrap();

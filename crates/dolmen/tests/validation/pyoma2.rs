@@ -1,5 +1,5 @@
 // SOURCE     pyOMA2 1.4.3, functions build_hank (methods "cov" and "dat"), SSI_fast, SSI_poles; run by
-//            bench/ssi_cov/agrees.py, which prints the tables below.
+//            bench/ssi_cov/agrees.py, which prints the tables below; and pLSCF, rmfd2ac on the same half spectra.
 // GOAL       The same poles at every order from the same samples, windows and settings; dat, whose QR of all stacked samples
 //            is there replaced here by sums of products that follow from each other by displacement.
 //
@@ -9,7 +9,7 @@
 // PUBLISHED  order, frequency (Hz), damping ratio.
 // TOLERANCE  1e-6 relative, 1e-6 of damping: rounding of two programs, amplified by the least singular values.
 
-use dolmen::modal::{ModalError, Pole, Ssi, Subspace, ssi_cov, ssi_data};
+use dolmen::modal::{ModalError, Plscf, Pole, Ssi, Subspace, plscf, ssi_cov, ssi_data};
 use dolmen::signal::{Channel, Record};
 
 type Table = &'static [(usize, f64, f64)];
@@ -101,6 +101,19 @@ const DAT_OF_TWO: Table = &[
     (12, 7.8502051416, 0.0355849667),
 ];
 
+const PLSCF: Table = &[
+    (6, 0.8703675697, 0.0489512737),
+    (6, 2.0913297279, 0.0228518915),
+    (9, 0.8719064583, 0.0497655969),
+    (9, 2.0902298573, 0.0233576547),
+];
+const PLSCF_OF_TWO: Table = &[
+    (4, 0.8678128457, 0.0488188597),
+    (4, 2.0911721727, 0.0229335595),
+    (6, 0.8672270888, 0.0485850258),
+    (6, 2.0875571757, 0.0226227504),
+];
+
 /// The record of agrees.py, sum by sum.
 fn record() -> Record {
     let mut state: u32 = 2021;
@@ -166,6 +179,20 @@ fn agrees_with_pyoma2_on_every_pole_of_every_order() {
     ];
     for (ours, references, published) in cases {
         compare(&ours(&record(), &options(references)).unwrap().poles, published);
+    }
+}
+
+#[test]
+fn agrees_with_pyoma2_on_every_pole_of_plscf() {
+    for (references, published) in [(&[][..], PLSCF), (&[0, 2], PLSCF_OF_TWO)] {
+        let options = Plscf {
+            lags: 59,
+            order_most: 3 * if references.is_empty() { 3 } else { references.len() },
+            time_blocks: 2,
+            references: references.to_vec(),
+            ..Plscf::default()
+        };
+        compare(&plscf(&record(), &options).unwrap().poles, published);
     }
 }
 
