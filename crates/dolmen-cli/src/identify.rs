@@ -165,9 +165,15 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
         }
     }
     if let Some((found, _)) = answer.modes() {
+        let doubtful = answer
+            .setups
+            .as_ref()
+            .map_or_else(Vec::new, SetupsAnswer::doubtful_hz);
         for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
             if !survey.modes.contains_key(direction) {
-                stiffness.extend(from_record(project, found, direction, vector).with_context(context)?);
+                stiffness.extend(
+                    from_record(project, found, &doubtful, (direction, vector)).with_context(context)?,
+                );
             }
         }
     }
@@ -211,8 +217,7 @@ fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify> {
     let defaults = Identify::default();
     Ok(Identify {
         method: source.modal.method.unwrap_or(defaults.method),
-        references: references(&source.modal.references, channels)
-            .with_context(|| source.file.clone())?,
+        references: references(&source.modal.references, channels).with_context(|| source.file.clone())?,
         pick_hz: source.modal.pick_hz.clone(),
         harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
         frequency_low_hz: source.modal.frequency_low_hz,
@@ -258,10 +263,11 @@ fn spinner(quiet: bool, message: String) -> ProgressBar {
 fn from_record(
     project: &Project,
     modes: &Modes,
-    direction: &str,
-    vector: [f64; 3],
+    doubtful_hz: &[f64],
+    (direction, vector): (&str, [f64; 3]),
 ) -> Result<Vec<StiffnessAnswer>> {
     let mut found = directional_modes(modes, vector);
+    found.end_before(doubtful_hz);
     let parts = match &project.structure {
         Structure::Chain(part) => part.links.len(),
         Structure::Frame(part) => part.storeys.len(),

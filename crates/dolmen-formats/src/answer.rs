@@ -8,7 +8,7 @@ use crate::tune::{TogetherAnswer, TuneAnswer};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck, SurveyChange};
 use dolmen::blocks::{MatchedFrequency, StackMode};
-use dolmen::modal::{JointSetups, MergedSetups, ModalAnalysis, Modes};
+use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes};
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::DemandVerdict;
@@ -271,10 +271,33 @@ pub struct SetupsAnswer {
     pub joint: Option<JointSetups>,
 }
 
+/// Shapes of one mode at its references are rarely less alike; chosen here.
+pub(crate) const REFERENCES_ALIKE: f64 = 0.9;
+
 impl SetupsAnswer {
+    /// Frequencies, Hz, at which setups put together may not show one mode: another pairing was nearly as good, or the shapes at the
+    /// references are not alike. None where they were identified as one.
+    pub fn doubtful_hz(&self) -> Vec<f64> {
+        if self.joint.is_some() {
+            return Vec::new();
+        }
+        let unlike = |m: &MergedMode| {
+            m.reference_assurance
+                .iter()
+                .flatten()
+                .any(|mac| *mac < REFERENCES_ALIKE)
+        };
+        let both = self.merged.modes.modes.iter().zip(&self.merged.merged);
+        both.filter(|(_, of)| of.doubtful || unlike(of))
+            .map(|(mode, _)| mode.frequency_hz)
+            .collect()
+    }
+
     /// The modes of all setups.
     pub fn modes(&self) -> &Modes {
-        self.joint.as_ref().map_or(&self.merged.modes, |joint| &joint.modes)
+        self.joint
+            .as_ref()
+            .map_or(&self.merged.modes, |joint| &joint.modes)
     }
 }
 

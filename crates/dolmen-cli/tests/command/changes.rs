@@ -131,6 +131,49 @@ fn holds_two_setups_of_four_sensors_show_what_one_of_six_shows() {
 }
 
 #[test]
+fn holds_two_setups_identified_as_one_show_what_one_record_shows() {
+    let scratch = Scratch::with_examples("setups-as-one");
+    let file = scratch.path().join("examples/palisaden/setups.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(
+        &file,
+        text.replace("[survey.ambient]", "[survey.ambient]\nmerge = \"preger\""),
+    )
+    .unwrap();
+    let found = json(&scratch, "identify examples/palisaden/setups.toml");
+    let joint = &found["surveys"][0]["setups"]["joint"];
+    assert_eq!(joint["references"], serde_json::json!(["ch1", "ch2"]));
+    assert!(
+        (joint["strength"][1].as_f64().unwrap() - 1.0).abs() < 0.1,
+        "{joint}"
+    );
+    // published, of 90 minutes: 1.882, 2.421, 2.687 Hz
+    for (mode, published) in joint["modes"]["modes"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip([1.882, 2.421, 2.687])
+    {
+        let of = |key: &str| mode[key].as_f64().unwrap();
+        let apart = (of("frequency_hz") - published).abs();
+        assert!(apart < 2.0 * of("frequency_sd_hz"), "{mode}");
+        assert_eq!(mode["shape"].as_array().unwrap().len(), 6);
+    }
+    let text = scratch.dolmen("identify examples/palisaden/setups.toml").stdout;
+    assert!(
+        text.contains("All setups identified as one (PreGER): 6 sensors, of which in every setup: ch1, ch2"),
+        "{text}"
+    );
+    let page = scratch.dolmen("report examples/palisaden/setups.toml -o as-one.html");
+    assert_eq!(page.status, 0, "{}", page.stderr);
+    let page = fs::read_to_string(scratch.path().join("as-one.html")).unwrap();
+    assert!(
+        page.contains("Setups identified as one"),
+        "the report has their section"
+    );
+}
+
+#[test]
 fn refuses_surveys_that_cannot_be_compared() {
     let scratch = Scratch::with_examples("changes-refused");
     let one = scratch.dolmen("compare examples/palisaden");

@@ -84,6 +84,7 @@ pub(crate) fn measured_modes(project: &Project, survey: &str, answer: &Stiffness
         same.cloned().unwrap_or(MeasuredMode {
             frequency_hz,
             frequency_sd_hz: 0.0,
+            frequency_changes_hz: Vec::new(),
             shape: Vec::new(),
         })
     };

@@ -104,7 +104,11 @@ fn merge(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Merge {
     };
     if raw.setups.as_ref().is_none_or(Vec::is_empty) {
         let path = format!("{path}.merge");
-        let fault = Fault::new(given.span.clone(), &path, format!("{path} has no setups to put together"));
+        let fault = Fault::new(
+            given.span.clone(),
+            &path,
+            format!("{path} has no setups to put together"),
+        );
         reader.fault(fault.help("leave merge out, or list the records as setups"));
     }
     match given.value {

@@ -42,6 +42,7 @@ impl SurveyMode {
         MeasuredMode {
             frequency_hz: pick(&self.frequency),
             frequency_sd_hz: self.frequency.standard_deviation(),
+            frequency_changes_hz: Vec::new(),
             shape: self.shape.clone(),
         }
     }

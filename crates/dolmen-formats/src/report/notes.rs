@@ -241,6 +241,9 @@ fn left_out(why: &LeftOut) -> String {
             "{frequency_hz:.3}\u{202f}Hz 모드는 제외하였다. 높이 {height_m:.2}\u{202f}m의 센서들이 최대 변위의 {:.0}\u{202f}%만큼 서로 달라 비틀림 모드로 본다.",
             100.0 * difference
         ),
+        LeftOut::Doubtful { frequency_hz, above } => format!(
+            "{frequency_hz:.3}\u{202f}Hz의 모드는 제외하였다. 측정 배치들이 같은 모드를 보인다고 단정할 수 없다. 가장 낮은 모드부터 세어 맞추므로 그 위의 모드 {above}개도 제외하였다."
+        ),
     }
 }
 
@@ -268,6 +271,10 @@ mod tests {
                 frequency_hz: 2.5,
                 height_m: 3.0,
                 difference: 0.4,
+            },
+            LeftOut::Doubtful {
+                frequency_hz: 3.5,
+                above: 1,
             },
         ];
         let mut all = vec![

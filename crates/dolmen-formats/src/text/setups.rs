@@ -1,7 +1,7 @@
 //! Several setups put together, as text.
 
 use super::Table;
-use crate::answer::SetupsAnswer;
+use crate::answer::{REFERENCES_ALIKE, SetupsAnswer};
 use dolmen::modal::{Agreement, JointSetups, MergedMode, Mode, PartialMode};
 
 /// Half width of a 95 % interval, in standard deviations of a normal variable.
@@ -86,8 +86,7 @@ fn row(i: usize, mode: &Mode, of: &MergedMode) -> Vec<String> {
 
 /// What must be known beside the modes.
 pub(crate) fn remarks(setups: &SetupsAnswer) -> Vec<String> {
-    /// Shapes of one mode at its references are rarely less alike; chosen here.
-    const ALIKE: f64 = 0.9;
+    const ALIKE: f64 = REFERENCES_ALIKE;
     let merged = &setups.merged;
     let of = |which: &dyn Fn(&MergedMode) -> bool| {
         let both = merged.modes.modes.iter().zip(&merged.merged);
@@ -113,13 +112,13 @@ pub(crate) fn remarks(setups: &SetupsAnswer) -> Vec<String> {
     let unlike = of(&|m| m.reference_assurance.iter().flatten().any(|mac| *mac < ALIKE));
     if !unlike.is_empty() {
         said.push(format!(
-            "at the references the shapes of the modes at {unlike} Hz are not alike in all setups (MAC below {ALIKE}): the merged shape is not to be trusted"
+            "at the references the shapes of the modes at {unlike} Hz are not alike in all setups (MAC below {ALIKE}): the merged shape is not to be trusted, and goes on to no stiffness"
         ));
     }
     let doubtful = of(&|m| m.doubtful);
     if !doubtful.is_empty() {
         said.push(format!(
-            "another pairing is nearly as good: the setups may not show one mode at {doubtful} Hz"
+            "another pairing is nearly as good: the setups may not show one mode at {doubtful} Hz, which goes on to no stiffness"
         ));
     }
     if !merged.partial.is_empty() {

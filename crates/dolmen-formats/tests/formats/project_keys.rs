@@ -546,3 +546,15 @@ fn refuses_setups_whose_sensors_cannot_be_told_apart() {
         "{said}"
     );
 }
+
+#[test]
+fn refuses_a_way_to_put_setups_together_where_there_are_none() {
+    let said = refused(&format!("{CHAIN}\n[survey.a]\nmerge = \"preger\"\n"));
+    assert!(
+        said.contains("survey.a.merge has no setups to put together")
+            && said.contains("list the records as setups"),
+        "{said}"
+    );
+    let said = refused(&format!("{CHAIN}\n[survey.a]\nmerge = \"both\"\n"));
+    assert!(said.contains("poser") && said.contains("preger"), "{said}");
+}

@@ -6,10 +6,10 @@
 //! PARAMETERS 3 × 10 channels × 10 min × 100 Hz, three of them references; defaults.
 //! PUBLISHED  2.6306, 2.6903, 3.4247, 8.2832, 8.4199, 10.6095, 14.0126, 14.0411, 17.4781 Hz.
 //! TOLERANCE  0.3 %; 0.5 % for the lower of the pair at 14 Hz, whose half-power bands overlap (both subspace methods here put it at
-//!            13.95 Hz in each of the three setups, ± 0.01 Hz).
+//!            13.95 Hz in each of the three setups, ± 0.01 Hz). As one: 0.3 % of the eight that are found; the ninth is not.
 //! ```
-use dolmen::modal::{Identify, MergeSetups, Modes, identify, merge_setups};
-use dolmen::signal::Channel;
+use dolmen::modal::{Identify, MergeSetups, Modes, identify, joint_setups, merge_setups};
+use dolmen::signal::{Channel, Record};
 use dolmen_formats::project::{ChannelSource, Column, parse_project};
 use dolmen_formats::records::{self, Pick, RecordOptions, read_npy};
 use std::path::Path;
@@ -33,13 +33,12 @@ fn pick(source: &ChannelSource) -> Pick {
     }
 }
 
-#[test]
-fn agrees_with_pyoma2_on_three_setups() {
+fn measured() -> Vec<Record> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../data/three_setups");
     let text = std::fs::read_to_string(folder.join("project.toml")).unwrap();
     let project = parse_project(&text, "project.toml").unwrap();
     let setups = &project.surveys[0].setups;
-    let modes: Vec<Modes> = setups
+    setups
         .iter()
         .map(|setup| {
             let options = RecordOptions {
@@ -49,9 +48,33 @@ fn agrees_with_pyoma2_on_three_setups() {
             };
             let bytes = std::fs::read(folder.join(&setup.file))
                 .unwrap_or_else(|_| panic!("{} is not there: run scripts/data --setups first", setup.file));
-            let record = read_npy(&bytes, &options).unwrap().record;
-            identify(&record, &Identify::default()).unwrap().modes
+            read_npy(&bytes, &options).unwrap().record
         })
+        .collect()
+}
+
+#[test]
+fn agrees_with_pyoma2_on_three_setups_identified_as_one() {
+    let found = joint_setups(&measured(), &Identify::default(), 0.1).unwrap();
+    let hz: Vec<f64> = found.modes.modes.iter().map(|m| m.frequency_hz).collect();
+    assert_eq!(
+        (hz.len(), found.modes.channels.len(), found.references.len()),
+        (8, 24, 3),
+        "{hz:?}"
+    );
+    for (found, published) in hz.iter().zip(PUBLISHED_HZ) {
+        assert!(
+            (found / published - 1.0).abs() < 0.003,
+            "{found} Hz, published {published} Hz"
+        );
+    }
+}
+
+#[test]
+fn agrees_with_pyoma2_on_three_setups() {
+    let modes: Vec<Modes> = measured()
+        .iter()
+        .map(|record| identify(record, &Identify::default()).unwrap().modes)
         .collect();
     let found = merge_setups(&modes, &MergeSetups::default()).unwrap();
     let hz: Vec<f64> = found.modes.modes.iter().map(|m| m.frequency_hz).collect();

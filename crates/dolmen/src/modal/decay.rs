@@ -134,6 +134,7 @@ fn strongest(found: &FreeDecay, group: &[usize]) -> Mode {
     }
     Mode {
         frequency_sd_hz: None,
+        frequency_changes_hz: Vec::new(),
         damping_ratio_sd: None,
         ..mode.clone()
     }

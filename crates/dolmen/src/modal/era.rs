@@ -423,6 +423,7 @@ impl Fit {
         Mode {
             frequency_hz: omega / (2.0 * PI),
             frequency_sd_hz: Some(sd(along) / (2.0 * PI)),
+            frequency_changes_hz: Vec::new(),
             damping_ratio: Some(-mu.re / omega),
             damping_ratio_sd: Some(sd(of_damping)),
             phase_collinearity: phase_collinearity(&shape),

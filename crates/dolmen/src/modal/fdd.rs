@@ -147,6 +147,7 @@ pub(super) fn peaks_of(
         modes.push(Mode {
             frequency_hz,
             frequency_sd_hz: None,
+            frequency_changes_hz: Vec::new(),
             damping_ratio: None,
             damping_ratio_sd: None,
             phase_collinearity: phase_collinearity(&shape),

@@ -77,7 +77,13 @@ impl<'a> FractionScatter<'a> {
             let of = |lags: &[f64]| Sums::new(&HalfSpectra::new(&f.correlations, lags, &f.options), most);
             self.sums.push(of(&f.correlations.mean));
             for block in &f.correlations.deviations {
-                let moved: Vec<f64> = f.correlations.mean.iter().zip(block).map(|(a, b)| a + b).collect();
+                let moved: Vec<f64> = f
+                    .correlations
+                    .mean
+                    .iter()
+                    .zip(block)
+                    .map(|(a, b)| a + b)
+                    .collect();
                 self.sums.push(of(&moved));
             }
         }
@@ -115,6 +121,10 @@ impl Deviations for FractionScatter<'_> {
         };
         Ok(PoleDeviation {
             frequency_sd_hz: sd(0),
+            frequency_changes_hz: changes
+                .iter()
+                .map(|[df, _]| correction(changes.len()).sqrt() * df)
+                .collect(),
             damping_ratio_sd: sd(1),
             shape_sd: Vec::new(),
         })
@@ -129,8 +139,14 @@ fn null_vectors(a: &[Complex64], r: usize) -> Result<(Vec<Complex64>, Vec<Comple
     let of_left = ComplexMatrix::from_fn(r, r, |i, j| {
         (0..r).map(|k| a[i * r + k] * a[j * r + k].conj()).sum()
     });
-    let right = hermitian_eigen(&hermitian(of_right, r))?.vectors.column(0).to_vec();
-    let left = hermitian_eigen(&hermitian(of_left, r))?.vectors.column(0).to_vec();
+    let right = hermitian_eigen(&hermitian(of_right, r))?
+        .vectors
+        .column(0)
+        .to_vec();
+    let left = hermitian_eigen(&hermitian(of_left, r))?
+        .vectors
+        .column(0)
+        .to_vec();
     Ok((right, left.iter().map(Complex64::conj).collect()))
 }
 

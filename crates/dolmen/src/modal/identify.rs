@@ -5,13 +5,13 @@ use super::decay::{Decay, SHORT, of_decay, short_spectrum};
 use super::efdd::{Efdd, efdd};
 use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::fraction_deviation::FractionScatter;
-use super::harmonics::{Kurtosis, band_kurtosis};
+use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
 use super::settings::{Settings, choose};
 use super::ssi::{Ssi, ssi_cov, ssi_data};
 use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
 use super::uncertainty::Deviations;
-use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation, Tone};
+use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation};
 use crate::signal::{ChannelFault, Record, inspect};
 
 /// What becomes of a mode that looks like a machine.
@@ -145,7 +145,8 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         }
     };
     if options.method != Method::Era {
-        test_for_machines(record, options, &mut analysis.modes, &mut notes)?;
+        let all = (0..record.channels().len()).collect();
+        test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
     }
     pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
@@ -247,7 +248,12 @@ fn of_poles(
             order_most: found.order_most,
             order_step: found.references.len(),
         };
-        judged(&all, &mut FractionScatter::new(&found), &criteria, &options.clustering)?
+        judged(
+            &all,
+            &mut FractionScatter::new(&found),
+            &criteria,
+            &options.clustering,
+        )?
     } else {
         let ssi = Ssi {
             block_rows: settings.block_rows,
@@ -343,95 +349,6 @@ pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     Ok(notes)
 }
 
-/// Takes the peaks out that machines make: narrower than any structure's where the lines are fine enough to tell, or too
-/// steady for random forces; returns their frequencies, Hz.
-pub(super) fn split_tones(
-    record: &Record,
-    peaks: &mut FddResult,
-    damping_ratio_least: f64,
-    notes: &mut Vec<Note>,
-) -> Result<Vec<f64>, ModalError> {
-    let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
-    let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
-    let modes = std::mem::take(&mut peaks.modes.modes);
-    let mut tones: Vec<(f64, Tone)> = Vec::new();
-    for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
-        let kurtosis = kurtosis(record, &mode, damping_ratio_least)?;
-        let narrow = width_hz < 2.0 * damping_ratio_least * mode.frequency_hz;
-        if narrow || kurtosis.is_some_and(|k| k.harmonic()) {
-            let tone = Tone {
-                frequency_hz: mode.frequency_hz,
-                width_hz,
-                kurtosis,
-            };
-            tones.push((prominence_db, tone));
-        } else {
-            peaks.modes.modes.push(mode);
-            peaks.spectrum.half_power_width_hz.push(width_hz);
-            peaks.spectrum.prominence_db.push(prominence_db);
-        }
-    }
-    let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
-    let tones = strongest(tones, SKIRT_LINES * line_hz);
-    let frequency_hz = tones.iter().map(|tone| tone.frequency_hz).collect();
-    if !tones.is_empty() {
-        notes.push(Note::Tones { tones });
-    }
-    Ok(frequency_hz)
-}
-
-/// Lines on each side of a tone that its leakage fills with small peaks.
-const SKIRT_LINES: f64 = 20.0;
-
-/// The tones, by frequency, without those that lie within `skirt_hz` of a stronger one.
-fn strongest(mut tones: Vec<(f64, Tone)>, skirt_hz: f64) -> Vec<Tone> {
-    tones.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut kept: Vec<Tone> = Vec::new();
-    for (_, tone) in tones {
-        let beside = |k: &Tone| (k.frequency_hz - tone.frequency_hz).abs() <= skirt_hz;
-        if !kept.iter().any(beside) {
-            kept.push(tone);
-        }
-    }
-    kept.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
-    kept
-}
-
-/// Kurtosis near a mode at the sensors that see most of it.
-fn kurtosis(record: &Record, mode: &Mode, damping_ratio_least: f64) -> Result<Option<Kurtosis>, ModalError> {
-    const CHANNELS: usize = 4;
-    let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
-    channels.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
-    channels.truncate(CHANNELS);
-    if mode.frequency_hz < 0.5 * record.sampling_rate_hz() {
-        band_kurtosis(record, &channels, mode.frequency_hz, damping_ratio_least)
-    } else {
-        Ok(None)
-    }
-}
-
-/// Gives each mode the kurtosis of its band, and names or takes out those that are too steady.
-fn test_for_machines(
-    record: &Record,
-    options: &Identify,
-    modes: &mut Modes,
-    notes: &mut Vec<Note>,
-) -> Result<(), ModalError> {
-    let mut steady: Vec<Kurtosis> = Vec::new();
-    for mode in &mut modes.modes {
-        mode.kurtosis = kurtosis(record, mode, options.criteria.damping_ratio_least)?;
-        steady.extend(mode.kurtosis.filter(Kurtosis::harmonic));
-    }
-    if !steady.is_empty() {
-        let removed = options.harmonics == Harmonics::Remove;
-        if removed {
-            modes.modes.retain(|mode| !mode.harmonic());
-        }
-        notes.push(Note::Harmonics { steady, removed });
-    }
-    Ok(())
-}
-
 /// Keeps the modes picked by hand; each must be there.
 pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<(), ModalError> {
     if options.pick_hz.is_empty() {
@@ -456,6 +373,10 @@ pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
         .map(|c| Mode {
             frequency_hz: c.medoid.frequency_hz,
             frequency_sd_hz: sd(c, |d| d.frequency_sd_hz, c.frequency_spread_hz),
+            frequency_changes_hz: c
+                .deviation
+                .as_ref()
+                .map_or_else(Vec::new, |d| d.frequency_changes_hz.clone()),
             damping_ratio: Some(c.medoid.damping_ratio),
             damping_ratio_sd: sd(c, |d| d.damping_ratio_sd, c.damping_ratio_spread),
             shape: c.medoid.shape.clone(),

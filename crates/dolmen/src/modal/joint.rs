@@ -11,7 +11,8 @@ use super::clusters::Cluster;
 use super::correlations::{Correlations, correlate, lags_before};
 use super::decomposed::of_matrix;
 use super::hankel::{future_past, side_by_side};
-use super::identify::{check, judge_channels, judged, modes_of, pick, remark, spectrum, split_tones, wanted};
+use super::identify::{check, judge_channels, judged, modes_of, pick, remark, spectrum, wanted};
+use super::machines::{split_tones, test_for_machines};
 use super::places::{Places, Seat};
 use super::settings::{Settings, choose};
 use super::ssi::{self, Ssi, Subspace, subspace};
@@ -59,7 +60,7 @@ pub struct JointSetups {
 /// # Limits
 /// The setups are one structure: frequencies that moved between them (weather, moved mass) do not show, each mode is smeared over them; putting
 /// them together after identification (`merge_setups`) tells. A mode that none of the sensors that stay sees is lost. Machines are told by
-/// the spectrum of each setup alone. A sensor that several setups have, but not all, counts as the last of them shows it.
+/// the spectrum of each setup and by the least kurtosis of all. A sensor that several setups have, but not all, counts as the last of them shows it.
 ///
 /// # Source
 /// Mevel, Basseville, Benveniste & Goursat (2002) Mech. Syst. Signal Process. 16:759-783; Döhler, Andersen & Mevel (2010) Proc. IMAC
@@ -122,9 +123,17 @@ pub fn joint_setups(
     for (record, seats) in records.iter().zip(&seats) {
         setups.push(Setup::new(record, seats, &references, &ssi)?);
     }
-    let strength: Vec<f64> = setups.iter().map(|s| (s.power / setups[0].power).sqrt()).collect();
+    let strength: Vec<f64> = setups
+        .iter()
+        .map(|s| (s.power / setups[0].power).sqrt())
+        .collect();
     // each setup alone must explain how well a pole is known: the floor is that of the mean setup
-    let found = stacked(&setups, places.channels.len(), &ssi, duration_s / records.len() as f64)?;
+    let found = stacked(
+        &setups,
+        places.channels.len(),
+        &ssi,
+        duration_s / records.len() as f64,
+    )?;
     let criteria = Criteria {
         frequency_low_hz: options.criteria.frequency_low_hz.max(settings.range_hz[0]),
         frequency_high_hz: options.criteria.frequency_high_hz.min(settings.range_hz[1]),
@@ -143,6 +152,9 @@ pub fn joint_setups(
         duration_s,
         history: first.history().to_vec(),
     };
+    let places_of = |seats: &Vec<Seat>| seats.iter().map(|s| s.place).collect();
+    let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(seats.iter().map(places_of)).collect();
+    test_for_machines(&seen, &options, &mut modes, &mut notes)?;
     pick(&options, &mut modes)?;
     wanted(&options, &modes)?;
     remark(&modes, &peaks, &mut notes);
@@ -185,7 +197,8 @@ fn peaks_of_all(
         }
     }
     let mut all = all.ok_or(ModalError::Setups { given: 0 })?;
-    all.modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    all.modes
+        .sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     tones_hz.sort_by(f64::total_cmp);
     tones_hz.dedup_by(|a, b| (*a / *b - 1.0).abs() < ONE_PEAK);
     Ok((all, tones_hz))
@@ -274,7 +287,11 @@ fn stacked(setups: &[Setup], places: usize, ssi: &Ssi, duration_s: f64) -> Resul
         setups[j / (r * br)].references[(i, j % (r * br))]
     });
     let seen = of_matrix(&beside, ssi.order_most)?;
-    let rank = seen.s.iter().filter(|s| **s > ssi::RANK_LEAST * seen.s[0]).count();
+    let rank = seen
+        .s
+        .iter()
+        .filter(|s| **s > ssi::RANK_LEAST * seen.s[0])
+        .count();
     if ssi.order_most > rank {
         return Err(ModalError::Rank {
             given: ssi.order_most,
@@ -283,7 +300,10 @@ fn stacked(setups: &[Setup], places: usize, ssi: &Ssi, duration_s: f64) -> Resul
     }
     let (basis, x) = (seen.u, seen.x);
     let stay: Vec<usize> = {
-        let moved: Vec<usize> = setups.iter().flat_map(|s| s.moved_places.iter().copied()).collect();
+        let moved: Vec<usize> = setups
+            .iter()
+            .flat_map(|s| s.moved_places.iter().copied())
+            .collect();
         (0..places).filter(|place| !moved.contains(place)).collect()
     };
     // rows of one setup at their places among all
@@ -312,7 +332,9 @@ fn stacked(setups: &[Setup], places: usize, ssi: &Ssi, duration_s: f64) -> Resul
         .map(|s| Shaking::of(&basis, &s.references))
         .collect::<Result<_, _>>()?;
     let at_references = &basis * &first;
-    let whole = whole_of(&at_references, &|s| shakings[s].rescaled(&setups[s].moved, &first))?;
+    let whole = whole_of(&at_references, &|s| {
+        shakings[s].rescaled(&setups[s].moved, &first)
+    })?;
     let parts = of_matrix(&whole, ssi.order_most)?;
     let blocks: usize = setups.iter().map(|s| s.deviations.len()).sum();
     let mut moved = Vec::with_capacity(blocks);
@@ -418,7 +440,8 @@ mod tests {
         let mut random = Random::new(11, 0);
         let all = [vec![0, 1, 2, 3], vec![4, 0, 1], vec![1, 5, 0]];
         let setups = all.iter().zip([1.0, 0.02, 7.0]).map(|(channels, gain)| {
-            let g = [(); 3].map(|()| [(); 6].map(|()| gain * Complex64::new(random.normal(), random.normal())));
+            let g =
+                [(); 3].map(|()| [(); 6].map(|()| gain * Complex64::new(random.normal(), random.normal())));
             let (mut mean, moved) = (lags_of(channels, &g, 1.0), lags_of(channels, &g, more));
             let mut change: Vec<f64> = moved.iter().zip(&mean).map(|(a, b)| a - b).collect();
             let l = channels.len();
@@ -476,15 +499,30 @@ mod tests {
         let mut together = found.clone();
         // blocks 0, 2 and 4 at once, and their opposites
         together.moved = (0..2)
-            .map(|sign| added(&added(&found.moved[sign], &found.moved[2 + sign]), &found.moved[4 + sign]))
+            .map(|sign| {
+                added(
+                    &added(&found.moved[sign], &found.moved[2 + sign]),
+                    &found.moved[4 + sign],
+                )
+            })
             .collect();
         // they were scaled by √(2/1 × 5/6): taken out
         let share = (2.0_f64 * 5.0 / 6.0).sqrt();
         let mut propagation = Propagation::new(&together);
+        let mut changes = Vec::new();
         for (pole, (f, _)) in found.poles.iter().filter(|p| p.order == 6).zip(MODES) {
             let sd_hz = propagation.frequency_sd_hz(pole).unwrap();
-            assert!((sd_hz / (share * 2.0 * epsilon * f) - 1.0).abs() < 1e-3, "{sd_hz} {f}");
+            assert!(
+                (sd_hz / (share * 2.0 * epsilon * f) - 1.0).abs() < 1e-3,
+                "{sd_hz} {f}"
+            );
+            changes.push(propagation.deviation(pole).unwrap().frequency_changes_hz);
         }
+        // and they move as one: their covariance is the product of their deviations
+        let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+        let correlation = product(&changes[0], &changes[2])
+            / (product(&changes[0], &changes[0]) * product(&changes[2], &changes[2])).sqrt();
+        assert!((correlation - 1.0).abs() < 1e-6, "{correlation}");
     }
 
     #[test]
@@ -499,8 +537,11 @@ mod tests {
             )
             .unwrap()
         };
-        let refusal =
-            |records: &[Record]| joint_setups(records, &Identify::default(), 0.1).unwrap_err().to_string();
+        let refusal = |records: &[Record]| {
+            joint_setups(records, &Identify::default(), 0.1)
+                .unwrap_err()
+                .to_string()
+        };
         let (ab, bc, ca) = (
             record(&["a", "b"], 100.0),
             record(&["b", "c"], 100.0),
@@ -509,7 +550,10 @@ mod tests {
         let fault = refusal(&[ab.clone(), bc, ca]);
         assert!(fault.starts_with("no sensor is in all 3 setups"), "{fault}");
         let fault = refusal(&[ab.clone(), record(&["a", "d"], 50.0)]);
-        assert!(fault.starts_with("setup 2 has 50 samples a second, the first 100"), "{fault}");
+        assert!(
+            fault.starts_with("setup 2 has 50 samples a second, the first 100"),
+            "{fault}"
+        );
         assert!(refusal(&[ab]).starts_with("1 setups are given"));
     }
 }

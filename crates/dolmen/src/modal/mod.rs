@@ -16,6 +16,7 @@ mod harmonics;
 mod identify;
 mod indicators;
 mod joint;
+mod machines;
 mod modes;
 mod notes;
 mod pairing;

@@ -62,6 +62,9 @@ pub struct Mode {
     pub frequency_hz: f64,
     /// Standard deviation of it, Hz; `None` where the method gives none.
     pub frequency_sd_hz: Option<f64>,
+    /// Change of the frequency by each block of time, Hz: its squares sum to the variance between blocks. Modes of one identification share
+    /// the blocks, and products with another mode's sum to their covariance. Empty where the method gives none.
+    pub frequency_changes_hz: Vec<f64>,
     /// Damping ratio.
     pub damping_ratio: Option<f64>,
     /// Standard deviation of it.

@@ -34,7 +34,12 @@ impl Places {
     }
 
     /// A place for each channel of a setup, new ones at the end.
-    pub(super) fn seats(&mut self, channels: &[Channel], number: usize, within_m: f64) -> Result<Vec<Seat>, ModalError> {
+    pub(super) fn seats(
+        &mut self,
+        channels: &[Channel],
+        number: usize,
+        within_m: f64,
+    ) -> Result<Vec<Seat>, ModalError> {
         let before = self.channels.len();
         let mut taken = vec![false; before];
         let mut seats = Vec::with_capacity(channels.len());

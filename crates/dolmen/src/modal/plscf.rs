@@ -187,7 +187,10 @@ pub(super) fn check(options: &Plscf, record: &Record) -> Result<Plscf, ModalErro
     let degree = options.order_most / options.references.len();
     let lines = HalfSpectra::range(&options, rate_hz).len();
     // real numbers that the lines of one output hold, and unknowns of its numerator and of the denominator
-    let (held, unknown) = (2 * lines * options.references.len(), (2 * degree + 1) * options.references.len());
+    let (held, unknown) = (
+        2 * lines * options.references.len(),
+        (2 * degree + 1) * options.references.len(),
+    );
     if unknown > held {
         let allowed = "at most the lines of the spectrum less one, times the reference channels: raise lags or widen the range";
         return refused("order_most", options.order_most as f64, allowed);
@@ -334,7 +337,11 @@ fn solve_semidefinite(a: &Matrix, b: Matrix) -> Result<Matrix, LinalgError> {
     let mut along = e.vectors.transpose_times(&b);
     for j in 0..along.columns() {
         for (x, value) in along.column_mut(j).iter_mut().zip(&e.values) {
-            *x = if *value > RANK_LEAST * largest { *x / value } else { 0.0 };
+            *x = if *value > RANK_LEAST * largest {
+                *x / value
+            } else {
+                0.0
+            };
         }
     }
     Ok(&e.vectors * &along)
@@ -393,7 +400,10 @@ mod tests {
     fn agree(poles: &[&Pole], tolerance: f64) {
         assert_eq!(poles.len(), 3, "{poles:?}");
         for (pole, (frequency_hz, zeta, phi)) in poles.iter().zip(MODES) {
-            assert!((pole.frequency_hz / frequency_hz - 1.0).abs() < tolerance, "{pole:?}");
+            assert!(
+                (pole.frequency_hz / frequency_hz - 1.0).abs() < tolerance,
+                "{pole:?}"
+            );
             assert!((pole.damping_ratio - zeta).abs() < tolerance, "{pole:?}");
             for (z, phi) in pole.shape.iter().zip(phi) {
                 assert!((z - phi).norm() < 1e3 * tolerance, "{pole:?}");
@@ -457,7 +467,10 @@ mod tests {
                 (d.damping_ratio_sd / (2.0 * epsilon * zeta) - 1.0).abs() < 1e-3,
                 "{d:?} {zeta}"
             );
-            assert!(d.frequency_sd_hz < 1e-3 * d.damping_ratio_sd * pole.frequency_hz, "{d:?}");
+            assert!(
+                d.frequency_sd_hz < 1e-3 * d.damping_ratio_sd * pole.frequency_hz,
+                "{d:?}"
+            );
             assert_eq!(scatter.frequency_sd_hz(pole).unwrap(), d.frequency_sd_hz);
         }
     }

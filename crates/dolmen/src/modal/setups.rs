@@ -263,6 +263,28 @@ impl Growing {
         self.members.push(mode.clone());
     }
 
+    /// Changes of the mean by the blocks of time of one setup after the other, widened as its deviation is.
+    fn frequency_changes_hz(&self, mean: &Mean) -> Vec<f64> {
+        let known =
+            |m: &Mode| m.frequency_sd_hz.is_some_and(|sd| sd > 0.0) && !m.frequency_changes_hz.is_empty();
+        let (Some(sd), true) = (mean.sd, self.members.iter().all(known)) else {
+            return Vec::new();
+        };
+        let weights = self
+            .members
+            .iter()
+            .map(|m| m.frequency_sd_hz.map_or(0.0, |sd| sd.powi(-2)));
+        let total: f64 = weights.clone().sum();
+        let widened = sd * total.sqrt();
+        let of = |(m, weight): (&Mode, f64)| -> Vec<f64> {
+            m.frequency_changes_hz
+                .iter()
+                .map(|d| widened * weight / total * d)
+                .collect()
+        };
+        self.members.iter().zip(weights).flat_map(of).collect()
+    }
+
     fn finished(&self) -> Result<(Mode, MergedMode), ModalError> {
         let first = &self.members[0];
         let raw: Vec<Complex64> = (0..self.sum.len()).map(|place| self.component(place)).collect();
@@ -282,6 +304,7 @@ impl Growing {
         let mode = Mode {
             frequency_hz: frequency.value,
             frequency_sd_hz: frequency.sd,
+            frequency_changes_hz: self.frequency_changes_hz(&frequency),
             damping_ratio: damping.as_ref().map(|d| d.value),
             damping_ratio_sd: damping.as_ref().and_then(|d| d.sd),
             phase_collinearity: phase_collinearity(&shape),
@@ -380,12 +403,51 @@ mod tests {
     use super::*;
     use crate::signal::Channel;
 
+    #[test]
+    fn exact_changes_of_a_mean_sum_to_its_variance_widened_where_the_setups_differ() {
+        for factor in [1.0, 1.003] {
+            let mut setups = [
+                setup(&[0, 1, 2], Complex64::ONE, 1.0),
+                setup(&[0, 1, 3], Complex64::ONE, factor),
+            ];
+            for (s, setup) in setups.iter_mut().enumerate() {
+                for (i, mode) in setup.modes.iter_mut().enumerate() {
+                    // modes of one setup move alike in its first block, apart in its second
+                    let apart = if i % 2 == 0 { 0.6 } else { -0.6 };
+                    mode.frequency_sd_hz = Some(0.002 * (s + 1) as f64);
+                    mode.frequency_changes_hz = [0.8, apart].map(|c| c * 0.002 * (s + 1) as f64).to_vec();
+                }
+            }
+            let found = merge_setups(&setups, &MergeSetups::default())
+                .unwrap()
+                .modes
+                .modes;
+            for mode in &found {
+                let square: f64 = mode.frequency_changes_hz.iter().map(|d| d * d).sum();
+                assert_eq!(mode.frequency_changes_hz.len(), 4);
+                assert!(
+                    (square.sqrt() / mode.frequency_sd_hz.unwrap() - 1.0).abs() < 1e-12,
+                    "{mode:?}"
+                );
+            }
+            // .8² − .6² of the variances
+            let pairs = found[0]
+                .frequency_changes_hz
+                .iter()
+                .zip(&found[1].frequency_changes_hz);
+            let product: f64 = pairs.map(|(a, b)| a * b).sum();
+            let sds = found[0].frequency_sd_hz.unwrap() * found[1].frequency_sd_hz.unwrap();
+            assert!((product / sds - 0.28).abs() < 1e-12, "{product} {sds}");
+        }
+    }
+
     /// Exact modes of four floors, seen at the channels named, each shape scaled by itself.
     fn setup(channels: &[usize], scale: Complex64, factor: f64) -> Modes {
         let made = ReferenceCase::ClosePairs.made(0).unwrap();
         let mode = |m: &super::super::MadeMode| Mode {
             frequency_hz: factor * m.frequency_hz,
             frequency_sd_hz: Some(0.002),
+            frequency_changes_hz: Vec::new(),
             damping_ratio: Some(m.damping_ratio),
             damping_ratio_sd: Some(0.001),
             shape: channels.iter().map(|c| scale * m.shape[*c]).collect(),

@@ -22,6 +22,8 @@ use std::f64::consts::PI;
 pub struct PoleDeviation {
     /// Of the frequency, Hz.
     pub frequency_sd_hz: f64,
+    /// Change of the frequency by each block of time, Hz: the squares sum to the square of `frequency_sd_hz`.
+    pub frequency_changes_hz: Vec<f64>,
     /// Of the damping ratio.
     pub damping_ratio_sd: f64,
     /// Of the modulus of each shape component; 0 for the component that is set to 1. Empty where the method gives none.
@@ -108,12 +110,14 @@ impl<'a> Propagation<'a> {
         let (order, blocks, subspace) = self.order(pole)?;
         let index = nearest(&order.values, pole.eigenvalue);
         let shape = leading_times(&subspace.u, pole.shape.len(), order.right.column(index));
-        let (mut f2, mut z2, mut s2) = (0.0, 0.0, vec![0.0; pole.shape.len()]);
+        let (mut z2, mut s2) = (0.0, vec![0.0; pole.shape.len()]);
+        let mut changes_hz = Vec::with_capacity(blocks.len());
+        let share = correction(blocks.len()).sqrt();
         for block in blocks {
             let d_a_phi = order.state_change(subspace, block, index);
             let d_lambda = order.along(index, &d_a_phi);
             let [df, dz] = frequency_and_damping(pole, d_lambda, subspace.sampling_rate_hz);
-            f2 += df * df;
+            changes_hz.push(share * df);
             z2 += dz * dz;
             let d_shape = order.shape_change(subspace, block, index, &d_a_phi);
             for (c, d) in unit_shape_change(&shape, &d_shape).into_iter().enumerate() {
@@ -128,7 +132,8 @@ impl<'a> Propagation<'a> {
         }
         let sd = |sum: f64| (correction(blocks.len()) * sum).sqrt();
         Ok(PoleDeviation {
-            frequency_sd_hz: sd(f2),
+            frequency_sd_hz: changes_hz.iter().map(|d| d * d).sum::<f64>().sqrt(),
+            frequency_changes_hz: changes_hz,
             damping_ratio_sd: sd(z2),
             shape_sd: s2.into_iter().map(sd).collect(),
         })

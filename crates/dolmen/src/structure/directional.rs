@@ -39,6 +39,13 @@ pub enum LeftOut {
         /// Difference as a share of the shape's largest component along the direction.
         difference: f64,
     },
+    /// Setups may not show one mode there, so that no mode from there on can be counted.
+    Doubtful {
+        /// Its frequency, Hz.
+        frequency_hz: f64,
+        /// Modes above it, left out with it.
+        above: usize,
+    },
 }
 
 impl LeftOut {
@@ -65,6 +72,11 @@ impl std::fmt::Display for LeftOut {
                 "The mode at {frequency_hz:.3} Hz is left out: at {height_m:.2} m its sensors differ by {:.0} % of the \
                  largest, so it twists.",
                 100.0 * difference
+            ),
+            LeftOut::Doubtful { frequency_hz, above } => write!(
+                f,
+                "The mode at {frequency_hz:.3} Hz is left out: the setups may not show one mode there. {above} above it are left out too, \
+                 since a fit counts modes from the lowest."
             ),
         }
     }
@@ -122,6 +134,20 @@ pub fn directional_modes(modes: &Modes, direction: [f64; 3]) -> DirectionalModes
         }
     }
     found
+}
+
+impl DirectionalModes {
+    /// Leaves out the first mode at one of these frequencies, Hz, and all above it: a fit takes the lowest modes in order.
+    pub fn end_before(&mut self, doubtful_hz: &[f64]) {
+        let doubtful = |mode: &MeasuredMode| doubtful_hz.contains(&mode.frequency_hz);
+        if let Some(at) = self.modes.iter().position(doubtful) {
+            self.left_out.push(LeftOut::Doubtful {
+                frequency_hz: self.modes[at].frequency_hz,
+                above: self.modes.len() - at - 1,
+            });
+            self.modes.truncate(at);
+        }
+    }
 }
 
 /// Components turned by the common angle that makes them as real as they can be.
@@ -184,6 +210,7 @@ fn along_direction(mode: &Mode, along: &[Option<(f64, f64)>]) -> Result<Measured
     Ok(MeasuredMode {
         frequency_hz,
         frequency_sd_hz: mode.frequency_sd_hz.unwrap_or(0.0),
+        frequency_changes_hz: mode.frequency_changes_hz.clone(),
         shape,
     })
 }
@@ -207,6 +234,7 @@ mod tests {
         let mode = |(i, shape): (usize, &Vec<Complex64>)| Mode {
             frequency_hz: 1.0 + i as f64,
             frequency_sd_hz: Some(0.01),
+            frequency_changes_hz: vec![],
             damping_ratio: None,
             damping_ratio_sd: None,
             shape: shape.clone(),
@@ -242,6 +270,24 @@ mod tests {
         assert_eq!(points.len(), 2);
         assert!((points[0].displacement / points[1].displacement - 0.5).abs() < 1e-14);
         assert_eq!((points[0].height_m, points[1].height_m), (3.0, 6.0));
+    }
+
+    #[test]
+    fn holds_a_doubtful_mode_ends_what_goes_into_a_fit() {
+        let shape = |a: f64, b: f64| [a, -b, b, 0.0].map(|x| Complex64::new(x, 0.0)).to_vec();
+        let all = modes(&[shape(0.5, 1.0), shape(1.0, -0.5), shape(0.2, 1.0)]);
+        let mut found = directional_modes(&all, [1.0, 0.0, 0.0]);
+        found.end_before(&[5.0]);
+        assert_eq!((found.modes.len(), found.left_out.len()), (3, 0));
+        found.end_before(&[3.0, 2.0]);
+        assert_eq!(found.modes.len(), 1);
+        let said = found.left_out[0].to_string();
+        assert!(
+            said.starts_with(
+                "The mode at 2.000 Hz is left out: the setups may not show one mode there. 1 above it"
+            ),
+            "{said}"
+        );
     }
 
     #[test]

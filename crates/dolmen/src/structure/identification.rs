@@ -20,6 +20,9 @@ pub struct MeasuredMode {
     pub frequency_hz: f64,
     /// Standard deviation of it, Hz; 0 if taken as exact.
     pub frequency_sd_hz: f64,
+    /// Changes of the frequency, Hz, by each block of time of the record that gave all modes (`Mode::frequency_changes_hz`): products with
+    /// another mode's sum to their covariance. Empty: this frequency is independent of the others.
+    pub frequency_changes_hz: Vec<f64>,
     /// Measured points of the shape; empty if only the frequency is known.
     pub shape: Vec<ShapePoint>,
 }
@@ -130,6 +133,7 @@ pub(super) fn check_modes(
         let MeasuredMode {
             frequency_hz,
             frequency_sd_hz,
+            frequency_changes_hz,
             shape,
         } = mode;
         refuse("frequency_hz", *frequency_hz, positive, *frequency_hz > 0.0)?;
@@ -139,6 +143,9 @@ pub(super) fn check_modes(
             not_negative,
             *frequency_sd_hz >= 0.0,
         )?;
+        for change in frequency_changes_hz {
+            refuse("frequency_changes_hz", *change, "a finite number", true)?;
+        }
         for point in shape {
             refuse(
                 "displacement of a shape point",

@@ -1,7 +1,7 @@
 use super::{
     ValidationError, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction, fragility,
     free_decay, hwang_min_hong, joined, kim_koo_hong_2018, owen_prieur_2017, park_min_2010, pyoma2,
-    rigid_blocks, second_methods, survey_change,
+    rigid_blocks, second_methods, setups, survey_change,
 };
 
 /// One number of a source, or of a second method of this crate, beside ours.
@@ -65,6 +65,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         free_decay::cases()?,
         joined::cases()?,
         pyoma2::cases()?,
+        setups::cases()?,
         survey_change::cases()?,
         second_methods::cases()?,
     ];

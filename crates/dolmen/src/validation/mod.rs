@@ -20,6 +20,7 @@ mod park_min_2010;
 mod pyoma2;
 mod rigid_blocks;
 mod second_methods;
+mod setups;
 mod stacks;
 mod survey_change;
 

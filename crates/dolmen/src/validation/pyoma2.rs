@@ -86,8 +86,9 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     let runs = runs.map(|(method, poles, numbers)| (method, poles, numbers, ORDER, NOTE));
     let of_lines = ("plscf", fraction.poles, PLSCF, PLSCF_ORDER, PLSCF_NOTE);
     for (method, poles, [frequency_hz, damping_ratio], order, note) in runs.into_iter().chain([of_lines]) {
-        let first =
-            |poles: &[Pole], of: fn(&Pole) -> f64| poles.iter().find(|p| p.order == order).map_or(f64::NAN, of);
+        let first = |poles: &[Pole], of: fn(&Pole) -> f64| {
+            poles.iter().find(|p| p.order == order).map_or(f64::NAN, of)
+        };
         cases.push(Case {
             source: SOURCE,
             what: format!("method {method}: frequency"),

@@ -31,6 +31,7 @@ fn measured(chain: &Chain, k: &[f64], count: usize, heights_m: &[f64]) -> Vec<Me
     let modes = modes.iter().take(count).map(|mode| MeasuredMode {
         frequency_hz: mode.frequency_hz,
         frequency_sd_hz: 0.0,
+        frequency_changes_hz: Vec::new(),
         shape: heights_m.iter().map(|&z| point(&mode.coordinates, z)).collect(),
     });
     modes.collect()
@@ -293,6 +294,7 @@ fn exact_interval_of_a_single_joint() {
         let mode = MeasuredMode {
             frequency_hz: 2.0,
             frequency_sd_hz: 0.03,
+            frequency_changes_hz: Vec::new(),
             shape: vec![],
         };
         let found = identify(&chain, &[mode]);
@@ -378,6 +380,7 @@ fn holds_frequencies_no_chain_has_are_said_to_be_impossible() {
         .map(|&frequency_hz| MeasuredMode {
             frequency_hz,
             frequency_sd_hz: 0.0,
+            frequency_changes_hz: Vec::new(),
             shape: vec![],
         })
         .collect();
@@ -397,6 +400,7 @@ fn refuses_bad_modes_and_says_which() {
     let plain = |frequency_hz: f64| MeasuredMode {
         frequency_hz,
         frequency_sd_hz: 0.0,
+        frequency_changes_hz: Vec::new(),
         shape: vec![],
     };
     let point = |height_m: f64, displacement: f64, displacement_sd: f64| ShapePoint {
@@ -430,6 +434,7 @@ fn refuses_bad_modes_and_says_which() {
         (
             vec![MeasuredMode {
                 frequency_sd_hz: -0.1,
+                frequency_changes_hz: Vec::new(),
                 ..plain(1.0)
             }],
             "mode 1: frequency_sd_hz is -0.1, but must be 0 (exact) or a positive number",

@@ -37,5 +37,6 @@ mod stack_limits;
 mod stack_motion;
 mod stack_rigid;
 mod stack_rocking;
+mod stiffness_covariance;
 mod survey_change;
 mod tuned_mass;

@@ -32,6 +32,7 @@ fn frequency(frequency_hz: f64, frequency_sd_hz: f64) -> MeasuredMode {
     MeasuredMode {
         frequency_hz,
         frequency_sd_hz,
+        frequency_changes_hz: Vec::new(),
         shape: vec![],
     }
 }

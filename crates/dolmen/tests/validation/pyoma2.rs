@@ -187,7 +187,11 @@ fn agrees_with_pyoma2_on_every_pole_of_plscf() {
     for (references, published) in [(&[][..], PLSCF), (&[0, 2], PLSCF_OF_TWO)] {
         let options = Plscf {
             lags: 59,
-            order_most: 3 * if references.is_empty() { 3 } else { references.len() },
+            order_most: 3 * if references.is_empty() {
+                3
+            } else {
+                references.len()
+            },
             time_blocks: 2,
             references: references.to_vec(),
             ..Plscf::default()

@@ -22,7 +22,7 @@ pub type ChainStiffness = StiffnessSearch;
 ///
 /// ```text
 /// min over ln k of Σ ((ln f_j(k) − ln f_j)/sd)² + Σ ((a_j c(z_p)ᵀ φ_j(k) − u_pj)/sd)²       a_j free
-/// cov(ln k) = (JᵀJ)⁻¹        J: data × joints, exact derivatives
+/// cov(ln k) = J⁺ C J⁺ᵀ       J: data × joints over sd, exact derivatives; C: correlations of the data, (JᵀJ)⁻¹ without any
 /// ```
 ///
 /// As many frequencies as joints are n polynomials of degrees 1 to n in k: at most n! solutions (Bézout), and every real
@@ -66,6 +66,7 @@ pub type ChainStiffness = StiffnessSearch;
 /// let measured = MeasuredMode {
 ///     frequency_hz: 2.0,
 ///     frequency_sd_hz: 0.02,
+///     frequency_changes_hz: vec![],
 ///     shape: vec![],
 /// };
 /// let found = chain_stiffness(&chain, &[measured], &ChainStiffness::default())?;

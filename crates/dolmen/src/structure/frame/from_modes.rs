@@ -53,7 +53,7 @@ pub type FrameStiffness = StiffnessSearch;
 ///     Storey { mass_kg: 314e3, height_m: 7.69, axial_n: 3077e3 },
 /// ];
 /// let gate = Frame::new(storeys, Convention::Drift)?;
-/// let mode = |frequency_hz, shape| MeasuredMode { frequency_hz, frequency_sd_hz: 0.0, shape };
+/// let mode = |frequency_hz, shape| MeasuredMode { frequency_hz, frequency_sd_hz: 0.0, frequency_changes_hz: vec![], shape };
 /// let modes = [mode(1.1, vec![]), mode(4.2, vec![])];
 /// let found = frame_stiffness(&gate, &modes, &FrameStiffness::default())?;
 /// assert_eq!((found.choice, found.solutions.len()), (Choice::Indistinguishable, 2));

@@ -35,6 +35,8 @@ struct Target {
     ln_omega_squared: f64,
     /// sd of ln f.
     sd: f64,
+    /// Changes of ln f by each block of time, over sd.
+    changes: Vec<f64>,
     shape: Option<Shape>,
 }
 
@@ -60,9 +62,14 @@ impl ModalFit {
         let springs = (0..model.parts()).map(|i| reduce(model.springs.column(i)));
         let targets = modes.iter().map(|mode| -> Result<Target, StructureError> {
             let given = mode.frequency_sd_hz / mode.frequency_hz;
+            let changes = mode.frequency_changes_hz.iter();
             Ok(Target {
                 ln_omega_squared: 2.0 * (std::f64::consts::TAU * mode.frequency_hz).ln(),
                 sd: if given > 0.0 { given } else { stand_in.frequency },
+                changes: match given > 0.0 {
+                    true => changes.map(|d| d / mode.frequency_sd_hz).collect(),
+                    false => Vec::new(),
+                },
                 shape: shape(structure, mode, stand_in.shape, &reduce)?,
             })
         });
@@ -77,6 +84,25 @@ impl ModalFit {
     pub(super) fn data(&self) -> usize {
         let shapes = self.targets.iter().filter_map(|target| target.shape.as_ref());
         self.targets.len() + shapes.map(|shape| shape.measured.len() - 1).sum::<usize>()
+    }
+
+    /// Correlations of the data: those of frequencies that share their blocks of time; 1 on the diagonal.   shape: data × data
+    pub(super) fn correlations(&self) -> Matrix {
+        let mut rows = Vec::new(); // where each frequency stands
+        let mut count = 0;
+        for target in &self.targets {
+            rows.push(count);
+            count += 1 + target.shape.as_ref().map_or(0, |shape| shape.measured.len());
+        }
+        let mut all = Matrix::identity(count);
+        for (a, one) in rows.iter().zip(&self.targets) {
+            for (b, other) in rows.iter().zip(&self.targets) {
+                if a != b && one.changes.len() == other.changes.len() {
+                    all[(*a, *b)] = dot(&one.changes, &other.changes).clamp(-1.0, 1.0);
+                }
+            }
+        }
+        all
     }
 
     /// Largest difference of the shape of each mode, relative to its largest displacement; `None` for a mode without.
@@ -269,6 +295,7 @@ mod tests {
         let mode = |frequency_hz: f64, last: f64| MeasuredMode {
             frequency_hz,
             frequency_sd_hz: 0.1,
+            frequency_changes_hz: Vec::new(),
             shape: vec![point(1.0, 0.3), point(2.2, 0.5), point(3.6, last)],
         };
         let stand_in = StandIn {

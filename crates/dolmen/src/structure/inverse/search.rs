@@ -444,7 +444,7 @@ impl<S: Sprung> Search<'_, S> {
         positive.then(|| range_of_root(&self.model, &frequencies, &half_width, root))
     }
 
-    /// √diag (JᵀJ)⁻¹, widened by the misfit where there are data to spare; `None` if not determined.
+    /// √diag J⁺ C J⁺ᵀ with C the correlations of the data, which is (JᵀJ)⁻¹ where they have none; widened by the misfit where there are data to spare; `None` if not determined.
     fn relative_sd(&self, found: &Found) -> Result<Option<Vec<f64>>, StructureError> {
         let n = found.x.len();
         let f = svd(&tall(&found.jacobian))?;
@@ -457,8 +457,19 @@ impl<S: Sprung> Search<'_, S> {
             0 => 1.0,
             _ => (found.misfit * (data as f64 / spare as f64).sqrt()).max(1.0),
         };
-        let variance = |i: usize| (0..n).map(|j| (f.v[(i, j)] / f.s[j]).powi(2)).sum::<f64>();
-        Ok(Some((0..n).map(|i| widened * variance(i).sqrt()).collect()))
+        let c = self.fit.correlations();
+        let inverse = Matrix::from_fn(n, c.rows(), |i, p| {
+            (0..n).map(|j| f.v[(i, j)] / f.s[j] * f.u[(p, j)]).sum()
+        });
+        let spread = &inverse * &c;
+        let variance = |i: usize| {
+            (0..c.rows())
+                .map(|p| spread[(i, p)] * inverse[(i, p)])
+                .sum::<f64>()
+        };
+        Ok(Some(
+            (0..n).map(|i| widened * variance(i).max(0.0).sqrt()).collect(),
+        ))
     }
 
     fn visibility(&self, found: &Found) -> Result<Visibility, StructureError> {
