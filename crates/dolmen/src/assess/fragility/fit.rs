@@ -370,6 +370,7 @@ fn motions_of(observations: &[Observation]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::assess::FragilityBound;
     use crate::assess::{bootstrap_fragility, bootstrap_fragility_of_motions};
     use crate::numeric::Random;
     use crate::numeric::ln_normal_density;
