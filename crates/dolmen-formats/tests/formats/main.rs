@@ -18,6 +18,7 @@ mod project_keys;
 mod project_shapes;
 mod project_site;
 mod project_stack;
+mod project_surveys;
 mod project_values;
 mod record_formats;
 mod simulations;
