@@ -38,6 +38,16 @@ pub struct Against {
     pub ratio: f64,
 }
 
+impl Against {
+    /// Whether it is the drift of one storey.
+    pub fn is_drift(&self) -> bool {
+        self.what[0].starts_with(DRIFT)
+    }
+}
+
+/// How the drift of a storey is called.
+const DRIFT: &str = "the drift along";
+
 /// A damper that needs more room than it has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeyondRoom {
@@ -159,7 +169,7 @@ impl BuildingSimulation {
             .map(|(storey, axis)| {
                 let name = &self.floors[storey];
                 let words = [
-                    format!("the drift along {} below floor {name}", axes[axis]),
+                    format!("{DRIFT} {} below floor {name}", axes[axis]),
                     format!("{name} 바닥 아래 {} 방향 층간변위", axes[axis]),
                 ];
                 (

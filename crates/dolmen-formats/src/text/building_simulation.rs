@@ -3,7 +3,7 @@
 use super::Table;
 use super::building::dampers_text;
 use crate::number::{significant, trimmed};
-use crate::simulation::BuildingSimulation;
+use crate::simulation::{Against, BuildingSimulation};
 use dolmen::dynamics::HistoryMethod;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::fmt::Write as _;
@@ -124,13 +124,19 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
     if !top.is_empty() {
         let _ = write!(out, "; {} of what it would move without dampers", top.join(", "));
     }
-    for of in against.iter().filter(|of| of.ratio > GROWN) {
+    let more: Vec<&Against> = against.iter().filter(|of| of.ratio > GROWN).collect();
+    let drifts: Vec<&&Against> = more.iter().filter(|of| of.is_drift()).collect();
+    let worst = drifts.iter().max_by(|a, b| a.ratio.total_cmp(&b.ratio));
+    for of in more.iter().filter(|of| !of.is_drift()).chain(worst.copied()) {
         let _ = write!(
             out,
             "\nMORE THAN WITHOUT DAMPERS: {} is {} of what it would be",
             of.what[0],
             significant(of.ratio, 4)
         );
+        if of.is_drift() && drifts.len() > 1 {
+            let _ = write!(out, ", and {} other drifts are more by less", drifts.len() - 1);
+        }
     }
     out
 }

@@ -8,7 +8,7 @@ use super::fraction_deviation::FractionScatter;
 use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
 use super::settings::{Settings, choose};
-use super::ssi::{Ssi, ssi_cov, ssi_data};
+use super::ssi::{ssi_cov, ssi_data};
 use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
 use super::uncertainty::Deviations;
 use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation};
@@ -255,13 +255,7 @@ fn of_poles(
             &options.clustering,
         )?
     } else {
-        let ssi = Ssi {
-            block_rows: settings.block_rows,
-            order_most: settings.order_most,
-            decimation: settings.decimation,
-            time_blocks: settings.time_blocks,
-            references: options.references.clone(),
-        };
+        let ssi = settings.ssi(&options.references);
         let found = match options.method {
             Method::SsiCov => ssi_cov(record, &ssi)?,
             _ => ssi_data(record, &ssi)?,

@@ -110,14 +110,7 @@ pub fn joint_setups(
     let (peaks, tones_hz) = peaks_of_all(records, &options, &mut notes)?;
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
     let settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
-    let ssi = Ssi {
-        block_rows: settings.block_rows,
-        order_most: settings.order_most,
-        decimation: settings.decimation,
-        time_blocks: settings.time_blocks,
-        references: options.references.clone(),
-    };
-    let ssi = ssi::check(&ssi, places.channels.len())?;
+    let ssi = ssi::check(&settings.ssi(&options.references), places.channels.len())?;
     let duration_s: f64 = records.iter().map(Record::duration_s).sum();
     let mut setups = Vec::with_capacity(records.len());
     for (record, seats) in records.iter().zip(&seats) {

@@ -1,6 +1,7 @@
 //! Block rows, decimation and order chosen from the peaks of the spectrum.
 
 use super::correlations::{CLEAN_SHARE, lags_before};
+use super::ssi::Ssi;
 use super::{Identify, Method, ModalError, Mode, Modes, Note};
 use crate::signal::Record;
 
@@ -51,6 +52,19 @@ pub struct Settings {
     pub time_blocks: usize,
     /// Range in which modes are accepted, Hz.
     pub range_hz: [f64; 2],
+}
+
+impl Settings {
+    /// Options of a subspace method with these references.
+    pub(super) fn ssi(&self, references: &[usize]) -> Ssi {
+        Ssi {
+            block_rows: self.block_rows,
+            order_most: self.order_most,
+            decimation: self.decimation,
+            time_blocks: self.time_blocks,
+            references: references.to_vec(),
+        }
+    }
 }
 
 /// With fewer blocks of time the standard deviations are themselves known to worse than 24 %.
