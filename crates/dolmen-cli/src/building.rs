@@ -3,7 +3,9 @@
 use anyhow::{Context as _, Result};
 use dolmen::assess::demand::SiteDemand;
 use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_spectral_analysis};
-use dolmen::dynamics::{DirectionalCombination, ModalCombination, SpectralAnalysis, spectral_analysis};
+use dolmen::dynamics::{
+    DirectionalCombination, ModalCombination, SpectralAnalysis, VibratingBuilding, spectral_analysis,
+};
 use dolmen::structure::Building;
 use dolmen::structure::building::{PDelta, PlanDirection, StoreyFall, storey_falls};
 use dolmen_formats::building::{
@@ -30,25 +32,15 @@ pub(crate) fn check(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> R
 }
 
 fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<StandingBuilding> {
-    let building = part.build(pick)?;
-    let vibrating = part.vibrating(building, pick)?;
-    let dampers = part.dampers(vibrating.building(), vibrating.modes(), pick)?;
+    let vibrating = part.vibrating(pick)?;
+    let dampers = part.dampers(&vibrating, pick)?;
     let mut spectral_refused = None;
     let mut spectral = None;
     let (mut damped, mut damped_refused) = (None, None);
     // a site that is refused is said with its demand
     if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
-        let read = |period_s: f64, damping_ratio: f64| -> Result<[f64; 2]> {
-            let read = spectral_acceleration(&site, period_s, damping_ratio);
-            let of = || {
-                format!(
-                    "a mode has a period of {period_s:.4} s and {:.3} % damping, and every mode counts",
-                    100.0 * damping_ratio
-                )
-            };
-            Ok([read.with_context(of)?; 2])
-        };
-        match spectral_analysis(&vibrating, read) {
+        let read = spectrum_of(&site);
+        match spectral_analysis(&vibrating, &read) {
             Ok(analysis) => {
                 spectral = Some(by_spectrum(part, vibrating.building(), &analysis, pick)?);
             }
@@ -56,7 +48,7 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
         }
         if !dampers.is_empty() {
             let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
-            match damped_spectral_analysis(&vibrating, &attached, read) {
+            match damped_spectral_analysis(&vibrating, &attached, &read) {
                 Ok(analysis) => damped = Some(with_dampers(part, vibrating.building(), &analysis, pick)?),
                 Err(why) => damped_refused = Some(format!("{why:#}")),
             }
@@ -87,7 +79,6 @@ fn with_dampers(
         edge_drift_m,
         points_m,
     } = moved(part, building, &both, pick)?;
-    let strokes = (0..).map_while(|damper| analysis.largest_stroke_m(damper, DirectionalCombination::Srss));
     Ok(DampedSpectral {
         modes: analysis.modes.clone(),
         base_shear_n: [both(&shear_x), both(&shear_y)],
@@ -95,7 +86,7 @@ fn with_dampers(
         displacement_m,
         edge_drift_m,
         points_m,
-        strokes_m: strokes.collect(),
+        strokes_m: analysis.largest_strokes_m(DirectionalCombination::Srss),
     })
 }
 
@@ -106,9 +97,31 @@ struct Moved {
     points_m: Vec<(String, [f64; 2])>,
 }
 
-/// At the damping of the mode.
-fn spectral_acceleration(site: &SiteDemand, period_s: f64, damping_ratio: f64) -> Result<f64> {
-    Ok(site.spectrum.acceleration_m_s2(period_s, damping_ratio)?)
+/// Along x and y at the period and damping of a mode.
+fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2]> {
+    |period_s, damping_ratio| {
+        let read = site.spectrum.acceleration_m_s2(period_s, damping_ratio);
+        let of = || {
+            format!(
+                "a mode has a period of {period_s:.4} s and {:.3} % damping, and every mode counts",
+                100.0 * damping_ratio
+            )
+        };
+        Ok([read.with_context(of)?; 2])
+    }
+}
+
+/// The stroke of each damper under the spectrum of the site, m; `None` without a site, or where its spectrum cannot be read for these
+/// dampers.
+pub(crate) fn site_strokes_m(
+    project: &Project,
+    alone: &VibratingBuilding,
+    dampers: &[BuiltDamper],
+) -> Option<Vec<f64>> {
+    let site = project.site.as_ref()?.demand().ok()?;
+    let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
+    let analysis = damped_spectral_analysis(alone, &attached, spectrum_of(&site)).ok()?;
+    Some(analysis.largest_strokes_m(DirectionalCombination::Srss))
 }
 
 fn by_spectrum(

@@ -2,7 +2,8 @@
 
 use anyhow::Result;
 use dolmen::assess::StackCheckOptions;
-use dolmen::assess::demand::stack_against_site;
+use dolmen::assess::demand::{FirstSway, stack_against_site};
+use dolmen::blocks::sway_amplification;
 use dolmen::stability::Verdict;
 use dolmen_formats::answer::{Check, DemandAnswer, SpectralAt};
 use dolmen_formats::building::BuildingAnswer;
@@ -41,12 +42,18 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
             let found = answer.spectral.iter().find(|at| at.direction == direction);
             found.map(|at| at.period_s)
         };
-        let periods_s = [period("x"), period("y")];
+        let first = [(0, "x"), (1, "y")].map(|(axis, direction)| {
+            let mode = stack.frequencies.as_ref()?.sway_mode(direction)?;
+            Some(FirstSway {
+                period_s: period(direction)?,
+                amplification: sway_amplification(&stack.stack, mode, axis),
+            })
+        });
         if stack.check.verdict == Verdict::Unstable {
             answer.refused = Some("it does not stand without shaking".to_owned());
         } else {
             let options = StackCheckOptions::default();
-            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, periods_s)?;
+            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, first)?;
             if answer.stack.is_none() {
                 let why = "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration";
                 answer.refused = Some(why.to_owned());

@@ -3,6 +3,7 @@
 use crate::cli::{Language as Chosen, Law, Points, Simulate as Options};
 use crate::{Outcome, files, motion, open, simulate_building, simulate_chain, simulate_frame};
 use anyhow::{Result, bail};
+use dolmen::assess::{DamageThresholds, stack_damage};
 use dolmen::blocks::{
     AfterFall, ContactLaw, ContactRule, Pose, Rigid, Springs, StackHistory, simulate_stack,
 };
@@ -70,9 +71,10 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         files::say(&unstable(&shown, &limits.standing.to_string(), as_json))?;
         return Ok(Outcome::Falls);
     }
-    let law = law(options);
+    let law = law(options, &stack);
     let history = simulated(&stack, &motion.motion, &law, quiet)?;
     let simulation = Simulation {
+        damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         file: shown,
         name: chosen.name.clone(),
         variant: options.variant.clone(),
@@ -108,7 +110,9 @@ pub(crate) fn of_report(
 ) -> Result<Simulation> {
     let (stack, law) = (stack_of(project)?, ContactLaw::Springs(Springs::default()));
     let history = simulated(&stack, &motion.motion, &law, quiet)?;
+    let limits = stack_limits(&stack, &StackLimits::default())?;
     Ok(Simulation {
+        damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         file: file.display().to_string(),
         name: project.name.clone(),
         variant: variant.map(str::to_owned),
@@ -164,7 +168,7 @@ fn stack_of(project: &Project) -> Result<Stack> {
     }
 }
 
-fn law(options: &Options) -> ContactLaw {
+fn law(options: &Options, stack: &Stack) -> ContactLaw {
     let contact_rule = match options.points {
         Points::P4 => ContactRule::Corners,
         Points::P9 => ContactRule::Three,
@@ -187,7 +191,7 @@ fn law(options: &Options) -> ContactLaw {
         }),
         Law::Rigid => ContactLaw::Rigid(Rigid {
             contact_rule,
-            time_step_s: options.step.unwrap_or(Rigid::default().time_step_s),
+            time_step_s: options.step.unwrap_or_else(|| Rigid::usual_step_s(stack)),
             duration_s,
             output_step_s,
             after_fall,

@@ -9,7 +9,7 @@ use dolmen::dynamics::{
     BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
 };
 use dolmen::signal::GroundMotion;
-use dolmen::structure::building::{BuildingError, PlanDirection};
+use dolmen::structure::building::PlanDirection;
 use dolmen_formats::Language;
 use dolmen_formats::figures::building_histories;
 use dolmen_formats::json::building_simulation_json;
@@ -77,14 +77,10 @@ pub(crate) fn simulation(
     motion: &MotionAnswer,
     wish: &Wish<'_>,
 ) -> Result<Option<BuildingSimulation>> {
-    let pick = &mut Quantity::nominal;
-    let building = match part.build(pick) {
-        Ok(building) => building,
-        Err(BuildingError::Falls { .. }) => return Ok(None),
-        Err(why) => return Err(why.into()),
+    let Some(alone) = part.as_written().cloned() else {
+        return Ok(None);
     };
-    let alone = part.vibrating(building, pick)?;
-    let dampers = part.dampers(alone.building(), alone.modes(), pick)?;
+    let dampers = part.dampers(&alone, &mut Quantity::nominal)?;
     let run = BuildingRun {
         steps_per_sample: steps_per_sample(&motion.motion, wish.step_s),
         end_s: wish.duration_s,

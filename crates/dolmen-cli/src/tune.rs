@@ -10,8 +10,8 @@ use dolmen::damper::{
     Comparison, ComparisonOptions, DamperKind, DamperProblem, DamperSite, Goal, PlacedDamper, Plan,
     PlanOptions, compare,
 };
-use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum};
-use dolmen::structure::building::{Building, BuildingModes, PlanDirection};
+use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum, VibratingBuilding};
+use dolmen::structure::building::{Building, PlanDirection};
 use dolmen_formats::figures::tune_figures;
 use dolmen_formats::json::{together_json, tune_json};
 use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
@@ -133,6 +133,14 @@ pub(crate) fn part_of(project: &Project) -> Result<&BuildingPart> {
     }
 }
 
+/// The building as it is written, which must stand.
+pub(crate) fn standing(part: &BuildingPart) -> Result<&VibratingBuilding> {
+    let Some(building) = part.as_written() else {
+        bail!("the building falls under its own weight: `dolmen check` says where");
+    };
+    Ok(building)
+}
+
 fn answers_of(
     project: &Project,
     variant: Option<String>,
@@ -140,9 +148,8 @@ fn answers_of(
     options: &Options,
 ) -> Result<Vec<TuneAnswer>> {
     let part = part_of(project)?;
-    let building = part.build(&mut Quantity::nominal)?;
-    let modes = building.modes()?;
-    let dampers = part.dampers(&building, &modes, &mut Quantity::nominal)?;
+    let building = standing(part)?;
+    let dampers = part.dampers(building, &mut Quantity::nominal)?;
     let wished = dampers
         .iter()
         .filter(|damper| options.damper.as_ref().is_none_or(|name| *name == damper.name));
@@ -151,13 +158,13 @@ fn answers_of(
         let of = Of {
             project,
             part,
-            building: &building,
+            building,
             variant: variant.clone(),
             file,
             options,
         };
         let Some(given) = placed(damper, 0) else { continue };
-        let answer = of.answer((damper, given), &modes);
+        let answer = of.answer(damper, given);
         let mut answer = answer.with_context(|| format!("damper.{}", damper.name))?;
         answer.others = dampers.len() - 1;
         answers.push(answer);
@@ -188,7 +195,7 @@ pub(crate) fn placed(damper: &BuiltDamper, site: usize) -> Option<PlacedDamper> 
 struct Of<'a> {
     project: &'a Project,
     part: &'a BuildingPart,
-    building: &'a Building,
+    building: &'a VibratingBuilding,
     variant: Option<String>,
     file: &'a str,
     options: &'a Options,
@@ -203,15 +210,10 @@ pub(crate) fn degrees(direction: PlanDirection) -> f64 {
 }
 
 impl Of<'_> {
-    fn answer(
-        &self,
-        (damper, given): (&BuiltDamper, PlacedDamper),
-        modes: &BuildingModes,
-    ) -> Result<TuneAnswer> {
-        let (building, options) = (self.building, self.options);
+    fn answer(&self, damper: &BuiltDamper, given: PlacedDamper) -> Result<TuneAnswer> {
+        let (building, options) = (self.building.building(), self.options);
         let site = site(building, damper.floor)?;
         let corners_m = site.corners_m.clone();
-        let damping = self.part.damping(&mut Quantity::nominal);
         let Some(aim) = damper.tuned_to else {
             bail!("it is tuned to no mode");
         };
@@ -231,8 +233,8 @@ impl Of<'_> {
             fixed: Vec::new(),
         };
         let plan = Plan::new(problem, &[given], &PlanOptions::default())?;
-        let mode = &modes.modes[aim.mode - 1];
-        let ratios = modes.damping_ratios(&damping)?;
+        let mode = &self.building.modes().modes[aim.mode - 1];
+        let ratios = self.building.damping_ratios();
         let goal = goal(options);
         let comparison = compare(
             &plan,
@@ -274,9 +276,10 @@ impl Of<'_> {
 
     /// The damper of each row under the motions of the file.
     fn room(&self, damper: &BuiltDamper, comparison: &Comparison) -> Result<RoomCheck> {
-        let sites = [site(self.building, damper.floor)?];
+        let building = self.building.building();
+        let sites = [site(building, damper.floor)?];
         let each = comparison.rows.iter().map(|row| {
-            let attached = row.damper.attached(&sites, self.building.coordinates())?;
+            let attached = row.damper.attached(&sites, building.coordinates())?;
             Ok(vec![BuiltDamper {
                 place_m: row.damper.place_m,
                 kind: attached.kind,

@@ -1,10 +1,10 @@
-//! The strokes of designed dampers under the motions of the file, beside the room that they have.
+//! The strokes of designed dampers under the motions of the file and the spectrum of its site, beside the room that they have.
 
-use crate::{motion, simulate_building};
+use crate::{building, motion, simulate_building, tune};
 use anyhow::{Context as _, Result};
 use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding};
 use dolmen::signal::GroundMotion;
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, Quantity};
+use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, strokes_of};
 use dolmen_formats::tune::{RoomCheck, RowStroke};
 use std::path::Path;
 
@@ -17,12 +17,12 @@ pub(crate) fn room_check(
     file: &Path,
     rows: &[Vec<BuiltDamper>],
 ) -> Result<RoomCheck> {
-    let has_room = rows.iter().flatten().any(|damper| damper.room_m.is_some());
+    let of_rows = rows.iter().flat_map(|dampers| strokes_of(dampers));
+    let has_room = of_rows.into_iter().any(|stroke| stroke.room_m.is_some());
     if !has_room {
         return Ok(RoomCheck::default());
     }
-    let pick = &mut Quantity::nominal;
-    let alone = part.vibrating(part.build(pick)?, pick)?;
+    let alone = tune::standing(part)?;
     let mut motions: Vec<(String, GroundMotion)> = Vec::new();
     for part in &project.motions {
         let read = motion::motion(&motion::named(&part.name), project, file);
@@ -30,24 +30,31 @@ pub(crate) fn room_check(
         motions.push((part.name.clone(), read.motion));
     }
     let mut strokes = Vec::new();
+    let mut is_judged = !motions.is_empty();
     for (row, dampers) in rows.iter().enumerate() {
-        for (name, motion) in &motions {
-            let peaks = strokes_m(alone.clone(), dampers, motion)?;
-            let each = dampers.iter().zip(peaks);
+        let mut add = |motion: Option<&String>, peaks: Vec<f64>| {
+            let each = strokes_of(dampers).into_iter().zip(peaks);
             strokes.extend(each.filter_map(|(damper, stroke_m)| {
                 Some(RowStroke {
                     row,
-                    damper: damper.name.clone(),
-                    motion: name.clone(),
+                    damper: damper.name,
+                    motion: motion.cloned(),
                     stroke_m,
                     room_m: damper.room_m?,
                 })
             }));
+        };
+        for (name, motion) in &motions {
+            add(Some(name), strokes_m(alone.clone(), dampers, motion)?);
+        }
+        if let Some(peaks) = building::site_strokes_m(project, alone, dampers) {
+            is_judged = true;
+            add(None, peaks);
         }
     }
     Ok(RoomCheck {
         has_room,
-        has_motion: !motions.is_empty(),
+        is_judged,
         strokes,
     })
 }

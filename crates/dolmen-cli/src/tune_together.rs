@@ -24,11 +24,12 @@ pub(crate) fn of_all(
     options: &Options,
 ) -> Result<Option<TogetherAnswer>> {
     let part = tune::part_of(project)?;
-    let building = part.build(&mut Quantity::nominal)?;
-    let dampers = part.dampers(&building, &building.modes()?, &mut Quantity::nominal)?;
+    let vibrating = tune::standing(part)?;
+    let dampers = part.dampers(vibrating, &mut Quantity::nominal)?;
     if dampers.is_empty() || (dampers.len() == 1 && placed(&dampers[0], 0).is_some()) {
         return Ok(None);
     }
+    let building = vibrating.building();
     let directions = distinct(&dampers);
     let floor = dampers[0].floor;
     let corners_m = building.floors()[floor - 1]
@@ -49,16 +50,16 @@ pub(crate) fn of_all(
         .load_direction
         .map_or(directions, |direction| vec![direction]);
     let all = All {
-        building: &building,
+        building,
         dampers: &dampers,
         problem: DamperProblem {
-            structure: tune::structure(&building, part)?,
+            structure: tune::structure(building, part)?,
             loads: loaded
                 .iter()
-                .map(|direction| tune::random_load(&building, load, PlanDirection::Degrees(*direction)))
+                .map(|direction| tune::random_load(building, load, PlanDirection::Degrees(*direction)))
                 .collect(),
             points: rows,
-            sites: sites(&building, &dampers),
+            sites: sites(building, &dampers),
             fixed: Vec::new(),
         },
         goal: match tune::goal(options) {

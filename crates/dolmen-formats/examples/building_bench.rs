@@ -31,12 +31,11 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     let Structure::Building(part) = &project.structure else {
         return Err("no building".into());
     };
-    let pick = &mut Quantity::nominal;
-    let building = part.build(pick)?;
-    let dampers = part.dampers(&building, &building.modes()?, pick)?;
+    let alone = part.as_written().ok_or("it falls under its weight")?;
+    let dampers = part.dampers(alone, &mut Quantity::nominal)?;
     let masses: Option<Vec<_>> = dampers.iter().map(|damper| damper.tuned_mass()).collect();
-    let vibrating = part
-        .vibrating(building, pick)?
+    let vibrating = alone
+        .clone()
         .with_tuned_masses(masses.ok_or("not all dampers are masses")?)?;
     let run = BuildingRun {
         steps_per_sample: 4,

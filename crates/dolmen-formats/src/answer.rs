@@ -197,6 +197,15 @@ impl StackFrequencies {
             _ => None,
         }
     }
+
+    /// That mode itself.
+    pub fn sway_mode(&self, direction: &str) -> Option<&StackMode> {
+        let (mode, _) = self.sway(direction)?;
+        match self {
+            StackFrequencies::Known { modes, .. } => modes.get(mode),
+            StackFrequencies::Refused(_) => None,
+        }
+    }
 }
 
 /// One factor on all springs of a stack, from one survey.

@@ -1,7 +1,7 @@
 //! What `dolmen check` found of a building.
 
 use crate::project::{BuiltDamper, StoreyStiffnessPart};
-use crate::simulation::Against;
+use crate::simulation::{Against, BeyondRoom};
 use dolmen::dynamics::{LeastFavourable, SpectralMode};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, StoreyFall};
@@ -61,21 +61,18 @@ pub struct DampedSpectral {
     pub edge_drift_m: Vec<Option<[f64; 2]>>,
     /// Displacement of the points of the file along x and y, m.
     pub points_m: Vec<(String, [f64; 2])>,
-    /// Largest stroke of each damper, m.
+    /// Largest stroke of each damper, m, then of the liquids of columns on springs.
     pub strokes_m: Vec<f64>,
 }
 
 impl StandingBuilding {
-    /// Dampers that need more room under the spectrum than they have: each with its stroke and its room, m.
-    pub fn beyond_room(&self) -> Vec<(&BuiltDamper, f64, f64)> {
-        let strokes = self.damped.iter().flat_map(|damped| &damped.strokes_m);
-        let pairs = self.dampers.iter().zip(strokes);
-        pairs
-            .filter_map(|(damper, stroke_m)| {
-                let room_m = damper.room_m?;
-                (*stroke_m > room_m).then_some((damper, *stroke_m, room_m))
-            })
-            .collect()
+    /// Dampers that need more room under the spectrum than they have.
+    pub fn beyond_room(&self) -> Vec<BeyondRoom> {
+        let strokes = self
+            .damped
+            .iter()
+            .flat_map(|damped| damped.strokes_m.iter().copied());
+        BeyondRoom::of(&self.dampers, strokes)
     }
 
     /// What the spectrum of the site makes of the building with its dampers over what it makes of it without: base shear, the top, the

@@ -1,5 +1,6 @@
 //! A damper of a building beside the rule and the best: what `dolmen tune` computes, and text, JSON, figures and report print.
 
+use crate::Language;
 use crate::project::{BuiltDamper, Names};
 use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, Goal};
 
@@ -80,6 +81,9 @@ pub struct TunePoint {
     pub place_m: [f64; 2],
 }
 
+/// A stroke that is more than asked for by less than this part keeps to it: it is printed so.
+const STROKE_KEPT: f64 = 5e-4;
+
 /// The stroke of a damper of a row under a motion of the file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct RowStroke {
@@ -87,21 +91,33 @@ pub struct RowStroke {
     pub row: usize,
     /// The damper.
     pub damper: String,
-    /// The motion's name in the file.
-    pub motion: String,
+    /// The motion's name in the file; `None`: the spectrum of the site.
+    pub motion: Option<String>,
     /// Its largest stroke, m.
     pub stroke_m: f64,
     /// Its room each way, m.
     pub room_m: f64,
 }
 
-/// Strokes under the motions of the file beside the rooms of the dampers; empty where the file gives no room.
+impl RowStroke {
+    /// Under what, in words.
+    pub fn under(&self, language: Language) -> String {
+        match &self.motion {
+            Some(motion) => language.pick(format!("motion {motion}"), motion.clone()),
+            None => language
+                .pick("the spectrum of the site", "부지 스펙트럼")
+                .to_owned(),
+        }
+    }
+}
+
+/// Strokes under the motions of the file and the spectrum of its site beside the rooms of the dampers; empty where the file gives no room.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct RoomCheck {
     /// Whether some damper says how much room it has.
     pub has_room: bool,
-    /// Whether the file has a motion to judge it under.
-    pub has_motion: bool,
+    /// Whether the file has a motion or a site to judge it under.
+    pub is_judged: bool,
     /// Of every row, damper with a room, and motion.
     pub strokes: Vec<RowStroke>,
 }
@@ -114,7 +130,7 @@ impl RoomCheck {
 
     /// A room is given, and nothing to hold it against.
     pub fn is_unjudged(&self) -> bool {
-        self.has_room && !self.has_motion
+        self.has_room && !self.is_judged
     }
 }
 
@@ -168,6 +184,18 @@ impl TuneAnswer {
     pub fn is_beyond_room(&self) -> bool {
         let row = |of: &RowStroke| self.comparison.rows.get(of.row).map(|row| row.choice);
         self.room.beyond().any(|of| row(of) == Some(Choice::Given))
+    }
+
+    /// The stroke of a row over that of the damper as in the file.
+    pub fn stroke_ratio(&self, row: &Compared) -> f64 {
+        let stroke = |row: &Compared| row.judged.stroke_rms_m.first().copied().unwrap_or(f64::NAN);
+        stroke(row) / self.comparison.row(Choice::Given).map_or(f64::NAN, stroke)
+    }
+
+    /// Whether a row was designed to keep a stroke, and does not.
+    pub fn is_beyond_stroke(&self, row: &Compared) -> bool {
+        let kept = |most: f64| self.stroke_ratio(row) <= most * (1.0 + STROKE_KEPT);
+        row.end.is_some() && !self.stroke_most.is_none_or(kept)
     }
 
     /// What the goal is made of at each point, over that without a damper: standard deviations, or largest amplitudes.
@@ -291,6 +319,20 @@ impl TogetherAnswer {
         self.room
             .beyond()
             .any(|of| row(of) == Some(&TogetherChoice::Given))
+    }
+
+    /// Dampers of a row that were designed to keep a stroke, and do not, each with its stroke over that in the file.
+    pub fn beyond_stroke(&self, row: &TogetherRow) -> Vec<(String, f64)> {
+        let given = self.rows.iter().find(|row| row.choice == TogetherChoice::Given);
+        let (Some(most), Some(given), true) = (self.stroke_most, given, row.end.is_some()) else {
+            return Vec::new();
+        };
+        let strokes = row.stroke_rms_m.iter().zip(&given.stroke_rms_m);
+        let each = row.dampers.iter().zip(strokes.map(|(own, given)| own / given));
+        let beyond = each.filter(|(_, ratio)| *ratio > most * (1.0 + STROKE_KEPT));
+        beyond
+            .map(|(damper, ratio)| (damper.name.clone(), ratio))
+            .collect()
     }
 
     /// Standard deviations over those without dampers.

@@ -6,7 +6,7 @@ use dolmen::dynamics::{
     BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
 };
 use dolmen::signal::GroundMotion;
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Pick, StudyPart};
+use dolmen_formats::project::{BuildingPart, BuiltDamper, Pick, StudyPart, strokes_of};
 use dolmen_formats::study::{Run, RunOutcome};
 
 /// Longest step between samples of a motion, s: that of `dolmen simulate`.
@@ -22,11 +22,8 @@ pub(super) struct BuildingModel {
 /// The building of a study, or why it cannot be.
 pub(super) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel, String> {
     let words = |why: &dyn std::fmt::Display| why.to_string();
-    let building = part.build(pick).map_err(|why| words(&why))?;
-    let building = part.vibrating(building, pick).map_err(|why| words(&why))?;
-    let dampers = part
-        .dampers(building.building(), building.modes(), pick)
-        .map_err(|why| words(&why))?;
+    let building = part.vibrating(pick).map_err(|why| words(&why))?;
+    let dampers = part.dampers(&building, pick).map_err(|why| words(&why))?;
     let masses: Option<Vec<TunedMass>> = dampers.iter().map(BuiltDamper::tuned_mass).collect();
     let building = match masses {
         Some(masses) => building.with_tuned_masses(masses).map_err(|why| words(&why))?,
@@ -68,13 +65,9 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
         }
     };
     let storeys = model.building.building().storeys();
-    // as `dolmen simulate`: at an edge where the outline is known
-    let drifts = found.peaks.storeys.iter().zip(storeys).map(|(peak, storey)| {
-        let edges = peak.edge_drift_x_m.zip(peak.edge_drift_y_m);
-        let (x, y) = edges.unwrap_or((peak.drift_x_m, peak.drift_y_m));
-        let most = if y.value.abs() > x.value.abs() { y } else { x };
-        (most, most.value.abs() / storey.height_m)
-    });
+    // as `dolmen simulate`: at a corner where the outline is known, in any direction
+    let drifts = found.peaks.storeys.iter().zip(storeys);
+    let drifts = drifts.map(|(peak, storey)| (peak.resultant, peak.resultant.size_m / storey.height_m));
     let worst = drifts
         .enumerate()
         .reduce(|worst, own| if own.1.1 > worst.1.1 { own } else { worst });
@@ -84,9 +77,8 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
     let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
     let peaks = &found.peaks;
     let top = peaks.floors.last().copied().unwrap_or_default();
-    let room =
-        |(damper, stroke): (&BuiltDamper, &dolmen::dynamics::Peak)| Some(stroke.value.abs() / damper.room_m?);
-    let pairs = model.dampers.iter().zip(&peaks.strokes_m);
+    let pairs = strokes_of(&model.dampers).into_iter().zip(&peaks.strokes_m);
+    let over_room = pairs.filter_map(|(of, stroke)| Some(stroke.value.abs() / of.room_m?));
     let strokes = peaks.strokes_m.iter().take(model.dampers.len());
     run.measures = vec![
         largest(&mut [top.displacement_x_m.value, top.displacement_y_m.value].into_iter()),
@@ -96,13 +88,13 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
                 .iter()
                 .flat_map(|s| [s.drift_x_m.value, s.drift_y_m.value]),
         ),
-        drift.value.abs(),
+        drift.size_m,
         drift_ratio,
         peaks.base_shear_n[0].value.abs(),
         peaks.base_shear_n[1].value.abs(),
         peaks.base_torque_n_m.value.abs(),
         largest(&mut strokes.map(|stroke| stroke.value)),
-        largest(&mut pairs.filter_map(room)),
+        largest(&mut { over_room }),
     ];
     run.damage_state = study
         .drift_limits

@@ -4,11 +4,10 @@ use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, v
 use super::motions::{PreparedMotion, motion_names, prepared};
 use crate::{files, open};
 use anyhow::{Context as _, Result, bail};
-use dolmen::assess::{DamageThresholds, RockingScale, rocking_scale};
+use dolmen::assess::{RockingScale, rocking_scale};
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_formats::project::{
-    DRIFT_LIMITS, Files, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text,
-    parse_combination,
+    Files, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
 };
 use dolmen_formats::study::{
     CaseInputs, Fitted, InputColumn, JournalHeader, Run, ShakingScales, StudyAnswer, StudyKind, fingerprint,
@@ -58,45 +57,6 @@ impl<'o> Plan<'o> {
                 )
             }
         };
-        for (key, is_given, is_for, words) in [
-            (
-                "direction",
-                study.direction.is_some(),
-                [StudyKind::Frame].as_slice(),
-                "frames",
-            ),
-            (
-                "harmonic",
-                study.harmonic.is_some(),
-                &[StudyKind::Frame, StudyKind::Chain],
-                "frames and chains",
-            ),
-            (
-                "damage",
-                study.damage != DamageThresholds::default(),
-                &[StudyKind::Stack],
-                "stacks",
-            ),
-            (
-                "release",
-                study.release_m.is_some(),
-                &[StudyKind::Frame],
-                "frames",
-            ),
-            (
-                "drift_limits",
-                study.drift_limits != DRIFT_LIMITS,
-                &[StudyKind::Building],
-                "buildings",
-            ),
-        ] {
-            if is_given && !is_for.contains(&kind) {
-                bail!(
-                    "{key} is for {words}, but this file has a {}: leave it out (directions turns the motion)",
-                    kind.word()
-                );
-            }
-        }
         let mut motions = Vec::new();
         if study.scan.is_some() {
             for name in motion_names(study)? {

@@ -26,6 +26,7 @@ pub(super) fn run_stacks(
         let rigid = Rigid {
             contact_rule: run.options.contact_rule,
             rest_s: run.options.rest_s,
+            time_step_s: Rigid::usual_step_s(run.stack),
             ..Rigid::default()
         };
         let history = simulate_rigid(run.stack, run.motion, &rigid, &mut |_| !interrupted());

@@ -69,13 +69,13 @@ fn agrees_each_row_of_a_building_is_a_single_run() {
         json["peaks"]["strokes_m"][0]["value"].as_f64().unwrap().abs(),
     );
     let drift = json["drift_ratio"].as_f64().unwrap();
-    same(number(row, "peak_edge_drift_ratio"), drift);
+    same(number(row, "peak_corner_drift_ratio"), drift);
     assert!(drift > 0.003 && drift < 0.006);
     assert_eq!(number(row, "damage_state"), 2.0);
     // linear: everything in proportion, and beyond the last limit it "fell"
     for other in &own {
         let scale = number(other, "scale");
-        assert!((number(other, "peak_edge_drift_ratio") / (scale * drift) - 1.0).abs() < 1e-9);
+        assert!((number(other, "peak_corner_drift_ratio") / (scale * drift) - 1.0).abs() < 1e-9);
         let fell = scale * drift >= 0.012;
         assert_eq!(other["outcome"] == "fell", fell, "{other:?}");
     }
@@ -182,6 +182,16 @@ fn refuses_limits_that_are_none_and_keys_of_other_kinds() {
             "refine = 1",
             "refine = 1\nrelease = \"10 mm\"",
             "release is for frames, but this file has a building",
+        ),
+        (
+            "refine = 1",
+            "refine = 1\nlaw = \"springs\"",
+            "law is for stacks, but this file has a building",
+        ),
+        (
+            "refine = 1",
+            "refine = 1\npoints = 16",
+            "points is for stacks, but this file has a building",
         ),
     ] {
         fs::write(&file, text.replace(from, to)).unwrap();

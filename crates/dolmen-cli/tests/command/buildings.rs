@@ -233,7 +233,7 @@ soil = "S4"
     let answer = scratch.dolmen("simulate b.toml --motion el-centro-1940-ns");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     for said in [
-        "the largest drift along x or y of a centre of mass",
+        "the largest drift of a centre of mass",
         "give sides or outline",
         "unknown",
     ] {
@@ -349,6 +349,18 @@ fn holds_dampers_of_every_kind_through_check_simulate_and_report() {
         findings.contains("damper pair-1 is beyond its room: it needs"),
         "the findings say it"
     );
+    // the liquid of a column on a spring has a room of its own
+    let tank = |mm: f64| {
+        let roomy = format!("liquid_share = 0.5\nliquid_stroke = \"{mm} mm\"");
+        fs::write(&file, text.replace("liquid_share = 0.5", &roomy)).unwrap();
+        scratch.dolmen("--json simulate examples/several_dampers --motion el-centro")
+    };
+    let liquid_mm = 1e3 * json["peaks"]["strokes_m"][5]["value"].as_f64().unwrap().abs();
+    let answer = tank(0.99 * liquid_mm);
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    let beyond: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    assert_eq!(beyond["beyond_room"][0]["damper"], "swing liquid");
+    assert_eq!(tank(1.01 * liquid_mm).status, 0);
 }
 
 #[test]

@@ -222,7 +222,11 @@ tuning = "den_hartog"
 fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     let scratch = Scratch::with_examples("tune_room");
     let file = scratch.path().join("examples/twisting_floor/project.toml");
-    let text = fs::read_to_string(&file).unwrap();
+    let whole = fs::read_to_string(&file).unwrap();
+    let (before, after) = whole.split_once("[site]").unwrap();
+    let (site, after) = after.split_once("# The damper of the source").unwrap();
+    let (damper, motions) = after.split_once("# An earthquake to simulate").unwrap();
+    let text = format!("{before}# {damper}# {motions}");
     let roomy =
         |text: &str, mm: &str| text.replace("mass = 5.125", &format!("mass = 5.125\nstroke = \"{mm} mm\""));
     // 211.25 mm under el-centro, as `simulate` has it
@@ -239,9 +243,21 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     let strokes = json["dampers"][0]["strokes_under_motions"].as_array().unwrap();
     assert_eq!(strokes.len(), 5);
     assert!((strokes[0]["stroke_m"].as_f64().unwrap() - 0.21125).abs() < 5e-6);
+    // under the spectrum of the site, as `check` has it
+    fs::write(&file, roomy(&format!("{before}[site]{site}# {damper}"), "212")).unwrap();
+    let answer = scratch.dolmen("--json check examples/twisting_floor --variant damped");
+    let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
+    let stroke_mm = 1e3
+        * json["variants"][0]["state"]["check"]["building"]["standing"]["spectral_with_dampers"]["strokes_m"]
+            [0]
+        .as_f64()
+        .unwrap();
+    let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    let said = format!("needs {stroke_mm:.1} mm each way under the spectrum of the site");
+    assert!(answer.stdout.contains(&said), "{said}: {}", answer.stdout);
     // a room, and nothing to hold it against
-    let still = text.split("# An earthquake to simulate").next().unwrap();
-    fs::write(&file, roomy(still, "212")).unwrap();
+    fs::write(&file, roomy(&format!("{before}# {damper}"), "212")).unwrap();
     let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     assert!(answer.stdout.contains("ROOM NOT JUDGED"), "{}", answer.stdout);

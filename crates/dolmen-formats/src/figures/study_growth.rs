@@ -124,11 +124,11 @@ fn grown(kind: StudyKind, language: Language) -> &'static [(&'static str, &'stat
             ("open_share", "연결부 벌어짐 시간 비율 (%)", 100.0),
         ],
         (StudyKind::Building, Language::English) => &[
-            ("peak_edge_drift_ratio", "Largest drift, % of the height", 100.0),
+            ("peak_corner_drift_ratio", "Largest drift, % of the height", 100.0),
             ("peak_stroke_m", "Stroke of the dampers (mm)", 1e3),
         ],
         (StudyKind::Building, Language::Korean) => &[
-            ("peak_edge_drift_ratio", "최대 층간변위 (층고의 %)", 100.0),
+            ("peak_corner_drift_ratio", "최대 층간변위 (층고의 %)", 100.0),
             ("peak_stroke_m", "제진장치 행정 (mm)", 1e3),
         ],
     }

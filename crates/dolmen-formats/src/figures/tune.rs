@@ -43,15 +43,15 @@ fn along(answer: &TuneAnswer, language: Language) -> (String, impl Fn(&MapCell) 
     let (sin, cos) = degrees.to_radians().sin_cos();
     let name = match degrees {
         90.0 => language
-            .pick("x of the damper (m)", "제어기의 x 위치 (m)")
+            .pick("x of the damper (m)", "제진장치의 x 위치 (m)")
             .to_owned(),
         0.0 => language
-            .pick("y of the damper (m)", "제어기의 y 위치 (m)")
+            .pick("y of the damper (m)", "제진장치의 y 위치 (m)")
             .to_owned(),
         _ => language
             .pick(
                 "Place of the damper across its direction (m)",
-                "진동 방향에 직각인 제어기 위치 (m)",
+                "진동 방향에 직각인 제진장치 위치 (m)",
             )
             .to_owned(),
     };
@@ -104,7 +104,7 @@ fn position(answer: &TuneAnswer, language: Language) -> String {
     );
     plot.svg(language.pick(
         "Motion of the points against the place of the damper",
-        "제어기 위치에 따른 관측점의 RMS",
+        "제진장치 위치에 따른 관측점의 RMS",
     ))
 }
 
@@ -307,7 +307,7 @@ fn robustness(answer: &TuneAnswer, language: Language) -> String {
                 .collect();
             plot.line(points, line);
             let which = match k {
-                0 => language.pick("as in the file", "입력한 제어기"),
+                0 => language.pick("as in the file", "입력한 제진장치"),
                 _ => language.pick("placed and tuned best", "최적 위치와 동조"),
             };
             let what = match frequency {

@@ -54,8 +54,8 @@ fn standing(standing: &StandingBuilding) -> Value {
         "against_without": standing.against_without().iter().map(|of| json!({
             "what": of.what[0], "ratio": of.ratio,
         })).collect::<Vec<_>>(),
-        "beyond_room": standing.beyond_room().iter().map(|(damper, stroke_m, room_m)| json!({
-            "damper": damper.name, "stroke_m": stroke_m, "room_m": room_m,
+        "beyond_room": standing.beyond_room().iter().map(|beyond| json!({
+            "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
         })).collect::<Vec<_>>(),
     })
 }
@@ -67,7 +67,7 @@ pub(super) fn damper(damper: &BuiltDamper) -> Value {
         "mode": damper.tuned_to.map(|tuned| tuned.mode), "mass_ratio": damper.tuned_to.map(|tuned| tuned.mass_ratio),
         "mass_kg": damper.kind.mass_kg(),
         "frequency_hz": damper.own().map(|own| own[0]), "damping_ratio": damper.own().map(|own| own[1]),
-        "tuning": damper.tuning.map(|tuning| tuning.name()), "room_m": damper.room_m,
+        "tuning": damper.tuning.map(|tuning| tuning.name()), "room_m": damper.room_m, "liquid_room_m": damper.liquid_room_m,
     });
     let rest = match damper.kind {
         DamperKind::TunedMass { .. } => json!({}),
@@ -151,7 +151,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "dashpot_forces_n": simulation.dashpot_forces_n().iter().map(|force| force.as_ref().map(peak)).collect::<Vec<_>>(),
         "points": points.collect::<Vec<_>>(),
         "drift_ratio": simulation.drift().ratio,
-        "drift_at": if simulation.drift().at_edge { "edge" } else { "centre_of_mass" },
+        "drift_at": if simulation.drift().at_corner { "corner" } else { "centre_of_mass" },
         "against_without": simulation.without_dampers.is_some().then(|| simulation.against_without().iter().map(|of| json!({
             "what": of.what[0], "ratio": of.ratio,
         })).collect::<Vec<_>>()),
@@ -176,6 +176,10 @@ fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
             "rotation_rad": peak(&floor.rotation_rad),
             "drift_x_m": peak(&storey.drift_x_m), "drift_y_m": peak(&storey.drift_y_m), "twist_rad": peak(&storey.twist_rad),
             "edge_drift_x_m": storey.edge_drift_x_m.as_ref().map(peak), "edge_drift_y_m": storey.edge_drift_y_m.as_ref().map(peak),
+            "resultant_drift": {
+                "size_m": storey.resultant.size_m, "at_s": storey.resultant.at_s, "place_m": storey.resultant.place_m,
+                "direction_deg": storey.resultant.direction_degrees,
+            },
         })
     });
     json!({

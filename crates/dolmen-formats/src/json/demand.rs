@@ -96,6 +96,8 @@ fn stack(stack: &StackDemandCheck) -> Value {
             "capacity_m_s2": at(&row.capacity),
             "capacity_with_vertical_m_s2": at(&row.capacity_with_vertical),
             "period_s": row.period_s,
+            "amplification": row.amplification,
+            "ratio_at_most": row.ratio_at_most(),
             "rigid": comparison(&row.comparison.rigid),
             "elastic": row.comparison.elastic.as_ref().map(comparison),
             "verdict": row.comparison.verdict.words(),

@@ -24,6 +24,7 @@ pub fn simulation_json(simulation: &Simulation) -> Value {
         "duration_s": history.time_s.last(),
         "settlement_m": history.settlement_m,
         "outcome": outcome(simulation),
+        "damage_state": simulation.damage.state.number(),
         "joints": joints(simulation),
         "blocks": blocks(simulation),
         "broken_ties": history.broken_ties,
@@ -69,6 +70,14 @@ pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
 }
 
 fn outcome(simulation: &Simulation) -> Value {
+    let until_then = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        None => until_then,
+    }
+}
+
+fn ending(simulation: &Simulation) -> Value {
     let name = |block: usize| simulation.stack.blocks().get(block).map(|b| b.name.as_str());
     match simulation.history.outcome {
         Outcome::Stood => json!({ "kind": "stood" }),

@@ -7,8 +7,7 @@ use super::quantity::{Pick, Quantity};
 use dolmen::dynamics::{DynamicsError, VibratingBuilding};
 use dolmen::structure::Building;
 use dolmen::structure::building::{
-    BuildingDamping, BuildingError, BuildingModes, DampingAnchor, Element, Floor, Outline, PDelta, Storey,
-    StoreyStiffness,
+    BuildingDamping, BuildingError, DampingAnchor, Element, Floor, Outline, PDelta, Storey, StoreyStiffness,
 };
 
 /// A wall or column as the file gives it.
@@ -124,9 +123,16 @@ pub struct BuildingPart {
     pub points: Vec<WatchedPart>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
+    /// Kept from reading, which needs its modes.
+    pub(super) as_written: Option<VibratingBuilding>,
 }
 
 impl BuildingPart {
+    /// The building with the file's own values and its damping, without its dampers; `None` if it falls under its own weight.
+    pub fn as_written(&self) -> Option<&VibratingBuilding> {
+        self.as_written.as_ref()
+    }
+
     /// Floors and storeys, one each, lowest first.
     ///
     /// # Errors
@@ -179,6 +185,14 @@ impl BuildingPart {
         Building::new(floors, storeys, p_delta)
     }
 
+    /// The building with its damping, without its dampers.
+    ///
+    /// # Errors
+    /// As [`BuildingPart::build`] and [`VibratingBuilding::new`].
+    pub fn vibrating(&self, pick: Pick<'_>) -> Result<VibratingBuilding, DynamicsError> {
+        VibratingBuilding::new(self.build(pick)?, &self.damping(pick), Vec::new())
+    }
+
     /// Its damping; 5 % in every mode if the file gives none.
     pub fn damping(&self, pick: Pick<'_>) -> BuildingDamping {
         const DEFAULT: f64 = 0.05; // what the spectra of codes are for
@@ -202,23 +216,11 @@ impl BuildingPart {
     /// [`DamperFault`] for one whose mode does not move there, that is too heavy, or that is not on its floor.
     pub fn dampers(
         &self,
-        building: &Building,
-        modes: &BuildingModes,
+        building: &VibratingBuilding,
         pick: Pick<'_>,
     ) -> Result<Vec<BuiltDamper>, DamperFault> {
-        let ratios = modes
-            .damping_ratios(&self.damping(pick))
-            .map_err(|why| DamperFault::Place {
-                name: self
-                    .dampers
-                    .first()
-                    .map_or(String::new(), |part| part.name.clone()),
-                why,
-            })?;
         let around = Around {
-            building,
-            modes,
-            damping_ratios: &ratios,
+            vibrating: building,
             gravity_m_s2: self.gravity_m_s2,
         };
         let mut built = Vec::with_capacity(self.dampers.len());
@@ -226,14 +228,6 @@ impl BuildingPart {
             built.extend(part.build(&around, pick)?);
         }
         Ok(built)
-    }
-
-    /// The building with its damping, without its dampers.
-    ///
-    /// # Errors
-    /// As [`VibratingBuilding::new`].
-    pub fn vibrating(&self, building: Building, pick: Pick<'_>) -> Result<VibratingBuilding, DynamicsError> {
-        VibratingBuilding::new(building, &self.damping(pick), Vec::new())
     }
 
     /// The part that floor `floor`, from 1, comes from: its number from 1.

@@ -3,8 +3,8 @@
 use super::built_damper::{BuiltDamper, TunedTo};
 use super::quantity::{Pick, Quantity};
 use dolmen::damper::{AttachedDamper, ColumnAsMass, DamperError, DamperKind, TuningRule};
-use dolmen::structure::Building;
-use dolmen::structure::building::{BuildingError, BuildingMode, BuildingModes, PlanDirection};
+use dolmen::dynamics::VibratingBuilding;
+use dolmen::structure::building::{BuildingError, BuildingMode, PlanDirection};
 use std::f64::consts::TAU;
 
 /// The mass of a damper.
@@ -117,6 +117,8 @@ pub struct DamperPart {
     pub body: DamperBody,
     /// Room that it has to move, each way, m.
     pub stroke: Option<Quantity>,
+    /// Room of the liquid of a column on a spring, each way, m.
+    pub liquid_stroke: Option<Quantity>,
 }
 
 /// Why a damper cannot be.
@@ -191,9 +193,7 @@ pub enum DamperFault {
 
 /// A building as a damper needs it.
 pub(super) struct Around<'a> {
-    pub(super) building: &'a Building,
-    pub(super) modes: &'a BuildingModes,
-    pub(super) damping_ratios: &'a [f64],
+    pub(super) vibrating: &'a VibratingBuilding,
     pub(super) gravity_m_s2: f64,
 }
 
@@ -218,7 +218,7 @@ impl DamperFrequency {
 impl DamperPart {
     pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
         all.extend(self.place.iter());
-        all.extend(&self.stroke);
+        all.extend(self.stroke.iter().chain(&self.liquid_stroke));
         match &self.body {
             DamperBody::Link {
                 coefficient,
@@ -267,6 +267,7 @@ impl DamperPart {
     pub(super) fn build(&self, around: &Around<'_>, pick: Pick<'_>) -> Result<Vec<BuiltDamper>, DamperFault> {
         let place_m = [pick(&self.place[0]), pick(&self.place[1])];
         let room_m = self.stroke.as_ref().map(&mut *pick);
+        let liquid_room_m = self.liquid_stroke.as_ref().map(&mut *pick);
         let built = |name: String, place_m: [f64; 2], row: Vec<f64>, kind| BuiltDamper {
             name,
             floor: self.floor,
@@ -277,6 +278,7 @@ impl DamperPart {
             tuned_to: None,
             tuning: None,
             room_m,
+            liquid_room_m,
             to: None,
         };
         let row = self.row(around, self.floor, place_m)?;
@@ -320,7 +322,7 @@ impl DamperPart {
                 modal_mass_kg: at.modal_mass_kg,
             });
         }
-        let building_kg = around.building.mass_kg();
+        let building_kg = around.vibrating.building().mass_kg();
         if mass_kg > building_kg {
             return Err(DamperFault::HeavierThanAll {
                 name: self.name.clone(),
@@ -430,13 +432,14 @@ impl DamperPart {
     }
 
     fn row(&self, around: &Around<'_>, floor: usize, [x_m, y_m]: [f64; 2]) -> Result<Vec<f64>, DamperFault> {
-        around
-            .building
-            .point_row(floor, x_m, y_m, self.direction)
-            .map_err(|why| DamperFault::Place {
-                name: self.name.clone(),
-                why,
-            })
+        let row = around
+            .vibrating
+            .building()
+            .point_row(floor, x_m, y_m, self.direction);
+        row.map_err(|why| DamperFault::Place {
+            name: self.name.clone(),
+            why,
+        })
     }
 
     fn at_mode(
@@ -451,7 +454,7 @@ impl DamperPart {
         /// Modes whose frequencies are this near, relatively, are one.
         const ONE_FREQUENCY: f64 = 1e-6;
         let name = self.name.clone();
-        let modes = around.modes;
+        let (building, modes) = (around.vibrating.building(), around.vibrating.modes());
         let Some((index, mode)) = number.checked_sub(1).and_then(|j| Some((j, modes.modes.get(j)?))) else {
             return Err(DamperFault::Mode {
                 name,
@@ -470,15 +473,13 @@ impl DamperPart {
         let along = moved_by(row);
         let base = 3 * (self.floor - 1);
         let moves = |direction| {
-            let row = around
-                .building
+            let row = building
                 .point_row(self.floor, place_m[0], place_m[1], direction)
                 .unwrap_or_default();
             moved_by(&row)
         };
         let (u, v) = (moves(PlanDirection::X), moves(PlanDirection::Y));
-        let gyration = around
-            .building
+        let gyration = building
             .floors()
             .get(self.floor - 1)
             .map_or(0.0, |floor| floor.gyration_m);
@@ -502,7 +503,12 @@ impl DamperPart {
         Ok(AtMode {
             modal_mass_kg: 1.0 / (along * along),
             frequency_hz: mode.frequency_hz,
-            damping_ratio: around.damping_ratios.get(index).copied().unwrap_or(0.0),
+            damping_ratio: around
+                .vibrating
+                .damping_ratios()
+                .get(index)
+                .copied()
+                .unwrap_or(0.0),
         })
     }
 }

@@ -34,6 +34,8 @@ pub struct BuiltDamper {
     pub tuning: Option<TuningRule>,
     /// Room each way, m, if given.
     pub room_m: Option<f64>,
+    /// Room of the liquid of a column on a spring each way, m, if given.
+    pub liquid_room_m: Option<f64>,
     /// Floor (0: the ground) and place of the other end of a link, m.
     pub to: Option<(usize, [f64; 2])>,
 }
@@ -144,8 +146,42 @@ impl BuiltDamper {
         })
     }
 
+    /// Whether something in it has a damping ratio above 1.
+    pub fn is_overdamped(&self) -> bool {
+        let liquid = match self.kind {
+            DamperKind::LiquidColumnMass {
+                liquid_damping_ratio, ..
+            } => liquid_damping_ratio,
+            _ => 0.0,
+        };
+        self.own().is_some_and(|[_, ratio]| ratio.max(liquid) > 1.0)
+    }
+
     /// What moves in it besides its stroke: the liquid of a column on a spring.
     pub fn has_liquid_apart(&self) -> bool {
         matches!(self.kind, DamperKind::LiquidColumnMass { .. })
     }
+}
+
+/// What moves in a damper.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stroke {
+    /// The damper, or "NAME liquid" for the liquid of a column on a spring.
+    pub name: String,
+    /// Room each way, m, if given.
+    pub room_m: Option<f64>,
+}
+
+/// All strokes of dampers in the order of their values: the dampers, then the liquids of columns on springs.
+pub fn strokes_of(dampers: &[BuiltDamper]) -> Vec<Stroke> {
+    let own = dampers.iter().map(|damper| Stroke {
+        name: damper.name.clone(),
+        room_m: damper.room_m,
+    });
+    let apart = dampers.iter().filter(|damper| damper.has_liquid_apart());
+    let liquids = apart.map(|damper| Stroke {
+        name: format!("{} liquid", damper.name),
+        room_m: damper.liquid_room_m,
+    });
+    own.chain(liquids).collect()
 }

@@ -146,6 +146,8 @@ pub(super) struct DamperRaw {
     pub(super) liquid_frequency: Option<At<QuantityRaw>>,
     /// Of a tlcmd: the liquid's damping ratio.
     pub(super) liquid_damping_ratio: Option<At<QuantityRaw>>,
+    /// Of a tlcmd: room that the liquid has to rise and sink, each way.
+    pub(super) liquid_stroke: Option<At<QuantityRaw>>,
     /// Of a link: force per velocity, "500 kN*s/m".
     pub(super) coefficient: Option<At<QuantityRaw>>,
     /// Of a link: floor of its other end, 0 for the ground; the floor below if not given.

@@ -16,6 +16,7 @@ mod file_stack;
 mod file_study;
 mod file_survey;
 mod files;
+mod foreign;
 mod frame;
 mod measure;
 mod merge;
@@ -60,7 +61,7 @@ pub use building::{
 pub use building_damper::{
     DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart,
 };
-pub use built_damper::{BuiltDamper, TunedTo};
+pub use built_damper::{BuiltDamper, Stroke, TunedTo, strokes_of};
 pub use chain::{Cap, ChainPart, Heaviness, JointFrictionPart, JointPart, LinkPart};
 pub use combine::{canonical_text, parse_combination};
 pub use content::{Names, Project, Structure, Variant, Warning, WarningKind};

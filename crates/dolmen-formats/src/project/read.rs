@@ -6,6 +6,7 @@ use super::error::{Fault, ProjectError};
 use super::file::{FileRaw, KindRaw, NamesRaw};
 use super::file_number::At;
 use super::files::Files;
+use super::foreign::foreign_keys;
 use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::quantity::Quantity;
@@ -17,7 +18,7 @@ use super::read_structure::{chain, frame};
 use super::read_study::studies;
 use super::read_survey::{change, surveys};
 use super::reader::{Reader, names};
-use super::schema::{KEYS_OF_KIND, SCHEMA_VERSION, kind_word};
+use super::schema::{SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
 use super::slips;
 use super::units::STANDARD_GRAVITY_M_S2;
@@ -211,41 +212,6 @@ pub(super) fn read_one<'i>(
     project.filter(|_| sound)
 }
 
-/// Keys of another kind: `storeys` in a chain.
-fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
-    let Some(kind) = root
-        .get("kind")
-        .and_then(|kind| kind.get_ref().as_str())
-        .map(str::to_owned)
-    else {
-        return;
-    };
-    if kind != "survey" && KEYS_OF_KIND.iter().all(|(owner, _)| *owner != kind) {
-        return; // a misspelled kind is one fault
-    }
-    if kind == "survey"
-        && let Some((key, _)) = root.remove_entry("motion")
-    {
-        let message = "\"motion\" moves a structure, but this file has kind = \"survey\"";
-        let fault = Fault::new(key.span(), "motion", message).allowed("has no meaning here");
-        faults.push(fault.help("take it out, or write the kind of the structure with its parts"));
-    }
-    for (owner, keys) in KEYS_OF_KIND.iter().filter(|(owner, _)| *owner != kind) {
-        for name in *keys {
-            if let Some((key, _)) = root.remove_entry(*name) {
-                let message =
-                    format!("\"{name}\" belongs to kind = \"{owner}\", but this file has kind = \"{kind}\"");
-                let help = format!("take it out, or write kind = \"{owner}\"");
-                faults.push(
-                    Fault::new(key.span(), name, message)
-                        .allowed("has no meaning here")
-                        .help(help),
-                );
-            }
-        }
-    }
-}
-
 fn of_raw(
     (text, files): (&str, &Files),
     mut raw: FileRaw,
@@ -279,7 +245,7 @@ fn of_raw(
     let site = site(&mut reader, raw.site.as_ref());
     let motions = motions(&mut reader, raw.motion.as_ref());
     let studies = studies(&mut reader, text, raw.study.as_ref());
-    let structure = match kind {
+    let mut structure = match kind {
         Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(Structure::Chain),
         Some(KindRaw::Frame) => {
             let mut surveyed: Vec<String> = Vec::new();
@@ -302,7 +268,7 @@ fn of_raw(
     if !reader.has_wrong_units {
         slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
     }
-    buildable(&mut reader, structure.as_ref());
+    buildable(&mut reader, structure.as_mut());
     let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
     let mut project = match (schema, structure, name) {
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
@@ -331,7 +297,7 @@ fn of_raw(
 }
 
 /// What the science refuses beyond what has been checked here: storeys whose axial force grows upwards.
-fn buildable(reader: &mut Reader, structure: Option<&Structure>) {
+fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
     if !reader.faults.is_empty() {
         return;
     }
@@ -399,7 +365,10 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
                 }
                 _ => paths.join(", "),
             };
-            let message = format!("{} inputs are {what}: {listed}", paths.len());
+            let message = match paths.len() {
+                1 => format!("1 input is {what}: {listed}"),
+                count => format!("{count} inputs are {what}: {listed}"),
+            };
             reader.warn(WarningKind::Assumed, first, message);
         }
     }

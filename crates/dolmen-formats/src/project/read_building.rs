@@ -12,6 +12,7 @@ use super::read_stack::lengths;
 use super::read_structure::{countable, heaviness, missing};
 use super::reader::Reader;
 use super::slips_damper::judge_dampers;
+use dolmen::dynamics::{DynamicsError, VibratingBuilding};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingError, Outline, PDelta, PlanDirection};
 
@@ -60,6 +61,7 @@ pub(super) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
         dampers,
         points,
         gravity_m_s2,
+        as_written: None,
     })
 }
 
@@ -425,10 +427,17 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
 
 /// What the science refuses beyond what has been checked here, at the line that it is about. A building that falls under its
 /// weight is a verdict, and no fault of the file.
-pub(super) fn buildable(reader: &mut Reader, part: &BuildingPart) {
+pub(super) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
     let pick = &mut Quantity::nominal;
-    let built = part.floors_and_storeys(pick);
-    let built = built.and_then(|(floors, storeys)| Building::new(floors, storeys, PDelta::LeftOut));
+    let (built, stands) = match part.build(pick) {
+        // its dampers are judged all the same
+        Err(BuildingError::Falls { .. }) => {
+            let parts = part.floors_and_storeys(pick);
+            let elastic = parts.and_then(|(floors, storeys)| Building::new(floors, storeys, PDelta::LeftOut));
+            (elastic, false)
+        }
+        built => (built, true),
+    };
     let building = match built {
         Ok(building) => building,
         Err(why) => {
@@ -454,20 +463,18 @@ pub(super) fn buildable(reader: &mut Reader, part: &BuildingPart) {
             reader.fault(Fault::new(reader.place(&path), &path, format!("{path}: {why}")));
         }
     }
-    let modes = match building.modes() {
-        Ok(modes) => modes,
-        Err(why) => {
+    let vibrating = match VibratingBuilding::new(building, &part.damping(pick), Vec::new()) {
+        Ok(vibrating) => vibrating,
+        Err(DynamicsError::Building(why @ BuildingError::Linalg(_))) => {
             reader.fault(Fault::new(reader.place("floors"), "floors", why.to_string()));
             return;
         }
+        Err(why) => {
+            let message = format!("damping: {why}");
+            reader.fault(Fault::new(reader.place("damping"), "damping", message));
+            return; // dampers are tuned to damped modes
+        }
     };
-    if let Err(why) = modes.damping_ratios(&part.damping(pick)) {
-        reader.fault(Fault::new(
-            reader.place("damping"),
-            "damping",
-            format!("damping: {why}"),
-        ));
-        return; // dampers are tuned to damped modes
-    }
-    judge_dampers(reader, part, &building, &modes);
+    judge_dampers(reader, part, &vibrating);
+    part.as_written = stands.then_some(vibrating);
 }

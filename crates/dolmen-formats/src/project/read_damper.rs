@@ -108,6 +108,12 @@ fn damper(reader: &mut Reader, name: &str, raw: &At<DamperRaw>, floors: usize) -
         &format!("{path}.stroke"),
         Measure::Length,
     );
+    let liquid_stroke = positive(
+        reader,
+        given.liquid_stroke.as_ref(),
+        &format!("{path}.liquid_stroke"),
+        Measure::Length,
+    );
     let body = match kind {
         DamperKindRaw::Link => link(reader, raw, &path, (floor, floors)),
         _ => moving(reader, kind, raw, &path, floors),
@@ -120,6 +126,7 @@ fn damper(reader: &mut Reader, name: &str, raw: &At<DamperRaw>, floors: usize) -
         direction: direction?,
         body: body?,
         stroke,
+        liquid_stroke,
     })
 }
 
@@ -178,6 +185,7 @@ fn only_its_keys(reader: &mut Reader, kind: DamperKindRaw, given: &DamperRaw, pa
         ("length", span(&given.length), &[Tlcd, Tlcmd]),
         ("liquid_share", span(&given.liquid_share), &[Tlcmd]),
         ("liquid_frequency", span(&given.liquid_frequency), &[Tlcmd]),
+        ("liquid_stroke", span(&given.liquid_stroke), &[Tlcmd]),
         (
             "liquid_damping_ratio",
             span(&given.liquid_damping_ratio),
@@ -492,7 +500,7 @@ fn masses(reader: &mut Reader, raw: Option<&At<Vec<At<MassRaw>>>>, path: &str) -
         let fault = Fault::new(
             list.span.clone(),
             &key,
-            format!("the shares of {key} add up to {sum}"),
+            format!("the shares of {key} add up to {}", sum + 0.0), // −0 of none
         );
         reader.fault(fault.allowed("must add up to 1: they are parts of the damper's mass"));
         return None;

@@ -1,12 +1,13 @@
 //! Probable slips in the dampers of a building, and what the science refuses of them.
 
 use super::building::BuildingPart;
-use super::building_damper::DamperPart;
+use super::building_damper::{Around, DamperPart};
 use super::built_damper::BuiltDamper;
 use super::error::Fault;
 use super::quantity::Quantity;
 use super::reader::Reader;
 use dolmen::damper::DamperKind;
+use dolmen::dynamics::VibratingBuilding;
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingModes, Outline};
 
@@ -24,20 +25,16 @@ const ROOM_LEAST_M: f64 = 0.002;
 const ROOM_MOST_M: f64 = 5.0;
 
 /// Each damper alone on the building.
-pub(super) fn judge_dampers(
-    reader: &mut Reader,
-    part: &BuildingPart,
-    building: &Building,
-    modes: &BuildingModes,
-) {
+pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating: &VibratingBuilding) {
+    let (building, modes) = (vibrating.building(), vibrating.modes());
+    let around = Around {
+        vibrating,
+        gravity_m_s2: part.gravity_m_s2,
+    };
     for damper in &part.dampers {
-        let alone = BuildingPart {
-            dampers: vec![damper.clone()],
-            ..part.clone()
-        };
         let path = format!("damper.{}", damper.name);
         judge_room(reader, damper, building);
-        let built = match alone.dampers(building, modes, &mut Quantity::nominal) {
+        let built = match damper.build(&around, &mut Quantity::nominal) {
             Ok(built) => built,
             Err(why) => {
                 reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
@@ -77,7 +74,8 @@ fn judge_tune(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &Buildi
         reader.slip(
             path,
             message,
-            "is it in Hz, not rad/s, and for this mode?".to_owned(),
+            "is its frequency in Hz, not rad/s, its length (of a column) in m, and its mode the one meant?"
+                .to_owned(),
         );
     }
     if let DamperKind::LiquidColumnMass {
@@ -118,21 +116,22 @@ fn judge_dashpot(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &Bui
 }
 
 fn judge_room(reader: &mut Reader, damper: &DamperPart, building: &Building) {
-    let Some(room) = &damper.stroke else { return };
     let floor = damper
         .floor
         .checked_sub(1)
         .and_then(|index| building.floors().get(index));
     let outline = floor.and_then(|floor| floor.outline.as_ref());
     let most_m = outline.map_or(ROOM_MOST_M, |outline| 0.5 * longest_side_m(outline));
-    if !(ROOM_LEAST_M..=most_m).contains(&room.value) {
-        let message = format!(
-            "{} = {}, but dampers have {} mm to {most_m} m of room each way here",
-            room.path,
-            room.written,
-            1e3 * ROOM_LEAST_M
-        );
-        reader.slip(&room.path, message, "is it in m or mm?".to_owned());
+    for room in damper.stroke.iter().chain(&damper.liquid_stroke) {
+        if !(ROOM_LEAST_M..=most_m).contains(&room.value) {
+            let message = format!(
+                "{} = {}, but dampers have {} mm to {most_m} m of room each way here",
+                room.path,
+                room.written,
+                1e3 * ROOM_LEAST_M
+            );
+            reader.slip(&room.path, message, "is it in m or mm?".to_owned());
+        }
     }
 }
 

@@ -2,7 +2,8 @@
 
 use super::quantity::{Pick, Quantity};
 use super::stack::{
-    BedPart, BlockPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart, StackPart,
+    BedPart, BlockPart, ContactPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
+    StackPart,
 };
 use dolmen::structure::stack::{
     BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
@@ -39,6 +40,20 @@ pub enum StackFault {
         /// What is allowed, m.
         allowed_m: f64,
     },
+    /// One joint is given twice.
+    #[error(
+        "{path} gives the joint of '{upper}' on '{lower}' a second time, after contacts[{first}]: keep one of them"
+    )]
+    Twice {
+        /// Where in the file: `contacts[2]`.
+        path: String,
+        /// The upper block.
+        upper: String,
+        /// What it stands on.
+        lower: String,
+        /// The contact that gave it first, from 1.
+        first: usize,
+    },
 }
 
 impl StackFault {
@@ -50,7 +65,9 @@ impl StackFault {
     /// Where in the file.
     pub fn path(&self) -> &str {
         match self {
-            StackFault::Part { path, .. } | StackFault::Apart { path, .. } => path,
+            StackFault::Part { path, .. }
+            | StackFault::Apart { path, .. }
+            | StackFault::Twice { path, .. } => path,
         }
     }
 }
@@ -360,6 +377,20 @@ impl StackPart {
             }
         }
         for (i, contact) in self.contacts.iter().enumerate() {
+            let ends_of = |contact: &ContactPart| [contact.lower, Body::Block(contact.upper)];
+            let [lower, upper] = ends_of(contact);
+            let same = |other: &ContactPart| {
+                let [a, b] = ends_of(other);
+                (a, b) == (lower, upper) || (b, a) == (lower, upper)
+            };
+            if let Some(first) = self.contacts[..i].iter().position(same) {
+                return Err(StackFault::Twice {
+                    path: format!("contacts[{}]", i + 1),
+                    upper: stack.name(upper).to_owned(),
+                    lower: stack.name(lower).to_owned(),
+                    first: first + 1,
+                });
+            }
             let meets = |(lower, upper): &(Body, usize)| {
                 (contact.lower, contact.upper) == (*lower, *upper)
                     || (Body::Block(contact.upper), contact.lower) == (*lower, Body::Block(*upper))

@@ -95,6 +95,7 @@ const SYMBOLS: &[(&str, f64, Dimension)] = &[
     ("N", 1.0, Dimension::FORCE),
     ("kN", 1e3, Dimension::FORCE),
     ("MN", 1e6, Dimension::FORCE),
+    ("GN", 1e9, Dimension::FORCE),
     ("Pa", 1.0, Dimension::STRESS),
     ("kPa", 1e3, Dimension::STRESS),
     ("MPa", 1e6, Dimension::STRESS),

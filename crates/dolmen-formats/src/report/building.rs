@@ -8,7 +8,7 @@ use crate::answer::{Check, VariantAnswer};
 use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, StandingBuilding};
 use crate::figures::building_plan;
 use crate::number::{beside_one, fixed, percent, prefix, significant};
-use crate::project::BuiltDamper;
+use crate::project::{BuiltDamper, strokes_of};
 use crate::text::GROWN;
 use dolmen::stability::Verdict;
 use dolmen::structure::building::StoreyFall;
@@ -70,8 +70,11 @@ fn more_finding(standing: &StandingBuilding, language: Language) -> Option<Findi
 
 /// Dampers that need more room under the spectrum of the site than they have.
 fn room_findings(standing: &StandingBuilding, language: Language) -> Vec<Finding> {
-    let each = standing.beyond_room().into_iter().map(|(damper, stroke_m, room_m)| {
-        let (needed, has) = (significant(1e3 * stroke_m, 4), significant(1e3 * room_m, 4));
+    let each = standing.beyond_room().into_iter().map(|damper| {
+        let (needed, has) = (
+            significant(1e3 * damper.stroke_m, 4),
+            significant(1e3 * damper.room_m, 4),
+        );
         Finding::new(
             Tone::Bad,
             language.pick(
@@ -401,8 +404,7 @@ fn damped_spectrum(
 ) -> Markup {
     let kn = |value: f64| significant(1e-3 * value, 4);
     let [x, y] = damped.base_shear_n.map(kn);
-    let strokes: Vec<String> = standing
-        .dampers
+    let strokes: Vec<String> = strokes_of(&standing.dampers)
         .iter()
         .zip(&damped.strokes_m)
         .map(|(damper, stroke_m)| format!("{} {}\u{202f}mm", damper.name, significant(1e3 * stroke_m, 4)))

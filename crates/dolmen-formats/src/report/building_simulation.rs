@@ -9,6 +9,7 @@ use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::building_histories;
 use crate::number::{percent, significant};
+use crate::project::strokes_of;
 use crate::simulation::{Against, BuildingSimulation};
 use crate::text::GROWN;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -61,8 +62,8 @@ fn moved(simulation: &BuildingSimulation, language: Language) -> String {
         .get(drift.storey.saturating_sub(1))
         .map_or("", String::as_str);
     let ratio = percent(drift.ratio, 3);
-    let (place, place_ko) = match drift.at_edge {
-        true => ("at an edge", "단부"),
+    let (place, place_ko) = match drift.at_corner {
+        true => ("at a corner", "모서리"),
         false => (
             "of a centre of mass (its outline is not known)",
             "질량 중심, 평면 외곽선 없음",
@@ -188,18 +189,17 @@ fn strokes_table(simulation: &BuildingSimulation, language: Language) -> Markup 
     let peaks = &simulation.history.peaks;
     let forces = simulation.dashpot_forces_n();
     let mut rows: Vec<Vec<Cell>> = Vec::new();
-    for (k, (name, stroke)) in simulation
-        .stroke_names()
+    for (k, (of, stroke)) in strokes_of(&simulation.dampers)
         .into_iter()
         .zip(&peaks.strokes_m)
         .enumerate()
     {
-        let room_m = simulation.dampers.get(k).and_then(|damper| damper.room_m);
+        let room_m = of.room_m;
         let stroke_m = stroke.value.abs();
         let text = significant(1e3 * stroke_m, 4);
         let none = || "–".to_owned();
         rows.push(vec![
-            name.into(),
+            of.name.into(),
             match room_m {
                 Some(room_m) if stroke_m > room_m => Cell::bad(text),
                 _ => text.into(),
@@ -246,6 +246,9 @@ fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {
             .pick("edge drift x (mm)", "단부 층간변위 x (mm)")
             .to_owned(),
         "y (mm)".to_owned(),
+        language
+            .pick("corner drift (mm)", "모서리 층간변위 (mm)")
+            .to_owned(),
         language.pick("of the height", "층고에 대한 비").to_owned(),
     ];
     let peaks = &simulation.history.peaks;
@@ -272,22 +275,23 @@ fn floors_table(simulation: &BuildingSimulation, language: Language) -> Markup {
             ];
             row.extend(match edges {
                 Some((x, y)) => {
-                    let most = x.value.abs().max(y.value.abs());
+                    let corner = storey.resultant.size_m;
                     [
                         milli(x.value),
                         milli(y.value),
-                        percent(most / storeys[i].height_m, 3),
+                        milli(corner),
+                        percent(corner / storeys[i].height_m, 3),
                     ]
                     .map(Cell::from)
                 }
-                None => ["–", "–", "–"].map(|none| none.to_owned().into()),
+                None => ["–", "–", "–", "–"].map(|none| none.to_owned().into()),
             });
             row
         })
         .collect();
     let caption = language.pick(
-        "Largest motion of each floor. Displacement of its centre of mass relative to the ground; drift of the storey below it at its edges.",
-        "각 층의 최대 거동. 질량 중심의 지반에 대한 변위와, 그 아래 층의 단부 층간변위.",
+        "Largest motion of each floor. Displacement of its centre of mass relative to the ground; drift of the storey below it at its edges along x and along y, and at its corners in any direction.",
+        "각 층의 최대 거동. 질량 중심의 지반에 대한 변위와, 그 아래 층의 단부(x, y 방향)와 모서리(방향 무관) 층간변위.",
     );
     table(caption, 1, &head, &rows)
 }

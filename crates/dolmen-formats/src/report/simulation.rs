@@ -28,6 +28,8 @@ pub(super) fn findings(simulation: &Simulation, language: Language) -> Vec<Findi
         format!("{motion}(수평 최대 {peak}\u{202f}g, x·y 합성) 작용 시: "),
     );
     let tone = match simulation.history.outcome {
+        _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
+        _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
         Outcome::Stood => Tone::Good,
         Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
         Outcome::Fell { .. } => Tone::Bad,
@@ -38,7 +40,35 @@ pub(super) fn findings(simulation: &Simulation, language: Language) -> Vec<Findi
 
 /// How it ended, in a sentence.
 fn ending(simulation: &Simulation, language: Language) -> String {
-    let korean = match simulation.history.outcome {
+    let korean = korean(simulation);
+    let korean = match simulation.ended_before_the_motion_s() {
+        Some(end_s) => {
+            format!("지진동이 끝나기 전인 {end_s:.2}초에 해석을 마쳐 판정하지 않는다. 그때까지: {korean}")
+        }
+        None => korean,
+    };
+    language.pick(english(simulation), korean)
+}
+
+fn korean(simulation: &Simulation) -> String {
+    let shifted = simulation.shifted().filter(|_| {
+        matches!(
+            simulation.history.outcome,
+            Outcome::Stood | Outcome::Uplifted { .. }
+        )
+    });
+    if let Some((joint, of)) = shifted {
+        let [upper, lower] = simulation.joint_names(joint);
+        let lower = if lower == "ground" { "지반" } else { lower };
+        return format!(
+            "붕괴 없음. 그러나 ‘{lower}’ 위의 ‘{upper}’이(가) 최대 {:.1} mm 미끄러졌고 {:.1} mm(접합면 폭의 {:.1}%)가 남았다(DS{}).",
+            1e3 * of.peak_slip_m,
+            1e3 * of.residual_slip_m,
+            100.0 * of.residual_slip_ratio,
+            simulation.damage.state.number()
+        );
+    }
+    match simulation.history.outcome {
         Outcome::Stood => {
             let least = number::trimmed(1e3 * StackHistory::UPLIFT_LEAST_M, 2);
             format!("붕괴 없음. {least} mm 이상 벌어진 접합면이 없다.")
@@ -76,8 +106,7 @@ fn ending(simulation: &Simulation, language: Language) -> String {
             format!("{at_s:.2}초에 접촉 조건의 해를 찾지 못하여 해석이 중단되었고 판정하지 않는다.")
         }
         _ => "해석이 발산하여 결과를 사용할 수 없다.".to_owned(),
-    };
-    language.pick(english(simulation), korean)
+    }
 }
 
 /// The sentence of the text, without its fixed word in capitals.
@@ -85,6 +114,8 @@ fn english(simulation: &Simulation) -> String {
     let text = outcome_text(simulation);
     let rest = text.split_once(": ").map_or(text.as_str(), |(_, rest)| rest);
     let word = match simulation.history.outcome {
+        _ if simulation.ended_before_the_motion_s().is_some() => "the run ended before the motion; ",
+        _ if text.starts_with("SHIFTED") => "it shifted and stood; ",
         Outcome::Stood => "it stood; ",
         Outcome::Uplifted { .. } => "it rocked and stood; ",
         Outcome::Slid { .. } => "it slid and stood; ",

@@ -29,7 +29,7 @@ pub(super) fn findings(answers: &[TuneAnswer], language: Language) -> Vec<Findin
                         answer.damper
                     ),
                     format!(
-                        "제어기 {}는 비제어보다 응답을 키운다: 비제어 대비 {list}.",
+                        "제진장치 {}는 비제어보다 응답을 키운다: 비제어 대비 {list}.",
                         answer.damper
                     ),
                 ),
@@ -56,7 +56,7 @@ pub(super) fn findings(answers: &[TuneAnswer], language: Language) -> Vec<Findin
                         answer.damper
                     ),
                     format!(
-                        "제어기 {}: 비제어 대비 입력 상태 {given:.3}, 논문의 규칙에 따른 위치 {rule:.3}, 최적 위치와 동조 {best:.3}.",
+                        "제진장치 {}: 비제어 대비 입력 상태 {given:.3}, 논문의 규칙에 따른 위치 {rule:.3}, 최적 위치와 동조 {best:.3}.",
                         answer.damper
                     ),
                 ),
@@ -78,8 +78,8 @@ fn beyond_room(room: &RoomCheck, language: Language, is_given: impl Fn(usize) ->
             Finding::new(
                 Tone::Bad,
                 language.pick(
-                    format!("Damper {} is beyond its room under {}: it needs {needed}\u{202f}mm each way and has {has}\u{202f}mm.", of.damper, of.motion),
-                    format!("제진장치 {}의 행정 {needed}\u{202f}mm가 여유 {has}\u{202f}mm를 넘는다({}).", of.damper, of.motion),
+                    format!("Damper {} is beyond its room under {}: it needs {needed}\u{202f}mm each way and has {has}\u{202f}mm.", of.damper, of.under(language)),
+                    format!("제진장치 {}의 행정 {needed}\u{202f}mm가 여유 {has}\u{202f}mm를 넘는다({}).", of.damper, of.under(language)),
                 ),
             )
         })
@@ -88,8 +88,8 @@ fn beyond_room(room: &RoomCheck, language: Language, is_given: impl Fn(usize) ->
         all.push(Finding::new(
             Tone::Unknown,
             language.pick(
-                "The room of a damper is given, and the file has no motion to hold it against.",
-                "제진장치의 여유 공간은 주어졌으나 비교할 지진동이 없다.",
+                "The room of a damper is given, and the file has no motion or site to hold it against.",
+                "제진장치의 여유 공간은 주어졌으나 비교할 지진동이나 부지 스펙트럼이 없다.",
             ),
         ));
     }
@@ -114,7 +114,7 @@ pub(super) fn sections(answers: &[TuneAnswer], language: Language) -> Markup {
 
 fn section(answer: &TuneAnswer, language: Language) -> Markup {
     html! {
-        h2 { (language.pick("Damper: ", "제어기: ")) (answer.damper) }
+        h2 { (language.pick("Damper: ", "제진장치: ")) (answer.damper) }
         p { (lead(answer, language)) }
         (choices(answer, language))
         @for found in tune_figures(answer, language) {
@@ -128,13 +128,13 @@ fn section(answer: &TuneAnswer, language: Language) -> Markup {
             } @else {
                 @for sentence in korean_sentences(answer) { p { (sentence) } }
                 @for of in answer.room.beyond() {
-                    p { "여유 초과: " (row_words(answer, of.row, language)) "의 경우 " (of.motion) "에서 행정 "
+                    p { "여유 초과: " (row_words(answer, of.row, language)) "의 경우 " (of.under(language)) "에서 행정 "
                         (significant(1e3 * of.stroke_m, 4)) " mm, 여유 " (significant(1e3 * of.room_m, 4)) " mm." }
                 }
             }
             p { (language.pick(
                 "The rule of Hwang, Min & Hong puts a damper as far from the centre of the mode as the floor allows. It makes the damper work more on that mode, not the points move less. Their eq. 5a gives a damper along x the sign +Y; by their own eq. 12 it is −Y, which is used here.",
-                "황재승·민경원·홍성목의 규칙은 제어기를 모드 중심에서 가장 먼 곳에 둔다. 이는 해당 모드에 대한 제어 효과를 키울 뿐이며 관측점의 응답을 최소로 하지는 않는다. 논문의 식 (5a)는 X방향 제어기에 +Y를 쓰지만 식 (12)와 맞추면 −Y가 옳으며 여기서는 −Y를 쓴다.",
+                "황재승·민경원·홍성목의 규칙은 제진장치를 모드 중심에서 가장 먼 곳에 둔다. 이는 해당 모드에 대한 제어 효과를 키울 뿐이며 관측점의 응답을 최소로 하지는 않는다. 논문의 식 (5a)는 X방향 제진장치에 +Y를 쓰지만 식 (12)와 맞추면 −Y가 옳으며 여기서는 −Y를 쓴다.",
             )) }
         }
     }
@@ -159,7 +159,7 @@ fn lead(answer: &TuneAnswer, language: Language) -> String {
             answer.load.english()
         ),
         format!(
-            "{}차 모드 {:.4} Hz, 제어기 위치의 모드질량 {:.1} kg, 질량비 {:.4}. 하중: {}. 응답 방향 {direction}.",
+            "{}차 모드 {:.4} Hz, 제진장치 위치의 모드질량 {:.1} kg, 질량비 {:.4}. 하중: {}. 응답 방향 {direction}.",
             answer.mode,
             answer.mode_frequency_hz,
             comparison.modal_mass_kg,
@@ -182,7 +182,7 @@ fn choice(choice: Choice, mode: usize, language: Language) -> String {
 
 fn choices(answer: &TuneAnswer, language: Language) -> Markup {
     let mut head = vec![
-        language.pick("Damper", "제어기").to_owned(),
+        language.pick("Damper", "제진장치").to_owned(),
         "x (m)".to_owned(),
         "y (m)".to_owned(),
         language.pick("frequency (Hz)", "진동수 (Hz)").to_owned(),
@@ -219,7 +219,7 @@ fn choices(answer: &TuneAnswer, language: Language) -> Markup {
     table(
         language.pick(
             "What each choice of place and tuning does. Standard deviations over those without a damper; the stroke over that of the damper as in the file.",
-            "위치와 동조에 따른 제어 효과. 비제어 대비 표준편차의 비이며 행정은 입력한 제어기에 대한 비이다.",
+            "위치와 동조에 따른 제어 효과. 비제어 대비 표준편차의 비이며 행정은 입력한 제진장치에 대한 비이다.",
         ),
         1,
         &head,
@@ -239,7 +239,7 @@ fn korean_sentences(answer: &TuneAnswer) -> Vec<String> {
         }
         if row.end == Some(DesignEnd::Limit) {
             all.push(format!(
-                "‘{}’은 제어기 감쇠 또는 진동수의 한계값에 있다.",
+                "‘{}’은 제진장치 감쇠 또는 진동수의 한계값에 있다.",
                 choice(row.choice, answer.mode, Language::Korean)
             ));
         }
@@ -262,7 +262,7 @@ fn aim(rule: Option<TuningRule>, exact: Option<Aim>, language: Language) -> Stri
         (Some(TuningRule::WarburtonBaseHarmonic), _) => "조화 지반가속도 변위의 고정점",
         (Some(TuningRule::Sadek), _) => "두 모드의 감쇠를 같게",
         (Some(TuningRule::Villaverde), _) => "두 모드의 평균 감쇠",
-        (Some(TuningRule::HwangMinHongLiteral), _) => "논문의 값을 제어기 진동수 기준으로",
+        (Some(TuningRule::HwangMinHongLiteral), _) => "논문의 값을 제진장치 진동수 기준으로",
         (None, Some(Aim::ForceRandom)) => "모드 감쇠 포함 엄밀해: 하중, 분산",
         (None, Some(Aim::ForceHarmonic)) => "모드 감쇠 포함 엄밀해: 하중, 최대",
         (None, Some(Aim::BaseRandom)) => "모드 감쇠 포함 엄밀해: 지반, 분산",
@@ -309,7 +309,7 @@ fn tunings(answer: &TuneAnswer, language: Language) -> Markup {
     table(
         language.pick(
             "Tunings of the mode, the damper where it is. ω is the damper's own frequency, Ω that of the mode: authors divide by one or the other.",
-            "제어기 위치를 유지한 동조식 비교. ω는 제어기, Ω는 모드의 진동수이며 저자마다 나누는 값이 다르다.",
+            "제진장치 위치를 유지한 동조식 비교. ω는 제진장치, Ω는 모드의 진동수이며 저자마다 나누는 값이 다르다.",
         ),
         2,
         &head,
@@ -321,7 +321,7 @@ fn caption(name: &str, language: Language) -> &'static str {
     match name {
         "position" => language.pick(
             "Motion of the points against the place of the damper. As Figure 5 of Hwang, Min & Hong, tuned as in the file and tuned anew at each place.",
-            "제어기 위치에 따른 관측점의 RMS. 논문의 그림 5에 해당하며 입력한 동조와 위치마다 새로 동조한 경우이다.",
+            "제진장치 위치에 따른 관측점의 RMS. 논문의 그림 5에 해당하며 입력한 동조와 위치마다 새로 동조한 경우이다.",
         ),
         "plan" => language.pick(
             "The goal for each place of the damper, tuned best there. Lighter is better; crosses are the points.",
@@ -329,7 +329,7 @@ fn caption(name: &str, language: Language) -> &'static str {
         ),
         _ => language.pick(
             "What being out of tune costs. Frequency and damping of the damper off by so much.",
-            "동조 오차의 영향. 제어기의 진동수와 감쇠가 어긋난 경우이다.",
+            "동조 오차의 영향. 제진장치의 진동수와 감쇠가 어긋난 경우이다.",
         ),
     }
 }

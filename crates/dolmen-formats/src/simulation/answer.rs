@@ -1,6 +1,7 @@
 //! What `dolmen simulate` found, with what went in.
 
 use crate::project::Names;
+use dolmen::assess::{DamageThresholds, JointDamage, StackDamage};
 use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::structure::stack::{Body, Stack};
@@ -33,9 +34,43 @@ pub struct Simulation {
     pub law: ContactLaw,
     /// What happened.
     pub history: StackHistory,
+    /// How far it is damaged, by the usual thresholds.
+    pub damage: StackDamage,
 }
 
 impl Simulation {
+    /// When the run ended, s, if that is before the motion did and no stone had fallen: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let motion_s = self.motion.motion.duration_s();
+        let end_s = self.law.run_length_s(motion_s);
+        let is_open = matches!(
+            self.history.outcome,
+            Outcome::Stood | Outcome::Uplifted { .. } | Outcome::Slid { .. }
+        );
+        (is_open && end_s < motion_s * (1.0 - 1e-9)).then_some(end_s)
+    }
+
+    /// The joint with the largest slip left over its width, if that is at least the offset of DS2.
+    pub fn shifted(&self) -> Option<(usize, &JointDamage)> {
+        let DamageThresholds {
+            offset_ratio,
+            offset_m,
+            ..
+        } = DamageThresholds::default();
+        let each = self.damage.joints.iter().enumerate();
+        let shifted =
+            each.filter(|(_, of)| of.residual_slip_ratio >= offset_ratio || of.residual_slip_m >= offset_m);
+        shifted.max_by(|(_, a), (_, b)| a.residual_slip_ratio.total_cmp(&b.residual_slip_ratio))
+    }
+
+    /// The joint that slipped farthest, if sliding began.
+    pub fn slipped(&self) -> Option<(usize, &JointDamage)> {
+        let begun = DamageThresholds::default().slip_begun_m;
+        let each = self.damage.joints.iter().enumerate();
+        let slipped = each.filter(|(_, of)| of.peak_slip_m >= begun);
+        slipped.max_by(|(_, a), (_, b)| a.peak_slip_m.total_cmp(&b.peak_slip_m))
+    }
+
     /// Largest horizontal acceleration of the ground, of x and y taken together, in g of the stack.
     pub fn peak_horizontal_g(&self) -> f64 {
         let motion = &self.motion.motion;
@@ -51,13 +86,15 @@ impl Simulation {
 
     /// Whether the run came to its end, at rest or by falling.
     pub fn is_whole(&self) -> bool {
-        !matches!(
-            self.history.outcome,
-            Outcome::Stopped { .. }
-                | Outcome::Diverged { .. }
-                | Outcome::NotConverged { .. }
-                | Outcome::StillMoving { .. }
-        )
+        let is_cut = self.ended_before_the_motion_s().is_some();
+        !is_cut
+            && !matches!(
+                self.history.outcome,
+                Outcome::Stopped { .. }
+                    | Outcome::Diverged { .. }
+                    | Outcome::NotConverged { .. }
+                    | Outcome::StillMoving { .. }
+            )
     }
 
     /// Names of the two bodies of a joint, the upper first.

@@ -1,8 +1,10 @@
 //! What `dolmen simulate` found of a building, with what went in.
 
 use super::MotionAnswer;
-use crate::project::{BuiltDamper, Names};
-use dolmen::dynamics::{BuildingHistory, BuildingPeaks, Peak, VibratingBuilding, WatchedHistory};
+use crate::project::{BuiltDamper, Names, strokes_of};
+use dolmen::dynamics::{
+    BuildingHistory, BuildingPeaks, Peak, ResultantDrift, VibratingBuilding, WatchedHistory,
+};
 use dolmen::signal::Component;
 
 /// A point of a floor that is watched.
@@ -25,8 +27,10 @@ pub struct LargestDrift {
     pub storey: usize,
     /// Drift over height.
     pub ratio: f64,
-    /// Whether at an edge of the floor above, or, its outline unknown, at its centre of mass.
-    pub at_edge: bool,
+    /// Whether at a corner of the floor above, or, its outline unknown, at its centre of mass.
+    pub at_corner: bool,
+    /// Drift as a vector, where and when.
+    pub drift: ResultantDrift,
 }
 
 /// A largest value with dampers over that without.
@@ -51,12 +55,28 @@ const DRIFT: &str = "the drift along";
 /// A damper that needs more room than it has.
 #[derive(Clone, Debug, PartialEq)]
 pub struct BeyondRoom {
-    /// The damper.
+    /// The damper, or "NAME liquid".
     pub name: String,
     /// Its largest stroke, m.
     pub stroke_m: f64,
     /// Its room each way, m.
     pub room_m: f64,
+}
+
+impl BeyondRoom {
+    /// Those of dampers that move so far, m, in the order of [`strokes_of`].
+    pub fn of(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<Self> {
+        let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
+        let beyond = pairs.filter_map(|(stroke, stroke_m)| {
+            let room_m = stroke.room_m?;
+            (stroke_m > room_m).then_some(BeyondRoom {
+                name: stroke.name,
+                stroke_m,
+                room_m,
+            })
+        });
+        beyond.collect()
+    }
 }
 
 /// A simulation of a building, and its inputs.
@@ -87,18 +107,15 @@ pub struct BuildingSimulation {
 }
 
 impl BuildingSimulation {
-    /// Largest drift of all storeys over the height of the storey, at an edge where the outline of the floor above is known.
+    /// Largest drift of all storeys in any direction over the height of the storey, at a corner where the outline of the floor above is known.
     pub fn drift(&self) -> LargestDrift {
         let storeys = self.building.building().storeys();
         let each = self.history.peaks.storeys.iter().zip(storeys).enumerate();
-        let drifts = each.map(|(i, (peak, storey))| {
-            let edges = peak.edge_drift_x_m.zip(peak.edge_drift_y_m);
-            let (x, y) = edges.unwrap_or((peak.drift_x_m, peak.drift_y_m));
-            LargestDrift {
-                storey: i + 1,
-                ratio: x.value.abs().max(y.value.abs()) / storey.height_m,
-                at_edge: edges.is_some(),
-            }
+        let drifts = each.map(|(i, (peak, storey))| LargestDrift {
+            storey: i + 1,
+            ratio: peak.resultant.size_m / storey.height_m,
+            at_corner: peak.edge_drift_x_m.is_some(),
+            drift: peak.resultant,
         });
         drifts.fold(LargestDrift::default(), |most, own| {
             if own.ratio > most.ratio { own } else { most }
@@ -196,10 +213,8 @@ impl BuildingSimulation {
 
     /// What each stroke is of: the dampers, then the liquids of columns on springs.
     pub fn stroke_names(&self) -> Vec<String> {
-        let own = self.dampers.iter().map(|damper| damper.name.clone());
-        let apart = self.dampers.iter().filter(|damper| damper.has_liquid_apart());
-        own.chain(apart.map(|damper| format!("{} liquid", damper.name)))
-            .collect()
+        let strokes = strokes_of(&self.dampers).into_iter();
+        strokes.map(|stroke| stroke.name).collect()
     }
 
     /// The largest force of the dashpot of each damper, N, and when; `None` of a liquid column, which has none.
@@ -236,17 +251,7 @@ impl BuildingSimulation {
 
     /// Dampers that move further than their room: the run does not know their stops.
     pub fn beyond_room(&self) -> Vec<BeyondRoom> {
-        let pairs = self.dampers.iter().zip(&self.history.peaks.strokes_m);
-        pairs
-            .filter_map(|(damper, stroke)| {
-                let room_m = damper.room_m?;
-                let stroke_m = stroke.value.abs();
-                (stroke_m > room_m).then(|| BeyondRoom {
-                    name: damper.name.clone(),
-                    stroke_m,
-                    room_m,
-                })
-            })
-            .collect()
+        let strokes = self.history.peaks.strokes_m.iter();
+        BeyondRoom::of(&self.dampers, strokes.map(|stroke| stroke.value.abs()))
     }
 }

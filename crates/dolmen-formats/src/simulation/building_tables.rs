@@ -1,6 +1,7 @@
 //! Histories of a building as CSV: one row a step, SI units in the heads.
 
 use super::BuildingSimulation;
+use dolmen::dynamics::Peak;
 use std::fmt::Write as _;
 
 /// Displacement and rotation of each floor, base shear and torque, stroke of each damper, displacement of each point.
@@ -48,10 +49,10 @@ pub fn building_histories_csv(simulation: &BuildingSimulation) -> String {
     out
 }
 
-/// Largest values of each floor and the storey below it; edge drifts empty where the outline of the floor is not known.
+/// Largest values of each floor and the storey below it; drifts of edges and corners empty where the outline of the floor is not known.
 pub fn building_peaks_csv(simulation: &BuildingSimulation) -> String {
     let mut out = String::from(
-        "floor,displacement_x_m,displacement_y_m,rotation_rad,drift_x_m,drift_y_m,twist_rad,edge_drift_x_m,edge_drift_y_m\n",
+        "floor,displacement_x_m,displacement_y_m,rotation_rad,drift_x_m,drift_y_m,twist_rad,edge_drift_x_m,edge_drift_y_m,corner_drift_m\n",
     );
     let peaks = &simulation.history.peaks;
     for (i, (floor, storey)) in peaks.floors.iter().zip(&peaks.storeys).enumerate() {
@@ -64,6 +65,10 @@ pub fn building_peaks_csv(simulation: &BuildingSimulation) -> String {
             Some(storey.twist_rad),
             storey.edge_drift_x_m,
             storey.edge_drift_y_m,
+            storey.edge_drift_y_m.map(|_| Peak {
+                value: storey.resultant.size_m,
+                at_s: storey.resultant.at_s,
+            }),
         ];
         let _ = write!(out, "{}", i + 1);
         for peak in values {

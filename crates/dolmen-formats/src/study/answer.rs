@@ -5,7 +5,7 @@ use super::maps::ResponseMaps;
 use super::run::{Run, RunOutcome, StudyKind};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking::ShakingScales;
-use crate::project::{ExpectedTrend, HazardPart, Names, StudyPart};
+use crate::project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
 use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
 use std::collections::BTreeMap;
 
@@ -190,7 +190,7 @@ impl StudyAnswer {
             .kind
             .measures()
             .iter()
-            .position(|name| self.kind == StudyKind::Building && *name == "peak_edge_drift_ratio");
+            .position(|name| self.kind == StudyKind::Building && *name == "peak_corner_drift_ratio");
         let each = (0..self.jobs()).map(|job| {
             let runs = scans.next_if(|runs| runs.first().is_some_and(|run| run.job == job));
             let is_whole = self.missing.binary_search(&job).is_err();
@@ -226,6 +226,23 @@ impl StudyAnswer {
             *counts.entry(run.why.as_str()).or_insert(0) += 1;
         }
         counts
+    }
+
+    /// Scans that can be used and fell at the least size of the study, below which only halving has looked.
+    pub fn fell_at_the_least(&self) -> usize {
+        const ROUNDING: f64 = 1e-9;
+        let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min) * (1.0 + ROUNDING);
+        let capacities = self.capacities();
+        let usable = capacities.iter().filter(|c| c.verdict.is_usable());
+        let fell = usable.filter(|c| match &self.study.scan {
+            Some(Scan::Scales(values)) => {
+                let first = c.scan.as_ref().and_then(|scan| scan.first_fall);
+                first.is_some_and(|scale| scale <= least(values))
+            }
+            Some(Scan::Peaks(values)) => c.fell_m_s2().is_some_and(|peak| peak <= least(values)),
+            None => false,
+        });
+        fell.count()
     }
 
     /// Capacities by value of each varied input; with a single row for everything if nothing is varied.

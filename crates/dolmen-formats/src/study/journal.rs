@@ -4,7 +4,7 @@
 use super::run::{Run, RunOutcome, StudyKind};
 
 /// First word of a journal, with the version of its layout.
-const MAGIC: &str = "dolmen-study-journal-3";
+const MAGIC: &str = "dolmen-study-journal-4";
 
 /// What decides the results of a study: journals of different ones do not mix.
 #[derive(Clone, Debug, PartialEq, Eq)]

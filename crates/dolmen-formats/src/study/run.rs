@@ -51,8 +51,8 @@ impl StudyKind {
             StudyKind::Building => &[
                 "peak_top_displacement_m",
                 "peak_drift_m",
-                "peak_edge_drift_m",
-                "peak_edge_drift_ratio",
+                "peak_corner_drift_m",
+                "peak_corner_drift_ratio",
                 "base_shear_x_n",
                 "base_shear_y_n",
                 "base_torque_n_m",

@@ -3,7 +3,7 @@
 use super::{GROWN, Table};
 use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::number::{beside_one, significant};
-use crate::project::BuiltDamper;
+use crate::project::{BuiltDamper, strokes_of};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
@@ -234,12 +234,14 @@ fn spectral_text(
             out,
             "\nThe same with the dampers: NOT COMPUTED: {why}. `dolmen simulate` has it under a motion"
         );
-        for damper in standing.dampers.iter().filter(|damper| damper.room_m.is_some()) {
-            let _ = writeln!(
-                out,
-                "  whether damper {} has room enough is not known",
-                damper.name
-            );
+        for stroke in strokes_of(&standing.dampers) {
+            if stroke.room_m.is_some() {
+                let _ = writeln!(
+                    out,
+                    "  whether damper {} has room enough is not known",
+                    stroke.name
+                );
+            }
         }
     }
     out
@@ -266,16 +268,16 @@ fn damped_text(answer: &BuildingAnswer, damped: &DampedSpectral, standing: &Stan
             significant(of.ratio, 4)
         );
     }
-    for (damper, stroke_m) in standing.dampers.iter().zip(&damped.strokes_m) {
-        let _ = writeln!(out, "  damper {}: stroke {:.2} mm", damper.name, 1e3 * stroke_m);
+    for (stroke, stroke_m) in strokes_of(&standing.dampers).iter().zip(&damped.strokes_m) {
+        let _ = writeln!(out, "  damper {}: stroke {:.2} mm", stroke.name, 1e3 * stroke_m);
     }
-    for (damper, stroke_m, room_m) in standing.beyond_room() {
+    for beyond in standing.beyond_room() {
         let _ = writeln!(
             out,
             "BEYOND ITS ROOM: damper {} needs {:.1} mm each way under the spectrum of the site and has {:.1} mm",
-            damper.name,
-            1e3 * stroke_m,
-            1e3 * room_m
+            beyond.name,
+            1e3 * beyond.stroke_m,
+            1e3 * beyond.room_m
         );
     }
     out

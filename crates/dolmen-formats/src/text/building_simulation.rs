@@ -3,6 +3,7 @@
 use super::Table;
 use super::building::dampers_text;
 use crate::number::{significant, trimmed};
+use crate::project::strokes_of;
 use crate::simulation::{Against, BuildingSimulation};
 use dolmen::dynamics::HistoryMethod;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -16,7 +17,11 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
     out += &base_text(simulation);
     let peaks = &simulation.history.peaks;
     let forces = simulation.dashpot_forces_n();
-    for (k, (name, stroke)) in simulation.stroke_names().iter().zip(&peaks.strokes_m).enumerate() {
+    for (k, (of, stroke)) in strokes_of(&simulation.dampers)
+        .iter()
+        .zip(&peaks.strokes_m)
+        .enumerate()
+    {
         let force = match forces.get(k).copied().flatten() {
             Some(force) => format!(
                 "; force of its dashpot {} kN at {:.3} s",
@@ -27,7 +32,8 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
         };
         let _ = writeln!(
             out,
-            "Damper {name}: stroke {:.2} mm at {:.3} s{force}",
+            "Damper {}: stroke {:.2} mm at {:.3} s{force}",
+            of.name,
             1e3 * stroke.value.abs(),
             stroke.at_s
         );
@@ -91,8 +97,8 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
         .floors
         .get(drift.storey.saturating_sub(1))
         .map_or("", String::as_str);
-    let place = if drift.at_edge {
-        "at an edge"
+    let place = if drift.at_corner {
+        "at a corner"
     } else {
         "of a centre of mass"
     };
@@ -109,11 +115,12 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
     }
     let _ = write!(
         out,
-        "MOVED: the largest drift along x or y {place} is {} % of the height of the storey below floor {name}",
-        significant(100.0 * drift.ratio, 3)
+        "MOVED: the largest drift {place} is {} % of the height of the storey below floor {name}, {:.0}° from x",
+        significant(100.0 * drift.ratio, 3),
+        drift.drift.direction_degrees + 0.0
     );
-    if !drift.at_edge {
-        out += " (its outline is not known: edges drift more where it twists; give sides or outline)";
+    if !drift.at_corner {
+        out += " (its outline is not known: corners drift more where it twists; give sides or outline)";
     }
     let against = simulation.against_without();
     let top: Vec<String> = against
@@ -151,6 +158,7 @@ fn floors_text(simulation: &BuildingSimulation) -> String {
         "y, mm",
         "edge drift x, mm",
         "y, mm",
+        "corner drift, mm",
         "of the height, %",
     ];
     let mut table = Table::new(&heads, 1);
@@ -169,15 +177,22 @@ fn floors_text(simulation: &BuildingSimulation) -> String {
         ];
         row.extend(match edges {
             Some((x, y)) => {
-                let (x, y) = (x.value.abs(), y.value.abs());
-                [1e3 * x, 1e3 * y, 100.0 * x.max(y) / storey.height_m].map(|value| format!("{value:.3}"))
+                let corner = drift.resultant.size_m;
+                let milli = [x.value.abs(), y.value.abs(), corner].map(|value| 1e3 * value);
+                let [x, y, corner] = milli.map(|value| format!("{value:.3}"));
+                [
+                    x,
+                    y,
+                    corner,
+                    format!("{:.3}", 100.0 * drift.resultant.size_m / storey.height_m),
+                ]
             }
-            None => ["unknown", "unknown", "no outline"].map(str::to_owned),
+            None => ["unknown", "unknown", "unknown", "no outline"].map(str::to_owned),
         });
         table.row(row);
     }
     format!(
-        "\nLargest displacement of the centres of mass relative to the ground, drift of the storey below each floor there and at its edges\n{}",
+        "\nLargest displacement of the centres of mass relative to the ground, drift of the storey below each floor there, at its edges\nalong x and along y, and at its corners in any direction\n{}",
         table.text()
     )
 }

@@ -169,6 +169,17 @@ fn stack_text(stack: &StackDemandCheck, site: &SiteDemand) -> String {
          needs a time history.",
         trimmed(in_g(stack.vertical_acceleration_m_s2), 4)
     );
+    let most = stack
+        .rows
+        .iter()
+        .filter_map(|row| Some((row.amplification?, row.ratio_at_most()?)));
+    if let Some((amplification, ratio)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        let _ = writeln!(
+            out,
+            "  note: S_a is taken on all stones alike; in the first mode the one that sways most feels {amplification:.2} times as much, so that a ratio may \
+             be as low as\n  {ratio:.3}. Where that is below 1 and the ratio is not, elastic joints are unknown: `dolmen simulate` says."
+        );
+    }
     if stack.rows.iter().any(|row| row.comparison.elastic.is_none()) {
         out += "  note: a first period is not known, so what elastic joints add to the shaking is not in the comparison\n";
     }

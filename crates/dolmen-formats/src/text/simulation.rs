@@ -59,6 +59,16 @@ fn motion_text(answer: &MotionAnswer) -> String {
         let peak = motion.component_peak_m_s2(component);
         let _ = writeln!(out, "{:.4} g ({peak:.4} m/s2) as it acts", in_g(peak));
     }
+    if motion.has(Component::X) && motion.has(Component::Y) {
+        let [x, y] = [Component::X, Component::Y].map(|component| motion.acceleration_m_s2(component));
+        let both = x.iter().zip(y).map(|(x, y)| x.hypot(*y));
+        let peak = both.fold(0.0, f64::max);
+        let _ = writeln!(
+            out,
+            "  x and y together: {:.4} g ({peak:.4} m/s2) as they act",
+            in_g(peak)
+        );
+    }
     let steps: Vec<String> = motion.history().iter().map(ToString::to_string).collect();
     let _ = writeln!(out, "  done to it: {}", steps.join("; "));
     out
@@ -76,15 +86,59 @@ pub fn simulation_text(simulation: &Simulation) -> String {
 
 /// How it ended, in one sentence that begins with a fixed word.
 pub fn outcome_text(simulation: &Simulation) -> String {
+    let sentence = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => format!(
+            "ENDED BEFORE THE MOTION: {end_s:.2} of its {:.2} s were run, and no stone fell in them; no verdict. Until then: {sentence}",
+            simulation.motion.motion.duration_s()
+        ),
+        None => sentence,
+    }
+}
+
+fn ending(simulation: &Simulation) -> String {
     let history = &simulation.history;
     let least_mm = 1e3 * StackHistory::UPLIFT_LEAST_M;
-    match history.outcome {
-        Outcome::Stood => format!("STOOD: no joint opened by more than {least_mm} mm"),
+    let state = simulation.damage.state.number();
+    let opened = match history.outcome {
         Outcome::Uplifted { joint, at_s } => {
             let [upper, lower] = simulation.joint_names(joint);
+            format!("first '{upper}' on '{lower}' by more than {least_mm} mm at {at_s:.2} s")
+        }
+        _ => String::new(),
+    };
+    match (&history.outcome, simulation.shifted()) {
+        (Outcome::Stood | Outcome::Uplifted { .. }, Some((joint, of))) => {
+            let [upper, lower] = simulation.joint_names(joint);
+            let mut out = format!(
+                "SHIFTED: no stone fell, but '{upper}' on '{lower}' slipped by up to {:.1} mm and lies {:.1} mm from its place, {:.1} % of the \
+                 width of the joint (DS{state})",
+                1e3 * of.peak_slip_m,
+                1e3 * of.residual_slip_m,
+                100.0 * of.residual_slip_ratio
+            );
+            if !opened.is_empty() {
+                let _ = write!(out, "; joints opened, {opened}");
+            }
+            return out;
+        }
+        (Outcome::Uplifted { .. }, None) => {
+            return format!("UPLIFTED: every stone stayed up, but joints opened, {opened} (DS{state})");
+        }
+        _ => {}
+    }
+    match history.outcome {
+        Outcome::Stood => {
+            let slipped = simulation.slipped().map(|(joint, of)| {
+                let [upper, lower] = simulation.joint_names(joint);
+                format!(
+                    ", but '{upper}' on '{lower}' slipped by up to {:.1} mm (DS{state})",
+                    1e3 * of.peak_slip_m
+                )
+            });
             format!(
-                "UPLIFTED: every stone stayed up, but joints opened, first '{upper}' on '{lower}' by more than {least_mm} mm at \
-                 {at_s:.2} s"
+                "STOOD: no joint opened by more than {least_mm} mm{}",
+                slipped.unwrap_or_default()
             )
         }
         Outcome::Slid {

@@ -206,6 +206,15 @@ fn levels(answer: &StudyAnswer) -> String {
     out += &left_out(answer);
     let scans = answer.capacities();
     let usable = scans.iter().filter(|c| c.verdict.is_usable());
+    let at_once = answer.fell_at_the_least();
+    if at_once > 0 && answer.kind != StudyKind::Building {
+        let _ = writeln!(
+            out,
+            "  LEAST SIZE FELLS: {at_once} of {} scans fell at the least size that was asked for; what lies below was only halved, and falls there may have been \
+             passed over: scan smaller sizes",
+            usable.clone().count()
+        );
+    }
     let above = usable
         .clone()
         .filter(|c| !c.survived_above_m_s2().is_empty())
@@ -303,8 +312,8 @@ fn growth(answer: &StudyAnswer) -> String {
             "storeys",
             &[
                 ("top moves, mm", "peak_top_displacement_m", 1e3),
-                ("drift at an edge, mm", "peak_edge_drift_m", 1e3),
-                ("% of height", "peak_edge_drift_ratio", 100.0),
+                ("drift at a corner, mm", "peak_corner_drift_m", 1e3),
+                ("% of height", "peak_corner_drift_ratio", 100.0),
                 ("base shear x, kN", "base_shear_x_n", 1e-3),
                 ("y, kN", "base_shear_y_n", 1e-3),
                 ("stroke, mm", "peak_stroke_m", 1e3),

@@ -1,6 +1,7 @@
 //! A damper beside the rule and the best, as text.
 
 use super::Table;
+use crate::Language;
 use crate::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use dolmen::damper::{Aim, Choice, Compared, DesignEnd, Goal};
 use std::fmt::Write as _;
@@ -27,18 +28,18 @@ pub fn room_words(room: &RoomCheck, row: impl Fn(usize) -> String) -> Vec<String
         .beyond()
         .map(|of| {
             format!(
-                "BEYOND ITS ROOM: {}, damper {} needs {:.1} mm each way under motion {} and has {:.1} mm",
+                "BEYOND ITS ROOM: {}, damper {} needs {:.1} mm each way under {} and has {:.1} mm",
                 row(of.row),
                 of.damper,
                 1e3 * of.stroke_m,
-                of.motion,
+                of.under(Language::English),
                 1e3 * of.room_m
             )
         })
         .collect();
     if room.is_unjudged() {
         all.push(
-            "ROOM NOT JUDGED: the file says how much room there is, and has no [motion.NAME] to hold it against; the loads here have no size"
+            "ROOM NOT JUDGED: the file says how much room there is, and has no [motion.NAME] or [site] to hold it against; the loads here have no size"
                 .to_owned(),
         );
     }
@@ -146,10 +147,6 @@ fn choices(answer: &TuneAnswer) -> String {
         .collect();
     let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
     let mut table = Table::new(&heads, 1);
-    let given_stroke = answer
-        .comparison
-        .row(Choice::Given)
-        .map_or(f64::NAN, |row| row.judged.stroke_rms_m[0]);
     let mut none = vec!["none".to_owned()];
     none.extend(["", "", "", ""].map(str::to_owned));
     none.extend(answer.points.iter().map(|_| "1.0000".to_owned()));
@@ -166,7 +163,7 @@ fn choices(answer: &TuneAnswer) -> String {
         ]);
         cells.extend(answer.ratios(row).iter().map(|ratio| format!("{ratio:.4}")));
         cells.push(format!("{:.4}", row.cost / answer.comparison.cost_without));
-        cells.push(format!("{:.3}", row.judged.stroke_rms_m[0] / given_stroke));
+        cells.push(format!("{:.3}", answer.stroke_ratio(row)));
         table.row(cells);
     }
     format!(
@@ -199,6 +196,28 @@ pub fn findings(answer: &TuneAnswer) -> Vec<String> {
                 point.name
             ));
         }
+    }
+    if let Some(most) = answer.stroke_most {
+        let rows = answer.comparison.rows.iter();
+        for row in rows.filter(|row| answer.is_beyond_stroke(row)) {
+            all.push(format!(
+                "STROKE NOT KEPT: '{}' moves {:.4} of the stroke of the file's damper, and {most} was asked for",
+                choice_words(row.choice, answer.mode),
+                answer.stroke_ratio(row)
+            ));
+        }
+    }
+    for row in answer
+        .comparison
+        .rows
+        .iter()
+        .filter(|row| row.damper.damping_ratio > 1.0)
+    {
+        all.push(format!(
+            "NO DAMPER: '{}' has a damping ratio of {:.3}: above 1 nothing swings any more, and a project file refuses it",
+            choice_words(row.choice, answer.mode),
+            row.damper.damping_ratio
+        ));
     }
     let more = |choice: Choice, words: &str| -> Option<String> {
         let share = answer.costs(choice, Choice::Best)?;
@@ -382,7 +401,10 @@ pub fn together_text(answer: &TogetherAnswer) -> String {
                 damper.name.clone(),
                 format!("{:.3}", damper.place_m[0] + 0.0),
                 format!("{:.3}", damper.place_m[1] + 0.0),
-                format!("{:.4}", 1e-3 * damper.kind.mass_kg()),
+                match damper.kind.mass_kg() {
+                    0.0 => "none".to_owned(),
+                    mass_kg => format!("{:.4}", 1e-3 * mass_kg),
+                },
                 hz,
                 ratio,
                 damper.rest(),
@@ -401,6 +423,22 @@ pub fn together_text(answer: &TogetherAnswer) -> String {
                     direction_words(*degrees)
                 );
             }
+        }
+        for damper in row.dampers.iter().filter(|damper| damper.is_overdamped()) {
+            let _ = writeln!(
+                out,
+                "NO DAMPER: '{}', damper {} has a damping ratio above 1: nothing swings there any more, and a project file refuses it",
+                together_words(&row.choice),
+                damper.name
+            );
+        }
+        for (damper, ratio) in answer.beyond_stroke(row) {
+            let _ = writeln!(
+                out,
+                "STROKE NOT KEPT: '{}', damper {damper} moves {ratio:.4} of its stroke as in the file, and {} was asked for",
+                together_words(&row.choice),
+                answer.stroke_most.unwrap_or_default()
+            );
         }
         let words = match row.end {
             Some(DesignEnd::Limit) => "lies at the limit of a tuning that a damper may have",

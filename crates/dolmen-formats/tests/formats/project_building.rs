@@ -47,7 +47,8 @@ fn exact_floors_storeys_and_a_damper_in_si() {
     let part = part(&project);
     assert_eq!(project.kind(), "building");
     let pick = &mut Quantity::nominal;
-    let building = part.build(pick).unwrap();
+    let vibrating = part.as_written().unwrap();
+    let (building, modes) = (vibrating.building(), vibrating.modes());
     assert_eq!(building.floors().len(), 3);
     assert_eq!(
         (building.mass_kg(), building.floor_heights_m()),
@@ -66,8 +67,7 @@ fn exact_floors_storeys_and_a_damper_in_si() {
         building.storeys()[2].stiffness.centre_of_rigidity_m(),
         Some([-1.0, 0.0])
     );
-    let modes = building.modes().unwrap();
-    let damper = &part.dampers(&building, &modes, pick).unwrap()[0];
+    let damper = &part.dampers(vibrating, pick).unwrap()[0];
     let row = building.point_row(3, 4.0, 0.0, PlanDirection::Y).unwrap();
     let along: f64 = row
         .iter()
@@ -95,9 +95,8 @@ fn published_tunings_of_a_mass_ratio_of_5_percent() {
         let project = read(&with("den_hartog", tuning));
         let part = part(&project);
         let pick = &mut Quantity::nominal;
-        let building = part.build(pick).unwrap();
-        let modes = building.modes().unwrap();
-        let damper = &part.dampers(&building, &modes, pick).unwrap()[0];
+        let vibrating = part.as_written().unwrap();
+        let (modes, damper) = (vibrating.modes(), &part.dampers(vibrating, pick).unwrap()[0]);
         let ratio = damper.own().unwrap()[0] / modes.modes[0].frequency_hz;
         let damping = damper.own().unwrap()[1];
         assert!(
@@ -228,7 +227,7 @@ fn refuses_what_cannot_be_with_its_line_and_what_to_do() {
         (
             "tuning = \"den_hartog\"",
             "frequency = 20\ndamping_ratio = 0.1",
-            "is it in Hz, not rad/s",
+            "in Hz, not rad/s",
         ),
         (
             "{ x = 5, y = 0, stiffness_y = 12 }",
@@ -389,6 +388,7 @@ liquid_share = 0.4
 length_ratio = 0.6
 liquid_frequency = "0.9 Hz"
 liquid_damping_ratio = "8 %"
+liquid_stroke = "250 mm"
 [damper.strut]
 kind = "link"
 floor = 2
@@ -401,9 +401,9 @@ coefficient = "500 kN*s/m"
     let project = read(&(BUILDING[..at].to_owned() + dampers));
     let part = part(&project);
     let pick = &mut Quantity::nominal;
-    let building = part.build(pick).unwrap();
-    let modes = building.modes().unwrap();
-    let built = part.dampers(&building, &modes, pick).unwrap();
+    let vibrating = part.as_written().unwrap();
+    let (building, modes) = (vibrating.building(), vibrating.modes());
+    let built = part.dampers(vibrating, pick).unwrap();
     let names: Vec<&str> = built.iter().map(|damper| damper.name.as_str()).collect();
     assert_eq!(names, ["pair-1", "pair-2", "tube", "tank", "strut"]);
     let along = |floor, x, y, direction| building.point_row(floor, x, y, direction).unwrap();
@@ -434,6 +434,7 @@ coefficient = "500 kN*s/m"
         (None, Some(TuningRule::WarburtonBase))
     );
     assert_eq!((built[0].room_m, built[2].room_m), (Some(0.3), None));
+    assert_eq!((built[3].room_m, built[3].liquid_room_m), (None, Some(0.25)));
     let gravity = part.gravity_m_s2;
     assert_eq!(
         built[2].kind,
@@ -502,8 +503,7 @@ tuning = "den_hartog"
         let project = read(&text.replace("45 deg", direction));
         let part = part(&project);
         let pick = &mut Quantity::nominal;
-        let building = part.build(pick).unwrap();
-        let built = part.dampers(&building, &building.modes().unwrap(), pick).unwrap();
+        let built = part.dampers(part.as_written().unwrap(), pick).unwrap();
         assert!(
             (built[0].kind.mass_kg() - 5e3).abs() < 1e-6,
             "{direction} {:?}",

@@ -119,6 +119,12 @@ fn holds_joints_differ_by_block_and_by_pair() {
          contacts = [{ lower = \"base\", upper = \"body\", joint = { friction = \"40 %\" } }]\n",
     )]);
     let stack = built(&text);
+    // a joint has one contact
+    let again = "joint = { friction = \"40 %\" } }, { lower = \"base\", upper = \"body\", joint = { friction = 0.9 } }]";
+    let twice = text.replace("joint = { friction = \"40 %\" } }]", again);
+    let fault = parse_project(&twice, "stack.toml").unwrap_err().to_string();
+    let said = "contacts[2] gives the joint of 'body' on 'base' a second time, after contacts[1]";
+    assert!(fault.contains(said), "{fault}");
     let friction = |joint: usize| {
         let material = &stack.joints()[joint].material;
         (

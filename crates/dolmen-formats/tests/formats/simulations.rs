@@ -3,6 +3,7 @@
 // PARAMETERS Two blocks of 0.3 × 0.2 × 0.1 m under a pulse of 0.6 g along x, μ .3.
 // TOLERANCE  single precision in the film (6e-8 of a place); none elsewhere.
 
+use dolmen::assess::{DamageThresholds, stack_damage};
 use dolmen::blocks::{ContactLaw, Outcome, Springs, simulate_springs};
 use dolmen::signal::{Component, GroundMotion};
 use dolmen::stability::stack::{StackLimits, stack_limits};
@@ -35,7 +36,9 @@ fn simulation() -> Simulation {
         ..Springs::default()
     };
     let history = simulate_springs(&stack, Some(&motion), &options, &mut |_| true).unwrap();
+    let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
     Simulation {
+        damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         file: "project.toml".into(),
         name: Names {
             en: Some("Two blocks".into()),
@@ -143,6 +146,34 @@ fn holds_tables_have_a_row_a_sample_and_names_cannot_break_them() {
 fn holds_every_end_has_its_word_and_its_kind() {
     let mut simulation = simulation();
     assert_eq!(simulation.history.outcome, Outcome::Stood);
+    // half a joint's width of slip that is left is more than standing
+    let joint = &simulation.damage.joints[0];
+    let (slip_mm, left_mm) = (1e3 * joint.peak_slip_m, 1e3 * joint.residual_slip_m);
+    let said = format!(
+        "SHIFTED: no stone fell, but 'lower' on 'ground' slipped by up to {slip_mm:.1} mm and lies {left_mm:.1} mm from its place"
+    );
+    assert!(
+        left_mm > 10.0 && outcome_text(&simulation).starts_with(&said),
+        "{said}: {}",
+        outcome_text(&simulation)
+    );
+    assert_eq!(simulation_json(&simulation)["damage_state"], 3);
+    // a run that ends before the motion has no verdict but a fall
+    let law = simulation.law.clone();
+    simulation.law = ContactLaw::Springs(Springs {
+        duration_s: Some(0.1),
+        ..Springs::default()
+    });
+    assert!(outcome_text(&simulation).starts_with("ENDED BEFORE THE MOTION: 0.10 of its 0.25 s were run"));
+    assert_eq!(
+        simulation_json(&simulation)["outcome"]["kind"],
+        "ended_before_the_motion"
+    );
+    assert!(!simulation.is_whole());
+    simulation.law = law;
+    for joint in &mut simulation.damage.joints {
+        (joint.residual_slip_m, joint.residual_slip_ratio) = (0.0, 0.0);
+    }
     let ends = [
         (Outcome::Stood, "STOOD: ", "stood"),
         (

@@ -50,6 +50,26 @@ pub fn first_sway(modes: &[StackMode], axis: usize) -> Option<usize> {
     modes.iter().position(|mode| along(mode) >= SWAY_LEAST)
 }
 
+/// How much more than the spectral acceleration of a mode the stone feels that it moves most: the largest Γ φ of the centroids along an axis (0 is x, 1
+/// is y).
+///
+/// ```text
+/// Γ = Σ m φ / φᵀ M φ        Γ φ = 1 where all stones move alike, 1.5 at the top of a straight line
+/// ```
+pub fn sway_amplification(stack: &Stack, mode: &StackMode, axis: usize) -> f64 {
+    let masses = stack.blocks().iter().map(|block| block.mass_kg());
+    let along = |block: &[f64; 6]| block.get(axis).copied().unwrap_or(0.0);
+    let (mut whole, mut momentum, mut most) = (0.0, 0.0, 0.0_f64);
+    for (mass, block) in masses.zip(&mode.shape) {
+        whole += mass;
+        momentum += mass * along(block);
+        most = most.max(along(block).abs());
+    }
+    let effective = mode.effective_mass_ratio.get(axis).copied().unwrap_or(0.0) * whole;
+    // effective = (Σ m φ)²/φᵀ M φ
+    effective / momentum.abs() * most
+}
+
 /// Natural modes of a stack in contact, lowest first.
 ///
 /// ```text

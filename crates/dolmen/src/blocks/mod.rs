@@ -42,7 +42,7 @@ pub use contact_law::{ContactLaw, simulate_stack};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};
 pub use ensemble::{StackRun, simulate_springs_many};
 pub use error::BlocksError;
-pub use frequencies::{StackMode, first_sway, stack_modes};
+pub use frequencies::{StackMode, first_sway, stack_modes, sway_amplification};
 pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHistory};
 pub use rigid::{Rigid, simulate_rigid};
 pub use sliding::{Sliding, simulate_sliding};

@@ -12,7 +12,7 @@ use super::rigid_run::Run;
 use super::springs::{AfterFall, Start, push};
 use super::stillness::RunLength;
 use crate::signal::GroundMotion;
-use crate::structure::stack::{Body, Stack};
+use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
 /// Closer than the springs do, for the steps are longer. Chosen here: stones that near each other at less than some 2 m/s meet seen.
@@ -25,12 +25,16 @@ const WATCHFULNESS: Watchfulness = Watchfulness {
 /// Longest step, s. Chosen here: at 50 ms a motion sampled every 20 ms leaves .5 mm of slip instead of 24.
 const STEP_MOST_S: f64 = 5e-3;
 
+/// Usual steps, s: where sliding takes as much friction as its beginning, and where it takes less.
+const USUAL_STEP_S: f64 = 1e-3;
+const KINETIC_STEP_S: f64 = 2e-4;
+
 /// Options of [`simulate_rigid`].
 #[derive(Clone, Debug, PartialEq)]
 pub struct Rigid {
     /// Points of a joint. Default 4 × 4.
     pub contact_rule: ContactRule,
-    /// Time step, s, up to 5e-3. Default 1e-3.
+    /// Time step, s, up to 5e-3. Default 1e-3; see [`Rigid::usual_step_s`].
     pub time_step_s: f64,
     /// Length of the run, s; `None`, the default, for the motion and `rest_s` more, and then until the stack is at rest
     /// or swings less and less, for up to [`StackHistory::LONGER_MOST_S`].
@@ -49,12 +53,25 @@ impl Default for Rigid {
     fn default() -> Self {
         Rigid {
             contact_rule: ContactRule::Four,
-            time_step_s: 1e-3,
+            time_step_s: USUAL_STEP_S,
             duration_s: None,
             rest_s: 2.0,
             output_step_s: 0.01,
             after_fall: AfterFall::Stop,
             starts: Vec::new(),
+        }
+    }
+}
+
+impl Rigid {
+    /// The step to take for a stack: 1 ms, and 0.2 ms where some joint slides with less friction than it begins to slide with. A stone that
+    /// slides slowly comes to rest within a step and is then held by static friction: a block under two-component noise, μ .4 and .25, slipped 3.8 % too
+    /// little (6.0 % of what is left) at 1 ms, .16 % at .2 ms.
+    pub fn usual_step_s(stack: &Stack) -> f64 {
+        let slides_easier = |joint: &Joint| joint.material.friction_kinetic < joint.material.friction_static;
+        match stack.joints().iter().any(slides_easier) {
+            true => KINETIC_STEP_S,
+            false => USUAL_STEP_S,
         }
     }
 }

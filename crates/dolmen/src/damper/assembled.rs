@@ -76,6 +76,15 @@ impl DampedSystem {
         Some(row)
     }
 
+    /// The strokes of all dampers in order, then the liquids' rise of the columns on springs.
+    pub fn stroke_rows(&self) -> Vec<Vec<f64>> {
+        let own = (0..self.dampers.len()).filter_map(|damper| self.stroke_row(damper));
+        let apart = |k: &usize| matches!(self.dampers[*k].kind, DamperKind::LiquidColumnMass { .. });
+        let liquids = (0..self.dampers.len()).filter(apart);
+        own.chain(liquids.filter_map(|damper| self.liquid_row(damper)))
+            .collect()
+    }
+
     /// A load on the structure as a load on all of it: a moving base carries the dampers along.
     pub fn load(&self, load: &RandomLoad) -> RandomLoad {
         let input = match &load.input {

@@ -36,13 +36,7 @@ pub fn damped_building_history(
     let mut rows: Vec<Vec<f64>> = (0..n)
         .map(|i| damped.row(&(0..n).map(|j| modes.shapes[(i, j)]).collect::<Vec<f64>>()))
         .collect();
-    rows.extend((0..dampers.len()).filter_map(|k| damped.stroke_row(k)));
-    let twofold = |k: &usize| matches!(dampers[*k].kind, DamperKind::LiquidColumnMass { .. });
-    rows.extend(
-        (0..dampers.len())
-            .filter(twofold)
-            .filter_map(|k| damped.liquid_row(k)),
-    );
+    rows.extend(damped.stroke_rows());
     let own = dampers
         .iter()
         .flat_map(|damper| frequencies_hz(&damper.kind))

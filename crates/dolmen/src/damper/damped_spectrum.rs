@@ -205,11 +205,12 @@ impl DampedSpectralAnalysis {
         directional.of(|axis| self.along(&of_system, axis))
     }
 
-    /// The largest stroke of a damper, numbered from 0, m: travel of a mass, rise of a liquid, elongation of a dashpot; `None` if there is no
-    /// such damper.
-    pub fn largest_stroke_m(&self, damper: usize, directional: DirectionalCombination) -> Option<f64> {
-        let stroke = self.damped.stroke_row(damper)?;
-        Some(directional.of(|axis| self.along(&stroke, axis)))
+    /// The largest strokes of the dampers in order, m: travel of a mass, rise of a liquid, elongation of a dashpot; then the rise of the
+    /// liquids of columns on springs.
+    pub fn largest_strokes_m(&self, directional: DirectionalCombination) -> Vec<f64> {
+        let rows = self.damped.stroke_rows().into_iter();
+        rows.map(|stroke| directional.of(|axis| self.along(&stroke, axis)))
+            .collect()
     }
 
     fn along(&self, row: &[f64], axis: usize) -> f64 {

@@ -3,6 +3,7 @@
 //! The unknowns are x and y over the floor's size, ln f and ln ζ, and ln of shares of the mass; places beyond the edge count
 //! as the nearest point of it.
 
+use super::spot::DAMPING_MOST;
 use super::{DamperError, Judged, PlacedDamper, Plan};
 use crate::numeric::{Minimax, Piece, Worst, all_by_differences, by_differences, highest, minimax};
 
@@ -217,9 +218,8 @@ pub(super) struct Search<'a> {
     pub(super) weights: Vec<f64>,
 }
 
-/// Unknowns beyond these are no dampers: a factor of the frequency at the start, and a damping ratio.
+/// Frequencies beyond this factor of that at the start are no dampers.
 const FREQUENCY_FACTOR_MOST: f64 = 5.0;
-const DAMPING_MOST: f64 = 3.0;
 /// How steeply a stroke beyond its limit is paid for, in ln of the cost per ln of the stroke: more than any damper gains by it.
 const STROKE_PRICE: f64 = 50.0;
 

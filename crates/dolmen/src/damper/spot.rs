@@ -194,7 +194,7 @@ pub(super) struct SpotSearch<'a> {
     last: Option<(Vec<f64>, Vec<Piece>)>,
 }
 
-/// Beyond this damping ratio nothing is a damper.
+/// Beyond this damping ratio nothing is a damper. Above 1 nothing swings any more; where a damper does harm the best one is such a brace.
 pub(super) const DAMPING_MOST: f64 = 3.0;
 
 impl<'a> SpotSearch<'a> {

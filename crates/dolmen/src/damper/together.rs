@@ -4,6 +4,7 @@
 //! liquid column mass, and where it is wished the coefficient of a dashpot.
 
 use super::ride::Ride;
+use super::spot::DAMPING_MOST;
 use super::{AttachedDamper, DamperError, DamperKind, DesignEnd, Freedom, Goal, Judged, Plan, judge};
 use crate::numeric::{Minimax, Piece, Worst, all_by_differences, minimax};
 
@@ -47,8 +48,6 @@ pub struct Together {
 
 /// Frequencies within this factor of those given.
 const FREQUENCY_FACTOR_MOST: f64 = 2.0;
-/// Beyond this damping ratio nothing swings.
-const DAMPING_MOST: f64 = 3.0;
 /// A dashpot's coefficient within this factor of that given.
 const COEFFICIENT_FACTOR_MOST: f64 = 1e3;
 /// Frequencies of the second start: alternately this far below and above those given, so that dampers that are alike part.

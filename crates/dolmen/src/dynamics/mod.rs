@@ -31,8 +31,9 @@ mod rocking_run;
 pub(crate) use building::{BaseDriven, ExponentialSteps, shaken};
 pub use building::{
     BuildingHistory, BuildingPeaks, BuildingRun, DirectionalCombination, FloorPeak, Histories, HistoryMethod,
-    LeastFavourable, ModalCombination, Peak, SpectralAnalysis, SpectralMode, StoreyPeak, TunedMass,
-    VibratingBuilding, WatchedHistory, building_history, correlation_coefficient, spectral_analysis,
+    LeastFavourable, ModalCombination, Peak, ResultantDrift, SpectralAnalysis, SpectralMode, StoreyPeak,
+    TunedMass, VibratingBuilding, WatchedHistory, building_history, correlation_coefficient,
+    spectral_analysis,
 };
 pub use chain_growth::{ChainGrowth, MeasuredGrowth, chain_growth};
 pub use chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainSlip, ChainUplift};

@@ -143,7 +143,8 @@ fn white_noise() -> Result<[[f64; 2]; 3], ValidationError> {
     });
     let point = at(5.0)?;
     let along = DirectionalCombination::YAlone;
-    let stroke = |damper| analysis.largest_stroke_m(damper, along).unwrap_or(f64::NAN);
+    let strokes = analysis.largest_strokes_m(along);
+    let stroke = |damper: usize| strokes.get(damper).copied().unwrap_or(f64::NAN);
     let found = [analysis.largest(&point, along), stroke(0), stroke(1)];
     let strokes = [0, 1].map(|damper| damped.stroke_row(damper).unwrap_or_default());
     let [first, second] = strokes;

@@ -173,3 +173,78 @@ fn holds_drifts_of_lopsided_edges_are_those_of_the_corners() {
         }
     }
 }
+
+#[test]
+fn agrees_the_resultant_drift_is_the_longest_of_the_corners_at_any_instant() {
+    let building = lopsided();
+    let vibrating =
+        VibratingBuilding::new(building.clone(), &BuildingDamping::Modal(vec![0.05]), Vec::new()).unwrap();
+    let motion = el_centro(&[(Component::X, 9.8), (Component::Y, -5.0)]);
+    let places = [([3.0, -2.0], [6.0, 5.0]), ([-1.0, 2.5], [4.0, 4.5])];
+    for (storey, (middle, half)) in (1..).zip(places) {
+        let run = |steps_per_sample| BuildingRun {
+            steps_per_sample,
+            end_s: Some(12.0),
+            watched: corner_drifts(&building, storey, middle, half).concat(),
+            histories: Histories::Kept,
+        };
+        let coarse = building_history(&vibrating, &motion, &run(1)).unwrap();
+        let fine = building_history(&vibrating, &motion, &run(40)).unwrap();
+        let (mut most, mut at, mut toward) = (0.0, (0, 0), 0.0);
+        for corner in 0..4 {
+            let [x, y] = [corner, corner + 4].map(|row| &fine.watched[row].displacement_m);
+            for (step, (x, y)) in x.iter().zip(y).enumerate() {
+                if x.hypot(*y) > most {
+                    (most, at, toward) = (x.hypot(*y), (corner, step), y.atan2(*x).to_degrees());
+                }
+            }
+        }
+        let [coarse, fine] = [&coarse, &fine].map(|history| history.peaks.storeys[storey - 1].resultant);
+        let above = fine.size_m / most - 1.0;
+        assert!((-1e-12..1e-5).contains(&above), "{} {most}", fine.size_m);
+        assert!(
+            (coarse.size_m / fine.size_m - 1.0).abs() < 1e-5,
+            "{coarse:?} {fine:?}"
+        );
+        assert!((coarse.at_s - fine.at_s).abs() < 1e-3 && (fine.at_s - 5e-4 * at.1 as f64).abs() < 5e-4);
+        assert!((fine.direction_degrees - toward).abs() < 0.5, "{fine:?} {toward}");
+        let (i, j) = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)][at.0];
+        assert_eq!(fine.place_m, [middle[0] + i * half[0], middle[1] + j * half[1]]);
+    }
+}
+
+#[test]
+fn exact_the_resultant_drift_of_a_round_building_does_not_ask_whence_it_is_shaken() {
+    let floor = Floor {
+        mass_kg: 1e5,
+        centre_m: [0.0, 0.0],
+        gyration_m: 4.0,
+        outline: Some(Outline::rectangle([0.0, 0.0], 12.0, 8.0).unwrap()),
+    };
+    let storey = Storey {
+        height_m: 3.0,
+        stiffness: StoreyStiffness::at_centre(3e7, 3e7, 9e8, [0.0, 0.0]),
+    };
+    let building = Building::new(vec![floor], vec![storey], PDelta::LeftOut).unwrap();
+    let vibrating =
+        VibratingBuilding::new(building, &BuildingDamping::Modal(vec![0.05]), Vec::new()).unwrap();
+    let shaken = |degrees: f64| {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let motion = el_centro(&[(Component::X, 9.8 * cos), (Component::Y, 9.8 * sin)]);
+        let history = building_history(&vibrating, &motion, &BuildingRun::default()).unwrap();
+        history.peaks.storeys[0]
+    };
+    let along = shaken(0.0);
+    let size_m = along.drift_x_m.value.abs();
+    for degrees in [0.0, 30.0, 45.0, 90.0, 200.0] {
+        let found = shaken(degrees).resultant;
+        assert!(
+            (found.size_m / size_m - 1.0).abs() < 1e-9,
+            "{degrees}: {found:?} {size_m}"
+        );
+        let line = (found.direction_degrees - degrees).rem_euclid(180.0);
+        assert!(line.min(180.0 - line) < 1e-9, "{degrees}: {found:?}");
+    }
+    // along x and y apart it is less
+    assert!(shaken(45.0).edge_drift_x_m.unwrap().value.abs() < 0.71 * size_m);
+}

@@ -19,6 +19,15 @@ pub enum ShakenDirection {
     Any,
 }
 
+/// The first mode of swaying along an axis.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FirstSway {
+    /// Its period, s.
+    pub period_s: f64,
+    /// Largest Γ φ of its stones: how much more than S_a the one feels that moves most.
+    pub amplification: f64,
+}
+
 /// One direction of a stack against a site.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StackDemandRow {
@@ -31,8 +40,32 @@ pub struct StackDemandRow {
     pub capacity_with_vertical: Option<Threshold>,
     /// First period there, s; in any direction that of the larger S_a; `None` if it is not known.
     pub period_s: Option<f64>,
-    /// What is left with the vertical acceleration, against both demands.
+    /// Largest Γ φ of the stones in that mode; in any direction the larger of both.
+    pub amplification: Option<f64>,
+    /// What is left with the vertical acceleration, against both demands. The ratio on elastic joints is of S_a on all masses alike; where the stone that
+    /// moves most may feel more than the stack bears, its verdict is unknown.
     pub comparison: DemandComparison,
+}
+
+impl StackDemandRow {
+    /// The ratio on elastic joints if all masses felt what the one feels that moves most: the stack's own lies between this and that of S_a.
+    pub fn ratio_at_most(&self) -> Option<f64> {
+        Some(self.comparison.elastic?.ratio? / self.amplification?)
+    }
+
+    /// Above or near demand is not known while that ratio is below 1.
+    fn without_doubt(mut self) -> Self {
+        let is_open = self.ratio_at_most().is_some_and(|ratio| ratio < 1.0);
+        let doubted = |verdict: DemandVerdict| match verdict {
+            DemandVerdict::Above | DemandVerdict::Near if is_open => DemandVerdict::Unknown,
+            verdict => verdict,
+        };
+        if let Some(elastic) = &mut self.comparison.elastic {
+            elastic.verdict = doubted(elastic.verdict);
+        }
+        self.comparison.verdict = doubted(self.comparison.verdict);
+        self
+    }
 }
 
 /// A stack against a site.
@@ -48,12 +81,12 @@ pub struct StackDemandCheck {
 
 /// A stack against a site: at what acceleration it begins to move, and what is asked for, both ways.
 ///
-/// `periods_s` are the first periods of swaying along x and y, if they are known. `None` if the site gives no acceleration of
+/// `first` are the first modes of swaying along x and y, if they are known. `None` if the site gives no acceleration of
 /// the ground.
 ///
 /// ```text
 /// rigid      capacity(a_z) / A_0                  a_z = −v A_0, v the vertical ratio: all of it, at the worst moment
-/// elastic    capacity(a_z) / S_a(T₁, ζ)           in any direction the larger S_a of both
+/// elastic    capacity(a_z) / S_a(T₁, ζ)           in any direction the larger S_a of both; unknown if at least 1 but not with S_a max Γ φ
 /// ```
 ///
 /// # Errors
@@ -62,7 +95,7 @@ pub struct StackDemandCheck {
 /// # Limits
 /// Those of [`check_stack`] and [`compare_with_demand`]. That the whole vertical peak comes with the whole horizontal one is
 /// on the safe side. Along x and y the capacity is that of the limit analysis, without
-/// strength of the stone and turning of the soil; S_a acts on all masses alike.
+/// strength of the stone and turning of the soil. Modes above the first are not counted.
 ///
 /// # Source
 /// Kim, Koo & Hong (2018), eqs 9 and 16.
@@ -70,7 +103,7 @@ pub fn stack_against_site(
     stack: &Stack,
     options: &StackCheckOptions,
     site: &SiteDemand,
-    periods_s: [Option<f64>; 2],
+    first: [Option<FirstSway>; 2],
 ) -> Result<Option<StackDemandCheck>, AssessError> {
     let Some(peak) = site.peak_ground_acceleration_m_s2 else {
         return Ok(None);
@@ -79,8 +112,10 @@ pub fn stack_against_site(
     let mut lifted = options.clone();
     lifted.limits.loads.vertical_acceleration_m_s2 -= vertical;
     let weightless = lifted.limits.loads.vertical_acceleration_m_s2 <= -stack.gravity_m_s2();
-    let spectral = |period_s: Option<f64>| -> Result<Option<SpectralDemand>, AssessError> {
-        let Some(period_s) = period_s else { return Ok(None) };
+    let spectral = |first: Option<FirstSway>| -> Result<Option<SpectralDemand>, AssessError> {
+        let Some(FirstSway { period_s, .. }) = first else {
+            return Ok(None);
+        };
         let damping_ratio = site.damping_ratio;
         Ok(Some(SpectralDemand {
             period_s,
@@ -88,17 +123,19 @@ pub fn stack_against_site(
             acceleration_m_s2: site.spectrum.acceleration_m_s2(period_s, damping_ratio)?,
         }))
     };
-    let [along_x, along_y] = [spectral(periods_s[0])?, spectral(periods_s[1])?];
+    let [along_x, along_y] = [spectral(first[0])?, spectral(first[1])?];
+    let amplification = first.map(|first| first.map(|first| first.amplification));
+    let either = amplification[0].zip(amplification[1]).map(|(x, y)| x.max(y));
     let larger = match (along_x, along_y) {
         (Some(x), Some(y)) if x.acceleration_m_s2 >= y.acceleration_m_s2 => Some(x),
         (Some(_), Some(y)) => Some(y),
         _ => None, // one that is not known may be the larger
     };
     let mut rows = Vec::with_capacity(3);
-    for (direction, spectral) in [
-        (ShakenDirection::X, along_x),
-        (ShakenDirection::Y, along_y),
-        (ShakenDirection::Any, larger),
+    for (direction, spectral, amplification) in [
+        (ShakenDirection::X, along_x, amplification[0]),
+        (ShakenDirection::Y, along_y, amplification[1]),
+        (ShakenDirection::Any, larger, either),
     ] {
         let of = |options: &StackCheckOptions| capacity(stack, options, direction);
         let capacity = of(options)?;
@@ -115,13 +152,15 @@ pub fn stack_against_site(
             (true, _) => Some(0.0),
             (false, found) => found.map(|threshold| threshold.acceleration_m_s2),
         };
-        rows.push(StackDemandRow {
+        let row = StackDemandRow {
             direction,
             capacity,
             capacity_with_vertical,
             period_s: spectral.map(|spectral| spectral.period_s),
+            amplification,
             comparison: compare_with_demand(left, &demand)?,
-        });
+        };
+        rows.push(row.without_doubt());
     }
     Ok(Some(StackDemandCheck {
         vertical_acceleration_m_s2: vertical,
@@ -191,6 +230,14 @@ mod tests {
         Stack::new(vec![block], JointMaterial::default(), G).unwrap()
     }
 
+    /// All stones alike.
+    fn sway(period_s: f64) -> Option<FirstSway> {
+        Some(FirstSway {
+            period_s,
+            amplification: 1.0,
+        })
+    }
+
     fn site(return_period_years: u32) -> SiteDemand {
         let site = Site::Kds17 {
             zone_factor_g: 0.11,
@@ -208,7 +255,7 @@ mod tests {
             &stone(),
             &StackCheckOptions::default(),
             &site(200),
-            [Some(0.2), Some(0.6)],
+            [sway(0.2), sway(0.6)],
         )
         .unwrap()
         .unwrap();
@@ -235,12 +282,44 @@ mod tests {
     #[test]
     fn holds_an_unknown_period_is_never_above_demand() {
         let options = StackCheckOptions::default();
-        let found = stack_against_site(&stone(), &options, &site(50), [Some(0.5), None]);
+        let found = stack_against_site(&stone(), &options, &site(50), [sway(0.5), None]);
         let found = found.unwrap().unwrap();
         assert_eq!(found.rows[0].comparison.verdict, DemandVerdict::Above);
         assert_eq!(found.rows[1].comparison.verdict, DemandVerdict::Unknown);
         assert_eq!(found.rows[2].period_s, None);
         assert_eq!(found.verdict, DemandVerdict::Unknown);
+    }
+
+    #[test]
+    fn holds_a_stone_that_sways_more_than_the_stack_bears_is_not_above_demand() {
+        let of = |amplification: f64| {
+            let first = FirstSway {
+                period_s: 0.6,
+                amplification,
+            };
+            let options = StackCheckOptions::default();
+            let found = stack_against_site(&stone(), &options, &site(200), [Some(first); 2]);
+            found.unwrap().unwrap().rows[1]
+        };
+        // along y: .4 (1 − .77 S)/(1.4 S) = 3.34
+        let ratio = of(1.0).comparison.elastic.unwrap().ratio.unwrap();
+        assert!((ratio - 0.4 * (1.0 - 0.77 * 0.0803) / (1.4 * 0.0803)).abs() < 1e-7);
+        let (bears, does_not) = (of(ratio * 0.999), of(ratio * 1.001));
+        assert_eq!(bears.comparison.verdict, DemandVerdict::Above);
+        assert_eq!(does_not.comparison.verdict, DemandVerdict::Unknown);
+        assert_eq!(
+            does_not.comparison.elastic.unwrap().verdict,
+            DemandVerdict::Unknown
+        );
+        assert!((does_not.ratio_at_most().unwrap() - 1.0 / 1.001).abs() < 1e-9);
+        // below stays below
+        let below = stack_against_site(
+            &stone(),
+            &StackCheckOptions::default(),
+            &site(2400),
+            [sway(0.2), sway(0.2)],
+        );
+        assert_eq!(below.unwrap().unwrap().verdict, DemandVerdict::Below);
     }
 
     #[test]

@@ -1,120 +1,21 @@
-//! Fits of a lognormal fragility curve.
+//! The likeliest lognormal fragility curve.
 
 use super::curve::Fragility;
+use super::fitted_curve::FragilityFit;
 use super::likelihood::{Likelihood, likelihood};
 use super::observation::{Observation, bound, middle_capacity};
 use crate::assess::AssessError;
-use crate::numeric::{
-    Interval, chi_squared_quantile, ln_normal_probability, mean, student_two_sided_quantile, variance,
-};
+use crate::numeric::{mean, variance};
 use std::collections::BTreeMap;
 
 /// Fewest motions that a curve is fitted to.
-const MOTIONS_LEAST: usize = 3;
+pub(super) const MOTIONS_LEAST: usize = 3;
 /// Newton's steps, the one that is small enough, and the one that is too large for an end.
 const STEPS_MOST: usize = 200;
 const STEP_LEAST: f64 = 1e-13;
 const STEP_MOST: f64 = 1e-6;
 /// Standard error of β over β from which there is no curve: nothing is known of its steepness. Chosen here.
 const BETA_ERROR_MOST: f64 = 3.0;
-/// Least degrees of freedom of β. Chosen here.
-const FREEDOM_LEAST: f64 = 0.2;
-
-/// A curve with what is to be known of how it was found.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct FragilityFit {
-    /// The curve.
-    pub curve: Fragility,
-    /// Standard error of ln θ.
-    pub ln_theta_error: f64,
-    /// Standard error of β.
-    pub beta_error: f64,
-    /// Covariance of ln θ and β.
-    pub covariance: f64,
-    /// Logarithm of the likelihood; `None` of a fit by moments.
-    pub log_likelihood: Option<f64>,
-    /// Different motions it rests on: of stripes those of the largest.
-    pub motions: usize,
-    /// Observations that reached the state, of all.
-    pub reached: usize,
-    /// All observations: of stripes every motion at every intensity.
-    pub observations: usize,
-}
-
-impl FragilityFit {
-    /// Interval of θ with a confidence.
-    ///
-    /// ```text
-    /// θ exp(± t s),   s² = σ² n/(n − 1),   t of Student with n − 1 degrees of freedom, n motions
-    /// ```
-    ///
-    /// # Errors
-    /// [`AssessError::Numeric`] unless 0 < confidence < 1.
-    pub fn theta_interval(&self, confidence: f64) -> Result<Interval, AssessError> {
-        let half = self.times(confidence)? * self.ln_theta_error;
-        Ok(Interval {
-            lower: self.curve.theta() * (-half).exp(),
-            upper: self.curve.theta() * half.exp(),
-        })
-    }
-
-    /// Interval of β with a confidence: that of a standard deviation.
-    ///
-    /// ```text
-    /// β √(m/χ²),   m = ½ (β/σ)²,   χ² of m − 1 degrees of freedom: all capacities known, m = n
-    /// ```
-    ///
-    /// # Errors
-    /// As [`FragilityFit::theta_interval`].
-    pub fn beta_interval(&self, confidence: f64) -> Result<Interval, AssessError> {
-        let known = 0.5 * (self.curve.beta() / self.beta_error).powi(2);
-        let free = if self.is_by_moments() { known } else { known - 1.0 };
-        let free = free.max(FREEDOM_LEAST);
-        let at = |probability: f64| -> Result<f64, AssessError> {
-            Ok(self.curve.beta() * (known / chi_squared_quantile(probability, free)?).sqrt())
-        };
-        Ok(Interval {
-            lower: at(0.5 + 0.5 * confidence)?,
-            upper: at(0.5 - 0.5 * confidence)?,
-        })
-    }
-
-    /// Interval of the probability at an intensity with a confidence, from the covariance of both parameters.
-    ///
-    /// # Errors
-    /// As [`FragilityFit::theta_interval`].
-    pub fn probability_interval(&self, intensity: f64, confidence: f64) -> Result<Interval, AssessError> {
-        let beta = self.curve.beta();
-        let z = (intensity / self.curve.theta()).ln() / beta;
-        // dz = −(d ln θ + z dβ)/β
-        let variance =
-            self.ln_theta_error.powi(2) + z * (2.0 * self.covariance + z * self.beta_error.powi(2));
-        let half = self.times(confidence)? * variance.max(0.0).sqrt() / beta;
-        let at = |z: f64| ln_normal_probability(z).exp();
-        Ok(Interval {
-            lower: at(z - half),
-            upper: at(z + half),
-        })
-    }
-
-    /// Standard deviation of what is not known of ln θ: the standard error, wider as it is itself estimated from few motions, so that a
-    /// normal distribution with it stands for Student's; √(n/(n − 3)) of it, of three motions √(n/(n − 1)) and more.
-    pub fn ln_theta_deviation(&self) -> f64 {
-        let n = self.motions as f64;
-        self.ln_theta_error * (n / (n - 3.0).max(1.0)).sqrt()
-    }
-
-    fn is_by_moments(&self) -> bool {
-        self.log_likelihood.is_none()
-    }
-
-    /// Standard errors to each side of an interval of a confidence.
-    fn times(&self, confidence: f64) -> Result<f64, AssessError> {
-        let n = self.motions as f64;
-        let likeliest = if self.is_by_moments() { 1.0 } else { n / (n - 1.0) };
-        Ok(student_two_sided_quantile(1.0 - confidence, n - 1.0)? * likeliest.sqrt())
-    }
-}
 
 /// The likeliest lognormal curve of observations of any kind, mixed as they come.
 ///
@@ -309,52 +210,6 @@ impl Top {
     }
 }
 
-/// Median and dispersion of capacities that are all known, by their moments.
-///
-/// ```text
-/// ln θ = Σ ln x / n,   β² = Σ (ln x − ln θ)²/(n − 1),   σ(ln θ) = β/√n,   σ(β) = β/√(2(n − 1))
-/// ```
-///
-/// # Errors
-/// [`AssessError::TooFewMotions`] for fewer than 3; [`AssessError::Observation`]; [`AssessError::FragilityParameter`] if all are equal.
-///
-/// # Source
-/// Ibarra, L. F. and Krawinkler, H. (2005), as method A of Baker (2015).
-pub fn fit_fragility_by_moments(capacities: &[f64]) -> Result<FragilityFit, AssessError> {
-    for (i, &x) in capacities.iter().enumerate() {
-        Observation::At(x).check(i + 1)?;
-    }
-    let n = capacities.len();
-    if n < MOTIONS_LEAST {
-        return Err(AssessError::TooFewMotions { given: n });
-    }
-    let logs: Vec<f64> = capacities.iter().map(|x| x.ln()).collect();
-    let beta = variance(&logs)?.sqrt();
-    Ok(FragilityFit {
-        curve: Fragility::new(mean(&logs)?.exp(), beta)?,
-        ln_theta_error: beta / (n as f64).sqrt(),
-        beta_error: beta / (2.0 * (n as f64 - 1.0)).sqrt(),
-        covariance: 0.0,
-        log_likelihood: None,
-        motions: n,
-        reached: n,
-        observations: n,
-    })
-}
-
-/// How many motions make the standard error of ln θ as small as is asked: (β/σ)².
-///
-/// # Errors
-/// [`AssessError::FragilityParameter`] unless both are positive.
-pub fn motions_needed(beta: f64, ln_theta_error: f64) -> Result<usize, AssessError> {
-    for (parameter, given) in [("beta", beta), ("ln_theta_error", ln_theta_error)] {
-        if !(given > 0.0 && given.is_finite()) {
-            return Err(AssessError::FragilityParameter { parameter, given });
-        }
-    }
-    Ok((beta / ln_theta_error).powi(2).ceil() as usize)
-}
-
 /// Different motions: single ones, and those of the largest stripe, for stripes are of the same.
 fn motions_of(observations: &[Observation]) -> usize {
     let (mut single, mut stripe) = (0, 0);
@@ -370,10 +225,11 @@ fn motions_of(observations: &[Observation]) -> usize {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::assess::FragilityBound;
-    use crate::assess::{bootstrap_fragility, bootstrap_fragility_of_motions};
-    use crate::numeric::Random;
-    use crate::numeric::ln_normal_density;
+    use crate::assess::{
+        FragilityBound, bootstrap_fragility, bootstrap_fragility_of_motions, fit_fragility_by_moments,
+        motions_needed,
+    };
+    use crate::numeric::{Interval, Random, ln_normal_density};
 
     fn stripes(reached: &[usize]) -> Vec<Observation> {
         const INTENSITY: [f64; 8] = [0.2, 0.3, 0.4, 0.6, 0.7, 0.8, 0.9, 1.0];

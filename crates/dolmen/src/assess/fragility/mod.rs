@@ -3,14 +3,16 @@
 mod bootstrap;
 mod curve;
 mod fit;
+mod fitted_curve;
 mod likelihood;
+mod moments;
 mod observation;
 mod scatter;
 
 pub use bootstrap::{FragilityBand, bootstrap_fragility, bootstrap_fragility_of_motions};
 pub use curve::{Crossing, Fragility, crossing};
-pub use fit::{
-    FragilityFit, fit_fragility, fit_fragility_by_moments, fit_fragility_of_motions, motions_needed,
-};
+pub use fit::{fit_fragility, fit_fragility_of_motions};
+pub use fitted_curve::FragilityFit;
+pub use moments::{fit_fragility_by_moments, motions_needed};
 pub use observation::{FragilityBound, Observation};
 pub use scatter::{ScatterSplit, scatter_split};

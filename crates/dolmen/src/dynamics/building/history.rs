@@ -93,6 +93,21 @@ pub struct StoreyPeak {
     pub edge_drift_y_m: Option<Peak>,
     /// Twist of the storey, rad.
     pub twist_rad: Peak,
+    /// Largest drift in any direction at a corner of the floor above, or at its centre of mass if its outline is not known.
+    pub resultant: ResultantDrift,
+}
+
+/// A largest drift as a vector: along x and y at one instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ResultantDrift {
+    /// Its length, m.
+    pub size_m: f64,
+    /// When, s.
+    pub at_s: f64,
+    /// Where on the floor above, in plan, m.
+    pub place_m: [f64; 2],
+    /// Where it points, degrees from x toward y, −180 to 180.
+    pub direction_degrees: f64,
 }
 
 /// Largest values of a run, between its steps: where each is largest at a step, the top beside it.
@@ -346,8 +361,9 @@ impl Over<'_> {
             watcher.see(block, (first, now), &mut looker, kept.as_mut());
         };
         let states = walk(stepping, &watcher.outputs, self.steps, ground, &mut see);
-        let largest = looker.largest();
-        let found = watcher.peaks(&largest, (self.steps + 1, self.h), &states, stepping, ground);
+        let (largest, longest) = looker.found();
+        let looked = (&largest[..], &longest[..]);
+        let found = watcher.peaks(looked, (self.steps + 1, self.h), &states, stepping, ground);
         let Kept {
             coordinates,
             base,

@@ -19,6 +19,8 @@ pub(super) struct Reach {
     pub(super) is_known: bool,
     x: [f64; 2],
     y: [f64; 2],
+    /// Its corners; the centre of mass alone if they are not known.
+    pub(super) corners: Vec<[f64; 2]>,
     /// The centre of mass from that of the floor below.
     from_below: [f64; 2],
 }
@@ -26,14 +28,18 @@ pub(super) struct Reach {
 pub(super) fn reaches(building: &VibratingBuilding) -> Vec<Reach> {
     let floors = building.building().floors();
     let each = floors.iter().enumerate().map(|(i, floor)| {
-        let corners = floor
-            .outline
-            .as_ref()
-            .map_or(&[][..], |outline| outline.corners_m());
+        let corners: Vec<[f64; 2]> = match &floor.outline {
+            Some(outline) => outline
+                .corners_m()
+                .iter()
+                .map(|corner| [0, 1].map(|axis| corner[axis] - floor.centre_m[axis]))
+                .collect(),
+            None => vec![[0.0; 2]],
+        };
         let extent = |axis: usize| {
             corners
                 .iter()
-                .map(|corner| corner[axis] - floor.centre_m[axis])
+                .map(|corner| corner[axis])
                 .fold([0.0_f64; 2], |[least, most], from| {
                     [least.min(from), most.max(from)]
                 })
@@ -48,23 +54,18 @@ pub(super) fn reaches(building: &VibratingBuilding) -> Vec<Reach> {
             x: extent(0),
             y: extent(1),
             from_below: [floor.centre_m[0] - below[0], floor.centre_m[1] - below[1]],
+            corners,
         }
     });
     each.collect()
 }
 
-/// The values that are looked at in storeys, of one column of coordinates.
-pub(super) fn look(column: &[f64], reaches: &[Reach], values: &mut [f64]) {
-    let mut below = [0.0; 3];
-    let storeys = column
-        .chunks_exact(3)
-        .zip(reaches)
-        .zip(values.chunks_exact_mut(LOOKED_AT));
-    for ((own, reach), values) in storeys {
-        let own = [own[0], own[1], own[2]];
-        values.copy_from_slice(&storey_values(own, below, reach));
-        below = own;
-    }
+/// What a value of a storey takes of u, v, θ of its floor and of the floor below.
+pub(super) fn factors(value: usize, reach: &Reach) -> [[f64; 3]; 2] {
+    let unit = |k: usize| [0, 1, 2].map(|i| f64::from(i == k));
+    let own = [0, 1, 2].map(|k| storey_values(unit(k), [0.0; 3], reach)[value]);
+    let below = [0, 1, 2].map(|k| storey_values([0.0; 3], unit(k), reach)[value]);
+    [own, below]
 }
 
 fn storey_values([u, v, theta]: [f64; 3], below: [f64; 3], reach: &Reach) -> [f64; LOOKED_AT] {
@@ -86,10 +87,26 @@ fn storey_values([u, v, theta]: [f64; 3], below: [f64; 3], reach: &Reach) -> [f6
     ]
 }
 
+/// The longest drift of a corner found at a step.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct Longest {
+    /// Along x and y.
+    pub(super) drift: [f64; 2],
+    pub(super) step: usize,
+}
+
+impl Longest {
+    pub(super) fn squared(&self) -> f64 {
+        self.drift.iter().map(|along| along * along).sum()
+    }
+}
+
 /// The largest of each value so far.
 pub(super) struct Looker<'a> {
     reaches: &'a [Reach],
     largest: Largest,
+    /// Of each corner of each floor.
+    longest: Vec<Vec<Longest>>,
     drifts: Box<Drifts>,
 }
 
@@ -117,6 +134,32 @@ impl Drifts {
             right[t] = drift_y[t] + x_high * twist[t];
         }
     }
+
+    /// The drift of a corner as a vector.
+    #[inline(always)]
+    fn look_at_corner(
+        &self,
+        longest: &mut Longest,
+        [from_x, from_y]: [f64; 2],
+        (first, now): (usize, usize),
+    ) {
+        let [drift_x, drift_y, twist, ..] = &self.0;
+        let (mut most, mut at) = (longest.squared(), None);
+        for t in 0..now {
+            let (x, y) = (drift_x[t] - from_y * twist[t], drift_y[t] + from_x * twist[t]);
+            let squared = x * x + y * y;
+            if squared > most {
+                most = squared;
+                at = Some((t, [x, y]));
+            }
+        }
+        if let Some((t, drift)) = at {
+            *longest = Longest {
+                drift,
+                step: first + t,
+            };
+        }
+    }
 }
 
 impl<'a> Looker<'a> {
@@ -125,6 +168,10 @@ impl<'a> Looker<'a> {
         Looker {
             reaches,
             largest: vec![(0.0, 0); LOOKED_AT * reaches.len() + count],
+            longest: reaches
+                .iter()
+                .map(|reach| vec![Longest::default(); reach.corners.len()])
+                .collect(),
             drifts: Box::new(Drifts([[0.0; BLOCK]; LOOKED_AT - 3])),
         }
     }
@@ -145,8 +192,18 @@ impl<'a> Looker<'a> {
             let own = [0, 1, 2].map(|k| block.column(3 * i + k).first_chunk().unwrap_or(&still));
             self.drifts.of_storey(own, below, reach);
             let found = &mut self.largest[LOOKED_AT * i..LOOKED_AT * (i + 1)];
-            for (found, values) in found.iter_mut().zip(own.into_iter().chain(&self.drifts.0)) {
-                take(found, &values[..now], first);
+            let mut sizes = [0.0; LOOKED_AT];
+            let values = own.into_iter().chain(&self.drifts.0);
+            for ((found, size), values) in found.iter_mut().zip(&mut sizes).zip(values) {
+                *size = take(found, &values[..now], first);
+            }
+            let [.., front, back, left, right] = sizes;
+            let (x, y) = (front.max(back), left.max(right));
+            for (longest, corner) in self.longest[i].iter_mut().zip(&reach.corners) {
+                // no corner moves farther than both edges together
+                if x * x + y * y > longest.squared() {
+                    self.drifts.look_at_corner(longest, *corner, (first, now));
+                }
             }
             below = own;
         }
@@ -158,14 +215,15 @@ impl<'a> Looker<'a> {
         take(&mut self.largest[of_storeys + which], values, first);
     }
 
-    pub(super) fn largest(self) -> Largest {
-        self.largest
+    /// Largest values, and the longest drift of each corner of each storey.
+    pub(super) fn found(self) -> (Largest, Vec<Vec<Longest>>) {
+        (self.largest, self.longest)
     }
 }
 
-/// The first of the largest values, kept only where it is more than before.
+/// The first of the largest values, kept only where it is more than before. The largest size of all is given back.
 #[inline(always)]
-fn take(found: &mut (f64, usize), values: &[f64], first: usize) {
+fn take(found: &mut (f64, usize), values: &[f64], first: usize) -> f64 {
     const LANES: usize = 8;
     let mut most = [0.0_f64; LANES];
     let chunks = values.chunks_exact(LANES);
@@ -184,6 +242,7 @@ fn take(found: &mut (f64, usize), values: &[f64], first: usize) {
         let step = values.iter().position(|value| value.abs() == most).unwrap_or(0);
         *found = (values[step], first + step);
     }
+    most
 }
 
 #[cfg(test)]
@@ -197,6 +256,7 @@ mod tests {
             x: [-1.5, 2.5],
             y: [-3.5, 4.5],
             from_below: [0.25, -0.75],
+            corners: vec![[-1.5, -3.5], [2.5, 4.5]],
         };
         let wave = |phase: f64| std::array::from_fn(|t| (0.1 * t as f64 + phase).sin());
         let all: [[f64; BLOCK]; 6] = [0.1, 0.7, 1.3, 2.1, 2.9, 3.4].map(wave);

@@ -1,5 +1,6 @@
 //! Buildings that twist under moving ground: exact between the samples, with or without tuned masses; and by response spectra.
 
+mod between;
 mod complex_modes;
 mod exponential;
 mod history;
@@ -13,8 +14,8 @@ mod vibrating;
 pub(crate) use exponential::{BaseDriven, ExponentialSteps};
 pub(crate) use history::shaken;
 pub use history::{
-    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, Histories, HistoryMethod, Peak, StoreyPeak,
-    WatchedHistory, building_history,
+    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, Histories, HistoryMethod, Peak, ResultantDrift,
+    StoreyPeak, WatchedHistory, building_history,
 };
 pub use spectrum_analysis::{
     DirectionalCombination, LeastFavourable, ModalCombination, SpectralAnalysis, SpectralMode,

@@ -1,20 +1,23 @@
-//! Largest values of a run, between its steps.
-//!
-//! | symbol | code | meaning |
-//! |:--|:--|:--|
-//! | r | `row` | a value as a row of the state: r s |
-//! | p, v, w | | value, rate and second rate at a step: r s, r A s + r B a, r A² s + r A B a + r B a′ |
+//! What is looked at in a run, as rows of its state, and the largest values of all.
 
-use super::history::{BuildingPeaks, FloorPeak, Ground, Peak, StoreyPeak};
-use super::looking::{LOOKED_AT, Looker, Reach, look, reaches};
-use super::stepping::{Stepping, states_at};
+use super::between::Between;
+use super::history::{BuildingPeaks, FloorPeak, Ground, Peak, ResultantDrift, StoreyPeak};
+use super::looking::{LOOKED_AT, Longest, Looker, Reach, factors, reaches};
+use super::stepping::Stepping;
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
+
+/// A corner whose squared drift at steps is below this part of the largest is not the farthest between them: for ten steps a period a top is at most
+/// 1/cos²(π/10) of the value at a step. Our choice.
+const NEAR_LONGEST: f64 = 0.8;
 
 /// What is looked at in a run.
 pub(super) struct Watcher {
     floors: usize,
+    /// Centres of mass of the floors, m.
+    centres_m: Vec<[f64; 2]>,
     reaches: Vec<Reach>,
+    /// ιᵀ K: only the lowest storey's walls hold to the ground.
     base_rows: [Vec<f64>; 3],
     /// Rows of the points over the coordinates.
     watched: Vec<Vec<f64>>,
@@ -94,18 +97,17 @@ impl Watcher {
         });
         Watcher {
             floors: building.building().floors().len(),
+            centres_m: building
+                .building()
+                .floors()
+                .iter()
+                .map(|floor| floor.centre_m)
+                .collect(),
             reaches: reaches(building),
             base_rows: building.building().base_rows(),
             watched: watched.to_vec(),
             own: own.rows(),
             outputs,
-        }
-    }
-
-    /// ιᵀ K q of one column of coordinates: only the lowest storey's walls hold to the ground.
-    fn base_of(&self, column: &[f64], base: &mut [f64]) {
-        for (sum, row) in base.iter_mut().zip(&self.base_rows) {
-            *sum = row[0] * column[0] + row[1] * column[1] + row[2] * column[2];
         }
     }
 
@@ -173,17 +175,32 @@ impl Watcher {
         }
     }
 
-    /// The top beside each of the largest values at steps.
+    /// The top beside each of the largest values at steps, and beside each longest drift.
     pub(super) fn peaks(
         &self,
-        all: &[(f64, usize)],
+        (all, longest): (&[(f64, usize)], &[Vec<Longest>]),
         (steps, h): (usize, f64),
         states: &[Vec<f64>],
         stepping: &impl Stepping,
         ground: &dyn Fn(usize) -> Ground,
     ) -> Found {
         let (n, masses, points) = (self.floors, self.masses(), self.watched.len());
-        let peaks = self.between(all, (steps, h), states, stepping, ground);
+        let moved = all
+            .iter()
+            .filter(|(value, _)| *value != 0.0)
+            .map(|(_, step)| *step);
+        let around = moved.chain(longest.iter().flatten().map(|longest| longest.step));
+        let between = Between::new(stepping, (steps, h), ground, states, around);
+        let mut row = vec![0.0; self.outputs.rows()];
+        let each = all.iter().enumerate().map(|(which, &found)| {
+            self.row(which, &mut row);
+            between.top(&row, found)
+        });
+        let peaks: Vec<Peak> = each.collect();
+        let each = longest.iter().enumerate();
+        let resultants: Vec<ResultantDrift> = each
+            .map(|(storey, longest)| self.resultant(storey, longest, &between))
+            .collect();
         let (storeys, rest) = peaks.split_at(LOOKED_AT * n);
         let (strokes, rest) = rest.split_at(masses);
         let (base, rest) = rest.split_at(3);
@@ -204,7 +221,9 @@ impl Watcher {
                     .collect(),
                 storeys: storeys
                     .zip(&self.reaches)
-                    .map(|(p, reach)| StoreyPeak {
+                    .zip(resultants)
+                    .map(|((p, reach), resultant)| StoreyPeak {
+                        resultant,
                         drift_x_m: p[3],
                         drift_y_m: p[4],
                         twist_rad: p[5],
@@ -220,173 +239,79 @@ impl Watcher {
         }
     }
 
-    /// All values that are looked at, as rows of the state, in their order.
-    fn rows(&self) -> Matrix {
-        let (n, points) = (self.floors, self.watched.len());
-        let masses = self.masses();
-        let count = LOOKED_AT * n + self.others();
-        let mut rows = Matrix::zeros(count, self.outputs.rows());
-        for k in 0..self.outputs.rows() {
-            let column: Vec<f64> = (0..self.outputs.columns())
-                .map(|i| self.outputs[(k, i)])
-                .collect();
-            let into = rows.column_mut(k);
-            look(&column[..3 * n], &self.reaches, &mut into[..LOOKED_AT * n]);
-            let rest = &mut into[LOOKED_AT * n..];
-            rest[..masses].copy_from_slice(&column[3 * n..self.own]);
-            self.base_of(&column, &mut rest[masses..masses + 3]);
-            for (i, row) in self.watched.iter().enumerate() {
-                rest[masses + 3 + i] = row.iter().zip(&column).map(|(r, x)| r * x).sum();
-                rest[masses + 3 + points + i] = column[self.own + i];
-            }
-            rest[masses + 3 + 2 * points..].copy_from_slice(&column[self.own + points..]);
-        }
-        rows
-    }
-
-    /// The tops beside the largest values at steps.
-    fn between(
+    /// The longest drift of a storey, from those of its corners at steps.
+    fn resultant(
         &self,
-        all: &[(f64, usize)],
-        (steps, h): (usize, f64),
-        states: &[Vec<f64>],
-        stepping: &impl Stepping,
-        ground: &dyn Fn(usize) -> Ground,
-    ) -> Vec<Peak> {
-        let mut wanted: Vec<usize> = all
-            .iter()
-            .filter(|(value, _)| *value != 0.0)
-            .flat_map(|&(_, step)| step.saturating_sub(1)..=(step + 1).min(steps - 1))
-            .collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        let found = states_at(stepping, states, &wanted, ground);
-        let rows = self.rows();
-        let mut row = vec![0.0; rows.columns()];
-        let each = all.iter().enumerate().map(|(i, &(value, step))| {
-            let there = Peak {
-                value,
-                at_s: step as f64 * h,
-            };
-            if value == 0.0 {
-                return there;
-            }
-            for (k, entry) in row.iter_mut().enumerate() {
-                *entry = rows[(i, k)];
-            }
-            let of = Rates::new(&row, stepping);
-            let at = |step: usize| wanted.binary_search(&step).map(|i| &found[i][..]);
-            let inside = |from: usize| -> Option<Peak> {
-                let (a, b) = (at(from).ok()?, at(from + 1).ok()?);
-                let g = ground(from);
-                let ends = [of.at(a, g, 0, h), of.at(b, g, 1, h)];
-                let (part, value) = top(ends)?;
-                Some(Peak {
-                    value,
-                    at_s: (from as f64 + part) * h,
-                })
-            };
-            let sides = [step.checked_sub(1), (step + 1 < steps).then_some(step)];
-            let tops = sides.into_iter().flatten().filter_map(inside);
-            tops.fold(there, |best, next| {
-                if next.value.abs() > best.value.abs() {
-                    next
-                } else {
-                    best
-                }
-            })
-        });
-        each.collect()
-    }
-}
-
-/// A value, its rate and its second rate as rows of the state.
-struct Rates<'a> {
-    row: &'a [f64],
-    first: Vec<f64>,
-    second: Vec<f64>,
-    ground: [[f64; 2]; 2],
-}
-
-impl<'a> Rates<'a> {
-    fn new(row: &'a [f64], stepping: &impl Stepping) -> Self {
-        let first = stepping.rate_row(row);
-        Rates {
-            row,
-            ground: [stepping.ground_of_row(row), stepping.ground_of_row(&first)],
-            second: stepping.rate_row(&first),
-            first,
-        }
-    }
-
-    /// Value, rate × h and second rate × h² at the beginning (0) or the end (1) of a step.
-    fn at(&self, state: &[f64], ground: Ground, end: usize, h: f64) -> [f64; 3] {
-        let dot = |row: &[f64]| -> f64 { row.iter().zip(state).map(|(r, s)| r * s).sum() };
-        let [now, then] = &self.ground;
-        let sum = |of: &dyn Fn(usize) -> f64| -> f64 { of(0) + of(1) };
-        let rate = dot(&self.first) + sum(&|axis| now[axis] * ground[axis][end]);
-        let change = |axis: usize| (ground[axis][1] - ground[axis][0]) / h;
-        let bend = dot(&self.second) + sum(&|axis| then[axis] * ground[axis][end] + now[axis] * change(axis));
-        [dot(self.row), rate * h, bend * h * h]
-    }
-}
-
-/// The top within a step, from value, rate and bend at both ends (in steps): the part of the step and the value there; `None` if there
-/// is none inside.
-fn top([a, b]: [[f64; 3]; 2]) -> Option<(f64, f64)> {
-    if a[1] * b[1] >= 0.0 {
-        return None; // it goes on rising or falling
-    }
-    // the polynomial of the fifth degree, from its beginning
-    let (rise, slopes) = (b[0] - a[0] - a[1] - 0.5 * a[2], b[1] - a[1] - a[2]);
-    let bends = b[2] - a[2];
-    let c = [
-        a[0],
-        a[1],
-        0.5 * a[2],
-        10.0 * rise - 4.0 * slopes + 0.5 * bends,
-        -15.0 * rise + 7.0 * slopes - bends,
-        6.0 * rise - 3.0 * slopes + 0.5 * bends,
-    ];
-    let value = |t: f64| c.iter().rev().fold(0.0, |sum, c| sum * t + c);
-    let slope = |t: f64| (1..6).rev().fold(0.0, |sum, i| sum * t + i as f64 * c[i]);
-    let (mut low, mut high) = (0.0, 1.0);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if slope(middle) * a[1] > 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    let at = 0.5 * (low + high);
-    Some((at, value(at)))
-}
-
-/// Halvings of a step in which its top is sought: the value is flat there, so that 1e-8 of a step is round-off of it.
-const HALVINGS: usize = 26;
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn exact_top_of_a_wave_between_two_steps() {
-        // cos(0.6 (t − 0.3)), ten steps a period
-        let at = |t: f64| {
-            let x: f64 = 0.6 * (t - 0.3);
-            [x.cos(), -0.6 * x.sin(), -0.36 * x.cos()]
+        storey: usize,
+        corners: &[Longest],
+        between: &Between<'_, impl Stepping>,
+    ) -> ResultantDrift {
+        let of = |value: usize| {
+            let mut row = vec![0.0; self.outputs.rows()];
+            self.row(LOOKED_AT * storey + value, &mut row);
+            row
         };
-        let (part, value) = top([at(0.0), at(1.0)]).unwrap();
-        assert!(
-            (part - 0.3).abs() < 1e-5 && (value - 1.0).abs() < 2e-6,
-            "{part} {value}"
-        );
-        // quintic: itself
-        let of = |t: f64| [t - t.powi(5), 1.0 - 5.0 * t.powi(4), -20.0 * t.powi(3)];
-        let (part, value) = top([of(0.0), of(1.0)]).unwrap();
-        let expected = 0.2_f64.powf(0.25);
-        assert!((part - expected).abs() < 1e-7 && (value - of(expected)[0]).abs() < 1e-15);
-        assert!(top([of(0.0), of(0.5)]).is_none(), "it rises throughout");
+        let (drift_x, drift_y, twist) = (of(3), of(4), of(5));
+        let turned = |drift: &[f64], arm: f64| -> Vec<f64> {
+            drift.iter().zip(&twist).map(|(d, t)| d + arm * t).collect()
+        };
+        let most = corners.iter().map(Longest::squared).fold(0.0, f64::max);
+        let each = corners.iter().zip(&self.reaches[storey].corners);
+        let near = each.filter(|(found, _)| found.squared() >= NEAR_LONGEST * most);
+        let tops = near.map(|(found, from_centre)| {
+            let (along_x, along_y) = (
+                turned(&drift_x, -from_centre[1]),
+                turned(&drift_y, from_centre[0]),
+            );
+            let ([x, y], at_s) = between.longest([&along_x, &along_y], (found.drift, found.step));
+            ResultantDrift {
+                size_m: x.hypot(y),
+                at_s,
+                place_m: [0, 1].map(|axis| self.centres_m[storey][axis] + from_centre[axis]),
+                direction_degrees: y.atan2(x).to_degrees(),
+            }
+        });
+        let longer = |a: ResultantDrift, b: ResultantDrift| if b.size_m > a.size_m { b } else { a };
+        tops.reduce(longer).unwrap_or_default()
+    }
+
+    /// The `which`-th of the values that are looked at as a row of the state: a sum of rows of the outputs.
+    fn row(&self, which: usize, row: &mut [f64]) {
+        let (n, masses, points) = (self.floors, self.masses(), self.watched.len());
+        row.fill(0.0);
+        let mut add = |output: usize, factor: f64| {
+            if factor != 0.0 {
+                for (entry, value) in row.iter_mut().zip(self.outputs.column(output)) {
+                    *entry += factor * value;
+                }
+            }
+        };
+        let (storey, value) = (which / LOOKED_AT, which % LOOKED_AT);
+        if storey < n {
+            let [own, below] = factors(value, &self.reaches[storey]);
+            for k in 0..3 {
+                add(3 * storey + k, own[k]);
+                if storey > 0 {
+                    add(3 * (storey - 1) + k, below[k]);
+                }
+            }
+            return;
+        }
+        let other = which - LOOKED_AT * n;
+        let base = other.wrapping_sub(masses);
+        let point = base.wrapping_sub(3);
+        if other < masses {
+            add(3 * n + other, 1.0);
+        } else if base < 3 {
+            for (k, factor) in self.base_rows[base][..3].iter().enumerate() {
+                add(k, *factor);
+            }
+        } else if point < points {
+            for (k, factor) in self.watched[point].iter().enumerate() {
+                add(k, *factor);
+            }
+        } else {
+            add(self.own + point - points, 1.0);
+        }
     }
 }

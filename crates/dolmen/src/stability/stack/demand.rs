@@ -97,7 +97,7 @@ pub struct DemandComparison {
 /// # Limits
 /// "Below demand" means that a joint opens or slides, not that the stack falls: what follows needs a time history. S_a
 /// acts on all masses alike; the upper part of a first mode has more (for a straight-line shape about 1.5 times), the lower
-/// part less.
+/// part less: `assess::demand::stack_against_site` looks at that.
 ///
 /// # Example
 /// ```

@@ -81,12 +81,14 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
         let down = upper.normal(below);
         let Some(lower) = lower else {
             if -down.z >= PARALLEL {
-                let axes = plane_axes(DVec3::Z);
-                let patch = face_in_plane(upper, below, DVec3::ZERO, &axes);
-                let height = height_over(upper, below, &patch, DVec3::ZERO, &axes);
-                if height.abs() <= BED_GAP_M {
-                    let area = patch.moments().area_m2;
-                    offer(area, bed_of(patch, DVec3::ZERO, axes));
+                // what fills the wedge below a stone that leans has the slope of the stone's bed
+                let axes = plane_axes(-down);
+                let corner = DVec3::from(upper.vertices_m()[upper.faces()[below][0]]);
+                let patch = face_in_plane(upper, below, corner, &axes);
+                let area = patch.moments().area_m2;
+                let bed = bed_of(patch, corner, axes);
+                if bed.origin.z.abs() <= BED_GAP_M {
+                    offer(area, bed);
                 }
             }
             continue;
@@ -96,7 +98,7 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
             if -up.dot(down) < PARALLEL {
                 continue;
             }
-            let axes = plane_axes((up - down).normalize());
+            let axes = plane_axes(steeper(up, -down));
             let origin = DVec3::from(lower.vertices_m()[lower.faces()[above][0]]);
             let low = face_in_plane(lower, above, origin, &axes);
             let high = face_in_plane(upper, below, origin, &axes);
@@ -115,6 +117,19 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
         }
     }
     best.map(|(_, bed)| bed)
+}
+
+/// The normal of the joint between two faces that are nearly level: that of the one with the steeper slope, down which a stone slides first; of upright ones
+/// the mean.
+fn steeper(below: DVec3, above: DVec3) -> DVec3 {
+    const LEVEL: f64 = 0.5;
+    if below.z.abs().min(above.z.abs()) < LEVEL {
+        (below + above).normalize()
+    } else if below.z.abs() < above.z.abs() {
+        below
+    } else {
+        above
+    }
 }
 
 /// Height of a face's plane over the plane of `axes` through `origin`, at the centroid of a patch, m.

@@ -13,6 +13,24 @@ pub enum StackError {
         /// The name.
         name: String,
     },
+    /// A tie or a side support that is nowhere near what it holds.
+    #[error(
+        "position_m of {piece} is [{}, {}, {}], {beyond_m:.3} m off {}: it must lie within {allowed_m} m of what it holds; is it in mm, or from \
+         another datum?",
+        position_m[0], position_m[1], position_m[2], blocks.join(" and ")
+    )]
+    Far {
+        /// "a tie" or "a side support".
+        piece: &'static str,
+        /// Where it is.
+        position_m: [f64; 3],
+        /// How far off the bounds of what it holds, m.
+        beyond_m: f64,
+        /// What it holds.
+        blocks: Vec<String>,
+        /// What is allowed, m.
+        allowed_m: f64,
+    },
     /// A dimension that must be positive and finite is not.
     #[error("{quantity} is {given}, but must be {allowed}")]
     Dimension {

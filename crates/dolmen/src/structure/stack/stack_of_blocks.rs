@@ -5,6 +5,9 @@ use super::overlap::overlap_depth;
 use super::{JointMaterial, Polygon, Solid, StackError};
 use glam::DVec3;
 
+/// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
+const PIECE_REACH_M: f64 = 0.1;
+
 /// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Chosen here. What is left of a
 /// gap or wedge counts as bedded (mortar, shims): contact begins as drawn.
 pub const BED_GAP_M: f64 = 0.005;
@@ -183,7 +186,7 @@ impl Stack {
     /// The same stack with a dowel or clamp.
     ///
     /// # Errors
-    /// [`StackError`] for a block that is not there or a value out of its range.
+    /// [`StackError`] for a block that is not there, a value out of its range, or a place farther than 0.1 m from the bounds of both blocks.
     pub fn with_tie(mut self, tie: Tie) -> Result<Self, StackError> {
         if let Body::Block(lower) = tie.lower {
             self.check_block(lower)?;
@@ -191,6 +194,11 @@ impl Stack {
         self.check_block(tie.upper)?;
         check_direction("axis of a tie", tie.axis)?;
         check_finite("position_m of a tie", tie.position_m)?;
+        let mut joined = vec![tie.upper];
+        if let Body::Block(lower) = tie.lower {
+            joined.push(lower);
+        }
+        self.check_near("a tie", tie.position_m, &joined)?;
         let not_negative = [
             ("axial_stiffness_n_m", tie.axial_stiffness_n_m),
             ("shear_stiffness_n_m", tie.shear_stiffness_n_m),
@@ -209,6 +217,36 @@ impl Stack {
         }
         self.ties.push(self.oriented(tie));
         Ok(self)
+    }
+
+    /// A piece far off the blocks that it holds would hold them by an arm that is not there.
+    fn check_near(
+        &self,
+        piece: &'static str,
+        position_m: [f64; 3],
+        blocks: &[usize],
+    ) -> Result<(), StackError> {
+        let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+        for &block in blocks {
+            let [least, most] = self.blocks[block].solid.bounds_m();
+            low = low.min(least.into());
+            high = high.max(most.into());
+        }
+        let at = DVec3::from(position_m);
+        let beyond_m = (low - at).max(at - high).max(DVec3::ZERO).length();
+        if beyond_m > PIECE_REACH_M {
+            return Err(StackError::Far {
+                piece,
+                position_m,
+                beyond_m,
+                blocks: blocks
+                    .iter()
+                    .map(|&block| self.blocks[block].name.clone())
+                    .collect(),
+                allowed_m: PIECE_REACH_M,
+            });
+        }
+        Ok(())
     }
 
     /// The tie with its axis from the lower body to the upper.
@@ -237,6 +275,7 @@ impl Stack {
         self.check_block(support.block)?;
         check_direction("direction of a side support", support.direction)?;
         check_finite("position_m of a side support", support.position_m)?;
+        self.check_near("a side support", support.position_m, &[support.block])?;
         for (quantity, given) in [("gap_m", support.gap_m), ("stiffness_n_m", support.stiffness_n_m)] {
             if !(given >= 0.0 && given.is_finite()) {
                 return Err(StackError::Dimension {
