@@ -1,6 +1,7 @@
 //! Surveys and their records as they are written.
 
 use super::file_number::{At, NumberRaw, QuantityRaw};
+use crate::records::RecordFormat;
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
 
@@ -99,39 +100,6 @@ pub(super) struct ShapeRaw {
     pub(super) displacement: Option<At<f64>>,
     /// Standard deviation of the displacement, same scale; 0 if not given.
     pub(super) sd: Option<At<f64>>,
-}
-
-/// Format of a record file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum RecordFormatRaw {
-    /// Text columns.
-    Csv,
-    /// NumPy array of two dimensions.
-    Npy,
-    /// Universal file, datasets 58 and 58b.
-    Uff,
-    /// Sound file; scale is what full scale is worth.
-    Wav,
-    /// MATLAB, version 5 ("-v7").
-    Mat,
-    /// Text of the SESAME project.
-    Saf,
-    /// Of Güralp recorders.
-    Gcf,
-    /// Of LabVIEW.
-    Tdms,
-    /// miniSEED 2.
-    MiniSeed,
-    /// SAC, binary.
-    Sac,
-    /// K-NET or KiK-net ASCII.
-    #[serde(rename = "k-net")]
-    KNet,
-    /// ESM ASCII.
-    Esm,
-    /// COSMOS, or CSMIP before it.
-    Cosmos,
 }
 
 /// What is known of the times at which stations begin.
@@ -296,7 +264,7 @@ pub(super) struct StationRaw {
     #[schemars(required)]
     pub(super) file: Option<At<String>>,
     /// Format; from the file name's ending if not given.
-    pub(super) format: Option<At<RecordFormatRaw>>,
+    pub(super) format: Option<At<RecordFormat>>,
     /// The first sample, where the file does not say it: "2024-06-05T10:00:00.25", or seconds in a clock that all stations share.
     pub(super) begins: Option<At<NumberRaw>>,
     /// Samples a second; from the file if not given.
@@ -324,7 +292,7 @@ pub(super) struct RecordsRaw {
     /// What is known of the times at which stations begin; "stated" if not given.
     pub(super) starts: Option<At<StartsRaw>>,
     /// Format; from the file name's ending if not given.
-    pub(super) format: Option<At<RecordFormatRaw>>,
+    pub(super) format: Option<At<RecordFormat>>,
     /// Samples a second; from the time column if not given.
     pub(super) sampling_rate: Option<At<QuantityRaw>>,
     /// Unit of the samples: "m/s2", "g", "gal", "mm/s", "mm".

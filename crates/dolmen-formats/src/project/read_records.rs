@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::file_number::{At, NumberRaw, QuantityRaw};
-use super::file_survey::{ChannelRaw, ColumnRaw, RecordFormatRaw, RecordsRaw, StartsRaw, StationRaw, WayRaw};
+use super::file_survey::{ChannelRaw, ColumnRaw, RecordsRaw, StartsRaw, StationRaw, WayRaw};
 use super::measure::{Bound, Measure};
 use super::read_conditioning::{conditioning, modal};
 use super::reader::{Reader, short};
@@ -111,7 +111,7 @@ fn unit_vector(numbers: &[f64]) -> Option<[f64; 3]> {
 /// The keys of one file, of a record or of a station.
 struct FileKeys<'a> {
     file: Option<&'a At<String>>,
-    format: Option<&'a At<RecordFormatRaw>>,
+    format: Option<&'a At<RecordFormat>>,
     begins: Option<&'a At<NumberRaw>>,
     sampling_rate: Option<&'a At<QuantityRaw>>,
     unit: Option<&'a At<String>>,
@@ -323,26 +323,12 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
 /// The format that is written, or that the ending means: texts are looked into, as many formats end in .txt.
 fn format(
     reader: &mut Reader,
-    raw: Option<&At<RecordFormatRaw>>,
+    raw: Option<&At<RecordFormat>>,
     file: &At<String>,
     path: &str,
 ) -> Option<Option<RecordFormat>> {
     if let Some(raw) = raw {
-        return Some(Some(match raw.value {
-            RecordFormatRaw::Csv => RecordFormat::Csv,
-            RecordFormatRaw::Npy => RecordFormat::Npy,
-            RecordFormatRaw::Uff => RecordFormat::Uff,
-            RecordFormatRaw::Wav => RecordFormat::Wav,
-            RecordFormatRaw::Mat => RecordFormat::Mat,
-            RecordFormatRaw::Saf => RecordFormat::Saf,
-            RecordFormatRaw::Gcf => RecordFormat::Gcf,
-            RecordFormatRaw::Tdms => RecordFormat::Tdms,
-            RecordFormatRaw::MiniSeed => RecordFormat::MiniSeed,
-            RecordFormatRaw::Sac => RecordFormat::Sac,
-            RecordFormatRaw::KNet => RecordFormat::KNet,
-            RecordFormatRaw::Esm => RecordFormat::Esm,
-            RecordFormatRaw::Cosmos => RecordFormat::Cosmos,
-        }));
+        return Some(Some(raw.value));
     }
     let ending = file.value.rsplit_once('.').map_or("", |(_, ending)| ending);
     match RecordFormat::of_ending(ending) {

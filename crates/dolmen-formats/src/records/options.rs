@@ -77,18 +77,19 @@ pub struct Pick {
 }
 
 /// Format of a record file.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
 #[non_exhaustive]
 pub enum RecordFormat {
-    /// Text in columns.
+    /// Text columns.
     Csv,
-    /// A NumPy array.
+    /// NumPy array of two dimensions.
     Npy,
     /// Universal file, datasets 58 and 58b.
     Uff,
-    /// Sound file.
+    /// Sound file; scale is what full scale is worth.
     Wav,
-    /// MATLAB, version 5.
+    /// MATLAB, version 5 ("-v7").
     Mat,
     /// Text of the SESAME project.
     Saf,
@@ -101,6 +102,7 @@ pub enum RecordFormat {
     /// SAC, binary.
     Sac,
     /// K-NET or KiK-net ASCII.
+    #[serde(rename = "k-net")]
     KNet,
     /// ESM ASCII.
     Esm,

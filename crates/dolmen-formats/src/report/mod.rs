@@ -20,6 +20,7 @@ mod modal;
 mod notes;
 mod page;
 mod rank;
+mod record_words;
 mod samples;
 mod setups;
 mod simulation;

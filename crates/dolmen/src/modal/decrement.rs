@@ -7,6 +7,7 @@
 //! | ω_d | `omega_d` | π times the extrema a second | rad/s |
 
 use super::ModalError;
+use super::error::refused;
 use crate::signal::{Record, band_pass};
 use std::f64::consts::PI;
 
@@ -106,13 +107,6 @@ pub fn decrement(record: &Record, options: &Decrement) -> Result<Vec<AtAmplitude
 }
 
 fn check(record: &Record, options: &Decrement) -> Result<(), ModalError> {
-    let refused = |option, given, allowed| {
-        Err(ModalError::Option {
-            option,
-            given,
-            allowed,
-        })
-    };
     if options.channel >= record.channels().len() {
         return refused("channel", options.channel as f64, "below the number of channels");
     }

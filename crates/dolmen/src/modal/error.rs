@@ -241,3 +241,34 @@ pub enum ModalError {
     #[error(transparent)]
     Linalg(#[from] LinalgError),
 }
+
+/// The refusal of one option.
+pub(super) fn refused<T>(option: &'static str, given: f64, allowed: &'static str) -> Result<T, ModalError> {
+    Err(ModalError::Option {
+        option,
+        given,
+        allowed,
+    })
+}
+
+/// Refuses the first option that is below its bound: (option, given, bound, allowed).
+pub(super) fn at_least(all: &[(&'static str, usize, usize, &'static str)]) -> Result<(), ModalError> {
+    match all.iter().find(|(_, given, bound, _)| given < bound) {
+        Some((option, given, _, allowed)) => refused(option, *given as f64, allowed),
+        None => Ok(()),
+    }
+}
+
+/// Reference channels written out, each one of the channels and there once; none given: all.
+pub(super) fn references_of(given: &[usize], channels: usize) -> Result<Vec<usize>, ModalError> {
+    for (i, reference) in given.iter().enumerate() {
+        if *reference >= channels || given[..i].contains(reference) {
+            let allowed = "the index of a channel, counted from 0, each once";
+            return refused("references", *reference as f64, allowed);
+        }
+    }
+    Ok(match given {
+        [] => (0..channels).collect(),
+        some => some.to_vec(),
+    })
+}

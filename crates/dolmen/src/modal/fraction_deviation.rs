@@ -5,8 +5,9 @@
 //! | dα | `changes` | change of the denominator when one block's deviation is added to the correlations | p r × r |
 //! | v, w | `right`, `left` | A(λ) v = 0, wᵀ A(λ) = 0 | r |
 
+use super::fraction_fit::Fit;
 use super::half_spectra::{HalfSpectra, Sums};
-use super::plscf::{Fit, MatrixFraction};
+use super::plscf::MatrixFraction;
 use super::ssi::Pole;
 use super::uncertainty::{Deviations, correction, frequency_and_damping};
 use super::{ModalError, PoleDeviation};

@@ -3,6 +3,7 @@
 use super::clusters::{Cluster, Clustering, Fate, group_poles};
 use super::decay::{Decay, SHORT, of_decay, short_spectrum};
 use super::efdd::{Efdd, efdd};
+use super::error::refused;
 use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::fraction_deviation::FractionScatter;
 use super::machines::{split_tones, test_for_machines};
@@ -221,11 +222,7 @@ fn of_poles(
     notes: &mut Vec<Note>,
 ) -> Result<ModalAnalysis, ModalError> {
     let mut settings = choose(record, options, (&peaks.modes, tones_hz), notes)?;
-    let criteria = Criteria {
-        frequency_low_hz: options.criteria.frequency_low_hz.max(settings.range_hz[0]),
-        frequency_high_hz: options.criteria.frequency_high_hz.min(settings.range_hz[1]),
-        ..options.criteria.clone()
-    };
+    let criteria = options.criteria.within(settings.range_hz);
     let mut hankel_singular_values = Vec::new();
     let (stabilization, clusters) = if options.method == Method::Plscf {
         let found = plscf(
@@ -303,13 +300,6 @@ pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalErro
     let nyquist_hz = 0.5 * record.sampling_rate_hz();
     let low_hz = options.frequency_low_hz.unwrap_or(0.0);
     let high_hz = options.frequency_high_hz.unwrap_or(nyquist_hz);
-    let refused = |option, given, allowed| {
-        Err(ModalError::Option {
-            option,
-            given,
-            allowed,
-        })
-    };
     if !(low_hz >= 0.0 && low_hz < nyquist_hz) {
         return refused("frequency_low_hz", low_hz, "between 0 and half the sampling rate");
     }

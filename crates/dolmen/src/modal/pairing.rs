@@ -5,6 +5,7 @@
 //! | d | `apart` | how far apart two frequencies are, over the most that is allowed |
 //! | c | `cost` | d + 1 - MAC, or d alone where shapes cannot be compared |
 
+use super::error::refused;
 use super::indicators::assurance;
 use super::{ModalError, Mode, Modes};
 use crate::numeric::assignment;
@@ -207,13 +208,6 @@ pub fn pair_modes(
 }
 
 fn check<'a>(modes: impl Iterator<Item = &'a ObservedMode>, options: &Pairing) -> Result<(), ModalError> {
-    let refused = |option, given, allowed| {
-        Err(ModalError::Option {
-            option,
-            given,
-            allowed,
-        })
-    };
     if !(options.frequency_within > 0.0 && options.frequency_within <= 1.0) {
         return refused(
             "frequency_within",

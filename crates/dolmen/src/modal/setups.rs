@@ -1,18 +1,11 @@
 //! Several setups of one survey, each identified by itself, put together by the sensors that stayed.
 //!
-//! | symbol | code | meaning | shape |
-//! |:--|:--|:--|:--|
-//! | φ_s | `b` | a shape in setup s at the places that are known already | references × 1 |
-//! | r | `a` | what the setups before show there | references × 1 |
-//! | α_s | `scale` | what setup s must be multiplied by | - |
-//! | f_s, σ_s | | frequency (or damping ratio) in setup s and its deviation | - |
+//! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its deviation.
 
-use super::indicators::{assurance, normalized, phase_collinearity};
-use super::pairing::{ObservedMode, ObservedPoint, Pairing, pair_modes};
-use super::places::{Places, Seat};
-use super::{ModalError, Mode, Modes};
-use crate::numeric::chi_squared_above;
-use dolmen_linalg::Complex64;
+use super::merged_mode::{Growing, MergedMode};
+use super::pairing::{ObservedMode, Pairing, pair_modes};
+use super::places::Places;
+use super::{ModalError, Modes};
 
 /// Options of [`merge_setups`].
 #[derive(Clone, Debug, PartialEq)]
@@ -30,48 +23,6 @@ impl Default for MergeSetups {
             },
         }
     }
-}
-
-/// Whether the setups agree on one number.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Agreement {
-    /// Deviation of the single setups about their mean, √(Σ (x - mean)²/(S - 1)).
-    pub spread: f64,
-    /// Σ (x - mean)²/σ²; `None` where a deviation is not known.
-    pub chi_squared: Option<f64>,
-    /// Probability of so much or more by chance, χ² with S - 1 degrees of freedom.
-    pub p: Option<f64>,
-}
-
-impl Agreement {
-    /// Whether the setups differ beyond chance: in about 1 of 100 cases; in 2 where deviations come from 30 blocks of time, in up to 6 from 10,
-    /// for χ² takes them as known.
-    pub fn differs(&self) -> bool {
-        const CHANCE: f64 = 0.01; // ours: ten modes and no change give a false alarm in one of ten surveys
-        self.p.is_some_and(|p| p < CHANCE)
-    }
-}
-
-/// How one mode came together.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MergedMode {
-    /// Frequency in each setup, Hz.
-    pub frequency_hz: Vec<f64>,
-    /// Damping ratio in each setup.
-    pub damping_ratio: Vec<Option<f64>>,
-    /// What the shape of each setup was multiplied by; 1 for the first.
-    pub scale: Vec<Complex64>,
-    /// Assurance of each setup's shape with those before it, at the places both show; `None` for the first, and with fewer than two.
-    pub reference_assurance: Vec<Option<f64>>,
-    /// Whether the setups agree on the frequency.
-    pub frequency: Agreement,
-    /// Whether they agree on the damping ratio; `None` where one has none.
-    pub damping: Option<Agreement>,
-    /// Degrees of freedom of the deviations where they come from how far the setups differ: one less than setups. `None` where they come from
-    /// the deviations of each setup, and have theirs.
-    pub degrees_of_freedom: Option<f64>,
-    /// Whether another pairing was nearly as good in any setup.
-    pub doubtful: bool,
 }
 
 /// A mode that not every setup shows.
@@ -173,235 +124,12 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
     })
 }
 
-/// A mode as the setups so far show it.
-#[derive(Clone)]
-struct Growing {
-    members: Vec<Mode>,
-    scale: Vec<Complex64>,
-    reference_assurance: Vec<Option<f64>>,
-    doubtful: bool,
-    /// Sum of the scaled components at each place, of their variances, and how many there are.
-    sum: Vec<Complex64>,
-    variance: Vec<f64>,
-    count: Vec<f64>,
-}
-
-impl Growing {
-    fn of(mode: &Mode) -> Self {
-        Growing {
-            members: vec![mode.clone()],
-            scale: vec![Complex64::ONE],
-            reference_assurance: vec![None],
-            doubtful: false,
-            sum: mode.shape.clone(),
-            variance: variances(mode),
-            count: vec![1.0; mode.shape.len()],
-        }
-    }
-
-    fn component(&self, place: usize) -> Complex64 {
-        self.sum[place] / self.count[place]
-    }
-
-    /// As it is paired with the modes of the next setup.
-    fn observed(&self, places: &Places) -> ObservedMode {
-        let points = self.sum.iter().zip(&places.channels).enumerate();
-        let shape = points
-            .map(|(place, (_, channel))| ObservedPoint {
-                channel: channel.clone(),
-                component: self.component(place),
-            })
-            .collect();
-        let n = self.members.len() as f64;
-        ObservedMode {
-            frequency_hz: self.members.iter().map(|m| m.frequency_hz).sum::<f64>() / n,
-            shape,
-            ..ObservedMode::of(&self.members[0], &[], 0)
-        }
-    }
-
-    /// Scales a mode of the next setup to this one, and lays it beside.
-    fn add(&mut self, mode: &Mode, seats: &[Seat], places: usize) {
-        let turned: Vec<Complex64> = mode.shape.iter().zip(seats).map(|(x, s)| x * s.sign).collect();
-        let own = variances(mode);
-        let known: Vec<(usize, Seat)> = seats
-            .iter()
-            .copied()
-            .enumerate()
-            .filter(|(_, s)| s.known)
-            .collect();
-        let a: Vec<Complex64> = known.iter().map(|(_, s)| self.component(s.place)).collect();
-        let b: Vec<Complex64> = known.iter().map(|(c, _)| turned[*c]).collect();
-        let power: f64 = b.iter().map(|x| x.norm_sqr()).sum();
-        let inner: Complex64 = b.iter().zip(&a).map(|(b, a)| b.conj() * a).sum();
-        let scale = if power > 0.0 {
-            inner / power
-        } else {
-            Complex64::ONE
-        };
-        // first order, of the noise of both at the references: var α = Σ |b|² (var a + |α|² var b) / (Σ |b|²)²
-        let of_references = known.iter().zip(&b).map(|((c, s), b)| {
-            let before = self.variance[s.place] / self.count[s.place].powi(2);
-            b.norm_sqr() * (before + scale.norm_sqr() * own[*c])
-        });
-        let scale_variance = if power > 0.0 {
-            of_references.sum::<f64>() / (power * power)
-        } else {
-            f64::INFINITY
-        };
-        self.sum.resize(places, Complex64::ZERO);
-        self.variance.resize(places, 0.0);
-        self.count.resize(places, 0.0);
-        for (c, seat) in seats.iter().enumerate() {
-            self.sum[seat.place] += scale * turned[c];
-            self.variance[seat.place] += scale.norm_sqr() * own[c] + scale_variance * turned[c].norm_sqr();
-            self.count[seat.place] += 1.0;
-        }
-        self.reference_assurance
-            .push((known.len() > 1).then(|| assurance(&a, &b)));
-        self.scale.push(scale);
-        self.members.push(mode.clone());
-    }
-
-    /// Changes of the mean by the blocks of time of one setup after the other, widened as its deviation is.
-    fn frequency_changes_hz(&self, mean: &Mean) -> Vec<f64> {
-        let known =
-            |m: &Mode| m.frequency_sd_hz.is_some_and(|sd| sd > 0.0) && !m.frequency_changes_hz.is_empty();
-        let (Some(sd), true) = (mean.sd, self.members.iter().all(known)) else {
-            return Vec::new();
-        };
-        let weights = self
-            .members
-            .iter()
-            .map(|m| m.frequency_sd_hz.map_or(0.0, |sd| sd.powi(-2)));
-        let total: f64 = weights.clone().sum();
-        let widened = sd * total.sqrt();
-        let of = |(m, weight): (&Mode, f64)| -> Vec<f64> {
-            m.frequency_changes_hz
-                .iter()
-                .map(|d| widened * weight / total * d)
-                .collect()
-        };
-        self.members.iter().zip(weights).flat_map(of).collect()
-    }
-
-    fn finished(&self) -> Result<(Mode, MergedMode), ModalError> {
-        let first = &self.members[0];
-        let raw: Vec<Complex64> = (0..self.sum.len()).map(|place| self.component(place)).collect();
-        let most = raw.iter().map(|x| x.norm()).fold(0.0, f64::max);
-        let sds = self.variance.iter().zip(&self.count).map(|(v, n)| v.sqrt() / n);
-        let shape_sd: Vec<f64> = sds.map(|sd| if most > 0.0 { sd / most } else { sd }).collect();
-        let of = |value: fn(&Mode) -> Option<Known>| -> Option<Vec<Known>> {
-            self.members.iter().map(value).collect()
-        };
-        let frequencies = of(|m| Some((m.frequency_hz, m.frequency_sd_hz))).unwrap_or_default();
-        let frequency = mean(&frequencies)?;
-        let damping = match of(|m| m.damping_ratio.map(|zeta| (zeta, m.damping_ratio_sd))) {
-            Some(known) => Some(mean(&known)?),
-            None => None,
-        };
-        let shape = normalized(&raw);
-        let mode = Mode {
-            frequency_hz: frequency.value,
-            frequency_sd_hz: frequency.sd,
-            frequency_changes_hz: self.frequency_changes_hz(&frequency),
-            damping_ratio: damping.as_ref().map(|d| d.value),
-            damping_ratio_sd: damping.as_ref().and_then(|d| d.sd),
-            phase_collinearity: phase_collinearity(&shape),
-            shape,
-            shape_sd: self
-                .members
-                .iter()
-                .all(|m| m.shape_sd.is_some())
-                .then_some(shape_sd),
-            cycles: self.members.iter().map(|m| m.cycles).sum(),
-            orders: first.orders.clone(),
-            kurtosis: first.kurtosis,
-            window_bias: first.window_bias,
-        };
-        let merged = MergedMode {
-            frequency_hz: self.members.iter().map(|m| m.frequency_hz).collect(),
-            damping_ratio: self.members.iter().map(|m| m.damping_ratio).collect(),
-            scale: self.scale.clone(),
-            reference_assurance: self.reference_assurance.clone(),
-            degrees_of_freedom: damping.as_ref().map_or(frequency.degrees_of_freedom, |d| {
-                frequency.degrees_of_freedom.or(d.degrees_of_freedom)
-            }),
-            frequency: frequency.agreement,
-            damping: damping.map(|d| d.agreement),
-            doubtful: self.doubtful,
-        };
-        Ok((mode, merged))
-    }
-}
-
-fn variances(mode: &Mode) -> Vec<f64> {
-    match &mode.shape_sd {
-        Some(sd) => sd.iter().map(|sd| sd * sd).collect(),
-        None => vec![0.0; mode.shape.len()],
-    }
-}
-
-/// A number of one setup and its deviation, if that is known.
-type Known = (f64, Option<f64>);
-
-/// A number of several setups.
-struct Mean {
-    value: f64,
-    sd: Option<f64>,
-    /// Of the deviation, where the spread of the setups made it.
-    degrees_of_freedom: Option<f64>,
-    agreement: Agreement,
-}
-
-/// By inverse variance where all deviations are known, else the plain mean with the deviation of its parts.
-fn mean(all: &[Known]) -> Result<Mean, ModalError> {
-    let n = all.len() as f64;
-    let known: Option<Vec<f64>> = all.iter().map(|(_, sd)| sd.filter(|sd| *sd > 0.0)).collect();
-    let plain = all.iter().map(|(x, _)| x).sum::<f64>() / n;
-    let squares = |about: f64| all.iter().map(move |(x, _)| (x - about).powi(2));
-    let spread = (squares(plain).sum::<f64>() / (n - 1.0)).sqrt();
-    let Some(sds) = known else {
-        return Ok(Mean {
-            value: plain,
-            sd: Some(spread / n.sqrt()),
-            degrees_of_freedom: Some(n - 1.0),
-            agreement: Agreement {
-                spread,
-                chi_squared: None,
-                p: None,
-            },
-        });
-    };
-    let weight: f64 = sds.iter().map(|sd| sd.powi(-2)).sum();
-    let value = all
-        .iter()
-        .zip(&sds)
-        .map(|((x, _), sd)| x / (sd * sd))
-        .sum::<f64>()
-        / weight;
-    let chi_squared: f64 = squares(value)
-        .zip(&sds)
-        .map(|(square, sd)| square / (sd * sd))
-        .sum();
-    let widened = (chi_squared / (n - 1.0)).max(1.0).sqrt();
-    Ok(Mean {
-        value,
-        sd: Some(widened / weight.sqrt()),
-        degrees_of_freedom: (widened > 1.0).then_some(n - 1.0),
-        agreement: Agreement {
-            spread,
-            chi_squared: Some(chi_squared),
-            p: Some(chi_squared_above(chi_squared, (all.len() - 1) as f64)?),
-        },
-    })
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::{Method, ReferenceCase};
+    use super::super::{Method, Mode, ReferenceCase, assurance};
     use super::*;
     use crate::signal::Channel;
+    use dolmen_linalg::Complex64;
 
     #[test]
     fn exact_changes_of_a_mean_sum_to_its_variance_widened_where_the_setups_differ() {
@@ -496,21 +224,6 @@ mod tests {
             );
             assert!(!merged.frequency.differs());
         }
-    }
-
-    #[test]
-    fn exact_mean_by_inverse_variance_and_chi_squared_by_hand() {
-        let found = mean(&[(1.0, Some(0.1)), (1.3, Some(0.2))]).unwrap();
-        // weights 100 and 25: (100 + 32.5)/125 = 1.06; χ² = .06²·100 + .24²·25 = 1.8
-        assert!((found.value - 1.06).abs() < 1e-14);
-        assert!((found.agreement.chi_squared.unwrap() - 1.8).abs() < 1e-12);
-        assert!((found.sd.unwrap() - (1.8_f64 / 125.0).sqrt()).abs() < 1e-14);
-        assert_eq!(found.degrees_of_freedom, Some(1.0)); // two setups that differ say so once
-        let agree = mean(&[(1.0, Some(0.1)), (1.05, Some(0.2))]).unwrap();
-        assert_eq!(agree.degrees_of_freedom, None);
-        let bare = mean(&[(1.0, None), (1.3, None), (1.1, None)]).unwrap();
-        assert_eq!(bare.degrees_of_freedom, Some(2.0));
-        assert!((found.agreement.p.unwrap() - libm::erfc(0.9_f64.sqrt())).abs() < 1e-14);
     }
 
     #[test]

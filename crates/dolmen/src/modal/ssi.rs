@@ -14,6 +14,7 @@
 
 use super::correlations::{Correlations, correlate, lags_before};
 use super::decomposed::{Decomposed, of_covariance, of_data};
+use super::error::{at_least, references_of};
 use super::indicators::{normalized, phase_collinearity, phase_deviation};
 use super::{Method, ModalError};
 use crate::signal::Record;
@@ -192,14 +193,7 @@ fn correlated(record: &Record, options: &Ssi) -> Result<(Ssi, Correlations), Mod
 }
 
 pub(super) fn check(options: &Ssi, channels: usize) -> Result<Ssi, ModalError> {
-    let refused = |option, given, allowed| {
-        Err(ModalError::Option {
-            option,
-            given,
-            allowed,
-        })
-    };
-    let least = [
+    at_least(&[
         ("block_rows", options.block_rows, 2, "at least 2"),
         ("decimation", options.decimation, 1, "at least 1"),
         ("time_blocks", options.time_blocks, 2, "at least 2"),
@@ -209,22 +203,11 @@ pub(super) fn check(options: &Ssi, channels: usize) -> Result<Ssi, ModalError> {
             2,
             "an even number of at least 2",
         ),
-    ];
-    for (option, given, bound, allowed) in least {
-        if given < bound {
-            return refused(option, given as f64, allowed);
-        }
-    }
-    let mut options = options.clone();
-    if options.references.is_empty() {
-        options.references = (0..channels).collect();
-    }
-    for (i, reference) in options.references.iter().enumerate() {
-        if *reference >= channels || options.references[..i].contains(reference) {
-            let allowed = "the index of a channel, counted from 0, each once";
-            return refused("references", *reference as f64, allowed);
-        }
-    }
+    ])?;
+    let options = Ssi {
+        references: references_of(&options.references, channels)?,
+        ..options.clone()
+    };
     let rows = channels * (options.block_rows - 1);
     let most = rows.min(options.references.len() * options.block_rows) / 2 * 2;
     if options.order_most > most {

@@ -50,6 +50,17 @@ impl Default for Criteria {
     }
 }
 
+impl Criteria {
+    /// With no pole outside this range either, Hz.
+    pub(super) fn within(&self, [low_hz, high_hz]: [f64; 2]) -> Self {
+        Criteria {
+            frequency_low_hz: self.frequency_low_hz.max(low_hz),
+            frequency_high_hz: self.frequency_high_hz.min(high_hz),
+            ..self.clone()
+        }
+    }
+}
+
 /// What the criteria say of one pole: the first that it fails, in this order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stability {

@@ -1,0 +1,240 @@
+//! Notes, faults of channels and the history of a record, in words.
+
+use super::words::listed;
+use crate::Language;
+use crate::number;
+use dolmen::modal::Note;
+use dolmen::signal::{ChannelFault, Processing};
+use maud::{Markup, html};
+
+pub(super) fn note_words(note: &Note, language: Language) -> String {
+    let hertz = |value: &f64| format!("{value:.3}\u{202f}Hz");
+    let korean = match note {
+        Note::BlockRowsBounded { wished, taken } => format!(
+            "행렬 크기를 제한하기 위해 블록 행을 {wished}개 대신 {taken}개로 하였다. 서로 가까운 모드의 구별이 어려워진다."
+        ),
+        Note::PeaksWithoutMode { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{}에 스펙트럼 봉우리가 있으나 이를 설명하는 안정한 모드가 없다. 기계 진동이거나 이 기록에서는 너무 약한 모드이다.",
+                all.join(", ")
+            )
+        }
+        Note::FewBlocks { time_blocks } => format!(
+            "기록이 짧아 표준편차를 시간 블록 {time_blocks}개에서 산정하였으며, 표준편차 자체의 정확도는 ± {:.0}\u{202f}%이다.",
+            100.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt()
+        ),
+        Note::Tones { tones } => {
+            let all: Vec<String> = tones.iter().map(|tone| hertz(&tone.frequency_hz)).collect();
+            format!(
+                "{}에 구조물로 보기에는 폭이 너무 좁거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
+                all.join(", ")
+            )
+        }
+        Note::Harmonics { steady, removed } => {
+            let all: Vec<String> = steady
+                .iter()
+                .map(|k| format!("{}(첨도 {:.2})", hertz(&k.frequency_hz), k.kurtosis))
+                .collect();
+            let what = if *removed {
+                "모드에서 제외하였다"
+            } else {
+                "모드로 신뢰할 수 없다"
+            };
+            format!(
+                "{}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 {what}.",
+                all.join(", ")
+            )
+        }
+        Note::NoDamping { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{} 봉우리의 감쇠비는 제시하지 않는다. 다른 모드가 봉우리의 옆을 자르거나 감쇠가 너무 빠르다. 가까운 모드는 부분공간법으로 구별한다.",
+                all.join(", ")
+            )
+        }
+        Note::ClosePairs { pairs } => {
+            let all: Vec<String> = pairs
+                .iter()
+                .map(|[a, b]| format!("{}–{}", hertz(a), hertz(b)))
+                .collect();
+            format!(
+                "{}의 모드는 대역폭보다 가까이 있다. 각 모드형상보다 두 형상이 이루는 평면이 더 정확하다.",
+                all.join(", ")
+            )
+        }
+        Note::Channel(fault) => format!("{} 그대로 사용하였다.", fault_words(fault, language)),
+        Note::FewCycles {
+            frequency_hz,
+            damping_floor,
+        } => format!(
+            "{} 모드는 관측 주기 수가 적어 감쇠비를 ± {:.0}\u{202f}%보다 정확히 알 수 없다.",
+            hertz(frequency_hz),
+            100.0 * damping_floor
+        ),
+        other => format!("[영문] {other}"),
+    };
+    language.pick(sentence(&note.to_string()), korean)
+}
+
+pub(super) fn fault_words(fault: &ChannelFault, language: Language) -> String {
+    let korean = match fault {
+        ChannelFault::Constant { channel, value } => format!(
+            "채널 \"{channel}\": 신호 없음. 모든 표본이 {value}이다. 제외하고 케이블을 점검해야 한다."
+        ),
+        ChannelFault::Faint {
+            channel,
+            deviation,
+            typical,
+        } => format!(
+            "채널 \"{channel}\": 신호가 없거나 단위가 다르다. 표준편차가 {deviation:.3e}이나 같은 종류 채널의 중앙값은 {typical:.3e}이다. 제외하거나 단위를 바로잡아야 한다."
+        ),
+        ChannelFault::Clipped {
+            channel,
+            value,
+            samples,
+            first_s,
+        } => format!(
+            "채널 \"{channel}\": 측정 범위 초과(클리핑). 표본 {samples}개가 정확히 {value}에 머물며 처음은 {first_s}\u{202f}s이다. 범위 안의 구간만 쓰거나 채널을 제외해야 한다."
+        ),
+        ChannelFault::Duplicated {
+            channel,
+            other,
+            factor,
+        } => format!(
+            "채널 \"{channel}\"과(와) \"{other}\"의 신호가 같다(배율 {factor:.6}). 한 케이블이 두 입력에 연결되었거나 같은 열이 중복되었으므로 하나를 제외해야 한다."
+        ),
+        other => other.to_string(),
+    };
+    language.pick(sentence(&fault.to_string()), korean)
+}
+
+/// With a capital at the start and a full stop.
+fn sentence(words: &str) -> String {
+    let mut letters = words.chars();
+    let first = letters
+        .next()
+        .map(|c| c.to_uppercase().to_string())
+        .unwrap_or_default();
+    format!("{first}{}.", letters.as_str().trim_end_matches('.'))
+}
+
+pub(super) fn history(steps: &[Processing], language: Language) -> Markup {
+    if steps.is_empty() {
+        return html! {};
+    }
+    html! {
+        p { (language.pick("What was done to the record, in this order:", "기록의 처리 이력(순서대로):")) }
+        ol { @for step in steps { li { (step_words(step, language)) } } }
+    }
+}
+
+fn step_words(step: &Processing, language: Language) -> String {
+    let n = |value: f64| number::trimmed(value, 6);
+    match step {
+        Processing::Read { format, unit } if unit.is_empty() => language.pick(
+            format!("read as {format}; the unit is unknown"),
+            format!("{format} 형식으로 읽음; 단위 미상"),
+        ),
+        Processing::Read { format, unit } => language.pick(
+            format!("read as {format} in {unit}"),
+            format!("{format} 형식으로 읽음, 단위 {unit}"),
+        ),
+        Processing::LeftOut { channels } => {
+            let channels = listed(channels, language);
+            language.pick(
+                format!("left out: {channels}"),
+                format!("제외한 채널: {channels}"),
+            )
+        }
+        Processing::Cut { from_s, to_s } => language.pick(
+            format!("cut to {} to {}\u{202f}s", n(*from_s), n(*to_s)),
+            format!("{}–{}\u{202f}s 구간만 사용", n(*from_s), n(*to_s)),
+        ),
+        Processing::Detrend { degree } => language.pick(
+            format!("trend removed, polynomial of degree {degree}"),
+            format!("추세 제거, {degree}차 다항식"),
+        ),
+        Processing::LowPass { corner_hz, order } => language.pick(
+            format!(
+                "low-pass at {}\u{202f}Hz, order {order}, zero phase",
+                n(*corner_hz)
+            ),
+            format!("저역통과 {}\u{202f}Hz, {order}차, 영위상", n(*corner_hz)),
+        ),
+        Processing::BandPass {
+            low_hz,
+            high_hz,
+            order,
+        } => language.pick(
+            format!(
+                "band-pass {} to {}\u{202f}Hz, order {order}, zero phase",
+                n(*low_hz),
+                n(*high_hz)
+            ),
+            format!(
+                "대역통과 {}–{}\u{202f}Hz, {order}차, 영위상",
+                n(*low_hz),
+                n(*high_hz)
+            ),
+        ),
+        Processing::Decimate { factor } => language.pick(
+            format!("decimated by {factor} after an anti-alias filter"),
+            format!("앨리어싱 방지 필터 후 1/{factor}로 재표본화"),
+        ),
+        Processing::Scaled { factor } => language.pick(
+            format!("multiplied by {}", n(*factor)),
+            format!("{}배", n(*factor)),
+        ),
+        Processing::ChannelScaled { channel, factor } => language.pick(
+            format!("{channel} multiplied by {}", n(*factor)),
+            format!("채널 {channel}: {}배", n(*factor)),
+        ),
+        Processing::Interpolated {
+            channel,
+            offset_steps,
+        } => language.pick(
+            format!(
+                "{channel} interpolated onto the times of the others, {} of a step beside its own",
+                n(*offset_steps)
+            ),
+            format!(
+                "채널 {channel}: 표본 간격의 {}만큼 어긋난 시각을 보간으로 맞춤",
+                n(*offset_steps)
+            ),
+        ),
+        Processing::Resampled {
+            channel,
+            from_hz,
+            to_hz,
+        } => language.pick(
+            format!(
+                "{channel} resampled from {} to {}\u{202f}Hz after an anti-alias filter",
+                n(*from_hz),
+                n(*to_hz)
+            ),
+            format!(
+                "채널 {channel}: 앨리어싱 방지 필터 후 {}\u{202f}Hz에서 {}\u{202f}Hz로 재표본화",
+                n(*from_hz),
+                n(*to_hz)
+            ),
+        ),
+        Processing::OffsetsLeft { most_steps } => language.pick(
+            format!("times of the channels differ by up to {} of a step, left so", n(*most_steps)),
+            format!("채널 간 시각 차이 최대 표본 간격의 {}, 그대로 둠", n(*most_steps)),
+        ),
+        Processing::CommonTime { before_s, after_s } => language.pick(
+            format!(
+                "cut to the time that all channels share: {}\u{202f}s before and {}\u{202f}s after it are gone",
+                n(*before_s),
+                n(*after_s)
+            ),
+            format!(
+                "모든 채널에 공통인 시간만 사용: 앞 {}\u{202f}s, 뒤 {}\u{202f}s 제외",
+                n(*before_s),
+                n(*after_s)
+            ),
+        ),
+        other => format!("{other:?}"),
+    }
+}
