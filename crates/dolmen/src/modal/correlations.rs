@@ -3,23 +3,18 @@
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
 //! | R_k | `lag(k)` | E[y(t + k) y(t)ᵀ], channels × channels |
-//! | L | `segment` | samples a segment; each FFT holds 2L |
+//! | L | `segment` | samples a segment (pass.rs) |
 //! | S | `starts` | number of start times t, the same for every lag |
 //!
 //! Any other window of the same record follows from these by displacement ([`Ends`]): no product is summed twice.
 
 use super::ModalError;
+use super::pass::Pass;
 use crate::signal::Record;
-use realfft::RealFftPlanner;
 use std::f64::consts::PI;
-use std::ops::Range;
 
 /// Segments shorter than this waste the FFT on its overhead.
 const SEGMENT_LEAST: usize = 512;
-/// Segments whose spectra are multiplied in one go, and bins of one go: sums and factors stay in the nearest cache.
-const SEGMENTS_AT_ONCE: usize = 8;
-const BINS_AT_ONCE: usize = 64;
-
 /// Zero crossings of the anti-alias filter on each side: with Blackman's window its transition is 0.83 to 1.17 of
 /// the new Nyquist frequency, and 74 dB are stopped (Oppenheim & Schafer, Discrete-Time Signal Processing, table 7.2).
 const CROSSINGS: usize = 16;
@@ -209,174 +204,6 @@ fn filter(m: usize, factor: usize, reach: usize) -> f64 {
     let turn = PI * m as f64 / reach as f64;
     let blackman = 0.42 + 0.5 * turn.cos() + 0.08 * (2.0 * turn).cos();
     x.sin() / x * blackman
-}
-
-/// Real and imaginary parts apart, channel after channel, `segment + 1` bins each: the product loop vectorises.
-struct Spectra {
-    re: Vec<f64>,
-    im: Vec<f64>,
-}
-
-struct Pass<'a> {
-    record: &'a Record,
-    means: Vec<f64>,
-    lags: usize,
-    segment: usize,
-    forward: std::sync::Arc<dyn realfft::RealToComplex<f64>>,
-    inverse: std::sync::Arc<dyn realfft::ComplexToReal<f64>>,
-    time: Vec<f64>,
-    bins: Vec<realfft::num_complex::Complex<f64>>,
-    /// Spectra of the segment that starts at `.0`, kept for the next step.
-    kept: Option<(usize, Spectra)>,
-}
-
-impl<'a> Pass<'a> {
-    fn new(record: &'a Record, lags: usize, segment: usize) -> Self {
-        let mut planner = RealFftPlanner::new();
-        let forward = planner.plan_fft_forward(2 * segment);
-        let inverse = planner.plan_fft_inverse(2 * segment);
-        let means = (0..record.channels().len())
-            .map(|c| record.samples(c).iter().sum::<f64>() / record.length() as f64)
-            .collect();
-        Pass {
-            record,
-            means,
-            lags,
-            segment,
-            time: forward.make_input_vec(),
-            bins: forward.make_output_vec(),
-            forward,
-            inverse,
-            kept: None,
-        }
-    }
-
-    /// The samples in `range`, means removed, sample after sample.
-    fn samples(&self, range: Range<usize>) -> Vec<f64> {
-        let sample = |t: usize| (0..self.means.len()).map(move |c| self.record.samples(c)[t] - self.means[c]);
-        range.flat_map(sample).collect()
-    }
-
-    /// Spectra of the samples in `range`, padded with zeros to 2L.
-    fn spectra(&mut self, range: Range<usize>) -> Spectra {
-        let (l, size) = (self.record.channels().len(), self.segment + 1);
-        let mut out = Spectra {
-            re: Vec::with_capacity(l * size),
-            im: Vec::with_capacity(l * size),
-        };
-        let range = range.start.min(self.record.length())..range.end.min(self.record.length());
-        for c in 0..l {
-            let (head, tail) = self.time.split_at_mut(range.len());
-            for (t, y) in head.iter_mut().zip(&self.record.samples(c)[range.clone()]) {
-                *t = y - self.means[c];
-            }
-            tail.fill(0.0);
-            // the buffers come from the plan itself: their lengths fit, so this cannot fail
-            let _ = self.forward.process(&mut self.time, &mut self.bins);
-            out.re.extend(self.bins.iter().map(|z| z.re));
-            out.im.extend(self.bins.iter().map(|z| z.im));
-        }
-        out
-    }
-
-    /// Σ y(t + k) y(t)ᵀ over the start times of the given segments, lag after lag.
-    fn block(&mut self, segments: Range<usize>, starts: usize) -> Vec<f64> {
-        let (l, size, step) = (self.record.channels().len(), self.segment + 1, self.segment);
-        let mut re = vec![0.0; l * l * size];
-        let mut im = vec![0.0; l * l * size];
-        let mut waiting: Vec<[Spectra; 2]> = Vec::with_capacity(SEGMENTS_AT_ONCE);
-        let last = segments.end;
-        for i in segments {
-            let from = i * step;
-            let past = match self.kept.take() {
-                Some((at, spectra)) if at == from && from + step <= starts => spectra,
-                _ => self.spectra(from..(from + step).min(starts)),
-            };
-            let next = self.spectra(from + step..from + 2 * step);
-            let future = if from + step <= starts {
-                shifted_sum(&past, &next, size)
-            } else {
-                self.spectra(from..from + 2 * step)
-            };
-            waiting.push([future, past]);
-            self.kept = Some((from + step, next));
-            if waiting.len() == SEGMENTS_AT_ONCE || i + 1 == last {
-                accumulate_all((&mut re, &mut im), &waiting, size);
-                waiting.clear();
-            }
-        }
-        self.lags_of(&re, &im)
-    }
-
-    fn lags_of(&mut self, re: &[f64], im: &[f64]) -> Vec<f64> {
-        let (l, size) = (self.record.channels().len(), self.segment + 1);
-        let mut out = vec![0.0; (self.lags + 1) * l * l];
-        for pair in 0..l * l {
-            let at = pair * size..(pair + 1) * size;
-            for ((z, re), im) in self.bins.iter_mut().zip(&re[at.clone()]).zip(&im[at]) {
-                (z.re, z.im) = (*re, *im);
-            }
-            self.bins[0].im = 0.0;
-            self.bins[size - 1].im = 0.0;
-            let _ = self.inverse.process(&mut self.bins, &mut self.time);
-            for k in 0..=self.lags {
-                out[k * l * l + pair] = self.time[k] / (2 * self.segment) as f64;
-            }
-        }
-        out
-    }
-}
-
-/// Spectrum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin.
-fn shifted_sum(past: &Spectra, next: &Spectra, size: usize) -> Spectra {
-    let sum = |a: &[f64], b: &[f64]| {
-        let mut out = a.to_vec();
-        for (o, b) in out.chunks_exact_mut(size).zip(b.chunks_exact(size)) {
-            for (pair, add) in o.chunks_mut(2).zip(b.chunks(2)) {
-                pair[0] += add[0];
-                if pair.len() == 2 {
-                    pair[1] -= add[1];
-                }
-            }
-        }
-        out
-    };
-    Spectra {
-        re: sum(&past.re, &next.re),
-        im: sum(&past.im, &next.im),
-    }
-}
-
-/// sum += future × conj(past) of every pair of channels over all segments, a few bins at a time.
-fn accumulate_all(sum: (&mut [f64], &mut [f64]), segments: &[[Spectra; 2]], size: usize) {
-    let l = segments.first().map_or(0, |[future, _]| future.re.len() / size);
-    for from in (0..size).step_by(BINS_AT_ONCE) {
-        let to = (from + BINS_AT_ONCE).min(size);
-        for pair in 0..l * l {
-            let at = pair * size + from..pair * size + to;
-            let (re, im) = (&mut sum.0[at.clone()], &mut sum.1[at]);
-            let (a, b) = (pair / l * size, pair % l * size);
-            for [future, past] in segments {
-                let (fa, pb) = (a + from..a + to, b + from..b + to);
-                accumulate(
-                    (re, im),
-                    (&future.re[fa.clone()], &future.im[fa]),
-                    (&past.re[pb.clone()], &past.im[pb]),
-                );
-            }
-        }
-    }
-}
-
-/// sum += future × conj(past), bin by bin; each argument is (real parts, imaginary parts).
-fn accumulate(sum: (&mut [f64], &mut [f64]), future: (&[f64], &[f64]), past: (&[f64], &[f64])) {
-    let n = sum.0.len();
-    let (sr, si) = (&mut sum.0[..n], &mut sum.1[..n]);
-    let (fr, fi, pr, pi) = (&future.0[..n], &future.1[..n], &past.0[..n], &past.1[..n]);
-    for k in 0..n {
-        sr[k] += fr[k] * pr[k] + fi[k] * pi[k];
-        si[k] += fi[k] * pr[k] - fr[k] * pi[k];
-    }
 }
 
 #[cfg(test)]

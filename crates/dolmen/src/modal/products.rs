@@ -1,0 +1,181 @@
+//! Products of the spectra of all channels with all channels, summed over segments.
+//!
+//! | symbol | code | meaning | shape |
+//! |:--|:--|:--|:--|
+//! | F, P | `future`, `past` | spectra of segments | channels a bin and segment |
+//! | Σ F P* | `sums` | summed over segments | channels × channels a bin |
+//!
+//! Eight bins of one channel lie together; of each group of bins the segments, and of each segment the channels: four pairs of channels
+//! are summed over all segments in registers, and each sum is read and written once for all of them.
+
+use pulp::{Arch, Simd, WithSimd};
+
+/// Bins that lie together: a whole number of registers of every processor, and one line of its cache.
+pub(super) const WIDTH: usize = 8;
+
+/// Bins of one channel.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Bins {
+    pub(super) re: [f64; WIDTH],
+    pub(super) im: [f64; WIDTH],
+}
+
+/// Spectra of a few segments.
+pub(super) struct Segments {
+    channels: usize,
+    /// Segments there is room for, and those that are held.
+    most: usize,
+    held: usize,
+    bins: Vec<Bins>,
+}
+
+impl Segments {
+    pub(super) fn new(channels: usize, groups: usize, most: usize) -> Self {
+        Segments {
+            channels,
+            most,
+            held: 0,
+            bins: vec![Bins::default(); channels * groups * most],
+        }
+    }
+
+    pub(super) fn is_full(&self) -> bool {
+        self.held == self.most
+    }
+
+    pub(super) fn clear(&mut self) {
+        self.held = 0;
+    }
+
+    /// Takes the next segment: group after group of all its channels.
+    pub(super) fn push(&mut self, spectra: &[Bins]) {
+        let (l, at) = (self.channels, self.held * self.channels);
+        let groups = self.bins.chunks_exact_mut(self.most * l);
+        for (group, from) in groups.zip(spectra.chunks_exact(l)) {
+            group[at..at + l].copy_from_slice(from);
+        }
+        self.held += 1;
+    }
+
+    /// The segments held of each group.
+    fn groups(&self) -> impl Iterator<Item = &[Bins]> {
+        let whole = self.most * self.channels;
+        self.bins
+            .chunks_exact(whole)
+            .map(|g| &g[..self.held * self.channels])
+    }
+}
+
+/// sums += Σ future × conj(past) over the segments, of every pair of channels: group after group, each row by row.
+pub(super) fn add_products(sums: &mut [Bins], future: &Segments, past: &Segments) {
+    Arch::new().dispatch(Products { sums, future, past });
+}
+
+struct Products<'a> {
+    sums: &'a mut [Bins],
+    future: &'a Segments,
+    past: &'a Segments,
+}
+
+impl WithSimd for Products<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let l = self.future.channels;
+        let both = self.future.groups().zip(self.past.groups());
+        for (sums, both) in self.sums.chunks_exact_mut(l * l).zip(both) {
+            for a in (0..l).step_by(2) {
+                for b in (0..l).step_by(2) {
+                    match (l - a, l - b) {
+                        (1, 1) => tile::<S, 1, 1>(simd, sums, both, [a, b], l),
+                        (1, _) => tile::<S, 1, 2>(simd, sums, both, [a, b], l),
+                        (_, 1) => tile::<S, 2, 1>(simd, sums, both, [a, b], l),
+                        _ => tile::<S, 2, 2>(simd, sums, both, [a, b], l),
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// The pairs of A channels from `a` on with B channels from `b` on.
+#[inline(always)]
+fn tile<S: Simd, const A: usize, const B: usize>(
+    simd: S,
+    sums: &mut [Bins],
+    (future, past): (&[Bins], &[Bins]),
+    [a, b]: [usize; 2],
+    l: usize,
+) {
+    for v in 0..WIDTH / S::F64_LANES {
+        let part = |x: &Bins| [S::as_simd_f64s(&x.re).0[v], S::as_simd_f64s(&x.im).0[v]];
+        let mut tile = [[[simd.splat_f64s(0.0); 2]; B]; A];
+        for (f, p) in future.chunks_exact(l).zip(past.chunks_exact(l)) {
+            let (Some(f), Some(p)) = (f[a..].first_chunk::<A>(), p[b..].first_chunk::<B>()) else {
+                continue;
+            };
+            let p = p.each_ref().map(part);
+            for (row, [fr, fi]) in tile.iter_mut().zip(f.each_ref().map(part)) {
+                for ([re, im], [pr, pi]) in row.iter_mut().zip(p) {
+                    *re = simd.mul_add_e_f64s(fr, pr, simd.mul_add_e_f64s(fi, pi, *re));
+                    *im = simd.mul_add_e_f64s(fi, pr, simd.mul_add_e_f64s(simd.neg_f64s(fr), pi, *im));
+                }
+            }
+        }
+        for (i, row) in tile.into_iter().enumerate() {
+            let at = (a + i) * l + b;
+            for (sum, [re, im]) in sums[at..at + B].iter_mut().zip(row) {
+                for (x, more) in [(&mut sum.re, re), (&mut sum.im, im)] {
+                    let x = &mut S::as_mut_simd_f64s(x).0[v];
+                    *x = simd.add_f64s(*x, more);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+    use dolmen_linalg::Complex64;
+
+    #[test]
+    fn exact_sums_of_products_of_odd_and_even_channels_by_hand() {
+        for (l, groups, segments) in [(1, 1, 1), (3, 2, 5), (4, 1, 3)] {
+            let mut random = Random::new(5, l as u64);
+            let mut made = || -> Vec<Vec<Bins>> {
+                let mut bins = || Bins {
+                    re: [(); WIDTH].map(|()| random.normal()),
+                    im: [(); WIDTH].map(|()| random.normal()),
+                };
+                (0..segments)
+                    .map(|_| (0..l * groups).map(|_| bins()).collect())
+                    .collect()
+            };
+            let (future, past) = (made(), made());
+            let held = |all: &[Vec<Bins>]| {
+                let mut held = Segments::new(l, groups, segments + 1);
+                all.iter().for_each(|one| held.push(one));
+                held
+            };
+            let mut sums = vec![Bins::default(); l * l * groups];
+            // twice: sums are added to
+            for _ in 0..2 {
+                add_products(&mut sums, &held(&future), &held(&past));
+            }
+            let z = |x: &Bins, k: usize| Complex64::new(x.re[k], x.im[k]);
+            for (at, sum) in sums.iter().enumerate() {
+                let (g, a, b) = (at / (l * l), at / l % l, at % l);
+                for k in 0..WIDTH {
+                    let pairs = future.iter().zip(&past);
+                    let exact: Complex64 = pairs
+                        .map(|(f, p)| 2.0 * z(&f[g * l + a], k) * z(&p[g * l + b], k).conj())
+                        .sum();
+                    assert!((z(sum, k) - exact).norm() < 1e-13, "{at} {k}");
+                }
+            }
+        }
+    }
+}
