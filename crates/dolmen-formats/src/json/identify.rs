@@ -52,7 +52,7 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "modes": identified(&joint.modes),
             "references": joint.references.iter().map(|&c| &joint.modes.channels[c].name).collect::<Vec<_>>(),
             "strength": joint.strength,
-            "settings": settings(&joint.settings),
+            "settings": settings(&joint.settings, &joint.modes),
             "notes": joint.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
         })),
         "notes": setup_remarks(setups),
@@ -70,7 +70,7 @@ fn record(record: &RecordAnswer) -> Value {
         "remarks": record.remarks,
         "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "settings": settings(&analysis.settings),
+        "settings": settings(&analysis.settings, &analysis.modes),
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
         "decay": analysis.decay.as_ref().map(decay),
@@ -78,7 +78,8 @@ fn record(record: &RecordAnswer) -> Value {
     })
 }
 
-fn settings(settings: &Settings) -> Value {
+fn settings(settings: &Settings, modes: &Modes) -> Value {
+    let name = |&c: &usize| modes.channels.get(c).map(|channel| &channel.name);
     json!({
         "lowest_hz": settings.lowest_hz,
         "highest_hz": settings.highest_hz,
@@ -89,6 +90,8 @@ fn settings(settings: &Settings) -> Value {
         "block_rows_least": settings.block_rows_least,
         "order_most": settings.order_most,
         "time_blocks": settings.time_blocks,
+        "references": settings.references.iter().map(name).collect::<Vec<_>>(),
+        "references_keep": settings.references_keep,
         "range_hz": settings.range_hz,
     })
 }

@@ -252,6 +252,25 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
     table(&caption, 1, &head, &rows)
 }
 
+/// Which references were chosen, if they were, in both languages.
+fn references(analysis: &ModalAnalysis) -> (String, String) {
+    let Some(kept) = analysis.settings.references_keep else {
+        return Default::default();
+    };
+    let channels = &analysis.modes.channels;
+    let names: Vec<&str> = analysis
+        .settings
+        .references
+        .iter()
+        .filter_map(|&c| channels.get(c).map(|channel| channel.name.as_str()))
+        .collect();
+    let (names, kept) = (names.join(", "), number::fixed(100.0 * kept, 0));
+    (
+        format!(", with references {names} (they keep {kept}\u{202f}% of the motion at the peaks)"),
+        format!(", 기준 채널 {names}, 봉우리 운동의 {kept}\u{202f}% 설명"),
+    )
+}
+
 fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
     let s = &analysis.settings;
     let (low, high) = (significant(s.range_hz[0], 3), significant(s.range_hz[1], 3));
@@ -273,10 +292,11 @@ fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
         refused(Fate::Double),
     );
     let (lines, lags) = (s.lines, (2 * s.block_rows).saturating_sub(1));
+    let (references_en, references_ko) = references(analysis);
     let (rows_en, rows_ko) = if analysis.modes.method == Method::Plscf {
         (
-            format!("{lines} lines of half spectra from {lags} lags"),
-            format!("반스펙트럼 선 {lines}개(시간 지연 {lags}개)"),
+            format!("{lines} lines of half spectra from {lags} lags{references_en}"),
+            format!("반스펙트럼 선 {lines}개(시간 지연 {lags}개{references_ko})"),
         )
     } else {
         (format!("{rows} block rows"), format!("블록 행 {rows}개"))

@@ -89,7 +89,7 @@ fn record_text(record: &RecordAnswer) -> String {
     for fault in &record.faults {
         let _ = writeln!(out, "  warning: {fault} [channel-fault]");
     }
-    out += &chosen_text(modes.method, &record.analysis.settings);
+    out += &chosen_text(modes, &record.analysis.settings);
     out += &modes_text(modes);
     if let Some(decay) = &record.analysis.decay {
         out += &decay_text(decay);
@@ -100,8 +100,23 @@ fn record_text(record: &RecordAnswer) -> String {
     out
 }
 
+/// The references that were chosen, and why.
+fn references_text(modes: &Modes, chosen: &Settings) -> String {
+    let Some(kept) = chosen.references_keep else {
+        return String::new();
+    };
+    let channels = chosen.references.iter().filter_map(|&c| modes.channels.get(c));
+    let names: Vec<&str> = channels.map(|channel| channel.name.as_str()).collect();
+    format!(
+        "  references: {}: they keep {:.0} % of the motion at the peaks, and few make many degrees possible\n",
+        names.join(", "),
+        100.0 * kept
+    )
+}
+
 /// What was chosen from the data.
-fn chosen_text(method: Method, chosen: &Settings) -> String {
+fn chosen_text(modes: &Modes, chosen: &Settings) -> String {
+    let method = modes.method;
     let [low, high] = chosen.range_hz;
     if method == Method::Era {
         return format!(
@@ -111,12 +126,14 @@ fn chosen_text(method: Method, chosen: &Settings) -> String {
     }
     if method == Method::Plscf {
         return format!(
-            "  plscf, chosen from the data: {} lines of half spectra at {:.4} Hz, from {} lags, orders to {}, modes\n  sought in \
-             {low:.3} to {high:.3} Hz; shapes have no standard deviation [block-rows]\n",
+            "  plscf, chosen from the data: {} lines of half spectra at {:.4} Hz, from {} lags, orders to {} ({} degrees),\n  \
+             modes sought in {low:.3} to {high:.3} Hz; shapes have no standard deviation [block-rows]\n{}",
             chosen.lines,
             chosen.sampling_rate_hz,
             2 * chosen.block_rows - 1,
             chosen.order_most,
+            chosen.order_most / chosen.references.len().max(1),
+            references_text(modes, chosen),
         );
     }
     let method = method.name();

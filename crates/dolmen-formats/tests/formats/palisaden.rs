@@ -8,7 +8,7 @@
 //! PUBLISHED  1.882, 2.421, 2.687 Hz, from the whole 90 minutes.
 //! TOLERANCE  the 95 % interval that each mode states, ± 1.96 standard deviations.
 //! ```
-use dolmen::modal::{Identify, identify};
+use dolmen::modal::{Identify, Method, identify};
 use dolmen_formats::records::{RecordOptions, read_npy};
 
 const RECORD: &[u8] = include_bytes!("../../../../examples/palisaden/record.npy");
@@ -33,5 +33,26 @@ fn published_first_three_modes_lie_in_the_stated_intervals() {
             interval_hz < 0.01 * published_hz,
             "an interval of ± {interval_hz} Hz says nothing"
         );
+    }
+}
+
+/// TOLERANCE 1 %: what ten minutes of this building differ by from its 90; the second mode lies .7 % low by every method.
+#[test]
+fn published_first_three_modes_by_lines_whose_references_and_degrees_are_chosen() {
+    let options = RecordOptions {
+        sampling_rate_hz: Some(100.0),
+        ..Default::default()
+    };
+    let record = read_npy(RECORD, &options).unwrap().record;
+    let of_lines = Identify {
+        method: Method::Plscf,
+        ..Identify::default()
+    };
+    let found = identify(&record, &of_lines).unwrap();
+    let settings = &found.settings;
+    assert!(settings.references.len() < 6 && settings.references_keep.is_some_and(|kept| kept >= 0.9));
+    for published_hz in PUBLISHED_HZ {
+        let mode = found.modes.nearest(published_hz, 0.01 * published_hz).unwrap();
+        assert!(mode.orders.len() >= 20, "{mode:?}");
     }
 }

@@ -47,7 +47,8 @@ pub enum Fate {
     FewOrders,
     /// Its standard deviation is above what the record's length explains, at every order.
     Scattered,
-    /// It splits off a mode with more orders: like shape, and frequencies not apart beyond their scatter.
+    /// It splits off a mode with more orders: like shape, and frequencies not apart beyond their scatter. Or it lies between two modes that
+    /// higher orders alone tell apart.
     Double,
 }
 
@@ -172,7 +173,31 @@ fn judged(
             found[i].fate = Fate::Double;
         }
     }
+    let lumps: Vec<usize> = (0..found.len()).filter(|&i| lumps(&found[i], &found)).collect();
+    for i in lumps {
+        found[i].fate = Fate::Double;
+    }
     Ok(found)
+}
+
+/// Whether `cluster` is what two modes look like, one on each side within their half-power bands, at the orders below those that tell them apart.
+fn lumps(cluster: &Cluster, all: &[Cluster]) -> bool {
+    let (f, width_hz) = (cluster.medoid.frequency_hz, cluster.half_width_hz());
+    let later = |other: &&Cluster| {
+        other.fate == Fate::Mode
+            && (other.medoid.frequency_hz - f).abs() <= width_hz + other.half_width_hz()
+            && cluster.orders.last() < other.orders.first()
+    };
+    cluster.fate == Fate::Mode
+        && all.iter().filter(later).any(|o| o.medoid.frequency_hz < f)
+        && all.iter().filter(later).any(|o| o.medoid.frequency_hz > f)
+}
+
+impl Cluster {
+    /// Half of the half-power bandwidth, ζ f, Hz.
+    fn half_width_hz(&self) -> f64 {
+        self.medoid.damping_ratio * self.medoid.frequency_hz
+    }
 }
 
 /// Whether `cluster` shows the same mode as `mode`, which has at least as many orders.
@@ -287,4 +312,51 @@ fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
     let n = values.clone().count().max(1) as f64;
     let mean = values.clone().sum::<f64>() / n;
     (values.map(|x| (x - mean).powi(2)).sum::<f64>() / n).sqrt()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_linalg::Complex64;
+
+    fn cluster(frequency_hz: f64, orders: &[usize], fate: Fate) -> Cluster {
+        Cluster {
+            medoid: Pole {
+                order: orders[0],
+                frequency_hz,
+                damping_ratio: 0.01,
+                shape: vec![Complex64::ONE],
+                phase_collinearity: 1.0,
+                phase_deviation: 0.0,
+                eigenvalue: Complex64::ONE,
+            },
+            deviation: None,
+            orders: orders.to_vec(),
+            frequency_spread_hz: 0.0,
+            damping_ratio_spread: 0.0,
+            fate,
+        }
+    }
+
+    #[test]
+    fn holds_a_group_between_two_modes_that_only_higher_orders_tell_apart_is_no_mode() {
+        let of = |low: &[usize], high: &[usize], fate| {
+            let all = [
+                cluster(1.2, low, Fate::Mode),
+                cluster(1.21, &[32, 40, 48, 56], Fate::Mode),
+                cluster(1.22, high, fate),
+            ];
+            [0, 1, 2].map(|i| lumps(&all[i], &all))
+        };
+        assert_eq!(of(&[64, 72], &[72, 80], Fate::Mode), [false, true, false]);
+        // one of them is there before, or is no mode, or only one of them is there
+        assert_eq!(of(&[56, 64], &[72, 80], Fate::Mode), [false; 3]);
+        assert_eq!(of(&[64, 72], &[72, 80], Fate::FewOrders), [false; 3]);
+        let far = [
+            cluster(1.2, &[64], Fate::Mode),
+            cluster(1.21, &[32], Fate::Mode),
+            cluster(1.24, &[64], Fate::Mode),
+        ];
+        assert!(!lumps(&far[1], &far));
+    }
 }

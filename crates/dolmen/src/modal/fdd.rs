@@ -10,7 +10,7 @@ use super::correlations::{Correlations, correlate};
 use super::indicators::{normalized, phase_collinearity};
 use super::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
-use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
+use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, hermitian_eigen};
 use realfft::RealFftPlanner;
 use std::ops::Range;
 
@@ -69,6 +69,23 @@ pub struct FddResult {
     pub modes: Modes,
     /// What was looked at.
     pub spectrum: SingularSpectrum,
+    /// Re S over its trace at each peak, with its frequency, Hz.
+    pub(super) at_peaks: Vec<(f64, Matrix)>,
+}
+
+impl FddResult {
+    /// Σ Re S/tr S over the peaks that are still modes.
+    pub(super) fn seen_at_peaks(&self) -> Matrix {
+        let l = self.modes.channels.len();
+        let mode = |f: f64| self.modes.modes.iter().any(|m| m.frequency_hz == f);
+        let mut seen = Matrix::zeros(l, l);
+        for (_, of_peak) in self.at_peaks.iter().filter(|(f, _)| mode(*f)) {
+            for (sum, x) in seen.as_mut_slice().iter_mut().zip(of_peak.as_slice()) {
+                *sum += x;
+            }
+        }
+        seen
+    }
 }
 
 /// Modes at the peaks of the first singular value of the spectral matrix.
@@ -124,7 +141,7 @@ pub(super) fn peaks_of(
     matrices: &SpectralMatrices,
     options: &Fdd,
 ) -> Result<FddResult, ModalError> {
-    let lines = matrices.lines;
+    let (l, lines) = (matrices.channels, matrices.lines);
     let step_hz = 0.5 * record.sampling_rate_hz() / lines as f64;
     let mut singular_values = Vec::with_capacity(lines + 1);
     for line in 0..=lines {
@@ -140,10 +157,14 @@ pub(super) fn peaks_of(
     let level: Vec<f64> = singular_values.iter().map(|s| decibel(s[0])).collect();
     let peaks = peaks(&level, first..last.min(lines), options.prominence_db);
     let mut modes = Vec::with_capacity(peaks.len());
+    let mut at_peaks = Vec::with_capacity(peaks.len());
     for peak in &peaks {
-        let e = hermitian_eigen(&matrices.at(peak.line))?;
-        let shape = normalized(e.vectors.column(matrices.channels - 1));
+        let s = matrices.at(peak.line);
+        let e = hermitian_eigen(&s)?;
+        let shape = normalized(e.vectors.column(l - 1));
         let frequency_hz = (peak.line as f64 + peak.offset) * step_hz;
+        let share = 1.0 / (0..l).map(|c| s[(c, c)].re).sum::<f64>();
+        at_peaks.push((frequency_hz, Matrix::from_fn(l, l, |i, j| share * s[(i, j)].re)));
         modes.push(Mode {
             frequency_hz,
             frequency_sd_hz: None,
@@ -176,6 +197,7 @@ pub(super) fn peaks_of(
                 .map(|p| half_power_width(&level, p.line) * step_hz)
                 .collect(),
         },
+        at_peaks,
     })
 }
 

@@ -8,6 +8,7 @@ use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::fraction_deviation::FractionScatter;
 use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
+use super::reference_channels::keeping_most;
 use super::settings::{Settings, choose};
 use super::ssi::{ssi_cov, ssi_data};
 use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
@@ -193,6 +194,8 @@ pub(super) fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
         block_rows_least: 0,
         order_most: 0,
         time_blocks: 0,
+        references: Vec::new(),
+        references_keep: None,
         range_hz: [
             options.frequency_low_hz.unwrap_or(0.0),
             options.frequency_high_hz.unwrap_or(nyquist_hz),
@@ -221,7 +224,16 @@ fn of_poles(
     (peaks, tones_hz): (FddResult, &[f64]),
     notes: &mut Vec<Note>,
 ) -> Result<ModalAnalysis, ModalError> {
-    let mut settings = choose(record, options, (&peaks.modes, tones_hz), notes)?;
+    let few = (options.method == Method::Plscf && options.references.is_empty())
+        .then(|| keeping_most(&peaks.seen_at_peaks()));
+    let with_few = Identify {
+        references: few
+            .as_ref()
+            .map_or_else(|| options.references.clone(), |few| few.channels.clone()),
+        ..options.clone()
+    };
+    let mut settings = choose(record, &with_few, (&peaks.modes, tones_hz), notes)?;
+    settings.references_keep = few.map(|few| few.kept);
     let criteria = options.criteria.within(settings.range_hz);
     let mut hankel_singular_values = Vec::new();
     let (stabilization, clusters) = if options.method == Method::Plscf {
@@ -232,7 +244,7 @@ fn of_poles(
                 order_most: settings.order_most,
                 decimation: settings.decimation,
                 time_blocks: settings.time_blocks,
-                references: options.references.clone(),
+                references: settings.references.clone(),
                 frequency_low_hz: settings.range_hz[0],
                 frequency_high_hz: settings.range_hz[1],
                 ..Plscf::default()
@@ -252,7 +264,7 @@ fn of_poles(
             &options.clustering,
         )?
     } else {
-        let ssi = settings.ssi(&options.references);
+        let ssi = settings.ssi();
         let found = match options.method {
             Method::SsiCov => ssi_cov(record, &ssi)?,
             _ => ssi_data(record, &ssi)?,

@@ -99,8 +99,10 @@ pub fn joint_setups(
     let mut notes = Vec::new();
     let (peaks, tones_hz) = peaks_of_all(records, &options, &mut notes)?;
     let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
-    let settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
-    let ssi = ssi::check(&settings.ssi(&options.references), places.channels.len())?;
+    let mut settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
+    let ssi = ssi::check(&settings.ssi(), places.channels.len())?;
+    // counted among all sensors, not among those that stay
+    settings.references.clone_from(&references);
     let duration_s: f64 = records.iter().map(Record::duration_s).sum();
     let mut setups = Vec::with_capacity(records.len());
     for (record, seats) in records.iter().zip(&seats) {

@@ -29,6 +29,7 @@ mod pass;
 mod places;
 mod plscf;
 mod products;
+mod reference_channels;
 mod settings;
 mod setups;
 mod ssi;

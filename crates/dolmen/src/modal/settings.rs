@@ -1,6 +1,7 @@
 //! Block rows, decimation and order chosen from the peaks of the spectrum.
 
 use super::correlations::{CLEAN_SHARE, lags_before};
+use super::error::references_of;
 use super::ssi::Ssi;
 use super::{Identify, Method, ModalError, Mode, Modes, Note};
 use crate::signal::Record;
@@ -15,6 +16,13 @@ const PERIODS_REACHED_BY_COVARIANCE: f64 = 3.0;
 const PERIODS_REACHED_BY_LINES: f64 = 8.0;
 /// Fewest degrees of their polynomials, each of as many orders as references: enough of them to see what comes back.
 const DEGREES_LEAST: usize = 12;
+/// Periods of the lowest mode that the polynomials reach over, a sample a degree: on ten minutes of a timber building .7 shows none of its
+/// first three modes, 1.1 all three with four references, 1.5 with two.
+const PERIODS_IN_DEGREES: f64 = 1.5;
+/// Orders, references times degrees, to which that wish is met: an eigenvalue problem of that size each of the degrees.
+const ORDER_BY_DEGREES: usize = 160;
+/// Range above the highest peak that lines reach over: what is decimated further spreads the lowest modes over more of the circle.
+const RANGE_ABOVE_PEAK_BY_LINES: f64 = 1.4;
 /// Hankel matrices of more rows take many seconds.
 pub(super) const HANKEL_ROWS_MOST: usize = 2400;
 /// Range above the highest peak that is kept free of aliases: a mode near its end is known less well.
@@ -50,19 +58,23 @@ pub struct Settings {
     pub order_most: usize,
     /// Blocks of time.
     pub time_blocks: usize,
+    /// Reference channels, by index; none where the modes come from the peaks or from a decay.
+    pub references: Vec<usize>,
+    /// Share of the motion at the peaks that they keep, 0 to 1, where they were chosen from the spectrum.
+    pub references_keep: Option<f64>,
     /// Range in which modes are accepted, Hz.
     pub range_hz: [f64; 2],
 }
 
 impl Settings {
-    /// Options of a subspace method with these references.
-    pub(super) fn ssi(&self, references: &[usize]) -> Ssi {
+    /// Options of a subspace method.
+    pub(super) fn ssi(&self) -> Ssi {
         Ssi {
             block_rows: self.block_rows,
             order_most: self.order_most,
             decimation: self.decimation,
             time_blocks: self.time_blocks,
-            references: references.to_vec(),
+            references: self.references.clone(),
         }
     }
 }
@@ -87,7 +99,11 @@ pub(super) fn choose(
     };
     let lowest_hz = peak(peaks.modes.first(), options.frequency_low_hz.filter(|f| *f > 0.0))?;
     let highest_hz = peak(peaks.modes.last(), options.frequency_high_hz)?;
-    let free = 0.5 * CLEAN_SHARE * rate_hz / (RANGE_ABOVE_PEAK * highest_hz);
+    let range_above = match options.method {
+        Method::Plscf => RANGE_ABOVE_PEAK_BY_LINES,
+        _ => RANGE_ABOVE_PEAK,
+    };
+    let free = 0.5 * CLEAN_SHARE * rate_hz / (range_above * highest_hz);
     let decimation = options.decimation.unwrap_or((free as usize).max(1));
     let sampling_rate_hz = rate_hz / decimation as f64;
     let block_rows_least = (0.5 * sampling_rate_hz / lowest_hz).ceil() as usize;
@@ -140,7 +156,15 @@ pub(super) fn choose(
         notes.push(Note::FewBlocks { time_blocks });
     }
     let order_most = options.order_most.unwrap_or(match options.method {
-        Method::Plscf => references * sought.div_ceil(references).max(DEGREES_LEAST),
+        Method::Plscf => {
+            let reached = (PERIODS_IN_DEGREES * sampling_rate_hz / lowest_hz).ceil() as usize;
+            let held = (ORDER_BY_DEGREES / references).min(block_rows / 2);
+            references
+                * reached
+                    .min(held)
+                    .max(sought.div_ceil(references))
+                    .max(DEGREES_LEAST)
+        }
         _ => sought.min((l * (block_rows.max(2) - 1)).min(references * block_rows) / 2 * 2),
     });
     if let Some(given) = options.modes_wanted.filter(|wanted| 2 * wanted > order_most) {
@@ -167,6 +191,8 @@ pub(super) fn choose(
         block_rows_least,
         order_most,
         time_blocks,
+        references: references_of(&options.references, l)?,
+        references_keep: None,
         range_hz: [
             options.frequency_low_hz.unwrap_or(0.0).max(seen_hz),
             options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
