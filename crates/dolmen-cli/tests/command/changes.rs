@@ -167,9 +167,35 @@ fn holds_two_setups_identified_as_one_show_what_one_record_shows() {
     let page = scratch.dolmen("report examples/palisaden/setups.toml -o as-one.html");
     assert_eq!(page.status, 0, "{}", page.stderr);
     let page = fs::read_to_string(scratch.path().join("as-one.html")).unwrap();
+    let (_, section) = page
+        .split_once("Setups identified as one")
+        .unwrap_or_else(|| panic!("the report has their section"));
+    // what is known beside the modes of the one identification stands behind them
+    let notes = joint["notes"].as_array().unwrap();
+    assert!(!notes.is_empty(), "{joint}");
+    for note in notes {
+        let words = &note.as_str().unwrap()[1..];
+        assert!(section.contains(words), "{words}");
+    }
+    assert_eq!(joint["settings"]["references"], serde_json::json!(["ch1", "ch2"]));
+    assert!(!text.contains("holds the setups together"), "{text}");
+}
+
+#[test]
+fn holds_one_sensor_that_alone_holds_setups_together_is_said() {
+    let scratch = Scratch::with_examples("one-reference");
+    let file = scratch.path().join("examples/palisaden/setups.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    let second = text.rfind("  { column = 2,").unwrap();
+    let end = second + text[second..].find('\n').unwrap() + 1;
+    fs::write(&file, format!("{}{}", &text[..second], &text[end..])).unwrap();
+    let found = scratch.dolmen("identify examples/palisaden/setups.toml");
     assert!(
-        page.contains("Setups identified as one"),
-        "the report has their section"
+        found.stdout.contains(
+            "note: one sensor alone, \"ch1\", holds the setups together: a mode with a node there is lost"
+        ),
+        "{}",
+        found.stdout
     );
 }
 

@@ -2,6 +2,7 @@
 
 use super::findings::{Finding, Tone};
 use super::modal;
+use super::record_words::note_words;
 use super::table::{Cell, figure, table};
 use super::words::listed;
 use crate::Language;
@@ -126,6 +127,7 @@ fn joint_section(joint: &JointSetups, survey: &str, language: Language) -> Marku
                 ),
             ))
         }
+        @for note in &joint.notes { p.note { (note_words(note, language)) } }
     }
 }
 

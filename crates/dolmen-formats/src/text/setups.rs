@@ -84,6 +84,18 @@ fn row(i: usize, mode: &Mode, of: &MergedMode) -> Vec<String> {
     row
 }
 
+/// The sensor that holds the setups together, if it is one alone.
+fn only_reference(setups: &SetupsAnswer) -> Option<&str> {
+    let (references, channels) = match &setups.joint {
+        Some(joint) => (&joint.references, &joint.modes.channels),
+        None => (&setups.merged.references, &setups.merged.modes.channels),
+    };
+    match references[..] {
+        [one] => channels.get(one).map(|channel| channel.name.as_str()),
+        _ => None,
+    }
+}
+
 /// What must be known beside the modes.
 pub(crate) fn remarks(setups: &SetupsAnswer) -> Vec<String> {
     const ALIKE: f64 = REFERENCES_ALIKE;
@@ -97,6 +109,12 @@ pub(crate) fn remarks(setups: &SetupsAnswer) -> Vec<String> {
         all.join(", ")
     };
     let mut said = Vec::new();
+    if let Some(alone) = only_reference(setups) {
+        said.push(format!(
+            "one sensor alone, \"{alone}\", holds the setups together: a mode with a node there is lost or scaled by noise, and no MAC can tell whether \
+             the setups show one mode; three references see it"
+        ));
+    }
     let differing = of(&|m| m.frequency.differs());
     if !differing.is_empty() {
         said.push(format!(
