@@ -1,8 +1,8 @@
 """Makes the files of crates/dolmen-formats/tests/data/records: the same 96 numbers of two channels, each written by another program.
 
-    python bench/formats/records.py crates/dolmen-formats/tests/data/records [uff wav mat gcf tdms saf]
+    python bench/formats/records.py crates/dolmen-formats/tests/data/records [uff wav mat mat73 gcf tdms saf]
 
-pyuff 2.5.8, scipy 1.17.1, ObsPy 1.5.1, npTDMS 1.13.0, hvsrpy 2.1.0 (requirements.txt).
+pyuff 2.5.8, scipy 1.17.1, h5py 3.16.0, ObsPy 1.5.1, npTDMS 1.13.0, hvsrpy 2.1.0 (requirements.txt).
 """
 import sys, numpy as np, datetime, struct
 out = sys.argv[1]
@@ -63,6 +63,36 @@ def mat():
     savemat(f"{out}/vectors.mat", {"t": i * 0.005, "roof": a.astype(np.int16), "floor": b.astype(np.int32)}, do_compression=True)
     savemat(f"{out}/wide.mat", {"data": (np.c_[a, b] * 1e-3).T.astype(np.float32)})
 
+def mat73():
+    import h5py
+    def write(name, values, libver, **how):
+        with h5py.File(f"{out}/{name}", "w", userblock_size=512, libver=libver) as f:
+            for key, value in values.items():
+                if isinstance(value, str):  # as MATLAB has texts: numbers of 16 bits
+                    set_ = f.create_dataset(key, data=np.array([[ord(c)] for c in value], dtype=np.uint16))
+                    set_.attrs["MATLAB_class"] = np.bytes_("char")
+                    set_.attrs["MATLAB_int_decode"] = np.int32(2)
+                    continue
+                value = np.atleast_2d(value)
+                set_ = f.create_dataset(key, data=value.T, **(how if value.size > 9 else {}))
+                kind = {"float64": "double", "float32": "single"}.get(str(value.dtype), str(value.dtype))
+                set_.attrs["MATLAB_class"] = np.bytes_(kind)
+            f.create_group("gate").attrs["MATLAB_class"] = np.bytes_("struct")
+            f.create_dataset("none", data=np.array([0, 0], dtype=np.uint64)).attrs["MATLAB_empty"] = np.uint8(1)
+            f["none"].attrs["MATLAB_class"] = np.bytes_("double")
+            f.create_dataset("wave", data=np.ones((2, 1), dtype=complex)).attrs["MATLAB_class"] = np.bytes_("double")
+        head = b"MATLAB 7.3 MAT-file, Platform: GLNXA64, Created on: Wed Jun  5 10:00:00 2024 HDF5 schema 1.00 ."
+        with open(f"{out}/{name}", "r+b") as f:
+            f.write(head.ljust(116) + bytes(8) + b"\x00\x02IM")
+    values = {"acc": np.c_[a, b] * 1e-3, "fs": 200.0, "note": "gate", "other": np.zeros((3, 3))}
+    write("hdf5_plain.mat", values, "earliest")
+    write("hdf5_packed.mat", values, "earliest", chunks=(2, 40), compression="gzip", shuffle=True)
+    # chunks that stand over on both sides, a tree of its own for each vector; object headers and links of HDF5 1.8
+    vectors = {"t": (i * 0.005)[:, None], "roof": a.astype(np.int16)[:, None], "floor": b.astype(np.int32)[:, None]}
+    write("hdf5_newer.mat", vectors, ("v108", "v108"), chunks=(1, 25), compression="gzip", fletcher32=True)
+    write("hdf5_big.mat", {"data": (np.c_[a, b] * 1e-3).T.astype(">f4")}, "earliest", chunks=(10, 2))
+    write("hdf5_other.mat", {"acc": np.c_[a, b] * 1e-3}, "latest", chunks=(2, 40), compression="lzf")
+
 def gcf():
     from obspy import Trace, Stream, UTCDateTime
     for name, x in [("int8", (a // 2000)), ("int16", a), ("int32", a * 4000)]:
@@ -92,6 +122,6 @@ def saf():
     read = hvsrpy.data_wrangler.read_single(f"{out}/three.saf")
     assert (read.vt.amplitude == a).all() and (read.ns.amplitude == b).all() and (read.ew.amplitude == a - b).all() and read.vt.dt_in_seconds == 0.005
 
-which = sys.argv[2:] or ["uff", "wav", "mat", "gcf", "tdms", "saf"]
+which = sys.argv[2:] or ["uff", "wav", "mat", "mat73", "gcf", "tdms", "saf"]
 for name in which:
     globals()[name]()

@@ -1,9 +1,10 @@
-//! MAT version 5 (MATLAB's `-v7` and `-v6`): numeric matrices, plain or compressed.
+//! MAT version 5 (MATLAB's `-v7` and `-v6`) and version 7.3 (HDF5): numeric matrices, plain or compressed.
 //!
 //! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a
 //! vector `t` or `time` is time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. The others are named in a note.
 
 use super::RecordError;
+use super::hdf5;
 use super::mat_elements::{Matrix, matrices};
 use super::options::RecordFormat;
 use super::series::{Found, Series, rate_of_step};
@@ -35,14 +36,10 @@ fn plain(name: &str) -> String {
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
-    if bytes.starts_with(b"MATLAB 7.3") {
-        return Err(RecordError::NotReadHere {
-            format: FORMAT,
-            what: "version 7.3 (HDF5)".to_owned(),
-            instead: "save it again with save(\"file.mat\", \"-v7\")",
-        });
-    }
-    let (all, mut passed) = matrices(bytes)?;
+    let (all, mut passed) = match bytes.starts_with(b"MATLAB 7.3") {
+        true => hdf5::matrices(bytes)?,
+        false => matrices(bytes)?,
+    };
     let length = all.iter().map(|m| m.rows.max(m.columns)).max().unwrap_or(0);
     if length < 2 {
         return Err(RecordError::NotReadHere {

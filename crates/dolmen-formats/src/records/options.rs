@@ -89,7 +89,7 @@ pub enum RecordFormat {
     Uff,
     /// Sound file; scale is what full scale is worth.
     Wav,
-    /// MATLAB, version 5 ("-v7").
+    /// MATLAB, version 5 ("-v7") or 7.3.
     Mat,
     /// Text of the SESAME project.
     Saf,

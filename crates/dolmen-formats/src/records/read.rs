@@ -60,7 +60,7 @@ fn noted(layout: &Layout, remarks: &mut Vec<String>) {
     }
 }
 
-/// A record from the bytes of a file: CSV, NPY, UFF 58, WAV, MAT 5, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
+/// A record from the bytes of a file: CSV, NPY, UFF 58, WAV, MAT 5 and 7.3, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
 ///
 /// Channels of one file that begin apart or are sampled differently are [joined](dolmen::signal::join).
 ///

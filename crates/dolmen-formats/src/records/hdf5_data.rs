@@ -1,0 +1,233 @@
+//! Numbers of an HDF5 variable: in one piece, or put together from chunks.
+//!
+//! | part | what |
+//! |:--|:--|
+//! | node of chunks | a key and an address each: bytes of the chunk, filters left out, where it begins |
+//! | chunk | packed numbers of one part of the matrix; at its ends it stands over |
+
+use super::RecordError;
+use super::cursor::Cursor;
+use super::hdf5::{FORMAT, File, NOWHERE};
+use super::hdf5_objects::{Filter, Layout, Object, Stored};
+use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use std::collections::BTreeMap;
+
+/// Deflate packs no more into a byte: what claims to is damaged.
+const INFLATION_MOST: usize = 1032;
+
+/// All numbers, the last side fastest.
+pub(super) fn values(
+    file: &File,
+    object: &Object,
+    stored: Stored,
+    [columns, rows]: [usize; 2],
+) -> Result<Vec<f64>, RecordError> {
+    let here = Cursor::new(&[], FORMAT);
+    let count = columns
+        .checked_mul(rows)
+        .ok_or_else(|| here.damaged(format!("a matrix has {rows} × {columns} numbers")))?;
+    let refused = |what: &str| {
+        Err(RecordError::NotReadHere {
+            format: FORMAT,
+            what: what.to_owned(),
+            instead: "save it again with save(\"file.mat\", \"-v7\")",
+        })
+    };
+    let numbers = |cursor: Cursor| stored.number.series(&mut cursor.ordered(stored.big), count);
+    match &object.layout {
+        Some(Layout::Within(data)) => numbers(Cursor::new(data, FORMAT)),
+        Some(Layout::At { address, bytes }) => {
+            let mut cursor = file.at(*address)?;
+            if *bytes != (count as u64).saturating_mul(stored.number.bytes() as u64) {
+                return Err(cursor.damaged(format!("{bytes} bytes hold {rows} × {columns} numbers")));
+            }
+            let data = cursor.take(usize::try_from(*bytes).unwrap_or(usize::MAX))?;
+            numbers(Cursor::new(data, FORMAT))
+        }
+        Some(Layout::Chunks { sides, tree }) => {
+            if object.filters.iter().any(|f| matches!(f, Filter::Unknown(_))) {
+                return refused("an HDF5 filter other than shuffle, deflate and checksum");
+            }
+            // one dimension is a matrix of one column
+            let sides: Vec<usize> = sides.iter().map(|side| *side as usize).collect();
+            let (chunk, rank) = match sides[..] {
+                [rows, _] => ([1, rows], 1),
+                [columns, rows, _] => ([columns, rows], 2),
+                _ => return Err(here.damaged("chunks have another number of sides than the matrix")),
+            };
+            if sides.last() != Some(&stored.number.bytes()) || chunk.contains(&0) {
+                return Err(here.damaged("a chunk has no size, or numbers of another"));
+            }
+            let mut chunks = BTreeMap::new();
+            let mut nodes_left = file.parts_most(24);
+            chunks_below(file, *tree, rank, None, &mut nodes_left, &mut chunks)?;
+            Chunked {
+                file,
+                filters: &object.filters,
+                stored,
+                whole: [columns, rows],
+                chunk,
+            }
+            .together(&chunks)
+        }
+        Some(Layout::Unknown) | None => refused("an HDF5 layout that MATLAB does not write"),
+    }
+}
+
+/// Where a chunk stands, and how long.
+struct Place {
+    address: u64,
+    bytes: u32,
+    /// Bit k: filter k was left out.
+    left_out: u32,
+}
+
+/// The chunks below a node, by where they begin.
+fn chunks_below(
+    file: &File,
+    node: u64,
+    rank: usize,
+    level: Option<u8>,
+    nodes_left: &mut usize,
+    found: &mut BTreeMap<[u64; 2], Place>,
+) -> Result<(), RecordError> {
+    if node == NOWHERE {
+        return Ok(()); // nothing was written
+    }
+    let mut cursor = file.at(node)?;
+    *nodes_left = nodes_left
+        .checked_sub(1)
+        .ok_or_else(|| cursor.damaged("the tree of chunks runs in a circle"))?;
+    let (head, own) = (cursor.take(5)?, cursor.u8()?);
+    if head != b"TREE\x01" || level.is_some_and(|level| own.checked_add(1) != Some(level)) {
+        return Err(cursor.damaged("a node of the tree of chunks has no mark, or another level"));
+    }
+    let entries = cursor.u16()?;
+    cursor.take(16)?;
+    for _ in 0..entries {
+        let (bytes, left_out) = (cursor.u32()?, cursor.u32()?);
+        let begins = match rank {
+            1 => [0, cursor.u64()?],
+            _ => [cursor.u64()?, cursor.u64()?],
+        };
+        cursor.take(8)?;
+        let address = cursor.u64()?;
+        if own > 0 {
+            chunks_below(file, address, rank, Some(own), nodes_left, found)?;
+        } else if found
+            .insert(
+                begins,
+                Place {
+                    address,
+                    bytes,
+                    left_out,
+                },
+            )
+            .is_some()
+        {
+            return Err(cursor.damaged("two chunks begin at one place"));
+        }
+    }
+    Ok(())
+}
+
+/// A matrix in chunks; sides the slower first.
+struct Chunked<'a> {
+    file: &'a File<'a>,
+    filters: &'a [Filter],
+    stored: Stored,
+    whole: [usize; 2],
+    chunk: [usize; 2],
+}
+
+impl Chunked<'_> {
+    fn together(&self, chunks: &BTreeMap<[u64; 2], Place>) -> Result<Vec<f64>, RecordError> {
+        let here = Cursor::new(&[], FORMAT);
+        let [columns, rows] = self.whole;
+        let needed = columns
+            .div_ceil(self.chunk[0])
+            .checked_mul(rows.div_ceil(self.chunk[1]));
+        if needed != Some(chunks.len()) {
+            return Err(here.damaged(format!(
+                "a matrix of {rows} × {columns} numbers has {} chunks of {} × {}: a part was never written",
+                chunks.len(),
+                self.chunk[1],
+                self.chunk[0]
+            )));
+        }
+        let packed: u64 = chunks.values().map(|place| u64::from(place.bytes)).sum();
+        if packed > self.file.length() as u64 {
+            return Err(here.damaged(format!(
+                "chunks of {packed} bytes together cannot lie beside each other"
+            )));
+        }
+        // every chunk is unpacked before there is room for all of them: a lie is found out by what it unpacks to
+        let mut parts = Vec::with_capacity(chunks.len());
+        for (begins, place) in chunks {
+            parts.push((*begins, self.numbers(place)?));
+        }
+        let mut out = vec![0.0; columns * rows];
+        for (begins, numbers) in parts {
+            let [from_column, from_row] = begins.map(|x| usize::try_from(x).unwrap_or(usize::MAX));
+            let aligned = from_column % self.chunk[0] == 0 && from_row % self.chunk[1] == 0;
+            if !aligned || from_column >= columns || from_row >= rows {
+                return Err(here.damaged("a chunk begins where none can"));
+            }
+            let count = self.chunk[1].min(rows - from_row);
+            let targets = out.chunks_exact_mut(rows).skip(from_column);
+            for (target, part) in targets.zip(numbers.chunks_exact(self.chunk[1])) {
+                target[from_row..from_row + count].copy_from_slice(&part[..count]);
+            }
+        }
+        Ok(out)
+    }
+
+    /// The numbers of one chunk.
+    fn numbers(&self, place: &Place) -> Result<Vec<f64>, RecordError> {
+        let mut cursor = self.file.at(place.address)?;
+        let packed = cursor.take(place.bytes as usize)?;
+        let size = self.stored.number.bytes();
+        let count = self.chunk[0].saturating_mul(self.chunk[1]);
+        let whole = count.saturating_mul(size);
+        if whole > packed.len().saturating_mul(INFLATION_MOST) {
+            return Err(cursor.damaged(format!(
+                "a chunk of {whole} bytes is packed into {}",
+                packed.len()
+            )));
+        }
+        let mut data = packed.to_vec();
+        for (k, filter) in self.filters.iter().enumerate().rev() {
+            if k < 32 && place.left_out >> k & 1 == 1 {
+                continue;
+            }
+            data = match filter {
+                Filter::Checksum => {
+                    // the four bytes behind are a sum that nothing here needs
+                    data.truncate(data.len().saturating_sub(4));
+                    data
+                }
+                Filter::Deflate => decompress_to_vec_zlib_with_limit(&data, whole + 4)
+                    .map_err(|why| cursor.damaged(format!("a chunk does not unpack ({why})")))?,
+                Filter::Shuffle => unshuffled(&data, size),
+                Filter::Unknown(_) => data,
+            };
+        }
+        if data.len() != whole {
+            return Err(cursor.damaged(format!("a chunk of {whole} bytes unpacks to {}", data.len())));
+        }
+        let mut numbers = Cursor::new(&data, FORMAT).ordered(self.stored.big);
+        self.stored.number.series(&mut numbers, count)
+    }
+}
+
+/// First all first bytes, then all second ones …: back to numbers.
+fn unshuffled(data: &[u8], size: usize) -> Vec<u8> {
+    let count = data.len() / size;
+    let mut out = data.to_vec();
+    for (k, bytes) in data.chunks_exact(count.max(1)).take(size).enumerate() {
+        for (target, byte) in out.iter_mut().skip(k).step_by(size).zip(bytes) {
+            *target = *byte;
+        }
+    }
+    out
+}
