@@ -67,8 +67,8 @@ and ± 12 %. Only a longer record lowers it.",
         text: "\
 The site's spectrum is compared with the acceleration at which a stack begins to move, in two ways. As rigid blocks: against the
 peak acceleration of the ground, soil included. On elastic joints, which amplify: against S_a(T1, ζ), the spectrum at the first
-period of the springs that the file gives or Dolmen assumes. S_a is taken on all stones alike; the one that sways most in the first
-mode feels more, and where that may be more than the stack bears the word is unknown. Capacities are those left while the whole vertical acceleration of
+period of the springs that the file gives or Dolmen assumes. S_a is taken on all stones alike, which is not
+on the safe side: the upper ones feel more (a note says how much), and their joints may open earlier. Capacities are those left while the whole vertical acceleration of
 the site acts downwards on the ground, which is on the safe side. Words: above demand (at least 1.25 times), near demand (1 to
 1.25 times), below demand (less); the threshold 1.25 is Dolmen's choice. Below demand means that a joint opens or slides. A stack
 that does so mostly comes to rest again: whether it falls needs a time history (`dolmen simulate`). What of a code's numbers has

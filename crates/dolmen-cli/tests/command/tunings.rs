@@ -245,7 +245,7 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     assert!((strokes[0]["stroke_m"].as_f64().unwrap() - 0.21125).abs() < 5e-6);
     // under the spectrum of the site, as `check` has it
     fs::write(&file, roomy(&format!("{before}[site]{site}# {damper}"), "212")).unwrap();
-    let answer = scratch.dolmen("--json check examples/twisting_floor --variant damped");
+    let answer = scratch.dolmen("--json check examples/twisting_floor");
     let json: serde_json::Value = serde_json::from_str(&answer.stdout).unwrap();
     let stroke_mm = 1e3
         * json["variants"][0]["state"]["check"]["building"]["standing"]["spectral_with_dampers"]["strokes_m"]

@@ -296,8 +296,8 @@ fn comparison_table(rows: &[StackDemandRow], language: Language) -> Markup {
     let near = DemandVerdict::NEAR_BELOW;
     table(
         &language.pick(
-            format!("Capacity against demand. Ratio: what is left with the vertical acceleration, over the demand; above demand at least {near}, near 1 to {near}, below less than 1; unknown where the stone that sways most in the first mode may feel more than the stack bears."),
-            format!("저항 가속도와 요구 수준. 비: 수직 가속도를 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 요구 수준 이상, 1–{near}이면 근접, 1 미만이면 미달. 1차 모드에서 가장 크게 흔들리는 돌의 가속도가 저항 가속도를 넘을 수 있으면 미상."),
+            format!("Capacity against demand. Ratio: what is left with the vertical acceleration, over the demand; above demand at least {near}, near 1 to {near}, below less than 1. S_a is taken on all stones alike; the upper ones feel more, and may open earlier."),
+            format!("저항 가속도와 요구 수준. 비: 수직 가속도를 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 요구 수준 이상, 1–{near}이면 근접, 1 미만이면 미달. S_a는 모든 돌에 같게 적용하였으며 위쪽 돌은 더 큰 가속도를 받아 먼저 벌어질 수 있다."),
         ),
         1,
         &head,

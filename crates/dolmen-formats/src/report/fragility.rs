@@ -17,13 +17,16 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
     let mut head = vec![
         language.pick("case", "경우").to_owned(),
         language.pick("state", "손상 상태").to_owned(),
+        language.pick("reached", "도달").to_owned(),
         "θ (g)".to_owned(),
         "95 %".to_owned(),
         "β".to_owned(),
+        "95 %".to_owned(),
         language.pick("β of velocity", "β (속도)").to_owned(),
     ];
     if answer.hazard.is_some() {
         head.push(language.pick("a year", "연간 발생률").to_owned());
+        head.push(language.pick("beyond the hazard", "재해도 범위 밖").to_owned());
         head.push(language.pick("in 50 years", "50년 확률").to_owned());
     }
     let in_g = |value: f64| format!("{:.3}", value / answer.gravity_m_s2);
@@ -42,6 +45,14 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
             match &state.by_acceleration {
                 Ok(fit) => {
                     let interval = fit.theta_interval(0.95).ok();
+                    row.push(
+                        language
+                            .pick(
+                                format!("{} of {}", fit.reached, fit.observations),
+                                format!("{}/{}", fit.reached, fit.observations),
+                            )
+                            .into(),
+                    );
                     row.push(in_g(fit.curve.theta()).into());
                     row.push(
                         interval
@@ -51,6 +62,12 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
                             .into(),
                     );
                     row.push(format!("{:.2}", fit.curve.beta()).into());
+                    let scatter = fit.beta_interval(0.95).ok();
+                    row.push(
+                        scatter
+                            .map_or(String::new(), |i| beta_words(i.lower, i.upper))
+                            .into(),
+                    );
                     row.push(
                         state
                             .by_velocity()
@@ -59,12 +76,15 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
                     );
                 }
                 Err(why) => {
+                    row.push("–".into());
                     row.push(answer.bound_words(why, language).into());
-                    row.extend(["–", "–", "–"].map(Cell::from));
+                    row.extend(["–", "–", "–", "–"].map(Cell::from));
                 }
             }
             if let Some(risk) = state.risk {
                 row.push(format!("{:.1e}", risk.annual_rate).into());
+                let beyond = percent(risk.share_below_points + risk.share_above_points, 2);
+                row.push(beyond.into());
                 row.push(percent(risk.probability_in(YEARS), 2).into());
             }
             row.resize(head.len(), "–".into());
@@ -74,8 +94,8 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
     html! {
         @if !rows.is_empty() {
             (table(language.pick(
-                "Fragility and risk. θ is the peak acceleration of the ground that half of the scans reach the state by, β the scatter of its logarithm; 95 % interval of θ.",
-                "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, θ의 95 % 구간을 함께 제시한다.",
+                "Fragility and risk. θ is the peak acceleration of the ground that half of the scans reach the state by, β the scatter of its logarithm, each with its 95 % interval; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
+                "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, 각각의 95 % 구간을 함께 제시한다. 재해도 범위 밖: 주어진 재해도곡선 밖의 지진동에서 나온 발생률의 비율.",
             ), 2, &head, &rows))
             (measures(answer, found, language))
             (joints(answer, &shown, language))
@@ -85,6 +105,16 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
                 }
             }
         }
+    }
+}
+
+/// Beyond this a β says nothing: the state is reached within e^±10 of its median. Chosen here.
+const BETA_SAID: f64 = 10.0;
+
+fn beta_words(lower: f64, upper: f64) -> String {
+    match upper > BETA_SAID {
+        true => format!("{lower:.2} – > {BETA_SAID:.0}"),
+        false => format!("{lower:.2} – {upper:.2}"),
     }
 }
 

@@ -176,8 +176,8 @@ fn stack_text(stack: &StackDemandCheck, site: &SiteDemand) -> String {
     if let Some((amplification, ratio)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) {
         let _ = writeln!(
             out,
-            "  note: S_a is taken on all stones alike; in the first mode the one that sways most feels {amplification:.2} times as much, so that a ratio may \
-             be as low as\n  {ratio:.3}. Where that is below 1 and the ratio is not, elastic joints are unknown: `dolmen simulate` says."
+            "  note: S_a is taken on all stones alike, which is not on the safe side for the upper ones: in the first mode the one that sways most feels \
+             {amplification:.2} times\n  as much, so that joints below it may open from a ratio of {ratio:.3} on. `dolmen simulate` says what opens"
         );
     }
     if stack.rows.iter().any(|row| row.comparison.elastic.is_none()) {

@@ -161,8 +161,8 @@ fn frequencies_text(frequencies: &StackFrequencies) -> String {
         table.row(cells);
     }
     format!(
-        "\nNatural frequencies on the springs of its joints\n{}  They are those of the stiffness given or assumed, with the \
-         joints as their own weight leaves them, those that it presses outside their middle partly open: no finding until a survey measures them.\n",
+        "\nNatural frequencies on the springs of its joints\n{}  They are those of the stiffness given or assumed, with the joints as their own weight leaves \
+         them (partly open\n  where it presses outside their middle third): no finding until a survey measures them.\n",
         table.text()
     )
 }

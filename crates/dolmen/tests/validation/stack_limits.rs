@@ -44,7 +44,7 @@ fn exact_a_leaning_stone_slides_and_tips_down_its_own_bed() {
     // on the ground and on a level stone: the bed leans by β, so that it tips at tan(α − β) and slides at tan(φ − β)
     let block = |name: &str, [width, height]: [f64; 2], tilt: f64, z: f64| Block {
         name: name.into(),
-        solid: Solid::cuboid(width, 0.8 * width, height)
+        solid: Solid::cuboid(width, 2.0 * width, height)
             .unwrap()
             .placed(&Placement {
                 tilt: [tilt, 0.0],

@@ -82,7 +82,7 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
         let Some(lower) = lower else {
             if -down.z >= PARALLEL {
                 // what fills the wedge below a stone that leans has the slope of the stone's bed
-                let axes = plane_axes(-down);
+                let axes = plane_axes(levelled(-down));
                 let corner = DVec3::from(upper.vertices_m()[upper.faces()[below][0]]);
                 let patch = face_in_plane(upper, below, corner, &axes);
                 let area = patch.moments().area_m2;
@@ -119,10 +119,20 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
     best.map(|(_, bed)| bed)
 }
 
+/// The vertical itself for what differs from it by round-off.
+fn levelled(normal: DVec3) -> DVec3 {
+    const ROUND_OFF: f64 = 1e-9;
+    match normal.truncate().length() < ROUND_OFF {
+        true => DVec3::Z * normal.z.signum(),
+        false => normal,
+    }
+}
+
 /// The normal of the joint between two faces that are nearly level: that of the one with the steeper slope, down which a stone slides first; of upright ones
 /// the mean.
 fn steeper(below: DVec3, above: DVec3) -> DVec3 {
     const LEVEL: f64 = 0.5;
+    let (below, above) = (levelled(below), levelled(above));
     if below.z.abs().min(above.z.abs()) < LEVEL {
         (below + above).normalize()
     } else if below.z.abs() < above.z.abs() {
