@@ -78,7 +78,7 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
     let peaks = &found.peaks;
     let top = peaks.floors.last().copied().unwrap_or_default();
     let pairs = strokes_of(&model.dampers).into_iter().zip(&peaks.strokes_m);
-    let over_room = pairs.filter_map(|(of, stroke)| Some(stroke.value.abs() / of.room_m?));
+    let mut over_room = pairs.filter_map(|(of, stroke)| Some(stroke.value.abs() / of.room_m?));
     let strokes = peaks.strokes_m.iter().take(model.dampers.len());
     run.measures = vec![
         largest(&mut [top.displacement_x_m.value, top.displacement_y_m.value].into_iter()),
@@ -94,7 +94,7 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
         peaks.base_shear_n[1].value.abs(),
         peaks.base_torque_n_m.value.abs(),
         largest(&mut strokes.map(|stroke| stroke.value)),
-        largest(&mut { over_room }),
+        largest(&mut over_room),
     ];
     run.damage_state = study
         .drift_limits
