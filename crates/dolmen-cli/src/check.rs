@@ -124,7 +124,7 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
     }))
 }
 
-/// The tilts of the last survey that states any, against the uplift limit of the joints of a chain or stack.
+/// The tilts of the last survey that states any, against the uplift limit of the joints of a chain or stack; of others it is not known.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     let Some(survey) = project
         .surveys
@@ -147,7 +147,7 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
             .limits
             .uplift
             .map(|first| first.threshold.acceleration_g),
-        Check::Frame(_) | Check::Building(_) => return Vec::new(),
+        Check::Frame(_) | Check::Building(_) => None,
     };
     let each = survey.tilt.iter().map(|(direction, tilt)| TiltCheck {
         survey: survey.name.clone(),
@@ -273,6 +273,35 @@ fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
     })
 }
 
+/// The load factor of a chain without friction, or a frame, that falls under its own weight; `None` if it stands, or that is not known.
+pub(crate) fn falls_by_itself(project: &Project) -> Result<Option<f64>> {
+    let is_held = match &project.structure {
+        Structure::Chain(part) => part.joints.iter().flatten().any(|joint| joint.friction.is_some()),
+        Structure::Frame(_) => false,
+        _ => return Ok(None),
+    };
+    if is_held {
+        return Ok(None);
+    }
+    Ok(load_factor(project, &mut Quantity::nominal)?.filter(|factor| *factor <= 1.0))
+}
+
+/// The same, of a frame whose joints slip the least of both states: what its verdict is taken from.
+fn least_load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
+    let Some(mut least) = load_factor(project, pick)? else {
+        return Ok(None);
+    };
+    if let Structure::Frame(part) = &project.structure {
+        let frame = part.build(pick)?;
+        for direction in &part.directions {
+            if let Some(slipping) = part.slipping_stiffness_n_m(&direction.name, pick) {
+                least = least.min(frame_stability(&frame, &slipping)?.load_factor);
+            }
+        }
+    }
+    Ok(Some(least))
+}
+
 /// The load factor under inputs drawn from their distributions; `None` if no stiffness or no scatter is known.
 fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>> {
     let inputs = project.structure_inputs();
@@ -294,7 +323,7 @@ fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>> {
                 drawn.insert(q.path.as_str(), random.lognormal(q.value, *cov)?);
             }
             let mut pick = |q: &Quantity| drawn.get(q.path.as_str()).copied().unwrap_or(q.value);
-            let factor = load_factor(project, &mut pick).context(
+            let factor = least_load_factor(project, &mut pick).context(
             "a sample of the inputs gives an impossible structure: lower the cov of the input that it names",
         )?;
             let factor = factor

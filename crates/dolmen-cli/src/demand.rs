@@ -2,8 +2,7 @@
 
 use anyhow::Result;
 use dolmen::assess::StackCheckOptions;
-use dolmen::assess::demand::{FirstSway, stack_against_site};
-use dolmen::blocks::sway_amplification;
+use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
 use dolmen_formats::answer::{Check, DemandAnswer, SpectralAt};
 use dolmen_formats::building::BuildingAnswer;
@@ -38,22 +37,12 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
         }
     }
     if let Check::Stack(stack) = check {
-        let period = |direction: &str| {
-            let found = answer.spectral.iter().find(|at| at.direction == direction);
-            found.map(|at| at.period_s)
-        };
-        let first = [(0, "x"), (1, "y")].map(|(axis, direction)| {
-            let mode = stack.frequencies.as_ref()?.sway_mode(direction)?;
-            Some(FirstSway {
-                period_s: period(direction)?,
-                amplification: sway_amplification(&stack.stack, mode, axis),
-            })
-        });
+        let modes = stack.frequencies.as_ref().and_then(|known| known.modes());
         if stack.check.verdict == Verdict::Unstable {
             answer.refused = Some("it does not stand without shaking".to_owned());
         } else {
             let options = StackCheckOptions::default();
-            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, first)?;
+            answer.stack = stack_against_site(&stack.stack, &options, &answer.site, modes)?;
             if answer.stack.is_none() {
                 let why = "the table gives no acceleration of the ground: begin it at T = 0, or write peak_ground_acceleration";
                 answer.refused = Some(why.to_owned());

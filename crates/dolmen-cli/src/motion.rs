@@ -5,7 +5,7 @@ use crate::files;
 use anyhow::{Context as _, Result, bail};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
 use dolmen_formats::motions::{Lengths, MotionOptions, StatedPeak, read_motion, read_oriented};
-use dolmen_formats::project::{MotionPart, MotionSize, MotionSource, Project};
+use dolmen_formats::project::{MotionPart, MotionSize, MotionSource, Project, Structure};
 use dolmen_formats::records::Unit;
 use dolmen_formats::simulation::MotionAnswer;
 use std::path::{Path, PathBuf};
@@ -59,6 +59,8 @@ struct Wanted {
     keep_first_s: Option<f64>,
     taper_s: Option<f64>,
     turn_rad: Option<f64>,
+    /// Scaled before it is turned, as studies do for what moves in plan: turning then leaves the strength of the shaking as it is.
+    is_sized_first: bool,
     size: Option<MotionSize>,
     /// What else is told of the files, and done to what they hold: typed only.
     read: MotionOptions,
@@ -149,6 +151,9 @@ fn wanted(options: &Options, project: Option<(&Project, &Path)>) -> Result<Wante
             .turn
             .map(f64::to_radians)
             .or_else(|| of(|part| part.turn_rad)),
+        is_sized_first: project.is_some_and(|(project, _)| {
+            matches!(project.structure, Structure::Stack(_) | Structure::Building(_))
+        }),
         size: typed_size.or_else(|| part?.size),
         read: motion_options(options)?,
         x_azimuth_deg: options.x_azimuth,
@@ -300,7 +305,7 @@ fn from_files(named: &[(Component, String, PathBuf)], wanted: &Wanted) -> Result
     Ok(of_files(motion, of_each))
 }
 
-/// Cut, base line taken off, filtered, tapered, turned, scaled, in this order.
+/// Cut, base line taken off, filtered, tapered, scaled and turned, in this order: for what moves in one plane turned, then scaled to what acts there.
 fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion> {
     let place = |flag: &'static str, key: &str| match &wanted.part {
         Some(part) => format!("{flag}, {part}.{key}"),
@@ -325,23 +330,30 @@ fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion> {
             .tapered(seconds)
             .with_context(|| place("--taper", "taper_s"))?;
     }
-    if let Some(angle_rad) = wanted.turn_rad {
-        motion = motion
-            .rotated(angle_rad)
-            .with_context(|| place("--turn", "turn"))?;
-    }
-    match wanted.size {
-        Some(MotionSize::Scale(factor)) => {
-            motion = motion.scaled(factor).with_context(|| place("--scale", "scale"))?;
+    let turned = |motion: GroundMotion| -> Result<GroundMotion> {
+        match wanted.turn_rad {
+            Some(angle_rad) => motion.rotated(angle_rad).with_context(|| place("--turn", "turn")),
+            None => Ok(motion),
         }
-        Some(MotionSize::Peak(wanted_m_s2)) => {
-            let largest = largest_component(&motion);
-            let scaled = motion.scaled_to_peak(largest, wanted_m_s2);
-            motion = scaled.with_context(|| place("--peak", "peak"))?;
+    };
+    let sized = |motion: GroundMotion| -> Result<GroundMotion> {
+        match wanted.size {
+            Some(MotionSize::Scale(factor)) => {
+                motion.scaled(factor).with_context(|| place("--scale", "scale"))
+            }
+            Some(MotionSize::Peak(wanted_m_s2)) => {
+                let largest = largest_component(&motion);
+                motion
+                    .scaled_to_peak(largest, wanted_m_s2)
+                    .with_context(|| place("--peak", "peak"))
+            }
+            None => Ok(motion),
         }
-        None => {}
+    };
+    match wanted.is_sized_first {
+        true => turned(sized(motion)?),
+        false => sized(turned(motion)?),
     }
-    Ok(motion)
 }
 
 /// The horizontal component of the larger peak; the vertical one if there is no other.

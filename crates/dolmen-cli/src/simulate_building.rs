@@ -65,8 +65,9 @@ pub(crate) fn run(
         }
     }
     Ok(match simulation.beyond_room().is_empty() {
-        true => Outcome::Stands,
         false => Outcome::Falls,
+        true if simulation.ended_before_the_motion_s().is_some() => Outcome::Unfinished,
+        true => Outcome::Stands,
     })
 }
 

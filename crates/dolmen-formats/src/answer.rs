@@ -198,11 +198,10 @@ impl StackFrequencies {
         }
     }
 
-    /// That mode itself.
-    pub fn sway_mode(&self, direction: &str) -> Option<&StackMode> {
-        let (mode, _) = self.sway(direction)?;
+    /// All modes, lowest first.
+    pub fn modes(&self) -> Option<&[StackMode]> {
         match self {
-            StackFrequencies::Known { modes, .. } => modes.get(mode),
+            StackFrequencies::Known { modes, .. } => Some(modes),
             StackFrequencies::Refused(_) => None,
         }
     }
@@ -385,6 +384,20 @@ impl State {
             Check::Building(building) => Some(building.load_factor()),
             Check::Stack(_) => None,
         }
+    }
+
+    /// Least load factor of a frame whose joints slip; `None` if none can.
+    pub fn slipping_load_factor(&self) -> Option<f64> {
+        let Check::Frame(directions) = &self.check else {
+            return None;
+        };
+        let slipping = directions
+            .iter()
+            .filter_map(|direction| direction.slipping.as_ref());
+        let known = slipping.filter_map(|check| check.stability.as_ref());
+        known
+            .map(|stability| stability.load_factor)
+            .min_by(f64::total_cmp)
     }
 
     /// The worst verdict of the structure.

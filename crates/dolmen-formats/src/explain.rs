@@ -66,11 +66,11 @@ and ± 12 %. Only a longer record lowers it.",
         title: "What an earthquake asks for, and the words above, near, below demand",
         text: "\
 The site's spectrum is compared with the acceleration at which a stack begins to move, in two ways. As rigid blocks: against the
-peak acceleration of the ground, soil included. On elastic joints, which amplify: against S_a(T1, ζ), the spectrum at the first
-period of the springs that the file gives or Dolmen assumes. S_a is taken on all stones alike, which is not
-on the safe side: the upper ones feel more (a note says how much), and their joints may open earlier. Capacities are those left while the whole vertical acceleration of
+peak acceleration of the ground, soil included. On elastic joints, which amplify: the forces of all modes under the spectrum, on the
+springs that the file gives or Dolmen assumes, on what is above each joint, against what weight and friction bear there. Beside it
+stands the published way, S_a(T1, ζ) on all stones alike: not on the safe side, since the upper ones feel more. Capacities are those left while the whole vertical acceleration of
 the site acts downwards on the ground, which is on the safe side. Words: above demand (at least 1.25 times), near demand (1 to
-1.25 times), below demand (less); the threshold 1.25 is Dolmen's choice. Below demand means that a joint opens or slides. A stack
+1.25 times), below demand (less); the threshold 1.25 is Dolmen's choice. Below demand means that something tips or slides. A stack
 that does so mostly comes to rest again: whether it falls needs a time history (`dolmen simulate`). What of a code's numbers has
 not been held against its text is listed; have it checked before a decision rests on it.",
     },

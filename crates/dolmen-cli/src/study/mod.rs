@@ -66,6 +66,12 @@ fn each(place: &StudyWhere, act: impl Fn(&Plan, &StudyFolder) -> Result<Outcome>
     if meant.is_empty() {
         bail!("the file has no study: write one as [study.NAME]; docs/study.md has its keys");
     }
+    if let Some(load_factor) = crate::check::falls_by_itself(&opened.project)? {
+        bail!(
+            "it does not stand under its own weight (load factor {load_factor:.3}): no shaking is needed to fell it, and a capacity against shaking would \
+             say nothing. `dolmen check` says what it lacks"
+        );
+    }
     let mut worst = Ok(Outcome::Stands);
     for study in meant {
         let done = Plan::of(&opened, study).and_then(|plan| {

@@ -217,3 +217,56 @@ fn refuses_surveys_that_cannot_be_compared() {
         none.stderr
     );
 }
+
+/// Two surveys of a pole by their frequencies, Hz.
+fn surveys(name: &str, before: &str, after: &str) -> String {
+    let scratch = Scratch::new(name);
+    let hz = |list: &str| -> String {
+        let each = list.split(' ').map(|hz| format!("{{ value = {hz}, sd = 0.01 }}"));
+        each.collect::<Vec<_>>().join(", ")
+    };
+    let text = format!(
+        "schema = 1\nkind = \"survey\"\nname = {{ en = \"Pole\" }}\n[survey.2020]\nfrequencies.x = [{}]\n[survey.2024]\nfrequencies.x = [{}]\n",
+        hz(before),
+        hz(after)
+    );
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.dolmen("compare project.toml");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    answer.stdout
+}
+
+/// The line that begins with these words stands before the other.
+fn comes_first(text: &str, line: &str, other: &str) {
+    let at = |words: &str| text.find(words).unwrap_or_else(|| panic!("{words}: {text}"));
+    assert!(at(line) < at(other), "{text}");
+}
+
+#[test]
+fn holds_a_pairing_with_more_pairs_is_said_before_no_change() {
+    let text = surveys("more-pairs", "1.00 1.10", "0.90 1.00");
+    comes_first(
+        &text,
+        "PAIRING NOT SURE: more modes find a partner by 1.000 -> 0.900 Hz (-10.0 %), 1.100 -> 1.000 Hz (-9.1 %)",
+        "No change was shown in 1 of 2 frequencies",
+    );
+    assert!(!surveys("one-pairing", "1.00 1.10", "0.99 1.09").contains("PAIRING"));
+}
+
+#[test]
+fn holds_what_moved_too_far_to_be_paired_is_said_first_with_what_it_may_be() {
+    let text = surveys("moved-far", "1.1 2.9", "0.7 1.8");
+    // .7/1.1 - 1 = -36 %, (.7/1.1)² - 1 = -60 %
+    assert!(
+        text.contains(
+            "NOT COMPARED: the lowest mode, 1.100 Hz, was not found again; 0.700 Hz is new: if it is the same mode it fell by 36 % (-60 % of stiffness)"
+        ),
+        "{text}"
+    );
+    let text = surveys("one-lost", "1.0 2.9", "2.91");
+    comes_first(
+        &text,
+        "NOT COMPARED: the lowest mode, 1.000 Hz, was not found again [",
+        "No change was shown in 1 of 2",
+    );
+}

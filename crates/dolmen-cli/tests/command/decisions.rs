@@ -427,7 +427,7 @@ fn refuses_curves_of_two_motions_and_hazards_that_do_not_fall() {
     assert!(
         answer
             .stdout
-            .contains("by the hazard of the file, 0.050 to 0.110 g"),
+            .contains("by the hazard of the file, its peaks taken as those at the surface (no soil factor is applied), 0.050 to 0.110 g"),
         "{}",
         answer.stdout
     );

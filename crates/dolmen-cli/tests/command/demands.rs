@@ -27,8 +27,8 @@ fn published_the_korean_case_is_printed_with_every_number_on_the_way() {
         "  T0 0.115294 s, Ts 0.576471 s, TL 3 s; S_DS 0.498667 g, S_D1 0.287467 g of KDS 41 17 00; plateau 0.748 g\n",
         "  peak of the ground 0.2992 g; vertical over horizontal 0.77, unverified\n",
         // .32402 (1 − .77 · .2992) = .24937, over .2992 and over .748
-        "  x                   0.3240             0.2494      0.2992   0.833      below demand   0.2126   0.7480   0.333        \
-         below demand\n",
+        "  x                   0.3240             0.2494      0.2992   0.833      below demand   0.2126   0.7480       0.333      0.312        below demand\n",
+        "what stands on 'block 4' tips first; in the first mode one",
         "above demand: at least 1.25; near: 1 to 1.25; below: less\n",
         "  note: not held against the text of the code: the year 2018 of the edition; the vertical ratio 0.77\n",
         "as it is   stable    rocks on block 4    0.3240    1.000        0.3240         0.6000   below demand",
@@ -74,9 +74,9 @@ fn holds_weak_shaking_is_above_or_near_demand_with_status_0() {
     let project = scratch.path().join("examples/p10/project.toml");
     let text = fs::read_to_string(&project)
         .unwrap()
-        .replace("\"0.05 g\"", "\"0.1 g\"");
+        .replace("\"0.05 g\"", "\"0.06 g\"");
     fs::write(&project, text).unwrap();
-    // .3240 (1 − .45 · .1) = .3094 g against 2.5 · .1 g: 1.238
+    // the smooth variant: with S_a on all alike .3 (1 − .45 · .06)/(2.5 · .06) = 1.95, by modes its top stone slides at 1.06
     let near = scratch.dolmen("check examples/p10");
     assert_eq!(near.status, 0, "{}", near.stderr);
     assert!(near.stdout.contains("DEMAND near demand"), "{}", near.stdout);

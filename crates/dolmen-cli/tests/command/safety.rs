@@ -122,3 +122,276 @@ fn refuses_a_report_over_its_own_project() {
         POLE
     );
 }
+
+/// A frame of two storeys with sliders; the numbers of its springs once it slips come after.
+const HALL: &str = "schema = 1\nkind = \"frame\"\nname = { en = \"Hall\" }\nunits = { force = \"kN\", mass = \"t\", stiffness = \"kN/mm\" }\n\
+    storeys = [{ mass = 60, height = 4.2 }, { mass = 45, height = 3.6 }]\n[direction.weak]\n";
+
+fn simulated(name: &str, text: &str, more: &str) -> Answer {
+    let scratch = Scratch::with_examples(name);
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    scratch.dolmen(&format!("simulate project.toml {more}"))
+}
+
+#[test]
+fn holds_a_run_shorter_than_its_motion_has_no_verdict_of_any_kind() {
+    let hall = format!("{HALL}stiffness = [8.1, 5.2]\ndamping_ratio = 0.03\n");
+    let twisting = fs::read_to_string("../../examples/twisting_floor/project.toml").unwrap();
+    for (name, text) in [
+        ("short-pole", POLE),
+        ("short-hall", &hall),
+        ("short-floor", &twisting),
+    ] {
+        let short = simulated(name, text, "--motion el-centro-1940-ns --duration 1");
+        assert_eq!(short.status, 3, "{name}: {}{}", short.stdout, short.stderr);
+        let said = "ENDED BEFORE THE MOTION: 1.00 of its 31.18 s were run; no verdict. Until then:";
+        assert!(short.stdout.contains(said), "{name}: {}", short.stdout);
+    }
+    let whole = simulated("whole-hall", &hall, "--motion el-centro-1940-ns --duration 31.18");
+    assert!(
+        whole.status == 0 && !whole.stdout.contains("ENDED BEFORE"),
+        "{}",
+        whole.stdout
+    );
+}
+
+#[test]
+fn holds_joints_that_cannot_open_are_named_with_the_bed_that_each_would_need() {
+    let unknown = POLE
+        .replace(", bed_width = 0.5", "")
+        .replace(", bed_width = 0.4", "");
+    let answer = simulated("no-beds", &unknown, "--motion el-centro-1940-ns");
+    for said in [
+        "STOOD: with joints that cannot open",
+        "note: 2 of 2 joints have no bed that can open",
+        "2 M/N: 'link 1' ",
+    ] {
+        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+    }
+    let known = simulated("beds", POLE, "--motion el-centro-1940-ns --scale 0.02");
+    assert!(
+        known.stdout.contains("STOOD: no bed came to its edge")
+            && !known.stdout.contains("no bed that can open"),
+        "{}",
+        known.stdout
+    );
+}
+
+#[test]
+fn holds_a_motion_that_ends_far_away_is_said_where_it_acts() {
+    let scratch = Scratch::new("offset");
+    fs::write(scratch.path().join("project.toml"), POLE).unwrap();
+    let mut rows = String::from("time (s),acc (m/s2)\n");
+    for i in 0..200 {
+        let t = 0.01 * f64::from(i);
+        rows += &format!("{t:.2},{:.6}\n", 0.05 + 0.2 * (6.0 * t).sin());
+    }
+    fs::write(scratch.path().join("offset.csv"), rows).unwrap();
+    let answer = scratch.dolmen("simulate project.toml --motion-file offset.csv");
+    assert!(
+        answer.stdout.contains("note: x ends 0.") && answer.stdout.contains("take it off with --baseline"),
+        "{}{}",
+        answer.stdout,
+        answer.stderr
+    );
+    let level = scratch.dolmen("simulate project.toml --motion el-centro-1940-ns");
+    assert!(!level.stdout.contains("note: x ends"), "{}", level.stdout);
+}
+
+#[test]
+fn holds_a_vertical_motion_does_not_act_on_a_frame_and_that_is_said() {
+    let scratch = Scratch::with_examples("vertical");
+    let hall = format!("{HALL}stiffness = [8.1, 5.2]\ndamping_ratio = 0.03\n");
+    fs::write(scratch.path().join("project.toml"), hall).unwrap();
+    let rows: String = (0..200)
+        .map(|i| {
+            format!(
+                "{:.2},{:.6}\n",
+                0.01 * f64::from(i),
+                0.2 * (0.1 * f64::from(i)).sin()
+            )
+        })
+        .collect();
+    fs::write(
+        scratch.path().join("x.csv"),
+        format!("time (s),acc (m/s2)\n{rows}"),
+    )
+    .unwrap();
+    let answer = scratch.dolmen("simulate project.toml --motion-file x=x.csv --motion-file z=x.csv");
+    assert!(
+        answer
+            .stdout
+            .contains("note: z does not act: a frame knows no vertical shaking"),
+        "{}{}",
+        answer.stdout,
+        answer.stderr
+    );
+}
+
+#[test]
+fn holds_the_verdict_says_what_decided_it() {
+    // min k l/N once it slips: .1 kN/mm × 4.2 m / (105 t g) = .408
+    let slips = format!(
+        "{HALL}stiffness = [8.1, 5.2]\ndamping_ratio = 0.03\n\
+         friction = {{ law = \"jenkins\", coefficient = 0.1, slipping_stiffness = [0.1, 0.05] }}\n"
+    );
+    let answer = check("slips", &slips, "");
+    assert!(
+        answer
+            .stdout
+            .contains("VERDICT unstable: load factor 0.40789 once its joints slip, 33.039 while they stick"),
+        "{}",
+        answer.stdout
+    );
+    let leaning = check(
+        "leans",
+        &format!("{POLE}[survey.now]\ntilt = {{ x = \"1/5\" }}\n"),
+        "",
+    );
+    assert!(
+        leaning.stdout.contains("upright, but it leans as measured below"),
+        "{}",
+        leaning.stdout
+    );
+    let tilted = format!("{HALL}stiffness = [8.1, 5.2]\n[survey.now]\ntilt = {{ weak = \"1/20\" }}\n");
+    let tilted = check("tilted", &tilted, "");
+    assert!(
+        tilted
+            .stdout
+            .contains("measured tilt 1/20 (weak, survey now): not used, storeys start plumb"),
+        "{}",
+        tilted.stdout
+    );
+}
+
+#[test]
+fn holds_a_chance_of_falling_stands_beside_the_verdict() {
+    let loose = POLE.replace(
+        "{ stiffness = 1000 }",
+        "{ stiffness = { value = 25, cov = 0.4 } }",
+    );
+    let answer = check("loose", &loose, "--samples 400");
+    let verdict = answer
+        .stdout
+        .lines()
+        .skip_while(|line| !line.starts_with("VERDICT"))
+        .nth(1);
+    assert!(
+        verdict.is_some_and(|line| line
+            .contains("at the mean values; with the scatter given it falls under its own weight in ")),
+        "{}",
+        answer.stdout
+    );
+    // k l/N while it slips: .55 × 4.2 m/1030 kN = 2.2 and .3 × 3.6/441 = 2.4 at the mean: below 1 in about one of ten
+    let frame = format!(
+        "{HALL}stiffness = [21, 14]\nfriction = {{ law = \"jenkins\", coefficient = 0.08, slipping_stiffness = \
+         [{{ value = 0.5, cov = 0.5 }}, {{ value = 0.3, cov = 0.5 }}] }}\n"
+    );
+    let answer = check("slipping-draws", &frame, "--samples 400");
+    let line = answer
+        .stdout
+        .lines()
+        .find(|line| line.contains("of 400 samples, "))
+        .unwrap_or_default();
+    let percent: f64 = line
+        .split("samples, ")
+        .nth(1)
+        .and_then(|rest| rest.split(' ').next())
+        .and_then(|share| share.parse().ok())
+        .unwrap_or(0.0);
+    // an independent draw of 200 000: 14.6 %
+    assert!((9.0..21.0).contains(&percent), "{percent} {}", answer.stdout);
+}
+
+#[test]
+fn holds_a_load_factor_far_above_all_others_is_asked_about() {
+    let stiff = POLE.replace("3000", "3000000").replace("1000 }", "1000000 }");
+    let answer = check("stiff", &stiff, "");
+    assert!(
+        answer.stdout.contains("UNUSUAL: a load factor of"),
+        "{}{}",
+        answer.stdout,
+        answer.stderr
+    );
+    assert!(!check("usual", POLE, "").stdout.contains("UNUSUAL"));
+}
+
+#[test]
+fn refuses_a_study_of_what_falls_by_itself() {
+    let scratch = Scratch::with_examples("falls");
+    let soft = POLE.replace("{ stiffness = 1000 }", "{ stiffness = 5 }");
+    let text = format!("{soft}[study.s]\nmotions = [\"el-centro-1940-ns\"]\npeak = [\"0.1 g\", \"0.2 g\"]\n");
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let answer = scratch.dolmen("study project.toml");
+    assert_eq!(answer.status, 2, "{}", answer.stdout);
+    assert!(
+        answer
+            .stderr
+            .contains("it does not stand under its own weight (load factor 0."),
+        "{}",
+        answer.stderr
+    );
+}
+
+const STELE: &str = "schema = 1\nkind = \"stack\"\nname = { en = \"Stele\" }\ndensity = 2600\njoint = { friction = 0.6 }\n\
+    blocks = [{ name = \"base\", width = 1.0, height = 0.5 }, { name = \"stele\", width = 0.4, height = 1.6 }]\n";
+
+#[test]
+fn refuses_a_tie_or_side_support_nowhere_near_what_it_holds() {
+    let tie = |position: &str| {
+        format!(
+            "{STELE}ties = [{{ lower = \"base\", upper = \"stele\", position = {position}, shear_stiffness = \"20 kN/mm\", shear_strength = \"15 kN\" }}]\n"
+        )
+    };
+    let near = check("tie-near", &tie("[0, 0, 0.5]"), "");
+    assert_eq!(near.status, 0, "{}", near.stderr);
+    for position in ["[0, 0, 3]", "[5, 0, 0.5]"] {
+        let far = check("tie-far", &tie(position), "");
+        assert_eq!(far.status, 2, "{position}: {}", far.stdout);
+        assert!(far.stderr.contains("a tie"), "{}", far.stderr);
+    }
+    let support = format!(
+        "{STELE}side_supports = [{{ block = \"stele\", position = [0.2, 0, 5.0], direction = \"x\", gap = \"20 mm\", stiffness = \"5 kN/mm\" }}]\n"
+    );
+    let far = check("support-far", &support, "");
+    assert!(
+        far.status == 2 && far.stderr.contains("a side support"),
+        "{}{}",
+        far.stdout,
+        far.stderr
+    );
+}
+
+#[test]
+fn holds_a_study_whose_least_size_fells_says_so() {
+    let scratch = Scratch::with_examples("least-fells");
+    let study = "[study.s]\nlaw = \"rigid\"\nmotions = [\"el-centro-1940-ns\"]\npeak = [\"3 g\", \"4 g\"]\n";
+    fs::write(scratch.path().join("project.toml"), format!("{STELE}{study}")).unwrap();
+    let answer = scratch.dolmen("study project.toml");
+    assert!(
+        answer
+            .stdout
+            .contains("LEAST SIZE FELLS: 1 of 1 scans fell at the least size"),
+        "{}{}",
+        answer.stdout,
+        answer.stderr
+    );
+}
+
+#[test]
+fn exact_turning_a_motion_leaves_its_strength() {
+    let scratch = Scratch::with_examples("turned");
+    fs::write(scratch.path().join("project.toml"), STELE).unwrap();
+    let answer = scratch.dolmen(
+        "simulate project.toml --motion el-centro-1940-ns --peak 0.02g --turn 45 --keep-first 4 --law rigid",
+    );
+    // .02 cos 45° along each, .02 together
+    for said in ["0.0141 g", "x and y together: 0.0200 g"] {
+        assert!(
+            answer.stdout.contains(said),
+            "{said}: {}{}",
+            answer.stdout,
+            answer.stderr
+        );
+    }
+}

@@ -70,6 +70,14 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
 }
 
 fn outcome(simulation: &ChainSimulation) -> Value {
+    let until_then = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        None => until_then,
+    }
+}
+
+fn ending(simulation: &ChainSimulation) -> Value {
     match simulation.history.outcome {
         ChainOutcome::Stood => json!({ "kind": "stood" }),
         ChainOutcome::Uplifted { joint, at_s } => {

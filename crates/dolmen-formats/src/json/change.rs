@@ -29,6 +29,15 @@ pub fn change_json(of: &Project, file: &str, change: &SurveyChange) -> Value {
         "modes": change.modes.iter().map(mode).collect::<Vec<_>>(),
         "lost": change.lost.iter().map(observed).collect::<Vec<_>>(),
         "new": change.new.iter().map(observed).collect::<Vec<_>>(),
+        "not_compared": change.not_compared.iter().map(|lost| json!({
+            "from": observed(&lost.from),
+            "is_lowest": lost.is_lowest,
+            "may_be": lost.may_be.as_ref().map(observed),
+            "assurance": lost.assurance,
+            "relative_change": lost.change().map(|[r, _]| r),
+            "uniform_stiffness": lost.change().map(|[_, stiffness]| stiffness),
+        })).collect::<Vec<_>>(),
+        "other_pairing_hz": change.other_pairing_hz,
         "notes": change.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
     })
 }

@@ -3,7 +3,7 @@
 use crate::answer::DemandAnswer;
 use crate::text::{ground_word, type_word};
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, SpectrumBranches, StackDemandCheck};
-use dolmen::stability::stack::{Comparison, DemandVerdict, Threshold};
+use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
 use serde_json::{Value, json};
 
 /// The site, its numbers, and what they ask of the structure.
@@ -97,10 +97,20 @@ fn stack(stack: &StackDemandCheck) -> Value {
             "capacity_with_vertical_m_s2": at(&row.capacity_with_vertical),
             "period_s": row.period_s,
             "amplification": row.amplification,
-            "ratio_at_most": row.ratio_at_most(),
             "rigid": comparison(&row.comparison.rigid),
-            "elastic": row.comparison.elastic.as_ref().map(comparison),
-            "verdict": row.comparison.verdict.words(),
+            "elastic_published": row.comparison.elastic.as_ref().map(comparison),
+            "elastic_by_modes": row.by_modes.as_ref().map(|by_modes| json!({
+                "ratio": by_modes.ratio,
+                "verdict": by_modes.verdict.words(),
+                "first": by_modes.first.as_ref().map(|(kind, above)| json!({
+                    "kind": match kind {
+                        LimitKind::Uplift => "tipping",
+                        LimitKind::Sliding => "sliding",
+                    },
+                    "above": above,
+                })),
+            })),
+            "verdict": row.verdict.words(),
         })).collect::<Vec<_>>(),
     })
 }

@@ -51,6 +51,14 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
 }
 
 fn outcome(simulation: &FrameSimulation) -> Value {
+    let until_then = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        None => until_then,
+    }
+}
+
+fn ending(simulation: &FrameSimulation) -> Value {
     match simulation.history.outcome {
         FrameOutcome::Finished => json!({ "kind": "finished" }),
         FrameOutcome::DriftLimit { storey, at_s } => {

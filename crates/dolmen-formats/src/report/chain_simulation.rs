@@ -20,7 +20,8 @@ const DIGITS: usize = 3;
 pub(super) fn findings(simulations: &[ChainSimulation], language: Language) -> Vec<Finding> {
     let each = simulations.iter().map(|simulation| {
         let tone = match simulation.history.outcome {
-            ChainOutcome::Stood => Tone::Plain,
+            ChainOutcome::Stood if simulation.held_joints().is_empty() => Tone::Plain,
+            ChainOutcome::Stood => Tone::Warn,
             ChainOutcome::Uplifted { .. } => Tone::Warn,
             ChainOutcome::Fell { .. } => Tone::Bad,
             _ => Tone::Unknown,
@@ -56,15 +57,28 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
     let lean = history.rotation_peaks.iter().map(|peak| peak.rotation_rad.abs());
     let lean = significant(1e3 * lean.fold(0.0, f64::max), DIGITS);
     let top = significant(1e3 * history.top_peak_m.abs(), DIGITS);
+    let is_held = !simulation.held_joints().is_empty();
     match history.outcome {
         ChainOutcome::Stood => language.pick(
-            format!("it stands and no joint opens; links lean by up to {lean}\u{202f}mrad, the top moves {top}\u{202f}mm."),
-            format!("전도되지 않고 연결부도 벌어지지 않는다. 최대 회전각 {lean}\u{202f}mrad, 최상단 변위 {top}\u{202f}mm."),
+            format!(
+                "it stands and {}; links lean by up to {lean}\u{202f}mrad, the top moves {top}\u{202f}mm.",
+                match is_held {
+                    true => "its joints were taken as unable to open, since no bed_width is given",
+                    false => "no bed comes to its edge",
+                }
+            ),
+            format!(
+                "전도되지 않으며 {}. 최대 회전각 {lean}\u{202f}mrad, 최상단 변위 {top}\u{202f}mm.",
+                match is_held {
+                    true => "받침 너비가 주어지지 않아 연결부가 벌어지지 않는 것으로 가정하였다",
+                    false => "합력이 받침 끝에 이르는 연결부는 없다",
+                }
+            ),
         ),
         ChainOutcome::Uplifted { joint, at_s } => {
             let name = simulation.link(joint);
             language.pick(
-                format!("it stands, but joints open, the one below ‘{name}’ first, at {at_s:.2}\u{202f}s; links lean by up to {lean}\u{202f}mrad, the top moves {top}\u{202f}mm."),
+                format!("it stands, but beds come to their edge, the one below ‘{name}’ first, at {at_s:.2}\u{202f}s; links lean by up to {lean}\u{202f}mrad, the top moves {top}\u{202f}mm."),
                 format!("전도되지 않으나 연결부가 벌어진다. ‘{name}’ 하부가 {at_s:.2}초에 처음 벌어지고, 최대 회전각 {lean}\u{202f}mrad, 최상단 변위 {top}\u{202f}mm."),
             )
         }
@@ -72,7 +86,10 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
             let name = simulation.link(link);
             let angle = simulation.options.fall_rad.to_degrees();
             language.pick(
-                format!("{}.", chain_outcome_text(simulation).replacen("FELL: ", "it falls: ", 1)),
+                format!(
+                    "{}.",
+                    chain_outcome_text(simulation).replacen("FELL: ", "it falls: ", 1)
+                ),
                 format!("전도된다. ‘{name}’의 회전각이 {at_s:.2}초에 {angle:.0}°를 넘는다."),
             )
         }
@@ -186,7 +203,7 @@ fn joints_table(simulation: &ChainSimulation, language: Language) -> Markup {
         language.pick("Joint below", "연결부 (부재 하부)"),
         language.pick("spring (kN·m/rad)", "스프링 (kN·m/rad)"),
         language.pick("dashpot (kN·m·s/rad)", "점성감쇠 (kN·m·s/rad)"),
-        language.pick("opens at (kN·m)", "벌어짐 모멘트 (kN·m)"),
+        language.pick("on its edge at (kN·m)", "전도 모멘트 (kN·m)"),
         language.pick("friction (kN·m)", "마찰 모멘트 (kN·m)"),
     ]
     .map(String::from)

@@ -26,12 +26,14 @@ pub(super) fn findings(change: &SurveyChange, language: Language) -> Vec<Finding
     let (from, to) = (&change.from, &change.to);
     let tested = change.tested();
     let changed = change.changed().count();
+    let known = change.modes.len() + change.lost.len();
     let least = change.detectable().map(|d| significant(100.0 * d, 2));
     let (alpha, power) = (
         significant(100.0 * change.significance, 1),
         significant(100.0 * change.power, 2),
     );
-    let mut all = match least {
+    let mut all = doubts(change, language);
+    all.extend(match least {
         None => vec![Finding::new(
             Tone::Unknown,
             language.pick(
@@ -42,8 +44,8 @@ pub(super) fn findings(change: &SurveyChange, language: Language) -> Vec<Finding
         Some(least) if changed == 0 => vec![Finding::new(
             Tone::Plain,
             language.pick(
-                format!("From survey {from} to {to} no change was shown in {tested} frequencies. A change of {least}\u{202f}% would have been seen with {power}\u{202f}% probability; smaller ones could have been missed."),
-                format!("{from} 조사에서 {to} 조사까지 고유진동수 {tested}개에서 변화가 확인되지 않았다. {least}\u{202f}%의 변화는 {power}\u{202f}%의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다."),
+                format!("From survey {from} to {to} no change was shown in {tested} of {known} frequencies. A change of {least}\u{202f}% would have been seen with {power}\u{202f}% probability; smaller ones could have been missed."),
+                format!("{from} 조사에서 {to} 조사까지 고유진동수 {known}개 중 비교한 {tested}개에서 변화가 확인되지 않았다. {least}\u{202f}%의 변화는 {power}\u{202f}%의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다."),
             ),
         )],
         Some(_) => vec![Finding::new(
@@ -53,9 +55,63 @@ pub(super) fn findings(change: &SurveyChange, language: Language) -> Vec<Finding
                 format!("{from} 조사에서 {to} 조사까지 고유진동수 {tested}개 중 {changed}개가 우연을 넘어 변하였다(전체 유의수준 {alpha}\u{202f}%)."),
             ),
         )],
-    };
+    });
     if change.temperature.leaves_doubt() {
         all.push(Finding::new(Tone::Unknown, temperature(change, language)));
+    }
+    all
+}
+
+/// What was not compared at all, and how else modes may be paired.
+fn doubts(change: &SurveyChange, language: Language) -> Vec<Finding> {
+    let hz = |frequency_hz: f64| format!("{}\u{202f}Hz", significant(frequency_hz, 4));
+    let mut all = Vec::new();
+    if !change.other_pairing_hz.is_empty() {
+        let pairs = change.other_pairing_hz.iter();
+        let each: Vec<String> = pairs
+            .map(|[before, after]| format!("{} → {}", hz(*before), hz(*after)))
+            .collect();
+        let each = each.join(", ");
+        all.push(Finding::new(
+            Tone::Warn,
+            language.pick(
+                format!("Which mode is which is not sure: more of them find a partner by {each}. What follows rests on the nearest pairs."),
+                format!("모드의 대응이 확실하지 않다. {each}로 대응시키면 더 많은 모드가 짝을 이룬다. 아래 결과는 가장 가까운 대응에 따른다."),
+            ),
+        ));
+    }
+    for lost in &change.not_compared {
+        let before = hz(lost.from.frequency_hz);
+        let (which, which_ko) = if lost.is_lowest {
+            ("The lowest mode", "가장 낮은 모드")
+        } else {
+            ("A mode", "모드")
+        };
+        let (mut english, mut korean) = (
+            format!("{which} ({before}) was not found again and is not compared."),
+            format!("{which_ko}({before})가 다시 확인되지 않아 비교하지 못하였다."),
+        );
+        if let (Some(may_be), Some([r, stiffness])) = (&lost.may_be, lost.change()) {
+            let after = hz(may_be.frequency_hz);
+            let (mac, mac_ko) = match lost.assurance {
+                Some(mac) => (
+                    format!(", its shape alike (MAC {mac:.2})"),
+                    format!(", MAC {mac:.2}"),
+                ),
+                None => (String::new(), String::new()),
+            };
+            english += &format!(
+                " A new one lies at {after}{mac}: if it is the same mode, it changed by {} ({} of stiffness).",
+                percent(r, 0),
+                percent(stiffness, 0)
+            );
+            korean += &format!(
+                " 새로 확인된 {after}{mac_ko}가 같은 모드라면 변화는 {}(강성 {})이다.",
+                percent(r, 0),
+                percent(stiffness, 0)
+            );
+        }
+        all.push(Finding::new(Tone::Warn, language.pick(english, korean)));
     }
     all
 }

@@ -8,8 +8,10 @@ use crate::answer::DemandAnswer;
 use crate::figures::design_spectrum;
 use crate::number::{NARROW_SPACE, significant, trimmed};
 use crate::text::{STANDARD_GRAVITY_M_S2, ground_word, type_word};
-use dolmen::assess::demand::{ShakenDirection, SiteDemand, SiteParameters, StackDemandRow, Unverified};
-use dolmen::stability::stack::{Comparison, DemandVerdict, Threshold};
+use dolmen::assess::demand::{
+    ModalRatio, ShakenDirection, SiteDemand, SiteParameters, StackDemandRow, Unverified,
+};
+use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
 use maud::{Markup, html};
 
 /// Digits of accelerations and ratios.
@@ -84,26 +86,29 @@ fn sentence(
     let left = row.comparison.rigid.capacity_m_s2.map_or("–".to_owned(), in_g);
     let ground = in_g(row.comparison.rigid.demand_m_s2);
     let source = &answer.site.spectrum.source;
-    let elastic = row.comparison.elastic.as_ref().map(|e| in_g(e.demand_m_s2));
-    let (english, korean) = match elastic {
-        Some(spectral) => (
-            format!(", and {spectral} of the spectrum at the first period if its joints are elastic"),
-            format!(", 탄성 접합면일 때 1차 주기의 응답 가속도 {spectral}"),
-        ),
+    let (english, korean) = match &row.by_modes {
+        Some(by_modes) => {
+            let ratio = significant(by_modes.ratio, DIGITS);
+            let first = first_words(by_modes, language);
+            (
+                format!(". On elastic joints, which amplify it, {ratio} of the spectrum is borne: {first}"),
+                format!(". 탄성 접합면의 증폭을 고려하면 스펙트럼의 {ratio}배까지 견딘다({first})"),
+            )
+        }
         None => (
-            ", and an unknown spectral acceleration if its joints are elastic".to_owned(),
-            ", 탄성 접합면일 때의 응답 가속도는 알 수 없음".to_owned(),
+            "; what elastic joints add to it is not known".to_owned(),
+            ". 탄성 접합면의 증폭은 알 수 없음".to_owned(),
         ),
     };
     language.pick(
         format!(
             "{}: it begins to move at {left} with the vertical acceleration of the site; {source} asks for {ground} of the ground{english}. \
-             Below demand means that a joint opens or slides, not that it falls.",
+             Below demand means that something tips or slides, not that it falls.",
             capitalised(word)
         ),
         format!(
-            "{word}: 수직 가속도를 고려한 최초 거동 가속도 {left}; {source}의 지반 가속도 {ground}{korean}. 미달은 접합면이 벌어지거나 \
-             미끄러진다는 뜻이며 붕괴를 뜻하지 않는다."
+            "{word}: 수직 가속도를 고려한 최초 거동 가속도 {left}; {source}의 지반 가속도 {ground}{korean}. 미달은 돌이 들리거나 \
+             미끄러지기 시작한다는 뜻이며 붕괴를 뜻하지 않는다."
         ),
     )
 }
@@ -277,6 +282,30 @@ fn site_table(site: &SiteDemand, language: Language) -> Markup {
     )
 }
 
+/// What gives way first.
+fn first_words(by_modes: &ModalRatio, language: Language) -> String {
+    let Some((kind, above)) = &by_modes.first else {
+        return language.pick(
+            "stones that share their load move first".to_owned(),
+            "하중을 나누어 받는 돌이 먼저 움직인다".to_owned(),
+        );
+    };
+    let below = match above.as_str() {
+        "the ground" => language.pick("the ground", "지반").to_owned(),
+        named => named.to_owned(),
+    };
+    match kind {
+        LimitKind::Uplift => language.pick(
+            format!("what stands on {below} tips first"),
+            format!("{below} 위의 부분이 먼저 들린다"),
+        ),
+        LimitKind::Sliding => language.pick(
+            format!("what stands on {below} slides first"),
+            format!("{below} 위의 부분이 먼저 미끄러진다"),
+        ),
+    }
+}
+
 fn comparison_table(rows: &[StackDemandRow], language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("Shaken along", "방향"),
@@ -287,7 +316,8 @@ fn comparison_table(rows: &[StackDemandRow], language: Language) -> Markup {
         language.pick("rigid blocks", "강체 블록"),
         "T1 (s)",
         "S_a (g)",
-        language.pick("ratio", "비"),
+        language.pick("S_a alike", "S_a 균일"),
+        language.pick("by modes", "모드별"),
         language.pick("elastic joints", "탄성 접합면"),
     ]
     .map(String::from)
@@ -296,8 +326,8 @@ fn comparison_table(rows: &[StackDemandRow], language: Language) -> Markup {
     let near = DemandVerdict::NEAR_BELOW;
     table(
         &language.pick(
-            format!("Capacity against demand. Ratio: what is left with the vertical acceleration, over the demand; above demand at least {near}, near 1 to {near}, below less than 1. S_a is taken on all stones alike; the upper ones feel more, and may open earlier."),
-            format!("저항 가속도와 요구 수준. 비: 수직 가속도를 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 요구 수준 이상, 1–{near}이면 근접, 1 미만이면 미달. S_a는 모든 돌에 같게 적용하였으며 위쪽 돌은 더 큰 가속도를 받아 먼저 벌어질 수 있다."),
+            format!("Capacity against demand. Ratio: what is left with the vertical acceleration, over the demand; above demand at least {near}, near 1 to {near}, below less than 1. By modes: the forces of all modes on what is above each joint against what weight and friction bear there. S_a alike, as published, lets all stones feel S_a: not on the safe side, and it decides nothing."),
+            format!("저항 가속도와 요구 수준. 비: 수직 가속도를 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 요구 수준 이상, 1–{near}이면 근접, 1 미만이면 미달. 모드별: 모든 모드의 관성력이 각 접합면 위쪽에 작용할 때 자중과 마찰이 견디는 비. S_a 균일(논문의 방법): 모든 돌에 S_a를 같게 적용한 비로, 안전측이 아니며 판정에 쓰지 않는다."),
         ),
         1,
         &head,
@@ -341,12 +371,17 @@ fn line(row: &StackDemandRow, language: Language) -> Vec<Cell> {
             significant(period_s, DIGITS).into(),
             g(elastic.demand_m_s2).into(),
             ratio(elastic),
-            verdict_word(elastic.verdict, language).into(),
         ]),
-        _ => {
-            cells.extend(["–", "–", "–"].map(Cell::from));
-            cells.push(verdict_word(DemandVerdict::Unknown, language).into());
-        }
+        _ => cells.extend(["–", "–", "–"].map(Cell::from)),
     }
+    let (text, verdict) = match &row.by_modes {
+        Some(by_modes) => (significant(by_modes.ratio, DIGITS), by_modes.verdict),
+        None => ("–".to_owned(), DemandVerdict::Unknown),
+    };
+    cells.push(match verdict {
+        DemandVerdict::Below => Cell::bad(text),
+        _ => text.into(),
+    });
+    cells.push(verdict_word(verdict, language).into());
     cells
 }

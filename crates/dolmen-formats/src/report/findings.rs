@@ -119,6 +119,8 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     if let Some(text) = assumptions(&answer.project, language) {
         all.push(Finding::new(Tone::Warn, text));
     }
+    // what is worst comes first
+    all.sort_by_key(|finding| finding.tone != Tone::Bad);
     html! {
         ul.findings { @for finding in &all {
             li class=(class(finding.tone)) { (finding.text) }

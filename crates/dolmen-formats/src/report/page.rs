@@ -160,6 +160,22 @@ fn shaken(answer: &Answer, language: Language) -> Vec<String> {
             format!("{motion} 작용 시 낙하"),
         ));
     }
+    let chains = answer.chain_simulations.iter().filter(|run| run.falls());
+    for (motion, _) in chains.filter_map(|run| run.motion.as_ref()) {
+        let motion = motion.motion.name();
+        words.push(language.pick(
+            format!("it falls under {motion}"),
+            format!("{motion} 작용 시 전도"),
+        ));
+    }
+    for run in answer.frame_simulations.iter().filter(|run| run.falls()) {
+        let motion = run.motion.motion.name();
+        words.push(language.pick(
+            format!("it leans too far under {motion}"),
+            format!("{motion} 작용 시 과대 변위"),
+        ));
+    }
+    words.dedup();
     words
 }
 
@@ -170,7 +186,7 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
         matches!(shaken.as_slice(), [words] if *words == demand::verdict_word(DemandVerdict::Near, language));
     let class = match verdict {
         Verdict::Stable | Verdict::Marginal if !shaken.is_empty() && !only_near => Verdict::Unstable.word(),
-        Verdict::Stable if only_near => Verdict::Marginal.word(),
+        Verdict::Stable if only_near || !state.contradictions.is_empty() => Verdict::Marginal.word(),
         verdict => verdict.word(),
     };
     let stack = match &state.check {
@@ -201,6 +217,12 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
             div {
                 @if !shaken.is_empty() {
                     p { b { (language.pick("Without shaking only. With shaking: ", "지진이 없을 때에 한함. 지진 시: ")) (shaken.join("; ")) "." } }
+                }
+                @for c in &state.contradictions {
+                    p { b { (language.pick(
+                        format!("A survey contradicts this model: {} measured {:.3} Hz, the model has {:.3} Hz.", c.survey, c.measured_hz, c.computed_hz),
+                        format!("조사 결과가 이 모델과 모순된다. {} 조사의 실측 {:.3} Hz, 모델 {:.3} Hz.", c.survey, c.measured_hz, c.computed_hz),
+                    )) } }
                 }
                 p { b { (sentence) }
                     @if assumed > 0 { " " (language.pick(

@@ -33,12 +33,12 @@ pub(super) fn findings(sampled: Option<&Sampled>, language: Language) -> Vec<Fin
         tone,
         language.pick(
             format!(
-                "With the scatter given for the inputs it falls in {} of {} samples: {estimate}, {confidence} interval \
+                "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {} of {} samples: {estimate}, {confidence} interval \
                  {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
                 falls.count, falls.samples
             ),
             format!(
-                "입력값의 변동을 고려하면 표본 {total}개 중 {count}개에서 전도된다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. \
+                "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {total}개 중 {count}개에서 전도된다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. \
                  이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
                 total = falls.samples,
                 count = falls.count

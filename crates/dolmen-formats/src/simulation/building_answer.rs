@@ -107,6 +107,13 @@ pub struct BuildingSimulation {
 }
 
 impl BuildingSimulation {
+    /// When the run ended, s, if that is before the motion did: what it shows is of that part alone.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let history = &self.history;
+        self.motion
+            .cut_at_s(history.time_s(history.length().saturating_sub(1)))
+    }
+
     /// Largest drift of all storeys in any direction over the height of the storey, at a corner where the outline of the floor above is known.
     pub fn drift(&self) -> LargestDrift {
         let storeys = self.building.building().storeys();

@@ -47,12 +47,45 @@ impl ChainSimulation {
         matches!(self.history.outcome, ChainOutcome::Fell { .. })
     }
 
+    /// When the run ended, s, if that is before the motion did and no link had fallen: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let (motion, _) = self.motion.as_ref()?;
+        let is_open = matches!(
+            self.history.outcome,
+            ChainOutcome::Stood | ChainOutcome::Uplifted { .. } | ChainOutcome::StillLeaning { .. }
+        );
+        motion.cut_at_s(self.options.duration_s?).filter(|_| is_open)
+    }
+
     /// Whether the run came to an end that says whether it falls.
     pub fn is_whole(&self) -> bool {
         !matches!(
             self.history.outcome,
             ChainOutcome::Stopped { .. } | ChainOutcome::StillLeaning { .. }
-        )
+        ) && self.ended_before_the_motion_s().is_none()
+    }
+
+    /// Joints without a bed that can open, which pass any moment in this run, and how wide each bed would have to be for its largest, m: 2 M / N.
+    pub fn held_joints(&self) -> Vec<(usize, f64)> {
+        let most = self.model.moment_most_n_m().iter().enumerate();
+        let held = most.filter(|(_, most)| most.is_infinite());
+        held.map(|(joint, _)| {
+            let chain = self.model.chain();
+            let mass_kg: f64 = chain.links()[joint..].iter().map(|link| link.mass_kg).sum();
+            let weight_n = mass_kg * chain.gravity_m_s2();
+            (joint, 2.0 * self.joint_moment_peak_n_m(joint) / weight_n)
+        })
+        .collect()
+    }
+
+    /// Joints whose bed opened on one side, beyond N b/6, without coming to its edge at N b/2.
+    pub fn opened_beds(&self) -> Vec<usize> {
+        let each = self.model.moment_most_n_m().iter().enumerate();
+        let opened = each.filter(|(joint, most)| {
+            let moment = self.joint_moment_peak_n_m(*joint);
+            most.is_finite() && moment > **most / 3.0 && moment < **most * (1.0 - 1e-9)
+        });
+        opened.map(|(joint, _)| joint).collect()
     }
 
     /// How long the run was, s.

@@ -43,9 +43,17 @@ impl FrameSimulation {
         matches!(self.history.outcome, FrameOutcome::DriftLimit { .. })
     }
 
+    /// When the run ended, s, if that is before the motion did and no storey leaned too far: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let end_s = self.options.duration_s?;
+        let is_open = matches!(self.history.outcome, FrameOutcome::Finished);
+        self.motion.cut_at_s(end_s).filter(|_| is_open)
+    }
+
     /// Whether the run came to its end.
     pub fn is_whole(&self) -> bool {
         !matches!(self.history.outcome, FrameOutcome::Stopped { .. })
+            && self.ended_before_the_motion_s().is_none()
     }
 
     /// Force of the whole storey, spring, P-delta and friction, at every sample, N: what its drift is drawn against.

@@ -10,6 +10,7 @@ mod frame_answer;
 mod frame_tables;
 mod tables;
 
+pub(crate) use answer::base_line_drifts;
 pub use answer::{MotionAnswer, Simulation};
 pub use building_answer::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
 pub use building_tables::{building_histories_csv, building_peaks_csv};

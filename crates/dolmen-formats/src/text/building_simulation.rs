@@ -102,7 +102,10 @@ pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {
     } else {
         "of a centre of mass"
     };
-    let mut out = String::new();
+    let mut out = match simulation.ended_before_the_motion_s() {
+        Some(end_s) => simulation.motion.cut_words(end_s) + "\n",
+        None => String::new(),
+    };
     for beyond in simulation.beyond_room() {
         let _ = writeln!(
             out,

@@ -14,6 +14,7 @@ pub fn chain_simulation_text(simulation: &ChainSimulation) -> String {
     let mut out = chain_text(simulation);
     out += &start_text(simulation);
     let _ = writeln!(out, "\n{}", chain_outcome_text(simulation));
+    out += &beds_text(simulation);
     out += &growth_text(simulation);
     out += &links_text(simulation);
     out += &energy_text(simulation);
@@ -22,6 +23,48 @@ pub fn chain_simulation_text(simulation: &ChainSimulation) -> String {
 
 /// How it ended, in one sentence that begins with a fixed word.
 pub fn chain_outcome_text(simulation: &ChainSimulation) -> String {
+    let sentence = ending(simulation);
+    match (simulation.ended_before_the_motion_s(), &simulation.motion) {
+        (Some(end_s), Some((motion, _))) => motion.cut_words(end_s) + &sentence,
+        _ => sentence,
+    }
+}
+
+/// What beds did that this run does not follow, as lines of notes.
+fn beds_text(simulation: &ChainSimulation) -> String {
+    let mut out = String::new();
+    let held = simulation.held_joints();
+    if !held.is_empty() {
+        let each: Vec<String> = held
+            .iter()
+            .map(|(joint, bed_m)| format!("'{}' {:.2} m", simulation.link(*joint), bed_m))
+            .collect();
+        let _ = writeln!(
+            out,
+            "note: {} of {} joints have no bed that can open (no bed_width, or opening = \"held\") and pass any moment here. The beds it would take, \
+             2 M/N: {}",
+            held.len(),
+            simulation.links.len(),
+            each.join(", ")
+        );
+    }
+    let opened = simulation.opened_beds();
+    if !opened.is_empty() {
+        let each: Vec<String> = opened
+            .iter()
+            .map(|joint| format!("'{}'", simulation.link(*joint)))
+            .collect();
+        let _ = writeln!(
+            out,
+            "note: beds opened on one side, beyond a third of the moment at their edge, below {}: of stone, springs are softer from there on than \
+             this run takes them",
+            each.join(", ")
+        );
+    }
+    out
+}
+
+fn ending(simulation: &ChainSimulation) -> String {
     let history = &simulation.history;
     let state = || {
         let last = history.rotation_rad.last().and_then(|row| row.last());
@@ -34,9 +77,12 @@ pub fn chain_outcome_text(simulation: &ChainSimulation) -> String {
         format!("at the end it is {moving}, its top link {lean_mrad:.3} mrad off the vertical")
     };
     match history.outcome {
-        ChainOutcome::Stood => format!("STOOD: no joint opened; {}", state()),
+        ChainOutcome::Stood if simulation.held_joints().len() == simulation.links.len() => {
+            format!("STOOD: with joints that cannot open; {}", state())
+        }
+        ChainOutcome::Stood => format!("STOOD: no bed came to its edge; {}", state()),
         ChainOutcome::Uplifted { joint, at_s } => format!(
-            "OPENED: the joint below '{}' opened first, at {at_s:.2} s, and the chain still stands; {}",
+            "OPENED: the bed below '{}' came to its edge first, at {at_s:.2} s, and the chain still stands; {}",
             simulation.link(joint),
             state()
         ),
@@ -68,7 +114,7 @@ fn chain_text(simulation: &ChainSimulation) -> String {
         "joint below",
         "spring, kN m/rad",
         "dashpot, kN m s/rad",
-        "opens at, kN m",
+        "on its edge at, kN m",
         "friction, kN m",
     ];
     let mut table = Table::new(&heads, 1);

@@ -22,6 +22,9 @@ pub fn change_text(project: &Project, file: &str, change: &SurveyChange) -> Stri
             .and_then(|s| s.temperature_c)
     };
     let temperatures = [temperature(&change.from), temperature(&change.to)];
+    for line in doubt_lines(change) {
+        let _ = writeln!(out, "{line}");
+    }
     let _ = writeln!(out, "{}", temperature_sentence(change, temperatures));
     out += &frequencies_text(change);
     out += &dampings_text(change);
@@ -123,7 +126,7 @@ fn fitted_text(change: &SurveyChange) -> String {
         if let Some(line) = &mode.fitted {
             let _ = writeln!(
                 out,
-                "  weather of mode {}: {:+.3} ± {:.3} % per °C (standard deviation), fitted to {} surveys at {} to {} °C",
+                "  weather of mode {}: {:+.3} ± {:.3} % per °C (standard deviation), fitted to {} surveys at {} to {} °C, the structure taken as unchanged through them",
                 i + 1,
                 100.0 * line.per_c,
                 100.0 * line.sd_per_c,
@@ -185,6 +188,48 @@ fn dampings_text(change: &SurveyChange) -> String {
     )
 }
 
+/// What was not compared at all, and how else modes may be paired: said before anything else.
+fn doubt_lines(change: &SurveyChange) -> Vec<String> {
+    let mut lines = Vec::new();
+    if !change.other_pairing_hz.is_empty() {
+        let pairs = change.other_pairing_hz.iter();
+        let each: Vec<String> = pairs
+            .map(|[before, after]| {
+                format!(
+                    "{before:.3} -> {after:.3} Hz ({:+.1} %)",
+                    100.0 * (after / before - 1.0)
+                )
+            })
+            .collect();
+        lines.push(format!(
+            "PAIRING NOT SURE: more modes find a partner by {}; what is below rests on the nearest pairs [survey-change]",
+            each.join(", ")
+        ));
+    }
+    for lost in &change.not_compared {
+        let which = if lost.is_lowest { "the lowest mode, " } else { "" };
+        let mut line = format!(
+            "NOT COMPARED: {which}{:.3} Hz, was not found again",
+            lost.from.frequency_hz
+        );
+        if let (Some(may_be), Some([r, stiffness])) = (&lost.may_be, lost.change()) {
+            let shape = lost
+                .assurance
+                .map_or(String::new(), |mac| format!(", shape alike (MAC {mac:.2})"));
+            let _ = write!(
+                line,
+                "; {:.3} Hz is new{shape}: if it is the same mode it {} by {:.0} % ({:+.0} % of stiffness)",
+                may_be.frequency_hz,
+                if r < 0.0 { "fell" } else { "rose" },
+                100.0 * r.abs(),
+                100.0 * stiffness
+            );
+        }
+        lines.push(line + " [survey-change]");
+    }
+    lines
+}
+
 /// What may be said, and what may not.
 fn sentences(change: &SurveyChange) -> Vec<String> {
     let mut said = Vec::new();
@@ -204,7 +249,15 @@ fn sentences(change: &SurveyChange) -> Vec<String> {
         let least = 100.0 * detectable;
         let power = 100.0 * change.power;
         let lead = if changed.is_empty() {
-            format!("No change was shown in {tested} frequencies. That does not say that there is none: ")
+            let all = change.modes.len() + change.lost.len();
+            let of_all = if tested < all {
+                format!(" of {all}")
+            } else {
+                String::new()
+            };
+            format!(
+                "No change was shown in {tested}{of_all} frequencies. That does not say that there is none: "
+            )
         } else {
             String::new()
         };
@@ -258,7 +311,7 @@ fn pairing_sentences(change: &SurveyChange) -> Vec<String> {
     let mut said = Vec::new();
     if !change.lost.is_empty() {
         said.push(format!(
-            "Not found again: {} Hz. Such a mode may have moved further than pairs may lie apart, or was not shaken.",
+            "Not found again: {} Hz. Such a mode may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
             list(&change.lost)
         ));
     }

@@ -4,13 +4,14 @@ use super::Table;
 use super::building::building_text;
 use super::demand::demand_text;
 use super::project::{heading_text, made_stones_text, warnings_text};
-use super::stack::{spring_fits_text, stack_text, stack_verdict};
+use super::stack::{spring_fits_text, stack_text};
+use super::verdict::verdict_line;
 use super::versions::{comparison, sampled_text, sensitivity_text};
-use crate::answer::{Answer, Check, DirectionCheck, State, TiltCheck};
-use crate::number::{beside_one, percent, prefix};
+use crate::answer::{Answer, Check, DirectionCheck, State};
+use crate::number::{percent, prefix};
 use crate::project::{Project, Structure};
 use dolmen::assess::{CentroidEffect, FrameCheck};
-use dolmen::stability::{ChainLimits, ChainStability, FrameStability, Verdict};
+use dolmen::stability::{ChainLimits, ChainStability, FrameStability};
 use dolmen::structure::NaturalMode;
 use std::fmt::Write as _;
 
@@ -87,89 +88,6 @@ fn same_limits(one: &State, other: &State) -> bool {
         (Check::Stack(a), Check::Stack(b)) => a == b,
         (Check::Building(a), Check::Building(b)) => a == b,
         _ => false,
-    }
-}
-
-fn verdict_line(state: &State) -> String {
-    let verdict = state.verdict();
-    let why = match (state.stability_verdict(), state.load_factor()) {
-        (_, None) if matches!(state.check, Check::Stack(_)) => match &state.check {
-            Check::Stack(answer) => stack_verdict(answer),
-            Check::Chain(_) | Check::Frame(_) | Check::Building(_) => String::new(),
-        },
-        (_, Some(f64::INFINITY)) => {
-            "no axial force is given, so P-delta says nothing of stability".to_owned()
-        }
-        (Verdict::Unknown, Some(_)) => {
-            "the stiffness is not known in every direction [joints-unknown]".to_owned()
-        }
-        (Verdict::Unknown, None) => {
-            "the stiffness is not known; the limits below say what it must be [joints-unknown]".to_owned()
-        }
-        (own, Some(factor)) => {
-            format!(
-                "load factor {}: {} [load-factor]",
-                beside_one(factor, 5),
-                threshold(own)
-            )
-        }
-        (_, None) => String::new(),
-    };
-    let mut out = format!("\nVERDICT {}: {why}\n", verdict.word());
-    for tilt in &state.tilts {
-        out += &tilt_line(tilt);
-    }
-    for c in &state.contradictions {
-        let _ = writeln!(
-            out,
-            "CONTRADICTION: survey {} measured {:.4} Hz in direction {}, this model has {:.4} Hz: its stiffness or mass is \
-             not that of the\n  structure that was measured, and the verdict is on the model",
-            c.survey, c.measured_hz, c.direction, c.computed_hz
-        );
-    }
-    out
-}
-
-/// What a measured tilt means for overturning, which the load factor does not see.
-fn tilt_line(tilt: &TiltCheck) -> String {
-    let measured = format!(
-        "measured tilt 1/{:.0} ({}, survey {})",
-        1.0 / tilt.tilt.abs(),
-        tilt.direction,
-        tilt.survey
-    );
-    match (tilt.uplift_tilt, tilt.verdict()) {
-        (None, _) => {
-            format!("  {measured}: not checked against overturning (needs joint stiffness and bed_width)\n")
-        }
-        (Some(limit), Verdict::Unstable) => {
-            format!(
-                "  {measured}: OVERTURNS, a bed is on its edge at 1/{:.0}\n",
-                1.0 / limit
-            )
-        }
-        (Some(limit), verdict) => {
-            let opens = if 3.0 * tilt.tilt.abs() >= limit {
-                "; beds have begun to open (a third of it)"
-            } else {
-                ""
-            };
-            format!(
-                "  {measured}: {}, a bed is on its edge at 1/{:.0}{opens}\n",
-                verdict.word(),
-                1.0 / limit
-            )
-        }
-    }
-}
-
-fn threshold(verdict: Verdict) -> String {
-    let marginal = Verdict::MARGINAL_BELOW;
-    match verdict {
-        Verdict::Unstable => "it falls under its own weight (1 or less)".to_owned(),
-        Verdict::Marginal => format!("it stands, with less than {marginal} in hand"),
-        Verdict::Stable => format!("at least {marginal}"),
-        Verdict::Unknown => String::new(),
     }
 }
 

@@ -4,11 +4,11 @@ use super::Table;
 use crate::answer::{DemandAnswer, SpectralAt};
 use crate::number::trimmed;
 use dolmen::assess::demand::{
-    EurocodeGround, EurocodeType, ShakenDirection, SiteDemand, SiteParameters, StackDemandCheck,
+    EurocodeGround, EurocodeType, ModalRatio, ShakenDirection, SiteDemand, SiteParameters, StackDemandCheck,
     StackDemandRow,
 };
 pub(crate) use dolmen::known::STANDARD_GRAVITY_M_S2;
-use dolmen::stability::stack::{Comparison, DemandVerdict, Threshold};
+use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
 use std::fmt::Write as _;
 
 /// Digits of the numbers that a code gives on its way.
@@ -153,7 +153,8 @@ fn stack_text(stack: &StackDemandCheck, site: &SiteDemand) -> String {
         "as rigid blocks",
         "T1, s",
         "S_a, g",
-        "ratio",
+        "S_a alike",
+        "by modes",
         "on elastic joints",
     ];
     let mut table = Table::new(&heads, 1);
@@ -165,25 +166,36 @@ fn stack_text(stack: &StackDemandCheck, site: &SiteDemand) -> String {
     let _ = writeln!(
         out,
         "  ratio: what is left with {} g of vertical acceleration, over the demand. above demand: at least {near}; near: 1 to \
-         {near}; below: less\n  than 1. \"Below\" means that a joint opens or slides, not that the stack falls: how far it goes \
+         {near}; below: less\n  than 1. \"Below\" means that something tips or slides, not that the stack falls: how far it goes \
          needs a time history.",
         trimmed(in_g(stack.vertical_acceleration_m_s2), 4)
     );
     let most = stack
         .rows
         .iter()
-        .filter_map(|row| Some((row.amplification?, row.ratio_at_most()?)));
-    if let Some((amplification, ratio)) = most.min_by(|a, b| a.1.total_cmp(&b.1)) {
+        .filter_map(|row| Some((row.by_modes.as_ref()?, row.amplification?)));
+    if let Some((by_modes, amplification)) = most.min_by(|a, b| a.0.ratio.total_cmp(&b.0.ratio)) {
         let _ = writeln!(
             out,
-            "  note: S_a is taken on all stones alike, which is not on the safe side for the upper ones: in the first mode the one that sways most feels \
-             {amplification:.2} times\n  as much, so that joints below it may open from a ratio of {ratio:.3} on. `dolmen simulate` says what opens"
+            "  on elastic joints by the forces of all modes on what is above each joint: {}; in the first mode one\n  stone feels {amplification:.2} S_a. \
+             \"S_a alike\", as published, lets all stones feel S_a; it is not on the safe side and decides nothing. A corner of an\n  elastic joint opens \
+             before the joint tips, of a rectangle at a third: `dolmen simulate` says by how much",
+            first_words(by_modes)
         );
     }
-    if stack.rows.iter().any(|row| row.comparison.elastic.is_none()) {
-        out += "  note: a first period is not known, so what elastic joints add to the shaking is not in the comparison\n";
+    if stack.rows.iter().any(|row| row.by_modes.is_none()) {
+        out += "  note: the modes, or what the spectrum asks at their periods, are not known, or nothing is left to compare with: on elastic joints unknown\n";
     }
     out
+}
+
+/// What gives way first.
+fn first_words(by_modes: &ModalRatio) -> String {
+    match &by_modes.first {
+        Some((LimitKind::Uplift, above)) => format!("what stands on {above} tips first"),
+        Some((LimitKind::Sliding, above)) => format!("what stands on {above} slides first"),
+        None => "stones that share their load move first, with the largest forces on all at once".to_owned(),
+    }
 }
 
 fn cells(row: &StackDemandRow, site: &SiteDemand) -> Vec<String> {
@@ -216,9 +228,15 @@ fn cells(row: &StackDemandRow, site: &SiteDemand) -> Vec<String> {
             format!("{period_s:.4}"),
             format!("{:.4}", in_g(elastic.demand_m_s2)),
             ratio(elastic),
-            elastic.verdict.words().to_owned(),
         ]),
-        _ => cells.extend(["-", "-", "-", "unknown"].map(str::to_owned)),
+        _ => cells.extend(["-", "-", "-"].map(str::to_owned)),
+    }
+    match &row.by_modes {
+        Some(by_modes) => cells.extend([
+            format!("{:.3}", by_modes.ratio),
+            by_modes.verdict.words().to_owned(),
+        ]),
+        None => cells.extend(["-", "unknown"].map(str::to_owned)),
     }
     cells
 }

@@ -262,7 +262,9 @@ fn notes(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
         let points = hazard.curve.points();
         let words = match hazard.source {
             HazardSource::Kds17 => "the return periods of KDS 17 10 00, 50 to 2400 years, soil included",
-            HazardSource::File => "the hazard of the file",
+            HazardSource::File => {
+                "the hazard of the file, its peaks taken as those at the surface (no soil factor is applied)"
+            }
         };
         let ends =
             [points.first(), points.last()].map(|point| point.map_or(0.0, |p| p[0] / answer.gravity_m_s2));

@@ -3,11 +3,15 @@
 use super::Table;
 use crate::simulation::FrameSimulation;
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
+use dolmen::signal::Component;
 use std::fmt::Write as _;
 
 /// How it ended, each storey, the balance of energy.
 pub fn frame_simulation_text(simulation: &FrameSimulation) -> String {
     let mut out = format!("\nDirection {}\n", simulation.direction);
+    if simulation.motion.motion.has(Component::Z) {
+        out += "  note: z does not act: a frame knows no vertical shaking\n";
+    }
     out += &frame_text(simulation);
     let _ = writeln!(out, "\n{}", frame_outcome_text(simulation));
     out += &storeys_text(simulation);
@@ -17,6 +21,14 @@ pub fn frame_simulation_text(simulation: &FrameSimulation) -> String {
 
 /// How it ended, in one sentence that begins with a fixed word.
 pub fn frame_outcome_text(simulation: &FrameSimulation) -> String {
+    let sentence = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => simulation.motion.cut_words(end_s) + &sentence,
+        None => sentence,
+    }
+}
+
+fn ending(simulation: &FrameSimulation) -> String {
     let history = &simulation.history;
     let name = |storey: usize| simulation.storeys.get(storey).map_or("", String::as_str);
     match history.outcome {

@@ -6,6 +6,7 @@ use super::project::{convention_words, heading_text, warnings_text};
 use super::setups::{joint_heading, merged_text};
 use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::number::{beside_one, prefix, trimmed};
+use crate::project::{Project, Quantity, Structure};
 use dolmen::modal::{Method, Modes, Settings};
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, StiffnessSolution, Visibility};
@@ -27,6 +28,7 @@ pub fn identification_text(answer: &Answer) -> String {
     }
     for survey in &answer.surveys {
         out += &survey_text(survey);
+        out += &masses_text(survey, &answer.project);
     }
     out.push('\n');
     out + &warnings_text(&answer.project)
@@ -63,6 +65,38 @@ fn survey_text(survey: &SurveyAnswer) -> String {
         out += &stiffness_text(stiffness);
     }
     out
+}
+
+/// Intervals of stiffness are of the measured frequencies: what the masses add.
+fn masses_text(survey: &SurveyAnswer, project: &Project) -> String {
+    let mut each = survey
+        .stiffness
+        .iter()
+        .flat_map(|found| &found.solutions.solutions);
+    if !each.any(|solution| solution.stiffness_sd.is_some()) {
+        return String::new();
+    }
+    let masses: Vec<&Quantity> = match &project.structure {
+        Structure::Chain(part) => part.links.iter().map(|link| link.heaviness.quantity()).collect(),
+        Structure::Frame(part) => part
+            .storeys
+            .iter()
+            .map(|storey| storey.heaviness.quantity())
+            .collect(),
+        _ => Vec::new(),
+    };
+    let most = masses.iter().filter_map(|mass| mass.cov).fold(0.0, f64::max);
+    let given = match most > 0.0 {
+        true => format!(
+            "; the file gives them a scatter of up to {:.0} %, which adds up to ± {:.0} % to every interval above (95 %, all off together)",
+            100.0 * most,
+            100.0 * TWO_SIDED_95 * most
+        ),
+        false => String::new(),
+    };
+    format!(
+        "\n  intervals of stiffness: of the frequencies alone, masses taken as exact; 1 % more mass is 1 % more of every k{given}\n"
+    )
 }
 
 fn record_text(record: &RecordAnswer) -> String {

@@ -21,6 +21,7 @@ mod study;
 mod table;
 mod tune;
 mod validate;
+mod verdict;
 mod versions;
 
 pub(crate) use building_simulation::GROWN;

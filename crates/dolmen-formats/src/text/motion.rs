@@ -1,13 +1,11 @@
 //! What `dolmen motion` prints.
 
 use super::Table;
+use super::simulation::drift_words;
 use crate::motions::{MatchAnswer, MotionReport, MotionSeries};
+use crate::simulation::base_line_drifts;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::fmt::Write as _;
-
-/// A displacement at the end of so large a share of the largest one, and of the largest of so many m, is told. Chosen here.
-const DRIFT_LEAST: f64 = 0.5;
-const DRIFT_LEAST_M: f64 = 0.01;
 
 /// Files and channels, the history, the measures, the match and the spectrum.
 pub fn motion_report_text(report: &MotionReport) -> String {
@@ -155,14 +153,8 @@ fn drifts(series: &[MotionSeries]) -> String {
     let mut out = String::new();
     for one in series {
         let m = &one.measures;
-        if m.last_displacement_m.abs() > DRIFT_LEAST * m.peak_displacement_m
-            && m.peak_displacement_m > DRIFT_LEAST_M
-        {
-            let _ = writeln!(
-                out,
-                "note: {} ends {:.3} m away, near its largest displacement: the base line drifts, or the ground moved for good; take it off with --baseline or --high-pass",
-                one.name, m.last_displacement_m
-            );
+        if base_line_drifts([m.last_displacement_m, m.peak_displacement_m]) {
+            let _ = writeln!(out, "note: {}", drift_words(&one.name, m.last_displacement_m));
         }
     }
     out

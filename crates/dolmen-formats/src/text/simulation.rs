@@ -71,7 +71,18 @@ fn motion_text(answer: &MotionAnswer) -> String {
     }
     let steps: Vec<String> = motion.history().iter().map(ToString::to_string).collect();
     let _ = writeln!(out, "  done to it: {}", steps.join("; "));
+    for (component, away_m) in answer.drifting_m() {
+        let _ = writeln!(out, "note: {}", drift_words(component.name(), away_m));
+    }
     out
+}
+
+/// What to know of a component whose base line drifts.
+pub(crate) fn drift_words(name: &str, away_m: f64) -> String {
+    format!(
+        "{name} ends {away_m:.3} m away, near its largest displacement: the base line drifts, or the ground moved for good; take it off with \
+         --baseline or --high-pass"
+    )
 }
 
 /// What came out: how it ended, each joint, the balance of energy.
@@ -88,10 +99,7 @@ pub fn simulation_text(simulation: &Simulation) -> String {
 pub fn outcome_text(simulation: &Simulation) -> String {
     let sentence = ending(simulation);
     match simulation.ended_before_the_motion_s() {
-        Some(end_s) => format!(
-            "ENDED BEFORE THE MOTION: {end_s:.2} of its {:.2} s were run, and no stone fell in them; no verdict. Until then: {sentence}",
-            simulation.motion.motion.duration_s()
-        ),
+        Some(end_s) => simulation.motion.cut_words(end_s) + &sentence,
         None => sentence,
     }
 }

@@ -21,7 +21,7 @@ pub(super) fn sampled_text(sampled: &Sampled) -> String {
             .unwrap_or(f64::NAN)
     };
     format!(
-        "\nProbability that it falls: {} ({:.0} % interval {} to {}; {} of {} samples, seed {}) [probability]\n  \
+        "\nProbability that it falls under its own weight alone: {} ({:.0} % interval {} to {}; {} of {} samples, seed {}) [probability]\n  \
          {} inputs drawn; load factor 5 % / 50 % / 95 %: {:.3} / {:.3} / {:.3}\n",
         plain(p.estimate),
         100.0 * p.confidence,

@@ -278,6 +278,7 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
             loads,
             shaking,
             holding: Holding::Cohesion,
+            ..LimitAnalysis::default()
         },
     )?;
     let status = analysis.status;

@@ -67,6 +67,16 @@ impl Rigid {
     /// The step to take for a stack: 1 ms, and 0.2 ms where some joint slides with less friction than it begins to slide with. A stone that
     /// slides slowly comes to rest within a step and is then held by static friction: a block under two-component noise, μ .4 and .25, slipped 3.8 % too
     /// little (6.0 % of what is left) at 1 ms, .16 % at .2 ms.
+    ///
+    /// ```
+    /// use dolmen::blocks::Rigid;
+    /// use dolmen::structure::stack::JointMaterial;
+    /// let alike = JointMaterial::with_friction(0.6);
+    /// let easier = JointMaterial { friction_kinetic: 0.5, ..alike };
+    /// assert_eq!(Rigid::usual_step_s(&dolmen::validation::p10(alike, 9.81)?), 1e-3);
+    /// assert_eq!(Rigid::usual_step_s(&dolmen::validation::p10(easier, 9.81)?), 2e-4);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
     pub fn usual_step_s(stack: &Stack) -> f64 {
         let slides_easier = |joint: &Joint| joint.material.friction_kinetic < joint.material.friction_static;
         match stack.joints().iter().any(slides_easier) {

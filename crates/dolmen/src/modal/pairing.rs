@@ -16,6 +16,10 @@ use dolmen_linalg::Complex64;
 const UNPAIRED: f64 = 1.0;
 /// Cost of what must not be paired: more than any sum of others.
 const FORBIDDEN: f64 = 1e6;
+/// What a mode without a partner costs where as many pairs as possible are wanted.
+const UNPAIRED_AT_ALL: f64 = 1e3;
+/// MAC from which two modes may be one, however far their frequencies are apart. Chosen here.
+const LIKE_LEAST: f64 = 0.8;
 /// Directions of two sensors are the same, or opposite, if their cosine is so near 1: 2.6°.
 const PARALLEL: f64 = 0.999;
 /// Fewer places than this say nothing of a shape: one alone is always like itself.
@@ -143,6 +147,21 @@ pub struct PairedModes {
     pub only_first: Vec<usize>,
     /// Modes of the second list without a partner.
     pub only_second: Vec<usize>,
+    /// Modes of the first list without a partner, each with what it may be in the second if it moved further than pairs may lie apart.
+    pub moved_further: Vec<MovedFurther>,
+    /// The pairing with the most pairs, where it has more of them than this one: indices in both lists. Else empty.
+    pub most_pairs: Vec<[usize; 2]>,
+}
+
+/// A mode of the first list without a partner, and what it may be in the second.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MovedFurther {
+    /// Index in the first list.
+    pub first: usize,
+    /// Index in the second list, without a partner there; `None` if nothing is like it.
+    pub second: Option<usize>,
+    /// Their MAC, where shapes are known.
+    pub assurance: Option<f64>,
 }
 
 /// Modes of two occasions paired so that the sum of their differences is least.
@@ -196,15 +215,59 @@ pub fn pair_modes(
             margin,
         });
     }
-    let without = |count: usize, of: fn(&ModePair) -> usize| {
+    let without = |count: usize, of: fn(&ModePair) -> usize| -> Vec<usize> {
         let paired: Vec<usize> = pairs.iter().map(of).collect();
         (0..count).filter(|i| !paired.contains(i)).collect()
     };
+    let only_first = without(first.len(), |pair| pair.first);
+    let only_second = without(second.len(), |pair| pair.second);
+    for row in &mut cost {
+        row[second.len()..].fill(UNPAIRED_AT_ALL);
+    }
+    let most = assignment(&cost)?;
+    let most = most.into_iter().enumerate();
+    let mut most_pairs: Vec<[usize; 2]> = most
+        .filter(|(i, j)| *j < second.len() && cost[*i][*j] < FORBIDDEN)
+        .map(|(i, j)| [i, j])
+        .collect();
+    if most_pairs.len() <= pairs.len() {
+        most_pairs.clear();
+    }
     Ok(PairedModes {
-        only_first: without(first.len(), |pair| pair.first),
-        only_second: without(second.len(), |pair| pair.second),
+        moved_further: moved_further(&only_first, &only_second, &likeness),
+        only_first,
+        only_second,
+        most_pairs,
         pairs,
     })
+}
+
+/// What modes without a partner may be: the one with the likest shape, or, without shapes, the next in order of frequency.
+fn moved_further(
+    only_first: &[usize],
+    only_second: &[usize],
+    likeness: &[Vec<Likeness>],
+) -> Vec<MovedFurther> {
+    let mut left = only_second.to_vec();
+    let mut found = Vec::with_capacity(only_first.len());
+    for &first in only_first {
+        let like = |second: usize| &likeness[first][second];
+        let may_be = |second: &&usize| {
+            let like = like(**second);
+            !like.strangers && like.assurance.is_none_or(|mac| mac >= LIKE_LEAST)
+        };
+        let best = left.iter().filter(may_be).copied().reduce(|best, other| {
+            let mac = |second: usize| like(second).assurance.unwrap_or(0.0);
+            if mac(other) > mac(best) { other } else { best }
+        });
+        left.retain(|second| Some(*second) != best);
+        found.push(MovedFurther {
+            first,
+            second: best,
+            assurance: best.and_then(|second| like(second).assurance),
+        });
+    }
+    found
 }
 
 fn check<'a>(modes: impl Iterator<Item = &'a ObservedMode>, options: &Pairing) -> Result<(), ModalError> {
@@ -248,6 +311,8 @@ struct Likeness {
     cost: f64,
     assurance: Option<f64>,
     places: usize,
+    /// They point along different directions.
+    strangers: bool,
 }
 
 impl Likeness {
@@ -268,6 +333,7 @@ impl Likeness {
             },
             assurance,
             places,
+            strangers,
         }
     }
 }

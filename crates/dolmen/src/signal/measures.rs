@@ -153,6 +153,27 @@ fn moving(motion: &GroundMotion, component: Component) -> Result<(f64, &[f64]), 
     Ok((peak_m_s2, motion.acceleration_m_s2(component)))
 }
 
+/// How far the ground is from its place when a motion ends, and at most, m: what tells a base line that drifts.
+///
+/// # Errors
+/// [`SignalError::NoMotion`] if the component does not move.
+///
+/// # Example
+/// ```
+/// use dolmen::signal::{Component, GroundMotion, last_and_peak_displacement_m};
+/// let motion = GroundMotion::new("step", 0.5, vec![(Component::X, vec![1.0, 1.0, 1.0])])?;
+/// assert_eq!(last_and_peak_displacement_m(&motion, Component::X)?, [0.5, 0.5]);
+/// # Ok::<(), dolmen::signal::SignalError>(())
+/// ```
+pub fn last_and_peak_displacement_m(
+    motion: &GroundMotion,
+    component: Component,
+) -> Result<[f64; 2], SignalError> {
+    let (_, a) = moving(motion, component)?;
+    let travel = Travel::of(a, motion.time_step_s());
+    Ok([travel.displacement, travel.peak_displacement])
+}
+
 /// Velocity and displacement of an acceleration that is straight between its samples: at the end, and largest.
 struct Travel {
     velocity: f64,

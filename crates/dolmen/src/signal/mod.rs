@@ -31,7 +31,7 @@ pub use filter::{band_pass, low_pass};
 pub use ground_motion::{Component, GroundMotion};
 pub use join::{Join, Joined, Piece, Starts, join};
 pub use leave_out::leave_out;
-pub use measures::{IntensityMeasures, intensity_measures, peak_velocity_m_s};
+pub use measures::{IntensityMeasures, intensity_measures, last_and_peak_displacement_m, peak_velocity_m_s};
 pub use noise::{Noise, NoiseFilter, noise_motion};
 pub use pulse::{PulseShape, pulse};
 pub use record::{Channel, Processing, Quantity, Record};

@@ -8,6 +8,6 @@ mod temperature;
 pub use difference::{Difference, Evidence};
 pub use notes::ChangeNote;
 pub use surveys::{
-    ModeChange, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
+    ModeChange, NotCompared, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
 };
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};

@@ -10,6 +10,12 @@ const ONE_FREQUENCY: f64 = 0.01;
 const ONE_RATIO: f64 = 0.01;
 const RATIO_LEAST: f64 = 1.2;
 
+/// Scatter about a line over temperature beyond this many times what surveys state is no chance. Chosen here: with two degrees of freedom one in a
+/// thousand goes beyond 2.6.
+pub(super) const SCATTER_BEYOND: f64 = 3.0;
+/// Correlation of temperature with the order of surveys from which weather and ageing are not told apart. Chosen here.
+pub(super) const WITH_TIME: f64 = 0.7;
+
 /// What must be known beside the numbers.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
@@ -27,6 +33,22 @@ pub enum ChangeNote {
         temperature_c: f64,
         /// Those of the line, °C.
         range_c: [f64; 2],
+    },
+    /// The earlier surveys scatter about the line over temperature by far more than each states.
+    LineScatters {
+        /// Frequency before, Hz.
+        frequency_hz: f64,
+        /// Deviation of a survey about the line, Hz.
+        scatter_hz: f64,
+        /// What each survey states, Hz.
+        stated_hz: f64,
+    },
+    /// Temperature goes with the order of the surveys, so that weather and ageing cannot be told apart.
+    LineWithTime {
+        /// Frequency before, Hz.
+        frequency_hz: f64,
+        /// Correlation of temperature and order.
+        correlation: f64,
     },
     /// Modes of one frequency in both surveys are no pairs, for their shapes are not alike.
     OtherShapes {
@@ -56,6 +78,26 @@ impl std::fmt::Display for ChangeNote {
                 f,
                 "{temperature_c} °C lies beyond the {} to {} °C that the coefficients were fitted to: a line need not hold there",
                 range_c[0], range_c[1]
+            ),
+            ChangeNote::LineScatters {
+                frequency_hz,
+                scatter_hz,
+                stated_hz,
+            } => write!(
+                f,
+                "at {frequency_hz:.3} Hz the earlier surveys lie {:.2} % about their line over temperature and state {:.2} %: the structure may have changed \
+                 between them, and a change of that size is not seen here",
+                100.0 * scatter_hz / frequency_hz,
+                100.0 * stated_hz / frequency_hz
+            ),
+            ChangeNote::LineWithTime {
+                frequency_hz,
+                correlation,
+            } => write!(
+                f,
+                "at {frequency_hz:.3} Hz temperature {} from survey to survey (correlation {correlation:+.2}): weather and ageing cannot be told apart, and \
+                 ageing may have been taken for weather",
+                if *correlation > 0.0 { "rises" } else { "falls" }
             ),
             ChangeNote::OtherShapes { frequencies_hz } => {
                 let each: Vec<String> = frequencies_hz.iter().map(|hz| format!("{hz:.3}")).collect();

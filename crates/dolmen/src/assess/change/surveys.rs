@@ -8,7 +8,7 @@
 //! | r | `relative` | change that temperature does not explain | - |
 
 use super::difference::{Difference, Raw, tested, welch};
-use super::notes::{ChangeNote, slips};
+use super::notes::{ChangeNote, SCATTER_BEYOND, WITH_TIME, slips};
 use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
@@ -121,8 +121,33 @@ pub struct SurveyChange {
     pub significance: f64,
     /// Power of the least detectable changes.
     pub power: f64,
+    /// Modes before without a partner, and what each may be after, however far it moved.
+    pub not_compared: Vec<NotCompared>,
+    /// Frequencies before and after of a pairing that has more pairs than this one; empty if there is none.
+    pub other_pairing_hz: Vec<[f64; 2]>,
     /// What must be known beside.
     pub notes: Vec<ChangeNote>,
+}
+
+/// A mode before without a partner.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NotCompared {
+    /// The mode before.
+    pub from: ObservedMode,
+    /// Whether it is the lowest of its survey.
+    pub is_lowest: bool,
+    /// What it may be after; `None` if nothing is like it.
+    pub may_be: Option<ObservedMode>,
+    /// Their MAC, where shapes are known.
+    pub assurance: Option<f64>,
+}
+
+impl NotCompared {
+    /// Relative change of the frequency, and of a stiffness that is the same everywhere, if the two are one mode.
+    pub fn change(&self) -> Option<[f64; 2]> {
+        let r = self.may_be.as_ref()?.frequency_hz / self.from.frequency_hz - 1.0;
+        Some([r, r * (2.0 + r)])
+    }
 }
 
 impl SurveyChange {
@@ -252,6 +277,19 @@ pub fn survey_change(
         alone.iter().map(|i| survey.modes[*i].clone()).collect()
     };
     let (lost, new) = (of(from, &paired.only_first), of(to, &paired.only_second));
+    let lowest_hz = from
+        .modes
+        .iter()
+        .map(|mode| mode.frequency_hz)
+        .fold(f64::INFINITY, f64::min);
+    let not_compared = paired.moved_further.iter().map(|moved| NotCompared {
+        from: from.modes[moved.first].clone(),
+        is_lowest: from.modes[moved.first].frequency_hz == lowest_hz,
+        may_be: moved.second.map(|second| to.modes[second].clone()),
+        assurance: moved.assurance,
+    });
+    let other = paired.most_pairs.iter();
+    let other_pairing_hz = other.map(|&[i, j]| [from.modes[i].frequency_hz, to.modes[j].frequency_hz]);
     notes.extend(slips(&modes, &lost, &new));
     Ok(SurveyChange {
         from: from.name.clone(),
@@ -262,6 +300,8 @@ pub fn survey_change(
         new,
         significance: options.significance,
         power: options.power,
+        not_compared: not_compared.collect(),
+        other_pairing_hz: other_pairing_hz.collect(),
         notes,
     })
 }
@@ -349,6 +389,7 @@ fn covariate(
                     points.push(point(&survey.modes[same.second], temperature_c));
                 }
             }
+            about_the_line(&points, after_c, notes);
             match line(&points, after_c) {
                 Ok(line) => Ok(Some(Covariate {
                     explained: line.explained_hz / mode.frequency_hz,
@@ -365,6 +406,39 @@ fn covariate(
                 }
             }
         }
+    }
+}
+
+/// Whether the line may have taken a change of the structure for weather; the last survey is the first of the points.
+fn about_the_line(points: &[FitPoint], after_c: f64, notes: &mut Vec<ChangeNote>) {
+    let (Ok(line), Some((last, before))) = (line(points, after_c), points.split_first()) else {
+        return;
+    };
+    let stated: Vec<f64> = points.iter().filter_map(|point| point.sd_hz).collect();
+    let stated_hz = (stated.iter().map(|sd| sd * sd).sum::<f64>() / stated.len().max(1) as f64).sqrt();
+    let scatter_hz = line.fitted.scatter_hz;
+    if stated.len() == points.len() && scatter_hz > SCATTER_BEYOND * stated_hz {
+        notes.push(ChangeNote::LineScatters {
+            frequency_hz: last.frequency_hz,
+            scatter_hz,
+            stated_hz,
+        });
+    }
+    let count = points.len() as f64;
+    let mean_c = points.iter().map(|point| point.temperature_c).sum::<f64>() / count;
+    let mut sums = [0.0; 3];
+    for (order, point) in before.iter().chain([last]).enumerate() {
+        let (x, y) = (order as f64 - 0.5 * (count - 1.0), point.temperature_c - mean_c);
+        for (sum, product) in sums.iter_mut().zip([x * x, x * y, y * y]) {
+            *sum += product;
+        }
+    }
+    let correlation = sums[1] / (sums[0] * sums[2]).sqrt();
+    if correlation.abs() > WITH_TIME {
+        notes.push(ChangeNote::LineWithTime {
+            frequency_hz: last.frequency_hz,
+            correlation,
+        });
     }
 }
 

@@ -1,16 +1,18 @@
 //! What codes demand of a site: design spectra. One code a file, its tables as data; and what they ask of a stack.
 
+mod by_modes;
 mod eurocode;
 mod korea;
 mod of_stack;
 mod site;
 mod spectrum;
 
+pub use by_modes::ModalRatio;
 pub use eurocode::{EurocodeGround, EurocodeType, eurocode_8};
 pub use korea::{
     Kds41, KoreanSite, KoreanZone, RiskFactor, SoilAmplification, kds_17, kds_17_amplification,
     kds_17_effective_acceleration_g, kds_17_risk_factor, kds_41, kds_41_spectrum,
 };
-pub use of_stack::{FirstSway, ShakenDirection, StackDemandCheck, StackDemandRow, stack_against_site};
+pub use of_stack::{ShakenDirection, StackDemandCheck, StackDemandRow, stack_against_site};
 pub use site::{Site, SiteDemand, SiteParameters, site_demand};
 pub use spectrum::{DesignSpectrum, SpectrumBranches, Unverified, VerticalRatio};

@@ -40,7 +40,8 @@ impl DemandVerdict {
     /// surveyed sizes are not known to better than 10 %, nor is a demand.
     pub const NEAR_BELOW: f64 = 1.25;
 
-    fn of_ratio(ratio: f64) -> Self {
+    /// Of a ratio of capacity to demand; unknown if that is not a number.
+    pub fn of_ratio(ratio: f64) -> Self {
         if ratio.is_nan() {
             DemandVerdict::Unknown
         } else if ratio < 1.0 {
@@ -97,7 +98,7 @@ pub struct DemandComparison {
 /// # Limits
 /// "Below demand" means that a joint opens or slides, not that the stack falls: what follows needs a time history. S_a
 /// acts on all masses alike; the upper part of a first mode has more (for a straight-line shape about 1.5 times), the lower
-/// part less: `assess::demand::stack_against_site` looks at that.
+/// part less: `assess::demand::stack_against_site` combines all modes joint by joint.
 ///
 /// # Example
 /// ```

@@ -7,75 +7,14 @@
 //! | μ | `friction_static` | static friction | – |
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
+use super::Threshold;
+use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
 use super::limit_pieces::{Act, Law, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
 use super::limit_region::{Nearest, nearest};
-use super::{StackLoads, Threshold};
 use crate::stability::StabilityError;
 use crate::structure::stack::Stack;
 use glam::DVec3;
-
-/// What holds besides friction.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Holding {
-    /// Nothing: every joint is dry and every tie is gone. Default.
-    #[default]
-    FrictionOnly,
-    /// Cohesion against sliding, in full in every joint at once, as if it could slip without breaking. Ties are gone.
-    Cohesion,
-    /// Cohesion, and ties at their strengths all at once, as if each could stretch without breaking.
-    CohesionAndTies,
-}
-
-/// Which way a stack is shaken.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub enum Shaking {
-    /// Whichever horizontal way moves it soonest. Default.
-    #[default]
-    AnyWay,
-    /// Along one direction of the inertia forces; need not be of unit length.
-    Along([f64; 2]),
-}
-
-/// How a limit analysis is made.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct LimitAnalysis {
-    /// What acts before any horizontal shaking. Default nothing.
-    pub loads: StackLoads,
-    /// Direction of the inertia forces. Default the one that moves it soonest.
-    pub shaking: Shaking,
-    /// What holds besides friction. Default nothing.
-    pub holding: Holding,
-}
-
-/// What a limit analysis found.
-#[derive(Clone, Debug, PartialEq)]
-pub struct LimitAnalysisResult {
-    /// How it ended.
-    pub status: LimitAnalysisStatus,
-    /// Acceleration below which forces in the joints were found for every direction looked at, over gravity.
-    pub at_least_g: f64,
-    /// Largest error of any solution, over the weight (times the size) of what it balances: balance of forces and moments,
-    /// friction beyond the cone, a mechanism that enters a stone, the difference between what forces and mechanism say.
-    pub residual: f64,
-    /// Programmes solved.
-    pub solved: usize,
-    /// Unknown forces of all pieces together.
-    pub variables: usize,
-    /// Equations of balance of all pieces together.
-    pub equations: usize,
-}
-
-/// How a limit analysis ended.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum LimitAnalysisStatus {
-    /// The least acceleration for which a mechanism was found that no forces balance, and its direction.
-    Limited(Threshold),
-    /// No forces in the joints balance the weight and static loads: it does not stand.
-    DoesNotStand,
-    /// Every acceleration up to 10 g can be balanced: the stack is wedged.
-    Unlimited,
-}
 
 /// The least horizontal acceleration for which no forces in the joints balance every block.
 ///
@@ -124,7 +63,17 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
     let loads = options.loads.on_blocks(stack)?;
     let acts = acts(stack, options.holding);
     let ties = options.holding == Holding::CohesionAndTies;
-    let mut pieces = pieces(stack, &loads, &acts, ties);
+    let count = stack.blocks().len();
+    if let Some(swaying) = &options.swaying
+        && swaying.len() != count
+    {
+        return Err(StabilityError::Block {
+            quantity: "swaying",
+            given: swaying.len(),
+            count,
+        });
+    }
+    let mut pieces = pieces(stack, &loads, &acts, options.swaying.as_deref(), ties);
     // the largest first: it mostly governs, and the others need not be followed beyond it
     pieces.sort_by_key(|piece| std::cmp::Reverse(piece.equations()));
     let mut result = LimitAnalysisResult {
@@ -259,7 +208,7 @@ fn across(axis: DVec3) -> [DVec3; 2] {
 #[cfg(test)]
 mod tests {
     use super::super::towers::{P10, p20, shifted, tower};
-    use super::super::{StackLimits, Wind, stack_limits};
+    use super::super::{StackLimits, StackLoads, SwayingForces, Wind, stack_limits};
     use super::*;
     use crate::numeric::Random;
     use crate::structure::stack::{Block, Body, JointMaterial, Placement, Solid, Tie};
@@ -533,6 +482,47 @@ mod tests {
         let stack = shifted(&[(1.0, 0.5), (1.0, 0.5)], &[0.0, 0.62], 0.6);
         let result = limit_analysis(&stack, &LimitAnalysis::default()).unwrap();
         assert_eq!(result.status, LimitAnalysisStatus::DoesNotStand);
+    }
+
+    #[test]
+    fn exact_forces_that_are_given() {
+        let stack = portal(0.6);
+        let masses = stack.blocks().iter().map(|block| block.mass_kg());
+        let forces = |factor: f64, turning: f64| -> Vec<SwayingForces> {
+            let each = masses.clone().map(|mass| SwayingForces {
+                force_n: [factor * mass * 9.81; 2],
+                moment_n_m: [turning; 2],
+            });
+            each.collect()
+        };
+        let alike = limit(&stack, &LimitAnalysis::default());
+        for factor in [1.0, 2.0] {
+            let options = LimitAnalysis {
+                swaying: Some(forces(factor, 0.0)),
+                ..LimitAnalysis::default()
+            };
+            assert!((limit(&stack, &options) * factor / alike - 1.0).abs() < 1e-7);
+        }
+        // one stone, .4 × .4 × 2 m: W .2 = a (W 1 + M), both ways and along both axes
+        let stone = tower(&[(0.4, 2.0)], 0.9);
+        let weight = 0.32 * 2600.0 * 9.81;
+        for way in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
+            let options = LimitAnalysis {
+                shaking: Shaking::Along(way),
+                swaying: Some(vec![SwayingForces {
+                    force_n: [weight; 2],
+                    moment_n_m: [0.25 * weight; 2],
+                }]),
+                ..LimitAnalysis::default()
+            };
+            assert!((limit(&stone, &options) - 0.2 / 1.25).abs() < 1e-8);
+        }
+        let options = LimitAnalysis {
+            swaying: Some(forces(1.0, 0.0)),
+            ..LimitAnalysis::default()
+        };
+        let fault = limit_analysis(&stone, &options).unwrap_err();
+        assert!(fault.to_string().contains("swaying"), "{fault}");
     }
 
     #[test]

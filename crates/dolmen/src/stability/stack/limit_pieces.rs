@@ -1,5 +1,6 @@
 //! The balance of a stack in pieces that know nothing of each other.
 
+use super::SwayingForces;
 use super::cuts::{carried, carries};
 use super::limit_programme::{Column, Programme, Push, Within};
 use super::limit_region::{Symmetry, group, turned};
@@ -55,6 +56,8 @@ impl Link {
 /// What is balanced as one: three forces, three moments.
 struct Balance {
     load: Load,
+    /// Force and moment about the origin of shaking of 1 g along x and along y.
+    shaking: [(DVec3, DVec3); 2],
     /// The point of its moments.
     about: DVec3,
     /// All the weight that its block carries, N.
@@ -97,7 +100,13 @@ impl Piece {
 /// ```
 ///
 /// Together they say the same as the balance of every block.
-pub(super) fn pieces(stack: &Stack, loads: &[Load], acts: &[Act], ties: bool) -> Vec<Piece> {
+pub(super) fn pieces(
+    stack: &Stack,
+    loads: &[Load],
+    acts: &[Act],
+    swaying: Option<&[SwayingForces]>,
+    ties: bool,
+) -> Vec<Piece> {
     let mut links: Vec<Link> = stack
         .joints()
         .iter()
@@ -144,15 +153,22 @@ pub(super) fn pieces(stack: &Stack, loads: &[Load], acts: &[Act], ties: bool) ->
                     .filter(|&above| alone[above].is_some_and(|link| links[link].lower == Some(block)));
                 blocks.extend(on_it.flat_map(|above| &groups[above]));
             }
+            let load = together(loads, &blocks);
             Balance {
-                load: together(loads, &blocks),
+                shaking: [DVec3::X, DVec3::Y].map(|axis| match swaying {
+                    None => {
+                        let force = axis * (load.mass * gravity);
+                        (force, load.centroid().cross(force))
+                    }
+                    Some(swaying) => swayed(&blocks, axis, loads, swaying),
+                }),
+                load,
                 about: loads[block].centroid(),
                 weight: together(loads, &groups[block]).mass * gravity,
             }
         })
         .collect();
     let scale = Scale {
-        gravity,
         length: stack.height_m(),
     };
     let found = (0..loads.len()).filter(|&piece| piece_of.contains(&piece));
@@ -200,20 +216,36 @@ pub(super) fn pieces(stack: &Stack, loads: &[Load], acts: &[Act], ties: bool) ->
             let mut made = Piece {
                 at_rest: Vec::new(),
                 shaking: [Vec::new(), Vec::new()],
-                symmetries: symmetries(&within, &balances, &own, &scale),
+                // what sways differently is not looked at for its mirrors
+                symmetries: match swaying {
+                    None => symmetries(&within, &balances, &own, &scale),
+                    Some(_) => group(&[]),
+                },
                 pushes,
             };
             for balance in balances {
                 let load = &balance.load;
                 made.at_rest.extend(scale.six(balance, load.force, load.moment));
-                for (axis, shaking) in [DVec3::X, DVec3::Y].into_iter().zip(&mut made.shaking) {
-                    let force = axis * (load.mass * scale.gravity);
-                    shaking.extend(scale.six(balance, force, load.centroid().cross(force)));
+                for (&(force, moment), shaking) in balance.shaking.iter().zip(&mut made.shaking) {
+                    shaking.extend(scale.six(balance, force, moment));
                 }
             }
             made
         })
         .collect()
+}
+
+/// Force and moment about the origin of what sways these blocks along an axis.
+fn swayed(blocks: &[usize], axis: DVec3, loads: &[Load], swaying: &[SwayingForces]) -> (DVec3, DVec3) {
+    let which = usize::from(axis == DVec3::Y);
+    let turns = DVec3::Z.cross(axis);
+    let mut sum = (DVec3::ZERO, DVec3::ZERO);
+    for &block in blocks {
+        let force = axis * swaying[block].force_n[which];
+        sum.0 += force;
+        sum.1 += loads[block].centroid().cross(force) + turns * swaying[block].moment_n_m[which];
+    }
+    sum
 }
 
 /// Blocks that an act takes part in the balance of, with its sign on each.
@@ -287,7 +319,6 @@ fn alone(stack: &Stack, links: &[Link], block: usize, group: &[usize]) -> Option
 
 /// Makes forces and moments of order 1.
 struct Scale {
-    gravity: f64,
     length: f64,
 }
 

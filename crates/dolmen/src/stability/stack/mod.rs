@@ -5,6 +5,7 @@ mod cuts;
 mod demand;
 mod half_plane;
 mod limit_analysis;
+mod limit_options;
 mod limit_pieces;
 mod limit_programme;
 mod limit_region;
@@ -12,6 +13,7 @@ mod limit_states;
 mod loads;
 mod part;
 mod pressure;
+mod resistance;
 mod rocking;
 mod stack_limits;
 mod standing;
@@ -24,12 +26,14 @@ pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
-pub use limit_analysis::{
-    Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, limit_analysis,
+pub use limit_analysis::limit_analysis;
+pub use limit_options::{
+    Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
 pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates, Threshold};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use pressure::{JointPressure, no_tension_pressure};
+pub use resistance::{CutResistance, Resistance, cut_resistances};
 pub use rocking::{
     PeriodCaveat, PeriodOfThumb, RockingBlock, period_of_thumb, published_critical_slenderness_2a,
     published_critical_slenderness_3, published_rocking_frequency_hz, rocking_blocks,

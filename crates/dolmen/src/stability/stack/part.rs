@@ -4,7 +4,7 @@ use super::contact::{Contact, contact, names_below};
 use super::half_plane::{HalfPlane, least_on};
 use super::loads::{Load, together};
 use super::toe::toe;
-use super::{Cut, CutLimits, EdgeLimit, StackLimits, Standing};
+use super::{Cut, CutLimits, EdgeLimit, LimitKind, Resistance, StackLimits, Standing};
 use crate::structure::stack::{Body, Stack, Tie};
 use glam::DVec3;
 use std::f64::consts::TAU;
@@ -15,6 +15,8 @@ const TOES: usize = 16;
 const ON_EDGE: f64 = 1e-9;
 /// Directions in which sliding is looked for before it is refined. Chosen here.
 const SLIDES: usize = 72;
+/// Directions in which the resistance to sliding is given. Chosen here: the worst lies at most 1° beside one, 1.5e-4 of it.
+const RESISTS: usize = 180;
 
 /// How the soil under the base turns.
 pub(super) struct Soil {
@@ -33,16 +35,20 @@ pub(super) fn limits_of(
     options: &StackLimits,
     soil: &Soil,
 ) -> CutLimits {
-    let load = together(loads, &cut.blocks);
-    let contact = contact(stack, &cut);
-    let normal = contact.axes[2];
-    let normal_force = -load.force.dot(normal);
+    let part = Part::of(stack, cut, loads, soil);
+    let Part {
+        cut,
+        load,
+        contact,
+        normal_force,
+        ..
+    } = &part;
     let about = load.moment - contact.origin.cross(load.force);
     let resultant = [
         about.dot(contact.axes[1]) / normal_force,
         -about.dot(contact.axes[0]) / normal_force,
     ];
-    let above = names_below(stack, &cut);
+    let above = names_below(stack, cut);
     let mut limits = CutLimits {
         above,
         weight_n: load.mass * (stack.gravity_m_s2() + options.loads.vertical_acceleration_m_s2),
@@ -62,7 +68,7 @@ pub(super) fn limits_of(
         tipping: Vec::new(),
         cut: cut.clone(),
     };
-    if normal_force <= 0.0 {
+    if *normal_force <= 0.0 {
         limits.gravity_margin = f64::NEG_INFINITY;
         limits.standing = Standing::Lifts {
             above: limits.above.clone(),
@@ -70,15 +76,6 @@ pub(super) fn limits_of(
         };
         return limits;
     }
-    let part = Part {
-        stack,
-        cut,
-        load,
-        contact,
-        normal_force,
-        soil,
-        gravity: stack.gravity_m_s2(),
-    };
     part.tip(&mut limits, options.compressive_strength_pa);
     part.slide(&mut limits);
     if !limits.standing.stands() || !soil.standing.stands() {
@@ -91,7 +88,7 @@ pub(super) fn limits_of(
 }
 
 /// What is above one cut, with all that its limits need.
-struct Part<'a> {
+pub(super) struct Part<'a> {
     stack: &'a Stack,
     cut: Cut,
     load: Load,
@@ -101,7 +98,60 @@ struct Part<'a> {
     gravity: f64,
 }
 
-impl Part<'_> {
+impl<'a> Part<'a> {
+    pub(super) fn of(stack: &'a Stack, cut: Cut, loads: &[Load], soil: &'a Soil) -> Self {
+        let load = together(loads, &cut.blocks);
+        let contact = contact(stack, &cut);
+        Part {
+            stack,
+            normal_force: -load.force.dot(contact.axes[2]),
+            cut,
+            load,
+            contact,
+            soil,
+            gravity: stack.gravity_m_s2(),
+        }
+    }
+
+    /// All that keeps it from tipping and sliding, without ties.
+    pub(super) fn resists(&self, strength: Option<f64>) -> Vec<Resistance> {
+        let mut all = Vec::new();
+        for outward in self.outwards(strength.is_some()) {
+            // a contact that cannot bear its load resists nothing
+            let (pivot, crushed) = match self.pivot(outward, strength) {
+                Some(pivot) => (pivot, false),
+                None => (self.contact.hull.moments().centroid_m, true),
+            };
+            let (p, axis) = (
+                self.contact.at(pivot),
+                self.contact.axes[2].cross(self.contact.along(outward)),
+            );
+            // axis · (M − p × F)
+            all.push(Resistance {
+                kind: LimitKind::Uplift,
+                force: p.cross(axis).into(),
+                moment: axis.into(),
+                reserve: if crushed {
+                    0.0
+                } else {
+                    self.about(pivot, outward, false).reserve
+                },
+            });
+        }
+        let (mu, cohesion) = self.friction();
+        for k in 0..RESISTS {
+            let angle = TAU * k as f64 / RESISTS as f64;
+            let way = self.contact.along([angle.cos(), angle.sin()]);
+            all.push(Resistance {
+                kind: LimitKind::Sliding,
+                force: (way + self.contact.axes[2] * mu).into(),
+                moment: [0.0; 3],
+                reserve: self.slides_along(angle, mu, cohesion).reserve,
+            });
+        }
+        all
+    }
+
     /// The half plane after the soil has turned.
     fn on_soil(&self, lever: [f64; 2], reserve: f64) -> HalfPlane {
         let spent = lever[0] * self.soil.offset[0] + lever[1] * self.soil.offset[1];
@@ -310,12 +360,7 @@ impl Part<'_> {
 
     /// Fills in what slides it.
     fn slide(&self, limits: &mut CutLimits) {
-        let joints = self.cut.joints.iter().map(|&joint| &self.stack.joints()[joint]);
-        let (mut mu, mut cohesion) = (f64::INFINITY, 0.0);
-        for joint in joints {
-            mu = mu.min(joint.material.friction_static);
-            cohesion += joint.material.cohesion_pa * joint.patch.moments().area_m2;
-        }
+        let (mu, cohesion) = self.friction();
         let normal = self.contact.axes[2];
         let along = self.load.force + normal * self.normal_force;
         let (shear, resistance) = (along.length(), mu * self.normal_force + cohesion);
@@ -337,14 +382,28 @@ impl Part<'_> {
         limits.sliding_with_ties = Some(self.sliding(mu, cohesion + tied).threshold(self.gravity));
     }
 
+    /// Least friction of its joints, and cohesion × area of all, N.
+    fn friction(&self) -> (f64, f64) {
+        let joints = self.cut.joints.iter().map(|&joint| &self.stack.joints()[joint]);
+        let (mut mu, mut cohesion) = (f64::INFINITY, 0.0);
+        for joint in joints {
+            mu = mu.min(joint.material.friction_static);
+            cohesion += joint.material.cohesion_pa * joint.patch.moments().area_m2;
+        }
+        (mu, cohesion)
+    }
+
+    /// Sliding in a direction of the plane.
+    fn slides_along(&self, angle: f64, mu: f64, bond: f64) -> HalfPlane {
+        let way = self.contact.along([angle.cos(), angle.sin()]);
+        let lever = (way + self.contact.axes[2] * mu) * self.load.mass;
+        let reserve = mu * self.normal_force + bond - way.dot(self.load.force);
+        self.on_soil([lever.x, lever.y], reserve)
+    }
+
     /// The soonest sliding of all directions.
     fn sliding(&self, mu: f64, bond: f64) -> HalfPlane {
-        let at = |angle: f64| {
-            let way = self.contact.along([angle.cos(), angle.sin()]);
-            let lever = (way + self.contact.axes[2] * mu) * self.load.mass;
-            let reserve = mu * self.normal_force + bond - way.dot(self.load.force);
-            self.on_soil([lever.x, lever.y], reserve)
-        };
+        let at = |angle: f64| self.slides_along(angle, mu, bond);
         let step = TAU / SLIDES as f64;
         let mut best = (0.0, at(0.0).distance());
         for k in 1..SLIDES {

@@ -68,26 +68,7 @@ pub struct StackLimits {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitStates, StabilityError> {
-    for (option, given) in [
-        ("compressive_strength_pa", options.compressive_strength_pa),
-        (
-            "soil_rocking_stiffness_n_m_rad",
-            options.soil_rocking_stiffness_n_m_rad,
-        ),
-    ] {
-        if let Some(given) = given
-            && !(given > 0.0 && given.is_finite())
-        {
-            return Err(StabilityError::Option {
-                option,
-                given,
-                allowed: "a positive number, or left out",
-            });
-        }
-    }
-    let loads = options.loads.on_blocks(stack)?;
-    let all: Vec<usize> = (0..stack.blocks().len()).collect();
-    let soil = soil(stack, &together(&loads, &all), options);
+    let (loads, soil) = acting(stack, options)?;
     let found = cuts(stack);
     let cut_limits = found
         .cuts
@@ -110,6 +91,31 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
     };
     summarise(&mut states);
     Ok(states)
+}
+
+/// What acts on each block, and how the soil turns under it.
+pub(super) fn acting(stack: &Stack, options: &StackLimits) -> Result<(Vec<Load>, Soil), StabilityError> {
+    for (option, given) in [
+        ("compressive_strength_pa", options.compressive_strength_pa),
+        (
+            "soil_rocking_stiffness_n_m_rad",
+            options.soil_rocking_stiffness_n_m_rad,
+        ),
+    ] {
+        if let Some(given) = given
+            && !(given > 0.0 && given.is_finite())
+        {
+            return Err(StabilityError::Option {
+                option,
+                given,
+                allowed: "a positive number, or left out",
+            });
+        }
+    }
+    let loads = options.loads.on_blocks(stack)?;
+    let all: Vec<usize> = (0..stack.blocks().len()).collect();
+    let soil = soil(stack, &together(&loads, &all), options);
+    Ok((loads, soil))
 }
 
 fn soil(stack: &Stack, whole: &Load, options: &StackLimits) -> Soil {

@@ -1,0 +1,526 @@
+//! What a response spectrum asks of the joints of a stack, mode by mode: the upper stones sway more than the lower.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | φ, ω, Γ | `shape`, –, `participation` | a mode of the stack, its factor of participation along x and y | m and rad, rad/s, – |
+//! | S, A₀ | `spectral`, `ground` | spectral acceleration of a mode, peak of the ground | m/s² |
+//! | ρ | – | correlation coefficient of two modes | – |
+//! | w | `wrenches` | force and moment of the inertia forces of one mode on the part above a joint, for Γ S = 1 | N, N m |
+//! | r, s | [`Resistance`] | what of them makes the part tip or slide, and how much of it is borne | – |
+
+use super::{ShakenDirection, SiteDemand};
+use crate::assess::AssessError;
+use crate::blocks::StackMode;
+use crate::dynamics::correlation_coefficient;
+use crate::stability::stack::{
+    DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, Resistance, Shaking, StackLimits,
+    SwayingForces, cut_resistances, cuts, limit_analysis,
+};
+use crate::structure::stack::Stack;
+use glam::{DMat3, DVec3};
+
+/// Modes with less of the mass, along x and along y, are left out. Chosen here: a thousand such have a thousandth.
+const MASS_LEAST: f64 = 1e-6;
+/// How many modes are combined at most, lowest first: what is above moves with the ground. Chosen here: all those of a hundred stones on each other.
+const MODES_MOST: usize = 400;
+
+/// Force, N, and moment about the origin, N m.
+type Wrench = [f64; 6];
+
+/// How much of what a spectrum asks for a stack bears, and what gives way first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ModalRatio {
+    /// What is borne over what is asked for: under the spectrum times this something begins to tip or slide.
+    pub ratio: f64,
+    /// Tipping or sliding, above which bodies; `None` where stones share their load and the limit analysis decided.
+    pub first: Option<(LimitKind, String)>,
+    /// above, near, below demand.
+    pub verdict: DemandVerdict,
+}
+
+/// A mode under the spectrum.
+struct Shaken<'a> {
+    shape: &'a [[f64; 6]],
+    /// Γ along x and y.
+    participation: [f64; 2],
+    /// S, m/s².
+    spectral: f64,
+    /// What of S is not in phase with the ground: √(S² − A₀²)/S; all of it where S is less than A₀.
+    periodic: f64,
+}
+
+/// The modes of a stack under a spectrum.
+pub(super) struct ModalDemand<'a> {
+    stack: &'a Stack,
+    modes: Vec<Shaken<'a>>,
+    /// ρ of each pair of modes, row by row.
+    correlations: Vec<f64>,
+    ground: f64,
+}
+
+impl<'a> ModalDemand<'a> {
+    pub(super) fn new(
+        stack: &'a Stack,
+        modes: &'a [StackMode],
+        site: &SiteDemand,
+        ground: f64,
+    ) -> Result<Self, AssessError> {
+        let counts = |mode: &&StackMode| {
+            mode.effective_mass_ratio[..2]
+                .iter()
+                .any(|ratio| *ratio > MASS_LEAST)
+                && mode.frequency_hz > 0.0
+        };
+        let (mut shaken, mut frequencies) = (Vec::new(), Vec::new());
+        for mode in modes.iter().filter(counts).take(MODES_MOST) {
+            let spectral = acceleration(site, 1.0 / mode.frequency_hz, ground)?;
+            shaken.push(Shaken {
+                shape: &mode.shape,
+                participation: participation(stack, &mode.shape),
+                spectral,
+                periodic: match spectral >= ground {
+                    true => (1.0 - (ground / spectral).powi(2)).sqrt(),
+                    false => 1.0,
+                },
+            });
+            frequencies.push(mode.frequency_hz);
+        }
+        let zeta = site.damping_ratio;
+        let pair = |a: f64, b: f64| correlation_coefficient([a, zeta], [b, zeta]);
+        let correlations = frequencies
+            .iter()
+            .flat_map(|&a| frequencies.iter().map(move |&b| pair(a, b)));
+        Ok(ModalDemand {
+            stack,
+            correlations: correlations.collect(),
+            modes: shaken,
+            ground,
+        })
+    }
+
+    /// How much is borne when shaken along x, along y, and anywhere.
+    pub(super) fn ratios(&self, limits: &StackLimits) -> Result<[ModalRatio; 3], AssessError> {
+        let directions = [ShakenDirection::X, ShakenDirection::Y, ShakenDirection::Any];
+        let mut least = directions.map(|_| (f64::INFINITY, None));
+        for cut in cut_resistances(self.stack, limits)? {
+            let combined = self.combined(&cut.blocks, |wrench| wrench);
+            for one in &cut.resistances {
+                for (direction, least) in directions.iter().zip(&mut least) {
+                    let ratio = one.reserve.max(0.0) / combined.largest(&functional(one), *direction);
+                    if ratio < least.0 {
+                        *least = (ratio, Some((one.kind, cut.above.clone())));
+                    }
+                }
+            }
+        }
+        if !cuts(self.stack).statically_determinate {
+            let swaying = self.swaying();
+            for (direction, least) in directions.iter().zip(&mut least) {
+                let together = self.together(&swaying, limits, *direction)?;
+                if together < least.0 {
+                    *least = (together, None);
+                }
+            }
+        }
+        Ok(least.map(|(ratio, first)| ModalRatio {
+            ratio,
+            first,
+            verdict: DemandVerdict::of_ratio(ratio),
+        }))
+    }
+
+    /// Largest force and moment of every stone, whatever the direction of shaking.
+    fn swaying(&self) -> Vec<SwayingForces> {
+        let blocks = self.stack.blocks().iter().enumerate();
+        let each = blocks.map(|(block, stone)| {
+            let centroid = DVec3::from(stone.solid.centroid_m());
+            let combined = self.combined(&[block], |wrench| about(centroid, wrench));
+            let largest = |part: usize| {
+                let mut row = [0.0; 6];
+                row[part] = 1.0;
+                combined.largest(&row, ShakenDirection::Any)
+            };
+            SwayingForces {
+                force_n: [largest(0), largest(1)],
+                moment_n_m: [largest(4), largest(3)],
+            }
+        });
+        each.collect()
+    }
+
+    /// How much is borne of these, all at once, by limit analysis.
+    fn together(
+        &self,
+        swaying: &[SwayingForces],
+        limits: &StackLimits,
+        direction: ShakenDirection,
+    ) -> Result<f64, AssessError> {
+        let ways: &[Shaking] = match direction {
+            ShakenDirection::X => &[Shaking::Along([1.0, 0.0]), Shaking::Along([-1.0, 0.0])],
+            ShakenDirection::Y => &[Shaking::Along([0.0, 1.0]), Shaking::Along([0.0, -1.0])],
+            ShakenDirection::Any => &[Shaking::AnyWay],
+        };
+        let mut least = f64::INFINITY;
+        for &shaking in ways {
+            let analysis = LimitAnalysis {
+                loads: limits.loads.clone(),
+                shaking,
+                swaying: Some(swaying.to_vec()),
+                ..LimitAnalysis::default()
+            };
+            let found = limit_analysis(self.stack, &analysis)?;
+            least = match found.status {
+                LimitAnalysisStatus::DoesNotStand => 0.0,
+                LimitAnalysisStatus::Unlimited => least,
+                LimitAnalysisStatus::Limited(_) => least.min(found.at_least_g),
+            };
+        }
+        Ok(least)
+    }
+
+    /// The inertia forces on some blocks, combined over the modes; each force and moment as `of` makes it.
+    fn combined(&self, blocks: &[usize], of: impl Fn(Wrench) -> Wrench) -> Combined {
+        let on = |shape: &dyn Fn(usize) -> [f64; 6]| {
+            let mut sum = [0.0; 6];
+            for &block in blocks {
+                add(&mut sum, 1.0, &inertia(self.stack, block, &shape(block)));
+            }
+            of(sum)
+        };
+        let wrenches: Vec<Wrench> = self
+            .modes
+            .iter()
+            .map(|mode| on(&|block| mode.shape[block]))
+            .collect();
+        let mut combined = Combined::default();
+        for (along, rigid) in combined.rigid.iter_mut().enumerate() {
+            *rigid = on(&|_| std::array::from_fn(|part| if part == along { self.ground } else { 0.0 }));
+            // modes that feel less than the ground are not in phase with it
+            for (mode, wrench) in self
+                .modes
+                .iter()
+                .zip(&wrenches)
+                .filter(|(mode, _)| mode.periodic == 1.0)
+            {
+                add(rigid, -mode.participation[along] * self.ground, wrench);
+            }
+        }
+        let count = self.modes.len();
+        for (which, (first, second)) in [(0, 0), (0, 1), (1, 1)].into_iter().enumerate() {
+            for (i, mode) in self.modes.iter().enumerate() {
+                let (mut all, mut periodic) = ([0.0; 6], [0.0; 6]);
+                for ((other, wrench), rho) in self
+                    .modes
+                    .iter()
+                    .zip(&wrenches)
+                    .zip(&self.correlations[i * count..][..count])
+                {
+                    let push = mode.participation[first]
+                        * mode.spectral
+                        * other.participation[second]
+                        * other.spectral;
+                    add(&mut all, rho * push, wrench);
+                    add(&mut periodic, rho * push * mode.periodic * other.periodic, wrench);
+                }
+                for (row, own) in wrenches[i].iter().enumerate() {
+                    add(&mut combined.all[which][row], *own, &all);
+                    add(&mut combined.periodic[which][row], *own, &periodic);
+                }
+            }
+        }
+        combined
+    }
+}
+
+/// Products of force and moment over the modes: of shaking along x with itself, x with y, y with itself.
+#[derive(Default)]
+struct Combined {
+    all: [[Wrench; 6]; 3],
+    periodic: [[Wrench; 6]; 3],
+    /// In phase with the ground along x and along y.
+    rigid: [Wrench; 2],
+}
+
+impl Combined {
+    /// Largest of a sum of force and moment, all modes periodic, or the part of them in phase with the ground added at once; the larger.
+    fn largest(&self, row: &Wrench, direction: ShakenDirection) -> f64 {
+        let product = |matrix: &[Wrench; 6]| -> f64 {
+            matrix
+                .iter()
+                .zip(row)
+                .map(|(line, own)| own * dot(line, row))
+                .sum()
+        };
+        let of = |squares: [f64; 3]| match direction {
+            ShakenDirection::X => squares[0].max(0.0).sqrt(),
+            ShakenDirection::Y => squares[2].max(0.0).sqrt(),
+            ShakenDirection::Any => {
+                // the larger eigenvalue: the worst direction in plan
+                let [xx, xy, yy] = squares;
+                let apart = (0.5 * (xx - yy)).hypot(xy);
+                (0.5 * (xx + yy) + apart).max(0.0).sqrt()
+            }
+        };
+        let [x, y] = [dot(&self.rigid[0], row), dot(&self.rigid[1], row)];
+        let mut with_rigid = [0, 1, 2].map(|which| product(&self.periodic[which]));
+        for (square, rigid) in with_rigid.iter_mut().zip([x * x, x * y, y * y]) {
+            *square += rigid;
+        }
+        of([0, 1, 2].map(|which| product(&self.all[which]))).max(of(with_rigid))
+    }
+}
+
+/// S at a period; before the first row of a table the larger of that row and the ground.
+fn acceleration(site: &SiteDemand, period_s: f64, ground: f64) -> Result<f64, AssessError> {
+    match site.spectrum.points().first() {
+        Some(&[least_s, first]) if period_s < least_s => Ok(first.max(ground)),
+        _ => site.spectrum.acceleration_m_s2(period_s, site.damping_ratio),
+    }
+}
+
+/// Γ along x and y: Σ m φ / φᵀ M φ.
+fn participation(stack: &Stack, shape: &[[f64; 6]]) -> [f64; 2] {
+    let (mut momentum, mut energy) = ([0.0; 2], 0.0);
+    for (block, own) in shape.iter().enumerate() {
+        let [x, y, z, ..] = *own;
+        let centroid = DVec3::from(stack.blocks()[block].solid.centroid_m());
+        let force = about(centroid, inertia(stack, block, own));
+        momentum[0] += stack.blocks()[block].mass_kg() * x;
+        momentum[1] += stack.blocks()[block].mass_kg() * y;
+        energy += dot(&force, &[x, y, z, own[3], own[4], own[5]]);
+    }
+    momentum.map(|sum| sum / energy)
+}
+
+/// Force and moment about the origin of a block that accelerates by a shape, m/s² and rad/s².
+fn inertia(stack: &Stack, block: usize, shape: &[f64; 6]) -> Wrench {
+    let block = &stack.blocks()[block];
+    let [x, y, z, a, b, c] = *shape;
+    let force = DVec3::new(x, y, z) * block.mass_kg();
+    let turns = DMat3::from_cols_array_2d(&block.solid.inertia_m5()) * DVec3::new(a, b, c);
+    let moment = DVec3::from(block.solid.centroid_m()).cross(force) + turns * block.density_kg_m3;
+    [force.x, force.y, force.z, moment.x, moment.y, moment.z]
+}
+
+/// The same with the moment about another point.
+fn about(point: DVec3, [x, y, z, a, b, c]: Wrench) -> Wrench {
+    let moment = DVec3::new(a, b, c) - point.cross(DVec3::new(x, y, z));
+    [x, y, z, moment.x, moment.y, moment.z]
+}
+
+fn functional(one: &Resistance) -> Wrench {
+    let ([x, y, z], [a, b, c]) = (one.force, one.moment);
+    [x, y, z, a, b, c]
+}
+
+fn add(sum: &mut Wrench, factor: f64, of: &Wrench) {
+    for (sum, of) in sum.iter_mut().zip(of) {
+        *sum += factor * of;
+    }
+}
+
+fn dot(a: &Wrench, b: &Wrench) -> f64 {
+    a.iter().zip(b).map(|(a, b)| a * b).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{EurocodeGround, EurocodeType, Site, site_demand, stack_against_site};
+    use super::*;
+    use crate::assess::StackCheckOptions;
+    use crate::blocks::{ContactRule, stack_modes};
+    use crate::structure::stack::{Block, JointMaterial, Placement, Solid};
+    use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
+    use std::f64::consts::TAU;
+
+    const G: f64 = 9.81;
+    /// Five stones and a finial: width, height, m.
+    const TOWER: [[f64; 2]; 6] = [
+        [1.4, 0.8],
+        [1.4, 0.8],
+        [1.4, 0.8],
+        [1.4, 0.8],
+        [1.4, 0.8],
+        [0.2, 0.9],
+    ];
+
+    fn boxes(sizes: &[[f64; 3]], at: &[[f64; 3]]) -> Stack {
+        let blocks = sizes
+            .iter()
+            .zip(at)
+            .enumerate()
+            .map(|(i, ([x, y, z], at))| Block {
+                name: format!("s{i}"),
+                solid: Solid::cuboid(*x, *y, *z).unwrap().placed(&Placement {
+                    position_m: *at,
+                    ..Placement::default()
+                }),
+                density_kg_m3: 2600.0,
+            });
+        Stack::new(blocks.collect(), JointMaterial::with_friction(0.9), G).unwrap()
+    }
+
+    fn tower() -> Stack {
+        let mut z = 0.0;
+        let (mut sizes, mut at) = (Vec::new(), Vec::new());
+        for [width, height] in TOWER {
+            sizes.push([width, width, height]);
+            at.push([0.0, 0.0, z]);
+            z += height;
+        }
+        boxes(&sizes, &at)
+    }
+
+    fn site(ground_acceleration_g: f64, vertical: Option<f64>) -> SiteDemand {
+        let site = Site::Eurocode8 {
+            ground_acceleration_g,
+            importance_factor: 1.0,
+            spectrum: EurocodeType::One,
+            ground: EurocodeGround::B,
+        };
+        site_demand(&site, 0.05, vertical).unwrap()
+    }
+
+    /// Least ratio of tipping of all joints of the tower in its plane, and the joint: two degrees of freedom a stone, joints by area and second moment.
+    fn in_its_plane(site: &SiteDemand, ground: f64) -> (f64, usize) {
+        let (n, normal, shear) = (TOWER.len(), 1e9, 4e8);
+        let (mut stiffness, mut mass) = (Matrix::zeros(2 * n, 2 * n), Matrix::zeros(2 * n, 2 * n));
+        let (mut z, mut beds, mut middles) = (0.0, Vec::new(), Vec::new());
+        for (i, [width, height]) in TOWER.into_iter().enumerate() {
+            let m = 2600.0 * width * width * height;
+            mass[(2 * i, 2 * i)] = m;
+            mass[(2 * i + 1, 2 * i + 1)] = m * (width * width + height * height) / 12.0;
+            let bed = if i == 0 { width } else { width.min(TOWER[i - 1][0]) };
+            // rows of the slip and of the turn of the joint
+            let mut rows = [vec![0.0; 2 * n], vec![0.0; 2 * n]];
+            (rows[0][2 * i], rows[0][2 * i + 1], rows[1][2 * i + 1]) = (1.0, -0.5 * height, 1.0);
+            if i > 0 {
+                (rows[0][2 * i - 2], rows[0][2 * i - 1], rows[1][2 * i - 1]) =
+                    (-1.0, -0.5 * TOWER[i - 1][1], -1.0);
+            }
+            for (row, spring) in rows.iter().zip([shear * bed * bed, normal * bed.powi(4) / 12.0]) {
+                for a in 0..2 * n {
+                    for b in 0..2 * n {
+                        stiffness[(a, b)] += spring * row[a] * row[b];
+                    }
+                }
+            }
+            beds.push((z, bed));
+            middles.push(z + 0.5 * height);
+            z += height;
+        }
+        let eigen = generalized_symmetric_eigen(&stiffness, &mass).unwrap();
+        let omegas: Vec<f64> = eigen.values.iter().map(|value| value.sqrt()).collect();
+        let mut least = (f64::INFINITY, 0);
+        for (joint, (bed_z, bed)) in beds.into_iter().enumerate() {
+            let above = joint..n;
+            let weight: f64 = above.clone().map(|i| mass[(2 * i, 2 * i)] * G).sum();
+            let level: f64 = above
+                .clone()
+                .map(|i| mass[(2 * i, 2 * i)] * (middles[i] - bed_z))
+                .sum();
+            let moments: Vec<[f64; 2]> = (0..2 * n)
+                .map(|k| {
+                    let shape = eigen.vectors.column(k);
+                    let gamma: f64 = (0..n).map(|i| mass[(2 * i, 2 * i)] * shape[2 * i]).sum();
+                    let moment: f64 = above
+                        .clone()
+                        .map(|i| {
+                            mass[(2 * i, 2 * i)] * shape[2 * i] * (middles[i] - bed_z)
+                                + mass[(2 * i + 1, 2 * i + 1)] * shape[2 * i + 1]
+                        })
+                        .sum();
+                    let spectral = site.spectrum.acceleration_m_s2(TAU / omegas[k], 0.05).unwrap();
+                    let periodic = (1.0 - (ground / spectral).powi(2)).sqrt();
+                    [gamma * spectral * moment, gamma * spectral * moment * periodic]
+                })
+                .collect();
+            let (mut all, mut with_rigid) = (0.0, (ground * level).powi(2));
+            for (k, a) in moments.iter().enumerate() {
+                for (l, b) in moments.iter().enumerate() {
+                    let rho = correlation_coefficient([omegas[k], 0.05], [omegas[l], 0.05]);
+                    all += rho * a[0] * b[0];
+                    with_rigid += rho * a[1] * b[1];
+                }
+            }
+            let ratio = 0.5 * weight * bed / f64::max(all, with_rigid).sqrt();
+            if ratio < least.0 {
+                least = (ratio, joint);
+            }
+        }
+        least
+    }
+
+    #[test]
+    fn agrees_with_a_model_in_the_plane() {
+        let (stack, site) = (tower(), site(0.053, Some(0.0)));
+        let ground = site.peak_ground_acceleration_m_s2.unwrap();
+        let modes = stack_modes(&stack, ContactRule::Four).unwrap();
+        let found = ModalDemand::new(&stack, &modes, &site, ground).unwrap();
+        let (known, joint) = in_its_plane(&site, ground);
+        assert_eq!(joint, 5);
+        for ratio in found.ratios(&StackLimits::default()).unwrap() {
+            assert!(
+                (ratio.ratio / known - 1.0).abs() < 1e-4,
+                "{} {known}",
+                ratio.ratio
+            );
+            assert_eq!(ratio.first, Some((LimitKind::Uplift, "'s4'".to_owned())));
+        }
+    }
+
+    #[test]
+    fn regress_a_finial_that_opens_is_below_demand_though_s_a_on_all_stones_alike_is_not() {
+        let stack = tower();
+        let modes = stack_modes(&stack, ContactRule::Four).unwrap();
+        let options = StackCheckOptions::default();
+        let found = stack_against_site(&stack, &options, &site(0.053, None), Some(&modes))
+            .unwrap()
+            .unwrap();
+        for row in &found.rows {
+            assert_eq!(row.comparison.verdict, DemandVerdict::Above);
+            assert_eq!(row.verdict, DemandVerdict::Below);
+        }
+        assert_eq!(found.verdict, DemandVerdict::Below);
+    }
+
+    #[test]
+    fn holds_a_spectrum_without_amplification_asks_at_least_for_rigid_blocks() {
+        // S = A₀ at every period: nothing is periodic, all moves with the ground
+        let table = Site::Table {
+            source: "level".into(),
+            points: vec![[0.0, 1.0], [5.0, 1.0]],
+            damping_ratio: 0.05,
+            peak_ground_acceleration_m_s2: None,
+        };
+        let (stack, site) = (tower(), site_demand(&table, 0.05, None).unwrap());
+        let modes = stack_modes(&stack, ContactRule::Four).unwrap();
+        let found = ModalDemand::new(&stack, &modes, &site, 1.0).unwrap();
+        let combined = found.combined(&[5], |wrench| wrench);
+        let moment = [0.0, 0.0, 0.0, 0.0, 1.0, 0.0];
+        let rigid = dot(&combined.rigid[0], &moment);
+        let height = 4.0 + 0.45;
+        assert!((rigid / (2600.0 * 0.04 * 0.9 * height) - 1.0).abs() < 1e-12);
+        let ratio = &found.ratios(&StackLimits::default()).unwrap()[2];
+        assert!(ratio.ratio <= 2.0 / 9.0 * G * (1.0 + 1e-12), "{}", ratio.ratio);
+    }
+
+    #[test]
+    fn holds_stones_that_share_their_load_bear_no_more_than_their_cuts() {
+        // a slab on four posts
+        let mut sizes = vec![[0.3, 0.3, 1.2]; 4];
+        sizes.push([2.0, 2.0, 0.3]);
+        let mut at: Vec<[f64; 3]> = Vec::new();
+        for (x, y) in [(-0.8, -0.8), (0.8, -0.8), (-0.8, 0.8), (0.8, 0.8)] {
+            at.push([x, y, 0.0]);
+        }
+        at.push([0.0, 0.0, 1.2]);
+        let (stack, site) = (boxes(&sizes, &at), site(0.1, Some(0.0)));
+        let modes = stack_modes(&stack, ContactRule::Four).unwrap();
+        let found = ModalDemand::new(&stack, &modes, &site, 1.0).unwrap();
+        let [x, y, any] = found.ratios(&StackLimits::default()).unwrap();
+        assert_eq!(x.first, None);
+        assert!((x.ratio / y.ratio - 1.0).abs() < 1e-4);
+        assert!(any.ratio <= x.ratio * 1.000_001 && any.ratio > 0.5 * x.ratio);
+    }
+}
