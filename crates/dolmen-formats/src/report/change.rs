@@ -340,6 +340,10 @@ fn note_words(note: &ChangeNote, language: Language) -> String {
                 each.join(", ")
             )
         }
+        ChangeNote::Swapped(swapped) => format!(
+            "한 조사에서 채널 \"{}\"과(와) \"{}\"이(가) 서로 바뀐 것으로 보인다. 모드 {}개의 평균 MAC가 그대로는 {:.2}, 둘을 바꾸면 {:.2}이다. 바뀐 것이 맞으면 프로젝트 파일에서 두 이름을 바꾸고 다시 비교해야 한다.",
+            swapped.channels[0], swapped.channels[1], swapped.modes, swapped.assurance, swapped.exchanged
+        ),
         ChangeNote::OneFactor { factor, modes } => format!(
             "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor:.3}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다."
         ),

@@ -52,6 +52,7 @@ pub use joint::{JointSetups, joint_setups};
 pub use merged_mode::MergedMode;
 pub use modes::{Method, Mode, Modes};
 pub use notes::{Note, Tone};
+pub(crate) use pairing::shared;
 pub use pairing::{ModePair, MovedFurther, ObservedMode, ObservedPoint, PairedModes, Pairing, pair_modes};
 pub use plscf::{MatrixFraction, Plscf, plscf};
 pub use settings::Settings;

@@ -3,6 +3,7 @@
 mod difference;
 mod notes;
 mod surveys;
+mod swapped;
 mod temperature;
 
 pub use difference::{Difference, Evidence};
@@ -10,4 +11,5 @@ pub use notes::ChangeNote;
 pub use surveys::{
     ModeChange, NotCompared, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
 };
+pub use swapped::SwappedChannels;
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};

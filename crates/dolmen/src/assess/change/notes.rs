@@ -1,10 +1,11 @@
 //! What must be known beside the numbers of a change: lines that could not be fitted, and what looks like a slip of the survey.
 
 use super::surveys::ModeChange;
+use super::swapped::SwappedChannels;
 use crate::modal::ObservedMode;
 
 /// Relative difference of frequencies that count as one. Chosen here: a hundredth, above what surveys of an unchanged structure differ by.
-const ONE_FREQUENCY: f64 = 0.01;
+pub(super) const ONE_FREQUENCY: f64 = 0.01;
 /// Part by which ratios of frequencies may differ and be one ratio, and the least factor that is asked about. Chosen here: recorders have rates that
 /// differ by 1.25 and more.
 const ONE_RATIO: f64 = 0.01;
@@ -55,6 +56,8 @@ pub enum ChangeNote {
         /// Their frequencies before, Hz.
         frequencies_hz: Vec<f64>,
     },
+    /// Two channels look exchanged in one of the surveys.
+    Swapped(SwappedChannels),
     /// No mode has a partner, and all frequencies differ by one factor.
     OneFactor {
         /// After over before.
@@ -106,6 +109,15 @@ impl std::fmt::Display for ChangeNote {
                     "at {} Hz both surveys have a mode, but with shapes unlike each other, so that it counts as lost and as new: were channels \
                      swapped, or sensors turned or moved?",
                     each.join(", ")
+                )
+            }
+            ChangeNote::Swapped(swapped) => {
+                let [a, b] = &swapped.channels;
+                write!(
+                    f,
+                    "channels \"{a}\" and \"{b}\" look swapped in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with the two \
+                     exchanged; if they were, exchange their names in the project file and compare again",
+                    swapped.modes, swapped.assurance, swapped.exchanged
                 )
             }
             ChangeNote::OneFactor { factor, modes } => write!(
@@ -209,6 +221,40 @@ mod tests {
         assert_eq!(found, [asked]);
         assert_eq!(notes(&before, &[(2.01, FIRST), (5.0, SECOND)]), []);
         assert_eq!(notes(&before, &[(2.01, FIRST), (5.2, SECOND)]), []);
+    }
+
+    /// Two of them exchanged: said which, once, whether the modes still pair or not; not of shapes that changed.
+    #[test]
+    fn holds_two_exchanged_channels_are_named() {
+        let exchanged = |[a, b, c]: [f64; 3]| [c, b, a];
+        let before = [(2.0, FIRST), (5.0, SECOND)];
+        let found = notes(&before, &[(2.01, exchanged(FIRST)), (5.0, exchanged(SECOND))]);
+        let swapped = found.iter().find_map(|note| match note {
+            ChangeNote::Swapped(swapped) => Some(swapped),
+            _ => None,
+        });
+        let swapped = swapped.unwrap();
+        assert_eq!(swapped.channels, ["a", "c"]);
+        assert_eq!(swapped.modes, 2);
+        assert!((swapped.exchanged - 1.0).abs() < 1e-12, "{swapped:?}");
+        // (0.1·1 + 0.5² + 1·0.1)² / 1.26² and (-0.3 + 0.64 - 0.3)² / 1.25²
+        let exact = 0.5 * ((0.45 / 1.26_f64).powi(2) + (0.04 / 1.25_f64).powi(2));
+        assert!((swapped.assurance - exact).abs() < 1e-12, "{swapped:?}");
+        let said = ChangeNote::Swapped(swapped.clone()).to_string();
+        assert!(
+            said.starts_with("channels \"a\" and \"c\" look swapped in one of the surveys: mean MAC of 2 modes 0.06 as they are, 1.00 with"),
+            "{said}"
+        );
+        let none = |to: &[(f64, [f64; 3])]| {
+            let found = notes(&before, to);
+            assert!(
+                !found.iter().any(|note| matches!(note, ChangeNote::Swapped(_))),
+                "{found:?}"
+            );
+        };
+        none(&[(2.01, FIRST), (5.0, SECOND)]);
+        none(&[(2.01, exchanged(FIRST)), (5.3, exchanged(SECOND))]); // one mode alone
+        none(&[(2.01, [1.0, 0.2, -0.4]), (5.0, [0.9, -0.8, 0.1])]); // other shapes
     }
 
     #[test]

@@ -9,6 +9,7 @@
 
 use super::difference::{Difference, Raw, tested, welch};
 use super::notes::{ChangeNote, SCATTER_BEYOND, WITH_TIME, slips};
+use super::swapped::swapped_channels;
 use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
@@ -290,6 +291,8 @@ pub fn survey_change(
     });
     let other = paired.most_pairs.iter();
     let other_pairing_hz = other.map(|&[i, j]| [from.modes[i].frequency_hz, to.modes[j].frequency_hz]);
+    let swapped = swapped_channels(&from.modes, &to.modes, &options.pairing);
+    notes.extend(swapped.map(ChangeNote::Swapped));
     notes.extend(slips(&modes, &lost, &new));
     Ok(SurveyChange {
         from: from.name.clone(),

@@ -1,0 +1,110 @@
+//! Two channels that one survey has exchanged, told by the shapes of another.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | φ, ψ | `phi`, `psi` | shapes of one frequency before and after, at the places that both show |
+//! | MAC | `mean` | mean assurance of all of them |
+
+use super::notes::ONE_FREQUENCY;
+use crate::modal::{ObservedMode, Pairing, assurance, shared};
+use dolmen_linalg::Complex64;
+
+/// Two channels that look exchanged.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SwappedChannels {
+    /// Their names in the first survey.
+    pub channels: [String; 2],
+    /// Mean assurance of the shapes as they are.
+    pub assurance: f64,
+    /// The same with the two exchanged.
+    pub exchanged: f64,
+    /// Modes that it is the mean of.
+    pub modes: usize,
+}
+
+/// Fewest modes that may say so: one shape can be turned into another by chance. Chosen here.
+const MODES_LEAST: usize = 2;
+/// Fewest places: of two, every exchange is a change of the shape that damage or noise could make. Chosen here.
+const PLACES_LEAST: usize = 3;
+/// Mean assurance above which shapes need no explanation, and below which an exchange explains nothing. Chosen here.
+const UNLIKE: f64 = 0.8;
+const ALIKE: f64 = 0.95;
+/// Part of what is left unexplained, 1 - MAC, that the second-best exchange must leave over that of the best. Chosen here.
+const CLEARLY: f64 = 3.0;
+
+/// The two channels whose exchange makes the shapes of two surveys alike, if one exchange alone does.
+///
+/// ```text
+/// MAC = 1/n Σ MAC(φ_i, ψ_i)        n modes of one frequency (within 1 %), at the places that both surveys show
+/// ```
+/// At least two modes and three places; mean MAC below 0.8 as they are and 0.95 or more exchanged; and 1 - MAC of every other exchange three
+/// times that of the best.
+///
+/// # Limits
+/// Two channels with like components in every mode may be exchanged unseen: nothing changes then but their names. Three channels in a ring
+/// are not found. Shapes that look alike under two exchanges say nothing.
+pub(super) fn swapped_channels(
+    before: &[ObservedMode],
+    after: &[ObservedMode],
+    options: &Pairing,
+) -> Option<SwappedChannels> {
+    let mut shapes = Vec::new();
+    let mut free = vec![true; after.len()];
+    for mode in before {
+        let apart = |i: &usize| (after[*i].frequency_hz / mode.frequency_hz - 1.0).abs();
+        let nearest = (0..after.len())
+            .filter(|i| free[*i] && apart(i) <= ONE_FREQUENCY)
+            .min_by(|a, b| apart(a).total_cmp(&apart(b)));
+        let Some(i) = nearest else { continue };
+        free[i] = false;
+        shapes.push(shared(&mode.shape, &after[i].shape, options.place_within_m));
+    }
+    let places = shapes.first().map_or(0, |[phi, _]| phi.len());
+    let same = shapes.iter().all(|[phi, _]| phi.len() == places);
+    if shapes.len() < MODES_LEAST || places < PLACES_LEAST || !same {
+        return None;
+    }
+    let as_they_are = mean(&shapes, None);
+    if as_they_are >= UNLIKE {
+        return None;
+    }
+    let pairs = (0..places).flat_map(|a| (a + 1..places).map(move |b| [a, b]));
+    let mut exchanged: Vec<([usize; 2], f64)> = pairs.map(|pair| (pair, mean(&shapes, Some(pair)))).collect();
+    exchanged.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let [(pair, best), (_, second), ..] = exchanged[..] else {
+        return None;
+    };
+    if best < ALIKE || 1.0 - second < CLEARLY * (1.0 - best) {
+        return None;
+    }
+    let mode = before.iter().find(|mode| !mode.shape.is_empty())?;
+    let shown: Vec<&str> = mode
+        .shape
+        .iter()
+        .filter(|point| {
+            let one = std::slice::from_ref(*point);
+            after
+                .iter()
+                .any(|m| !shared(one, &m.shape, options.place_within_m)[0].is_empty())
+        })
+        .map(|point| point.channel.name.as_str())
+        .collect();
+    Some(SwappedChannels {
+        channels: pair.map(|at| shown.get(at).map_or_else(String::new, |name| (*name).to_owned())),
+        assurance: as_they_are,
+        exchanged: best,
+        modes: shapes.len(),
+    })
+}
+
+/// Mean assurance, with two places of the second shapes exchanged.
+fn mean(shapes: &[[Vec<Complex64>; 2]], exchanged: Option<[usize; 2]>) -> f64 {
+    let of = |[phi, psi]: &[Vec<Complex64>; 2]| {
+        let mut psi = psi.clone();
+        if let Some([a, b]) = exchanged {
+            psi.swap(a, b);
+        }
+        assurance(phi, &psi)
+    };
+    shapes.iter().map(of).sum::<f64>() / shapes.len() as f64
+}
