@@ -169,6 +169,7 @@ fn options(source: &RecordSource) -> Result<RecordOptions> {
             .time_column
             .as_ref()
             .map_or(TimeColumn::Detect, |given| TimeColumn::At(column(given))),
+        lost_samples: source.lost_samples,
         ..RecordOptions::default()
     })
 }

@@ -147,6 +147,15 @@ by twice their error, and stone joints lose stiffness as they open. λ says noth
 not open. The uplift limit (moment ≤ N b / 2) is a separate line.",
     },
     Explanation {
+        code: "lost-samples",
+        title: "The record has gaps",
+        text: "\
+Time stamps, or blocks of a recorder, leave a gap of a sample or more. Samples put together across it would turn every mode's
+phase there, so the longest span that is whole in all channels is used and the rest is cut; the warning says what is lost and how
+long the rest is. Cut the record elsewhere with `conditioning.cut`, read the recorder again, or refuse such records with
+`lost_samples = \"refuse\"`. Uneven steps below one and a half are no gap: they are refused.",
+    },
+    Explanation {
         code: "margin",
         title: "The margin of one joint",
         text: "\

@@ -131,7 +131,7 @@ fn refuses_bad_records_with_the_file_the_place_and_the_remedy() {
     let scratch = Scratch::new("records");
     let ok = survey(&scratch, &swinging(|_, line| line), "");
     assert_eq!(ok.status, 0, "{}", ok.stderr);
-    let cases: [(&str, String, &str, &[&str]); 7] = [
+    let cases: [(&str, String, &str, &[&str]); 8] = [
         ("empty file", String::new(), "", &["record.csv", "empty"]),
         (
             "text in a number column",
@@ -152,8 +152,20 @@ fn refuses_bad_records_with_the_file_the_place_and_the_remedy() {
             &["record.csv", "north"],
         ),
         (
-            "uneven time stamps",
+            "lost samples, where the project refuses them",
             swinging(|i, line| if i == 40 { String::new() } else { line }),
+            "lost_samples = \"refuse\"",
+            &["record.csv", "time stamp"],
+        ),
+        (
+            "uneven time stamps",
+            swinging(|i, line| {
+                if i == 40 {
+                    line.replacen("0.80", "0.81", 1)
+                } else {
+                    line
+                }
+            }),
             "",
             &["record.csv", "time stamp"],
         ),
@@ -187,6 +199,38 @@ fn refuses_bad_records_with_the_file_the_place_and_the_remedy() {
             );
         }
         assert!(!answer.stderr.contains("panicked"), "{what}: {}", answer.stderr);
+    }
+}
+
+/// Two losses: 40 samples a minute from the start, one four minutes on. The longest whole span begins there.
+#[test]
+fn holds_lost_samples_leave_the_longest_whole_span_and_are_said() {
+    let scratch = Scratch::new("lost-samples");
+    let csv = swinging(|i, line| match i {
+        3000..3040 | 15_000 => String::new(),
+        _ => line,
+    });
+    let answer = survey(&scratch, &csv, "");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    for said in [
+        "2 channels × 14999 samples at 50 Hz (5.0 min)",
+        "warning: samples are lost: 0.800 s after 59.980 s, 0.020 s after 299.980 s; only the longest whole span is used, 300.020 to \
+         599.980 s: 299.960 of 599.980 s [lost-samples]",
+    ] {
+        assert!(
+            answer.stdout.contains(said),
+            "{said} is missing in {}",
+            answer.stdout
+        );
+    }
+    for (language, said) in [
+        ("en", "only the longest whole span is used"),
+        ("ko", "누락이 없는 가장 긴 구간"),
+    ] {
+        let made = scratch.dolmen(&format!("report tower --language {language} -o {language}.html"));
+        assert_eq!(made.status, 0, "{}", made.stderr);
+        let page = fs::read_to_string(scratch.path().join(format!("{language}.html"))).unwrap();
+        assert!(page.contains(said), "{language}");
     }
 }
 

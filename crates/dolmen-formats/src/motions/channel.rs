@@ -70,7 +70,7 @@ pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Compon
 /// The numbers of each channel as the file prints them. What begins with a mark is told by it; alphanumeric SAC by its rows.
 fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
     if miniseed::is_miniseed(bytes) {
-        miniseed::read(bytes)
+        miniseed::read(bytes).and_then(miniseed::whole)
     } else if sac::is_binary(bytes) {
         sac::read_binary(bytes)
     } else if knet::is_knet(bytes) {

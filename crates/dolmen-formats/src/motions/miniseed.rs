@@ -16,6 +16,7 @@
 use super::read::{MotionFormat, Raw};
 use super::steim::{self, Steim};
 use super::{MotionError, Orientation, start};
+use crate::records::Break;
 
 const HEADER_BYTES: usize = 48;
 /// Lengths of records, 2ⁿ, that SEED allows.
@@ -126,7 +127,7 @@ fn record_of(record: &Record) -> Raw {
     }
 }
 
-/// Appends the samples of a record to its channel, if they follow without gap.
+/// Appends the samples of a record to its channel; says where there is a gap, and refuses an overlap.
 fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result<(), MotionError> {
     let Some(known) = channels.iter_mut().find(|known| known.name == record.name) else {
         record.samples = samples;
@@ -134,18 +135,43 @@ fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result
         return Ok(());
     };
     let (step, first) = (known.time_step_s, known.begins_s.unwrap_or(0.0));
-    let expected_s = known.samples.len() as f64 * step;
+    let last = known
+        .breaks
+        .last()
+        .copied()
+        .unwrap_or(Break { at: 0, begins_s: 0.0 });
+    let expected_s = last.begins_s + (known.samples.len() - last.at) as f64 * step;
     let found_s = record.begins_s.unwrap_or(0.0) - first;
     let other_rate = (record.time_step_s / step - 1.0).abs() > 1e-4;
-    if other_rate || (found_s - expected_s).abs() > GAP_STEPS * step {
+    if other_rate || found_s < expected_s - GAP_STEPS * step {
         return Err(MotionError::Gap {
             channel: record.name,
             expected_s,
             found_s,
         });
     }
+    if found_s > expected_s + GAP_STEPS * step {
+        known.breaks.push(Break {
+            at: known.samples.len(),
+            begins_s: found_s,
+        });
+    }
     known.samples.extend(samples);
     Ok(())
+}
+
+/// The same channels; refuses a gap.
+pub(super) fn whole(channels: Vec<Raw>) -> Result<Vec<Raw>, MotionError> {
+    for channel in &channels {
+        if let Some(first) = channel.breaks.first() {
+            return Err(MotionError::Gap {
+                channel: channel.name.clone(),
+                expected_s: first.at as f64 * channel.time_step_s,
+                found_s: first.begins_s,
+            });
+        }
+    }
+    Ok(channels)
 }
 
 fn header(record: &[u8], at: u64) -> Result<Record, MotionError> {

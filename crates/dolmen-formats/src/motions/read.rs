@@ -2,7 +2,7 @@
 
 use super::options::Lengths;
 use super::{ComponentReading, MotionError, MotionOptions, Orientation, read_component};
-use crate::records::Unit;
+use crate::records::{Break, Unit};
 use dolmen::signal::{Component, GroundMotion, Processing, Quantity};
 
 /// Share by which two time steps may differ and still be one: printed digits, no more. Chosen here.
@@ -63,6 +63,8 @@ pub(crate) struct Raw {
     pub(crate) unit: Option<Unit>,
     pub(crate) orientation: Option<Orientation>,
     pub(crate) begins_s: Option<f64>,
+    /// Where the samples go on after a gap.
+    pub(crate) breaks: Vec<Break>,
     /// Whether the numbers have an offset by the definition of the format.
     pub(crate) subtract_mean: bool,
     /// What is measured, if the file says it without a unit.
@@ -83,6 +85,7 @@ impl Raw {
             unit: None,
             orientation: None,
             begins_s: None,
+            breaks: Vec::new(),
             subtract_mean: false,
             quantity: None,
             stated_peak: None,

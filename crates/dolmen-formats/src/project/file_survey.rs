@@ -1,7 +1,7 @@
 //! Surveys and their records as they are written.
 
 use super::file_number::{At, NumberRaw, QuantityRaw};
-use crate::records::RecordFormat;
+use crate::records::{LostSamples, RecordFormat};
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
 
@@ -277,6 +277,8 @@ pub(super) struct StationRaw {
     pub(super) delimiter: Option<At<String>>,
     /// The column of time stamps.
     pub(super) time_column: Option<At<ColumnRaw>>,
+    /// What becomes of it if it lost samples: "longest" (the longest whole span is used, with a warning; if not given) or "refuse".
+    pub(super) lost_samples: Option<At<LostSamples>>,
     /// The channels; all of the file if not given.
     pub(super) channels: Option<Vec<At<ChannelRaw>>>,
 }
@@ -303,6 +305,8 @@ pub(super) struct RecordsRaw {
     pub(super) delimiter: Option<At<String>>,
     /// The column of time stamps.
     pub(super) time_column: Option<At<ColumnRaw>>,
+    /// What becomes of it if it lost samples: "longest" (the longest whole span is used, with a warning; if not given) or "refuse".
+    pub(super) lost_samples: Option<At<LostSamples>>,
     /// The channels; every column but the time if not given.
     pub(super) channels: Option<Vec<At<ChannelRaw>>>,
     /// What is done to the record before it is used.

@@ -8,7 +8,7 @@ use super::read_conditioning::{conditioning, modal};
 use super::reader::{Reader, short};
 use super::records::{ChannelSource, Column, Conditioning, ModalChoice, RecordFormat, RecordSource};
 use crate::motions::of_text;
-use crate::records::Unit;
+use crate::records::{LostSamples, Unit};
 use dolmen::signal::Starts;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -118,6 +118,7 @@ struct FileKeys<'a> {
     scale: Option<&'a At<f64>>,
     delimiter: Option<&'a At<String>>,
     time_column: Option<&'a At<ColumnRaw>>,
+    lost_samples: Option<&'a At<LostSamples>>,
     channels: &'a [At<ChannelRaw>],
 }
 
@@ -143,6 +144,7 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
         scale: raw.scale.as_ref(),
         delimiter: raw.delimiter.as_ref(),
         time_column: raw.time_column.as_ref(),
+        lost_samples: raw.lost_samples.as_ref(),
         channels: raw.channels.as_deref().unwrap_or_default(),
     };
     let listed = raw.stations.as_deref().unwrap_or_default();
@@ -178,6 +180,7 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
         ("scale", keys.scale.map(|k| &k.span)),
         ("delimiter", keys.delimiter.map(|k| &k.span)),
         ("time_column", keys.time_column.map(|k| &k.span)),
+        ("lost_samples", keys.lost_samples.map(|k| &k.span)),
         ("channels", keys.channels.first().map(|k| &k.span)),
     ];
     for (key, span) in own {
@@ -209,6 +212,7 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
         scale: None,
         delimiter: None,
         time_column: None,
+        lost_samples: LostSamples::default(),
         channels: Vec::new(),
         conditioning,
         modal,
@@ -235,6 +239,7 @@ fn station(reader: &mut Reader, raw: &StationRaw, path: &str) -> Option<RecordSo
         scale: raw.scale.as_ref(),
         delimiter: raw.delimiter.as_ref(),
         time_column: raw.time_column.as_ref(),
+        lost_samples: raw.lost_samples.as_ref(),
         channels: raw.channels.as_deref().unwrap_or_default(),
     };
     one_file(reader, &keys, path)
@@ -314,6 +319,7 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
         scale,
         delimiter,
         time_column,
+        lost_samples: raw.lost_samples.map(|raw| raw.value).unwrap_or_default(),
         channels,
         conditioning: Conditioning::default(),
         modal: ModalChoice::default(),

@@ -1,5 +1,6 @@
 //! Where a survey's vibration records lie, and how they are to be read and used.
 
+use crate::records::LostSamples;
 pub use crate::records::RecordFormat;
 use dolmen::modal::{Harmonics, Method};
 use dolmen::signal::Starts;
@@ -120,6 +121,8 @@ pub struct RecordSource {
     pub delimiter: Option<char>,
     /// The column of time stamps.
     pub time_column: Option<Column>,
+    /// What becomes of it if it lost samples.
+    pub lost_samples: LostSamples,
     /// The channels; empty takes every column but the time.
     pub channels: Vec<ChannelSource>,
     /// What is done to the record first.

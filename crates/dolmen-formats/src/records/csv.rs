@@ -4,8 +4,8 @@
 //! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
 
 use super::layout::{Start, TimeName, holds_cells, line_at, time_name, unquoted};
+use super::lost_samples::{Kept, Spans};
 use super::number::{Number, parse_cell, scan};
-use super::stamps::Stamps;
 use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
 };
@@ -60,7 +60,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     if time.is_none() && options.sampling_rate_hz.is_none() {
         return Err(RecordError::NoRate { names: start.columns });
     }
-    let table = Table::read(bytes, &start, &plan, options.sampling_rate_hz)?;
+    let table = Table::read(bytes, &start, &plan, options)?;
     let count = plan.channels.len();
     let length = table.samples.len() / count;
     if length < 2 {
@@ -72,9 +72,9 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     if options.picks.is_empty() && options.time == TimeColumn::Detect {
         refuse_counts(&table.samples, length, &plan.channels)?;
     }
-    let (rate_hz, rate_source) = match (&table.stamps, options.sampling_rate_hz) {
-        (Some(stamps), Some(_)) => (stamps.rate_hz()?, RateSource::GivenAndStamps),
-        (Some(stamps), None) => (stamps.rate_hz()?, RateSource::Stamps),
+    let (rate_hz, rate_source) = match (&table.kept, options.sampling_rate_hz) {
+        (Some(kept), Some(_)) => (kept.stamps.rate_hz()?, RateSource::GivenAndStamps),
+        (Some(kept), None) => (kept.stamps.rate_hz()?, RateSource::Stamps),
         (None, Some(given)) => (given, RateSource::Given),
         (None, None) => return Err(RecordError::NoRate { names: start.columns }),
     };
@@ -88,6 +88,9 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
         format: "csv".into(),
         unit: options.unit.symbol().into(),
     });
+    if let Some(step) = table.kept.and_then(|kept| kept.step) {
+        record.note(step);
+    }
     Ok(Reading {
         record,
         begins_s: None,
@@ -227,11 +230,11 @@ impl Plan {
 struct Table {
     /// Channel after channel.
     samples: Vec<f64>,
-    stamps: Option<Stamps>,
+    kept: Option<Kept>,
 }
 
 impl Table {
-    fn read(bytes: &[u8], start: &Start, plan: &Plan, given_hz: Option<f64>) -> Result<Self, RecordError> {
+    fn read(bytes: &[u8], start: &Start, plan: &Plan, options: &RecordOptions) -> Result<Self, RecordError> {
         let count = plan.channels.len();
         let body = &bytes[start.samples_at..];
         // a line has an end, but for the last, and at least two bytes a cell: a bound on the memory taken
@@ -239,7 +242,8 @@ impl Table {
         let rows_most = lines_most.min(body.len() / (2 * plan.uses.len()) + 1);
         let mut samples = vec![0.0; rows_most * count];
         let mut block = vec![0.0; ROWS_AT_ONCE * count];
-        let mut stamps = plan.time.map(|t| Stamps::new(t.unit_s, given_hz));
+        let (given_hz, lost_samples) = (options.sampling_rate_hz, options.lost_samples);
+        let mut stamps = plan.time.map(|t| Spans::new(t.unit_s, given_hz, lost_samples));
         let (mut rows, mut flushed) = (0, 0);
         let (mut at, mut number) = (start.samples_at, start.samples_line);
         while let Some(line) = line_at(bytes, at, number) {
@@ -268,12 +272,14 @@ impl Table {
             flushed,
             rows_most,
         );
-        for channel in 1..count {
-            let from = channel * rows_most;
-            samples.copy_within(from..from + rows, channel * rows);
+        let kept = stamps.map(Spans::longest).transpose()?;
+        let used = kept.as_ref().map_or(0..rows, |kept| kept.rows.clone());
+        for channel in 0..count {
+            let from = channel * rows_most + used.start;
+            samples.copy_within(from..from + used.len(), channel * used.len());
         }
-        samples.truncate(rows * count);
-        Ok(Table { samples, stamps })
+        samples.truncate(used.len() * count);
+        Ok(Table { samples, kept })
     }
 }
 
@@ -297,7 +303,7 @@ struct LineReader<'a> {
 
 impl LineReader<'_> {
     #[inline]
-    fn read(&self, row: &mut [f64], mut stamps: Option<&mut Stamps>) -> Result<(), RecordError> {
+    fn read(&self, row: &mut [f64], mut stamps: Option<&mut Spans>) -> Result<(), RecordError> {
         let (delimiter, decimal_sign) = (self.start.delimiter, self.start.decimal.byte());
         let mut at = self.skip_blanks(0);
         for (column, wanted) in self.uses.iter().enumerate() {

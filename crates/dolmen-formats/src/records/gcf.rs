@@ -15,6 +15,7 @@
 
 use super::RecordError;
 use super::cursor::{Cursor, Number};
+use super::lost_samples::Break;
 use super::options::RecordFormat;
 use super::series::{FileUnit, Found, Series};
 
@@ -153,7 +154,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     })
 }
 
-/// Appends a block to its stream, if it follows without gap.
+/// Appends a block to its stream; says where there is a gap, and refuses an overlap.
 fn joined(
     streams: &mut Vec<((u32, u32), Series)>,
     block: &Block,
@@ -170,14 +171,20 @@ fn joined(
         streams.push((key, series));
         return Ok(());
     };
-    let expected_s = known.samples.len() as f64 / block.rate_hz;
+    let expected_s = known.end_s();
     let found_s = block.begins_s - known.begins_s.unwrap_or(block.begins_s);
-    let off = (found_s - expected_s).abs() > GAP_STEPS / block.rate_hz;
-    if off || known.sampling_rate_hz != Some(block.rate_hz) {
+    let most_s = GAP_STEPS / block.rate_hz;
+    if found_s < expected_s - most_s || known.sampling_rate_hz != Some(block.rate_hz) {
         return Err(RecordError::Gap {
             channel: known.name.clone(),
             expected_s,
             found_s,
+        });
+    }
+    if found_s > expected_s + most_s {
+        known.breaks.push(Break {
+            at: known.samples.len(),
+            begins_s: found_s,
         });
     }
     known.samples.extend(samples);

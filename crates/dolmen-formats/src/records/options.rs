@@ -1,6 +1,6 @@
 //! What the reader of a record is told about its file.
 
-use super::{Decimal, Delimiter, Unit};
+use super::{Decimal, Delimiter, LostSamples, Unit};
 use dolmen::signal::Channel;
 
 /// What is known of the file. Everything left at its default is found out from the file, or refused.
@@ -29,6 +29,8 @@ pub struct RecordOptions {
     pub skip_lines: usize,
     /// The column of a CSV file that holds time stamps, s.
     pub time: TimeColumn,
+    /// What becomes of a record whose time stamps or blocks leave a gap. Default: its longest whole span is used.
+    pub lost_samples: LostSamples,
 }
 
 /// Whether the first line of a CSV file names its columns.

@@ -63,6 +63,7 @@ fn series(channel: RawChannel, format: RecordFormat) -> Series {
         unit,
         quantity: channel.quantity,
         begins_s: channel.begins_s,
+        breaks: channel.breaks,
         ..Series::new(name, samples)
     }
 }

@@ -1,6 +1,7 @@
 //! What files of channels yield, each sampled by itself, and how they become one record.
 
 use super::csv::refuse_counts;
+use super::lost_samples::{Break, keep_longest};
 use super::options::RecordFormat;
 use super::{Column, Layout, Reading, RecordError, RecordOptions, Unit};
 use dolmen::signal::{Channel, Join, Piece, Processing, Quantity, Record, join, scale};
@@ -33,6 +34,8 @@ pub(super) struct Series {
     pub(super) begins_s: Option<f64>,
     /// First sample, s from an origin that all channels of the file share.
     pub(super) offset_s: f64,
+    /// Where it goes on after a gap.
+    pub(super) breaks: Vec<Break>,
     pub(super) position_m: Option<[f64; 3]>,
     pub(super) direction: Option<[f64; 3]>,
 }
@@ -47,9 +50,37 @@ impl Series {
             quantity: None,
             begins_s: None,
             offset_s: 0.0,
+            breaks: Vec::new(),
             position_m: None,
             direction: None,
         }
+    }
+}
+
+impl Series {
+    /// What gap number `i` is refused with.
+    pub(super) fn gap(&self, i: usize) -> RecordError {
+        let rate_hz = self.sampling_rate_hz.unwrap_or(f64::NAN);
+        let mut before = Break { at: 0, begins_s: 0.0 };
+        if let Some(last) = i.checked_sub(1).and_then(|i| self.breaks.get(i)) {
+            before = *last;
+        }
+        let after = self.breaks.get(i).copied().unwrap_or(before);
+        RecordError::Gap {
+            channel: self.name.clone(),
+            expected_s: before.begins_s + (after.at - before.at) as f64 / rate_hz,
+            found_s: after.begins_s,
+        }
+    }
+
+    /// Time of the sample that would come next, s from the first.
+    pub(super) fn end_s(&self) -> f64 {
+        let last = self
+            .breaks
+            .last()
+            .copied()
+            .unwrap_or(Break { at: 0, begins_s: 0.0 });
+        last.begins_s + (self.samples.len() - last.at) as f64 / self.sampling_rate_hz.unwrap_or(f64::NAN)
     }
 }
 
@@ -116,10 +147,11 @@ pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading
         pieces,
         unit,
         clocked,
+        cut,
     } = wanted(found, options)?;
     let joined = join(pieces, &Join::default())?;
     let begins_s = joined.begins_s.filter(|_| clocked);
-    let mut record = reread(joined.record, layout.format.name(), unit)?;
+    let mut record = reread(joined.record, layout.format.name(), (unit, cut))?;
     let factors = factors(options, record.channels().len());
     if factors.iter().any(|factor| *factor != 1.0) {
         record = scale(record, &factors)?;
@@ -132,7 +164,11 @@ pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading
 }
 
 /// The same record with the step of reading before its history.
-fn reread(record: Record, format: &str, unit: String) -> Result<Record, RecordError> {
+fn reread(
+    record: Record,
+    format: &str,
+    (unit, cut): (String, Option<Processing>),
+) -> Result<Record, RecordError> {
     let samples = (0..record.channels().len()).map(|j| record.samples(j).to_vec());
     let mut out = Record::new(
         record.channels().to_vec(),
@@ -143,7 +179,9 @@ fn reread(record: Record, format: &str, unit: String) -> Result<Record, RecordEr
         format: format.to_owned(),
         unit,
     });
-    record.history().iter().for_each(|step| out.note(step.clone()));
+    cut.into_iter()
+        .chain(record.history().iter().cloned())
+        .for_each(|step| out.note(step));
     Ok(out)
 }
 
@@ -171,13 +209,23 @@ struct Wanted {
     unit: String,
     /// Whether they begin at times of a clock, not only beside one another.
     clocked: bool,
+    /// What was cut for lost samples.
+    cut: Option<Processing>,
 }
 
-fn wanted(found: Found, options: &RecordOptions) -> Result<Wanted, RecordError> {
+fn wanted(mut found: Found, options: &RecordOptions) -> Result<Wanted, RecordError> {
     let format = found.format.name();
     let chosen = chosen(&found, options)?;
     let mut units = BTreeSet::new();
     let all_begin = chosen.iter().all(|&at| found.series[at].begins_s.is_some());
+    let mut picked: Vec<&mut Series> = found
+        .series
+        .iter_mut()
+        .enumerate()
+        .filter(|(at, _)| chosen.contains(at))
+        .map(|(_, one)| one)
+        .collect();
+    let cut = keep_longest(&mut picked, all_begin, options.lost_samples)?;
     let mut pieces = Vec::with_capacity(chosen.len());
     let mut series: Vec<Option<Series>> = found.series.into_iter().map(Some).collect();
     for (k, &at) in chosen.iter().enumerate() {
@@ -211,6 +259,7 @@ fn wanted(found: Found, options: &RecordOptions) -> Result<Wanted, RecordError> 
         pieces,
         unit: named(&units),
         clocked: all_begin,
+        cut,
     })
 }
 

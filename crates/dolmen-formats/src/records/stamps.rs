@@ -95,6 +95,7 @@ impl Stamps {
         // written so that it is false for NaN
         let agrees = most >= self.step_least_s && least <= self.step_most_s && most > 0.0;
         if !agrees {
+            self.count -= 1; // it does not count: it may be the first behind a gap
             let expected_step_s = self.step_s();
             return Err(RecordError::Uneven {
                 line,
@@ -104,11 +105,9 @@ impl Stamps {
                 expected_s: self.first_s + i * expected_step_s,
             });
         }
-        self.step_least_s = self.step_least_s.max(least);
-        self.step_most_s = self.step_most_s.min(most);
         let same = (step_s - self.last_step_s).abs() < 0.5 * resolution_s;
-        self.all_same &= same || self.count == 2;
         if self.count > 2 && !same && self.must_be_same(resolution_s) {
+            self.count -= 1;
             return Err(RecordError::CoarseStamps {
                 line,
                 step_s,
@@ -116,8 +115,16 @@ impl Stamps {
                 resolution_s,
             });
         }
+        self.step_least_s = self.step_least_s.max(least);
+        self.step_most_s = self.step_most_s.min(most);
+        self.all_same &= same || self.count == 2;
         (self.last_s, self.last_step_s) = (stamp_s, step_s);
         Ok(())
+    }
+
+    /// The first stamp, s.
+    pub(super) fn first_s(&self) -> f64 {
+        self.first_s
     }
 
     /// Whether stamps of that resolution show a missing sample only by a step that differs.
@@ -160,7 +167,7 @@ impl Stamps {
     }
 
     /// Middle of the steps that agree so far, s; their upper end while there is no lower.
-    fn step_s(&self) -> f64 {
+    pub(super) fn step_s(&self) -> f64 {
         if self.count < 2 {
             f64::NAN
         } else if self.step_least_s > 0.0 {

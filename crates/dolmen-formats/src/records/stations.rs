@@ -25,7 +25,8 @@ pub fn join_stations(stations: Vec<Station>, options: &Join) -> Result<Reading, 
     for station in stations {
         let begins_s = match (station.reading.begins_s, station.begins_s) {
             (Some(_), Some(_)) => return Err(RecordError::TwoStarts { file: station.file }),
-            (own, given) => own.or(given),
+            // the start given is that of the file, whose first samples may have been cut
+            (own, given) => own.or(given.map(|at| at + kept_from_s(&station.reading.record))),
         };
         let record = station.reading.record;
         for step in record.history() {
@@ -68,6 +69,15 @@ pub fn join_stations(stations: Vec<Station>, options: &Join) -> Result<Reading, 
         begins_s: joined.begins_s,
         layout: super::Layout::Stations(layouts),
     })
+}
+
+/// First sample of a record, s from the first of its file.
+fn kept_from_s(record: &Record) -> f64 {
+    let of = |step: &Processing| match step {
+        Processing::LongestSpan { from_s, .. } => Some(*from_s),
+        _ => None,
+    };
+    record.history().iter().find_map(of).unwrap_or(0.0)
 }
 
 /// A file name without folder and ending.

@@ -223,6 +223,39 @@ fn step_words(step: &Processing, language: Language) -> String {
             format!("times of the channels differ by up to {} of a step, left so", n(*most_steps)),
             format!("채널 간 시각 차이 최대 표본 간격의 {}, 그대로 둠", n(*most_steps)),
         ),
+        Processing::LongestSpan {
+            from_s,
+            to_s,
+            whole_s,
+            gaps,
+        } => {
+            const SHOWN: usize = 3;
+            let each = gaps.iter().take(SHOWN).map(|gap| {
+                let channel = gap.channel.as_ref().map_or(String::new(), |name| format!("{name}, "));
+                let (at, lost) = (n(gap.at_s), n(gap.lost_s));
+                language.pick(
+                    format!("{lost}\u{202f}s ({channel}after {at}\u{202f}s)"),
+                    format!("{lost}\u{202f}s({channel}{at}\u{202f}s 이후)"),
+                )
+            });
+            let each: Vec<String> = each.collect();
+            let more = gaps.len().saturating_sub(SHOWN);
+            let (from, to, whole, kept) = (n(*from_s), n(*to_s), n(*whole_s), n(to_s - from_s));
+            let others = match more {
+                0 => String::new(),
+                more => language.pick(format!(" and {more} more"), format!(" 외 {more}곳")),
+            };
+            language.pick(
+                format!(
+                    "samples are lost, {}{others}: only the longest whole span is used, {from} to {to}\u{202f}s, {kept} of {whole}\u{202f}s",
+                    each.join(", ")
+                ),
+                format!(
+                    "표본 누락 {}{others}: 누락이 없는 가장 긴 구간 {from}–{to}\u{202f}s만 사용({whole}\u{202f}s 중 {kept}\u{202f}s)",
+                    each.join(", ")
+                ),
+            )
+        }
         Processing::CommonTime { before_s, after_s } => language.pick(
             format!(
                 "cut to the time that all channels share: {}\u{202f}s before and {}\u{202f}s after it are gone",

@@ -8,6 +8,7 @@ use crate::answer::{Answer, RecordAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::number::{beside_one, prefix, trimmed};
 use crate::project::{Project, Quantity, Structure};
 use dolmen::modal::{Method, Modes, Settings};
+use dolmen::signal::Processing;
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, StiffnessSolution, Visibility};
 use std::fmt::Write as _;
@@ -118,7 +119,10 @@ fn record_text(record: &RecordAnswer) -> String {
         let _ = writeln!(out, "  file: {remark}");
     }
     for step in &modes.history {
-        let _ = writeln!(out, "  done: {step}");
+        let _ = match step {
+            Processing::LongestSpan { .. } => writeln!(out, "  warning: {step} [lost-samples]"),
+            _ => writeln!(out, "  done: {step}"),
+        };
     }
     for fault in &record.faults {
         let _ = writeln!(out, "  warning: {fault} [channel-fault]");

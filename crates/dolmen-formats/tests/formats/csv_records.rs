@@ -2,8 +2,8 @@
 
 use dolmen::signal::{Channel, Processing, Quantity};
 use dolmen_formats::records::{
-    Column, CsvLayout, Decimal, Delimiter, Header, Layout, Pick, RateSource, Reading, RecordOptions,
-    TimeColumn, Unit, parse_number, read_csv,
+    Column, CsvLayout, Decimal, Delimiter, Header, Layout, LostSamples, Pick, RateSource, Reading,
+    RecordOptions, TimeColumn, Unit, parse_number, read_csv,
 };
 use proptest::prelude::*;
 
@@ -244,8 +244,12 @@ fn exact_stamps_that_lose_decimals_as_they_grow() {
 fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
     let mut lines: Vec<String> = stamped(100.0, 200, 3).lines().map(String::from).collect();
     lines.remove(120); // the stamp 1.19
+    let whole = RecordOptions {
+        lost_samples: LostSamples::Refuse,
+        ..Default::default()
+    };
     assert_eq!(
-        refusal(&lines.join("\n")),
+        refusal_with(&lines.join("\n"), &whole),
         "line 121: the time stamp 1.2 s is 0.020000 s after the one before, but even steps of 0.010000 s would put it at \
          1.190000 s: samples are missing or the clock jumped; cut the file there, or resample it before"
     );
@@ -261,6 +265,51 @@ fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
     for i in 1..500 {
         text += &format!("{:.4},{}\n", 4.99 + f64::from(i) * 0.01002, i % 5);
     }
+    assert!(refusal(&text).contains("samples are missing or the clock jumped"));
+}
+
+/// Rows that are used, the first sample of them, and what is said.
+fn kept(rows: impl Iterator<Item = usize>) -> (usize, f64, String) {
+    let text = rows.fold("t,x\n".to_string(), |text, i| {
+        text + &format!("{:.3},{i}.{}\n", 7.0 + i as f64 / 100.0, 7 * i % 10)
+    });
+    let record = read(&text).record;
+    assert_eq!(record.sampling_rate_hz(), 100.0);
+    let said = record
+        .history()
+        .last()
+        .map(ToString::to_string)
+        .unwrap_or_default();
+    (record.length(), record.samples(0)[0], said)
+}
+
+#[test]
+fn exact_longest_whole_span_of_a_record_that_lost_samples() {
+    let lost = |gaps: &'static [std::ops::Range<usize>]| {
+        kept((0..200).filter(|i| !gaps.iter().any(|gap| gap.contains(i))))
+    };
+    let (length, first, said) = lost(&[119..120, 150..160]);
+    assert_eq!((length, first), (119, 0.0));
+    assert_eq!(
+        said,
+        "samples are lost: 0.010 s after 1.180 s, 0.100 s after 1.490 s; only the longest whole span is used, 0.000 to 1.180 s: 1.180 of \
+         1.990 s"
+    );
+    // a sample that stands alone, at the start and between two gaps, is a span of its own
+    let (length, first, said) = lost(&[1..4, 50..60, 61..70]);
+    assert_eq!((length, first), (130, 70.0));
+    assert!(
+        said.starts_with(
+            "samples are lost: 0.030 s after 0.000 s, 0.100 s after 0.490 s, 0.090 s after 0.600 s; only"
+        ),
+        "{said}"
+    );
+    // every eleventh is lost: what is left whole is no record
+    let text = (0..200)
+        .filter(|i| i % 11 > 0)
+        .fold("t,x\n".to_string(), |text, i| {
+            text + &format!("{:.3},{i}.{}\n", i as f64 / 100.0, 7 * i % 10)
+        });
     assert!(refusal(&text).contains("samples are missing or the clock jumped"));
 }
 

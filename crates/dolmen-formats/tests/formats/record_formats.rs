@@ -5,7 +5,7 @@
 
 use dolmen::signal::{Channel, Quantity};
 use dolmen_formats::records::{
-    Column, Layout, Pick, Reading, RecordFormat, RecordOptions, Unit, read_record,
+    Column, Layout, LostSamples, Pick, Reading, RecordFormat, RecordOptions, Unit, read_record,
 };
 use std::path::{Path, PathBuf};
 
@@ -252,6 +252,34 @@ fn agrees_gcf_of_obspy() {
     );
 }
 
+/// The second record of three begins a second late.
+#[test]
+fn exact_longest_span_of_a_miniseed_file_with_a_gap() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/motions/steim2_big.mseed");
+    let whole = std::fs::read(path).unwrap();
+    let all = read_record(&whole, &RecordOptions::default()).unwrap().record;
+    let mut gap = whole.clone();
+    gap[512 + 26] += 1;
+    gap[1024 + 26] += 1;
+    let read = read_record(&gap, &RecordOptions::default()).unwrap().record;
+    let samples = |block: usize| {
+        usize::from(u16::from_be_bytes([
+            whole[block * 512 + 30],
+            whole[block * 512 + 31],
+        ]))
+    };
+    let (first, rest) = (samples(0), samples(1) + samples(2));
+    assert_eq!(first + rest, all.length());
+    let used = if rest > first {
+        first..all.length()
+    } else {
+        0..first
+    };
+    assert_eq!(read.samples(0), &all.samples(0)[used]);
+    let said = read.history()[1].to_string();
+    assert!(said.starts_with("samples are lost: 1.000 s after "), "{said}");
+}
+
 #[test]
 fn exact_gcf_blocks_follow_one_another() {
     let block = bytes("fast.gcf");
@@ -264,6 +292,24 @@ fn exact_gcf_blocks_follow_one_another() {
         "channel AB12Z0: a block begins 1 s after the first, but the samples before it end at 0.096 s: there is a gap or an \
          overlap; cut the file there"
     );
+    // one that begins a quarter of a second later leaves a gap of .154 s: the longest whole span is the first block, or the record is refused
+    let mut early = block.clone();
+    early[14] &= 7;
+    let broken = [early, block.clone()].concat();
+    let reading = read_record(&broken, &RecordOptions::default()).unwrap();
+    assert_eq!(
+        (reading.record.length(), reading.begins_s),
+        (96, Some(1_717_581_600.0))
+    );
+    assert_eq!(
+        reading.record.history()[1].to_string(),
+        "samples are lost: 0.154 s after 0.095 s (AB12Z0); only the longest whole span is used, 0.000 to 0.095 s: 0.095 of 0.345 s"
+    );
+    let whole = RecordOptions {
+        lost_samples: LostSamples::Refuse,
+        ..Default::default()
+    };
+    assert!(refusal(&broken, &whole).contains("there is a gap or an overlap"));
     let mut other = block.clone();
     other[7] = other[7].wrapping_add(1); // another stream, a quarter of a second earlier
     other[14] &= 7;

@@ -34,7 +34,7 @@ pub use leave_out::leave_out;
 pub use measures::{IntensityMeasures, intensity_measures, last_and_peak_displacement_m, peak_velocity_m_s};
 pub use noise::{Noise, NoiseFilter, noise_motion};
 pub use pulse::{PulseShape, pulse};
-pub use record::{Channel, Processing, Quantity, Record};
+pub use record::{Channel, LostSpan, Processing, Quantity, Record};
 pub use response_spectrum::{SpectralOrdinate, response_spectrum};
 pub use scale::scale;
 pub use spectra::{CrossSpectra, Welch, cross_spectra};

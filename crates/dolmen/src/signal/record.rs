@@ -153,6 +153,17 @@ pub enum Processing {
         /// The largest, steps.
         most_steps: f64,
     },
+    /// Only the longest time kept that no lost samples interrupt, in any channel.
+    LongestSpan {
+        /// First sample kept, s from the first of the file.
+        from_s: f64,
+        /// Last sample kept, s.
+        to_s: f64,
+        /// Last sample of the file, s.
+        whole_s: f64,
+        /// What is lost, by time.
+        gaps: Vec<LostSpan>,
+    },
     /// Only the time kept that all channels share.
     CommonTime {
         /// From the first sample of any channel to the first kept, s.
@@ -160,6 +171,26 @@ pub enum Processing {
         /// From the last kept to the last of any channel, s.
         after_s: f64,
     },
+}
+
+/// Samples that a record lost.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LostSpan {
+    /// The channel; `None`: all.
+    pub channel: Option<String>,
+    /// The last sample before, s from the first of the record.
+    pub at_s: f64,
+    /// Time lost, s.
+    pub lost_s: f64,
+}
+
+impl std::fmt::Display for LostSpan {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{:.3} s after {:.3} s", self.lost_s, self.at_s)?;
+        self.channel
+            .as_ref()
+            .map_or(Ok(()), |channel| write!(f, " ({channel})"))
+    }
 }
 
 impl std::fmt::Display for Processing {
@@ -227,6 +258,25 @@ impl std::fmt::Display for Processing {
                 f,
                 "times of the channels differ by up to {most_steps:.4} of a step, left so"
             ),
+            Processing::LongestSpan {
+                from_s,
+                to_s,
+                whole_s,
+                gaps,
+            } => {
+                const SHOWN: usize = 3; // a list of hundreds would hide the rest
+                let shown: Vec<String> = gaps.iter().take(SHOWN).map(ToString::to_string).collect();
+                let more = match gaps.len().saturating_sub(SHOWN) {
+                    0 => String::new(),
+                    more => format!(" and {more} more"),
+                };
+                write!(
+                    f,
+                    "samples are lost: {}{more}; only the longest whole span is used, {from_s:.3} to {to_s:.3} s: {:.3} of {whole_s:.3} s",
+                    shown.join(", "),
+                    to_s - from_s
+                )
+            }
             Processing::CommonTime { before_s, after_s } => write!(
                 f,
                 "cut to the time that all channels share: {before_s:.3} s before it and {after_s:.3} s after it are gone"

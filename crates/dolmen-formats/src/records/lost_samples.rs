@@ -1,0 +1,366 @@
+//! Records that lost samples: the longest span that is whole in all channels.
+//!
+//! A step of one and a half steps or more is a gap; anything smaller is an uneven clock, which is refused, and so is a step back.
+
+use super::RecordError;
+use super::number::Number;
+use super::series::Series;
+use super::stamps::Stamps;
+use dolmen::signal::{LostSpan, Processing};
+use std::ops::Range;
+
+/// Least time from one sample to the next that is a gap, in steps. Chosen here: less is no whole sample lost.
+const GAP_STEPS: f64 = 1.5;
+/// Last digits by which a step must be longer than the one before, where stamps are coarse: more than the one of rounding.
+const ROUNDED_DIGITS: f64 = 1.5;
+/// Least share of all samples that the longest span must hold. Chosen here: with less, the clock is uneven rather than the record broken.
+const SHARE_LEAST: f64 = 0.1;
+/// Share of a step by which the ends of two channels may differ and be one time.
+const SAME_TIME_STEPS: f64 = 1e-3;
+
+/// What becomes of a record that lost samples.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum LostSamples {
+    /// Its longest span that is whole in all channels is used, and what was cut is said.
+    #[default]
+    Longest,
+    /// It is refused.
+    Refuse,
+}
+
+/// Where a channel goes on after a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Break {
+    /// Index of the first sample after it.
+    pub(crate) at: usize,
+    /// Time of that sample from the first of the channel, s.
+    pub(crate) begins_s: f64,
+}
+
+/// Stamps line by line, span after span.
+#[derive(Debug)]
+pub(super) struct Spans {
+    unit_s: f64,
+    given_hz: Option<f64>,
+    lost_samples: LostSamples,
+    now: Stamps,
+    now_from: usize,
+    rows: usize,
+    last: Option<(Number, usize)>,
+    done: Vec<(Range<usize>, Stamps)>,
+    gaps: Vec<LostSpan>,
+    /// What the first gap would have been refused with.
+    fault: Option<RecordError>,
+}
+
+/// The rows of a text that are used, and what their stamps say.
+#[derive(Debug)]
+pub(super) struct Kept {
+    pub(super) rows: Range<usize>,
+    pub(super) stamps: Stamps,
+    pub(super) step: Option<Processing>,
+}
+
+impl Spans {
+    pub(super) fn new(unit_s: f64, given_hz: Option<f64>, lost_samples: LostSamples) -> Self {
+        Spans {
+            unit_s,
+            given_hz,
+            lost_samples,
+            now: Stamps::new(unit_s, given_hz),
+            now_from: 0,
+            rows: 0,
+            last: None,
+            done: Vec::new(),
+            gaps: Vec::new(),
+            fault: None,
+        }
+    }
+
+    /// Takes the next stamp; refuses one that is neither even nor behind a gap.
+    #[inline]
+    pub(super) fn push(&mut self, printed: Number, line: usize) -> Result<(), RecordError> {
+        if let Err(fault) = self.now.push(printed, line) {
+            self.after_a_gap(printed, line, fault)?;
+        }
+        self.rows += 1;
+        self.last = Some((printed, line));
+        Ok(())
+    }
+
+    #[cold]
+    fn after_a_gap(&mut self, printed: Number, line: usize, fault: RecordError) -> Result<(), RecordError> {
+        let Some((before, before_line)) = self.last else {
+            return Err(fault);
+        };
+        let expected_s = self.now.step_s();
+        let step_s = match &fault {
+            RecordError::Uneven { step_s, .. } => *step_s,
+            // rounding changes the steps of an even clock by one last digit at most
+            RecordError::CoarseStamps {
+                step_s,
+                step_before_s,
+                resolution_s,
+                ..
+            } if step_s - step_before_s > ROUNDED_DIGITS * resolution_s => *step_s,
+            _ => return Err(fault),
+        };
+        let alone = self.rows - self.now_from == 2 && step_s > 0.0 && expected_s >= GAP_STEPS * step_s;
+        if self.lost_samples == LostSamples::Refuse || !(alone || step_s >= GAP_STEPS * expected_s) {
+            return Err(fault);
+        }
+        let (from, lost_s) = if alone {
+            (self.rows - 1, expected_s - step_s)
+        } else {
+            (self.rows, step_s - expected_s)
+        };
+        let ends_s = if alone {
+            before.value * self.unit_s - expected_s
+        } else {
+            before.value * self.unit_s
+        };
+        self.gaps.push(LostSpan {
+            channel: None,
+            at_s: ends_s,
+            lost_s,
+        });
+        self.fault.get_or_insert(fault);
+        let stamps = std::mem::replace(&mut self.now, Stamps::new(self.unit_s, self.given_hz));
+        self.done.push((self.now_from..from, stamps));
+        self.now_from = from;
+        if alone {
+            self.now.push(before, before_line)?;
+        }
+        self.now.push(printed, line)
+    }
+
+    /// The longest span; refuses where it is a small part.
+    pub(super) fn longest(mut self) -> Result<Kept, RecordError> {
+        self.done.push((self.now_from..self.rows, self.now));
+        let first_s = self.done.first().map_or(0.0, |(_, stamps)| stamps.first_s());
+        let to_s = self.last.map_or(0.0, |(number, _)| number.value * self.unit_s);
+        // the first of equals
+        let longest = self.done.into_iter().rev().max_by_key(|(rows, _)| rows.len());
+        let Some((rows, stamps)) = longest else {
+            return Err(RecordError::NoRate { names: Vec::new() });
+        };
+        if let Some(fault) = self.fault {
+            if (rows.len() as f64) < SHARE_LEAST * self.rows as f64 {
+                return Err(fault);
+            }
+            for gap in &mut self.gaps {
+                gap.at_s -= first_s;
+            }
+            let from_s = stamps.first_s() - first_s;
+            let step = Processing::LongestSpan {
+                from_s,
+                to_s: from_s + (rows.len() as f64 - 1.0) * stamps.step_s(),
+                whole_s: to_s - first_s,
+                gaps: self.gaps,
+            };
+            return Ok(Kept {
+                rows,
+                stamps,
+                step: Some(step),
+            });
+        }
+        Ok(Kept {
+            rows,
+            stamps,
+            step: None,
+        })
+    }
+}
+
+/// A span of one channel.
+#[derive(Clone, Copy)]
+struct Span {
+    first: usize,
+    end: usize,
+    /// Times of its first and last sample, s.
+    from_s: f64,
+    to_s: f64,
+}
+
+impl Series {
+    fn spans(&self, origin_s: f64, step_s: f64) -> Vec<Span> {
+        let mut starts = vec![Break { at: 0, begins_s: 0.0 }];
+        starts.extend(&self.breaks);
+        let ends = starts.iter().skip(1).map(|b| b.at).chain([self.samples.len()]);
+        let spans = starts.iter().zip(ends).map(|(start, end)| {
+            let from_s = origin_s + start.begins_s;
+            Span {
+                first: start.at,
+                end,
+                from_s,
+                to_s: from_s + (end - start.at) as f64 * step_s - step_s,
+            }
+        });
+        spans.collect()
+    }
+}
+
+/// The times within a span of either list; both rise.
+fn in_both(whole: &[[f64; 2]], spans: &[Span]) -> Vec<[f64; 2]> {
+    let mut both = Vec::new();
+    let (mut rest, mut others) = (whole.iter().peekable(), spans.iter().peekable());
+    while let (Some([from_s, to_s]), Some(span)) = (rest.peek(), others.peek()) {
+        let shared = [from_s.max(span.from_s), to_s.min(span.to_s)];
+        if shared[1] > shared[0] {
+            both.push(shared);
+        }
+        if *to_s < span.to_s {
+            rest.next();
+        } else {
+            others.next();
+        }
+    }
+    both
+}
+
+/// Leaves of each channel the samples within the longest time that all have whole.
+pub(super) fn keep_longest(
+    series: &mut [&mut Series],
+    clocked: bool,
+    lost_samples: LostSamples,
+) -> Result<Option<Processing>, RecordError> {
+    let Some(broken) = series.iter().find(|one| !one.breaks.is_empty()) else {
+        return Ok(None);
+    };
+    let gap = broken.gap(0);
+    if lost_samples == LostSamples::Refuse {
+        return Err(gap);
+    }
+    let step_s = |one: &Series| one.sampling_rate_hz.map_or(0.0, |rate_hz| 1.0 / rate_hz);
+    let begins_s = |one: &Series| one.begins_s.filter(|_| clocked).unwrap_or(0.0) + one.offset_s;
+    let spans: Vec<Vec<Span>> = series
+        .iter()
+        .map(|one| one.spans(begins_s(one), step_s(one)))
+        .collect();
+    let mut whole: Vec<[f64; 2]> = vec![[f64::NEG_INFINITY, f64::INFINITY]];
+    for of_channel in &spans {
+        whole = in_both(&whole, of_channel);
+    }
+    let length_s = |[from_s, to_s]: &[f64; 2]| to_s - from_s;
+    let first_s = spans
+        .iter()
+        .flatten()
+        .map(|s| s.from_s)
+        .fold(f64::INFINITY, f64::min);
+    let last_s = spans
+        .iter()
+        .flatten()
+        .map(|s| s.to_s)
+        .fold(f64::NEG_INFINITY, f64::max);
+    let longest = whole
+        .iter()
+        .rev()
+        .max_by(|a, b| length_s(a).total_cmp(&length_s(b)));
+    let Some(&[from_s, to_s]) = longest.filter(|span| length_s(span) >= SHARE_LEAST * (last_s - first_s))
+    else {
+        return Err(gap);
+    };
+    let mut gaps: Vec<LostSpan> = Vec::new();
+    for (one, of_channel) in series.iter_mut().zip(&spans) {
+        let step_s = step_s(one);
+        gaps.extend(of_channel.windows(2).map(|pair| LostSpan {
+            channel: Some(one.name.clone()),
+            at_s: pair[0].to_s - first_s,
+            lost_s: pair[1].from_s - pair[0].to_s - step_s,
+        }));
+        let middle_s = 0.5 * (from_s + to_s);
+        let Some(span) = of_channel
+            .iter()
+            .find(|s| s.from_s <= middle_s && middle_s <= s.to_s)
+        else {
+            return Err(gap);
+        };
+        let steps = |to_s: f64| (to_s - span.from_s) / step_s;
+        let before = (steps(from_s) - SAME_TIME_STEPS).ceil().max(0.0) as usize;
+        let after = (steps(to_s) + SAME_TIME_STEPS).floor().max(0.0) as usize;
+        let end = (span.first + after + 1).min(span.end);
+        one.offset_s += span.from_s + before as f64 * step_s - begins_s(one);
+        one.samples.truncate(end);
+        one.samples.drain(..(span.first + before).min(end));
+        one.breaks.clear();
+    }
+    gaps.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));
+    Ok(Some(Processing::LongestSpan {
+        from_s: from_s - first_s,
+        to_s: to_s - first_s,
+        whole_s: last_s - first_s,
+        gaps,
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn series(name: &str, begins_s: f64, length: usize, breaks: &[(usize, f64)]) -> Series {
+        Series {
+            sampling_rate_hz: Some(10.0),
+            begins_s: Some(begins_s),
+            breaks: breaks
+                .iter()
+                .map(|&(at, begins_s)| Break { at, begins_s })
+                .collect(),
+            ..Series::new(name, (0..length).map(|i| i as f64).collect())
+        }
+    }
+
+    /// a: 0 to 9.9 s, 12 to 21.9 s; b, begun 1 s later: 1 to 15.9 s, 16.4 to 31.3 s. Whole in both: 1 to 9.9, 12 to 15.9, 16.4 to 21.9 s.
+    #[test]
+    fn exact_longest_span_that_two_channels_have_whole() {
+        let mut a = series("a", 100.0, 200, &[(100, 12.0)]);
+        let mut b = series("b", 101.0, 300, &[(150, 15.4)]);
+        let step = keep_longest(&mut [&mut a, &mut b], true, LostSamples::Longest)
+            .unwrap()
+            .unwrap();
+        assert_eq!((a.samples[0], a.samples.len()), (10.0, 90));
+        assert_eq!((b.samples[0], b.samples.len()), (0.0, 90));
+        assert!((a.offset_s - 1.0).abs() < 1e-9 && b.offset_s.abs() < 1e-9);
+        let Processing::LongestSpan {
+            from_s,
+            to_s,
+            whole_s,
+            gaps,
+        } = &step
+        else {
+            panic!("{step}")
+        };
+        let close = |found: f64, exact: f64| (found - exact).abs() < 1e-9;
+        assert!(
+            close(*from_s, 1.0) && close(*to_s, 9.9) && close(*whole_s, 31.3),
+            "{step}"
+        );
+        let found: Vec<(&str, f64, f64)> = gaps
+            .iter()
+            .map(|gap| (gap.channel.as_deref().unwrap_or(""), gap.at_s, gap.lost_s))
+            .collect();
+        for ((name, at_s, lost_s), exact) in found.iter().zip([("a", 9.9, 2.0), ("b", 15.9, 0.4)]) {
+            assert!(
+                *name == exact.0 && close(*at_s, exact.1) && close(*lost_s, exact.2),
+                "{found:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn refuses_a_gap_where_the_project_says_so_or_little_is_whole() {
+        let mut a = series("a", 0.0, 200, &[(100, 12.0)]);
+        let fault = keep_longest(&mut [&mut a], true, LostSamples::Refuse)
+            .unwrap_err()
+            .to_string();
+        assert!(
+            fault.starts_with(
+                "channel a: a block begins 12 s after the first, but the samples before it end at 10 s"
+            ),
+            "{fault}"
+        );
+        let far: Vec<(usize, f64)> = (1..20).map(|i| (i * 10, 20.0 * i as f64)).collect();
+        let mut broken = series("a", 0.0, 200, &far);
+        assert!(keep_longest(&mut [&mut broken], true, LostSamples::Longest).is_err());
+    }
+}
