@@ -286,7 +286,7 @@ pub(crate) fn falls_by_itself(project: &Project) -> Result<Option<f64>> {
     Ok(load_factor(project, &mut Quantity::nominal)?.filter(|factor| *factor <= 1.0))
 }
 
-/// The same, of a frame whose joints slip the least of both states: what its verdict is taken from.
+/// The load factor that a verdict is taken from: of a frame whose joints slip the least of both states.
 fn least_load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>> {
     let Some(mut least) = load_factor(project, pick)? else {
         return Ok(None);

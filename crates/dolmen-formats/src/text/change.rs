@@ -207,9 +207,12 @@ fn doubt_lines(change: &SurveyChange) -> Vec<String> {
         ));
     }
     for lost in &change.not_compared {
-        let which = if lost.is_lowest { "the lowest mode, " } else { "" };
+        let (which, comma) = match lost.is_lowest {
+            true => ("the lowest mode, ", ","),
+            false => ("", ""),
+        };
         let mut line = format!(
-            "NOT COMPARED: {which}{:.3} Hz, was not found again",
+            "NOT COMPARED: {which}{:.3} Hz{comma} was not found again",
             lost.from.frequency_hz
         );
         if let (Some(may_be), Some([r, stiffness])) = (&lost.may_be, lost.change()) {
