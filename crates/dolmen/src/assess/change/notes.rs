@@ -174,6 +174,7 @@ pub(super) fn slips(modes: &[ModeChange], lost: &[ObservedMode], new: &[Observed
 #[cfg(test)]
 mod tests {
     use super::super::surveys::{SurveyChangeOptions, Surveyed, survey_change};
+    use super::super::temperature::TemperatureEffect;
     use super::*;
     use crate::modal::ObservedPoint;
     use crate::signal::Channel;
@@ -221,6 +222,65 @@ mod tests {
         assert_eq!(found, [asked]);
         assert_eq!(notes(&before, &[(2.01, FIRST), (5.0, SECOND)]), []);
         assert_eq!(notes(&before, &[(2.01, FIRST), (5.2, SECOND)]), []);
+    }
+
+    /// Surveys of one mode at these temperatures, °C, and frequencies, Hz, each ± 0.003 Hz, against one at 24 °C.
+    fn about_weather(points: &[(f64, f64)]) -> Vec<ChangeNote> {
+        let at = |&(temperature_c, frequency_hz): &(f64, f64)| {
+            let mut one = survey(&[(frequency_hz, FIRST)]);
+            one.temperature_c = Some(temperature_c);
+            one.modes[0].frequency_sd_hz = Some(0.003);
+            one
+        };
+        let surveys: Vec<Surveyed> = points.iter().map(at).collect();
+        let options = SurveyChangeOptions {
+            temperature: TemperatureEffect::Fitted,
+            ..SurveyChangeOptions::default()
+        };
+        survey_change(&surveys[0], &at(&(24.0, 2.04)), &surveys[1..], &options)
+            .unwrap()
+            .notes
+    }
+
+    #[test]
+    fn holds_a_line_that_may_have_taken_ageing_for_weather_is_said() {
+        let rising = [
+            (2.0, 2.17),
+            (6.0, 2.151),
+            (9.0, 2.13),
+            (13.0, 2.109),
+            (17.0, 2.083),
+            (20.0, 2.062),
+        ];
+        let is_with_time = |note: &ChangeNote| matches!(note, ChangeNote::LineWithTime { correlation, .. } if *correlation > 0.99);
+        assert!(about_weather(&rising).iter().any(is_with_time));
+        // the seasons of a gate: 2.5 mHz per °C, and no more scatter than is stated
+        let seasons = [
+            (11.0, 2.14),
+            (27.0, 2.10),
+            (15.0, 2.13),
+            (-3.0, 2.175),
+            (18.0, 2.1225),
+            (29.0, 2.095),
+        ];
+        let said = |notes: Vec<ChangeNote>| {
+            let doubts = |note: &ChangeNote| {
+                matches!(
+                    note,
+                    ChangeNote::LineWithTime { .. } | ChangeNote::LineScatters { .. }
+                )
+            };
+            notes.iter().any(doubts)
+        };
+        assert!(!said(about_weather(&seasons)));
+        // all after the first 3 % lower
+        let dropped: Vec<(f64, f64)> = seasons
+            .iter()
+            .enumerate()
+            .map(|(i, &(c, hz))| (c, if i > 0 { 0.97 * hz } else { hz }))
+            .collect();
+        let scatters = |note: &ChangeNote| matches!(note, ChangeNote::LineScatters { stated_hz, scatter_hz, .. } if scatter_hz > &(3.0 * stated_hz));
+        assert!(about_weather(&dropped).iter().any(scatters));
     }
 
     /// Two of them exchanged: said which, once, whether the modes still pair or not; not of shapes that changed.

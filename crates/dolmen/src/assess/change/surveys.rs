@@ -412,9 +412,9 @@ fn covariate(
     }
 }
 
-/// Whether the line may have taken a change of the structure for weather; the last survey is the first of the points.
+/// Whether the line may have taken a change of the structure for weather; the survey that is compared is the first of the points.
 fn about_the_line(points: &[FitPoint], after_c: f64, notes: &mut Vec<ChangeNote>) {
-    let (Ok(line), Some((last, before))) = (line(points, after_c), points.split_first()) else {
+    let (Ok(line), Some((compared, others))) = (line(points, after_c), points.split_first()) else {
         return;
     };
     let stated: Vec<f64> = points.iter().filter_map(|point| point.sd_hz).collect();
@@ -422,24 +422,33 @@ fn about_the_line(points: &[FitPoint], after_c: f64, notes: &mut Vec<ChangeNote>
     let scatter_hz = line.fitted.scatter_hz;
     if stated.len() == points.len() && scatter_hz > SCATTER_BEYOND * stated_hz {
         notes.push(ChangeNote::LineScatters {
-            frequency_hz: last.frequency_hz,
+            frequency_hz: compared.frequency_hz,
             scatter_hz,
             stated_hz,
         });
     }
-    let count = points.len() as f64;
-    let mean_c = points.iter().map(|point| point.temperature_c).sum::<f64>() / count;
-    let mut sums = [0.0; 3];
-    for (order, point) in before.iter().chain([last]).enumerate() {
-        let (x, y) = (order as f64 - 0.5 * (count - 1.0), point.temperature_c - mean_c);
-        for (sum, product) in sums.iter_mut().zip([x * x, x * y, y * y]) {
-            *sum += product;
+    // where the survey that is compared stands among the earlier ones is not told: at either end of them
+    let with_order = |order: Vec<&FitPoint>| {
+        let middle = 0.5 * (order.len() as f64 - 1.0);
+        let mean_c = order.iter().map(|point| point.temperature_c).sum::<f64>() / order.len() as f64;
+        let mut sums = [0.0; 3];
+        for (at, point) in order.iter().enumerate() {
+            let (x, y) = (at as f64 - middle, point.temperature_c - mean_c);
+            for (sum, product) in sums.iter_mut().zip([x * x, x * y, y * y]) {
+                *sum += product;
+            }
         }
-    }
-    let correlation = sums[1] / (sums[0] * sums[2]).sqrt();
+        sums[1] / (sums[0] * sums[2]).sqrt()
+    };
+    let at_the_end = with_order(others.iter().chain([compared]).collect());
+    let at_the_start = with_order(points.iter().collect());
+    let correlation = match at_the_start.abs() > at_the_end.abs() {
+        true => at_the_start,
+        false => at_the_end,
+    };
     if correlation.abs() > WITH_TIME {
         notes.push(ChangeNote::LineWithTime {
-            frequency_hz: last.frequency_hz,
+            frequency_hz: compared.frequency_hz,
             correlation,
         });
     }
