@@ -4,7 +4,7 @@ use super::words::listed;
 use crate::Language;
 use crate::number;
 use dolmen::modal::Note;
-use dolmen::signal::{ChannelFault, Processing};
+use dolmen::signal::{ChannelFault, LostSpan, Processing};
 use maud::{Markup, html};
 
 pub(super) fn note_words(note: &Note, language: Language) -> String {
@@ -229,8 +229,7 @@ fn step_words(step: &Processing, language: Language) -> String {
             whole_s,
             gaps,
         } => {
-            const SHOWN: usize = 3;
-            let each = gaps.iter().take(SHOWN).map(|gap| {
+            let each = gaps.iter().take(LostSpan::NAMED_MOST).map(|gap| {
                 let channel = gap.channel.as_ref().map_or(String::new(), |name| format!("{name}, "));
                 let (at, lost) = (n(gap.at_s), n(gap.lost_s));
                 language.pick(
@@ -239,7 +238,7 @@ fn step_words(step: &Processing, language: Language) -> String {
                 )
             });
             let each: Vec<String> = each.collect();
-            let more = gaps.len().saturating_sub(SHOWN);
+            let more = gaps.len().saturating_sub(LostSpan::NAMED_MOST);
             let (from, to, whole, kept) = (n(*from_s), n(*to_s), n(*whole_s), n(to_s - from_s));
             let others = match more {
                 0 => String::new(),

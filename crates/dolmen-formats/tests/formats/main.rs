@@ -3,6 +3,7 @@
 
 mod corpus;
 mod csv_records;
+mod csv_stamps;
 mod motion_formats;
 mod motion_networks;
 mod motions;

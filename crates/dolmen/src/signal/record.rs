@@ -184,6 +184,11 @@ pub struct LostSpan {
     pub lost_s: f64,
 }
 
+impl LostSpan {
+    /// How many are named where a record lost many: a list of hundreds would hide the rest.
+    pub const NAMED_MOST: usize = 3;
+}
+
 impl std::fmt::Display for LostSpan {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{:.3} s after {:.3} s", self.lost_s, self.at_s)?;
@@ -264,9 +269,9 @@ impl std::fmt::Display for Processing {
                 whole_s,
                 gaps,
             } => {
-                const SHOWN: usize = 3; // a list of hundreds would hide the rest
-                let shown: Vec<String> = gaps.iter().take(SHOWN).map(ToString::to_string).collect();
-                let more = match gaps.len().saturating_sub(SHOWN) {
+                let shown = gaps.iter().take(LostSpan::NAMED_MOST).map(ToString::to_string);
+                let shown: Vec<String> = shown.collect();
+                let more = match gaps.len().saturating_sub(LostSpan::NAMED_MOST) {
                     0 => String::new(),
                     more => format!(" and {more} more"),
                 };
