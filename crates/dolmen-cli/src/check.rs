@@ -70,6 +70,7 @@ pub(crate) fn answer(
             variants.push(VariantAnswer {
                 name: variant.name.clone(),
                 title: variant.title.clone(),
+                own_inputs: own_inputs(&project, &variant.project),
                 state,
                 simulation: None,
             });
@@ -103,6 +104,19 @@ pub(crate) fn answer(
         studies: Vec::new(),
         change: None,
     })
+}
+
+/// What a variant gives that the project does not, or gives otherwise.
+fn own_inputs(project: &Project, variant: &Project) -> Vec<Quantity> {
+    let given = project.structure_inputs();
+    let is_own = |input: &&Quantity| {
+        !given.iter().any(|own| {
+            (&own.path, own.value, &own.written, own.source)
+                == (&input.path, input.value, &input.written, input.source)
+        })
+    };
+    let inputs = variant.structure_inputs().into_iter();
+    inputs.filter(is_own).cloned().collect()
 }
 
 fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<State>> {

@@ -3,7 +3,7 @@
 use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
-use dolmen::modal::{Identify, MergeSetups, Modes, identify, joint_setups, merge_setups};
+use dolmen::modal::{Identify, MergeSetups, Modes, Note, identify, joint_setups, merge_setups};
 use dolmen::signal::{Channel, Record};
 use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
@@ -169,16 +169,35 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
             .setups
             .as_ref()
             .map_or_else(Vec::new, SetupsAnswer::doubtful_hz);
+        let unexplained_hz = unexplained_hz(&answer);
         for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
             if !survey.modes.contains_key(direction) {
-                stiffness.extend(
-                    from_record(project, found, &doubtful, (direction, vector)).with_context(context)?,
-                );
+                let answers = from_record(project, found, &doubtful, (direction, vector));
+                stiffness.extend(answers.with_context(context)?.into_iter().map(|answer| {
+                    let highest_hz = answer.frequencies_hz.last().copied().unwrap_or(0.0);
+                    let below = unexplained_hz.iter().copied().filter(|hz| *hz < highest_hz);
+                    StiffnessAnswer {
+                        peaks_below_hz: below.collect(),
+                        ..answer
+                    }
+                }));
             }
         }
     }
     answer.stiffness = stiffness;
     Ok(answer)
+}
+
+/// Peaks of a record that are none of its modes, and modes that were not picked, Hz, ascending.
+fn unexplained_hz(answer: &SurveyAnswer) -> Vec<f64> {
+    let notes = answer.records.iter().flat_map(|record| &record.analysis.notes);
+    let frequencies = notes.filter_map(|note| match note {
+        Note::PeaksWithoutMode { frequency_hz } | Note::NotPicked { frequency_hz } => Some(frequency_hz),
+        _ => None,
+    });
+    let mut all: Vec<f64> = frequencies.flatten().copied().collect();
+    all.sort_by(f64::total_cmp);
+    all
 }
 
 /// The modes of a direction that twist: reported, but kept out of the fit.
@@ -285,6 +304,16 @@ fn from_record(
     stiffness_of(project, direction, &found.modes, &notes)
 }
 
+/// Load factor of each solution with the least stiffness that the data allow.
+fn least_load_factors(
+    found: &StiffnessSolutions,
+    load_factor: impl Fn(&[f64]) -> Result<f64>,
+) -> Result<Vec<Option<f64>>> {
+    let each = found.solutions.iter().map(StiffnessSolution::stiffness_least);
+    each.map(|least| least.map(|k| load_factor(&k)).transpose())
+        .collect()
+}
+
 /// Every stiffness that explains `modes`: one answer for a chain, one a convention for a frame.
 fn stiffness_of(
     project: &Project,
@@ -302,6 +331,7 @@ fn stiffness_of(
             with_shapes: modes.iter().any(|mode| !mode.shape.is_empty()),
             solutions,
             load_factors,
+            peaks_below_hz: Vec::new(),
         }
     };
     match &project.structure {
@@ -309,8 +339,7 @@ fn stiffness_of(
         Structure::Chain(part) => {
             let chain: Chain = part.build(pick)?;
             let found = chain_stiffness(&chain, modes, &ChainStiffness::default())?;
-            let of = |s: &StiffnessSolution| Ok(chain_stability(&chain, &s.stiffness)?.load_factor);
-            let load_factors = found.solutions.iter().map(of).collect::<Result<_>>()?;
+            let load_factors = least_load_factors(&found, |k| Ok(chain_stability(&chain, k)?.load_factor))?;
             Ok(vec![answer(None, found, load_factors)])
         }
         Structure::Frame(part) => {
@@ -319,8 +348,8 @@ fn stiffness_of(
             for convention in [Convention::Drift, Convention::Grounded] {
                 let frame = Frame::new(built.storeys().to_vec(), convention)?;
                 let found = frame_stiffness(&frame, modes, &FrameStiffness::default())?;
-                let of = |s: &StiffnessSolution| Ok(frame_stability(&frame, &s.stiffness)?.load_factor);
-                let load_factors = found.solutions.iter().map(of).collect::<Result<_>>()?;
+                let load_factors =
+                    least_load_factors(&found, |k| Ok(frame_stability(&frame, k)?.load_factor))?;
                 answers.push(answer(Some(convention), found, load_factors));
             }
             Ok(answers)

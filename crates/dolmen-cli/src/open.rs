@@ -92,7 +92,14 @@ fn opened(reading: Reading, source: &RecordSource) -> Result<OpenedRecord> {
     let (channels, samples) = (record.channels().len() + left_out, record.length());
     let sampling_rate_hz = record.sampling_rate_hz();
     let unit = unit_of(source, &record);
-    let faults = inspect(&record);
+    let mut faults = inspect(&record);
+    if source
+        .conditioning
+        .detrend_degree
+        .is_some_and(|degree| degree > 0)
+    {
+        faults.retain(|fault| !matches!(fault, ChannelFault::Drifts { .. }));
+    }
     let record = condition(record, &source.conditioning)?;
     Ok(OpenedRecord {
         record,

@@ -17,6 +17,9 @@ use dolmen_formats::text::rank_text;
 use rayon::prelude::*;
 use std::path::Path;
 
+/// Reasons that are printed where nothing can be ranked.
+const REASONS_MOST: usize = 10;
+
 /// The models of the four states, and by which to rank.
 struct Scores {
     models: [Option<ScoreModel>; 4],
@@ -61,11 +64,14 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             Err(why) => left_out.push(why),
         }
     }
-    if entries.is_empty() {
-        let first = left_out
-            .first()
-            .map_or(String::new(), |one| format!("{}: {}", one.name, one.why));
-        bail!("none of {} structures can be ranked; {first}", rows.len());
+    let without_place = PortfolioAnswer::without_place(&entries, scores.state);
+    if without_place.len() == entries.len() {
+        left_out.extend(without_place);
+        let all = left_out
+            .iter()
+            .map(|one| format!("\n  {}: {}", one.name, one.why));
+        let shown: String = all.take(REASONS_MOST).collect();
+        bail!("none of {} structures can be ranked:{shown}", left_out.len());
     }
     let source = options.source.display().to_string();
     let draws = usize::from(options.draws);
@@ -89,6 +95,12 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
 fn rows(source: &Path) -> Result<PortfolioTable> {
     if !source.is_dir() {
         return read_portfolio(&files::read(source)?).with_context(|| source.display().to_string());
+    }
+    if source.join("project.toml").is_file() {
+        bail!(
+            "{} is one project: give the folder that holds it beside others, or a table (CSV)",
+            source.display()
+        );
     }
     let mut rows = Vec::new();
     let entries = std::fs::read_dir(source).with_context(|| source.display().to_string())?;
@@ -142,10 +154,10 @@ fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<Portfolio
         RowSource::Project { path, study } => {
             let path = folder.join(path);
             let open::Opened { project, file } = open::project(&path)?;
-            let hazard: Option<Hazard> = row.hazard.clone().or_else(|| {
-                let site = project.site.as_ref()?;
-                Some(site.hazard.as_ref()?.curve.clone())
-            });
+            let own = project.site.as_ref().and_then(|site| site.hazard.as_ref());
+            let own: Option<Hazard> = own.map(|hazard| hazard.curve.clone());
+            let replaced = row.hazard.is_some() && own.is_some() && row.hazard != own;
+            let hazard = row.hazard.clone().or(own);
             let mut found = study::of_report(&file, true)?;
             if let Some(wanted) = study {
                 found.retain(|one| one.study.name == *wanted);
@@ -157,7 +169,7 @@ fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<Portfolio
                 }
             }
             found.retain(|one| one.study.scan.is_some());
-            match found.as_slice() {
+            let mut entry = match found.as_slice() {
                 [one] => of_study(name.clone(), one, hazard).map_err(anyhow::Error::msg),
                 [] => match score::factors(&project)? {
                     Some(factors) => {
@@ -176,7 +188,9 @@ fn entry(row: &PortfolioRow, folder: &Path, scores: &Scores) -> Result<Portfolio
                         names.join(", ")
                     )
                 }
-            }
+            }?;
+            entry.hazard_replaced = replaced;
+            Ok(entry)
         }
     }
 }

@@ -300,6 +300,7 @@ fn summary(answer: &Answer) -> String {
             let found = &stiffness.solutions;
             let what = match found.choice {
                 Choice::One => "one stiffness explains".to_owned(),
+                Choice::Bounded => "one stiffness, known only between bounds, explains".to_owned(),
                 Choice::Indistinguishable => format!("{} stiffnesses explain", found.solutions.len()),
                 Choice::Underdetermined => "too few data for the stiffness of".to_owned(),
                 Choice::Impossible => "no stiffness explains".to_owned(),

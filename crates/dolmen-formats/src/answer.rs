@@ -1,7 +1,7 @@
 //! Everything that was computed for one project: what the command fills, and text, JSON and report print.
 
 use crate::building::BuildingAnswer;
-use crate::project::{Names, Project};
+use crate::project::{Names, Project, Quantity};
 use crate::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use crate::study::StudyAnswer;
 use crate::tune::{TogetherAnswer, TuneAnswer};
@@ -238,6 +238,8 @@ pub struct VariantAnswer {
     pub name: String,
     /// A longer name, if given.
     pub title: Option<Names>,
+    /// Inputs that the project as given does not have, or not so.
+    pub own_inputs: Vec<Quantity>,
     /// Does it stand.
     pub state: State,
     /// It under the ground motion; `None` if none was asked for, or it does not stand.
@@ -358,7 +360,10 @@ pub struct StiffnessAnswer {
     /// Every solution.
     pub solutions: StiffnessSolutions,
     /// Load factor λ with each solution, in the same order.
-    pub load_factors: Vec<f64>,
+    pub load_factors: Vec<Option<f64>>,
+    /// Peaks of the record below the highest mode used that are none of the modes, Hz: one of them may be a mode of this direction, and every
+    /// stiffness then is wrong.
+    pub peaks_below_hz: Vec<f64>,
 }
 
 impl State {

@@ -164,6 +164,15 @@ with all other joints as they are. It is not k_i / E_i: the recursion's E_i test
 1.03 P·H on the Naju flagpole it would say 1.035 to 2.138 where the margins are 1.012 to 1.035).",
     },
     Explanation {
+        code: "mode-missing",
+        title: "A peak below the modes used is none of them",
+        text: "\
+Stiffness is found from the lowest modes of a direction. A peak of the spectrum that lies below one of them and was not
+found as a mode, or was not picked, may be the first mode: the stiffness would then be several times too large, and the
+structure look safer than it is. Look at the peak (sensors in the direction, a longer record), pick it, or show that it
+belongs to the other direction or to a machine.",
+    },
+    Explanation {
         code: "no-real-root",
         title: "No stiffness gives these frequencies",
         text: "\
@@ -217,7 +226,9 @@ Move keys of the top level (units, links, joints, storeys…) above the first [h
         text: "\
 With m frequencies and n > m stiffnesses, n − m directions stay free: a continuous family explains the data. The
 solutions shown are members of it, not an answer. The table of what the sensors see says which stiffness is determined
-by how much. Measure shapes, or more modes.",
+by how much. Measure shapes, or more modes. With as many data as stiffnesses one of them may still be seen so little that
+it can only be said to lie above some value (a storey whose ends move alike) or within wide bounds: where a standard
+deviation exceeds half of a stiffness, the bounds stand in place of the value.",
     },
     Explanation {
         code: "unit-slip",

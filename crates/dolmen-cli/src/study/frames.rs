@@ -85,7 +85,7 @@ pub(super) fn row(study: &StudyPart, mut run: Run, model: &FrameModel, motion: &
     }
     let storeys = 0..model.heights_m.len();
     let most = |of: &dyn Fn(usize) -> f64| storeys.clone().map(of).fold(0.0, f64::max);
-    let residual = |level: usize| history.residual_m.get(level).copied().unwrap_or(0.0);
+    let residual = |level: usize| history.rest_m.get(level).copied().unwrap_or(0.0);
     let below = |level: usize| level.checked_sub(1).map_or(0.0, residual);
     let top = model.heights_m.len() - 1;
     run.measures = vec![

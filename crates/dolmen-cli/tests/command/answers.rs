@@ -184,7 +184,7 @@ fn refuses_bad_records_with_the_file_the_place_and_the_remedy() {
         (
             "more modes than the order allows",
             swinging(|_, line| line),
-            "modal = { order_most = 4, modes_wanted = 9 }",
+            "modal = { order_most = 8, modes_wanted = 9 }",
             &["9", "4"],
         ),
     ];

@@ -81,6 +81,14 @@ pub fn ranking(answer: &PortfolioAnswer, language: Language) -> String {
         "Lines: 90 % of what is not known of the median",
         "선: 중앙값의 90 % 불확실 구간",
     ));
+    let not_drawn = answer.ranked.places.len().saturating_sub(DRAWN_MOST);
+    let without = answer.left_out.len();
+    if not_drawn + without > 0 {
+        plot.note(&language.pick(
+            format!("Not drawn: {not_drawn} of later places, {without} without a place"),
+            format!("그림에 없는 구조물: 뒤 순위 {not_drawn}기, 순위 없음 {without}기"),
+        ));
+    }
     plot.svg(language.pick("Structures ranked", "구조물 순위"))
 }
 

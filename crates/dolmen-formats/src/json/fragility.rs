@@ -27,6 +27,7 @@ pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, Asses
                 "samples_without_curve": state.scatter.map(|split| split.without_curve),
                 "motions_enough": state.motions_enough(),
                 "annual_rate": state.risk.map(|risk| risk.annual_rate),
+                "annual_rate_at_ends_95": state.rate_interval,
                 "probability_in_50_years": state.risk.map(|risk| risk.probability_in(YEARS)),
                 "rate_share_below_hazard": state.risk.map(|risk| risk.share_below_points),
                 "rate_share_above_hazard": state.risk.map(|risk| risk.share_above_points),

@@ -11,7 +11,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
     let end = history.energy.last().copied().unwrap_or_default();
     let storeys = simulation.storeys.iter().enumerate().map(|(i, name)| {
         let (drift, level) = (history.drift_peaks[i], history.displacement_peaks[i]);
-        let below = i.checked_sub(1).map_or(0.0, |j| history.residual_m[j]);
+        let below = i.checked_sub(1).map_or(0.0, |j| history.rest_m[j]);
         json!({
             "name": name,
             "stiffness_n_m": simulation.frame.stiffness_n_m()[i],
@@ -19,8 +19,9 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
             "peak_drift_m": drift.value_m, "peak_drift_at_s": drift.at_s, "peak_drift_at_samples_m": drift.at_samples_m,
             "peak_displacement_m": level.value_m, "peak_displacement_at_s": level.at_s,
             "peak_displacement_at_samples_m": level.at_samples_m,
-            "residual_drift_m": history.residual_m[i] - below,
-            "residual_displacement_m": history.residual_m[i],
+            "residual_drift_m": history.rest_m[i] - below,
+            "residual_displacement_m": history.rest_m[i],
+            "displacement_at_end_m": history.residual_m[i],
             "slipped_way_m": history.slipped_way_m(i),
             "slipping_share": history.slipping_share(i),
         })

@@ -151,11 +151,13 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
         "with_shapes": answer.with_shapes,
         "choice": match found.choice {
             Choice::One => "one",
+            Choice::Bounded => "bounded",
             Choice::Indistinguishable => "indistinguishable",
             Choice::Underdetermined => "underdetermined",
             Choice::Impossible => "impossible",
         },
         "load_factors": answer.load_factors,
+        "peaks_below_hz": answer.peaks_below_hz,
         "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
         "visibility": found.visibility.as_ref().map(visibility),
         "starts": found.starts,
@@ -167,6 +169,9 @@ fn solution(solution: &StiffnessSolution) -> Value {
     json!({
         "stiffness": solution.stiffness,
         "stiffness_sd": solution.stiffness_sd,
+        "stiffness_bounds": solution.stiffness_bounds.as_ref().map(|bounds| {
+            bounds.iter().map(|bound| json!({ "lower": bound.lower, "upper": bound.upper })).collect::<Vec<_>>()
+        }),
         "stiffness_range": solution.stiffness_range.as_ref().map(range),
         "modes": modes(&solution.modes),
         "misfit": solution.misfit,

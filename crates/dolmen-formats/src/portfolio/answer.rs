@@ -1,5 +1,8 @@
 //! A ranked portfolio: what is known of each structure, its place, and why it stands there.
 
+use super::words::state_words;
+use crate::Language;
+use crate::number::significant;
 use crate::study::{CombinationFragility, StudyAnswer};
 use dolmen::assess::{
     AssessError, Candidate, Factor, Fragility, FragilityBound, Hazard, Known, KnownCapacity, Place, Ranked,
@@ -43,8 +46,12 @@ pub struct PortfolioEntry {
     pub basis: Basis,
     /// Each state, the mildest first: DS1 to DS3, falls.
     pub states: [Option<KnownCapacity>; 4],
+    /// Which states structures of its kind have: a frame has no DS2 and DS3.
+    pub has: [bool; 4],
     /// How often the ground shakes where it stands.
     pub hazard: Option<Hazard>,
+    /// Whether the table gave the hazard although the project has its own.
+    pub hazard_replaced: bool,
 }
 
 impl PortfolioEntry {
@@ -75,7 +82,7 @@ pub struct PortfolioAnswer {
     pub source: String,
     /// The state ranked by, 0 to 3.
     pub state: usize,
-    /// Structures that have a place.
+    /// Structures that have a place; the others are in `left_out`.
     pub entries: Vec<PortfolioEntry>,
     /// Their order by the state.
     pub ranked: Ranked,
@@ -95,7 +102,7 @@ impl PortfolioAnswer {
     /// Ranks entries by a state, 0 to 3; those without it are left out.
     ///
     /// # Errors
-    /// [`AssessError::NothingToRank`] if none is left.
+    /// [`AssessError::NothingToRank`] if none is left: ask [`PortfolioAnswer::without_place`] why.
     pub fn of(
         source: String,
         state: usize,
@@ -103,17 +110,9 @@ impl PortfolioAnswer {
         mut left_out: Vec<LeftOut>,
         draws: usize,
     ) -> Result<Self, AssessError> {
-        let mut kept = Vec::with_capacity(entries.len());
-        for entry in entries {
-            if entry.states[state].is_some() {
-                kept.push(entry);
-            } else {
-                left_out.push(LeftOut {
-                    name: entry.name,
-                    why: "nothing is known of this state: too few motions that can be used".to_owned(),
-                });
-            }
-        }
+        left_out.extend(Self::without_place(&entries, state));
+        let mut kept = entries;
+        kept.retain(|entry| entry.states[state].is_some());
         let ranked = rank(&candidates(&kept, state), draws, SEED)?;
         let mut by_falls = vec![None; kept.len()];
         let known: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].states[3].is_some()).collect();
@@ -132,8 +131,18 @@ impl PortfolioAnswer {
             left_out,
             designs: 0,
             draws,
-            gravity_m_s2: 9.81,
+            gravity_m_s2: GRAVITY_M_S2,
         })
+    }
+
+    /// Of structures that could be read, those that nothing is known of in a state, each with the reason.
+    pub fn without_place(entries: &[PortfolioEntry], state: usize) -> Vec<LeftOut> {
+        let lacking = entries.iter().filter(|entry| entry.states[state].is_none());
+        let left_out = lacking.map(|entry| LeftOut {
+            name: entry.name.clone(),
+            why: why_no_place(entry, state),
+        });
+        left_out.collect()
     }
 
     /// Places with their structures, the worst first.
@@ -145,6 +154,29 @@ impl PortfolioAnswer {
     }
 }
 
+/// Why nothing is known of a state, and what is.
+fn why_no_place(entry: &PortfolioEntry, state: usize) -> String {
+    if entry.has[state] {
+        return "nothing is known of this state: too few motions that can be used".to_owned();
+    }
+    let known = entry.states.iter().enumerate().filter_map(|(other, known)| {
+        let g = known.as_ref()?.fragility.theta() / GRAVITY_M_S2;
+        Some(format!(
+            "{} ({} g)",
+            state_words(other, Language::English),
+            significant(g, 2)
+        ))
+    });
+    let known = known.collect::<Vec<_>>().join(" and ");
+    format!(
+        "a structure of its kind has no {}; known of it: {}. Rank such structures with --state falls",
+        state_words(state, Language::English),
+        if known.is_empty() { "nothing" } else { &known }
+    )
+}
+
+/// Gravity that turns accelerations into g, m/s².
+const GRAVITY_M_S2: f64 = 9.81;
 /// Seed of the draws, and the fewest.
 const SEED: u64 = 1;
 const DRAWS_LEAST: usize = 20;
@@ -192,7 +224,9 @@ pub fn of_study(
             scans: only.usable,
         },
         states: states_of(only),
+        has: std::array::from_fn(|state| only.states.iter().any(|own| own.state == state)),
         hazard,
+        hazard_replaced: false,
     })
 }
 
@@ -275,6 +309,8 @@ pub fn of_score(
             unlike: unlike.to_vec(),
         },
         states,
+        has: [true; 4],
         hazard,
+        hazard_replaced: false,
     })
 }

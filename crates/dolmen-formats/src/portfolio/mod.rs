@@ -9,6 +9,6 @@ pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_s
 pub use columns::ranking_columns;
 pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
 pub use words::{
-    basis_words, capacity_words, factor_words, known_word, misjudged, probability_in_years, reason_words,
-    state_words, without_hazard,
+    basis_words, capacity_words, count_words, factor_words, falls_first, hazards_replaced, known_word,
+    misjudged, probability_in_years, reason_words, state_words, without_hazard,
 };

@@ -19,6 +19,9 @@ const COLUMNS: [&str; 11] = [
     "soil",
 ];
 
+/// tan α may differ from that of the pagoda that λ makes by this factor either way: eaves and bodies of real ones differ. Chosen here.
+const SLENDERNESS_APART_MOST: f64 = 1.2;
+
 /// Why a table of structures is refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -71,6 +74,23 @@ pub enum PortfolioError {
         name: String,
         /// What the science says.
         why: Box<AssessError>,
+    },
+    /// Two numbers that no pagoda has both.
+    #[error(
+        "line {line} ({name}): slenderness_angle {slenderness_angle} and body_slenderness {body_slenderness} are not of one pagoda: with the \
+         other factors a body of {body_slenderness} has an angle of {made:.2}. Give the one that was measured, and leave the other empty"
+    )]
+    TwoPagodas {
+        /// Line in the file, from 1.
+        line: usize,
+        /// The structure.
+        name: String,
+        /// tan α as given.
+        slenderness_angle: f64,
+        /// λ as given.
+        body_slenderness: f64,
+        /// tan α of the pagoda that λ makes.
+        made: f64,
     },
     /// Two rows have one name.
     #[error("lines {first} and {second} are both \"{name}\": give each structure its own name")]
@@ -250,15 +270,16 @@ impl Cells<'_> {
         let body_base_height_ratio = given("body_base_height_ratio")?;
         let angle = self.number("slenderness_angle")?;
         let slenderness = match (angle, self.number("body_slenderness")?) {
-            (Some(slenderness_angle), Some(body_slenderness)) => {
-                return Ok(SixFactors {
+            (Some(angle), Some(body)) => {
+                let given = SixFactors {
                     storeys,
                     body_height_m,
-                    slenderness_angle,
-                    body_slenderness,
+                    slenderness_angle: angle,
+                    body_slenderness: body,
                     taper_rad,
                     body_base_height_ratio,
-                });
+                };
+                return self.of_one_pagoda(given);
             }
             (Some(angle), None) => PagodaSlenderness::Angle(angle),
             (None, Some(body)) => PagodaSlenderness::Body(body),
@@ -273,6 +294,31 @@ impl Cells<'_> {
             ..PagodaFactors::default()
         })
         .map_err(|why| self.science(why))
+    }
+
+    /// Both slendernesses as they were measured, if the pagoda that λ makes has about the angle given: the score was trained
+    /// on such pagodas alone.
+    fn of_one_pagoda(&self, given: SixFactors) -> Result<SixFactors, PortfolioError> {
+        let made = SixFactors::of_pagoda(&PagodaFactors {
+            storeys: given.storeys,
+            body_height_m: given.body_height_m,
+            slenderness: PagodaSlenderness::Body(given.body_slenderness),
+            taper_rad: given.taper_rad,
+            body_base_height_ratio: given.body_base_height_ratio,
+            ..PagodaFactors::default()
+        })
+        .map_err(|why| self.science(why))?;
+        let apart = (given.slenderness_angle / made.slenderness_angle).ln().abs();
+        if apart <= SLENDERNESS_APART_MOST.ln() {
+            return Ok(given);
+        }
+        Err(PortfolioError::TwoPagodas {
+            line: self.line,
+            name: self.name.clone(),
+            slenderness_angle: given.slenderness_angle,
+            body_slenderness: given.body_slenderness,
+            made: made.slenderness_angle,
+        })
     }
 
     fn science(&self, why: AssessError) -> PortfolioError {

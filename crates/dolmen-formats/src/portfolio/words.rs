@@ -119,6 +119,53 @@ pub fn without_hazard(answer: &PortfolioAnswer, language: Language) -> Option<St
     ))
 }
 
+/// How many have a place, of how many.
+pub fn count_words(answer: &PortfolioAnswer, language: Language) -> String {
+    let (count, without) = (answer.ranked.places.len(), answer.left_out.len());
+    match without {
+        0 => language.pick(format!("{count} structures"), format!("구조물 {count}기")),
+        _ => language.pick(
+            format!("{count} of {} structures", count + without),
+            format!("구조물 {}기 중 {count}기", count + without),
+        ),
+    }
+}
+
+/// Structures whose hazard the table gave although their project has its own; `None` if there is none.
+pub fn hazards_replaced(answer: &PortfolioAnswer, language: Language) -> Option<String> {
+    let replaced = answer.entries.iter().filter(|entry| entry.hazard_replaced);
+    let names: Vec<&str> = replaced.map(|entry| entry.name.as_str()).collect();
+    let names = names.join(", ");
+    (!names.is_empty()).then(|| {
+        language.pick(
+            format!("the zone and soil of the table (KDS 17 10 00) stand in place of the project's own [site] for {names}"),
+            format!("{names}: 과제 파일의 [site] 대신 표의 지진구역과 지반(KDS 17 10 00)을 적용하였다."),
+        )
+    })
+}
+
+/// Structures that by falls alone stand far further ahead than by the state, each in a sentence, the first to fall first.
+pub fn falls_first(answer: &PortfolioAnswer, language: Language) -> Vec<String> {
+    let apart = (PART_APART * answer.entries.len() as f64).max(1.0);
+    let state = state_words(answer.state, language);
+    let mut found: Vec<(usize, String)> = Vec::new();
+    for (place, entry, _) in answer.rows() {
+        let Some(falls) = answer.by_falls.get(place.candidate).copied().flatten() else {
+            continue;
+        };
+        if place.rank as f64 - falls as f64 >= apart {
+            let (name, rank) = (&entry.name, place.rank);
+            let sentence = language.pick(
+                format!("{name}: place {rank} by {state}, but {falls} by falls alone: little is damaged before it falls"),
+                format!("{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 큰 손상 없이 먼저 떨어진다"),
+            );
+            found.push((falls, sentence));
+        }
+    }
+    found.sort_by_key(|one| one.0);
+    found.into_iter().map(|one| one.1).collect()
+}
+
 /// Structures that falls alone would put far further back than the state does, each in a sentence.
 pub fn misjudged(answer: &PortfolioAnswer, language: Language) -> Vec<String> {
     let apart = (PART_APART * answer.entries.len() as f64).max(1.0);

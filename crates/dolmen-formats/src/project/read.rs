@@ -135,6 +135,12 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     if !rest.is_empty() {
         fault = fault.allowed(rest.join(", "));
     }
+    let bare_point = text.get(..span.start).and_then(|before| before.chars().last());
+    let at_point =
+        text.get(span.start..).is_some_and(|rest| rest.starts_with('.')) || bare_point == Some('.');
+    if first.contains("mantissa") && at_point {
+        fault = fault.help("a number begins with a digit: write 0.02, not .02");
+    }
     if first.contains("duplicate key") {
         let line = text.get(span).unwrap_or_default();
         fault = fault.help(format!("\"{line}\" is given twice in the same table: keep one"));

@@ -47,6 +47,12 @@ impl Reading {
                 format!("begins {} by its clock", time_text(at))
             });
         }
+        if let Layout::Stations(stations) = &self.layout {
+            remarks.push(format!(
+                "{} files joined, their clocks taken as right: a clock that is late or drifts turns shapes across files, and their signs",
+                stations.len()
+            ));
+        }
         noted(&self.layout, &mut remarks);
         remarks
     }

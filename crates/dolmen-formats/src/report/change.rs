@@ -34,6 +34,13 @@ pub(super) fn findings(change: &SurveyChange, language: Language) -> Vec<Finding
     );
     let mut all = doubts(change, language);
     all.extend(match least {
+        None if change.modes.is_empty() => vec![Finding::new(
+            Tone::Unknown,
+            language.pick(
+                format!("Surveys {from} and {to}: no frequency of one was found again in the other, so nothing could be compared (other directions, or too far apart)."),
+                format!("{from} 조사와 {to} 조사: 서로 대응하는 고유진동수가 없어 비교할 수 없다(방향이 다르거나 차이가 너무 크다)."),
+            ),
+        )],
         None => vec![Finding::new(
             Tone::Unknown,
             language.pick(

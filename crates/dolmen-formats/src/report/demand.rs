@@ -143,8 +143,8 @@ pub(super) fn section(answer: Option<&DemandAnswer>, language: Language) -> Mark
         (site_table(&answer.site, language))
         @if let Some(stack) = &answer.stack { (comparison_table(&stack.rows, language)) }
         (figure(&design_spectrum(answer, language), language.pick(
-            "Design spectrum. Dots: the first periods along x and y, each at its damping; level line, of a stack: the acceleration at which it begins to move, less the vertical acceleration.",
-            "설계 응답 스펙트럼. 점은 x, y 방향 1차 주기(각 감쇠비), 수평선(적층 구조물)은 수직 가속도를 고려한 최초 거동 가속도이다.",
+            "Design spectrum. Dots: the first periods, each at the damping of the table; level line, of a stack: the acceleration at which it begins to move, less the vertical acceleration.",
+            "설계 응답 스펙트럼. 점은 1차 주기(표의 감쇠비), 수평선(적층 구조물)은 수직 가속도를 고려한 최초 거동 가속도이다.",
         )))
     }
 }

@@ -1,6 +1,6 @@
 //! The findings in plain words, made from the values: what was not computed is called unknown.
 
-use super::given::assumptions;
+use super::given::{assumptions, assumptions_of_variant};
 use super::{
     building, building_simulation, chain_findings, chain_simulation, change, demand, frame, frame_simulation,
     identification, measured, modal, samples, setups, simulation, stack, tune, variants,
@@ -118,6 +118,9 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     }
     if let Some(text) = assumptions(&answer.project, language) {
         all.push(Finding::new(Tone::Warn, text));
+    }
+    for variant in &answer.variants {
+        all.extend(assumptions_of_variant(variant, language).map(|text| Finding::new(Tone::Warn, text)));
     }
     // what is worst comes first
     all.sort_by_key(|finding| finding.tone != Tone::Bad);

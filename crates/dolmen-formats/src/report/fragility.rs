@@ -82,7 +82,11 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
                 }
             }
             if let Some(risk) = state.risk {
-                row.push(format!("{:.1e}", risk.annual_rate).into());
+                let ends = state.rate_interval;
+                let ends = ends.map_or(String::new(), |[least, most]| {
+                    format!(" ({least:.0e} – {most:.0e})")
+                });
+                row.push(format!("{:.1e}{ends}", risk.annual_rate).into());
                 let beyond = percent(risk.share_below_points + risk.share_above_points, 2);
                 row.push(beyond.into());
                 row.push(percent(risk.probability_in(YEARS), 2).into());
@@ -94,8 +98,8 @@ pub(super) fn fragility(answer: &StudyAnswer, language: Language) -> Markup {
     html! {
         @if !rows.is_empty() {
             (table(language.pick(
-                "Fragility and risk. θ is the peak acceleration of the ground that half of the scans reach the state by, β the scatter of its logarithm, each with its 95 % interval; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
-                "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, 각각의 95 % 구간을 함께 제시한다. 재해도 범위 밖: 주어진 재해도곡선 밖의 지진동에서 나온 발생률의 비율.",
+                "Fragility and risk. θ is the peak acceleration of the ground that half of the scans reach the state by, β the scatter of its logarithm, each with its 95 % interval; in brackets the annual rate at the ends of both; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
+                "취약도와 위험도. θ는 해석의 절반이 해당 상태에 이르는 최대지반가속도, β는 대수 표준편차이며, 각각의 95 % 구간을 함께 제시한다. 괄호는 두 구간의 끝에서의 연간 발생률. 재해도 범위 밖: 주어진 재해도곡선 밖의 지진동에서 나온 발생률의 비율.",
             ), 2, &head, &rows))
             (measures(answer, found, language))
             (joints(answer, &shown, language))

@@ -8,7 +8,7 @@ use crate::figures::frame_histories;
 use crate::number::{self, significant};
 use crate::project::Names;
 use crate::simulation::FrameSimulation;
-use crate::text::{frame_outcome_text, friction_words};
+use crate::text::{damping_words, frame_outcome_text, friction_words};
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use maud::{Markup, html};
@@ -76,12 +76,12 @@ fn ending(simulation: &FrameSimulation, language: Language) -> String {
             1e3 * history.drift_peaks[i].value_m.abs(),
         )
     });
-    let residual_mm = 1e3 * history.residual_m.last().copied().unwrap_or(0.0).abs();
+    let residual_mm = 1e3 * history.rest_m.last().copied().unwrap_or(0.0).abs();
     match history.outcome {
         FrameOutcome::Finished => {
             let (drift, residual) = (significant(drift_mm, DIGITS), significant(residual_mm, DIGITS));
             language.pick(
-                format!("the largest drift is {drift}\u{202f}mm, in ‘{name}’; the top is left {residual}\u{202f}mm off."),
+                format!("the largest drift is {drift}\u{202f}mm, in ‘{name}’; the top comes to rest {residual}\u{202f}mm off."),
                 format!("최대 층간변위는 ‘{name}’의 {drift}\u{202f}mm이고, 최상층의 잔류 변위는 {residual}\u{202f}mm이다."),
             )
         }
@@ -171,11 +171,17 @@ fn korean_friction(friction: &StoreyFriction) -> String {
             ..
         } => ("젠킨스", static_force_n, kinetic_force_n),
     };
+    let on = match *friction {
+        StoreyFriction::Jenkins {
+            stuck_stiffness_n_m, ..
+        } => format!(", 고착 강성 {} kN/mm", significant(1e-6 * stuck_stiffness_n_m, 6)),
+        _ => String::new(),
+    };
     if static_force_n == kinetic_force_n {
-        format!("{law}, {} kN", kn(kinetic_force_n))
+        format!("{law}, {} kN{on}", kn(kinetic_force_n))
     } else {
         format!(
-            "{law}, 정지 {} kN, 운동 {} kN",
+            "{law}, 정지 {} kN, 운동 {} kN{on}",
             kn(static_force_n),
             kn(kinetic_force_n)
         )
@@ -187,6 +193,7 @@ fn storeys_table(simulation: &FrameSimulation, language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("Storey", "층"),
         language.pick("friction", "마찰"),
+        language.pick("spring (kN/mm)", "스프링 (kN/mm)"),
         language.pick("drift (mm)", "층간변위 (mm)"),
         language.pick("of height (%)", "층고 대비 (%)"),
         language.pick("slipped (mm)", "누적 미끄러짐 (mm)"),
@@ -202,25 +209,26 @@ fn storeys_table(simulation: &FrameSimulation, language: Language) -> Markup {
         .enumerate()
         .map(|(i, name)| {
             let drift = history.drift_peaks[i].value_m.abs();
-            let below = i.checked_sub(1).map_or(0.0, |j| history.residual_m[j]);
+            let below = i.checked_sub(1).map_or(0.0, |j| history.rest_m[j]);
             let friction = &simulation.frame.friction()[i];
             vec![
                 name.as_str().into(),
                 language
                     .pick(friction_words(friction), korean_friction(friction))
                     .into(),
+                significant(1e-6 * simulation.frame.stiffness_n_m()[i], DIGITS).into(),
                 significant(1e3 * drift, DIGITS).into(),
                 significant(100.0 * drift / heights[i].height_m, DIGITS).into(),
                 significant(1e3 * history.slipped_way_m(i), DIGITS).into(),
                 number::fixed(100.0 * history.slipping_share(i), 1).into(),
-                significant(1e3 * (history.residual_m[i] - below), DIGITS).into(),
+                significant(1e3 * (history.rest_m[i] - below), DIGITS).into(),
             ]
         })
         .collect();
     table(
         language.pick(
-            "What each storey did. Peaks between the samples too, and what is left at the end.",
-            "층별 응답. 표본 사이까지 포함한 최댓값과 종료 시의 잔류값.",
+            "What each storey did. Peaks between the samples too, and where it comes to rest if nothing slips any more.",
+            "층별 응답. 표본 사이까지 포함한 최댓값과 더 미끄러지지 않을 때의 잔류값.",
         ),
         2,
         &head,
@@ -242,6 +250,7 @@ fn run(simulation: &FrameSimulation, language: Language) -> Markup {
                 format!("Exact between {} changes from sticking to slipping or back, each located. The ground put in {input}; friction took {friction}; the balance leaves {left} of it.", history.events),
                 format!("고착·미끄러짐이 바뀌는 {}개 시각을 찾아 그 사이를 엄밀해로 계산하였다. 지반이 한 일 {input}, 마찰 소산 {friction}, 에너지 수지 오차 {left}.", history.events),
             )) }
+            @if let Some(words) = damping_words(&simulation.frame, language) { p { (words) "." } }
             @if printed {
                 p { (language.pick(
                     "Friction acts on the displacement against the ground, as eq. 11 of Park and Min (2010) is printed: for reproduction, not for judgement.",

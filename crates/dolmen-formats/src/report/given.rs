@@ -1,14 +1,17 @@
 //! What was given: every input with its unit, scatter and source, and what rests on assumptions.
 
 use super::table::{Cell, table};
+use super::variants;
 use super::words::{evidence_word, listed, path_words, unit_text};
 use crate::Language;
+use crate::answer::{Answer, VariantAnswer};
 use crate::number;
 use crate::project::{Project, Quantity, Structure, Warning, WarningKind};
 use maud::{Markup, html};
 
 /// The section "what was given".
-pub(super) fn section(project: &Project, language: Language) -> Markup {
+pub(super) fn section(answer: &Answer, language: Language) -> Markup {
+    let project = &answer.project;
     let inputs = project.inputs();
     html! {
         h2 { (language.pick("What was given", "주어진 입력")) }
@@ -19,7 +22,22 @@ pub(super) fn section(project: &Project, language: Language) -> Markup {
                 "치수가 주어지지 않아 계측 결과만 보고한다.",
             )) }
         } @else {
-            (inputs_table(project, &inputs, language))
+            @let gravity = format!("g = {}{}m/s²", number::trimmed(project.gravity_m_s2, 6), number::NARROW_SPACE);
+            @let caption = language.pick(
+                format!("Inputs. Values marked as assumed are tinted; {gravity}."),
+                format!("입력값. 가정한 값은 바탕색으로 표시하였다; {gravity}."),
+            );
+            (inputs_table(&caption, &inputs, language))
+        }
+        @for variant in &answer.variants {
+            @if !variant.own_inputs.is_empty() {
+                @let inputs: Vec<&Quantity> = variant.own_inputs.iter().collect();
+                @let title = variants::title(variant, language);
+                (inputs_table(&language.pick(
+                    format!("Inputs of the variant “{title}”. Where they differ from those above; values marked as assumed are tinted."),
+                    format!("변형안 ‘{title}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다."),
+                ), &inputs, language))
+            }
         }
         (surveys(project, language))
         @if !project.warnings.is_empty() {
@@ -31,7 +49,7 @@ pub(super) fn section(project: &Project, language: Language) -> Markup {
     }
 }
 
-fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> Markup {
+fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language) -> Markup {
     let with_cov = inputs.iter().any(|q| q.cov.is_some());
     let with_note = inputs.iter().any(|q| q.note.is_some());
     let mut head = vec![language.pick("Input", "입력"), language.pick("Source", "출처")];
@@ -76,16 +94,7 @@ fn inputs_table(project: &Project, inputs: &[&Quantity], language: Language) -> 
             row
         })
         .collect();
-    let gravity = format!(
-        "g = {}{}m/s²",
-        number::trimmed(project.gravity_m_s2, 6),
-        number::NARROW_SPACE
-    );
-    let caption = language.pick(
-        format!("Inputs. Values marked as assumed are tinted; {gravity}."),
-        format!("입력값. 가정한 값은 바탕색으로 표시하였다; {gravity}."),
-    );
-    table(&caption, words, &head, &rows)
+    table(caption, words, &head, &rows)
 }
 
 /// The sentence of the reader of the file; in Korean what it is about, and the sentence as it stands.
@@ -127,6 +136,21 @@ fn surveys(project: &Project, language: Language) -> Markup {
             }
         }
     }
+}
+
+/// The assumed inputs of a variant by name, for the findings: every result of the variant rests on them. `None` if it adds none.
+pub(super) fn assumptions_of_variant(variant: &VariantAnswer, language: Language) -> Option<String> {
+    let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
+    let words = assumed.map(|input| format!("{} {}", path_words(&input.path, language), input.written));
+    let words: Vec<String> = words.collect();
+    let title = variants::title(variant, language);
+    (!words.is_empty()).then(|| {
+        let words = listed(&words, language);
+        language.pick(
+            format!("Every result of the variant “{title}” rests on what is assumed, not measured: {words}."),
+            format!("변형안 ‘{title}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {words}."),
+        )
+    })
 }
 
 /// What the assumed inputs make uncertain, for the findings: `None` if nothing is assumed.

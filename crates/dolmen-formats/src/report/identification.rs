@@ -9,7 +9,7 @@ use crate::answer::{StiffnessAnswer, SurveyAnswer};
 use crate::figures::{letter, measured_modes, solution_shapes};
 use crate::number::{self, beside_one, prefix, significant};
 use crate::project::{Project, Structure};
-use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
+use dolmen::structure::{Choice, MeasuredMode, StiffnessBounds, StiffnessSolution, Visibility};
 use maud::{Markup, html};
 
 /// Solutions drawn and listed; the rest are counted.
@@ -50,12 +50,34 @@ fn choice(answer: &StiffnessAnswer, language: Language) -> Finding {
         format!("Stiffness from vibration ({place}): "),
         format!("진동으로 추정한 강성({place}): "),
     );
+    if !answer.peaks_below_hz.is_empty() {
+        let peaks: Vec<String> = answer
+            .peaks_below_hz
+            .iter()
+            .map(|hz| format!("{hz:.3}"))
+            .collect();
+        let peaks = peaks.join(", ");
+        return Finding::new(
+            Tone::Warn,
+            head + &language.pick(
+                format!("not chosen: the record has a peak at {peaks}\u{202f}Hz below the modes used that is none of them. If it is a mode of this direction, every stiffness is wrong."),
+                format!("판정하지 않는다. 사용한 모드 아래 {peaks}\u{202f}Hz에 모드로 찾지 않은 봉우리가 있으며, 이것이 이 방향의 모드이면 모든 강성이 틀리게 된다."),
+            ),
+        );
+    }
     match answer.solutions.choice {
         Choice::One => Finding::new(
             Tone::Good,
             head + &language.pick(
                 format!("one solution explains the {modes} frequencies{with_shapes}."),
                 format!("고유진동수 {modes}개{with_shapes}를 설명하는 해는 하나이다."),
+            ),
+        ),
+        Choice::Bounded => Finding::new(
+            Tone::Warn,
+            head + &language.pick(
+                format!("one solution explains the {modes} frequencies{with_shapes}, but some of its stiffness is known only between bounds or from one side: no single answer."),
+                format!("고유진동수 {modes}개{with_shapes}를 설명하는 해는 하나이나, 일부 강성은 한쪽 한계나 넓은 범위로만 정해지므로 단일한 답이 아니다."),
             ),
         ),
         Choice::Indistinguishable if answer.solutions.solutions.len() == 1 => Finding::new(
@@ -154,7 +176,10 @@ fn solutions(
         Structure::Chain(_) => ("N·m/rad", language.pick("joint", "연결부")),
         _ => ("N/m", language.pick("storey", "층")),
     };
-    let all: Vec<f64> = shown.iter().flat_map(|s| s.stiffness.iter().copied()).collect();
+    let all: Vec<f64> = shown
+        .iter()
+        .flat_map(|s| s.stiffness_least().unwrap_or_else(|| s.stiffness.clone()))
+        .collect();
     // One prefix for stiffnesses that may lie decades apart: that of their geometric mean.
     let logarithms = all.iter().filter(|k| **k > 0.0).map(|k| k.ln());
     let (count, sum) = logarithms.fold((0.0, 0.0), |(n, s), l| (n + 1.0, s + l));
@@ -167,21 +192,13 @@ fn solutions(
     let rows: Vec<Vec<Cell>> = shown
         .iter()
         .enumerate()
-        .map(|(i, s)| {
-            solution_row(
-                i,
-                s,
-                answer.load_factors.get(i).copied(),
-                &unit,
-                answer.solutions.choice,
-            )
-        })
+        .map(|(i, s)| solution_row(i, s, answer, &unit, language))
         .collect();
     let total = answer.solutions.solutions.len();
     let starts = answer.solutions.starts;
     let caption = language.pick(
-        format!("Solutions, {} of {total} found. Starting points tried: {starts}; misfit is the root mean square deviation in units of the standard deviation, relative where none is given; in brackets the range while every frequency moves by √3 of its standard deviation.", shown.len()),
-        format!("해 {total}개 중 {}개. 시작점 {starts}개; 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다; 대괄호는 각 진동수가 표준편차의 √3배만큼 변할 때의 범위.", shown.len()),
+        format!("Solutions, {} of {total} found. Starting points tried: {starts}; misfit is the root mean square deviation in units of the standard deviation, relative where none is given; in brackets the range while every frequency moves by √3 of its standard deviation; above, below, to: what the data allow (95 %), with λ of the lowest that they allow.", shown.len()),
+        format!("해 {total}개 중 {}개. 시작점 {starts}개; 오차는 표준편차 단위의 평균제곱근이며, 표준편차가 없으면 상대값이다; 대괄호는 각 진동수가 표준편차의 √3배만큼 변할 때의 범위; 이상, 이하, ~는 자료가 허용하는 한계(95 %)이며 λ는 그 최소 강성의 값이다.", shown.len()),
     );
     html! {
         (table(&caption, 2, &head, &rows))
@@ -199,18 +216,28 @@ fn digits_of(choice: Choice) -> usize {
 fn solution_row(
     index: usize,
     solution: &StiffnessSolution,
-    load_factor: Option<f64>,
+    answer: &StiffnessAnswer,
     unit: &number::Prefixed,
-    choice: Choice,
+    language: Language,
 ) -> Vec<Cell> {
-    let digits = digits_of(choice);
-    let stands = match load_factor {
-        Some(factor) if factor <= 1.0 => Cell::bad(beside_one(factor, 4)),
+    let digits = digits_of(answer.solutions.choice);
+    let stands = match answer.load_factors.get(index).copied().flatten() {
+        Some(factor) if factor <= 1.0 && solution.stiffness_bounds.is_none() => {
+            Cell::bad(beside_one(factor, 4))
+        }
         Some(factor) => beside_one(factor, 4).into(),
         None => "–".into(),
     };
     let mut row: Vec<Cell> = vec![letter(index).into(), stands];
     for (i, k) in solution.stiffness.iter().enumerate() {
+        if let Some(bound) = solution
+            .stiffness_bounds
+            .as_ref()
+            .and_then(|bounds| bounds.get(i))
+        {
+            row.push(bounds_words(bound, unit, language).into());
+            continue;
+        }
         let sd = solution.stiffness_sd.as_ref().and_then(|sd| sd.get(i));
         let mut text = match sd {
             Some(sd) => unit.number_with_sd(*k, *sd),
@@ -230,13 +257,37 @@ fn solution_row(
         row.push(text.into());
     }
     row.push(significant(solution.misfit, 2).into());
+    let shown = match solution.stiffness_bounds {
+        Some(_) => answer.frequencies_hz.len(), // the others hang on stiffness that is not known
+        None => solution.modes.len(),
+    };
     let frequencies: Vec<String> = solution
         .modes
         .iter()
+        .take(shown)
         .map(|m| significant(m.frequency_hz, 4))
         .collect();
     row.push(Cell::wrapping(frequencies.join(", ")));
     row
+}
+
+fn bounds_words(bound: &StiffnessBounds, unit: &number::Prefixed, language: Language) -> String {
+    let number = |k: f64| unit.number(k, 3);
+    match (bound.lower, bound.upper) {
+        (Some(lower), Some(upper)) => {
+            let (lower, upper) = (number(lower), number(upper));
+            language.pick(format!("{lower} to {upper}"), format!("{lower} ~ {upper}"))
+        }
+        (Some(lower), None) => language.pick(
+            format!("above {}", number(lower)),
+            format!("{} 이상", number(lower)),
+        ),
+        (None, Some(upper)) => language.pick(
+            format!("below {}", number(upper)),
+            format!("{} 이하", number(upper)),
+        ),
+        (None, None) => language.pick("any", "임의").into(),
+    }
 }
 
 /// What the shapes of the solutions show: only where the frequencies are the same does a shape choose.

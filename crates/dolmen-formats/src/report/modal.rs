@@ -9,7 +9,7 @@ use crate::Language;
 use crate::answer::RecordAnswer;
 use crate::figures::{moving_shapes, sensor_shapes, singular_values, stabilization};
 use crate::number::{self, significant, with_sd};
-use dolmen::modal::{Fate, Method, ModalAnalysis, Mode};
+use dolmen::modal::{Fate, Method, ModalAnalysis, Mode, Note};
 use maud::{Markup, html};
 
 /// "1.882 ± 0.004".
@@ -50,11 +50,23 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
     let values = listed(&values, language);
     let count = modes.len();
     let found = if count == 1 { "mode was" } else { "modes were" };
+    let by_hand = record
+        .analysis
+        .notes
+        .iter()
+        .any(|note| matches!(note, Note::NotPicked { .. }));
+    let picked = match by_hand {
+        true => language.pick(
+            "picked by hand of those that the record shows",
+            "기록의 모드 중 직접 선택하여",
+        ),
+        false => language.pick("no peak picked by hand", "수작업 없이"),
+    };
     let mut all = vec![Finding::new(
         Tone::Plain,
         language.pick(
-            format!("{count} {found} found in {minutes} minutes of {channels} channels, no peak picked by hand: {values} (± standard deviation)."),
-            format!("{minutes}분, {channels}채널의 기록에서 모드 {count}개를 수작업 없이 찾았다: {values}(± 표준편차)."),
+            format!("{count} {found} found in {minutes} minutes of {channels} channels, {picked}: {values} (± standard deviation)."),
+            format!("{minutes}분, {channels}채널의 기록에서 모드 {count}개를 {picked} 찾았다: {values}(± 표준편차)."),
         ),
     )];
     if !record.faults.is_empty() {

@@ -114,7 +114,7 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         @if let Some(state) = &answer.state { (banner(answer, state, language)) }
         h2 { (language.pick("Findings", "검토 결과 요약")) }
         (findings::list(answer, language))
-        (given::section(project, language))
+        (given::section(answer, language))
         @match (&project.structure, answer.state.as_ref().map(|s| &s.check)) {
             (Structure::Chain(part), Some(Check::Chain(check))) => (chain::sections(part, check, language)),
             (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
@@ -262,8 +262,8 @@ fn method(answer: &Answer, language: Language) -> Markup {
                 "λ는 강성행렬을 특이하게 만드는 가장 작은 축력 배수이다.",
             ),
             language.pick(
-                "Not covered: friction and its loss under strong shaking, earthquake and wind, strength and decay of timber. Stiffness from ambient vibration is that of very small motion and falls as motion grows.",
-                "검토 범위 밖: 마찰과 강한 진동에서의 마찰 저하, 지진과 바람, 목재의 강도와 부후. 상시진동으로 얻은 강성은 극히 작은 진폭의 값이며 진폭이 커지면 감소한다.",
+                "Not covered by λ: friction and its loss under strong shaking, earthquake (where one was simulated, it has a section of its own) and wind, strength and decay of timber. Stiffness from ambient vibration is that of very small motion and falls as motion grows.",
+                "λ의 검토 범위 밖: 마찰과 강한 진동에서의 마찰 저하, 지진(시뮬레이션한 경우 별도의 절 참조)과 바람, 목재의 강도와 부후. 상시진동으로 얻은 강성은 극히 작은 진폭의 값이며 진폭이 커지면 감소한다.",
             ),
         ],
         Structure::Stack(_) => vec![

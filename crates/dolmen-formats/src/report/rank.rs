@@ -6,8 +6,8 @@ use crate::Language;
 use crate::figures::ranking;
 use crate::number::{fixed, percent, significant};
 use crate::portfolio::{
-    PortfolioAnswer, basis_words, capacity_words, misjudged, probability_in_years, reason_words, state_words,
-    without_hazard,
+    PortfolioAnswer, basis_words, capacity_words, count_words, falls_first, hazards_replaced, misjudged,
+    probability_in_years, reason_words, state_words, without_hazard,
 };
 use dolmen::assess::RankedBy;
 use maud::{Markup, html};
@@ -21,7 +21,7 @@ const MISJUDGED_SHOWN: usize = 10;
 /// The ranking as a page that needs nothing else.
 pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Imprint) -> String {
     let title = language.pick("Which structure first", "우선순위 평가");
-    let count = answer.ranked.places.len();
+    let count = count_words(answer, language);
     let state = state_words(answer.state, language);
     let by = match answer.ranked.by {
         RankedBy::AnnualRate => language.pick("annual rate", "연간 발생률"),
@@ -39,8 +39,8 @@ pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Impr
                 p.sub { @if let Some(date) = &imprint.date { (date) " · " } (imprint.program) }
             }
             p { (language.pick(
-                format!("{count} structures by the {by} of {state}, the worst first."),
-                format!("구조물 {count}기를 {state}의 {by} 기준으로 나쁜 순서대로 나열하였다."),
+                format!("{count} by the {by} of {state}, the worst first."),
+                format!("{count}를 {state}의 {by} 기준으로 나쁜 순서대로 나열하였다."),
             )) }
             @if let Some(sentence) = without_hazard(answer, language) { p { b { (sentence) } } }
             @let said = misjudged(answer, language);
@@ -52,6 +52,8 @@ pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Impr
                     format!("낙하·전도만 보면 크게 뒤로 밀리는 구조물 {more}기 더 있음: ranking.csv의 place_by_falls"),
                 )) } }
             }
+            @if let Some(sentence) = hazards_replaced(answer, language) { p { (sentence) } }
+            @for sentence in falls_first(answer, language).iter().take(MISJUDGED_SHOWN) { p { b { (sentence) } } }
             @if !answer.left_out.is_empty() { (left_out(answer, language)) }
             (figure(&ranking(answer, language), language.pick(
                 "Capacities with 90 % of what is not known, the worst on top",

@@ -63,6 +63,35 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
                 all.join(", ")
             )
         }
+        Note::NotPicked { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!("찾았으나 직접 선택하지 않은 모드: {}.", all.join(", "))
+        }
+        Note::OneQuantity { quantity } => {
+            let one = match *quantity {
+                "acceleration" => "가속도",
+                "velocity" => "속도",
+                _ => "변위",
+            };
+            format!("채널마다 계측한 물리량이 다르므로 모드형상은 각 모드의 진동수에서 {one}로 환산하였다.")
+        }
+        Note::StandsStill { channel, share } => format!(
+            "채널 \"{channel}\"은(는) 모든 모드에서 최대 성분의 {:.1}\u{202f}% 미만으로 움직인다. 단단한 지반 위에 있거나 연결되지 않았다.",
+            (100.0 * share).max(0.1)
+        ),
+        Note::PhaseOff {
+            channel,
+            degrees_at_hz,
+        } => {
+            let all: Vec<String> = degrees_at_hz
+                .iter()
+                .map(|[degrees, frequency_hz]| format!("{} {degrees:.0}°", hertz(frequency_hz)))
+                .collect();
+            format!(
+                "채널 \"{channel}\"의 위상이 0° 또는 180°에서 벗어난다({}). 시계나 필터가 다른 채널과 다르며 어느 모드에서도 부호를 알 수 없다. 또는 모드가 서로 가깝다.",
+                all.join(", ")
+            )
+        }
         Note::Channel(fault) => format!("{} 그대로 사용하였다.", fault_words(fault, language)),
         Note::FewCycles {
             frequency_hz,
@@ -88,6 +117,39 @@ pub(super) fn fault_words(fault: &ChannelFault, language: Language) -> String {
             typical,
         } => format!(
             "채널 \"{channel}\": 신호가 없거나 단위가 다르다. 표준편차가 {deviation:.3e}이나 같은 종류 채널의 중앙값은 {typical:.3e}이다. 제외하거나 단위를 바로잡아야 한다."
+        ),
+        ChannelFault::Stuck {
+            channel,
+            value,
+            from_s,
+            to_s,
+        } => format!(
+            "채널 \"{channel}\": {from_s:.2}초부터 {to_s:.2}초까지 값이 {value}에 멈춰 있다. 케이블 이탈이나 기록 중단이므로 그 구간을 잘라 내거나 채널을 제외해야 한다."
+        ),
+        ChannelFault::Faded {
+            channel,
+            factor,
+            from_s,
+            to_s,
+        } => format!(
+            "채널 \"{channel}\": 다른 채널에 대한 세기가 기록 중 {factor:.0}배 변한다({from_s:.0}~{to_s:.0}초에 최소). 접촉 불량이므로 그 구간을 잘라 내거나 채널을 제외해야 한다."
+        ),
+        ChannelFault::Alike {
+            channel,
+            other,
+            correlation,
+        } => format!(
+            "채널 \"{channel}\"과(와) \"{other}\"의 신호가 거의 같다(증분의 상관계수 {correlation:.6}). 한 케이블이 두 입력에 연결되었거나 두 센서가 같은 위치에 있다."
+        ),
+        ChannelFault::Drifts { channel, rise } => format!(
+            "채널 \"{channel}\": 기록 전체에 걸친 표류가 운동의 {rise:.0}배이다. 먼저 직선 추세를 제거해야 하며(detrend_degree = 1), 그렇지 않으면 낮은 모드와 감쇠비가 틀리게 된다."
+        ),
+        ChannelFault::Spikes {
+            channel,
+            count,
+            first_s,
+        } => format!(
+            "채널 \"{channel}\": 주변보다 25배 이상 튀는 단일 표본이 {count}개 있다(첫 위치 {first_s:.2}초). 잡음이 되어 감쇠비가 틀리게 되므로 케이블을 점검해야 한다."
         ),
         ChannelFault::Clipped {
             channel,

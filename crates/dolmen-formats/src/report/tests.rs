@@ -58,6 +58,7 @@ fn gate() -> Answer {
         stiffness: k.to_vec(),
         stiffness_sd: None,
         stiffness_range: None,
+        stiffness_bounds: None,
         modes: frame.natural_modes(&k).unwrap(),
         misfit: 0.0,
         stands: true,
@@ -74,7 +75,8 @@ fn gate() -> Answer {
             starts: 1,
             notes: vec![],
         },
-        load_factors: vec![32.2, 182.7],
+        load_factors: vec![Some(32.2), Some(182.7)],
+        peaks_below_hz: Vec::new(),
     };
     let checks = part.directions.iter().map(|d| DirectionCheck {
         direction: d.name.clone(),

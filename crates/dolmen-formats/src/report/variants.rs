@@ -185,7 +185,7 @@ fn rows(state: &State, name: &str) -> Vec<Row> {
     }
 }
 
-fn title(variant: &VariantAnswer, language: Language) -> &str {
+pub(super) fn title(variant: &VariantAnswer, language: Language) -> &str {
     match &variant.title {
         Some(names) => language.pick(names.english(), names.korean()),
         None => &variant.name,

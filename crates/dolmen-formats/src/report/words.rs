@@ -80,6 +80,9 @@ pub(super) fn path_words(path: &str, language: Language) -> String {
             .pick("damping ratio of the first mode", "1차 모드 감쇠비")
             .to_string();
     }
+    if let Some(words) = direction_words(path, language) {
+        return words;
+    }
     let Some((part, quantity)) = path.rsplit_once('.') else {
         return path.to_string();
     };
@@ -112,6 +115,34 @@ fn survey_words(path: &str, language: Language) -> Option<String> {
         format!("{quantity} {number}, direction {direction} (survey {survey})"),
         format!("{direction} 방향 {quantity} {number} (조사 {survey})"),
     ))
+}
+
+/// `direction.weak.stiffness[1]` and `direction.weak.friction.coefficient` of a frame.
+fn direction_words(path: &str, language: Language) -> Option<String> {
+    let (direction, rest) = path.strip_prefix("direction.")?.split_once('.')?;
+    let (quantity, number) = match rest.split_once('[') {
+        Some((quantity, number)) => (quantity, number.strip_suffix(']')),
+        None => (rest, None),
+    };
+    let quantity = match quantity {
+        "stiffness" => language.pick("stiffness", "강성"),
+        "damping_ratio" => language.pick("damping ratio", "감쇠비"),
+        "friction.coefficient" => language.pick("friction coefficient", "마찰계수"),
+        "friction.static_coefficient" => language.pick("static friction coefficient", "정지마찰계수"),
+        "friction.force" => language.pick("friction force", "마찰력"),
+        "friction.slipping_stiffness" => language.pick("stiffness while slipping", "미끄럼 시 강성"),
+        _ => return None,
+    };
+    Some(match number {
+        Some(number) => language.pick(
+            format!("direction {direction}, storey {number}: {quantity}"),
+            format!("{direction} 방향 {number}층 {quantity}"),
+        ),
+        None => language.pick(
+            format!("direction {direction}: {quantity}"),
+            format!("{direction} 방향 {quantity}"),
+        ),
+    })
 }
 
 /// `blocks[5].openings[1].position[2]` as "block 5 opening 1 position y", segment by segment.
@@ -251,6 +282,16 @@ mod tests {
                 "블록 2 접합면 마찰계수",
             ),
             ("pagoda.taper", "pagoda: taper", "석탑 체감각"),
+            (
+                "direction.weak.stiffness[2]",
+                "direction weak, storey 2: stiffness",
+                "weak 방향 2층 강성",
+            ),
+            (
+                "direction.x.friction.coefficient",
+                "direction x: friction coefficient",
+                "x 방향 마찰계수",
+            ),
             ("nothing.known[1]", "nothing.known[1]", "nothing.known[1]"),
         ] {
             assert_eq!(path_words(path, Language::English), english);

@@ -1,12 +1,13 @@
 //! Fragility of what was studied: one curve a combination of inputs and state, over motions, directions and samples.
 
 use super::answer::{CaseInputs, StudyAnswer};
+use super::run::{Run, RunOutcome, StudyKind};
 use super::scans::CapacityOf;
 use super::shaking::{ShakingMeasure, scaled};
 use super::table::{Column, ColumnValues};
 use crate::Language;
 use dolmen::assess::{
-    AnnualRisk, AssessError, Crossing, FragilityBand, FragilityBound, FragilityFit, Observation,
+    AnnualRisk, AssessError, Crossing, Fragility, FragilityBand, FragilityBound, FragilityFit, Observation,
     ScatterSplit, annual_risk, bootstrap_fragility_of_motions, crossing, fit_fragility_of_motions,
     motions_needed, scatter_split,
 };
@@ -19,6 +20,8 @@ const SEED: u64 = 1;
 const ERROR_WANTED: f64 = 0.1;
 /// Fewest motions that can be enough: of fewer there is no curve.
 const ENOUGH_LEAST: usize = 3;
+/// Motions from which β is known well enough to say how many are needed: to a factor of 1.8 (95 %) from 7. Chosen here.
+const ENOUGH_SAID_FROM: usize = 7;
 /// Share of resamples without a curve from which a band is not drawn: it would leave out what is least sure. Chosen here.
 const WITHOUT_CURVE_MOST: f64 = 0.1;
 /// A crossing of two curves matters where both probabilities lie between this and what is left of 1. Chosen here.
@@ -54,6 +57,8 @@ pub struct StateFragility {
     pub scatter: Option<ScatterSplit>,
     /// How often it is reached, if the site has a hazard.
     pub risk: Option<AnnualRisk>,
+    /// The annual rate at the ends of both 95 % intervals: θ high and β low, θ low and β high.
+    pub rate_interval: Option<[f64; 2]>,
 }
 
 impl StateFragility {
@@ -80,9 +85,12 @@ impl StateFragility {
         seen.filter(|seen| !matches!(seen, Observation::Above(_))).count()
     }
 
-    /// Motions that make the standard error of ln θ a tenth; `None` without a curve.
+    /// Motions that make the standard error of ln θ a tenth; `None` without a curve, or of so few motions that β is not known.
     pub fn motions_enough(&self) -> Option<usize> {
         let fit = self.by_acceleration.as_ref().ok()?;
+        if fit.motions < ENOUGH_SAID_FROM {
+            return None;
+        }
         // what one motion tells, with those that are censored: σ² falls as 1/n
         let of_one = fit.ln_theta_error * (fit.motions as f64).sqrt();
         motions_needed(of_one, ERROR_WANTED)
@@ -125,12 +133,26 @@ impl CombinationFragility {
 }
 
 impl StudyAnswer {
+    /// Whether a state means anything here: of a frame in which nothing ever slipped, slipping does not.
+    pub fn has_state(&self, state: usize) -> bool {
+        const SLIPPED: &str = "slipped_way_m";
+        let is_named = self.kind.states().get(state).is_some_and(|name| *name != "–");
+        if self.kind != StudyKind::Frame || state != 0 || !is_named {
+            return is_named;
+        }
+        let place = self.kind.measures().iter().position(|name| *name == SLIPPED);
+        let slipped = |run: &Run| {
+            let way_m = place.and_then(|place| run.measures.get(place));
+            way_m.is_some_and(|way_m| *way_m > 0.0)
+        };
+        self.runs.iter().any(slipped) || !self.runs.iter().any(|run| run.outcome == RunOutcome::Fell)
+    }
+
     pub(super) fn fit_combinations(&self) -> Vec<CombinationFragility> {
         if self.study.scan.is_none() {
             return Vec::new();
         }
         let scans = self.capacities();
-        let named = self.kind.states().map(|name| name != "–");
         let mut found: Vec<CombinationFragility> = Vec::new();
         for combination in 0..self.study.combinations() {
             let is_known = |scan: &&CapacityOf| scan.seen_m_s2.iter().any(Option::is_some);
@@ -140,7 +162,7 @@ impl StudyAnswer {
             let own: Vec<&CapacityOf> = own.collect();
             let Some(first) = own.first() else { continue };
             let states = (0..4)
-                .filter(|state| named[*state])
+                .filter(|state| self.has_state(*state))
                 .map(|state| self.state_fragility(state, &own));
             found.push(CombinationFragility {
                 combination,
@@ -233,8 +255,17 @@ impl StudyAnswer {
         let scatter = self.study.samples.filter(|samples| *samples > 1);
         let by_acceleration = fit_fragility_of_motions(&observations, &motions);
         let risk = self.hazard.as_ref().zip(by_acceleration.as_ref().ok());
+        let rate_interval = risk.and_then(|(hazard, fit)| {
+            let (theta, beta) = (fit.theta_interval(0.95).ok()?, fit.beta_interval(0.95).ok()?);
+            let rate = |theta, beta| {
+                let curve = Fragility::new(theta, beta).ok()?;
+                Some(annual_risk(&hazard.curve, &curve).annual_rate)
+            };
+            Some([rate(theta.upper, beta.lower)?, rate(theta.lower, beta.upper)?])
+        });
         StateFragility {
             state,
+            rate_interval,
             risk: risk.map(|(hazard, fit)| annual_risk(&hazard.curve, &fit.curve)),
             scatter: scatter.and_then(|_| scatter_split(&observations, &motions, &samples).ok().flatten()),
             by_measure,
@@ -335,6 +366,12 @@ pub fn fragility_columns(answer: &StudyAnswer) -> Vec<Column> {
     }
     columns.extend([
         numbers("annual_rate", &|state| state.risk.map(|risk| risk.annual_rate)),
+        numbers("annual_rate_least", &|state| {
+            state.rate_interval.map(|ends| ends[0])
+        }),
+        numbers("annual_rate_most", &|state| {
+            state.rate_interval.map(|ends| ends[1])
+        }),
         numbers("probability_in_50_years", &|state| {
             state.risk.map(|risk| risk.probability_in(YEARS))
         }),

@@ -216,8 +216,12 @@ fn curves(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String
             }
             cells.push(state.motions_enough().map_or("–".to_owned(), |n| n.to_string()));
             if let Some(risk) = state.risk {
+                let ends = state.rate_interval;
+                let ends = ends.map_or(String::new(), |[least, most]| {
+                    format!(" ({least:.0e} to {most:.0e})")
+                });
                 cells.extend([
-                    format!("{:.1e}", risk.annual_rate),
+                    format!("{:.1e}{ends}", risk.annual_rate),
                     percent(risk.probability_in(YEARS), 2),
                 ]);
             }
@@ -229,7 +233,10 @@ fn curves(answer: &StudyAnswer, found: &[CombinationFragility]) -> Result<String
     if found.len() > PRINTED_MOST {
         let _ = writeln!(out, "  and {} more: fragility.csv", found.len() - PRINTED_MOST);
     }
-    out += "  \"enough\": motions by which θ is known to 10 % (one standard error)\n";
+    out += "  \"enough\": motions by which θ is known to 10 % (one standard error); not said of fewer than 7, of which β is hardly known\n";
+    if has_risk {
+        out += "  a year, in brackets: at the ends of the intervals of θ and β\n";
+    }
     Ok(out)
 }
 
@@ -280,17 +287,22 @@ fn notes(answer: &StudyAnswer, found: &[CombinationFragility]) -> String {
                 ends[0], ends[1]
             ),
         };
-        let beyond = found
-            .iter()
-            .flat_map(|one| &one.states)
-            .filter_map(|state| state.risk)
-            .map(|risk| risk.share_below_points + risk.share_above_points)
-            .fold(0.0, f64::max);
-        if beyond > BEYOND_SAID {
+        let beyond = (0..states.len()).filter_map(|state| {
+            let of_state = found
+                .iter()
+                .flat_map(|one| &one.states)
+                .filter(|own| own.state == state);
+            let shares = of_state.filter_map(|own| own.risk);
+            let shares = shares.map(|risk| risk.share_below_points + risk.share_above_points);
+            let most = shares.fold(0.0, f64::max);
+            (most > BEYOND_SAID).then(|| format!("{} of the rate of {}", percent(most, 2), states[state]))
+        });
+        let beyond: Vec<String> = beyond.collect();
+        if !beyond.is_empty() {
             let _ = writeln!(
                 out,
-                "  up to {} of a rate comes from shaking beyond these peaks, where the slope of the ends goes on: nobody gave it",
-                percent(beyond, 2)
+                "  EXTRAPOLATED: shaking beyond these peaks, where the slope of the ends goes on and nobody gave it, makes {}",
+                beyond.join(", ")
             );
         }
     }

@@ -1,8 +1,10 @@
 //! A simulated motion of a frame, as text.
 
 use super::Table;
+use crate::Language;
+use crate::number::significant;
 use crate::simulation::FrameSimulation;
-use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
+use dolmen::dynamics::{FrameOutcome, FrictionActsOn, FrictionFrame, Sliders, StoreyFriction};
 use dolmen::signal::Component;
 use std::fmt::Write as _;
 
@@ -36,16 +38,16 @@ fn ending(simulation: &FrameSimulation) -> String {
             "STUCK: no joint slipped".to_owned()
         }
         FrameOutcome::Finished => {
-            let last = history.residual_m.last().copied().unwrap_or(0.0);
+            let rest = history.rest_m.last().copied().unwrap_or(0.0);
             let state = if history.at_rest {
                 "at rest"
             } else {
-                "still moving"
+                "still moving, and comes to rest"
             };
             format!(
-                "STOOD: no storey leaned by more than {} % of its height; at the end the top is {state}, {:.3} mm from where it was",
+                "STOOD: no storey leaned by more than {} % of its height; at the end the top is {state} {:.3} mm from where it was",
                 100.0 * simulation.options.drift_ratio_most,
-                1e3 * last
+                1e3 * rest
             )
         }
         FrameOutcome::DriftLimit { storey, at_s } => format!(
@@ -97,6 +99,25 @@ pub fn friction_words(friction: &StoreyFriction) -> String {
     }
 }
 
+/// What the dashpots are of the first mode, while the joints stick and while they slip; `None` without any.
+pub(crate) fn damping_words(frame: &FrictionFrame, language: Language) -> Option<String> {
+    let first = |sliders| Some(100.0 * frame.damping_ratios(sliders).ok()?.first().copied()??);
+    let stuck = first(Sliders::Stuck).filter(|ratio| *ratio > 0.0)?;
+    let same = |slipping: &f64| (slipping / stuck - 1.0).abs() < 1e-6;
+    let slipping = first(Sliders::Slipping).filter(|slipping| !same(slipping));
+    let stuck = significant(stuck, 3);
+    Some(match slipping.map(|slipping| significant(slipping, 3)) {
+        None => language.pick(
+            format!("dashpots: {stuck} % of critical in the first mode"),
+            format!("점성감쇠: 1차 모드 {stuck} %"),
+        ),
+        Some(slipping) => language.pick(
+            format!("dashpots: {stuck} % of critical in the first mode while every joint sticks; the same ones are {slipping} % while every joint slips"),
+            format!("점성감쇠: 모두 고착일 때 1차 모드 {stuck} %, 같은 감쇠기가 모두 미끄러질 때는 {slipping} %"),
+        ),
+    })
+}
+
 fn frame_text(simulation: &FrameSimulation) -> String {
     let frame = &simulation.frame;
     let mut table = Table::new(&["storey", "spring, kN/mm", "friction"], 1);
@@ -108,6 +129,9 @@ fn frame_text(simulation: &FrameSimulation) -> String {
         ]);
     }
     let mut out = table.text();
+    if let Some(words) = damping_words(frame, Language::English) {
+        let _ = writeln!(out, "  {words}");
+    }
     if frame.acts_on() == FrictionActsOn::Displacement {
         out += "  friction on the displacement against the ground, as eq. 11 of Park and Min (2010) is printed: for reproduction\n";
     }
@@ -124,13 +148,13 @@ fn storeys_text(simulation: &FrameSimulation) -> String {
         "level, mm",
         "slipped, mm",
         "of the time, %",
-        "at the end: drift, mm",
+        "drift left, mm",
     ];
     let mut table = Table::new(&heads, 1);
     let heights = simulation.frame.frame().storeys();
     for (i, name) in simulation.storeys.iter().enumerate() {
         let peak = history.drift_peaks[i];
-        let below = i.checked_sub(1).map_or(0.0, |j| history.residual_m[j]);
+        let below = i.checked_sub(1).map_or(0.0, |j| history.rest_m[j]);
         table.row(vec![
             name.clone(),
             format!("{:.3}", 1e3 * peak.value_m.abs()),
@@ -139,11 +163,11 @@ fn storeys_text(simulation: &FrameSimulation) -> String {
             format!("{:.3}", 1e3 * history.displacement_peaks[i].value_m.abs()),
             format!("{:.3}", 1e3 * history.slipped_way_m(i)),
             format!("{:.1}", 100.0 * history.slipping_share(i)),
-            format!("{:.3}", 1e3 * (history.residual_m[i] - below) + 0.0),
+            format!("{:.3}", 1e3 * (history.rest_m[i] - below) + 0.0),
         ]);
     }
     format!(
-        "Peaks of each storey between the samples too, and the state at the end\n{}",
+        "Peaks of each storey between the samples too; left: where it comes to rest if nothing slips any more\n{}",
         table.text()
     )
 }

@@ -4,8 +4,8 @@ use super::Table;
 use crate::Language::English;
 use crate::number::{fixed, percent, significant};
 use crate::portfolio::{
-    PortfolioAnswer, PortfolioEntry, basis_words, capacity_words, misjudged, probability_in_years,
-    reason_words, state_words, without_hazard,
+    PortfolioAnswer, PortfolioEntry, basis_words, capacity_words, count_words, falls_first, hazards_replaced,
+    misjudged, probability_in_years, reason_words, state_words, without_hazard,
 };
 use dolmen::assess::{KnownCapacity, Place, RankedBy};
 use std::fmt::Write as _;
@@ -27,8 +27,14 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
     };
     let state = state_words(answer.state, English);
     let count = answer.ranked.places.len();
-    let mut out =
-        format!("\n{count} structures by the {by} of {state}, the worst first; 90 % of the places\n");
+    let below = match answer.left_out.is_empty() {
+        true => "",
+        false => "; those without a place stand below, and may be the worst",
+    };
+    let mut out = format!(
+        "\n{} by the {by} of {state}, the worst first; 90 % of the places{below}\n",
+        count_words(answer, English)
+    );
     let theta = format!("{state}, g");
     let mut heads = vec![
         "name",
@@ -55,6 +61,9 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
     if let Some(line) = without_hazard(answer, English) {
         let _ = writeln!(out, "  NOT BY RATE: {line}");
     }
+    if let Some(line) = hazards_replaced(answer, English) {
+        let _ = writeln!(out, "  {line}");
+    }
     for line in said.iter().take(MISJUDGED_SHOWN) {
         let _ = writeln!(out, "  {line}");
     }
@@ -63,6 +72,17 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
         let _ = writeln!(
             out,
             "  and {more} more that falls alone would put far further back: place_by_falls in ranking.csv"
+        );
+    }
+    let falling = falls_first(answer, English);
+    for line in falling.iter().take(MISJUDGED_SHOWN) {
+        let _ = writeln!(out, "  {line}");
+    }
+    if falling.len() > MISJUDGED_SHOWN {
+        let more = falling.len() - MISJUDGED_SHOWN;
+        let _ = writeln!(
+            out,
+            "  and {more} more that fall far earlier than they are damaged: place_by_falls in ranking.csv"
         );
     }
     if !answer.left_out.is_empty() {
@@ -77,7 +97,7 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
         if answer.left_out.len() > LEFT_OUT_SHOWN {
             let _ = writeln!(
                 out,
-                "  and {} more, in ranking.json",
+                "  and {} more, in ranking.csv and ranking.json",
                 answer.left_out.len() - LEFT_OUT_SHOWN
             );
         }

@@ -188,7 +188,10 @@ fn levels(answer: &StudyAnswer) -> String {
             StudyKind::Building => in_g,
             _ => begun_g,
         };
-        cells.extend((0..milder).map(|state| shown(answer, row.quantile_m_s2(state, 0.5))));
+        cells.extend((0..milder).map(|state| match answer.has_state(state) {
+            true => shown(answer, row.quantile_m_s2(state, 0.5)),
+            false => "–".to_owned(),
+        }));
         cells.push(format!("{} of {usable}", row.survived_above()));
         table.row(cells);
     }
@@ -200,6 +203,9 @@ fn levels(answer: &StudyAnswer) -> String {
         StudyKind::Stack => out += "  DS1 to DS3: medians, to a step of the scan\n",
         StudyKind::Building => {
             out += "  a linear building drifts in proportion: limits are medians, exact up to the largest size that was tried; beyond yielding they say little\n";
+        }
+        StudyKind::Frame if !answer.has_state(0) => {
+            out += "  slips: no storey slipped before the frame leaned too far, so there is no such state\n"
         }
         StudyKind::Frame | StudyKind::Chain => {}
     }

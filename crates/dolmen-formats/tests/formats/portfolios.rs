@@ -160,7 +160,9 @@ fn answer() -> PortfolioAnswer {
             unlike: Vec::new(),
         },
         states: [None, None, known(ds3, Known::Found), known(falls, how)],
+        has: [true; 4],
         hazard: None,
+        hazard_replaced: false,
     };
     let entries = vec![
         entry("a", 9.0, 9.5, Known::Found),

@@ -62,8 +62,9 @@ pub enum AssessError {
     },
     /// A factor of the score lies outside what was trained.
     #[error(
-        "{factor} is {given}, but the score was trained from {least} to {most}: simulate this pagoda (dolmen study), or allow extrapolation, \
-         which is marked"
+        "{factor} is {}, but the score was trained from {} to {}: simulate this pagoda (dolmen study), or allow extrapolation, \
+         which is marked",
+        digits(*given), digits(*least), digits(*most)
     )]
     OutsideTraining {
         /// Which.
@@ -226,5 +227,16 @@ fn no_fragility(bound: &FragilityBound) -> String {
             "nothing reached the state up to an intensity of {survived:.4} and everything from {reached:.4} on: its scatter is smaller than the \
              steps tell, and no curve can be fitted; try finer steps between"
         ),
+    }
+}
+
+/// A number to four significant digits, without zeros at its end.
+fn digits(value: f64) -> String {
+    let whole = value.abs().max(f64::MIN_POSITIVE).log10().floor() as i32 + 1;
+    let decimals = (4 - whole).clamp(0, 12) as usize;
+    let text = format!("{value:.decimals$}");
+    match text.contains('.') {
+        true => text.trim_end_matches('0').trim_end_matches('.').to_owned(),
+        false => text,
     }
 }

@@ -243,6 +243,31 @@ impl FrictionFrame {
         Ok(eigen.values.iter().map(hz).collect())
     }
 
+    /// Damping ratio that the viscous damping makes of each mode, in the order of [`FrictionFrame::frequencies_hz`]; `None` for a shape in which
+    /// the frame falls.
+    ///
+    /// ```text
+    /// ζ_j = φ_jᵀ C φ_j / (2 ω_j φ_jᵀ M φ_j)
+    /// ```
+    /// Terms between modes are left out: small dampings.
+    ///
+    /// # Errors
+    /// [`DynamicsError::Structure`] if the values differ by more than the numbers hold.
+    pub fn damping_ratios(&self, sliders: Sliders) -> Result<Vec<Option<f64>>, DynamicsError> {
+        let k = self.stiffness_matrix(sliders)?;
+        let c = self.damping_matrix()?;
+        let eigen = generalized_symmetric_eigen(&k, &self.frame.mass_matrix())?;
+        let ratio = |(j, &w): (usize, &f64)| {
+            let shape = eigen.vectors.column(j);
+            let power = c.as_ref().map_or(0.0, |c| {
+                let force = c.times(shape);
+                force.iter().zip(shape).map(|(f, v)| f * v).sum::<f64>()
+            });
+            (w > 0.0).then(|| power / (2.0 * w.sqrt()))
+        };
+        Ok(eigen.values.iter().enumerate().map(ratio).collect())
+    }
+
     /// K with P-delta while every slider slips, or while those of Jenkins elements stick, N/m.
     pub(super) fn stiffness_matrix(&self, sliders: Sliders) -> Result<Matrix, DynamicsError> {
         let mut k = self.frame.stiffness_matrix(&self.stiffness_n_m)?;

@@ -102,6 +102,9 @@ pub struct FrameHistory {
     pub turns: Vec<Turn>,
     /// Displacements at the end, m.
     pub residual_m: Vec<f64>,
+    /// Displacements at which it comes to rest if nothing slips any more, m; those at the end if it did not run to its end, or has
+    /// no place to rest.
+    pub rest_m: Vec<f64>,
     /// Whether everything stood still at the end, relative to the ground.
     pub at_rest: bool,
     /// Times at which some slider began to slip, turned or stopped; changes at one time count once.

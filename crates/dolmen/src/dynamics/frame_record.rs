@@ -3,6 +3,7 @@
 use super::frame_friction::StoreyFriction;
 use super::frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
 use super::frame_model::{Model, Slider, State};
+use super::frame_rest::rest_m;
 use super::frame_series::{Series, at_with_rates};
 use super::frame_work::Work;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial};
@@ -52,6 +53,7 @@ impl Recorder {
                 slips: Vec::new(),
                 turns: Vec::new(),
                 residual_m: Vec::new(),
+                rest_m: Vec::new(),
                 at_rest: false,
                 events: 0,
                 steps: 0,
@@ -271,6 +273,10 @@ impl Recorder {
         history.outcome = outcome;
         history.duration_s = at_s;
         history.residual_m.clone_from(&state.y);
+        history.rest_m = match outcome {
+            FrameOutcome::Finished => rest_m(model, state),
+            _ => state.y.clone(),
+        };
         history.at_rest = state.v.iter().all(|v| v.abs() <= REST_M_S);
         history
     }

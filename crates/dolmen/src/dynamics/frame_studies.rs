@@ -16,11 +16,11 @@ const LOSS_LEAST: f64 = 1e-9;
 /// One swing of a frame that was let go.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct AtAmplitude {
-    /// Half the way between the two turns at the top level, m.
+    /// Half the way between two turns at the top level, the mean of two half swings that follow each other, m.
     pub amplitude_m: f64,
-    /// 1 / (twice the time between the turns), Hz.
+    /// 1 / (time of both half swings), Hz.
     pub apparent_frequency_hz: f64,
-    /// Damping ratio of a viscous oscillator that loses as much in half a swing: ln(A_j/A_{j+1})/√(π² + ln²).
+    /// Damping ratio of a viscous oscillator that loses as much from one half swing to the next: ln(A_j/A_{j+1})/√(π² + ln²).
     pub equivalent_damping_ratio: f64,
 }
 
@@ -75,14 +75,14 @@ pub fn amplitude_dependence(
         .collect();
     let mut found = Vec::new();
     for pair in half_ways.windows(2) {
-        let ((time_s, first), (_, second)) = (pair[0], pair[1]);
+        let ((time_s, first), (next_s, second)) = (pair[0], pair[1]);
         if second <= 0.0 {
             continue;
         }
         let loss = (first / second).ln();
         found.push(AtAmplitude {
-            amplitude_m: first,
-            apparent_frequency_hz: 0.5 / time_s,
+            amplitude_m: 0.5 * (first + second),
+            apparent_frequency_hz: 1.0 / (time_s + next_s),
             equivalent_damping_ratio: loss / PI.hypot(loss),
         });
         if loss.abs() < LOSS_LEAST {

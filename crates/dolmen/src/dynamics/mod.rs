@@ -18,6 +18,7 @@ mod frame_law;
 mod frame_model;
 mod frame_motion;
 mod frame_record;
+mod frame_rest;
 mod frame_series;
 mod frame_studies;
 mod frame_work;

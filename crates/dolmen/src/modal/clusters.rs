@@ -10,6 +10,7 @@ use super::ssi::{Pole, Subspace};
 use super::stabilization::{AllOrders, JudgedPole, Stabilization};
 use super::uncertainty::Deviations;
 use super::{ModalError, PoleDeviation, Propagation};
+use dolmen_linalg::Complex64;
 
 /// Options of [`clusters`].
 #[derive(Clone, Debug, PartialEq)]
@@ -180,17 +181,48 @@ fn judged(
     Ok(found)
 }
 
-/// Whether `cluster` is what two modes look like, one on each side within their half-power bands, at the orders below those that tell them apart.
+/// Whether `cluster` is what two modes look like, one on each side, at the orders below those that tell them apart: it ends before one of
+/// them begins, that one lies within their half-power bands, and its shape lies in the plane of both.
 fn lumps(cluster: &Cluster, all: &[Cluster]) -> bool {
+    const AROUND: f64 = 0.3; // relative: what low orders lump lies so near
+    const IN_PLANE: f64 = 0.98; // of its square
     let (f, width_hz) = (cluster.medoid.frequency_hz, cluster.half_width_hz());
-    let later = |other: &&Cluster| {
-        other.fate == Fate::Mode
-            && (other.medoid.frequency_hz - f).abs() <= width_hz + other.half_width_hz()
+    let is_later = |other: &Cluster| {
+        (other.medoid.frequency_hz - f).abs() <= width_hz + other.half_width_hz()
             && cluster.orders.last() < other.orders.first()
     };
+    let is_near = |other: &&Cluster| {
+        other.fate == Fate::Mode
+            && (other.medoid.frequency_hz / f - 1.0).abs() <= AROUND
+            && other.medoid.frequency_hz != f
+    };
+    let (below, above): (Vec<&Cluster>, Vec<&Cluster>) = all
+        .iter()
+        .filter(is_near)
+        .partition(|other| other.medoid.frequency_hz < f);
     cluster.fate == Fate::Mode
-        && all.iter().filter(later).any(|o| o.medoid.frequency_hz < f)
-        && all.iter().filter(later).any(|o| o.medoid.frequency_hz > f)
+        && below.iter().any(|low| {
+            above.iter().any(|high| {
+                (is_later(low) || is_later(high))
+                    && share_in_plane(&cluster.medoid.shape, [&low.medoid.shape, &high.medoid.shape])
+                        >= IN_PLANE
+            })
+        })
+}
+
+/// Share of the square of a shape that lies in the plane of two others.
+fn share_in_plane(shape: &[Complex64], plane: [&[Complex64]; 2]) -> f64 {
+    let inner =
+        |a: &[Complex64], b: &[Complex64]| a.iter().zip(b).map(|(a, b)| a.conj() * b).sum::<Complex64>();
+    let square = |a: &[Complex64]| a.iter().map(|z| z.norm_sqr()).sum::<f64>();
+    let [a, b] = plane;
+    let along = inner(a, b) / square(a);
+    let across: Vec<Complex64> = b.iter().zip(a).map(|(b, a)| b - along * a).collect();
+    let part = |axis: &[Complex64]| match square(axis) {
+        size if size > 1e-12 * square(b) => inner(axis, shape).norm_sqr() / size,
+        _ => 0.0, // the two are one shape
+    };
+    (part(a) + part(&across)) / square(shape)
 }
 
 impl Cluster {
@@ -317,7 +349,6 @@ fn spread(values: impl Iterator<Item = f64> + Clone) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dolmen_linalg::Complex64;
 
     fn cluster(frequency_hz: f64, orders: &[usize], fate: Fate) -> Cluster {
         Cluster {
@@ -349,13 +380,14 @@ mod tests {
             [0, 1, 2].map(|i| lumps(&all[i], &all))
         };
         assert_eq!(of(&[64, 72], &[72, 80], Fate::Mode), [false, true, false]);
-        // one of them is there before, or is no mode, or only one of them is there
-        assert_eq!(of(&[56, 64], &[72, 80], Fate::Mode), [false; 3]);
+        // one of them may be there before; both may not, nor may one be no mode
+        assert_eq!(of(&[56, 64], &[72, 80], Fate::Mode), [false, true, false]);
+        assert_eq!(of(&[56, 64], &[56, 80], Fate::Mode), [false; 3]);
         assert_eq!(of(&[64, 72], &[72, 80], Fate::FewOrders), [false; 3]);
         let far = [
             cluster(1.2, &[64], Fate::Mode),
             cluster(1.21, &[32], Fate::Mode),
-            cluster(1.24, &[64], Fate::Mode),
+            cluster(1.7, &[64], Fate::Mode),
         ];
         assert!(!lumps(&far[1], &far));
     }

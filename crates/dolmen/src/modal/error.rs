@@ -136,6 +136,16 @@ pub enum ModalError {
     /// A channel is dead or holds the same signal as another.
     #[error("{0}")]
     Channel(ChannelFault),
+    /// Two frequencies picked by hand are one mode.
+    #[error(
+        "pick_hz {given_hz} is the mode at {found_hz:.4} Hz, which another pick names already: leave one of them out"
+    )]
+    PickedTwice {
+        /// The later pick, Hz.
+        given_hz: f64,
+        /// The mode, Hz.
+        found_hz: f64,
+    },
     /// A mode of a made record cannot be made.
     #[error(
         "mode {mode} of the made record has frequency {frequency_hz} Hz and damping ratio {damping_ratio}, but must lie \

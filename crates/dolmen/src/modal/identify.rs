@@ -10,6 +10,7 @@ use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
 use super::reference_channels::keeping_most;
 use super::settings::{Settings, choose};
+use super::shape_checks::{doubt_channels, to_one_quantity};
 use super::ssi::{ssi_cov, ssi_data};
 use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
 use super::uncertainty::Deviations;
@@ -150,9 +151,11 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         let all = (0..record.channels().len()).collect();
         test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
     }
-    pick(options, &mut analysis.modes)?;
+    to_one_quantity(&mut analysis.modes, &mut notes);
+    let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
-    remark(&analysis.modes, &analysis.fdd_modes, &mut notes);
+    remark(&analysis.modes, &analysis.fdd_modes, not_picked_hz, &mut notes);
+    doubt_channels(&analysis.modes, &mut notes);
     analysis.notes = notes;
     Ok(analysis)
 }
@@ -331,12 +334,18 @@ pub(super) fn check(record: &Record, options: &Identify) -> Result<(), ModalErro
     Ok(())
 }
 
-/// Refuses dead and duplicated channels; notes faint and clipped ones.
+/// Share of the record that a channel may stand still. Chosen here.
+const STUCK_MOST: f64 = 0.02;
+
+/// Refuses dead and duplicated channels, and those that stand still for more than a fiftieth of the record; notes all else.
 pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     let mut notes = Vec::new();
     for fault in inspect(record) {
         match fault {
             ChannelFault::Constant { .. } | ChannelFault::Duplicated { .. } => {
+                return Err(ModalError::Channel(fault));
+            }
+            ChannelFault::Stuck { from_s, to_s, .. } if to_s - from_s > STUCK_MOST * record.duration_s() => {
                 return Err(ModalError::Channel(fault));
             }
             _ => notes.push(Note::Channel(fault)),
@@ -345,21 +354,28 @@ pub(super) fn judge_channels(record: &Record) -> Result<Vec<Note>, ModalError> {
     Ok(notes)
 }
 
-/// Keeps the modes picked by hand; each must be there.
-pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<(), ModalError> {
+/// Keeps the modes picked by hand, each of which must be there once; returns the frequencies of the others, Hz.
+pub(super) fn pick(options: &Identify, modes: &mut Modes) -> Result<Vec<f64>, ModalError> {
     if options.pick_hz.is_empty() {
-        return Ok(());
+        return Ok(Vec::new());
     }
     let mut picked: Vec<Mode> = Vec::new();
     for frequency_hz in &options.pick_hz {
         let mode = modes.nearest(*frequency_hz, options.pick_within * frequency_hz)?;
-        if !picked.contains(mode) {
-            picked.push(mode.clone());
+        if picked.contains(mode) {
+            return Err(ModalError::PickedTwice {
+                given_hz: *frequency_hz,
+                found_hz: mode.frequency_hz,
+            });
         }
+        picked.push(mode.clone());
     }
+    let is_left = |mode: &&Mode| !picked.contains(mode);
+    let left = modes.modes.iter().filter(is_left).map(|mode| mode.frequency_hz);
+    let left_hz = left.collect();
     picked.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
     modes.modes = picked;
-    Ok(())
+    Ok(left_hz)
 }
 
 pub(super) fn modes_of(clusters: &[Cluster], duration_s: f64) -> Vec<Mode> {
@@ -407,12 +423,12 @@ pub(super) fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError
     }
 }
 
-pub(super) fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
+pub(super) fn remark(modes: &Modes, peaks: &Modes, not_picked_hz: Vec<f64>, notes: &mut Vec<Note>) {
     const NEAR: f64 = 0.03; // relative; a line of the spectrum lies so near its mode
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
     let explained = |peak: &Mode| {
-        let near = |m: &Mode| (m.frequency_hz / peak.frequency_hz - 1.0).abs() <= NEAR;
-        modes.modes.iter().any(near)
+        let near = |hz: f64| (hz / peak.frequency_hz - 1.0).abs() <= NEAR;
+        modes.modes.iter().any(|mode| near(mode.frequency_hz)) || not_picked_hz.iter().any(|hz| near(*hz))
     };
     let frequency_hz: Vec<f64> = peaks
         .modes
@@ -422,6 +438,11 @@ pub(super) fn remark(modes: &Modes, peaks: &Modes, notes: &mut Vec<Note>) {
         .collect();
     if !frequency_hz.is_empty() {
         notes.push(Note::PeaksWithoutMode { frequency_hz });
+    }
+    if !not_picked_hz.is_empty() {
+        notes.push(Note::NotPicked {
+            frequency_hz: not_picked_hz,
+        });
     }
     if matches!(modes.method, Method::Efdd | Method::Fsdd) {
         let without = modes.modes.iter().filter(|m| m.damping_ratio.is_none());

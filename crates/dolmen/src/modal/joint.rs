@@ -6,6 +6,7 @@ use super::machines::{split_tones, test_for_machines};
 use super::one_shaking::{Setup, stacked};
 use super::places::{Places, Seat};
 use super::settings::{Settings, choose};
+use super::shape_checks::doubt_channels;
 use super::ssi;
 use super::stabilization::{AllOrders, Stabilization};
 use super::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
@@ -135,9 +136,10 @@ pub fn joint_setups(
     let places_of = |seats: &Vec<Seat>| seats.iter().map(|s| s.place).collect();
     let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(seats.iter().map(places_of)).collect();
     test_for_machines(&seen, &options, &mut modes, &mut notes)?;
-    pick(&options, &mut modes)?;
+    let not_picked_hz = pick(&options, &mut modes)?;
     wanted(&options, &modes)?;
-    remark(&modes, &peaks, &mut notes);
+    remark(&modes, &peaks, not_picked_hz, &mut notes);
+    doubt_channels(&modes, &mut notes);
     Ok(JointSetups {
         modes,
         references,

@@ -32,6 +32,7 @@ mod products;
 mod reference_channels;
 mod settings;
 mod setups;
+mod shape_checks;
 mod ssi;
 mod stabilization;
 mod synthetic;

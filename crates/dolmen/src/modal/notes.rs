@@ -71,6 +71,30 @@ pub enum Note {
         /// Their frequencies, Hz.
         frequency_hz: Vec<f64>,
     },
+    /// Modes that were found and not picked by hand.
+    NotPicked {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
+    /// Channels measure different quantities: shapes are those of one.
+    OneQuantity {
+        /// "acceleration", "velocity" or "displacement".
+        quantity: &'static str,
+    },
+    /// A channel that moves in no mode.
+    StandsStill {
+        /// Its name.
+        channel: String,
+        /// Its largest component, of the largest of the mode, –.
+        share: f64,
+    },
+    /// A channel whose phase against the others is no shape's: its clock may be late.
+    PhaseOff {
+        /// Its name.
+        channel: String,
+        /// Angle from the real axis, 0 to 90°, and the frequency of the mode, Hz.
+        degrees_at_hz: Vec<[f64; 2]>,
+    },
     /// A mode seen for so few cycles that its damping ratio is hardly known.
     FewCycles {
         /// Its frequency, Hz.
@@ -140,6 +164,34 @@ impl std::fmt::Display for Note {
                 write!(f, "the spectrum has peaks that no stable mode explains, at ")?;
                 list(f, frequency_hz)?;
                 write!(f, " Hz: machines, or modes too weak for this record")
+            }
+            Note::NotPicked { frequency_hz } => {
+                write!(f, "modes that were found and not picked: ")?;
+                list(f, frequency_hz)?;
+                write!(f, " Hz")
+            }
+            Note::OneQuantity { quantity } => write!(
+                f,
+                "the channels measure different quantities: every shape is given as {quantity}, brought there at its mode's own frequency"
+            ),
+            Note::StandsStill { channel, share } => write!(
+                f,
+                "\"{channel}\" moves by less than {:.1} % of the largest in every mode: it stands on firm ground, or is not connected",
+                (100.0 * share).max(0.1)
+            ),
+            Note::PhaseOff {
+                channel,
+                degrees_at_hz,
+            } => {
+                write!(f, "the phase of \"{channel}\" is off a shape's 0 or 180° by ")?;
+                for (i, [degrees, frequency_hz]) in degrees_at_hz.iter().enumerate() {
+                    let comma = if i > 0 { ", " } else { "" };
+                    write!(f, "{comma}{degrees:.0}° at {frequency_hz:.3} Hz")?;
+                }
+                write!(
+                    f,
+                    ": its clock or filter differs from the others', and its sign is not known in any mode; or modes lie close together"
+                )
             }
             Note::FewCycles {
                 frequency_hz,

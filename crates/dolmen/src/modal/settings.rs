@@ -1,7 +1,7 @@
 //! Block rows, decimation and order chosen from the peaks of the spectrum.
 
 use super::correlations::{CLEAN_SHARE, lags_before};
-use super::error::references_of;
+use super::error::{references_of, refused};
 use super::ssi::Ssi;
 use super::{Identify, Method, ModalError, Mode, Modes, Note};
 use crate::signal::Record;
@@ -154,6 +154,17 @@ pub(super) fn choose(
     }
     if time_blocks < options.time_blocks {
         notes.push(Note::FewBlocks { time_blocks });
+    }
+    let orders_least = 2 * options.clustering.orders_least;
+    if let Some(given) = options.order_most
+        && options.method != Method::Plscf
+        && given < orders_least
+    {
+        return refused(
+            "order_most",
+            given as f64,
+            "8 or more: a mode must come back at four orders, 2, 4, 6 and 8",
+        );
     }
     let order_most = options.order_most.unwrap_or(match options.method {
         Method::Plscf => {

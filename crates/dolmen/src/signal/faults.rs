@@ -1,6 +1,7 @@
 //! What is wrong with a channel that is all numbers and yet no measurement.
 
 use super::Record;
+use super::fault_runs::{alike, drifts, faded, spikes, stuck};
 use std::fmt;
 
 /// A channel this much weaker than the median of the others (−60 dB) hears the logger, not the structure. Chosen here.
@@ -35,6 +36,53 @@ pub enum ChannelFault {
         deviation: f64,
         /// Median standard deviation of the channels that measure the same quantity.
         typical: f64,
+    },
+    /// One value for a second or longer while it moves at other times: a cable that came off, a logger that paused.
+    Stuck {
+        /// Name of the channel.
+        channel: String,
+        /// The value.
+        value: f64,
+        /// From here, s from the start.
+        from_s: f64,
+        /// To here, s.
+        to_s: f64,
+    },
+    /// Its strength against the other channels of its kind changed tenfold or more during the record.
+    Faded {
+        /// Name of the channel.
+        channel: String,
+        /// Most over least strength, each against the median of its kind, –.
+        factor: f64,
+        /// Where it is least, s from the start.
+        from_s: f64,
+        /// To here, s.
+        to_s: f64,
+    },
+    /// Almost the same signal as another channel.
+    Alike {
+        /// Name of the first channel.
+        channel: String,
+        /// Name of the second channel.
+        other: String,
+        /// Correlation of their steps, -1 to 1.
+        correlation: f64,
+    },
+    /// A straight line through it rises by far more than it moves.
+    Drifts {
+        /// Name of the channel.
+        channel: String,
+        /// Rise over the record in standard deviations about the line.
+        rise: f64,
+    },
+    /// Single samples that stand far out of their neighbours.
+    Spikes {
+        /// Name of the channel.
+        channel: String,
+        /// How many.
+        count: usize,
+        /// The first of them, s from the start.
+        first_s: f64,
     },
     /// Held at its exact largest or smallest value: the range of the sensor or logger was exceeded.
     Clipped {
@@ -74,6 +122,51 @@ impl fmt::Display for ChannelFault {
                 "channel \"{channel}\" is dead or in another unit: its standard deviation is {deviation:.3e}, the \
                  median of its kind is {typical:.3e}; leave it out, or correct its unit"
             ),
+            Self::Stuck {
+                channel,
+                value,
+                from_s,
+                to_s,
+            } => write!(
+                f,
+                "channel \"{channel}\" stands at exactly {value} from {from_s:.2} to {to_s:.2} s while it moves at other times: a \
+                 cable that came off, or a pause; cut the record there, or leave the channel out"
+            ),
+            Self::Faded {
+                channel,
+                factor,
+                from_s,
+                to_s,
+            } => write!(
+                f,
+                "channel \"{channel}\" changes its strength against the others {factor:.0}-fold during the record, least from \
+                 {from_s:.0} to {to_s:.0} s: a loose contact; cut the record there, or leave the channel out"
+            ),
+            Self::Alike {
+                channel,
+                other,
+                correlation,
+            } => write!(
+                f,
+                "channels \"{channel}\" and \"{other}\" are almost one signal (correlation of their steps {correlation:.6}): one \
+                 cable on two inputs, or two sensors at one place"
+            ),
+            Self::Drifts { channel, rise } => write!(
+                f,
+                "channel \"{channel}\" drifts by {rise:.0} times its motion over the record: take the line off first (detrend_degree = 1), or \
+                 low modes and dampings come out wrong"
+            ),
+            Self::Spikes {
+                channel,
+                count,
+                first_s,
+            } => write!(
+                f,
+                "channel \"{channel}\": {count} single sample{} out of {} neighbours by 25 times what is usual, the first at \
+                 {first_s:.2} s: they add noise, and damping comes out wrong; look at the cable",
+                if *count == 1 { " stands" } else { "s stand" },
+                if *count == 1 { "its" } else { "their" },
+            ),
             Self::Clipped {
                 channel,
                 value,
@@ -101,7 +194,8 @@ impl fmt::Display for ChannelFault {
 /// here: [`Record::new`] refuses them.
 ///
 /// Finds channels that are constant; more than 60 dB weaker than the median of their kind (in deviation and in steps, so
-/// that drift alone neither hides nor makes one); held at an exact extreme; or equal to another but for a factor.
+/// that drift alone neither hides nor makes one); held at an exact extreme, or at any value for a second; of changing strength; full of spikes; or
+/// equal to another, exactly or almost, but for a factor.
 ///
 /// # Limits
 /// Wants the record as it was measured: filters smooth clipped crests away. Channels of which fewer than three measure
@@ -152,6 +246,39 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
                 typical,
             });
         }
+        let rate_hz = record.sampling_rate_hz();
+        let stuck = stuck(x, rate_hz);
+        let is_stuck = stuck.is_some();
+        faults.extend(stuck.map(|[from, to]| ChannelFault::Stuck {
+            channel: name(),
+            value: x[from],
+            from_s: from as f64 / rate_hz,
+            to_s: to as f64 / rate_hz,
+        }));
+        faults.extend(drifts(x).map(|rise| ChannelFault::Drifts {
+            channel: name(),
+            rise,
+        }));
+        if let Some(spikes) = spikes(x) {
+            faults.push(ChannelFault::Spikes {
+                channel: name(),
+                count: spikes.count,
+                first_s: spikes.first as f64 / rate_hz,
+            });
+        }
+        let same_kind = |other: usize| record.channels()[other].quantity == channel.quantity;
+        let others: Vec<&[f64]> = (0..record.channels().len())
+            .filter(|other| *other != c && same_kind(*other) && strengths[*other].largest_step > 0.0)
+            .map(|other| record.samples(other))
+            .collect();
+        if let Some(faded) = faded(x, &others).filter(|_| !is_stuck) {
+            faults.push(ChannelFault::Faded {
+                channel: name(),
+                factor: faded.factor,
+                from_s: faded.from as f64 / rate_hz,
+                to_s: faded.to as f64 / rate_hz,
+            });
+        }
         for sign in [1.0, -1.0] {
             if let Some(held) = held_at_extreme(x, sign) {
                 faults.push(ChannelFault::Clipped {
@@ -170,6 +297,14 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
                     factor,
                 });
                 break; // a third copy is named with the first only
+            }
+            if let Some(correlation) = alike(record.samples(other), x) {
+                faults.push(ChannelFault::Alike {
+                    channel: earlier.name.clone(),
+                    other: name(),
+                    correlation,
+                });
+                break;
             }
         }
     }

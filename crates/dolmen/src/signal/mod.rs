@@ -6,6 +6,7 @@ mod cut;
 mod decimate;
 mod detrend;
 mod error;
+mod fault_runs;
 mod faults;
 mod filter;
 mod ground_motion;

@@ -41,17 +41,29 @@ pub struct StiffnessRange {
     pub exists_throughout: bool,
 }
 
+/// How far one stiffness can lie from the best fit, both ends of a 95 % interval.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StiffnessBounds {
+    /// Smallest stiffness; `None` if the data allow any.
+    pub lower: Option<f64>,
+    /// Largest stiffness; `None` if the data allow more than 10,000 times the fitted one, or that is as if rigid.
+    pub upper: Option<f64>,
+}
+
 /// One set of stiffnesses that explains the measured modes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StiffnessSolution {
     /// Stiffness of each joint (N m/rad) or storey (N/m), lowest first.
     pub stiffness: Vec<f64>,
     /// Standard deviation of each, same unit, from the modes' own; `None` if the modes carry none, the
-    /// stiffness is not determined, or a deviation exceeds 100 %, where no linear interval exists.
+    /// stiffness is not determined, or a deviation exceeds 50 %, where a linear interval would reach below 0.
     pub stiffness_sd: Option<Vec<f64>>,
     /// Range of each while every frequency moves by √3 of its standard deviation, the half-width of a rounding that has
     /// it (±0.05 Hz has 0.0289); `None` if the modes carry none, or where it was not computed.
     pub stiffness_range: Option<StiffnessRange>,
+    /// Where a deviation exceeds 50 % of the stiffness, by deviations given or assumed: what the data allow of each
+    /// stiffness, by the profile of the misfit. The stiffness itself is then one point of a wide valley.
+    pub stiffness_bounds: Option<Vec<StiffnessBounds>>,
     /// All natural modes of the structure with this stiffness, by frequency.
     pub modes: Vec<NaturalMode>,
     /// Root of the weighted mean square of (computed − measured)/sd over all data, sd assumed where none is
@@ -61,12 +73,27 @@ pub struct StiffnessSolution {
     pub stands: bool,
 }
 
+impl StiffnessSolution {
+    /// The least stiffness that the data allow where it is only bounded, the fitted one elsewhere: what a verdict on
+    /// standing may rest on, since gravity overturns the less the stiffer the springs. `None` if some stiffness has no
+    /// lower bound.
+    pub fn stiffness_least(&self) -> Option<Vec<f64>> {
+        match &self.stiffness_bounds {
+            None => Some(self.stiffness.clone()),
+            Some(bounds) => bounds.iter().map(|bound| bound.lower).collect(),
+        }
+    }
+}
+
 /// What the data allow to say about which solution is the true one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Choice {
     /// One solution explains the data. Any other found has a misfit that is not accepted, or (data with standard
     /// deviations, given or assumed) a chi-squared beyond the best by more than 10.83, 99.9 % of one degree of freedom.
     One,
+    /// One solution explains the data, but some stiffness is known only between wide bounds, or from one side
+    /// (`StiffnessSolution::stiffness_bounds`): its fitted value is no answer.
+    Bounded,
     /// The data do not choose among several solutions, or two that meet in the one listed: shapes are needed.
     Indistinguishable,
     /// Fewer data than unknowns: the solutions are points of a continuous family.

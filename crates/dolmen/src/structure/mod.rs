@@ -22,7 +22,8 @@ pub use frame::{
     stiffness_from_shape, stiffness_range, storey_axial_forces_n,
 };
 pub use identification::{
-    Choice, MeasuredMode, ShapePoint, StiffnessRange, StiffnessSolution, StiffnessSolutions, Visibility,
+    Choice, MeasuredMode, ShapePoint, StiffnessBounds, StiffnessRange, StiffnessSolution, StiffnessSolutions,
+    Visibility,
 };
 pub use inverse::{FrequencyRoots, StiffnessSearch};
 pub use natural::NaturalMode;

@@ -11,8 +11,8 @@
 
 use crate::draws::Draws;
 use dolmen::structure::{
-    Chain, ChainStiffness, Convention, Frame, FrameStiffness, Inertia, Link, MeasuredMode,
-    StiffnessSolutions, Storey, chain_stiffness, frame_stiffness,
+    Chain, ChainStiffness, Choice, Convention, Frame, FrameStiffness, Inertia, Link, MeasuredMode,
+    ShapePoint, StiffnessSolutions, Storey, chain_stiffness, frame_stiffness,
 };
 
 const SAMPLES: usize = 1500;
@@ -158,4 +158,59 @@ fn exact_deviation_where_all_frequencies_err_by_one_factor() {
             assert!((sd / k / (2.0 * RELATIVE_SD) - 1.0).abs() < 1e-9, "{sd} {k}");
         }
     }
+}
+
+/// Two storeys whose ends move almost alike: k2 has a lower bound and no upper one.
+///
+/// The drift of the upper storey gives ρ = φ1/φ2 = 1 − ω² m2/(k2 − N2/l2); of the shape (ρ, 1) at its best scale the
+/// squares are |w|² − (w·v)²/|v|² over sd², and the frequency is exact.
+#[test]
+fn exact_bounds_stand_where_a_storey_hardly_deforms() {
+    const SD: f64 = 0.1;
+    let storeys = [(60e3, 4.2), (45e3, 3.6)];
+    let axial = [105e3 * 9.81, 45e3 * 9.81];
+    let storey = |i: usize| Storey {
+        mass_kg: storeys[i].0,
+        height_m: storeys[i].1,
+        axial_n: axial[i],
+    };
+    let frame = Frame::new(vec![storey(0), storey(1)], Convention::Drift).unwrap();
+    let point = |height_m: f64, displacement: f64| ShapePoint {
+        height_m,
+        displacement,
+        displacement_sd: SD,
+    };
+    let mode = MeasuredMode {
+        frequency_hz: 1.17,
+        frequency_sd_hz: 1e-4,
+        frequency_changes_hz: Vec::new(),
+        shape: vec![point(4.2, 0.98), point(7.8, 1.0)],
+    };
+    let found = frame_stiffness(&frame, &[mode], &FrameStiffness::default()).unwrap();
+    assert_eq!(found.choice, Choice::Bounded);
+    assert_eq!(found.solutions[0].stiffness_sd, None);
+    let bounds = found.solutions[0].stiffness_bounds.as_ref().unwrap();
+    let squares = |ratio: f64| {
+        let across = 0.98 * ratio + 1.0;
+        (0.98 * 0.98 + 1.0 - across * across / (ratio * ratio + 1.0)) / SD.powi(2)
+    };
+    let (mut far, mut near) = (0.1, 0.98); // squares fall towards the measured ratio
+    for _ in 0..60 {
+        let middle = 0.5 * (far + near);
+        match squares(middle) > 3.841_459 {
+            true => far = middle,
+            false => near = middle,
+        }
+    }
+    let omega_squared = (std::f64::consts::TAU * 1.17).powi(2);
+    let least = axial[1] / 3.6 + omega_squared * 45e3 / (1.0 - near);
+    let computed = bounds[1].lower.unwrap();
+    assert!((computed / least - 1.0).abs() < 0.003, "{computed} {least}");
+    assert!(computed >= least * (1.0 - 1e-6), "an end found lies inside");
+    assert_eq!(bounds[1].upper, None, "a rigid storey fits within .3 deviations");
+    let k1 = bounds[0];
+    assert!(
+        k1.lower.unwrap() < found.solutions[0].stiffness[0]
+            && k1.upper.unwrap() > found.solutions[0].stiffness[0]
+    );
 }

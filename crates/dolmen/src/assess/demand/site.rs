@@ -220,6 +220,9 @@ pub fn site_demand(
     })
 }
 
+/// The map of the code may be read down to four fifths of zone II, 0.056 g: what is less is a slip.
+const ZONE_FACTOR_LEAST_G: f64 = 0.05;
+
 fn korea(
     zone_factor_g: f64,
     return_period_years: u32,
@@ -227,6 +230,12 @@ fn korea(
     code: fn(f64, KoreanSite) -> Result<DesignSpectrum, AssessError>,
 ) -> Result<(SiteParameters, DesignSpectrum), AssessError> {
     let risk = kds_17_risk_factor(return_period_years)?;
+    within(
+        "zone_factor_g",
+        zone_factor_g,
+        [ZONE_FACTOR_LEAST_G, f64::MAX],
+        "0.05 or more, in g: the code has 0.11 (zone I) and 0.07 (zone II), its map somewhat less",
+    )?;
     let effective_acceleration_g = zone_factor_g * risk.factor;
     let mut spectrum = code(effective_acceleration_g, soil)?;
     if !risk.verified {

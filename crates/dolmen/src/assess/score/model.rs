@@ -191,11 +191,16 @@ impl ScoreModel {
             false => outside.first(),
         };
         if let Some(first) = refused {
+            // as tables and project files have it
+            let (factor, in_unit): (_, fn(f64) -> f64) = match first.factor {
+                Factor::Taper => ("taper, in degrees,", f64::to_degrees),
+                other => (other.name(), |value| value),
+            };
             return Err(AssessError::OutsideTraining {
-                factor: first.factor.name(),
-                given: first.given,
-                least: first.trained.lower,
-                most: first.trained.upper,
+                factor,
+                given: in_unit(first.given),
+                least: in_unit(first.trained.lower),
+                most: in_unit(first.trained.upper),
             });
         }
         let found = self.surface.predict(&x);

@@ -6,11 +6,13 @@ mod newton;
 mod notes;
 mod options;
 mod prior;
+mod profile;
 mod range;
 mod roots;
 mod search;
 mod sprung;
 mod starts;
+mod uncertainty;
 
 pub use options::StiffnessSearch;
 pub(super) use range::range_of_root;

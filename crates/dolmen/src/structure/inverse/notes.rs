@@ -72,7 +72,7 @@ pub(super) fn of_solutions<S: Sprung>(
         Choice::One if !with_shapes && springs > 1 && !complete => {
             notes.push(StiffnessNote::OneWithoutProof { spring, starts });
         }
-        Choice::One => {}
+        Choice::One | Choice::Bounded => {}
     }
     if odd {
         notes.push(StiffnessNote::OddCount { spring });
@@ -173,13 +173,14 @@ pub(super) fn of_unseen(
     (!numbers.is_empty()).then_some(StiffnessNote::Unseen { spring, numbers })
 }
 
-/// Springs whose interval is too wide to be linear.
-pub(super) fn of_wide_intervals(spring: Spring, relative_sd: &[f64]) -> Option<StiffnessNote> {
+/// Springs whose interval is hardly linear.
+pub(super) fn of_wide_intervals(spring: Spring, solution: &StiffnessSolution) -> Option<StiffnessNote> {
     const LINEAR_MOST: f64 = 0.3; // beyond it ln k and k differ by more than a seventh
-    let each = relative_sd
-        .iter()
-        .enumerate()
-        .map(|(i, &value)| OfSpring { number: i + 1, value });
+    let each = solution.stiffness_sd.iter().flatten().zip(&solution.stiffness);
+    let each = each.enumerate().map(|(i, (sd, k))| OfSpring {
+        number: i + 1,
+        value: sd / k,
+    });
     let relative_sd: Vec<OfSpring> = each.filter(|each| each.value > LINEAR_MOST).collect();
     (!relative_sd.is_empty()).then_some(StiffnessNote::WideIntervals { spring, relative_sd })
 }

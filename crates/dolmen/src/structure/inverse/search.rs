@@ -7,14 +7,12 @@
 
 use super::modal_fit::ModalFit;
 use super::options::Weighting;
-use super::range::range_of_root;
 use super::starts::{linear_estimate, scattered_starts};
 use super::{FrequencyRoots, SpringModel, Sprung, StiffnessSearch, notes};
 use crate::numeric::{LeastSquaresFit, levenberg_marquardt};
 use crate::structure::identification::check_modes;
 use crate::structure::{
-    Choice, MeasuredMode, StiffnessNote, StiffnessRange, StiffnessSolution, StiffnessSolutions,
-    StructureError, Visibility,
+    Choice, MeasuredMode, StiffnessNote, StiffnessSolution, StiffnessSolutions, StructureError,
 };
 use dolmen_linalg::{Matrix, svd};
 
@@ -40,19 +38,16 @@ const CHI_SQUARED_999: f64 = 10.827_566;
 /// Two ends of the search beside a double root nearer than this in every ln k are one: the valley there is flat, and
 /// descents stop all along it.
 const SAME_VALLEY: f64 = 0.1;
-/// Relative standard deviation above which a linear interval says nothing: it would reach below 0.
-const LINEAR_SD_MOST: f64 = 1.0;
+/// Relative standard deviation above which the other of two solutions may lie within the scatter.
+const SEPARATE_SD_MOST: f64 = 1.0;
 /// Share of the proportion's largest at which each is floored: a joint that carries nothing has a stiffness all the same.
 const PROPORTION_LEAST: f64 = 1e-3;
-/// Change of data that counts as seen if they carry no sd, relative: frequencies of the field scatter by half a per
-/// cent. With sd the bound is one sd.
-const SEEN_RELATIVE: f64 = 0.005;
 
 /// One minimum.
 pub(super) struct Found {
-    x: Vec<f64>,
+    pub(super) x: Vec<f64>,
     pub(super) misfit: f64,
-    jacobian: Matrix,
+    pub(super) jacobian: Matrix,
 }
 
 pub(super) struct Count {
@@ -72,7 +67,7 @@ pub(super) struct Search<'a, S> {
     pub(super) structure: &'a S,
     pub(super) modes: &'a [MeasuredMode],
     pub(super) options: &'a StiffnessSearch,
-    model: SpringModel,
+    pub(super) model: SpringModel,
     pub(super) fit: ModalFit,
     pub(super) weighting: Weighting,
     /// Rank of the Jacobian at the first guess.
@@ -285,16 +280,13 @@ impl<S: Sprung> Search<'_, S> {
 
     /// Whether another solution meets this one here, or so nearly that the scatter of the frequencies moves one into the
     /// other: as many frequencies as springs, yet some combination of seen springs that they leave free.
-    fn meets_another(&self, found: &Found) -> Result<bool, StructureError> {
+    pub(super) fn meets_another(&self, found: &Found) -> Result<bool, StructureError> {
         let n = found.x.len();
         if n < 2 || self.modes.len() != n || self.fit.data() != n {
             return Ok(false);
         }
-        let scatter = match self.weighting {
-            Weighting::Relative => self.options.frequency_sd_assumed,
-            _ => 1.0,
-        };
-        let linear = |sd: &Vec<f64>| sd.iter().all(|sd| scatter * sd <= LINEAR_SD_MOST);
+        let scatter = self.deviation_unit();
+        let linear = |sd: &Vec<f64>| sd.iter().all(|sd| scatter * sd <= SEPARATE_SD_MOST);
         if self.relative_sd(found)?.as_ref().is_some_and(linear) {
             return Ok(false);
         }
@@ -302,23 +294,6 @@ impl<S: Sprung> Search<'_, S> {
         let unseen = self.unseen_springs(found);
         let share: f64 = unseen.iter().map(|&i| weakest[(i, n - 1)].powi(2)).sum();
         Ok(share < 0.5) // else it is one spring, too stiff to be seen
-    }
-
-    /// Springs that change no datum by what counts as seen while their stiffness changes e-fold.
-    fn unseen_springs(&self, found: &Found) -> Vec<usize> {
-        let j = &found.jacobian;
-        let column = |i: usize| j.column(i).iter().map(|d| d * d).sum::<f64>().sqrt();
-        (0..found.x.len())
-            .filter(|&i| column(i) < self.seen_bound())
-            .collect()
-    }
-
-    /// Change of the data that counts as seen, in units of the residuals.
-    fn seen_bound(&self) -> f64 {
-        match self.weighting {
-            Weighting::Relative => SEEN_RELATIVE,
-            _ => 1.0,
-        }
     }
 
     /// The same proportions with the common factor that fits the frequencies' logarithms on average.
@@ -374,10 +349,6 @@ impl<S: Sprung> Search<'_, S> {
         if meets {
             notes.push(StiffnessNote::SolutionsMeet { spring: S::SPRING });
         }
-        if let (Some(best), true) = (all.first(), self.interval_stated(choice) && !meets) {
-            let relative_sd = self.relative_sd(best)?;
-            notes.extend(relative_sd.and_then(|sd| notes::of_wide_intervals(S::SPRING, &sd)));
-        }
         if let (Some(best), Some(visibility)) = (all.first(), &visibility) {
             notes.extend(notes::of_shapes(self, &best.x));
             notes.extend(notes::of_unseen(
@@ -392,7 +363,19 @@ impl<S: Sprung> Search<'_, S> {
             && all.iter().all(|found| found.misfit < EXACT);
         let solutions = all.iter().map(|found| self.solution(found, choice, ranged));
         let solutions: Vec<StiffnessSolution> = solutions.collect::<Result<_, _>>()?;
+        notes.extend(
+            solutions
+                .first()
+                .and_then(|best| notes::of_wide_intervals(S::SPRING, best)),
+        );
         notes.extend(notes::of_ranges(&solutions));
+        let bounded = solutions
+            .first()
+            .is_some_and(|best| best.stiffness_bounds.is_some());
+        let choice = match choice {
+            Choice::One if bounded => Choice::Bounded,
+            other => other,
+        };
         Ok(StiffnessSolutions {
             solutions,
             choice,
@@ -402,12 +385,6 @@ impl<S: Sprung> Search<'_, S> {
         })
     }
 
-    /// Whether the modes carry standard deviations and determine the stiffness.
-    fn interval_stated(&self, choice: Choice) -> bool {
-        matches!(self.weighting, Weighting::Given | Weighting::PartlyAssumed)
-            && choice != Choice::Underdetermined
-    }
-
     fn solution(
         &self,
         found: &Found,
@@ -415,73 +392,18 @@ impl<S: Sprung> Search<'_, S> {
         ranged: bool,
     ) -> Result<StiffnessSolution, StructureError> {
         let stiffness: Vec<f64> = found.x.iter().map(|x| x.exp()).collect();
-        let relative_sd = match self.interval_stated(choice) {
-            true => self
-                .relative_sd(found)?
-                .filter(|sd| sd.iter().all(|sd| *sd <= LINEAR_SD_MOST)),
-            false => None,
-        };
+        let known = self.known(found, choice)?;
         let modes = self.structure.natural_modes_with(&stiffness)?;
         Ok(StiffnessSolution {
-            stiffness_sd: relative_sd.map(|sd| sd.iter().zip(&stiffness).map(|(sd, k)| sd * k).collect()),
+            stiffness_sd: known
+                .relative_sd
+                .map(|sd| sd.iter().zip(&stiffness).map(|(sd, k)| sd * k).collect()),
+            stiffness_bounds: known.bounds,
             stiffness_range: if ranged { self.range(&stiffness) } else { None },
             stands: modes.first().is_some_and(|mode| mode.omega_squared > 0.0),
             stiffness,
             modes,
             misfit: found.misfit,
-        })
-    }
-
-    /// While every frequency moves by √3 of its standard deviation.
-    fn range(&self, root: &[f64]) -> Option<StiffnessRange> {
-        let frequencies: Vec<f64> = self.modes.iter().map(|mode| mode.frequency_hz).collect();
-        let half_width = self
-            .modes
-            .iter()
-            .map(|mode| 3.0_f64.sqrt() * mode.frequency_sd_hz);
-        let half_width: Vec<f64> = half_width.collect();
-        let positive = frequencies.iter().zip(&half_width).all(|(f, h)| f > h);
-        positive.then(|| range_of_root(&self.model, &frequencies, &half_width, root))
-    }
-
-    /// √diag J⁺ C J⁺ᵀ with C the correlations of the data, which is (JᵀJ)⁻¹ where they have none; widened by the misfit where there are data to spare; `None` if not determined.
-    fn relative_sd(&self, found: &Found) -> Result<Option<Vec<f64>>, StructureError> {
-        let n = found.x.len();
-        let f = svd(&tall(&found.jacobian))?;
-        if rank(&f.s) < n {
-            return Ok(None);
-        }
-        let data = self.fit.data();
-        let spare = data - n;
-        let widened = match spare {
-            0 => 1.0,
-            _ => (found.misfit * (data as f64 / spare as f64).sqrt()).max(1.0),
-        };
-        let c = self.fit.correlations();
-        let inverse = Matrix::from_fn(n, c.rows(), |i, p| {
-            (0..n).map(|j| f.v[(i, j)] / f.s[j] * f.u[(p, j)]).sum()
-        });
-        let spread = &inverse * &c;
-        let variance = |i: usize| {
-            (0..c.rows())
-                .map(|p| spread[(i, p)] * inverse[(i, p)])
-                .sum::<f64>()
-        };
-        Ok(Some(
-            (0..n).map(|i| widened * variance(i).max(0.0).sqrt()).collect(),
-        ))
-    }
-
-    fn visibility(&self, found: &Found) -> Result<Visibility, StructureError> {
-        let n = found.x.len();
-        let f = svd(&tall(&found.jacobian))?;
-        let bound = self.seen_bound();
-        let share = |s: f64| s * s / (s * s + bound * bound);
-        let seen = |i: usize| (0..n).map(|j| f.v[(i, j)].powi(2) * share(f.s[j])).sum::<f64>();
-        Ok(Visibility {
-            free_directions: n - rank(&f.s),
-            seen: (0..n).map(seen).collect(),
-            singular_values: f.s,
         })
     }
 }
@@ -507,7 +429,7 @@ fn one_a_valley(all: &mut Vec<Found>) {
 }
 
 /// The Jacobian with rows of zeros added until it is at least square: all right singular vectors then exist.
-fn tall(jacobian: &Matrix) -> Matrix {
+pub(super) fn tall(jacobian: &Matrix) -> Matrix {
     let (m, n) = (jacobian.rows(), jacobian.columns());
     Matrix::from_fn(m.max(n), n, |i, j| if i < m { jacobian[(i, j)] } else { 0.0 })
 }

@@ -1,0 +1,248 @@
+//! Faults of a channel that show in part of its samples: where it stands, fades, spikes, or follows another.
+
+/// A run of one value counts from so many samples, and from a second. Chosen here.
+const STUCK_LEAST: usize = 50;
+const STUCK_S: f64 = 1.0;
+/// It must be so many times longer than the channel's runs are on average: a coarse digitiser in quiet hours stands too. Chosen here:
+/// of runs that end by chance the longest of a million is 14 times the mean. And than the runs beside it: the crest of a slow wave is
+/// 2.4 times those.
+const STUCK_RUNS: usize = 20;
+const STUCK_BESIDE: usize = 5;
+/// Blocks of time in which strength is compared, fewest channels beside one, and the change that is named. Chosen here.
+const FADED_BLOCKS: usize = 10;
+const FADED_OTHERS: usize = 2;
+const FADED_FROM: f64 = 10.0;
+/// Rise over the record that is named, in standard deviations of the motion. Chosen here.
+const DRIFT_FROM: f64 = 10.0;
+/// Samples that are compared between channels, and 1 less the correlation of their steps below which they are one signal: noise of a
+/// hundredth. Chosen here.
+const ALIKE_SAMPLES: usize = 16_384;
+const ALIKE_MOST: f64 = 1e-4;
+/// A sample out of the middle of its neighbours by so many times the usual is a spike; so many samples tell what is usual. Chosen here.
+const SPIKE_FROM: f64 = 25.0;
+const SPIKE_SAMPLES: usize = 65_536;
+/// Standard deviation of a normal variable over its median modulus.
+const NORMAL_MEDIAN: f64 = 1.482_602_218_505_602;
+
+/// First sample and the one behind the last of the longest run of one value, if it is no accident.
+pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
+    let (mut runs, mut begin, mut longest) = (1, 0, [0, 0]);
+    let (mut before, mut beside) = (0, 0);
+    for i in 1..=x.len() {
+        if i < x.len() && x[i] == x[i - 1] {
+            continue;
+        }
+        if begin == longest[1] {
+            beside = beside.max(i - begin); // the run behind the longest
+        }
+        if i - begin > longest[1] - longest[0] {
+            (longest, beside) = ([begin, i], before);
+        }
+        (before, begin) = (i - begin, i);
+        runs += usize::from(i < x.len());
+    }
+    let length = longest[1] - longest[0];
+    let wanted = STUCK_LEAST.max((STUCK_S * rate_hz).ceil() as usize);
+    // the mean of the others: a channel that is dead for most of its time has one run too
+    let others = (x.len() - length) / (runs - 1).max(1);
+    let least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
+    (runs > 1 && length >= least).then_some(longest)
+}
+
+/// How the strength of a channel changed against the others.
+pub(super) struct Faded {
+    pub(super) factor: f64,
+    pub(super) from: usize,
+    pub(super) to: usize,
+}
+
+/// Steps of the channel over the median of the others', block by block.
+pub(super) fn faded(x: &[f64], others: &[&[f64]]) -> Option<Faded> {
+    let block = x.len() / FADED_BLOCKS;
+    if others.len() < FADED_OTHERS || block < STUCK_LEAST {
+        return None;
+    }
+    let strength = |x: &[f64], k: usize| -> f64 {
+        let steps = x[k * block..(k + 1) * block].windows(2);
+        steps.map(|pair| (pair[1] - pair[0]).powi(2)).sum::<f64>().sqrt()
+    };
+    let (mut most, mut least, mut at) = (0.0_f64, f64::INFINITY, 0);
+    for k in 0..FADED_BLOCKS {
+        let mut beside: Vec<f64> = others.iter().map(|other| strength(other, k)).collect();
+        beside.sort_by(f64::total_cmp);
+        let median = 0.5 * (beside[(beside.len() - 1) / 2] + beside[beside.len() / 2]);
+        if median <= 0.0 {
+            return None;
+        }
+        let own = strength(x, k) / median;
+        most = most.max(own);
+        if own < least {
+            (least, at) = (own, k);
+        }
+    }
+    (most >= FADED_FROM * least).then(|| Faded {
+        factor: most / least,
+        from: at * block,
+        to: (at + 1) * block,
+    })
+}
+
+/// Rise of the line through a channel over the record, in standard deviations about it, if it is more than the motion.
+pub(super) fn drifts(x: &[f64]) -> Option<f64> {
+    let n = x.len() as f64;
+    let (middle, mean) = (0.5 * (n - 1.0), x.iter().sum::<f64>() / n);
+    let (mut tx, mut xx) = (0.0, 0.0);
+    for (i, x) in x.iter().enumerate() {
+        tx += (i as f64 - middle) * (x - mean);
+        xx += (x - mean) * (x - mean);
+    }
+    let tt = n * (n * n - 1.0) / 12.0;
+    let left = (xx - tx * tx / tt).max(0.0) / n;
+    let rise = (tx / tt * n).abs() / left.sqrt();
+    (rise >= DRIFT_FROM).then_some(rise)
+}
+
+/// Correlation of the steps of two channels if they are almost one signal.
+pub(super) fn alike(a: &[f64], b: &[f64]) -> Option<f64> {
+    let most = a.len().min(ALIKE_SAMPLES);
+    let (mut aa, mut bb, mut ab) = (0.0, 0.0, 0.0);
+    for (a, b) in a[..most].windows(2).zip(b[..most].windows(2)) {
+        let (a, b) = (a[1] - a[0], b[1] - b[0]);
+        aa += a * a;
+        bb += b * b;
+        ab += a * b;
+    }
+    let correlation = ab / (aa * bb).sqrt();
+    (1.0 - correlation.abs() < ALIKE_MOST).then_some(correlation)
+}
+
+/// Single samples that stand out.
+pub(super) struct Spikes {
+    pub(super) count: usize,
+    pub(super) first: usize,
+}
+
+/// d_i = x_i − (x_{i−1} + x_{i+1})/2: of one sample alone its neighbours have half of it, the other way, and the next ones nothing.
+pub(super) fn spikes(x: &[f64]) -> Option<Spikes> {
+    let out = |i: usize| x[i] - 0.5 * (x[i - 1] + x[i + 1]);
+    let last = x.len().checked_sub(2).filter(|last| *last > 2)?;
+    let stride = (x.len() / SPIKE_SAMPLES).max(1);
+    let mut usual: Vec<f64> = (1..=last).step_by(stride).map(|i| out(i).abs()).collect();
+    let middle = usual.len() / 2;
+    let (_, median, _) = usual.select_nth_unstable_by(middle, f64::total_cmp);
+    let bound = SPIKE_FROM * NORMAL_MEDIAN * *median;
+    if bound <= 0.0 {
+        return None; // more than half of the samples lie on straight lines: digitised too coarsely to tell
+    }
+    let mut found: Option<Spikes> = None;
+    for i in 3..last.saturating_sub(1) {
+        let own = out(i).abs();
+        let alone = || {
+            let beside = [i - 1, i + 1].map(|k| -out(k) / out(i));
+            let beyond = [i - 2, i + 2].map(|k| (out(k) / out(i)).abs());
+            beside.iter().all(|share| (0.35..0.65).contains(share)) && beyond.iter().all(|share| *share < 0.3)
+        };
+        if own > bound && alone() {
+            match &mut found {
+                Some(spikes) => spikes.count += 1,
+                None => found = Some(Spikes { count: 1, first: i }),
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+
+    fn noise(seed: u64, samples: usize) -> Vec<f64> {
+        let mut random = Random::new(seed, 0);
+        (0..samples).map(|_| random.normal()).collect()
+    }
+
+    #[test]
+    fn exact_where_a_channel_stood() {
+        let mut x = noise(1, 6000);
+        x[2000..2500].fill(0.25);
+        assert_eq!(stuck(&x, 100.0), Some([2000, 2500]));
+        // to the end, and of less than a second not at all
+        x[2000..].fill(0.0);
+        assert_eq!(stuck(&x, 100.0), Some([2000, 6000]));
+        let mut short = noise(2, 6000);
+        short[100..190].fill(1.0);
+        assert_eq!(stuck(&short, 100.0), None);
+        // a coarse digitiser in quiet hours stands for long, and all the time
+        let coarse: Vec<f64> = (0..60_000)
+            .map(|i| (1.4 * (0.002 * f64::from(i)).sin()).round())
+            .collect();
+        assert_eq!(stuck(&coarse, 100.0), None);
+    }
+
+    #[test]
+    fn exact_which_block_faded() {
+        let (a, b) = (noise(3, 10_000), noise(4, 10_000));
+        let mut x = noise(5, 10_000);
+        assert!(faded(&x, &[&a, &b]).is_none());
+        x[7000..8000].iter_mut().for_each(|x| *x *= 0.02);
+        let found = faded(&x, &[&a, &b]).unwrap();
+        assert_eq!((found.from, found.to), (7000, 8000));
+        assert!((found.factor / 50.0 - 1.0).abs() < 0.2, "{}", found.factor);
+        // all fade together: the wind fell
+        let all: Vec<Vec<f64>> = [3, 4, 5]
+            .map(|seed| {
+                noise(seed, 10_000)
+                    .iter()
+                    .enumerate()
+                    .map(|(i, x)| x / (1.0 + i as f64 / 500.0))
+                    .collect()
+            })
+            .to_vec();
+        assert!(faded(&all[0], &[&all[1], &all[2]]).is_none());
+    }
+
+    #[test]
+    fn exact_two_channels_are_one_down_to_noise_of_a_hundredth() {
+        let (a, own) = (noise(6, 9000), noise(7, 9000));
+        let with =
+            |share: f64| -> Vec<f64> { a.iter().zip(&own).map(|(a, n)| -3.0 * (a + share * n)).collect() };
+        // 1 − r = share²/2
+        let r = alike(&a, &with(0.005)).unwrap();
+        assert!(((1.0 + r) / (0.5 * 0.005_f64.powi(2)) - 1.0).abs() < 0.1, "{r}");
+        assert_eq!(alike(&a, &with(0.02)), None);
+        assert_eq!(alike(&a, &own), None);
+    }
+
+    #[test]
+    fn exact_rise_of_a_drifting_channel() {
+        let mut x = noise(10, 20_000);
+        assert_eq!(drifts(&x), None);
+        x.iter_mut()
+            .enumerate()
+            .for_each(|(i, x)| *x = 0.5 * *x - 15.0 * i as f64 / 20_000.0 + 3.0);
+        assert!(
+            (drifts(&x).unwrap() / 30.0 - 1.0).abs() < 0.02,
+            "{:?}",
+            drifts(&x)
+        );
+    }
+
+    #[test]
+    fn exact_number_of_spikes() {
+        let mut x = noise(8, 20_000);
+        assert!(spikes(&x).is_none());
+        for k in 1..=7 {
+            x[2000 * k + 31 * k] += 60.0;
+        }
+        let found = spikes(&x).unwrap();
+        assert_eq!((found.count, found.first), (7, 2031));
+        // a burst, a step and a sine are none
+        let mut burst = noise(9, 20_000);
+        for (i, x) in burst[5000..5200].iter_mut().enumerate() {
+            *x += 80.0 * (1.9 * i as f64).sin() * (-0.05 * i as f64).exp();
+        }
+        burst[9000..].iter_mut().for_each(|x| *x += 90.0);
+        assert!(spikes(&burst).is_none());
+    }
+}

@@ -1,0 +1,138 @@
+//! How well the data know each stiffness of a solution.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | J = U S Vᵀ | `jacobian` | d(data over sd)/d(ln k) | |
+
+use super::Sprung;
+use super::options::Weighting;
+use super::range::range_of_root;
+use super::search::{Found, Search, rank, tall};
+use crate::structure::{Choice, StiffnessBounds, StiffnessRange, StructureError, Visibility};
+use dolmen_linalg::{Matrix, svd};
+
+/// Relative standard deviation above which a linear interval of 95 % says nothing: it would reach below 0.
+const LINEAR_SD_MOST: f64 = 0.5;
+/// Change of data that counts as seen if they carry no sd, relative: frequencies of the field scatter by half a per
+/// cent. With sd the bound is one sd.
+const SEEN_RELATIVE: f64 = 0.005;
+
+/// What can be stated of the stiffnesses of one solution.
+#[derive(Default)]
+pub(super) struct Known {
+    /// Standard deviation of each ln k, where the modes carry deviations.
+    pub(super) relative_sd: Option<Vec<f64>>,
+    /// Ends of each, where a linear interval would reach below 0.
+    pub(super) bounds: Option<Vec<StiffnessBounds>>,
+}
+
+impl<S: Sprung> Search<'_, S> {
+    /// A linear interval where the modes carry deviations and it is narrow; else, by deviations given or assumed, the
+    /// profile.
+    pub(super) fn known(&self, found: &Found, choice: Choice) -> Result<Known, StructureError> {
+        if self.independent < self.parts() || self.meets_another(found)? {
+            return Ok(Known::default());
+        }
+        let unit = self.deviation_unit();
+        let linear = |sd: &Vec<f64>| sd.iter().all(|sd| unit * sd <= LINEAR_SD_MOST);
+        let relative_sd = self.relative_sd(found)?.filter(linear);
+        Ok(match relative_sd {
+            None => Known {
+                relative_sd: None,
+                bounds: Some(self.bounds(found)),
+            },
+            Some(sd) => Known {
+                relative_sd: self.interval_stated(choice).then_some(sd),
+                bounds: None,
+            },
+        })
+    }
+
+    /// One standard deviation of a datum in units of its residual: without any given or assumed, that of a frequency.
+    pub(super) fn deviation_unit(&self) -> f64 {
+        match self.weighting {
+            Weighting::Relative => self.options.frequency_sd_assumed,
+            _ => 1.0,
+        }
+    }
+
+    /// Where there are data to spare, a misfit above 1 widens every interval.
+    pub(super) fn widened(&self, found: &Found) -> f64 {
+        let data = self.fit.data();
+        match data.saturating_sub(found.x.len()) {
+            0 => 1.0,
+            spare => (found.misfit * (data as f64 / spare as f64).sqrt()).max(1.0),
+        }
+    }
+
+    /// Whether the modes carry standard deviations and determine the stiffness.
+    fn interval_stated(&self, choice: Choice) -> bool {
+        matches!(self.weighting, Weighting::Given | Weighting::PartlyAssumed)
+            && choice != Choice::Underdetermined
+    }
+
+    /// Springs that change no datum by what counts as seen while their stiffness changes e-fold.
+    pub(super) fn unseen_springs(&self, found: &Found) -> Vec<usize> {
+        let j = &found.jacobian;
+        let column = |i: usize| j.column(i).iter().map(|d| d * d).sum::<f64>().sqrt();
+        (0..found.x.len())
+            .filter(|&i| column(i) < self.seen_bound())
+            .collect()
+    }
+
+    /// Change of the data that counts as seen, in units of the residuals.
+    pub(super) fn seen_bound(&self) -> f64 {
+        match self.weighting {
+            Weighting::Relative => SEEN_RELATIVE,
+            _ => 1.0,
+        }
+    }
+
+    /// While every frequency moves by √3 of its standard deviation.
+    pub(super) fn range(&self, root: &[f64]) -> Option<StiffnessRange> {
+        let frequencies: Vec<f64> = self.modes.iter().map(|mode| mode.frequency_hz).collect();
+        let half_width = self
+            .modes
+            .iter()
+            .map(|mode| 3.0_f64.sqrt() * mode.frequency_sd_hz);
+        let half_width: Vec<f64> = half_width.collect();
+        let positive = frequencies.iter().zip(&half_width).all(|(f, h)| f > h);
+        positive.then(|| range_of_root(&self.model, &frequencies, &half_width, root))
+    }
+
+    /// √diag J⁺ C J⁺ᵀ with C the correlations of the data, which is (JᵀJ)⁻¹ where they have none; widened by the misfit where there are data to spare; `None` if not determined.
+    pub(super) fn relative_sd(&self, found: &Found) -> Result<Option<Vec<f64>>, StructureError> {
+        let n = found.x.len();
+        let f = svd(&tall(&found.jacobian))?;
+        if rank(&f.s) < n {
+            return Ok(None);
+        }
+        let widened = self.widened(found);
+        let c = self.fit.correlations();
+        let inverse = Matrix::from_fn(n, c.rows(), |i, p| {
+            (0..n).map(|j| f.v[(i, j)] / f.s[j] * f.u[(p, j)]).sum()
+        });
+        let spread = &inverse * &c;
+        let variance = |i: usize| {
+            (0..c.rows())
+                .map(|p| spread[(i, p)] * inverse[(i, p)])
+                .sum::<f64>()
+        };
+        Ok(Some(
+            (0..n).map(|i| widened * variance(i).max(0.0).sqrt()).collect(),
+        ))
+    }
+
+    pub(super) fn visibility(&self, found: &Found) -> Result<Visibility, StructureError> {
+        let n = found.x.len();
+        let f = svd(&tall(&found.jacobian))?;
+        let bound = self.seen_bound();
+        let share = |s: f64| s * s / (s * s + bound * bound);
+        let seen = |i: usize| (0..n).map(|j| f.v[(i, j)].powi(2) * share(f.s[j])).sum::<f64>();
+        Ok(Visibility {
+            free_directions: n - rank(&f.s),
+            seen: (0..n).map(seen).collect(),
+            singular_values: f.s,
+        })
+    }
+}
