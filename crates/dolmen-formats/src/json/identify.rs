@@ -97,10 +97,14 @@ fn settings(settings: &Settings, modes: &Modes) -> Value {
 }
 
 fn decay(decay: &Decay) -> Value {
-    let at = |a: &AtAmplitude| json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio, "damping_ratio_sd": a.damping_ratio_sd });
-    let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
+    let at = |a: &AtAmplitude| {
+        json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio, "damping_ratio_sd": a.damping_ratio_sd,
+        "degrees_of_freedom": a.degrees_of_freedom, "half_width_95": a.half_width_95().ok() })
+    };
+    let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
     json!({
         "explained": decay.explained,
+        "left_peaks_hz": decay.left_peaks_hz,
         "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
         "notes": decay_remarks(decay),
     })

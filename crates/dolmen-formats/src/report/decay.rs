@@ -16,7 +16,7 @@ pub(super) fn section(decay: &Decay, language: Language) -> Markup {
         language.pick("size of the swings", "진폭"),
         language.pick("frequency (Hz)", "고유진동수 (Hz)"),
         language.pick("damping ratio (%)", "감쇠비 (%)"),
-        "±",
+        "± 95 %",
     ]
     .map(str::to_owned);
     let mut rows: Vec<Vec<Cell>> = Vec::new();
@@ -28,7 +28,9 @@ pub(super) fn section(decay: &Decay, language: Language) -> Markup {
                 significant(at.amplitude, 3).into(),
                 significant(at.frequency_hz, 5).into(),
                 significant(100.0 * at.damping_ratio, 3).into(),
-                significant(100.0 * at.damping_ratio_sd, 2).into(),
+                at.half_width_95()
+                    .map_or("–".to_owned(), |half| significant(100.0 * half, 2))
+                    .into(),
             ]);
         }
     }

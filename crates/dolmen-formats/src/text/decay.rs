@@ -13,7 +13,14 @@ pub(super) fn decay_text(decay: &Decay) -> String {
         100.0 * decay.explained
     );
     let mut table = Table::new(
-        &["mode, Hz", "swings at, s", "size", "f, Hz", "damping, %", "±"],
+        &[
+            "mode, Hz",
+            "swings at, s",
+            "size",
+            "f, Hz",
+            "damping, %",
+            "± 95 %",
+        ],
         1,
     );
     for mode in &decay.modes {
@@ -24,7 +31,8 @@ pub(super) fn decay_text(decay: &Decay) -> String {
                 format!("{:.3e}", at.amplitude),
                 format!("{:.4}", at.frequency_hz),
                 format!("{:.3}", 100.0 * at.damping_ratio),
-                format!("{:.3}", 100.0 * at.damping_ratio_sd),
+                at.half_width_95()
+                    .map_or("-".to_owned(), |half| format!("{:.3}", 100.0 * half)),
             ]);
         }
     }
@@ -84,6 +92,7 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
             list(&hidden)
         ));
     }
+    said.extend(still_shaken(decay));
     if decay.explained < EXPLAINED_LEAST {
         said.push(format!(
             "only {:.0} % of the motion is that of modes which die away: look at the record for noise, a second blow or a recorder at its \
@@ -92,6 +101,47 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
         ));
     }
     said
+}
+
+/// That what is left has peaks, or the modes' own frequencies: something goes on.
+fn still_shaken(decay: &Decay) -> Option<String> {
+    const FAR: f64 = 2.0; // deviations over those in white noise that are worth a word; chosen here
+    const NEAR: f64 = 0.05; // of a frequency: a peak of the mode's own; chosen here
+    // what a mode that is no exponential leaves is its own
+    let one = |mode: &&ModeDecay| mode.poles_hz.len() == 1 && !mode.damping_follows;
+    let shaken = decay.modes.iter().filter(one).filter(|mode| mode.over_white > FAR);
+    let most = shaken.map(|mode| mode.over_white).fold(0.0, f64::max);
+    let of_no_mode: Vec<String> = decay
+        .left_peaks_hz
+        .iter()
+        .filter(|hz| {
+            let mut poles = decay.modes.iter().flat_map(|mode| &mode.poles_hz);
+            poles.all(|pole| (*hz / pole - 1.0).abs() > NEAR)
+        })
+        .map(|hz| format!("{hz:.2}"))
+        .collect();
+    if most == 0.0 && of_no_mode.is_empty() {
+        return None;
+    }
+    let all: Vec<String> = decay.left_peaks_hz.iter().map(|hz| format!("{hz:.2}")).collect();
+    let mut said = match all.is_empty() {
+        true => "what is left is not white".to_owned(),
+        false => format!("what is left is not white, with peaks at {} Hz", all.join(", ")),
+    };
+    said += &format!(
+        ": the structure is still shaken; {:.2} % of the motion is unexplained",
+        100.0 * (1.0 - decay.explained)
+    );
+    if most > 0.0 {
+        said += &format!(", and deviations are up to {most:.1} times those in white noise");
+    }
+    if !of_no_mode.is_empty() {
+        said += &format!(
+            ". No mode is shown at {} Hz: lost in that motion, or a machine",
+            of_no_mode.join(", ")
+        );
+    }
+    Some(said)
 }
 
 /// The largest, the middle and the smallest.

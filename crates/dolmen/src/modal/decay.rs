@@ -1,5 +1,6 @@
 //! From the record of a free decay to its modes, and to what follows its amplitude.
 
+use super::blows::blows;
 use super::correlations::correlate;
 use super::fdd::{Fdd, FddResult, SpectralMatrices, peaks_of};
 use super::identify::of_peaks;
@@ -8,8 +9,10 @@ use super::{
     AtAmplitude, Decrement, Era, FreeDecay, Identify, ModalAnalysis, ModalError, Mode, assurance, decrement,
     era,
 };
-use crate::signal::Record;
+use crate::signal::{ChannelFault, Record, inspect};
 
+/// Samples over lines of the spectrum of a decay.
+const PARTS: usize = 16;
 /// Below so many samples a spectrum is no average.
 pub(super) const SHORT: usize = 1024;
 
@@ -20,6 +23,8 @@ pub struct Decay {
     pub channels: usize,
     /// Share of the motion that the poles explain.
     pub explained: f64,
+    /// Peaks of what is left, Hz, where it is not white; those of the modes shown are among them.
+    pub left_peaks_hz: Vec<f64>,
     /// Each mode, by frequency.
     pub modes: Vec<ModeDecay>,
 }
@@ -33,6 +38,8 @@ pub struct ModeDecay {
     /// frequency and damping follow the size of its swings, and those of the mode are the strongest pole's, without a deviation. With one
     /// channel every shape is alike: they may as well be several modes.
     pub poles_hz: Vec<f64>,
+    /// Its deviations over those in white noise of the same power: far above 1 where the structure is still shaken.
+    pub over_white: f64,
     /// Whether its damping follows the size of its swings, beyond chance and by more than a fifth: friction, or a joint that works. Its one damping
     /// ratio is then a mean without a deviation.
     pub damping_follows: bool,
@@ -47,6 +54,11 @@ pub(super) fn of_decay(
     options: &Identify,
     peaks: FddResult,
 ) -> Result<ModalAnalysis, ModalError> {
+    refuse_clipped(record)?;
+    let blows = blows(record)?;
+    if !blows.is_empty() {
+        return Err(ModalError::SeveralBlows { times_s: blows });
+    }
     let found = era(
         record,
         &Era {
@@ -77,6 +89,7 @@ pub(super) fn of_decay(
         modes.push(ModeDecay {
             frequency_hz: mode.frequency_hz,
             poles_hz: group.iter().map(|i| found.modes.modes[*i].frequency_hz).collect(),
+            over_white: group.iter().map(|i| found.over_white[*i]).fold(1.0, f64::max),
             damping_follows,
             swings,
         });
@@ -87,6 +100,7 @@ pub(super) fn of_decay(
     analysis.decay = Some(Decay {
         channels: record.channels().len(),
         explained: found.explained,
+        left_peaks_hz: peaks_of_rest(record, &found)?,
         modes,
     });
     analysis.settings.lines = 0;
@@ -95,6 +109,44 @@ pub(super) fn of_decay(
     analysis.settings.order_most = found.order;
     analysis.hankel_singular_values = found.singular_values;
     Ok(analysis)
+}
+
+/// Refuses a decay that a sensor or logger cut: its shape is another.
+fn refuse_clipped(record: &Record) -> Result<(), ModalError> {
+    let mut last: Option<(usize, String)> = None;
+    for fault in inspect(record) {
+        let ChannelFault::Clipped { channel, value, .. } = fault else {
+            continue;
+        };
+        let of = record.channels().iter().position(|c| c.name == channel);
+        let held = of.and_then(|c| record.samples(c).iter().rposition(|x| *x == value));
+        if let Some(at) = held.filter(|at| last.as_ref().is_none_or(|(other, _)| at > other)) {
+            last = Some((at, channel));
+        }
+    }
+    match last {
+        None => Ok(()),
+        Some((at, channel)) => Err(ModalError::ClippedDecay {
+            channel,
+            until_s: at as f64 / record.sampling_rate_hz(),
+            whole_from_s: (at + 2) as f64 / record.sampling_rate_hz(),
+        }),
+    }
+}
+
+/// Peaks of what a decay leaves, Hz; none where it is white.
+fn peaks_of_rest(record: &Record, found: &FreeDecay) -> Result<Vec<f64>, ModalError> {
+    const ROUNDING: f64 = 1e-6; // of the power: what an exact decay leaves has peaks of no meaning
+    if 1.0 - found.explained < ROUNDING {
+        return Ok(Vec::new());
+    }
+    let rest = Record::new(
+        record.channels().to_vec(),
+        found.rest.clone(),
+        record.sampling_rate_hz(),
+    )?;
+    let peaks = short_spectrum(&rest, &Fdd::default())?;
+    Ok(peaks.modes.modes.iter().map(|m| m.frequency_hz).collect())
 }
 
 /// Poles of one shape whose half-power bands meet, together: a joint that works makes one mode look like several.
@@ -183,7 +235,8 @@ fn beats(poles: usize, swings: &[AtAmplitude]) -> bool {
 /// The spectrum of a decay that is too short for averages.
 pub(super) fn short_spectrum(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
     const LINES: usize = 64;
-    let correlations = correlate(record, LINES.min(record.length() / 4), 1)?;
+    let lines = LINES.max(record.length() / PARTS).min(record.length() / 4);
+    let correlations = correlate(record, lines, 1)?;
     peaks_of(record, &SpectralMatrices::new(&correlations), options)
 }
 
@@ -246,6 +299,33 @@ mod tests {
     }
 
     #[test]
+    fn refuses_a_decay_with_a_second_blow_or_a_cut_crest() {
+        let swing = |t: f64| (-0.12 * t).exp() * (10.0 * t).sin();
+        let record = |y: &dyn Fn(f64) -> f64| {
+            let samples = (0..2000).map(|i| y(0.01 * f64::from(i))).collect();
+            Record::new(vec![Channel::named("y")], vec![samples], 100.0).unwrap()
+        };
+        let options = Identify {
+            method: Method::Era,
+            ..Identify::default()
+        };
+        let said = |y: &dyn Fn(f64) -> f64| identify(&record(y), &options).unwrap_err().to_string();
+        let twice = said(&|t| swing(t) + if t > 11.0 { swing(t - 11.0) } else { 0.0 });
+        assert!(
+            twice.starts_with("the swings grow at once at 11.")
+                || twice.starts_with("the swings grow at once at 10.9"),
+            "{twice}"
+        );
+        let cut = said(&|t| swing(t).clamp(-0.6, 0.6));
+        assert!(
+            cut.starts_with("channel \"y\" is clipped until ")
+                && cut.contains("a clipped decay has another shape"),
+            "{cut}"
+        );
+        assert!(identify(&record(&swing), &options).is_ok());
+    }
+
+    #[test]
     fn holds_damping_that_follows_its_swings_is_told_from_scatter_and_from_beats() {
         let all = |dampings: [f64; 3], sd: f64| {
             dampings.map(|damping_ratio| AtAmplitude {
@@ -254,6 +334,7 @@ mod tests {
                 frequency_hz: 2.0,
                 damping_ratio,
                 damping_ratio_sd: sd,
+                degrees_of_freedom: 3.0,
             })
         };
         // √2 × 4 deviations of .1 % are .57 %

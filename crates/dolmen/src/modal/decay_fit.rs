@@ -6,6 +6,7 @@
 //! | B | `basis` | Re e^(μt), -Im e^(μt) of every mode | samples × 2K |
 //! | D | `slope` | derivatives of the motion with respect to Re μ, Im μ | samples × 2K |
 
+use super::decay_left::over_white;
 use super::indicators::{normalized, phase_collinearity};
 use super::{ModalError, Mode};
 use crate::signal::Record;
@@ -23,6 +24,10 @@ pub(super) struct Fit {
     pub(super) explained: f64,
     /// Energy of each mode over the noise.
     pub(super) energy: Vec<f64>,
+    /// What is left, channels × samples.
+    pub(super) rest: Vec<Vec<f64>>,
+    /// Deviation of each mode over that in white noise of the same power, 1 or more.
+    pub(super) over_white: Vec<f64>,
 }
 
 /// Modes that white noise does not make: the weakest of the others is left out and the rest fitted again.
@@ -77,12 +82,22 @@ fn fitted(record: &Record, mut roots: Vec<Complex64>) -> Result<Fit, ModalError>
         (roots, here) = (next, there);
     }
     let covariance = solve(&here.information, &Matrix::identity(2 * roots.len()))?;
+    let of = |(root, amplitudes): (&Complex64, &Vec<Complex64>)| {
+        over_white(record, &here.rest, (*root, amplitudes, &here.noise))
+    };
+    let over_white: Vec<f64> = roots
+        .iter()
+        .zip(&here.amplitudes)
+        .map(of)
+        .collect::<Result<_, _>>()?;
     Ok(Fit {
         covariance,
         amplitudes: here.amplitudes,
         noise: here.noise,
         energy: here.energy,
         explained: 1.0 - here.left / here.power.max(f64::MIN_POSITIVE),
+        rest: here.rest,
+        over_white,
         roots,
     })
 }
@@ -98,6 +113,7 @@ struct Linear {
     /// Power of what is left, and of the record, each channel over its own power.
     left: f64,
     power: f64,
+    rest: Vec<Vec<f64>>,
 }
 
 impl Linear {
@@ -121,6 +137,7 @@ impl Linear {
             energy: vec![0.0; k],
             left: 0.0,
             power: 0.0,
+            rest: Vec::new(),
         };
         for c in 0..record.channels().len() {
             let y = record.samples(c);
@@ -160,6 +177,7 @@ impl Linear {
             for (of_mode, a) in found.amplitudes.iter_mut().zip(amplitudes) {
                 of_mode.push(a);
             }
+            found.rest.push(left);
         }
         Ok(found)
     }
@@ -179,7 +197,7 @@ impl Fit {
         let var = |i: usize, j: usize| self.covariance[(2 * k + i, 2 * k + j)];
         let sd = |g: [f64; 2]| {
             let v = g[0] * g[0] * var(0, 0) + 2.0 * g[0] * g[1] * var(0, 1) + g[1] * g[1] * var(1, 1);
-            v.max(0.0).sqrt()
+            self.over_white[k] * v.max(0.0).sqrt()
         };
         let along = [mu.re / omega, mu.im / omega]; // dω
         let of_damping = [

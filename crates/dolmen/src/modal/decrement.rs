@@ -8,6 +8,7 @@
 
 use super::ModalError;
 use super::error::refused;
+use crate::numeric::student_two_sided_quantile;
 use crate::signal::{Record, band_pass};
 use std::f64::consts::PI;
 
@@ -55,6 +56,18 @@ pub struct AtAmplitude {
     pub damping_ratio: f64,
     /// Standard deviation of it, from how the swings scatter about a straight line of ln u, and how few of them are independent in the band.
     pub damping_ratio_sd: f64,
+    /// Degrees of freedom of that deviation: swings that are independent in the band, less 2; 1 at least.
+    pub degrees_of_freedom: f64,
+}
+
+impl AtAmplitude {
+    /// Half width of the 95 % interval of the damping ratio: Student's quantile, since few swings stand behind one value.
+    ///
+    /// # Errors
+    /// [`ModalError::Numeric`] for degrees of freedom out of range.
+    pub fn half_width_95(&self) -> Result<f64, ModalError> {
+        Ok(self.damping_ratio_sd * student_two_sided_quantile(0.05, self.degrees_of_freedom)?)
+    }
 }
 
 /// Frequency and damping of one mode by the size of its swings, largest first.
@@ -188,6 +201,7 @@ fn over(swings: &[Swing], width_hz: Option<f64>) -> AtAmplitude {
         frequency_hz: omega / (2.0 * PI),
         damping_ratio: decay / omega,
         damping_ratio_sd,
+        degrees_of_freedom: free,
     }
 }
 

@@ -55,6 +55,11 @@ pub struct FreeDecay {
     pub explained: f64,
     /// Standard deviation of what is left in each channel, in its unit.
     pub noise: Vec<f64>,
+    /// What is left of each channel, in its unit: channels × samples.
+    pub rest: Vec<Vec<f64>>,
+    /// Standard deviations of each mode over those in white noise of the same power: above 1 where what is left has the mode's own frequency,
+    /// since the structure is still shaken.
+    pub over_white: Vec<f64>,
     /// Singular values of H₀, descending.
     pub singular_values: Vec<f64>,
     /// Order of the model.
@@ -68,7 +73,8 @@ pub struct FreeDecay {
 /// ```text
 /// H₀ = U S Vᵀ,  A = S^-½ Uᵀ H₁ V S^-½,  μ = ln(λ(A)) f_s                     first n singular values
 /// y(t) = Re Σ_k a_k e^(μ_k t)                                                 least squares in a and μ, from the μ above
-/// cov μ = (Σ_c Dᵀ(I - BB⁺)D/σ_c²)⁻¹                                           the Cramér–Rao bound, σ_c² from what is left
+/// cov μ = v (Σ_c Dᵀ(I - BB⁺)D/σ_c²)⁻¹                                         the Cramér–Rao bound, σ_c² from what is left
+/// v ≥ 1: what is left as each mode sees it is white noise and the answer of that mode to white forces, each as strong as is likeliest
 /// ```
 /// The order is the number of singular values above the optimal threshold for white noise, ω(β) times their median. A pole is a mode if it
 /// swings, is damped within bounds and is coherent: its motion in V is the exponential that it stands for. Frequencies, damping ratios
@@ -79,7 +85,7 @@ pub struct FreeDecay {
 ///
 /// # Limits
 /// Linear: a joint that works harder in strong motion has a frequency that rises as the motion dies, which shows as a low `explained`. Noise is
-/// taken as white. Exact decays give their poles to 1e-9; with white noise of 5 % of the first swing the scatter of frequency and
+/// white, or the structure's own answer to forces that go on evenly: deviations then hold to a third (docs). Exact decays give their poles to 1e-9; with white noise of 5 % of the first swing the scatter of frequency and
 /// damping is that of the bound (a test).
 ///
 /// # Source
@@ -131,7 +137,9 @@ pub fn era(record: &Record, options: &Era) -> Result<FreeDecay, ModalError> {
         },
         energy: ordered.iter().map(|k| fit.energy[*k]).collect(),
         explained: fit.explained,
+        over_white: ordered.iter().map(|k| fit.over_white[*k]).collect(),
         noise: fit.noise,
+        rest: fit.rest,
         singular_values: svd.s,
         order,
         block_rows: p,

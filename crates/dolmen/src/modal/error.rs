@@ -192,6 +192,29 @@ pub enum ModalError {
         /// Samples a channel.
         samples: usize,
     },
+    /// A force acts within a decay.
+    #[error(
+        "the swings grow at once at {} s from the first sample: a blow, or a release. A decay holds none: cut the record into parts that each begin \
+         after one and end before the next (conditioning = {{ cut = {{ from_s = …, to_s = … }} }}), a part a record",
+        listed_s(times_s)
+    )]
+    SeveralBlows {
+        /// When, s from the first sample.
+        times_s: Vec<f64>,
+    },
+    /// A channel of a decay is clipped.
+    #[error(
+        "channel \"{channel}\" is clipped until {until_s:.3} s from the first sample, and a clipped decay has another shape: begin at {whole_from_s:.3} s \
+         (conditioning = {{ cut = {{ from_s = … }} }}), or leave the channel out"
+    )]
+    ClippedDecay {
+        /// Its name.
+        channel: String,
+        /// Last sample at the limit, s from the first.
+        until_s: f64,
+        /// What is whole, s from the first sample.
+        whole_from_s: f64,
+    },
     /// Too few swings.
     #[error(
         "the decay has {extrema} extrema of clear swings, but one value needs {needed}: strike harder, or lower extrema or the noise"
@@ -250,6 +273,11 @@ pub enum ModalError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+}
+
+fn listed_s(times_s: &[f64]) -> String {
+    let all: Vec<String> = times_s.iter().map(|t| format!("{t:.2}")).collect();
+    all.join(", ")
 }
 
 /// The refusal of one option.

@@ -1,10 +1,12 @@
 //! Modes from ambient vibration: frequency, damping ratio and shape, each with its standard deviation.
 
 mod agreement;
+mod blows;
 mod clusters;
 mod correlations;
 mod decay;
 mod decay_fit;
+mod decay_left;
 mod decomposed;
 mod decrement;
 mod efdd;
