@@ -25,6 +25,8 @@ pub fn change_json(of: &Project, file: &str, change: &SurveyChange) -> Value {
         "power": change.power,
         "tested": change.tested(),
         "changed": change.changed().count(),
+        "damping_tested": change.damping_tested(),
+        "damping_changed": change.damping_changed().count(),
         "detectable": change.detectable(),
         "modes": change.modes.iter().map(mode).collect::<Vec<_>>(),
         "lost": change.lost.iter().map(observed).collect::<Vec<_>>(),

@@ -33,6 +33,7 @@ pub(super) fn findings(change: &SurveyChange, language: Language) -> Vec<Finding
         significant(100.0 * change.power, 2),
     );
     let mut all = doubts(change, language);
+    all.extend(damping(change, language));
     all.extend(match least {
         None if change.modes.is_empty() => vec![Finding::new(
             Tone::Unknown,
@@ -67,6 +68,36 @@ pub(super) fn findings(change: &SurveyChange, language: Language) -> Vec<Finding
         all.push(Finding::new(Tone::Unknown, temperature(change, language)));
     }
     all
+}
+
+/// Which damping ratios changed beyond chance.
+fn damping(change: &SurveyChange, language: Language) -> Option<Finding> {
+    let each: Vec<String> = change
+        .damping_changed()
+        .map(|(mode, d)| {
+            format!(
+                "{}\u{202f}Hz {}",
+                significant(mode.from.frequency_hz, 4),
+                percent(d.relative, 0)
+            )
+        })
+        .collect();
+    let (count, tested) = (each.len(), change.damping_tested());
+    let (from, to, alpha) = (
+        &change.from,
+        &change.to,
+        significant(100.0 * change.significance, 1),
+    );
+    let each = each.join(", ");
+    (count > 0).then(|| {
+        Finding::new(
+            Tone::Warn,
+            language.pick(
+                format!("From survey {from} to {to} {count} of {tested} damping ratios changed beyond chance ({alpha}\u{202f}% for all together): {each}. Damping follows the strength of the motion too; at equal strength, joints or cracks that rub do this before any frequency moves."),
+                format!("{from} 조사에서 {to} 조사까지 감쇠비 {tested}개 중 {count}개가 우연을 넘어 변하였다(전체 유의수준 {alpha}\u{202f}%): {each}. 감쇠비는 진동의 세기에 따라서도 변하나, 세기가 같다면 접합부나 균열의 마찰로 진동수보다 먼저 변할 수 있다."),
+            ),
+        )
+    })
 }
 
 /// What was not compared at all, and how else modes may be paired.
@@ -350,6 +381,10 @@ fn note_words(note: &ChangeNote, language: Language) -> String {
         ChangeNote::Swapped(swapped) => format!(
             "한 조사에서 채널 \"{}\"과(와) \"{}\"이(가) 서로 바뀐 것으로 보인다. 모드 {}개의 평균 MAC가 그대로는 {:.2}, 둘을 바꾸면 {:.2}이다. 바뀐 것이 맞으면 프로젝트 파일에서 두 이름을 바꾸고 다시 비교해야 한다.",
             swapped.channels[0], swapped.channels[1], swapped.modes, swapped.assurance, swapped.exchanged
+        ),
+        ChangeNote::Turned(turned) => format!(
+            "한 조사에서 채널 \"{}\"의 방향이 반대로 된 것으로 보인다. 모드 {}개의 평균 MAC가 그대로는 {:.2}, 부호를 바꾸면 {:.2}이다. 반대가 맞으면 프로젝트 파일에서 방향을 바꾸고 다시 비교해야 한다.",
+            turned.channel, turned.modes, turned.assurance, turned.turned
         ),
         ChangeNote::OneFactor { factor, modes } => format!(
             "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor:.3}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다."

@@ -230,6 +230,23 @@ fn doubt_lines(change: &SurveyChange) -> Vec<String> {
         }
         lines.push(line + " [survey-change]");
     }
+    let damping: Vec<f64> = change
+        .damping_changed()
+        .map(|(_, d)| 100.0 * d.relative)
+        .collect();
+    let least = damping.iter().copied().fold(f64::INFINITY, f64::min);
+    let most = damping.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    if let Some(range) = match damping.len() {
+        0 => None,
+        1 => Some(format!("{most:+.0} %")),
+        _ => Some(format!("{least:+.0} to {most:+.0} %")),
+    } {
+        lines.push(format!(
+            "DAMPING CHANGED beyond chance in {} of {} modes ({range}) [survey-change]",
+            damping.len(),
+            change.damping_tested()
+        ));
+    }
     lines
 }
 
@@ -248,6 +265,7 @@ fn sentences(change: &SurveyChange) -> Vec<String> {
             said.push(changed_sentence(mode, change.temperature.leaves_doubt()));
         }
     }
+    said.extend(damping_sentence(change));
     if let Some(detectable) = change.detectable() {
         let least = 100.0 * detectable;
         let power = 100.0 * change.power;
@@ -278,6 +296,32 @@ fn sentences(change: &SurveyChange) -> Vec<String> {
     }
     said.extend(pairing_sentences(change));
     said
+}
+
+/// Which damping ratios changed beyond chance.
+fn damping_sentence(change: &SurveyChange) -> Option<String> {
+    let each: Vec<String> = change
+        .damping_changed()
+        .map(|(mode, damping)| {
+            let half = damping.evidence.as_ref().map_or(f64::NAN, |e| e.half_width_95);
+            format!(
+                "{:.3} Hz {:+.0} ± {:.0} %",
+                mode.from.frequency_hz,
+                100.0 * damping.relative,
+                100.0 * half
+            )
+        })
+        .collect();
+    (!each.is_empty()).then(|| {
+        format!(
+            "Damping changed beyond chance ({} % for all together): {} of {} ratios [survey-change]: {}. It follows the strength of the motion too; at \
+             equal strength, joints or cracks that rub do this before any frequency moves.",
+            100.0 * change.significance,
+            each.len(),
+            change.damping_tested(),
+            each.join(", ")
+        )
+    })
 }
 
 fn changed_sentence(mode: &ModeChange, doubt: bool) -> String {

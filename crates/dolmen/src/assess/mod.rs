@@ -24,7 +24,7 @@ pub use chain::{CENTROID_CHANGE, ChainCheck, centroid_effect, check_chain};
 pub use change::{
     ChangeNote, Difference, Evidence, FittedTemperature, ModeChange, NotCompared, SurveyChange,
     SurveyChangeOptions, Surveyed, SwappedChannels, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect,
-    TemperatureKnowledge, survey_change,
+    TemperatureKnowledge, TurnedChannel, survey_change,
 };
 pub use damage::{DamageState, DamageThresholds, JointDamage, StackDamage, stack_damage};
 pub use error::AssessError;

@@ -11,5 +11,5 @@ pub use notes::ChangeNote;
 pub use surveys::{
     ModeChange, NotCompared, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
 };
-pub use swapped::SwappedChannels;
+pub use swapped::{SwappedChannels, TurnedChannel};
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};

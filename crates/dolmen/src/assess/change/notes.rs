@@ -1,7 +1,7 @@
 //! What must be known beside the numbers of a change: lines that could not be fitted, and what looks like a slip of the survey.
 
 use super::surveys::ModeChange;
-use super::swapped::SwappedChannels;
+use super::swapped::{SwappedChannels, TurnedChannel};
 use crate::modal::ObservedMode;
 
 /// Relative difference of frequencies that count as one. Chosen here: a hundredth, above what surveys of an unchanged structure differ by.
@@ -58,6 +58,8 @@ pub enum ChangeNote {
     },
     /// Two channels look exchanged in one of the surveys.
     Swapped(SwappedChannels),
+    /// A channel looks turned round in one of the surveys.
+    Turned(TurnedChannel),
     /// No mode has a partner, and all frequencies differ by one factor.
     OneFactor {
         /// After over before.
@@ -120,6 +122,12 @@ impl std::fmt::Display for ChangeNote {
                     swapped.modes, swapped.assurance, swapped.exchanged
                 )
             }
+            ChangeNote::Turned(turned) => write!(
+                f,
+                "channel \"{}\" looks turned round in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with its sign changed; if it \
+                 was, turn its direction round in the project file and compare again",
+                turned.channel, turned.modes, turned.assurance, turned.turned
+            ),
             ChangeNote::OneFactor { factor, modes } => write!(
                 f,
                 "no mode has a partner, and all {modes} frequencies are {factor:.3} times what they were: is the sampling rate of a survey wrong?"
@@ -315,6 +323,52 @@ mod tests {
         none(&[(2.01, FIRST), (5.0, SECOND)]);
         none(&[(2.01, exchanged(FIRST)), (5.3, exchanged(SECOND))]); // one mode alone
         none(&[(2.01, [1.0, 0.2, -0.4]), (5.0, [0.9, -0.8, 0.1])]); // other shapes
+    }
+
+    #[test]
+    fn holds_a_channel_turned_round_is_named() {
+        const THIRD: [f64; 3] = [0.9, -0.7, 0.8];
+        let turned = |[a, b, c]: [f64; 3]| [a, -b, c];
+        let before = [(2.0, FIRST), (5.0, SECOND), (8.0, THIRD)];
+        let found = notes(
+            &before,
+            &[(2.01, turned(FIRST)), (5.0, turned(SECOND)), (8.0, turned(THIRD))],
+        );
+        let said: Vec<String> = found.iter().map(ToString::to_string).collect();
+        // (.01 - .25 + 1)²/1.26², (.36 - .64 + .25)²/1.25² and (.81 - .49 + .64)²/1.94²: mean .199
+        assert!(
+            said[0].starts_with("channel \"b\" looks turned round in one of the surveys: mean MAC of 3 modes 0.20 as they are, 1.00 with its sign"),
+            "{said:?}"
+        );
+        let is_turned = |note: &ChangeNote| matches!(note, ChangeNote::Turned(_));
+        assert!(!notes(&before, &before).iter().any(is_turned));
+    }
+
+    #[test]
+    fn holds_damping_that_changed_beyond_chance_is_counted() {
+        let damped = |zeta: f64| {
+            let mut survey = survey(&[(2.0, FIRST), (5.0, SECOND)]);
+            for mode in &mut survey.modes {
+                (mode.damping_ratio, mode.damping_ratio_sd) = (Some(zeta), Some(0.001));
+            }
+            survey
+        };
+        let change = |zeta: f64| {
+            survey_change(
+                &damped(0.015),
+                &damped(zeta),
+                &[],
+                &SurveyChangeOptions::default(),
+            )
+            .unwrap()
+        };
+        let doubled = change(0.03);
+        assert_eq!(
+            (doubled.damping_tested(), doubled.damping_changed().count()),
+            (2, 2)
+        );
+        // .002 over √2 × .001: p = .157
+        assert_eq!(change(0.017).damping_changed().count(), 0);
     }
 
     #[test]

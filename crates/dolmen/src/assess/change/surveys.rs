@@ -9,7 +9,7 @@
 
 use super::difference::{Difference, Raw, tested, welch};
 use super::notes::{ChangeNote, SCATTER_BEYOND, WITH_TIME, slips};
-use super::swapped::swapped_channels;
+use super::swapped::{Slip, slip_of_channels};
 use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
@@ -166,6 +166,18 @@ impl SurveyChange {
         self.modes.iter().filter(move |m| significant(&m.frequency))
     }
 
+    /// Damping ratios that were tested.
+    pub fn damping_tested(&self) -> usize {
+        let known = |m: &&ModeChange| m.damping.as_ref().is_some_and(|d| d.evidence.is_some());
+        self.modes.iter().filter(known).count()
+    }
+
+    /// Modes whose damping ratio changed beyond chance, with the change.
+    pub fn damping_changed(&self) -> impl Iterator<Item = (&ModeChange, &Difference)> {
+        let known = self.modes.iter().filter_map(|m| Some((m, m.damping.as_ref()?)));
+        known.filter(|(_, d)| d.evidence.as_ref().is_some_and(|e| e.significant))
+    }
+
     /// Least relative change of frequency that would have been found in every mode tested; `None` if none was.
     pub fn detectable(&self) -> Option<f64> {
         let all = self.modes.iter().filter_map(|m| m.frequency.evidence.as_ref());
@@ -291,8 +303,11 @@ pub fn survey_change(
     });
     let other = paired.most_pairs.iter();
     let other_pairing_hz = other.map(|&[i, j]| [from.modes[i].frequency_hz, to.modes[j].frequency_hz]);
-    let swapped = swapped_channels(&from.modes, &to.modes, &options.pairing);
-    notes.extend(swapped.map(ChangeNote::Swapped));
+    let slip = slip_of_channels(&from.modes, &to.modes, &options.pairing);
+    notes.extend(slip.map(|slip| match slip {
+        Slip::Swapped(swapped) => ChangeNote::Swapped(swapped),
+        Slip::Turned(turned) => ChangeNote::Turned(turned),
+    }));
     notes.extend(slips(&modes, &lost, &new));
     Ok(SurveyChange {
         from: from.name.clone(),

@@ -1,4 +1,4 @@
-//! Two channels that one survey has exchanged, told by the shapes of another.
+//! Two channels that one survey has exchanged, or one that it has turned round, told by the shapes of another.
 //!
 //! | symbol | code | meaning |
 //! |:--|:--|:--|
@@ -22,6 +22,33 @@ pub struct SwappedChannels {
     pub modes: usize,
 }
 
+/// A channel that looks turned round.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TurnedChannel {
+    /// Its name in the first survey.
+    pub channel: String,
+    /// Mean assurance of the shapes as they are.
+    pub assurance: f64,
+    /// The same with its sign changed.
+    pub turned: f64,
+    /// Modes that it is the mean of.
+    pub modes: usize,
+}
+
+/// What one change of the channels makes the shapes of both surveys alike.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) enum Slip {
+    Swapped(SwappedChannels),
+    Turned(TurnedChannel),
+}
+
+/// A change of the channels of the second survey.
+#[derive(Clone, Copy)]
+enum Change {
+    Exchanged([usize; 2]),
+    Turned(usize),
+}
+
 /// Fewest modes that may say so: one shape can be turned into another by chance. Chosen here.
 const MODES_LEAST: usize = 2;
 /// Fewest places: of two, every exchange is a change of the shape that damage or noise could make. Chosen here.
@@ -32,22 +59,22 @@ const ALIKE: f64 = 0.95;
 /// Part of what is left unexplained, 1 - MAC, that the second-best exchange must leave over that of the best. Chosen here.
 const CLEARLY: f64 = 3.0;
 
-/// The two channels whose exchange makes the shapes of two surveys alike, if one exchange alone does.
+/// The two channels whose exchange, or the one whose change of sign, makes the shapes of two surveys alike, if one such change alone does.
 ///
 /// ```text
 /// MAC = 1/n Σ MAC(φ_i, ψ_i)        n modes of one frequency (within 1 %), at the places that both surveys show
 /// ```
-/// At least two modes and three places; mean MAC below 0.8 as they are and 0.95 or more exchanged; and 1 - MAC of every other exchange three
+/// At least two modes and three places; mean MAC below 0.8 as they are and 0.95 or more changed; and 1 - MAC of every other change three
 /// times that of the best.
 ///
 /// # Limits
 /// Two channels with like components in every mode may be exchanged unseen: nothing changes then but their names. Three channels in a ring
 /// are not found. Shapes that look alike under two exchanges say nothing.
-pub(super) fn swapped_channels(
+pub(super) fn slip_of_channels(
     before: &[ObservedMode],
     after: &[ObservedMode],
     options: &Pairing,
-) -> Option<SwappedChannels> {
+) -> Option<Slip> {
     let mut shapes = Vec::new();
     let mut free = vec![true; after.len()];
     for mode in before {
@@ -64,14 +91,15 @@ pub(super) fn swapped_channels(
     if shapes.len() < MODES_LEAST || places < PLACES_LEAST || !same {
         return None;
     }
-    let as_they_are = mean(&shapes, None);
-    if as_they_are >= UNLIKE {
+    let assurance = mean(&shapes, None);
+    if assurance >= UNLIKE {
         return None;
     }
-    let pairs = (0..places).flat_map(|a| (a + 1..places).map(move |b| [a, b]));
-    let mut exchanged: Vec<([usize; 2], f64)> = pairs.map(|pair| (pair, mean(&shapes, Some(pair)))).collect();
-    exchanged.sort_by(|a, b| b.1.total_cmp(&a.1));
-    let [(pair, best), (_, second), ..] = exchanged[..] else {
+    let pairs = (0..places).flat_map(|a| (a + 1..places).map(move |b| Change::Exchanged([a, b])));
+    let all = pairs.chain((0..places).map(Change::Turned));
+    let mut changed: Vec<(Change, f64)> = all.map(|change| (change, mean(&shapes, Some(change)))).collect();
+    changed.sort_by(|a, b| b.1.total_cmp(&a.1));
+    let [(change, best), (_, second), ..] = changed[..] else {
         return None;
     };
     if best < ALIKE || 1.0 - second < CLEARLY * (1.0 - best) {
@@ -89,20 +117,32 @@ pub(super) fn swapped_channels(
         })
         .map(|point| point.channel.name.as_str())
         .collect();
-    Some(SwappedChannels {
-        channels: pair.map(|at| shown.get(at).map_or_else(String::new, |name| (*name).to_owned())),
-        assurance: as_they_are,
-        exchanged: best,
-        modes: shapes.len(),
+    let name = |at: usize| shown.get(at).map_or_else(String::new, |name| (*name).to_owned());
+    let modes = shapes.len();
+    Some(match change {
+        Change::Exchanged(pair) => Slip::Swapped(SwappedChannels {
+            channels: pair.map(name),
+            assurance,
+            exchanged: best,
+            modes,
+        }),
+        Change::Turned(at) => Slip::Turned(TurnedChannel {
+            channel: name(at),
+            assurance,
+            turned: best,
+            modes,
+        }),
     })
 }
 
-/// Mean assurance, with two places of the second shapes exchanged.
-fn mean(shapes: &[[Vec<Complex64>; 2]], exchanged: Option<[usize; 2]>) -> f64 {
+/// Mean assurance, with one change of the second shapes.
+fn mean(shapes: &[[Vec<Complex64>; 2]], change: Option<Change>) -> f64 {
     let of = |[phi, psi]: &[Vec<Complex64>; 2]| {
         let mut psi = psi.clone();
-        if let Some([a, b]) = exchanged {
-            psi.swap(a, b);
+        match change {
+            Some(Change::Exchanged([a, b])) => psi.swap(a, b),
+            Some(Change::Turned(at)) => psi[at] = -psi[at],
+            None => {}
         }
         assurance(phi, &psi)
     };
