@@ -49,7 +49,7 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
         Note::NoDamping { frequency_hz } => {
             let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
             format!(
-                "{} 봉우리의 감쇠비는 제시하지 않는다. 다른 모드가 봉우리의 옆을 자르거나 감쇠가 너무 빠르다. 가까운 모드는 부분공간법으로 구별한다.",
+                "{} 봉우리의 감쇠비는 제시하지 않는다. 다른 모드가 봉우리의 옆을 자르거나, 감쇠가 너무 빠르거나, 감쇠하는 진동수가 봉우리와 다르다. 가까운 모드는 부분공간법으로 구별한다.",
                 all.join(", ")
             )
         }

@@ -148,7 +148,8 @@ impl std::fmt::Display for Note {
                 list(f, frequency_hz)?;
                 write!(
                     f,
-                    " Hz: another mode cuts their sides, or they decay too fast to fit; the subspace methods tell close modes apart"
+                    " Hz: another mode cuts their sides, they decay too fast to fit, or what \
+                     decays has another frequency than the peak; the subspace methods tell close modes apart"
                 )
             }
             Note::ClosePairs { pairs } => {
