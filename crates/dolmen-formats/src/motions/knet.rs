@@ -16,6 +16,13 @@ use crate::records::Unit;
 
 const FIRST: &[u8] = b"Origin Time";
 const HEADER_LINES: usize = 17;
+/// What the recorders add to the time of the first sample, s.
+///
+/// # Source
+/// National Research Institute for Earth Science and Disaster Resilience, *K-NET ASCII format*: the record time is late by 15 s; ObsPy 1.5.1 takes it off too.
+const RECORDED_LATE_S: f64 = 15.0;
+/// Japan standard time, in which headers are, before universal time, s.
+const JAPAN_S: f64 = 9.0 * 3600.0;
 /// Directions of KiK-net: in the borehole, then at the surface.
 const KIK_NET: [(&str, &str, &str); 6] = [
     ("1", "N-S", "borehole"),
@@ -89,7 +96,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     let begins = header
         .after("Record Time")
         .ok()
-        .and_then(|(_, time)| start::of_text(&time));
+        .and_then(|(_, time)| start::of_text(&time))
+        .map(|at| at - RECORDED_LATE_S - JAPAN_S);
     let title = text((1, header.0[0].1));
     let counts = all_numbers(lines)?;
     let stated = (rate_hz * duration_s).round();

@@ -149,6 +149,19 @@ impl RecordFormat {
         }
     }
 
+    /// Whether its times are universal, by the definition of the format; K-NET's are turned into it.
+    pub fn clock_is_utc(self) -> bool {
+        matches!(
+            self,
+            RecordFormat::MiniSeed
+                | RecordFormat::Sac
+                | RecordFormat::KNet
+                | RecordFormat::Esm
+                | RecordFormat::Gcf
+                | RecordFormat::Tdms
+        )
+    }
+
     /// The format that an ending of a file name means, if it means one.
     pub fn of_ending(ending: &str) -> Option<Self> {
         Some(match ending.to_ascii_lowercase().as_str() {

@@ -44,7 +44,15 @@ impl Reading {
             remarks.push(if at.abs() < YEAR_S {
                 format!("begins at {at:.3} s of the clock given")
             } else {
-                format!("begins {} by its clock", time_text(at))
+                match zones(&self.layout) {
+                    [true, false] => format!("begins {} UTC", time_text(at)),
+                    [true, true] => format!(
+                        "begins {}: some of its files say times in UTC, others without a time zone, and they are taken for one clock: if theirs is \
+                         another, the files do not belong together as they are joined",
+                        time_text(at)
+                    ),
+                    _ => format!("begins {} by its clock (time zone not said)", time_text(at)),
+                }
             });
         }
         if let Layout::Stations(stations) = &self.layout {
@@ -55,6 +63,21 @@ impl Reading {
         }
         noted(&self.layout, &mut remarks);
         remarks
+    }
+}
+
+/// Whether some of the files say their times in UTC, and whether some do without a zone.
+fn zones(layout: &Layout) -> [bool; 2] {
+    match layout {
+        Layout::Channels(channels) => {
+            let utc = channels.format.clock_is_utc();
+            [utc, !utc]
+        }
+        Layout::Stations(layouts) => layouts
+            .iter()
+            .map(zones)
+            .fold([false, false], |all, one| [all[0] || one[0], all[1] || one[1]]),
+        Layout::Csv(_) | Layout::Npy(_) => [false, true],
     }
 }
 

@@ -37,6 +37,8 @@ fn exact_knet_without_its_offset() {
         (read.format, read.time_step_s, read.name.as_str()),
         (MotionFormat::KNet, 0.25, "AKT013 E-W")
     );
+    // 1996/08/11 03:12:39 in Japan, 15 s late: 10 August, 18:12:24 UTC, by the rule of ObsPy 1.5.1
+    assert_eq!(read.begins_s, Some(839_700_744.0));
     assert_eq!(
         read.orientation,
         Some(Orientation::Horizontal { azimuth_deg: 90.0 })

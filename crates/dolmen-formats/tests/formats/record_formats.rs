@@ -228,7 +228,7 @@ fn agrees_gcf_of_obspy() {
         (fast.record.sampling_rate_hz(), fast.begins_s),
         (1000.0, Some(1_717_581_600.25))
     );
-    assert_eq!(fast.remarks(), ["begins 2024-06-05 10:00:00.250 by its clock"]);
+    assert_eq!(fast.remarks(), ["begins 2024-06-05 10:00:00.250 UTC"]);
     let unit = RecordOptions {
         unit: Unit::MetrePerSecond,
         ..Default::default()
@@ -391,7 +391,10 @@ fn agrees_saf_with_hvsrpy() {
     );
     assert_eq!(
         reading.remarks(),
-        ["begins 2024-06-05 10:00:00.250 by its clock", "station GATE"]
+        [
+            "begins 2024-06-05 10:00:00.250 by its clock (time zone not said)",
+            "station GATE"
+        ]
     );
     let text = String::from_utf8(bytes("three.saf")).unwrap();
     assert_eq!(
