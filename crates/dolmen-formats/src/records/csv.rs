@@ -3,6 +3,7 @@
 //! Two ways through a line: numbers are scanned where they stand, and whatever is not plain (quotes, blanks, more digits than
 //! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
 
+use super::dates::{Dates, held_against};
 use super::layout::{Start, TimeName, holds_cells, line_at, time_name, unquoted};
 use super::lost_samples::{Kept, Spans};
 use super::number::{Number, parse_cell, scan};
@@ -29,8 +30,8 @@ const COUNT_TOLERANCE: f64 = 1e-3;
 /// fewer cells, uneven time stamps, no rate, a column that is not there.
 ///
 /// # Limits
-/// Time stamps are numbers, not dates; a column of dates is passed over, unchecked, where both the rate and the columns are
-/// told. In a file without a line end after its last line, the last number may have been cut
+/// Time stamps are numbers, not dates; where both the rate and the columns are told, the first and the last date of a column of dates are held
+/// against the rate, and those between are passed over. In a file without a line end after its last line, the last number may have been cut
 /// short: see [`CsvLayout::last_line_ended`].
 ///
 /// # Example
@@ -72,10 +73,22 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     if options.picks.is_empty() && options.time == TimeColumn::Detect {
         refuse_counts(&table.samples, length, &plan.channels)?;
     }
+    let free: Vec<bool> = plan.uses.iter().map(|wanted| *wanted == Use::Nothing).collect();
+    let mut unread_stamps = None;
     let (rate_hz, rate_source) = match (&table.kept, options.sampling_rate_hz) {
         (Some(kept), Some(_)) => (kept.stamps.rate_hz()?, RateSource::GivenAndStamps),
         (Some(kept), None) => (kept.stamps.rate_hz()?, RateSource::Stamps),
-        (None, Some(given)) => (given, RateSource::Given),
+        (None, Some(given)) => {
+            let dates = held_against(bytes, (&start, &free), (given, length))?;
+            let source = match dates {
+                Dates::Agree => RateSource::GivenAndDates,
+                Dates::None | Dates::Unread(_) => RateSource::Given,
+            };
+            if let Dates::Unread(column) = dates {
+                unread_stamps = Some(column);
+            }
+            (given, source)
+        }
         (None, None) => return Err(RecordError::NoRate { names: start.columns }),
     };
     let mut samples = table.samples;
@@ -101,6 +114,7 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
             time_column: time.map(|t| start.columns[t.column].clone()),
             columns: start.columns,
             rate_source,
+            unread_stamps,
             last_line_ended: bytes.ends_with(b"\n"),
         }),
     })

@@ -53,7 +53,7 @@ pub enum RecordError {
     /// A time stamp is a date or other text.
     #[error(
         "line {line}, column \"{column}\": the time stamp \"{text}\" is not a number of seconds: give sampling_rate_hz and name \
-         the columns to read, then dates are passed over"
+         the columns to read, then the first and the last date are held against that rate"
     )]
     TimeText {
         /// Line of the file.
@@ -169,6 +169,25 @@ pub enum RecordError {
         column: String,
         /// Its constant step.
         step: f64,
+    },
+    /// Dates contradict the rate given.
+    #[error(
+        "sampling_rate_hz is {given}, but column \"{column}\" goes from {first} to {last} in {samples} samples, which is {dates_hz:.3} Hz: correct \
+         the rate, or cut the file where samples are missing"
+    )]
+    DatesDisagree {
+        /// The rate given, Hz.
+        given: f64,
+        /// Name of the column.
+        column: String,
+        /// Its first cell.
+        first: String,
+        /// Its last cell.
+        last: String,
+        /// Samples.
+        samples: usize,
+        /// The rate of the dates, Hz.
+        dates_hz: f64,
     },
     /// The name of the time column holds a unit that is not known.
     #[error(

@@ -45,6 +45,8 @@ pub struct CsvLayout {
     pub time_column: Option<String>,
     /// Where the sampling rate comes from.
     pub rate_source: RateSource,
+    /// A column that looks like stamps or dates and cannot be read, so that nothing confirms the rate given.
+    pub unread_stamps: Option<String>,
     /// Whether the last line ends with a line end. If not, the file may have been cut short, and its last number with it.
     pub last_line_ended: bool,
 }

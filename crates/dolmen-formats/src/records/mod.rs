@@ -2,6 +2,7 @@
 
 mod csv;
 mod cursor;
+mod dates;
 mod error;
 mod gcf;
 mod hdf5;

@@ -85,7 +85,10 @@ fn noted(layout: &Layout, remarks: &mut Vec<String>) {
     match layout {
         Layout::Channels(channels) => remarks.extend(channels.notes.iter().cloned()),
         Layout::Stations(layouts) => layouts.iter().for_each(|layout| noted(layout, remarks)),
-        Layout::Csv(_) | Layout::Npy(_) => {}
+        Layout::Csv(csv) => remarks.extend(csv.unread_stamps.iter().map(|column| {
+            format!("column \"{column}\" is not read as times: nothing in the file confirms the sampling rate given")
+        })),
+        Layout::Npy(_) => {}
     }
 }
 

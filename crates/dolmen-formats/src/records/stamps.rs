@@ -31,6 +31,8 @@ pub enum RateSource {
     Stamps,
     /// It was given, and the time stamps agree.
     GivenAndStamps,
+    /// It was given, and the first and the last of a column of dates agree.
+    GivenAndDates,
 }
 
 /// The time stamps seen so far.

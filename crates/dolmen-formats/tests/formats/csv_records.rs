@@ -152,6 +152,7 @@ fn exact_units_history_and_what_was_found_out() {
             columns: vec!["t".into(), "roof".into()],
             time_column: Some("t".into()),
             rate_source: RateSource::Stamps,
+            unread_stamps: None,
             last_line_ended: false,
         }
     );
@@ -257,7 +258,7 @@ fn refuses_dates_unless_rate_and_columns_are_told() {
     let text =
         "time,x,y\n2010-05-12 10:00:00.00,1,2\n2010-05-12 10:00:00.01,3,1\n2010-05-12 10:00:00.02,2,5\n";
     let message = "line 2, column \"time\": the time stamp \"2010-05-12 10:00:00.00\" is not a number of seconds: give \
-                   sampling_rate_hz and name the columns to read, then dates are passed over";
+                   sampling_rate_hz and name the columns to read, then the first and the last date are held against that rate";
     assert_eq!(refusal(text), message);
     assert_eq!(refusal_with(text, &at_100_hz()), message);
     let told = RecordOptions {
@@ -268,7 +269,47 @@ fn refuses_dates_unless_rate_and_columns_are_told() {
     assert_eq!(reading.record.samples(0), [2.0, 1.0, 5.0]);
     assert_eq!(
         (layout(&reading).rate_source, &layout(&reading).time_column),
-        (RateSource::Given, &None)
+        (RateSource::GivenAndDates, &None)
+    );
+}
+
+#[test]
+fn refuses_a_rate_that_dates_contradict() {
+    // ten minutes at 100 Hz, in the ways that loggers and tables print them
+    let written = |stamp: &dyn Fn(u32) -> String, samples: u32| -> String {
+        (0..samples).fold("Date/Time;roof\n".to_owned(), |text, i| {
+            text + &format!("{};{}.5\n", stamp(i), i * i % 7)
+        })
+    };
+    let clock = |i: u32, point: char| format!("10:{:02}:{:02}{point}{:02}0", i / 6000, i / 100 % 60, i % 100);
+    let ways: [&dyn Fn(u32) -> String; 4] = [
+        &|i| format!("2024-06-05 {}", clock(i, '.')),
+        &|i| format!("2024-06-05T{}Z", clock(i, '.')),
+        &|i| format!("05.06.2024 {}", &clock(i, '.')[..8]),
+        &|i| format!("{:.9}", 45448.5 + f64::from(i) / 8_640_000.0),
+    ];
+    let at = |rate_hz: f64| RecordOptions {
+        sampling_rate_hz: Some(rate_hz),
+        picks: vec![named("roof", "roof")],
+        ..Default::default()
+    };
+    for (k, way) in ways.iter().enumerate() {
+        let text = written(way, 60_000);
+        let reading = read_csv(text.as_bytes(), &at(100.0)).unwrap();
+        assert_eq!(layout(&reading).rate_source, RateSource::GivenAndDates, "{k}");
+        let said = refusal_with(&text, &at(200.0));
+        assert!(
+            said.starts_with("sampling_rate_hz is 200, but column \"Date/Time\" goes from ")
+                && said.contains(" in 60000 samples, which is ")
+                && said.contains("Hz: correct the rate"),
+            "{said}"
+        );
+    }
+    // what cannot be read confirms nothing, and that is said
+    let reading = read_csv(written(&|i| format!("tick {i}"), 200).as_bytes(), &at(200.0)).unwrap();
+    assert_eq!(
+        reading.remarks(),
+        ["column \"Date/Time\" is not read as times: nothing in the file confirms the sampling rate given"]
     );
 }
 
