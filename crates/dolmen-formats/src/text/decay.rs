@@ -105,11 +105,15 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
 
 /// That what is left has peaks, or the modes' own frequencies: something goes on.
 fn still_shaken(decay: &Decay) -> Option<String> {
-    const FAR: f64 = 2.0; // deviations over those in white noise that are worth a word; chosen here
+    const FAR: f64 = 3.0; // deviations over those in white noise that are worth a word; chosen here: above 2 one record of white noise in 20 is
     const NEAR: f64 = 0.05; // of a frequency: a peak of the mode's own; chosen here
     // what a mode that is no exponential leaves is its own
     let one = |mode: &&ModeDecay| mode.poles_hz.len() == 1 && !mode.damping_follows;
-    let shaken = decay.modes.iter().filter(one).filter(|mode| mode.over_white > FAR);
+    let shaken = decay
+        .modes
+        .iter()
+        .filter(one)
+        .filter(|mode| mode.over_white > FAR);
     let most = shaken.map(|mode| mode.over_white).fold(0.0, f64::max);
     let of_no_mode: Vec<String> = decay
         .left_peaks_hz
