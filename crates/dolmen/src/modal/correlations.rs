@@ -152,9 +152,9 @@ impl Correlations {
     /// ```
     /// h is the correlation of the filter's own response. It is zero at every multiple of `factor` but 0: white
     /// sensor noise stays white, in R_0 alone.
-    pub(crate) fn decimated(&self, factor: usize) -> Correlations {
+    pub(crate) fn decimated(self, factor: usize) -> Correlations {
         if factor <= 1 {
-            return self.clone();
+            return self;
         }
         let reach = CROSSINGS * factor;
         let lags = (self.lags / factor).saturating_sub(CROSSINGS);

@@ -54,10 +54,8 @@ pub(super) fn past_past(r: &Correlations, references: &[usize], block_rows: usiz
             0..block_rows - lag,
             &mut |a, b, sum| {
                 let (row, column) = ((block_rows - 1 - b) * n, (block_rows - 1 - a) * n);
-                for i in 0..n {
-                    for (j, x) in sum[i * n..(i + 1) * n].iter().enumerate() {
-                        out[(row + j, column + i)] = *x;
-                    }
+                for (i, x) in sum.chunks_exact(n).enumerate() {
+                    out.column_mut(column + i)[row..row + n].copy_from_slice(x);
                 }
             },
         );

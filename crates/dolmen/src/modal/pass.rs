@@ -83,12 +83,12 @@ impl<'a> Pass<'a> {
             }
             self.reader.spectra(from + step..from + 2 * step, &mut self.next);
             if whole {
-                shifted_sum(&mut self.ahead, &self.kept, &self.next);
+                self.future.push_shifted_sum(&self.kept, &self.next);
             } else {
                 self.reader.spectra(from..from + 2 * step, &mut self.ahead);
+                self.future.push(&self.ahead);
             }
             self.past.push(&self.kept);
-            self.future.push(&self.ahead);
             std::mem::swap(&mut self.kept, &mut self.next);
             self.kept_from = Some(from + step);
             if self.future.is_full() || i + 1 == last {
@@ -157,22 +157,5 @@ impl Reader<'_> {
                 }
             }
         }
-    }
-}
-
-/// Spectrum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin, and groups begin at even bins.
-fn shifted_sum(sum: &mut [Bins], past: &[Bins], next: &[Bins]) {
-    let turned = |sum: &mut [f64; WIDTH], past: &[f64; WIDTH], next: &[f64; WIDTH]| {
-        for (pair, (past, next)) in sum
-            .chunks_exact_mut(2)
-            .zip(past.chunks_exact(2).zip(next.chunks_exact(2)))
-        {
-            pair[0] = past[0] + next[0];
-            pair[1] = past[1] - next[1];
-        }
-    };
-    for (sum, (past, next)) in sum.iter_mut().zip(past.iter().zip(next)) {
-        turned(&mut sum.re, &past.re, &next.re);
-        turned(&mut sum.im, &past.im, &next.im);
     }
 }

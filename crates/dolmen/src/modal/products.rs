@@ -49,12 +49,32 @@ impl Segments {
 
     /// Takes the next segment: group after group of all its channels.
     pub(super) fn push(&mut self, spectra: &[Bins]) {
-        let (l, at) = (self.channels, self.held * self.channels);
-        let groups = self.bins.chunks_exact_mut(self.most * l);
-        for (group, from) in groups.zip(spectra.chunks_exact(l)) {
-            group[at..at + l].copy_from_slice(from);
+        let l = self.channels;
+        for (group, from) in self.next().zip(spectra.chunks_exact(l)) {
+            group.copy_from_slice(from);
         }
         self.held += 1;
+    }
+
+    /// Takes the sum of two consecutive segments: a shift by half the FFT length is a factor (-1)^bin, and groups begin at even bins.
+    pub(super) fn push_shifted_sum(&mut self, past: &[Bins], next: &[Bins]) {
+        let l = self.channels;
+        let both = past.chunks_exact(l).zip(next.chunks_exact(l));
+        for (group, (past, next)) in self.next().zip(both) {
+            for (sum, (past, next)) in group.iter_mut().zip(past.iter().zip(next)) {
+                shifted_sum(&mut sum.re, &past.re, &next.re);
+                shifted_sum(&mut sum.im, &past.im, &next.im);
+            }
+        }
+        self.held += 1;
+    }
+
+    /// Where the next segment goes, group after group.
+    fn next(&mut self) -> impl Iterator<Item = &mut [Bins]> {
+        let (l, at) = (self.channels, self.held * self.channels);
+        self.bins
+            .chunks_exact_mut(self.most * l)
+            .map(move |group| &mut group[at..at + l])
     }
 
     /// The segments held of each group.
@@ -63,6 +83,14 @@ impl Segments {
         self.bins
             .chunks_exact(whole)
             .map(|g| &g[..self.held * self.channels])
+    }
+}
+
+fn shifted_sum(sum: &mut [f64; WIDTH], past: &[f64; WIDTH], next: &[f64; WIDTH]) {
+    let pairs = past.chunks_exact(2).zip(next.chunks_exact(2));
+    for (pair, (past, next)) in sum.chunks_exact_mut(2).zip(pairs) {
+        pair[0] = past[0] + next[0];
+        pair[1] = past[1] - next[1];
     }
 }
 
