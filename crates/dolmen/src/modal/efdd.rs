@@ -9,6 +9,7 @@
 //! | w(τ) | `parzen` | window of the correlations that S came from |
 
 use super::correlations::correlate;
+use super::error::refused;
 use super::fdd::{Fdd, FddResult, SpectralMatrices, parzen, peaks_of};
 use super::indicators::assurance;
 use super::{Criteria, Method, ModalError, Mode};
@@ -79,11 +80,7 @@ impl Default for Efdd {
 /// transformed, not √S; its window is taken out.
 pub fn efdd(record: &Record, options: &Efdd) -> Result<FddResult, ModalError> {
     if !(options.assurance_least > 0.0 && options.assurance_least < 1.0) {
-        return Err(ModalError::Option {
-            option: "assurance_least",
-            given: options.assurance_least,
-            allowed: "between 0 and 1",
-        });
+        return refused("assurance_least", options.assurance_least, "between 0 and 1");
     }
     let lines = options.fdd.lines_of(record)?;
     let correlations = correlate(record, lines, 1)?;

@@ -7,6 +7,7 @@
 //! | M | `lags` | largest lag of the window | - |
 
 use super::correlations::{Correlations, correlate};
+use super::error::refused;
 use super::indicators::{normalized, phase_collinearity};
 use super::{Method, ModalError, Mode, Modes};
 use crate::signal::Record;
@@ -116,11 +117,7 @@ impl Fdd {
     /// Lines of the spectrum of this record, all options checked.
     pub(super) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
         if !(self.prominence_db > 0.0 && self.prominence_db.is_finite()) {
-            return Err(ModalError::Option {
-                option: "prominence_db",
-                given: self.prominence_db,
-                allowed: "a positive number",
-            });
+            return refused("prominence_db", self.prominence_db, "a positive number");
         }
         if record.length() < PARTS_LEAST * LINES_LEAST {
             return Err(ModalError::TooShort {

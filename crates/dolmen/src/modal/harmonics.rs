@@ -8,6 +8,7 @@
 //! | γ | `kurtosis` | 3/2 mean |a|⁴ / (mean |a|²)²: 3 if Gaussian, 3/2 of a sine |
 
 use super::ModalError;
+use super::error::refused;
 use crate::signal::Record;
 use dolmen_linalg::{Complex64, ComplexMatrix, hermitian_eigen};
 use std::f64::consts::PI;
@@ -78,19 +79,15 @@ pub fn band_kurtosis(
     let all: Vec<usize> = (0..record.channels().len()).collect();
     let channels = if channels.is_empty() { &all } else { channels };
     if let Some(channel) = channels.iter().find(|c| **c >= all.len()) {
-        return Err(ModalError::Option {
-            option: "channels",
-            given: *channel as f64,
-            allowed: "indices of channels, counted from 0",
-        });
+        return refused("channels", *channel as f64, "indices of channels, counted from 0");
     }
     let rate_hz = record.sampling_rate_hz();
     if !(frequency_hz > 0.0 && frequency_hz < 0.5 * rate_hz) {
-        return Err(ModalError::Option {
-            option: "frequency_hz",
-            given: frequency_hz,
-            allowed: "between 0 and half the sampling rate",
-        });
+        return refused(
+            "frequency_hz",
+            frequency_hz,
+            "between 0 and half the sampling rate",
+        );
     }
     let mut steadiest: Option<Kurtosis> = None;
     let beyond = |k: &Kurtosis| (k.kurtosis - GAUSSIAN) / k.deviation;
