@@ -1,6 +1,6 @@
 //! Several setups as one identification: their correlations brought to one shaking and stacked (PreGER).
 
-use super::clusters::Cluster;
+use super::clusters::{Cluster, Clustering};
 use super::identify::{check, judge_channels, judged, modes_of, pick, remark, spectrum, wanted};
 use super::machines::{split_tones, test_for_machines};
 use super::one_shaking::{Setup, stacked};
@@ -120,11 +120,17 @@ pub fn joint_setups(
         &ssi,
         duration_s / records.len() as f64,
     )?;
+    let channels = records.iter().map(|r| r.channels().len()).sum::<usize>() as f64 / records.len() as f64;
+    let past = channels / references.len() as f64;
     let (stabilization, clusters) = judged(
         &AllOrders::of(&found),
         &mut Propagation::new(&found),
         &options.criteria.within(settings.range_hz),
-        &options.clustering,
+        &Clustering {
+            // the past of those that stay alone: where it is a third of all, deviations are up to three times as large
+            deviation_over_floor_most: past.sqrt() * options.clustering.deviation_over_floor_most,
+            ..options.clustering.clone()
+        },
     )?;
     let mut modes = Modes {
         modes: modes_of(&clusters, duration_s),
