@@ -263,6 +263,11 @@ fn holds_what_moved_too_far_to_be_paired_is_said_first_with_what_it_may_be() {
         ),
         "{text}"
     );
+    assert_eq!(text.matches("1.100").count(), 1, "named once: {text}");
+    assert!(
+        text.contains("A mode that is not found again may have moved further than pairs"),
+        "{text}"
+    );
     let text = surveys("one-lost", "1.0 2.9", "2.91");
     comes_first(
         &text,

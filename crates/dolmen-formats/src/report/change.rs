@@ -317,8 +317,17 @@ fn dampings(change: &SurveyChange, language: Language) -> Markup {
 
 fn remarks(change: &SurveyChange, language: Language) -> Vec<String> {
     let mut said = Vec::new();
-    if !change.lost.is_empty() {
-        let all = hertz(&change.lost, language);
+    // those that are named first are not named again
+    let said_first = |mode: &ObservedMode| change.not_compared.iter().any(|lost| lost.from == *mode);
+    let others: Vec<ObservedMode> = change.lost.iter().filter(|m| !said_first(m)).cloned().collect();
+    if others.is_empty() && !change.lost.is_empty() {
+        said.push(language.pick(
+            "A mode that is not found again may have moved further than pairs may lie apart, or was not shaken.".to_owned(),
+            "다시 확인되지 않은 모드는 짝으로 볼 수 있는 범위를 넘어 이동하였거나 가진되지 않았을 수 있다.".to_owned(),
+        ));
+    }
+    if !others.is_empty() {
+        let all = hertz(&others, language);
         said.push(language.pick(
             format!("Not found again: {all}. Such a mode may have moved further than pairs may lie apart, or was not shaken."),
             format!("다시 찾지 못한 모드: {all}. 짝으로 볼 수 있는 범위를 넘어 이동하였거나 가진되지 않았을 수 있다."),

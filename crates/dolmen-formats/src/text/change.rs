@@ -4,6 +4,7 @@ use super::Table;
 use super::project::{heading_text, warnings_text};
 use crate::project::Project;
 use dolmen::assess::{Difference, ModeChange, SurveyChange, TemperatureKnowledge};
+use dolmen::modal::ObservedMode;
 use std::fmt::Write as _;
 
 /// What changed from one survey to another.
@@ -351,16 +352,22 @@ fn changed_sentence(mode: &ModeChange, doubt: bool) -> String {
 }
 
 fn pairing_sentences(change: &SurveyChange) -> Vec<String> {
-    let list = |modes: &[dolmen::modal::ObservedMode]| {
+    let list = |modes: &[ObservedMode]| {
         let all: Vec<String> = modes.iter().map(|m| format!("{:.3}", m.frequency_hz)).collect();
         all.join(", ")
     };
     let mut said = Vec::new();
-    if !change.lost.is_empty() {
+    // those that are named first, NOT COMPARED, are not named again
+    let said_first = |mode: &ObservedMode| change.not_compared.iter().any(|lost| lost.from == *mode);
+    let others: Vec<ObservedMode> = change.lost.iter().filter(|m| !said_first(m)).cloned().collect();
+    let why = "may have moved further than pairs may lie apart (frequency_within), or was not shaken.";
+    if !others.is_empty() {
         said.push(format!(
-            "Not found again: {} Hz. Such a mode may have moved further than pairs may lie apart (frequency_within), or was not shaken.",
-            list(&change.lost)
+            "Not found again: {} Hz. Such a mode {why}",
+            list(&others)
         ));
+    } else if !change.lost.is_empty() {
+        said.push(format!("A mode that is not found again {why}"));
     }
     if !change.new.is_empty() {
         said.push(format!("New: {} Hz.", list(&change.new)));
