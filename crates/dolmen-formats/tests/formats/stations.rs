@@ -155,3 +155,35 @@ fn refuses_stations_that_contradict_the_record() {
             .contains("survey.a.records names no file")
     );
 }
+
+#[test]
+fn holds_a_start_that_is_given_is_that_of_the_file_whose_first_samples_were_cut() {
+    // both files hold the same motion from one start; one lost a second of it ten seconds on, and keeps what follows
+    let motion = ReferenceCase::ShearChain.made(7).unwrap().make().unwrap();
+    let read = |lost: std::ops::Range<usize>| {
+        let kept = (0..6000).filter(|i| !lost.contains(i));
+        let line = |i: usize| format!("{:.2},{:e}", i as f64 / 100.0, motion.samples(0)[i]);
+        let lines: Vec<String> = kept.map(line).collect();
+        let file = format!("t,x\n{}\n", lines.join("\n"));
+        read_record(file.as_bytes(), &RecordOptions::default()).unwrap()
+    };
+    let stations = [("whole", 0..0), ("cut", 1000..1100)].map(|(name, lost)| Station {
+        file: format!("{name}.csv"),
+        reading: read(lost),
+        begins_s: Some(100.0),
+    });
+    assert_eq!(stations[1].reading.record.length(), 4900);
+    let joined = join_stations(stations.to_vec(), &Join::default()).unwrap();
+    assert_eq!(joined.record.length(), 4900);
+    assert!(
+        (joined.begins_s.unwrap() - 111.0).abs() < 1e-9,
+        "{:?}",
+        joined.begins_s
+    );
+    for (whole, cut) in joined.record.samples(0).iter().zip(joined.record.samples(1)) {
+        assert!(
+            (whole - cut).abs() < 1e-9 * whole.abs().max(1e-6),
+            "{whole} {cut}"
+        );
+    }
+}
