@@ -23,7 +23,8 @@ CASES = {
     "b": ("twisting", 200, 12, 720_000, 84, 60),
     "c": ("tower", 200, 32, 720_000, 100, 60),  # Dolmen alone: the peer needs 74 GB
 }
-PEERS = {"cov": "cov", "dat": "dat", "cov-sd": "cov"}
+PEERS = {"cov": "cov", "dat": "dat", "cov-sd": "cov", "fdd": "fdd"}
+LINES = 1024  # of FDD; the peer takes segments of twice as many samples
 
 
 def measured(command):
@@ -62,7 +63,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--peer", default=str(ROOT / "bench" / ".venv" / "bin" / "python"))
     parser.add_argument("--cases", default="a", help="letters of a, b (the peer needs 13 GB), c (Dolmen alone)")
-    parser.add_argument("--methods", default="cov,dat", help="of cov, dat, cov-sd (with the deviation of every pole)")
+    parser.add_argument("--methods", default="cov,dat,fdd", help="of cov, dat, cov-sd (with the deviation of every pole), fdd")
     parser.add_argument("--repeat", type=int, default=3)
     options = parser.parse_args()
     for case in options.cases:
@@ -75,10 +76,13 @@ def main():
 
 def compare(case, method, file, options):
     _, rate, channels, samples, block_rows, order = CASES[case]
+    what = f"{block_rows} block rows, orders 2 to {order}"
     settings = [str(file), str(rate), str(block_rows), str(order)]
+    if method == "fdd":
+        what, settings[2:] = f"{LINES} lines", [str(LINES), "-"]
     ours = min((measured([BINARY, method, *settings]) for _ in range(options.repeat)), key=lambda r: r[1])
     allowed = 2.5 * channels * samples * 8 / 2**20 + 50
-    print(f"case {case}, {method}: {channels} channels x {samples} samples, {block_rows} block rows, orders 2 to {order}")
+    print(f"case {case}, {method}: {channels} channels x {samples} samples, {what}")
     print(f"  Dolmen    {ours[1]:8.2f} s CPU   {ours[2]:8.0f} MiB (allowed {allowed:.0f})", flush=True)
     if case == "c":
         return
@@ -88,9 +92,11 @@ def compare(case, method, file, options):
     peer = [options.peer, str(HERE / "peer.py"), *settings]
     theirs = min((measured(peer) for _ in range(repeat)), key=lambda r: r[1])
     imported = float(theirs[0][0].split()[1])
-    median, most, met, total = difference(poles(ours[0]), poles(theirs[0][1:]))
     print(f"  pyOMA2    {theirs[1]:8.2f} s CPU   {theirs[2]:8.0f} MiB, imports {imported:.2f} s")
     print(f"  ratio     {theirs[1] / ours[1]:8.1f} whole process, {(theirs[1] - imported) / ours[1]:.1f} without imports")
+    if method == "fdd":
+        return
+    median, most, met, total = difference(poles(ours[0]), poles(theirs[0][1:]))
     print(f"  poles     {met} of {total} below 2 % damping meet: {median:.1e} apart in the middle, {most:.1e} at most")
 
 
