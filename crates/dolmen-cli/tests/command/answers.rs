@@ -90,6 +90,23 @@ fn holds_the_report_is_one_page_in_either_language_and_the_same_twice() {
     }
 }
 
+/// The page of a simulated variant has the variant's own inputs, assumed ones marked, and a finding that names them.
+#[test]
+fn holds_the_report_of_a_variant_says_what_it_assumes() {
+    let scratch = Scratch::with_examples("variant_report");
+    let answer = scratch.dolmen("report examples/heunginjimun_gate --motion el-centro -o gate.html");
+    assert!(answer.status < 2, "{}", answer.stderr);
+    let page = fs::read_to_string(scratch.path().join("gate.html")).unwrap();
+    for said in [
+        "Inputs of the variant “Soft lower storey”",
+        "rests on what is assumed, not measured: direction weak: damping ratio 0.02 and direction weak: friction coefficient 0.1",
+        "dashpots: 2.00 % of critical in the first mode while every joint sticks; the same ones are 2.87 % while every joint slips",
+    ] {
+        let narrow = page.replace('\u{202f}', " ");
+        assert!(narrow.contains(said), "{said}");
+    }
+}
+
 #[test]
 fn agrees_validation_page_is_what_the_command_prints() {
     let printed = Scratch::new("validate").dolmen("validate");

@@ -364,6 +364,44 @@ fn holds_a_list_that_lacks_a_hazard_says_that_rates_do_not_order_it() {
     );
 }
 
+/// What has no place stands in the text, the CSV and the figure with its reason; numbers that cannot be are refused row by row.
+#[test]
+fn holds_structures_without_a_place_are_in_every_output() {
+    let scratch = Scratch::with_examples("without_place");
+    let list = "name,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio,zone_factor_g,soil\n\
+                Good,5,5.6,,3.5,7.2,2.5,0.11,S2\nBoth,5,5.6,0.22,2.9,7.2,2.5,0.11,S2\nTenth,5,5.6,,3.5,7.2,2.5,0.011,S2\n\
+                Wide,5,5.6,,3.5,0,2.5,0.11,S2\n";
+    fs::write(scratch.path().join("list.csv"), list).unwrap();
+    let answer = scratch.dolmen("rank list.csv -o ranked");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let text = &answer.stdout;
+    for said in [
+        "1 of 4 structures by the annual rate of DS3",
+        "slenderness_angle 0.22 and body_slenderness 2.9 are not of one pagoda",
+        "zone_factor_g is 0.011, but must be 0.05 or more, in g: the code has 0.11 (zone I) and 0.07 (zone II)",
+        "taper, in degrees, is 0, but the score was trained from 3.1 to 9.9",
+    ] {
+        assert!(text.contains(said), "{said} is missing in\n{text}");
+    }
+    let csv = fs::read_to_string(scratch.path().join("ranked/ranking.csv")).unwrap();
+    let rows: Vec<&str> = csv.lines().collect();
+    assert_eq!(rows.len(), 5, "{csv}");
+    assert!(rows[1].starts_with("1,") && rows[1].contains("Good"), "{csv}");
+    for name in ["Both", "Tenth", "Wide"] {
+        let row = rows.iter().find(|row| row.contains(name)).unwrap();
+        assert!(row.starts_with(",,,") && row.len() > 60, "{row}");
+    }
+    let svg = fs::read_to_string(scratch.path().join("ranked/ranking.svg")).unwrap();
+    assert!(svg.contains("3 without a place"), "{svg}");
+    // nothing that can be ranked: each with its reason
+    let none = list.replace("Good,5,5.6,,3.5", "Good,5,5.6,0.22,2.9");
+    fs::write(scratch.path().join("none.csv"), none).unwrap();
+    let refused = scratch.dolmen("rank none.csv");
+    assert_eq!(refused.status, 2, "{}", refused.stdout);
+    let one = scratch.dolmen("rank examples/naju_flagpole");
+    assert!(one.stderr.contains("is one project"), "{}", one.stderr);
+}
+
 #[test]
 fn refuses_curves_of_two_motions_and_hazards_that_do_not_fall() {
     let scratch = Scratch::with_examples("fragility_refused");

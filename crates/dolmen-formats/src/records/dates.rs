@@ -78,7 +78,16 @@ pub(super) fn held_against(
             continue;
         };
         let steps = (samples - 1) as f64;
-        let passed = b.seconds - a.seconds;
+        let number = |cells: &[String]| cells.get(column).and_then(|text| text.parse::<f64>().ok());
+        if let (true, Some(a), Some(b)) = (start.numeric[column], number(&first), number(&last))
+            && (given_hz * (b - a) - steps).abs() <= 1.0 + RATE_TOLERANCE * steps
+        {
+            return Ok(Dates::Agree); // seconds of the day, as large as days since 1900
+        }
+        let passed = match b.seconds - a.seconds {
+            back if back < 0.0 && a.seconds < DAY_S => back + DAY_S, // times of the day across midnight
+            passed => passed,
+        };
         let allowed = 1.0 + given_hz * (a.resolution_s + b.resolution_s) + RATE_TOLERANCE * steps;
         if (given_hz * passed - steps).abs() > allowed {
             return Err(RecordError::DatesDisagree {
@@ -110,8 +119,8 @@ fn serial(text: &str) -> Option<At> {
 fn date_time(text: &str) -> Option<At> {
     let text = text.trim();
     let (date, time) = match text.split_once(['T', ' ']) {
-        Some((date, time)) => (Some(date.trim()), time.trim()),
-        None => (None, text),
+        Some((date, time)) if !date.contains(':') => (Some(date.trim()), time.trim()),
+        _ => (None, text), // a time of the day, "06:30:00 PM" too
     };
     let day = match date {
         Some(date) => time_of(calendar(date)?)?,
@@ -142,7 +151,7 @@ fn date_time(text: &str) -> Option<At> {
     };
     let allowed =
         (0.0..24.0).contains(&hour) && (0.0..60.0).contains(&minute) && (0.0..61.0).contains(&of_minute);
-    allowed.then(|| At {
+    allowed.then_some(At {
         seconds: day + 3600.0 * hour + 60.0 * minute + of_minute,
         resolution_s,
     })

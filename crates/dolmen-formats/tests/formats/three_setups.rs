@@ -6,7 +6,8 @@
 //! PARAMETERS 3 × 10 channels × 10 min × 100 Hz, three of them references; defaults.
 //! PUBLISHED  2.6306, 2.6903, 3.4247, 8.2832, 8.4199, 10.6095, 14.0126, 14.0411, 17.4781 Hz.
 //! TOLERANCE  0.3 %; 0.5 % for the lower of the pair at 14 Hz, whose half-power bands overlap (both subspace methods here put it at
-//!            13.95 Hz in each of the three setups, ± 0.01 Hz). As one: 0.3 % of the eight that are found; the ninth is not.
+//!            13.95 Hz in each of the three setups, ± 0.01 Hz, and pyOMA2 1.4.3 at 13.92 to 13.98 Hz). As one: 0.3 % of the lower eight; the
+//!            ninth, which three references see badly, within 1.96 of its own deviation, which is itself below 0.3 %.
 //! ```
 use dolmen::modal::{Identify, MergeSetups, Modes, identify, joint_setups, merge_setups};
 use dolmen::signal::{Channel, Record};
@@ -59,10 +60,18 @@ fn agrees_with_pyoma2_on_three_setups_identified_as_one() {
     let hz: Vec<f64> = found.modes.modes.iter().map(|m| m.frequency_hz).collect();
     assert_eq!(
         (hz.len(), found.modes.channels.len(), found.references.len()),
-        (8, 24, 3),
+        (9, 24, 3),
         "{hz:?}"
     );
-    for (found, published) in hz.iter().zip(PUBLISHED_HZ) {
+    let ninth = &found.modes.modes[8];
+    let sd_hz = ninth.frequency_sd_hz.unwrap();
+    assert!(sd_hz < 0.003 * PUBLISHED_HZ[8], "± {sd_hz} Hz says nothing");
+    assert!(
+        (hz[8] - PUBLISHED_HZ[8]).abs() < 1.96 * sd_hz,
+        "{} ± {sd_hz} Hz",
+        hz[8]
+    );
+    for (found, published) in hz[..8].iter().zip(PUBLISHED_HZ) {
         assert!(
             (found / published - 1.0).abs() < 0.003,
             "{found} Hz, published {published} Hz"

@@ -391,4 +391,15 @@ mod tests {
         ];
         assert!(!lumps(&far[1], &far));
     }
+
+    #[test]
+    fn exact_share_of_a_shape_in_the_plane_of_two() {
+        let shape = |x: [f64; 3]| x.map(Complex64::from).to_vec();
+        let (a, b) = (shape([1.0, 1.0, 0.0]), shape([1.0, 0.5, 0.0]));
+        let in_plane = |x: [f64; 3]| share_in_plane(&shape(x), [&a, &b]);
+        assert!((in_plane([0.3, -2.0, 0.0]) - 1.0).abs() < 1e-12);
+        assert!((in_plane([0.6, 0.0, 0.8]) - 0.36).abs() < 1e-12);
+        // one shape twice is a line
+        assert!((share_in_plane(&shape([1.0, 0.0, 0.0]), [&a, &a]) - 0.5).abs() < 1e-12);
+    }
 }

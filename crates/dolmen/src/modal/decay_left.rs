@@ -25,6 +25,10 @@ const RATIO_LOG: [i32; 2] = [-20, 60];
 /// modes come out 1.06 to 1.31 times too small without it, over 80 decays.
 const MISSED: f64 = 1.44;
 
+/// Twice the gain of ln likelihood from which it is more than white noise: one in a hundred records of white noise (half of χ² of one degree
+/// of freedom).
+const BEYOND_CHANCE: f64 = 5.41;
+
 /// Standard deviation of a root over that of white noise, 1 or more.
 ///
 /// ```text
@@ -106,6 +110,7 @@ fn factor(seen: &[Complex64], times_s: &[f64], alpha: f64) -> Result<f64, ModalE
         })
         .collect();
     let mut best = (f64::NEG_INFINITY, 0.0, 1.0);
+    let mut in_white = f64::NEG_INFINITY;
     for k in RATIO_LOG[0] - 1..=RATIO_LOG[1] {
         let ratio = if k < RATIO_LOG[0] {
             0.0
@@ -118,11 +123,17 @@ fn factor(seen: &[Complex64], times_s: &[f64], alpha: f64) -> Result<f64, ModalE
         }
         let logs: f64 = free.iter().map(|(l, _)| (1.0 + ratio * l).ln()).sum();
         let likelihood = -(free.len() as f64) * scale.ln() - logs;
+        if ratio == 0.0 {
+            in_white = likelihood;
+        }
         if likelihood > best.0 {
             best = (likelihood, ratio, scale);
         }
     }
-    let (_, ratio, scale) = best;
+    let (likelihood, ratio, scale) = best;
+    if 2.0 * (likelihood - in_white) < BEYOND_CHANCE {
+        return Ok(1.0); // white noise does as well
+    }
     let row: Vec<f64> = (0..n).map(|i| along[(1, i)]).collect();
     let own: f64 = row.iter().map(|x| x * x).sum();
     let variance = scale * (own + ratio * kept.form(&row, &row)) / own;

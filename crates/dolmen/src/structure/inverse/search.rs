@@ -193,6 +193,7 @@ impl<S: Sprung> Search<'_, S> {
             finished.retain(|found| found.misfit < EXACT);
         }
         self.drop_the_excluded(&mut finished);
+        self.drop_the_unfinished(&mut finished)?;
         if beside_roots {
             one_a_valley(&mut finished);
         }
@@ -276,6 +277,40 @@ impl<S: Sprung> Search<'_, S> {
             let data = self.fit.data() as f64;
             all.retain(|found| data * (found.misfit.powi(2) - best.powi(2)) <= CHI_SQUARED_999);
         }
+    }
+
+    /// Descents that ended on a plateau (a spring as if rigid) or on their way along a valley are no solutions: a step would still lower
+    /// their squares. Roots, which have none, and the best stay.
+    fn drop_the_unfinished(&self, all: &mut Vec<Found>) -> Result<(), StructureError> {
+        const FALLS_LEAST: f64 = 1e-4; // of the square of what counts as seen
+        let mut kept = Vec::with_capacity(all.len());
+        for found in all.drain(..) {
+            let is_kept = kept.is_empty() || found.misfit < EXACT || {
+                let falls = self.squares_along(&found)?;
+                falls <= FALLS_LEAST * self.seen_bound().powi(2)
+            };
+            if is_kept {
+                kept.push(found);
+            }
+        }
+        *all = kept;
+        Ok(())
+    }
+
+    /// By how much a linear step lowers the squares: ‖U Uᵀ r‖², 0 at a minimum.
+    fn squares_along(&self, found: &Found) -> Result<f64, StructureError> {
+        let Some(at) = self.fit.residuals(&found.x) else {
+            return Ok(f64::INFINITY);
+        };
+        let f = svd(&tall(&at.jacobian))?;
+        let along = (0..rank(&f.s)).map(|j| {
+            at.residual
+                .iter()
+                .zip(f.u.column(j))
+                .map(|(r, u)| r * u)
+                .sum::<f64>()
+        });
+        Ok(along.map(|part| part * part).sum())
     }
 
     /// Whether another solution meets this one here, or so nearly that the scatter of the frequencies moves one into the
