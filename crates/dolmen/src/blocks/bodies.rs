@@ -106,6 +106,7 @@ impl RigidBody {
     }
 
     /// Where a point now is that was drawn at `drawn`.
+    #[inline]
     pub(super) fn now(&self, drawn: DVec3) -> DVec3 {
         self.position + self.rotation * (drawn - self.drawn)
     }

@@ -36,6 +36,7 @@ mod springs;
 mod standing;
 mod stillness;
 mod support;
+mod watch;
 
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_law::{ContactLaw, simulate_stack};

@@ -1,14 +1,15 @@
 //! Looks at a run now and then: samples, peaks, energies, falls.
 
-use super::assembly::{Assembly, Forces, index_of};
+use super::assembly::{Assembly, Forces};
 use super::bodies::RigidBody;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
 use super::springs::AfterFall;
 use super::stillness::{EDGE, Stillness, Swings};
 use super::support::plumb_margin;
-use crate::structure::stack::{Joint, Stack};
-use glam::{DMat3, DVec3};
+use super::watch::{Seen, Watch, length};
+use crate::structure::stack::Stack;
+use glam::DVec3;
 
 /// Time between looks for peaks and falls, s: peaks are flat, and no stone falls faster. Chosen here.
 const LOOK_STEP_S: f64 = 5e-3;
@@ -20,88 +21,11 @@ const BRINK: f64 = 0.5;
 /// Drop of a stone that counts as a fall, in parts of its smallest dimension. Chosen here.
 const DROP: f64 = 0.25;
 
-/// A joint seen by its two bodies.
-#[derive(Clone, Debug)]
-struct Watch {
-    lower: usize,
-    upper: usize,
-    origin: DVec3,
-    axes: DMat3,
-    /// Corners of the patch along the first two axes, from the origin, m.
-    corners: Vec<[f64; 2]>,
-    /// Way to the farthest corner, m.
-    reach: f64,
-    /// Slip and yaw after settlement.
-    settled: [f64; 3],
-    /// Largest gap at a corner after settlement, m.
-    settled_opening: f64,
-}
-
-/// How the upper body lies on the lower: largest gap at a corner, shift, turn.
-#[derive(Clone, Copy, Debug)]
-struct Seen {
-    opening: f64,
-    slip: [f64; 2],
-    yaw: f64,
-}
-
-impl Watch {
-    fn of(joint: &Joint, bodies: &[RigidBody]) -> Self {
-        let axes = DMat3::from_cols_array_2d(&joint.axes);
-        let origin = DVec3::from(joint.origin_m);
-        let mut watch = Watch {
-            lower: index_of(joint.lower),
-            upper: joint.upper + 1,
-            origin,
-            axes,
-            corners: joint.patch.corners_m.clone(),
-            reach: joint
-                .patch
-                .corners_m
-                .iter()
-                .copied()
-                .map(length)
-                .fold(0.0, f64::max),
-            settled: [0.0; 3],
-            settled_opening: 0.0,
-        };
-        let seen = watch.see(bodies);
-        watch.settled = [seen.slip[0], seen.slip[1], seen.yaw];
-        watch.settled_opening = seen.opening;
-        watch
-    }
-
-    /// Width of the patch as drawn along a direction in its plane, m.
-    fn width_along(&self, direction: [f64; 2]) -> f64 {
-        let length = direction[0].hypot(direction[1]).max(f64::MIN_POSITIVE);
-        let along = |corner: &[f64; 2]| (corner[0] * direction[0] + corner[1] * direction[1]) / length;
-        let places = self.corners.iter().map(along);
-        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
-            (low.min(place), high.max(place))
-        });
-        high - low
-    }
-
-    fn see(&self, bodies: &[RigidBody]) -> Seen {
-        let (lower, upper) = (&bodies[self.lower], &bodies[self.upper]);
-        let from_ground = self.axes.transpose() * lower.rotation.transpose();
-        let middle = from_ground * (upper.now(self.origin) - lower.now(self.origin));
-        let turn = from_ground * upper.rotation * self.axes;
-        // a corner at (a, b) has shifted by middle + (turn − 1) (a, b, 0)
-        let gap = |[a, b]: &[f64; 2]| middle.z + (turn.x_axis.z * a + turn.y_axis.z * b);
-        let opening = self.corners.iter().map(gap).fold(0.0, f64::max);
-        let yaw = angle(turn.x_axis.y - turn.y_axis.x, turn.x_axis.x + turn.y_axis.y);
-        Seen {
-            opening: (opening - self.settled_opening).max(0.0),
-            slip: [middle.x - self.settled[0], middle.y - self.settled[1]],
-            yaw: yaw - self.settled[2],
-        }
-    }
-}
-
 /// Gathers a [`StackHistory`].
 pub(super) struct Observer {
     watches: Vec<Watch>,
+    /// Of each, what was seen last.
+    seen: Vec<Seen>,
     settled: Vec<DVec3>,
     drops: Vec<f64>,
     /// Of each block, how far inside what carries it its plumb line lies at rest, m.
@@ -142,12 +66,11 @@ impl Observer {
         let contact_points = points
             .map(|group| (0..LANES).filter(|&lane| group.area[lane] > 0.0).count())
             .sum();
+        let joints = stack.joints().iter();
+        let watches: Vec<Watch> = joints.map(|joint| Watch::of(joint, &assembly.bodies)).collect();
         Observer {
-            watches: stack
-                .joints()
-                .iter()
-                .map(|joint| Watch::of(joint, &assembly.bodies))
-                .collect(),
+            seen: vec![Seen::default(); watches.len()],
+            watches,
             settled: assembly.bodies.iter().map(|body| body.position).collect(),
             drops: stack
                 .blocks()
@@ -217,7 +140,24 @@ impl Observer {
         ((looks_done + 1) * self.sample_every).div_ceil(self.looks)
     }
 
-    /// Looks at time t: places of t, velocities of t − h/2 (at the start those of 0) with the accelerations that carry them
+    /// What it watches.
+    pub(super) fn watches(&self) -> &[Watch] {
+        &self.watches
+    }
+
+    /// Sees how all joints lie.
+    pub(super) fn see(&mut self, bodies: &[RigidBody]) {
+        for (seen, watch) in self.seen.iter_mut().zip(&self.watches) {
+            *seen = watch.see(bodies);
+        }
+    }
+
+    /// Takes how a joint lies from who has seen it.
+    pub(super) fn set_seen(&mut self, joint: usize, seen: Seen) {
+        self.seen[joint] = seen;
+    }
+
+    /// Looks, at joints as seen last, at time t: places of t, velocities of t − h/2 (at the start those of 0) with the accelerations that carry them
     /// on over a kick.
     pub(super) fn look(
         &mut self,
@@ -230,7 +170,7 @@ impl Observer {
         let sampled = self.samples(self.history.steps);
         self.stillness.at(time_s);
         for (index, (watch, joint)) in self.watches.iter().zip(&mut self.history.joints).enumerate() {
-            let seen = watch.see(&assembly.bodies);
+            let seen = self.seen[index];
             let [x, y] = seen.slip;
             self.stillness
                 .see(index, [seen.opening, x, y, seen.yaw * watch.reach]);
@@ -427,21 +367,6 @@ impl Observer {
     }
 }
 
-/// Angle of a direction, rad: the series for small ones, ten times as fast, its error below 1e-17.
-fn angle(across: f64, along: f64) -> f64 {
-    const SMALL: f64 = 0.02;
-    if across.abs() > SMALL * along {
-        return across.atan2(along);
-    }
-    let t = across / along;
-    let q = t * t;
-    t * (1.0 - q * (1.0 / 3.0 - q * (1.0 / 5.0 - q * (1.0 / 7.0 - q * (1.0 / 9.0 - q / 11.0)))))
-}
-
-fn length([x, y]: [f64; 2]) -> f64 {
-    (x * x + y * y).sqrt()
-}
-
 /// The least whole number that is not less, but for rounding; at least 1.
 pub(super) fn whole_at_least(number: f64) -> usize {
     const ROUNDING: f64 = 1e-9;
@@ -454,20 +379,4 @@ fn potential(assembly: &Assembly) -> f64 {
     bodies
         .map(|body| body.mass * assembly.gravity * body.position.z)
         .sum()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::angle;
-
-    #[test]
-    fn exact_angle_of_a_direction() {
-        for angle_rad in [0.0, 1e-12, 3e-3, 0.0199, 0.0201, 1.0, 2.0, 3.1] {
-            for sign in [1.0, -1.0] {
-                let (across, along) = (sign * f64::sin(angle_rad), f64::cos(angle_rad));
-                let difference = angle(across, along) - across.atan2(along);
-                assert!(difference.abs() < 1e-17, "{angle_rad}: {difference}");
-            }
-        }
-    }
 }

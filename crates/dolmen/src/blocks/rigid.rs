@@ -163,6 +163,7 @@ pub fn simulate_rigid(
         let begun = run.begin(time_s, &ground);
         if observer.wants(step) {
             let seen = [time_s, 2.0 * run.lag_s()];
+            observer.see(&run.assembly.bodies);
             observer.look(
                 &run.assembly,
                 run.acceleration(),

@@ -227,7 +227,7 @@ impl Attempt {
 pub(super) struct Run<'a> {
     pub(super) assembly: Assembly,
     pub(super) observer: Observer,
-    motion: Option<&'a GroundMotion>,
+    pub(super) motion: Option<&'a GroundMotion>,
     after_fall: AfterFall,
     /// Step, and the longest stable one, s.
     pub(super) h: f64,
@@ -289,6 +289,12 @@ impl<'a> Run<'a> {
         if !self.observer.wants(self.step) {
             return true;
         }
+        self.observer.see(&self.assembly.bodies);
+        self.look_as_seen(forces, progress)
+    }
+
+    /// The same at a step that the observer wants, whose joints it has seen.
+    pub(super) fn look_as_seen(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         let (shaking, time_s) = (self.shaking(), self.time_s());
         let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;
         for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {

@@ -166,14 +166,14 @@ impl RunLength {
         }
     }
 
-    /// Whether it is to be judged after so many steps.
-    pub(super) fn is_due(&self, step: usize) -> bool {
-        step > self.due
+    /// The steps after which it is to be judged next.
+    pub(super) fn due(&self) -> usize {
+        self.due
     }
 
     /// Whether the run is over after so many steps; one that is not goes on.
     pub(super) fn is_over(&mut self, step: usize, observer: &mut Observer, assembly: &Assembly) -> bool {
-        if !self.is_due(step) {
+        if step <= self.due {
             return false;
         }
         let may_end = observer.may_end(assembly, step as f64 * self.h);

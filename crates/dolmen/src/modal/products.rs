@@ -13,8 +13,9 @@ use pulp::{Arch, Simd, WithSimd};
 /// Bins that lie together: a whole number of registers of every processor, and one line of its cache.
 pub(super) const WIDTH: usize = 8;
 
-/// Bins of one channel.
+/// Bins of one channel. Aligned: a register that lies across two lines of the cache costs two loads.
 #[derive(Clone, Copy, Debug, Default)]
+#[repr(C, align(64))]
 pub(super) struct Bins {
     pub(super) re: [f64; WIDTH],
     pub(super) im: [f64; WIDTH],
@@ -145,9 +146,10 @@ fn tile<S: Simd, const A: usize, const B: usize>(
             };
             let p = p.each_ref().map(part);
             for (row, [fr, fi]) in tile.iter_mut().zip(f.each_ref().map(part)) {
+                let less_fr = simd.neg_f64s(fr);
                 for ([re, im], [pr, pi]) in row.iter_mut().zip(p) {
                     *re = simd.mul_add_e_f64s(fr, pr, simd.mul_add_e_f64s(fi, pi, *re));
-                    *im = simd.mul_add_e_f64s(fi, pr, simd.mul_add_e_f64s(simd.neg_f64s(fr), pi, *im));
+                    *im = simd.mul_add_e_f64s(fi, pr, simd.mul_add_e_f64s(less_fr, pi, *im));
                 }
             }
         }

@@ -29,6 +29,7 @@ pub use detrend::{Trend, detrend};
 pub use error::SignalError;
 pub use faults::{ChannelFault, inspect};
 pub use filter::{band_pass, low_pass};
+pub(crate) use ground_motion::MotionCursor;
 pub use ground_motion::{Component, GroundMotion};
 pub use join::{Join, Joined, Piece, Starts, join};
 pub use leave_out::leave_out;

@@ -75,67 +75,119 @@ impl<S: Simd> BodyLanes<S> {
         body.spin = self.spin.get(lane);
         body.travel = self.travel.get(lane);
     }
+}
 
-    /// As [`RigidBody::step`]; `inertia` is gravity less the shaking. Returns the sum of its velocities before
-    /// and after, and twice the mean power of the forces on it.
-    #[inline(always)]
-    pub(super) fn step<const DIAGONAL: bool>(
-        &mut self,
-        load: &Load<S>,
-        inertia: Vector<S>,
-        kick: Real<S>,
-        h: Real<S>,
-    ) -> (Vector<S>, Real<S>) {
-        let all = |value: f64| Real::all(h.0, value);
-        let (velocity, spin_before) = (self.velocity, self.spin);
-        let acceleration = load.force * self.inverse_mass + inertia;
-        self.velocity = self.velocity + acceleration * kick;
-        self.momentum = self.momentum + load.torque * kick;
-        let own = self.rotation.transposed_times(self.momentum);
-        let (start, pull) = if DIAGONAL {
-            let [x, y, z] = self.inverse_inertia.0;
+/// The step of all bodies, two at a time.
+#[inline(always)]
+pub(super) fn step_all<S: Simd, const DIAGONAL: bool>(
+    bodies: &mut [BodyLanes<S>],
+    loads: &[Load<S>],
+    ground: [Vector<S>; 2],
+    steps: [Real<S>; 2],
+    sums: &mut [Real<S>; 2],
+) {
+    let (pairs, last) = bodies.as_chunks_mut::<2>();
+    let (loads, last_load) = loads.as_chunks::<2>();
+    for (bodies, loads) in pairs.iter_mut().zip(loads) {
+        step_bodies::<S, 2, DIAGONAL>(bodies, loads, ground, steps, sums);
+    }
+    let last = last.iter_mut().map(std::array::from_mut);
+    for (body, load) in last.zip(last_load.iter().map(std::array::from_ref)) {
+        step_bodies::<S, 1, DIAGONAL>(body, load, ground, steps, sums);
+    }
+}
+
+/// As [`RigidBody::step`]; the ground is gravity and shaking. Adds to the sums twice the mean power of the
+/// ground's shaking and of the forces, body by body.
+///
+/// Stage by stage for N bodies: while one waits for its operands another goes on.
+#[inline(always)]
+fn step_bodies<S: Simd, const N: usize, const DIAGONAL: bool>(
+    bodies: &mut [BodyLanes<S>; N],
+    loads: &[Load<S>; N],
+    [gravity, shaking]: [Vector<S>; 2],
+    [kick, h]: [Real<S>; 2],
+    [input, contact]: &mut [Real<S>; 2],
+) {
+    let all = |value: f64| Real::all(h.0, value);
+    let inertia = gravity - shaking;
+    let half_h = all(0.5) * h;
+    let (mut own, mut start, mut pull, mut spin) = ([inertia; N], [inertia; N], [inertia; N], [inertia; N]);
+    let mut before = [[inertia; 2]; N];
+    for k in 0..N {
+        before[k] = [bodies[k].velocity, bodies[k].spin];
+        let acceleration = loads[k].force * bodies[k].inverse_mass + inertia;
+        bodies[k].velocity = bodies[k].velocity + acceleration * kick;
+        bodies[k].momentum = bodies[k].momentum + loads[k].torque * kick;
+    }
+    for k in 0..N {
+        own[k] = bodies[k].rotation.transposed_times(bodies[k].momentum);
+    }
+    for k in 0..N {
+        if DIAGONAL {
+            let [x, y, z] = bodies[k].inverse_inertia.0;
             let times = Vector {
                 x: x.x,
                 y: y.y,
                 z: z.z,
             };
-            let start = own.by_parts(times);
-            (start, own.cross(start).by_parts(times))
+            start[k] = own[k].by_parts(times);
+            pull[k] = own[k].cross(start[k]).by_parts(times);
         } else {
-            let start = self.inverse_inertia * own;
-            (start, self.inverse_inertia * own.cross(start))
-        };
-        let spin = self.rotation * (start + pull * (all(0.5) * h));
-        self.spin = spin;
-        self.position = self.position + self.velocity * h;
-        let turned = lanes_rotation_of(spin * h) * self.turn;
-        self.turn = turned.times(all(1.5) - all(0.5) * turned.length_squared());
-        self.rotation = self.turn.matrix();
-        let (v, w) = (self.velocity.abs(), spin.abs());
-        self.travel = self.travel + (v.x + v.y + v.z + self.radius * w.sum()) * h;
-        let (velocity, spin) = (velocity + self.velocity, spin_before + spin);
-        (velocity, load.force.dot(velocity) + load.torque.dot(spin))
+            start[k] = bodies[k].inverse_inertia * own[k];
+            pull[k] = bodies[k].inverse_inertia * own[k].cross(start[k]);
+        }
+    }
+    for k in 0..N {
+        spin[k] = bodies[k].rotation * (start[k] + pull[k] * half_h);
+        bodies[k].spin = spin[k];
+        bodies[k].position = bodies[k].position + bodies[k].velocity * h;
+    }
+    let turns = rotations_of(spin, h);
+    for k in 0..N {
+        bodies[k].turn = turns[k] * bodies[k].turn;
+    }
+    for body in bodies.iter_mut() {
+        let turn = body.turn;
+        body.turn = turn.times(all(1.5) - all(0.5) * turn.length_squared());
+    }
+    for body in bodies.iter_mut() {
+        body.rotation = body.turn.matrix();
+    }
+    for (k, body) in bodies.iter_mut().enumerate() {
+        let (v, w) = (body.velocity.abs(), body.spin.abs());
+        body.travel = body.travel + (v.x + v.y + v.z + body.radius * w.sum()) * h;
+        let (velocity, spin) = (before[k][0] + body.velocity, before[k][1] + body.spin);
+        *input = *input - body.mass * shaking.dot(velocity);
+        *contact = *contact + (loads[k].force.dot(velocity) + loads[k].torque.dot(spin));
     }
 }
 
-/// As [`rotation_of`].
+/// As [`rotation_of`], of vectors × `h`.
 #[inline(always)]
-fn lanes_rotation_of<S: Simd>(vector: Vector<S>) -> Turn<S> {
-    let simd = vector.x.0;
-    let one = Real::all(simd, 1.0);
-    let square = vector.dot(vector);
-    let q = Real::all(simd, 0.25) * square;
-    let ([s3, s5, s7], [c2, c4, c6]) = (SINE_SERIES, COSINE_SERIES);
-    let (s3, s5, s7) = (Real::all(simd, s3), Real::all(simd, s5), Real::all(simd, s7));
-    let (c2, c4, c6) = (Real::all(simd, c2), Real::all(simd, c4), Real::all(simd, c6));
-    let sine = Real::all(simd, 0.5) * (one - q * s3 * (one - q * s5 * (one - q * s7)));
-    let cosine = one - q * c2 * (one - q * c4 * (one - q * c6));
-    let v = vector * sine;
-    let mut turn = Turn([v.x, v.y, v.z, cosine]);
-    if square.above(Real::all(simd, SERIES_MOST)).any() {
-        far_turns(&mut turn, &vector);
+fn rotations_of<S: Simd, const N: usize>(spins: [Vector<S>; N], h: Real<S>) -> [Turn<S>; N] {
+    let all = |value: f64| Real::all(h.0, value);
+    let (zero, one) = (all(0.0), all(1.0));
+    let ([s3, s5, s7], [c2, c4, c6]) = (SINE_SERIES.map(all), COSINE_SERIES.map(all));
+    let mut turns = [Turn([zero; 4]); N];
+    let mut squares = [zero; N];
+    for k in 0..N {
+        let vector = spins[k] * h;
+        squares[k] = vector.dot(vector);
     }
-    turn
+    for k in 0..N {
+        let q = all(0.25) * squares[k];
+        let sine = all(0.5) * (one - q * s3 * (one - q * s5 * (one - q * s7)));
+        let cosine = one - q * c2 * (one - q * c4 * (one - q * c6));
+        let v = spins[k] * h * sine;
+        turns[k] = Turn([v.x, v.y, v.z, cosine]);
+    }
+    for k in 0..N {
+        if squares[k].above(all(SERIES_MOST)).any() {
+            far_turns(&mut turns[k], &(spins[k] * h));
+        }
+    }
+    turns
 }
 
 /// Turns of lanes that are too far for the series.

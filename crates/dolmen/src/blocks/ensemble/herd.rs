@@ -1,21 +1,20 @@
 //! The runs that go side by side, step by step.
 
 use super::super::assembly::Forces;
-use super::bodies::{BodyLanes, Load};
+use super::bodies::{BodyLanes, Load, step_all};
 use super::joints::{JointLanes, Place};
 use super::lanes::{Mask, Real, Vector};
+use super::watches::WatchLanes;
 use super::{Queue, Ride};
+use crate::signal::MotionCursor;
 use glam::{DMat3, DVec3};
 use pulp::Simd;
 
 /// Runs of one number of bodies, each in its lane.
+///
+/// Aligned, as the frame of [`Self::drive`] then is, whose loads and stores would else cross lines of the cache.
+#[repr(C, align(64))]
 pub(super) struct Herd<'a, S: Simd> {
-    rides: Vec<Option<Ride<'a>>>,
-    bodies: Vec<BodyLanes<S>>,
-    loads: Vec<Load<S>>,
-    /// Whether no body that ever was in a lane has products of inertia.
-    diagonal: bool,
-    joints: Vec<JointLanes<S>>,
     h: Real<S>,
     kick: Real<S>,
     gravity: Vector<S>,
@@ -25,13 +24,48 @@ pub(super) struct Herd<'a, S: Simd> {
     counts: [Real<S>; 3],
     /// What friction took in the present step, J.
     friction: Real<S>,
+    rides: Vec<Option<Ride<'a>>>,
+    bodies: Vec<BodyLanes<S>>,
+    loads: Vec<Load<S>>,
+    /// Whether no body that ever was in a lane has products of inertia.
+    diagonal: bool,
+    joints: Vec<JointLanes<S>>,
+    watches: Vec<WatchLanes<S>>,
     /// Whether a lane has become free.
     freed: bool,
-    /// Of each lane the next step at which it is looked at, or after which it is over.
-    due: Vec<usize>,
+    /// One a lane.
+    clocks: Vec<Clock<'a>>,
     /// Of each lane whether its patches have their places.
     placed: Vec<bool>,
     forces: Forces,
+}
+
+/// How far the run of a lane is: what every step asks of it, side by side. Its own [`Run::step`] follows where it is looked at.
+///
+/// [`Run::step`]: super::super::springs::Run::step
+#[derive(Clone, Copy, Debug)]
+struct Clock<'a> {
+    motion: Option<MotionCursor<'a>>,
+    h: f64,
+    step: usize,
+    /// Whether its joints are seen with those of the other lanes.
+    watched: bool,
+    /// The next step at which it is looked at.
+    look_at: usize,
+    /// The steps after which it is judged next.
+    judge_after: usize,
+}
+
+impl Clock<'_> {
+    /// Of a lane without a run.
+    const STOPPED: Self = Clock {
+        motion: None,
+        h: 0.0,
+        step: 0,
+        watched: false,
+        look_at: usize::MAX,
+        judge_after: usize::MAX,
+    };
 }
 
 impl<'a, S: Simd> Herd<'a, S> {
@@ -42,12 +76,17 @@ impl<'a, S: Simd> Herd<'a, S> {
         // the ground in every lane, so that lanes without a run have one thing that moves nowhere
         let ground = &first.run.assembly.bodies[0];
         let bodies = first.run.assembly.bodies.iter();
+        let watched = first.run.observer.watches();
         let mut herd = Herd {
             rides: (0..S::F64_LANES).map(|_| None).collect(),
             bodies: bodies.map(|_| BodyLanes::all(simd, ground)).collect(),
             loads: Vec::new(),
             diagonal: true,
             joints: Vec::new(),
+            watches: watched
+                .iter()
+                .map(|watch| WatchLanes::idle(simd, watch))
+                .collect(),
             h: zero,
             kick: zero,
             gravity: nowhere,
@@ -56,7 +95,7 @@ impl<'a, S: Simd> Herd<'a, S> {
             counts: [zero; 3],
             friction: zero,
             freed: false,
-            due: vec![usize::MAX; S::F64_LANES],
+            clocks: vec![Clock::STOPPED; S::F64_LANES],
             placed: vec![true; S::F64_LANES],
             forces: Forces::default(),
         };
@@ -98,9 +137,25 @@ impl<'a, S: Simd> Herd<'a, S> {
         for count in &mut self.counts {
             count.set(lane, 0.0);
         }
-        self.due[lane] = 0;
+        let watches = run.observer.watches();
+        let watched = watches.len() == self.watches.len()
+            && watches
+                .iter()
+                .zip(&self.watches)
+                .all(|(watch, lanes)| lanes.is_between(watch));
+        for (watch, lanes) in watches.iter().zip(&mut self.watches).filter(|_| watched) {
+            lanes.load(lane, watch, &run.assembly.bodies);
+        }
+        self.clocks[lane] = Clock {
+            motion: run.motion.map(MotionCursor::of),
+            h: run.h,
+            step: run.step,
+            watched,
+            look_at: run.step,
+            judge_after: run.length.due(),
+        };
         self.rides[lane] = Some(ride);
-        self.load_patches(lane);
+        self.load_patches(lane, |_| true);
     }
 
     /// Empties a lane; its bodies and patches stay without effect.
@@ -112,7 +167,8 @@ impl<'a, S: Simd> Herd<'a, S> {
         }
         self.slack.set(lane, f64::INFINITY);
         self.gravity.set(lane, DVec3::ZERO);
-        self.due[lane] = usize::MAX;
+        self.shaking.set(lane, DVec3::ZERO);
+        self.clocks[lane] = Clock::STOPPED;
         self.placed[lane] = true;
         for joint in &mut self.joints {
             joint.clear(lane);
@@ -149,12 +205,14 @@ impl<'a, S: Simd> Herd<'a, S> {
                     assembly.set_stale(joint.place.pair);
                 }
             }
+            let placed = self.placed[lane];
             assembly.look();
             self.slack.set(lane, assembly.slack());
             for (body, of_run) in self.bodies.iter_mut().zip(&assembly.bodies) {
                 body.travel.set(lane, of_run.travel);
             }
-            self.load_patches(lane);
+            let looked = assembly.looked().to_vec();
+            self.load_patches(lane, |pair| !placed || looked.contains(&pair));
         }
         self.lay_out();
     }
@@ -178,8 +236,8 @@ impl<'a, S: Simd> Herd<'a, S> {
         }
     }
 
-    /// Loads the patches of a lane, if all have a place with room enough.
-    fn load_patches(&mut self, lane: usize) {
+    /// Loads the patches of a lane of the pairs that `changed`, if all have a place with room enough.
+    fn load_patches(&mut self, lane: usize, changed: impl Fn(usize) -> bool) {
         let Some(ride) = &self.rides[lane] else {
             return;
         };
@@ -191,7 +249,8 @@ impl<'a, S: Simd> Herd<'a, S> {
                     && patch.points.len() <= joint.place.groups
             });
             match here {
-                Some((_, patch, outline, most)) => joint.load(lane, patch, outline, most),
+                Some((pair, patch, outline, most)) if changed(pair) => joint.load(lane, patch, outline, most),
+                Some(_) => {}
                 None => joint.clear(lane),
             }
         }
@@ -236,7 +295,7 @@ impl<'a, S: Simd> Herd<'a, S> {
             .map(|place| JointLanes::idle(simd, place))
             .collect();
         for lane in 0..S::F64_LANES {
-            self.load_patches(lane);
+            self.load_patches(lane, |_| true);
         }
     }
 
@@ -264,9 +323,10 @@ impl<'a, S: Simd> Herd<'a, S> {
             drifted = drifted | far;
         }
         self.friction = friction;
-        for (lane, ride) in self.rides.iter().enumerate() {
-            if let Some(ride) = ride {
-                self.shaking.set(lane, ride.run.shaking());
+        for (lane, clock) in self.clocks.iter_mut().enumerate() {
+            if let Some(motion) = &mut clock.motion {
+                let shaking = motion.acceleration_at_m_s2(clock.step as f64 * clock.h);
+                self.shaking.set(lane, DVec3::from(shaking));
             }
         }
         drifted
@@ -275,11 +335,14 @@ impl<'a, S: Simd> Herd<'a, S> {
     /// Lets the observers of runs that are due look; those that are over leave.
     #[inline(always)]
     fn look(&mut self, queue: &mut Queue<'a, '_>) {
+        if !self.clocks.iter().any(|clock| clock.step == clock.look_at) {
+            return;
+        }
+        for watch in &mut self.watches {
+            watch.see(&self.bodies);
+        }
         for lane in 0..S::F64_LANES {
-            if self.rides[lane]
-                .as_ref()
-                .is_some_and(|ride| ride.run.step == self.due[lane])
-            {
+            if self.clocks[lane].step == self.clocks[lane].look_at {
                 self.look_at(lane, queue);
             }
         }
@@ -290,6 +353,7 @@ impl<'a, S: Simd> Herd<'a, S> {
         let Some(ride) = &mut self.rides[lane] else {
             return;
         };
+        ride.run.step = self.clocks[lane].step;
         if ride.run.observer.samples(ride.run.step) {
             self.write_back(lane);
         } else {
@@ -310,9 +374,16 @@ impl<'a, S: Simd> Herd<'a, S> {
             forces.force.push(load.force.get(lane));
             forces.torque.push(load.torque.get(lane));
         }
-        self.due[lane] = run.observer.next_wanted(run.step);
+        self.clocks[lane].look_at = run.observer.next_wanted(run.step);
         let index = ride.index;
-        if !run.look(forces, &mut |time_s| (queue.progress)(index, time_s)) {
+        if self.clocks[lane].watched {
+            for (joint, watch) in self.watches.iter().enumerate() {
+                run.observer.set_seen(joint, watch.seen(lane));
+            }
+        } else {
+            run.observer.see(&run.assembly.bodies);
+        }
+        if !run.look_as_seen(forces, &mut |time_s| (queue.progress)(index, time_s)) {
             self.write_back(lane);
             self.end(lane, queue);
         }
@@ -322,17 +393,15 @@ impl<'a, S: Simd> Herd<'a, S> {
     #[inline(always)]
     fn step(&mut self) {
         let zero = Real::all(self.h.0, 0.0);
-        let inertia = self.gravity - self.shaking;
-        let (mut input, mut contact) = (zero, zero);
-        for (body, load) in self.bodies.iter_mut().zip(&self.loads).skip(1) {
-            let (velocity, power) = if self.diagonal {
-                body.step::<true>(load, inertia, self.kick, self.h)
-            } else {
-                body.step::<false>(load, inertia, self.kick, self.h)
-            };
-            input = input - body.mass * self.shaking.dot(velocity);
-            contact = contact + power;
+        let (bodies, loads) = (&mut self.bodies[1..], &self.loads[1..]);
+        let (ground, steps) = ([self.gravity, self.shaking], [self.kick, self.h]);
+        let mut sums = [zero; 2];
+        if self.diagonal {
+            step_all::<S, true>(bodies, loads, ground, steps, &mut sums);
+        } else {
+            step_all::<S, false>(bodies, loads, ground, steps, &mut sums);
         }
+        let [input, contact] = sums;
         let half_kick = Real::all(self.h.0, 0.5) * self.kick;
         let work = [half_kick * input, half_kick * contact, self.friction];
         for (count, work) in self.counts.iter_mut().zip(work) {
@@ -345,11 +414,9 @@ impl<'a, S: Simd> Herd<'a, S> {
     #[inline(always)]
     fn turn_over(&mut self, queue: &mut Queue<'a, '_>) {
         for lane in 0..S::F64_LANES {
-            let Some(ride) = &mut self.rides[lane] else {
-                continue;
-            };
-            ride.run.step += 1;
-            if ride.run.length.is_due(ride.run.step) {
+            let clock = &mut self.clocks[lane];
+            clock.step += 1;
+            if clock.step > clock.judge_after {
                 self.judge(lane, queue);
             }
         }
@@ -362,8 +429,14 @@ impl<'a, S: Simd> Herd<'a, S> {
     #[inline(never)]
     fn judge(&mut self, lane: usize, queue: &mut Queue<'a, '_>) {
         self.write_back(lane);
-        if self.rides[lane].as_mut().is_some_and(|ride| ride.run.is_over()) {
+        let Some(ride) = &mut self.rides[lane] else {
+            return;
+        };
+        ride.run.step = self.clocks[lane].step;
+        if ride.run.is_over() {
             self.end(lane, queue);
+        } else {
+            self.clocks[lane].judge_after = ride.run.length.due();
         }
     }
 

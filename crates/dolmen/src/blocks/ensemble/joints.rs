@@ -78,6 +78,8 @@ pub(super) struct JointLanes<S: Simd> {
     all_axes: Axes,
     /// Whether a point of any run is held.
     holds: bool,
+    /// Whether friction is the same at rest and in motion in all runs.
+    one_friction: bool,
     frame: FrameLanes<S>,
     points: Vec<PointLanes<S>>,
 }
@@ -146,6 +148,7 @@ impl<S: Simd> JointLanes<S> {
             axes: vec![Axes::None; S::F64_LANES],
             all_axes: Axes::None,
             holds: false,
+            one_friction: true,
             frame,
             points: vec![point; LANES * place.groups],
         }
@@ -186,6 +189,9 @@ impl<S: Simd> JointLanes<S> {
             },
         );
         self.holds |= patch.holds;
+        let frame = &self.frame;
+        let apart = frame.friction_static - frame.friction_kinetic;
+        self.one_friction = !apart.abs().above(Real::all(apart.0, 0.0)).any();
         for (index, point) in self.points.iter_mut().enumerate() {
             let (group, at) = (patch.points.get(index / LANES), index % LANES);
             let of = |value: Option<f64>| value.unwrap_or(0.0);
@@ -305,10 +311,12 @@ impl<S: Simd> JointLanes<S> {
         let motion = [along_x, along_y, shift, velocity, spin];
         let sums = if self.holds {
             let sums = self.sum_points::<true>(motion, half_step);
-            self.holds = self
-                .points
-                .iter()
-                .any(|point| point.held.lanes().iter().any(|held| *held > 0.0));
+            let zero = Real::all(half_step.0, 0.0);
+            let mut most = zero;
+            for point in &self.points {
+                most = most.max(point.held);
+            }
+            self.holds = most.above(zero).any();
             sums
         } else {
             self.sum_points::<false>(motion, half_step)
@@ -327,109 +335,138 @@ impl<S: Simd> JointLanes<S> {
 
     #[inline(always)]
     fn sum_points<const HELD: bool>(&mut self, motion: [Vector<S>; 5], half_step: Real<S>) -> [Real<S>; 7] {
-        let [a, b, c, w, o] = motion;
-        let all = |value: f64| Real::all(half_step.0, value);
-        let (zero, one, tiny) = (all(0.0), all(1.0), all(TINY));
-        let (kn, cn) = (self.frame.normal_stiffness, self.frame.normal_damping);
-        let (ks, cs) = (self.frame.shear_stiffness, self.frame.shear_damping);
-        let (friction_static, friction_kinetic) = (self.frame.friction_static, self.frame.friction_kinetic);
-        let mut sums = [[zero; LANES]; 7];
-        for group in self.points.chunks_exact_mut(LANES) {
-            // stage by stage for the four: while one waits for its operands another goes on
-            let Some(points) = group.first_chunk_mut::<LANES>() else {
-                continue;
-            };
-            let x = four!(k => a.x * points[k].x + b.x * points[k].y + c.x);
-            let y = four!(k => a.y * points[k].x + b.y * points[k].y + c.y);
-            let z = four!(k => a.z * points[k].x + b.z * points[k].y + c.z);
-            let depth = four!(k => {
-                if HELD {
-                    points[k].held = z[k].at_least(zero).select(zero, points[k].held);
-                    -(z[k] + points[k].held)
-                } else {
-                    -z[k]
-                }
-            });
-            let closing = four!(k => -(w.z + (o.x * y[k] - o.y * x[k])));
-            let half = four!(k => closing[k].abs() * half_step);
-            let deepest = four!(k => depth[k] + half[k]);
-            let touches = four!(k => deepest[k].above(zero));
-            let whole = four!(k => depth[k].at_least(half[k]));
-            let mut mean = four!(k => whole[k].select(depth[k], zero));
-            let mut part = four!(k => whole[k].select(one, zero));
-            let meets = four!(k => touches[k].and(!whole[k]));
-            if any(meets) {
-                for k in 0..LANES {
-                    let (into, way) = (deepest[k].max(zero), half[k] + half[k] + tiny);
-                    let inside = into / way;
-                    mean[k] = meets[k].select(all(0.5) * into * inside, mean[k]);
-                    part[k] = meets[k].select(inside, part[k]);
+        let one_friction = self.one_friction;
+        let (groups, _) = self.points.as_chunks_mut::<LANES>();
+        let [tx, ty, normal, about_x, about_y, about_z, rubbed] = if let [group] = groups {
+            press_group::<S, HELD>(&self.frame, one_friction, group, motion, half_step)
+        } else {
+            let mut sums = [[Real::all(half_step.0, 0.0); LANES]; 7];
+            for group in groups {
+                let of_group = press_group::<S, HELD>(&self.frame, one_friction, group, motion, half_step);
+                for (sums, of_group) in sums.iter_mut().zip(of_group) {
+                    for (sum, of_point) in sums.iter_mut().zip(of_group) {
+                        *sum = *sum + of_point;
+                    }
                 }
             }
-            let normal = four!(k => {
-                let pressed = kn * mean[k] + part[k] * cn * closing[k];
-                points[k].area * pressed.max(zero)
-            });
-
-            let vx = four!(k => w.x + (o.y * z[k] - o.z * y[k]));
-            let vy = four!(k => w.y + (o.z * x[k] - o.x * z[k]));
-            let stiff = four!(k => touches[k].select(points[k].area * ks, zero));
-            let mut fx = four!(k => stiff[k] * (x[k] - points[k].anchor_x));
-            let mut fy = four!(k => stiff[k] * (y[k] - points[k].anchor_y));
-            let limit = four!(k => points[k].friction * normal[k].max(zero));
-            let square = four!(k => limit[k] * limit[k]);
-            let size = four!(k => fx[k] * fx[k] + fy[k] * fy[k]);
-            let slips = four!(k => size[k].above(square[k]));
-            if any(slips) {
-                for k in 0..LANES {
-                    let keep = slips[k].select(limit[k] / size[k].sqrt(), one);
-                    (fx[k], fy[k]) = (fx[k] * keep, fy[k] * keep);
-                }
-            }
-            let moves = four!(k => slips[k] | !touches[k]);
-            if any(moves) {
-                for k in 0..LANES {
-                    let (before_x, before_y) = (points[k].anchor_x, points[k].anchor_y);
-                    let anchor_x = moves[k].select(x[k] - fx[k] * points[k].give, before_x);
-                    let anchor_y = moves[k].select(y[k] - fy[k] * points[k].give, before_y);
-                    let rubbed = fx[k] * (anchor_x - before_x) + fy[k] * (anchor_y - before_y);
-                    sums[6][k] = sums[6][k] + rubbed;
-                    (points[k].anchor_x, points[k].anchor_y) = (anchor_x, anchor_y);
-                }
-            }
-            for k in 0..LANES {
-                points[k].friction = slips[k].select(friction_kinetic, friction_static);
-            }
-            let drag = four!(k => touches[k].select(points[k].area * cs, zero));
-            let mut tx = four!(k => fx[k] + drag[k] * vx[k]);
-            let mut ty = four!(k => fy[k] + drag[k] * vy[k]);
-            let size = four!(k => tx[k] * tx[k] + ty[k] * ty[k]);
-            let over = four!(k => size[k].above(square[k]));
-            if any(over) {
-                for k in 0..LANES {
-                    let keep = over[k].select(limit[k] / size[k].sqrt(), one);
-                    (tx[k], ty[k]) = (tx[k] * keep, ty[k] * keep);
-                }
-            }
-            for k in 0..LANES {
-                sums[0][k] = sums[0][k] - tx[k];
-                sums[1][k] = sums[1][k] - ty[k];
-                sums[2][k] = sums[2][k] + normal[k];
-                sums[3][k] = sums[3][k] + (y[k] * normal[k] + z[k] * ty[k]);
-                sums[4][k] = sums[4][k] - (z[k] * tx[k] + x[k] * normal[k]);
-                sums[5][k] = sums[5][k] + (y[k] * tx[k] - x[k] * ty[k]);
-            }
-        }
+            sums
+        };
         [
-            total(sums[0]),
-            total(sums[1]),
-            total(sums[2]),
-            total(sums[3]),
-            total(sums[4]),
-            total(sums[5]),
-            total(sums[6]),
+            -total(tx),
+            -total(ty),
+            total(normal),
+            total(about_x),
+            -total(about_y),
+            total(about_z),
+            total(rubbed),
         ]
     }
+}
+
+/// The law at four points: what each drags along the two axes, presses, turns about the three axes (the second with the opposite
+/// sign), and loses in friction.
+///
+/// Stage by stage for the four: while one waits for its operands another goes on.
+#[inline(always)]
+fn press_group<S: Simd, const HELD: bool>(
+    frame: &FrameLanes<S>,
+    one_friction: bool,
+    points: &mut [PointLanes<S>; LANES],
+    [a, b, c, w, o]: [Vector<S>; 5],
+    half_step: Real<S>,
+) -> [[Real<S>; LANES]; 7] {
+    let all = |value: f64| Real::all(half_step.0, value);
+    let (zero, one, tiny) = (all(0.0), all(1.0), all(TINY));
+    let (kn, cn) = (frame.normal_stiffness, frame.normal_damping);
+    let (ks, cs) = (frame.shear_stiffness, frame.shear_damping);
+    let (friction_static, friction_kinetic) = (frame.friction_static, frame.friction_kinetic);
+    let x = four!(k => a.x * points[k].x + b.x * points[k].y + c.x);
+    let y = four!(k => a.y * points[k].x + b.y * points[k].y + c.y);
+    let z = four!(k => a.z * points[k].x + b.z * points[k].y + c.z);
+    let depth = four!(k => {
+        if HELD {
+            points[k].held = z[k].at_least(zero).select(zero, points[k].held);
+            -(z[k] + points[k].held)
+        } else {
+            -z[k]
+        }
+    });
+    let closing = four!(k => (o.y * x[k] - o.x * y[k]) - w.z);
+    let half = four!(k => closing[k].abs() * half_step);
+    let deepest = four!(k => depth[k] + half[k]);
+    let touches = four!(k => deepest[k].above(zero));
+    let whole = four!(k => depth[k].at_least(half[k]));
+    let mut mean = four!(k => whole[k].select(depth[k], zero));
+    let mut part = four!(k => whole[k].select(one, zero));
+    let meets = four!(k => touches[k].and(!whole[k]));
+    if any(meets) {
+        for k in 0..LANES {
+            let (into, way) = (deepest[k].max(zero), half[k] + half[k] + tiny);
+            let inside = into / way;
+            mean[k] = meets[k].select(all(0.5) * into * inside, mean[k]);
+            part[k] = meets[k].select(inside, part[k]);
+        }
+    }
+    let normal = four!(k => {
+        let pressed = kn * mean[k] + part[k] * cn * closing[k];
+        points[k].area * pressed.max(zero)
+    });
+
+    let vx = four!(k => w.x + (o.y * z[k] - o.z * y[k]));
+    let vy = four!(k => w.y + (o.z * x[k] - o.x * z[k]));
+    let stiff = four!(k => touches[k].select(points[k].area * ks, zero));
+    let mut fx = four!(k => stiff[k] * (x[k] - points[k].anchor_x));
+    let mut fy = four!(k => stiff[k] * (y[k] - points[k].anchor_y));
+    let friction = match one_friction {
+        true => [friction_static; LANES],
+        false => four!(k => points[k].friction),
+    };
+    let limit = four!(k => friction[k] * normal[k]);
+    let square = four!(k => limit[k] * limit[k]);
+    let size = four!(k => fx[k] * fx[k] + fy[k] * fy[k]);
+    let slips = four!(k => size[k].above(square[k]));
+    for k in 0..LANES {
+        if slips[k].any() {
+            let keep = slips[k].select(limit[k] / size[k].sqrt(), one);
+            (fx[k], fy[k]) = (fx[k] * keep, fy[k] * keep);
+        }
+    }
+    let mut rubbed = [zero; LANES];
+    let moves = four!(k => slips[k] | !touches[k]);
+    if any(moves) {
+        for k in 0..LANES {
+            let (before_x, before_y) = (points[k].anchor_x, points[k].anchor_y);
+            let anchor_x = moves[k].select(x[k] - fx[k] * points[k].give, before_x);
+            let anchor_y = moves[k].select(y[k] - fy[k] * points[k].give, before_y);
+            rubbed[k] = fx[k] * (anchor_x - before_x) + fy[k] * (anchor_y - before_y);
+            (points[k].anchor_x, points[k].anchor_y) = (anchor_x, anchor_y);
+        }
+    }
+    if !one_friction {
+        for k in 0..LANES {
+            points[k].friction = slips[k].select(friction_kinetic, friction_static);
+        }
+    }
+    let drag = four!(k => touches[k].select(points[k].area * cs, zero));
+    let mut tx = four!(k => fx[k] + drag[k] * vx[k]);
+    let mut ty = four!(k => fy[k] + drag[k] * vy[k]);
+    let size = four!(k => tx[k] * tx[k] + ty[k] * ty[k]);
+    let over = four!(k => size[k].above(square[k]));
+    for k in 0..LANES {
+        if over[k].any() {
+            let keep = over[k].select(limit[k] / size[k].sqrt(), one);
+            (tx[k], ty[k]) = (tx[k] * keep, ty[k] * keep);
+        }
+    }
+    [
+        tx,
+        ty,
+        normal,
+        four!(k => y[k] * normal[k] + z[k] * ty[k]),
+        four!(k => z[k] * tx[k] + x[k] * normal[k]),
+        four!(k => y[k] * tx[k] - x[k] * ty[k]),
+        rubbed,
+    ]
 }
 
 /// Always in this order, that of a single run.

@@ -7,6 +7,7 @@ mod bodies;
 mod herd;
 mod joints;
 mod lanes;
+mod watches;
 
 use super::error::BlocksError;
 use super::history::StackHistory;
