@@ -297,8 +297,10 @@ impl<'a> Run<'a> {
     pub(super) fn look_as_seen(&mut self, forces: &Forces, progress: &mut dyn FnMut(f64) -> bool) -> bool {
         let (shaking, time_s) = (self.shaking(), self.time_s());
         let inertia = DVec3::new(0.0, 0.0, -self.assembly.gravity) - shaking;
-        for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {
-            self.acceleration[index] = forces.force[index] * body.inverse_mass + inertia;
+        if self.observer.samples(self.step) {
+            for (index, body) in self.assembly.bodies.iter().enumerate().skip(1) {
+                self.acceleration[index] = forces.force[index] * body.inverse_mass + inertia;
+            }
         }
         let times = [time_s, self.kick()];
         self.observer

@@ -368,11 +368,13 @@ impl<'a, S: Simd> Herd<'a, S> {
         run.observer
             .set_counts(self.counts.map(|count| count.get(lane)), run.step);
         let forces = &mut self.forces;
-        forces.force.clear();
-        forces.torque.clear();
-        for load in &self.loads {
-            forces.force.push(load.force.get(lane));
-            forces.torque.push(load.torque.get(lane));
+        if run.observer.samples(run.step) {
+            forces.force.clear();
+            forces.torque.clear();
+            for load in &self.loads {
+                forces.force.push(load.force.get(lane));
+                forces.torque.push(load.torque.get(lane));
+            }
         }
         self.clocks[lane].look_at = run.observer.next_wanted(run.step);
         let index = ride.index;

@@ -399,8 +399,8 @@ fn press_group<S: Simd, const HELD: bool>(
     let mut mean = four!(k => whole[k].select(depth[k], zero));
     let mut part = four!(k => whole[k].select(one, zero));
     let meets = four!(k => touches[k].and(!whole[k]));
-    if any(meets) {
-        for k in 0..LANES {
+    for k in 0..LANES {
+        if meets[k].any() {
             let (into, way) = (deepest[k].max(zero), half[k] + half[k] + tiny);
             let inside = into / way;
             mean[k] = meets[k].select(all(0.5) * into * inside, mean[k]);
@@ -433,8 +433,8 @@ fn press_group<S: Simd, const HELD: bool>(
     }
     let mut rubbed = [zero; LANES];
     let moves = four!(k => slips[k] | !touches[k]);
-    if any(moves) {
-        for k in 0..LANES {
+    for k in 0..LANES {
+        if moves[k].any() {
             let (before_x, before_y) = (points[k].anchor_x, points[k].anchor_y);
             let anchor_x = moves[k].select(x[k] - fx[k] * points[k].give, before_x);
             let anchor_y = moves[k].select(y[k] - fy[k] * points[k].give, before_y);
@@ -473,10 +473,4 @@ fn press_group<S: Simd, const HELD: bool>(
 #[inline(always)]
 fn total<S: Simd>([a, b, c, d]: [Real<S>; LANES]) -> Real<S> {
     (a + b) + (c + d)
-}
-
-/// Whether any point of any run is of a kind.
-#[inline(always)]
-fn any<S: Simd>([a, b, c, d]: [Mask<S>; LANES]) -> bool {
-    (a | b | c | d).any()
 }
