@@ -95,6 +95,33 @@ impl Point {
 /// What one contact does to S about its origin, in the plane's frame: force (or impulse), then torque.
 pub(super) type Six = [f64; 6];
 
+/// Mass of the bodies that lie above a height.
+#[derive(Clone, Debug, Default)]
+pub(super) struct MassAbove {
+    /// Height of each body, from the top, m, and the mass of all down to it.
+    heights: Vec<[f64; 2]>,
+}
+
+impl MassAbove {
+    pub(super) fn of(bodies: &[RigidBody]) -> Self {
+        let movable = bodies.iter().skip(1);
+        let mut heights: Vec<[f64; 2]> = movable.map(|body| [body.position.z, body.mass]).collect();
+        heights.sort_by(|a, b| b[0].total_cmp(&a[0]));
+        let mut sum = 0.0;
+        for [_, mass] in &mut heights {
+            sum += *mass;
+            *mass = sum;
+        }
+        MassAbove { heights }
+    }
+
+    /// kg.
+    fn at(&self, height_m: f64) -> f64 {
+        let count = self.heights.partition_point(|[height, _]| *height > height_m);
+        count.checked_sub(1).map_or(0.0, |last| self.heights[last][1])
+    }
+}
+
 /// A patch as the rigid law sees it in one step.
 #[derive(Clone, Debug)]
 pub(super) struct Face {
@@ -151,6 +178,7 @@ impl Face {
         motion: &Motion,
         ahead: Option<&Motion>,
         [h, push_out_s]: [f64; 2],
+        above: &MassAbove,
     ) -> Face {
         let (p, s) = (&bodies[patch.plane_body], &bodies[patch.point_body]);
         let twist = patch.twist(bodies, motion);
@@ -201,12 +229,7 @@ impl Face {
             }
         }
         // what stands above presses too: the mass that the joint stops is more than that of its two stones
-        let height = motion.origin.z;
-        let above = bodies
-            .iter()
-            .filter(|body| body.position.z > height)
-            .map(|body| body.mass);
-        let mass = above.fold(1.0 / (p.inverse_mass + s.inverse_mass), |sum, mass| sum + mass);
+        let mass = 1.0 / (p.inverse_mass + s.inverse_mass) + above.at(motion.origin.z);
         face.whole_weight = HARDNESS * mass;
         face
     }
@@ -289,7 +312,7 @@ impl Face {
                 trial[2] > 0.0
             };
             let normal = if presses { trial[2] } else { 0.0 };
-            let size = trial[0].hypot(trial[1]);
+            let size = (trial[0] * trial[0] + trial[1] * trial[1]).sqrt();
             let limit = point.friction * normal.max(0.0);
             let slips = if presume { point.slid } else { size > limit };
             let along = if size > 0.0 {

@@ -10,7 +10,7 @@ use super::assembly::{Assembly, Forces};
 use super::bodies::RigidBody;
 use super::history::RigidEvidence;
 use super::patch::{LANES, Motion};
-use super::rigid_faces::{Face, Part, Point, Six, velocity};
+use super::rigid_faces::{Face, MassAbove, Part, Point, Six, velocity};
 use super::rigid_rest::AtRest;
 use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
 use glam::DVec3;
@@ -248,12 +248,13 @@ impl Run {
         self.faces.clear();
         let mut motions: Vec<(usize, Motion)> = Vec::new();
         let bodies = &self.assembly.bodies;
+        let above = MassAbove::of(bodies);
         for (pair, patch, _, _) in self.assembly.contacts() {
             let motion = patch.motion(bodies);
             motions.push((pair, motion));
             let moving = moves(&bodies[patch.plane_body]) || moves(&bodies[patch.point_body]);
             let then = moving.then(|| patch.motion(&ahead));
-            let mut face = Face::of((pair, patch), bodies, &motion, then.as_ref(), [h, self.h]);
+            let mut face = Face::of((pair, patch), bodies, &motion, then.as_ref(), [h, self.h], &above);
             for point in &mut face.points {
                 self.evidence.penetration_most_m = self.evidence.penetration_most_m.max(-point.gap);
                 let closing = -velocity(&face.ahead, point.x, point.y)[2];
