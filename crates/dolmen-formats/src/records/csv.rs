@@ -7,6 +7,7 @@ use super::dates::{Dates, held_against};
 use super::layout::{Start, TimeName, holds_cells, line_at, time_name, unquoted};
 use super::lost_samples::{Kept, Spans};
 use super::number::{Number, parse_cell, scan};
+use super::time_unit::unit_s;
 use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
 };
@@ -52,12 +53,26 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
     let told =
         options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
     let time = time.filter(|t| start.numeric[t.column] || !told);
-    let plan = Plan::new(&start, options, time)?;
+    let mut plan = Plan::new(&start, options, time)?;
     if plan.channels.is_empty() {
         return Err(RecordError::OnlyTime {
             column: start.columns.into_iter().next().unwrap_or_default(),
         });
     }
+    let told_unit_s = time.map(|t| t.unit_s);
+    let time = match time {
+        Some(t) => Some(Time {
+            unit_s: unit_s(
+                bytes,
+                &start,
+                (t, &start.columns[t.column]),
+                options.sampling_rate_hz,
+            )?,
+            ..t
+        }),
+        None => None,
+    };
+    plan.time = time;
     if time.is_none() && options.sampling_rate_hz.is_none() {
         return Err(RecordError::NoRate { names: start.columns });
     }
@@ -115,6 +130,11 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
             columns: start.columns,
             rate_source,
             unread_stamps,
+            passed_over: start.passed_over,
+            names_unread: start.names_unread,
+            time_unit_s: time
+                .map(|t| t.unit_s)
+                .filter(|unit_s| told_unit_s != Some(*unit_s)),
             last_line_ended: bytes.ends_with(b"\n"),
         }),
     })
@@ -122,9 +142,11 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
 
 /// The time column, from 0, and its unit.
 #[derive(Clone, Copy, Debug)]
-struct Time {
-    column: usize,
-    unit_s: f64,
+pub(super) struct Time {
+    pub(super) column: usize,
+    pub(super) unit_s: f64,
+    /// Whether the name of the column says the unit.
+    pub(super) unit_named: bool,
 }
 
 fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, RecordError> {
@@ -133,12 +155,19 @@ fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, Re
         TimeColumn::At(column) => Ok(Some(Time {
             column: find_column(columns, column)?,
             unit_s: 1.0,
+            unit_named: true, // seconds by definition
         })),
         TimeColumn::Detect => {
             for (column, name) in columns.iter().enumerate() {
                 match time_name(name.as_bytes()) {
                     TimeName::No => {}
-                    TimeName::Seconds(unit_s) => return Ok(Some(Time { column, unit_s })),
+                    TimeName::Seconds { unit_s, named } => {
+                        return Ok(Some(Time {
+                            column,
+                            unit_s,
+                            unit_named: named,
+                        }));
+                    }
                     TimeName::Unclear => return Err(RecordError::TimeUnit { column: name.clone() }),
                 }
             }

@@ -7,9 +7,9 @@ use crate::motions::time_of;
 /// Share by which a rate given may differ from that of dates, beside their last digit. As for stamps in seconds.
 const RATE_TOLERANCE: f64 = 1e-4;
 /// Seconds in a day.
-const DAY_S: f64 = 86_400.0;
+pub(super) const DAY_S: f64 = 86_400.0;
 /// Days that a table counts from 30 December 1899: of the years 1954 to 2118.
-const SERIAL_DAYS: std::ops::Range<f64> = 20_000.0..80_000.0;
+pub(super) const SERIAL_DAYS: std::ops::Range<f64> = 20_000.0..80_000.0;
 
 /// What dates say of a rate that was given.
 #[derive(Clone, Debug, PartialEq, Eq)]

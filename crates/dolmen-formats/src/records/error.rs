@@ -52,7 +52,7 @@ pub enum RecordError {
     },
     /// A time stamp is a date or other text.
     #[error(
-        "line {line}, column \"{column}\": the time stamp \"{text}\" is not a number of seconds: give sampling_rate_hz and name \
+        "line {line}, column \"{column}\": the time stamp \"{text}\" is not a number of seconds: give sampling_rate and name \
          the columns to read, then the first and the last date are held against that rate"
     )]
     TimeText {
@@ -148,7 +148,7 @@ pub enum RecordError {
     },
     /// Neither a rate nor a time column.
     #[error(
-        "the sampling rate is not known: no column is named time or t (the columns are {}); give sampling_rate_hz, or name \
+        "the sampling rate is not known: no column is named time or t (the columns are {}); give sampling_rate, or name \
          the time column",
         names.join(", ")
     )]
@@ -157,7 +157,7 @@ pub enum RecordError {
         names: Vec<String>,
     },
     /// An NPY file has no place for a rate.
-    #[error("the sampling rate is not known: an NPY file cannot hold it; give sampling_rate_hz")]
+    #[error("the sampling rate is not known: an NPY file cannot hold it; give sampling_rate")]
     NoRateNpy,
     /// A channel that looks like time stamps.
     #[error(
@@ -172,7 +172,7 @@ pub enum RecordError {
     },
     /// Dates contradict the rate given.
     #[error(
-        "sampling_rate_hz is {given}, but column \"{column}\" goes from {first} to {last} in {samples} samples, which is {dates_hz:.3} Hz: correct \
+        "sampling_rate is {given}, but column \"{column}\" goes from {first} to {last} in {samples} samples, which is {dates_hz:.3} Hz: correct \
          the rate, or cut the file where samples are missing"
     )]
     DatesDisagree {
@@ -192,11 +192,24 @@ pub enum RecordError {
     /// The name of the time column holds a unit that is not known.
     #[error(
         "column \"{column}\" looks like time stamps in a unit that is not s, ms or us: name it as the time column if it \
-         is in seconds, or say that there is none and give sampling_rate_hz"
+         is in seconds, or say that there is none and give sampling_rate"
     )]
     TimeUnit {
         /// Name of the column.
         column: String,
+    },
+    /// Time stamps too far apart for seconds.
+    #[error(
+        "the time stamps of column \"{column}\" lie {step} apart: as seconds that is no rate of a vibration; if they are milliseconds, give \
+         sampling_rate = \"{milliseconds_hz:.4} Hz\" or name the column \"time [ms]\"; if they are seconds, \"time [s]\""
+    )]
+    SlowStamps {
+        /// Name of the column.
+        column: String,
+        /// Their first steps, in the unit of the column.
+        step: f64,
+        /// The rate if they are milliseconds, Hz.
+        milliseconds_hz: f64,
     },
     /// Time stamps that are not evenly spaced.
     #[error(
@@ -216,10 +229,23 @@ pub enum RecordError {
         /// Where that step would put this stamp, s.
         expected_s: f64,
     },
+    /// The second time stamp is not after the first.
+    #[error(
+        "line {line}: the time stamp {stamp} is not after the one before, {before}: print more digits, or give sampling_rate and say which columns \
+         to read"
+    )]
+    StampsStand {
+        /// Line of the file.
+        line: usize,
+        /// The stamp, s.
+        stamp: f64,
+        /// The one before, s.
+        before: f64,
+    },
     /// Steps that differ, between time stamps so coarse that this may be rounding or a missing sample.
     #[error(
         "line {line}: the time stamp is {step_s:.6} s after the one before, that one {step_before_s:.6} s after its own; \
-         printed to {resolution_s} s, this may be rounding or a missing sample: give sampling_rate_hz if none is missing, \
+         printed to {resolution_s} s, this may be rounding or a missing sample: give sampling_rate if none is missing, \
          or print more digits"
     )]
     CoarseStamps {
@@ -234,7 +260,7 @@ pub enum RecordError {
     },
     /// The rate given is not that of the time stamps.
     #[error(
-        "sampling_rate_hz is {given}, but the time stamps say {stamps_hz:.6}: correct it, or leave it out to take that of \
+        "sampling_rate is {given}, but the time stamps say {stamps_hz:.6}: correct it, or leave it out to take that of \
          the stamps"
     )]
     RateDisagrees {
@@ -451,7 +477,7 @@ pub enum RecordError {
         found: &'static str,
     },
     /// The rate given is not that of the file.
-    #[error("sampling_rate_hz is {given}, but the file says {found}: correct it, or leave it out")]
+    #[error("sampling_rate is {given}, but the file says {found}: correct it, or leave it out")]
     FileRateDisagrees {
         /// The rate given, Hz.
         given: f64,
@@ -459,7 +485,7 @@ pub enum RecordError {
         found: f64,
     },
     /// A file that does not tell its rate.
-    #[error("the sampling rate is not known: the {format} file does not say it; give sampling_rate_hz")]
+    #[error("the sampling rate is not known: the {format} file does not say it; give sampling_rate")]
     NoRateHere {
         /// Its format.
         format: &'static str,

@@ -47,6 +47,12 @@ pub struct CsvLayout {
     pub rate_source: RateSource,
     /// A column that looks like stamps or dates and cannot be read, so that nothing confirms the rate given.
     pub unread_stamps: Option<String>,
+    /// First and last line of text above the names of the columns that was passed over.
+    pub passed_over: Option<[usize; 2]>,
+    /// Whether the names of some columns are not UTF-8, so that they are called by their number.
+    pub names_unread: bool,
+    /// Seconds in one unit of the stamps, where the column does not say it and it was found out from their steps.
+    pub time_unit_s: Option<f64>,
     /// Whether the last line ends with a line end. If not, the file may have been cut short, and its last number with it.
     pub last_line_ended: bool,
 }
@@ -147,6 +153,10 @@ pub(super) struct Start {
     pub(super) decimal: Decimal,
     pub(super) header_line: Option<usize>,
     pub(super) columns: Vec<String>,
+    /// First and last line of text above the names.
+    pub(super) passed_over: Option<[usize; 2]>,
+    /// Whether names are not UTF-8.
+    pub(super) names_unread: bool,
     /// Whether each line of samples ends with a delimiter that begins no cell.
     pub(super) trailing_delimiter: bool,
     /// Which cells of the first line of samples are numbers.
@@ -168,8 +178,13 @@ impl Start {
             }
             (at, number) = (line.next, number + 1);
         }
-        let first = *lines.first().ok_or(RecordError::Empty)?;
+        lines.first().ok_or(RecordError::Empty)?;
         let (delimiter, decimal) = detect(&lines, options);
+        let passed_over = match options.header {
+            Header::Absent => 0,
+            Header::Present | Header::Detect => above_names(&lines, delimiter, decimal),
+        };
+        let first = lines[passed_over];
         let is_number = |cell: &&[u8]| parse_cell(unquoted(cell), decimal.byte()).is_some();
         let mut names = delimiter.cells(first.text);
         let has_header = match options.header {
@@ -181,14 +196,18 @@ impl Start {
                 let numbers = texts.clone().filter(|c| is_number(c)).count();
                 let has_time = texts
                     .clone()
-                    .any(|c| matches!(time_name(unquoted(c)), TimeName::Seconds(_)));
+                    .any(|c| matches!(time_name(unquoted(c)), TimeName::Seconds { .. }));
                 if numbers > 0 && numbers < texts.count() && !has_time {
                     return Err(RecordError::UnclearHeader { line: first.number });
                 }
                 numbers == 0 || has_time
             }
         };
-        let samples = if has_header { lines.get(1) } else { Some(&first) };
+        let samples = if has_header {
+            lines.get(passed_over + 1)
+        } else {
+            Some(&first)
+        };
         let samples = samples.ok_or(RecordError::OnlyHeader { line: first.number })?;
         let cells = delimiter.cells(samples.text);
         let trailing_delimiter = cells.len() > 1 && cells.last().is_some_and(|c| c.is_empty());
@@ -204,23 +223,64 @@ impl Start {
                 last: !samples.ended,
             });
         }
+        let mut names_unread = false;
         let columns = (1..=count).map(|n| match has_header {
-            true if !unquoted(names[n - 1]).is_empty() => {
-                String::from_utf8_lossy(unquoted(names[n - 1])).into_owned()
-            }
+            true if !unquoted(names[n - 1]).is_empty() => match std::str::from_utf8(unquoted(names[n - 1])) {
+                Ok(name) => name.to_owned(),
+                Err(_) => {
+                    names_unread = true;
+                    of_euc_kr(unquoted(names[n - 1])).map_or_else(|| format!("ch{n}"), str::to_owned)
+                }
+            },
             _ => format!("ch{n}"),
         });
+        let columns: Vec<String> = columns.collect();
         Ok(Start {
             delimiter,
             decimal,
             header_line: has_header.then_some(first.number),
-            columns: columns.collect(),
+            passed_over: match passed_over {
+                0 => None,
+                _ => Some([lines[0].number, lines[passed_over - 1].number]),
+            },
+            names_unread,
+            columns,
             trailing_delimiter,
             numeric: cells.iter().map(is_number).collect(),
             samples_at: samples.at,
             samples_line: samples.number,
         })
     }
+}
+
+/// Lines of text above the names of the columns, as recorders write them: those before the last line without a number that is as wide as the
+/// samples below it. None where any of them could be samples.
+fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
+    let rows: Vec<Vec<&[u8]>> = lines.iter().map(|line| delimiter.cells(line.text)).collect();
+    let is_number = |c: &&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
+    let whole = |cells: &Vec<&[u8]>| cells.len() > 1 && cells.iter().all(is_number);
+    let Some(samples) = rows.iter().position(whole) else {
+        return 0;
+    };
+    let is_name = |c: &&[u8]| !c.is_empty() && !is_number(c);
+    match samples.checked_sub(1) {
+        Some(names)
+            if rows[names].len() == rows[samples].len()
+                && rows[names].iter().all(is_name)
+                && rows[..names]
+                    .iter()
+                    .all(|cells| cells.first().is_some_and(is_name)) =>
+        {
+            names
+        }
+        _ => 0,
+    }
+}
+
+/// Names of time columns as Korean programs save them, EUC-KR or CP949.
+fn of_euc_kr(name: &[u8]) -> Option<&'static str> {
+    let is = |text: &[u8]| name.starts_with(text);
+    (is(b"\xbd\xc3\xb0\xa3") || is(b"\xbd\xc3\xb0\xa2")).then_some("시간")
 }
 
 /// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white
@@ -284,8 +344,13 @@ fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
 pub(super) enum TimeName {
     /// Not a time column.
     No,
-    /// Time stamps in a unit of so many seconds.
-    Seconds(f64),
+    /// Time stamps.
+    Seconds {
+        /// Seconds in one unit of them.
+        unit_s: f64,
+        /// Whether the name says the unit.
+        named: bool,
+    },
     /// Time in some unit that is not known.
     Unclear,
 }
@@ -297,21 +362,31 @@ pub(super) fn time_name(name: &[u8]) -> TimeName {
         .split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ')
         .filter(|w| !w.is_empty());
     let unit = |word: &str| match word {
-        "s" | "sec" | "secs" | "second" | "seconds" => Some(1.0),
+        "s" | "sec" | "secs" | "second" | "seconds" | "초" => Some(1.0),
         "ms" | "msec" | "millisecond" | "milliseconds" => Some(1e-3),
         "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" => Some(1e-6),
         _ => None,
     };
+    let is_time = |word: &str| {
+        matches!(
+            word,
+            "t" | "time" | "times" | "zeit" | "timestamp" | "timestamps" | "시간" | "시각"
+        )
+    };
     let (first, second, more) = (words.next(), words.next(), words.next());
     match (first, second) {
-        (Some("t" | "time" | "times" | "zeit" | "timestamp" | "timestamps"), None) => TimeName::Seconds(1.0),
-        (Some("sec" | "second" | "seconds"), None) => TimeName::Seconds(1.0),
-        (Some("t" | "time" | "times" | "zeit" | "timestamp" | "timestamps"), Some(word)) => {
-            match unit(word) {
-                Some(seconds) if more.is_none() => TimeName::Seconds(seconds),
-                _ => TimeName::Unclear,
-            }
-        }
+        (Some(first), None) if is_time(first) => TimeName::Seconds {
+            unit_s: 1.0,
+            named: false,
+        },
+        (Some("sec" | "second" | "seconds"), None) => TimeName::Seconds {
+            unit_s: 1.0,
+            named: true,
+        },
+        (Some(first), Some(word)) if is_time(first) => match unit(word) {
+            Some(unit_s) if more.is_none() => TimeName::Seconds { unit_s, named: true },
+            _ => TimeName::Unclear,
+        },
         _ => TimeName::No,
     }
 }

@@ -22,6 +22,7 @@ mod series;
 mod stamps;
 mod stations;
 mod tdms;
+mod time_unit;
 mod uff;
 mod uff_text;
 mod unit;

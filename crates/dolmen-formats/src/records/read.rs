@@ -3,11 +3,11 @@
 use super::options::RecordFormat;
 use super::series::{Found, assembled, factors};
 use super::{
-    ChannelsLayout, CsvLayout, NpyLayout, RecordError, RecordOptions, gcf, mat, read_csv, read_npy, saf,
-    seismic, tdms, uff, wav,
+    ChannelsLayout, CsvLayout, NpyLayout, RecordError, RecordOptions, Unit, gcf, mat, read_csv, read_npy,
+    saf, seismic, tdms, uff, wav,
 };
 use crate::motions::time_text;
-use dolmen::signal::{Record, scale};
+use dolmen::signal::{Quantity, Record, scale};
 
 /// A record, with what was found out about its file.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,7 +61,12 @@ impl Reading {
                 stations.len()
             ));
         }
-        noted(&self.layout, &mut remarks);
+        let unit_unknown = !self
+            .record
+            .channels()
+            .iter()
+            .any(|channel| channel.quantity != Quantity::Unknown);
+        noted(&self.layout, unit_unknown, &mut remarks);
         remarks
     }
 }
@@ -81,13 +86,57 @@ fn zones(layout: &Layout) -> [bool; 2] {
     }
 }
 
-fn noted(layout: &Layout, remarks: &mut Vec<String>) {
+/// The unit in brackets behind the name of a column: "ax [mg]", "x (m/s2)".
+fn named_unit(name: &str) -> Option<String> {
+    let inside = name.trim_end().strip_suffix([']', ')'])?;
+    let (_, unit) = inside.rsplit_once(['[', '('])?;
+    let unit = unit.trim();
+    let motion = Unit::parse(unit).is_ok_and(|known| known.quantity() != Quantity::Unknown);
+    motion.then(|| unit.to_owned())
+}
+
+fn noted(layout: &Layout, unit_unknown: bool, remarks: &mut Vec<String>) {
     match layout {
         Layout::Channels(channels) => remarks.extend(channels.notes.iter().cloned()),
-        Layout::Stations(layouts) => layouts.iter().for_each(|layout| noted(layout, remarks)),
-        Layout::Csv(csv) => remarks.extend(csv.unread_stamps.iter().map(|column| {
-            format!("column \"{column}\" is not read as times: nothing in the file confirms the sampling rate given")
-        })),
+        Layout::Stations(layouts) => layouts
+            .iter()
+            .for_each(|layout| noted(layout, unit_unknown, remarks)),
+        Layout::Csv(csv) => {
+            if csv.names_unread {
+                remarks.push(
+                    "names of columns are not UTF-8 (EUC-KR or CP949?): those columns are called ch1, ch2, … by their number; save the file as UTF-8 \
+                     to have their names"
+                        .to_owned(),
+                );
+            }
+            if let Some([first, last]) = csv.passed_over {
+                remarks.push(format!(
+                    "lines {first} to {last} stand above the names of the columns and are passed over"
+                ));
+            }
+            if let (Some(name), true) = (
+                csv.columns.iter().find(|name| named_unit(name).is_some()),
+                unit_unknown,
+            ) {
+                let unit = named_unit(name).unwrap_or_default();
+                remarks.push(format!(
+                    "column \"{name}\" says {unit}, and no unit is given: numbers are kept as they are; unit = \"{unit}\" takes them as that"
+                ));
+            }
+            remarks.extend(csv.unread_stamps.iter().map(|column| {
+                format!("column \"{column}\" is not read as times: nothing in the file confirms the sampling rate given")
+            }));
+            if let (Some(column), Some(unit_s)) = (&csv.time_column, csv.time_unit_s) {
+                let unit = match unit_s {
+                    1e-3 => "milliseconds",
+                    1e-6 => "microseconds",
+                    _ => "days, as tables keep dates",
+                };
+                remarks.push(format!(
+                    "the time stamps of column \"{column}\" are read as {unit}: their steps say so"
+                ));
+            }
+        }
         Layout::Npy(_) => {}
     }
 }

@@ -98,6 +98,13 @@ impl Stamps {
         let agrees = most >= self.step_least_s && least <= self.step_most_s && most > 0.0;
         if !agrees {
             self.count -= 1; // it does not count: it may be the first behind a gap
+            if self.count == 1 && stamp_s <= self.first_s {
+                return Err(RecordError::StampsStand {
+                    line,
+                    stamp: stamp_s,
+                    before: self.first_s,
+                });
+            }
             let expected_step_s = self.step_s();
             return Err(RecordError::Uneven {
                 line,

@@ -153,6 +153,9 @@ fn exact_units_history_and_what_was_found_out() {
             time_column: Some("t".into()),
             rate_source: RateSource::Stamps,
             unread_stamps: None,
+            passed_over: None,
+            names_unread: false,
+            time_unit_s: None,
             last_line_ended: false,
         }
     );
@@ -258,7 +261,7 @@ fn refuses_dates_unless_rate_and_columns_are_told() {
     let text =
         "time,x,y\n2010-05-12 10:00:00.00,1,2\n2010-05-12 10:00:00.01,3,1\n2010-05-12 10:00:00.02,2,5\n";
     let message = "line 2, column \"time\": the time stamp \"2010-05-12 10:00:00.00\" is not a number of seconds: give \
-                   sampling_rate_hz and name the columns to read, then the first and the last date are held against that rate";
+                   sampling_rate and name the columns to read, then the first and the last date are held against that rate";
     assert_eq!(refusal(text), message);
     assert_eq!(refusal_with(text, &at_100_hz()), message);
     let told = RecordOptions {
@@ -299,7 +302,7 @@ fn refuses_a_rate_that_dates_contradict() {
         assert_eq!(layout(&reading).rate_source, RateSource::GivenAndDates, "{k}");
         let said = refusal_with(&text, &at(200.0));
         assert!(
-            said.starts_with("sampling_rate_hz is 200, but column \"Date/Time\" goes from ")
+            said.starts_with("sampling_rate is 200, but column \"Date/Time\" goes from ")
                 && said.contains(" in 60000 samples, which is ")
                 && said.contains("Hz: correct the rate"),
             "{said}"
@@ -469,4 +472,33 @@ fn read_number_in_a_file(text: &str) -> Option<f64> {
     }
     let file = format!("{text},0\n1,2\n0,0\n");
     Some(read_csv(file.as_bytes(), &at_100_hz()).ok()?.record.samples(0)[0])
+}
+
+#[test]
+fn exact_columns_below_the_lines_of_a_recorder_and_of_names_in_another_code() {
+    let text = "Recorder,GMS\nSerial,1234\n\ntime,ax [mg],ay\n0.00,1,2\n0.01,5,4\n0.02,3,1\n";
+    let reading = read(text);
+    assert_eq!(reading.record.samples(0), [1.0, 5.0, 3.0]);
+    assert_eq!(layout(&reading).header_line, Some(4));
+    let said = reading.remarks();
+    assert!(
+        said.iter()
+            .any(|r| r.starts_with("lines 1 to 2 stand above the names")),
+        "{said:?}"
+    );
+    assert!(said.iter().any(|r| r.contains("\"ax [mg]\" says mg")), "{said:?}");
+    // 시간 and 가속도 as EUC-KR
+    let mut text = b"\xbd\xc3\xb0\xa3,\xb0\xa1\xbc\xd3\xb5\xb5\n".to_vec();
+    text.extend_from_slice(b"0.00,1\n0.01,3\n0.02,2\n");
+    let reading = read_csv(&text, &RecordOptions::default()).unwrap();
+    assert_eq!(reading.record.sampling_rate_hz(), 100.0);
+    assert_eq!(reading.record.channels()[0].name, "ch2");
+    assert!(
+        reading.remarks()[0].contains("not UTF-8"),
+        "{:?}",
+        reading.remarks()
+    );
+    // a sample that is text stays a fault of its line
+    let fault = refusal("time,x\n0.00,abc\n0.01,3\n0.02,2\n");
+    assert!(fault.starts_with("line 2"), "{fault}");
 }

@@ -21,7 +21,7 @@ fn exact_the_rate_behind_rounded_stamps() {
         (51.2, 5000, 4),
         (1000.0 / 3.0, 5000, 3), // a step of 3 ms
         (256.0, 5000, 9),
-        (1.0, 20, 0),
+        (1.25, 20, 1),
         (10.0, 4, 1),
     ] {
         let rate = read(&stamped(rate_hz, steps, decimals)).record.sampling_rate_hz();
@@ -122,7 +122,7 @@ fn refuses_a_missing_sample_hidden_in_coarse_stamps() {
     let mut lines: Vec<String> = stamped(100.0, 200, 2).lines().map(String::from).collect();
     lines.remove(120);
     let expected = "line 121: the time stamp is 0.020000 s after the one before, that one 0.010000 s after its own; printed \
-                    to 0.01 s, this may be rounding or a missing sample: give sampling_rate_hz if none is missing, or \
+                    to 0.01 s, this may be rounding or a missing sample: give sampling_rate if none is missing, or \
                     print more digits";
     assert_eq!(refusal(&lines.join("\n")), expected);
     // a given rate of which the stamps need no rounding changes nothing; one of which they do is believed
@@ -143,15 +143,72 @@ fn refuses_a_rate_that_the_stamps_contradict() {
     };
     assert_eq!(
         refusal_with(&stamped(100.0, 500, 4), &options),
-        "sampling_rate_hz is 200, but the time stamps say 100.000000: correct it, or leave it out to take that of the stamps"
+        "sampling_rate is 200, but the time stamps say 100.000000: correct it, or leave it out to take that of the stamps"
     );
     assert_eq!(
         refusal("a,b\n1,2\n4,3\n"),
-        "the sampling rate is not known: no column is named time or t (the columns are a, b); give sampling_rate_hz, or \
+        "the sampling rate is not known: no column is named time or t (the columns are a, b); give sampling_rate, or \
          name the time column"
     );
     assert!(
         refusal("time (min),b\n1,2\n4,3\n")
             .starts_with("column \"time (min)\" looks like time stamps in a unit")
+    );
+}
+
+#[test]
+fn exact_rates_of_stamps_in_days_and_in_milliseconds() {
+    // 2023-03-15 12:00 in the days of a table, ten decimals, 200 Hz
+    let days = (0..2000).fold("time,x\n".to_string(), |text, i| {
+        text + &format!(
+            "{:.10},{}\n",
+            45_000.5 + f64::from(i) / 200.0 / 86_400.0,
+            (i * i) % 7
+        )
+    });
+    let reading = read(&days);
+    assert!((reading.record.sampling_rate_hz() / 200.0 - 1.0).abs() < 1e-4);
+    assert_eq!(layout(&reading).time_unit_s, Some(86_400.0));
+    assert!(
+        reading.remarks()[0].contains("are read as days"),
+        "{:?}",
+        reading.remarks()
+    );
+
+    let milliseconds = |name: &str| {
+        (0..200).fold(format!("{name},x\n"), |text, i| {
+            text + &format!("{},{}\n", 5 * i, (i * i) % 7)
+        })
+    };
+    let fault = refusal(&milliseconds("time"));
+    assert!(
+        fault.starts_with("the time stamps of column \"time\" lie 5 apart")
+            && fault.contains("sampling_rate = \"200.0000 Hz\""),
+        "{fault}"
+    );
+    let given = RecordOptions {
+        sampling_rate_hz: Some(200.0),
+        ..Default::default()
+    };
+    let reading = read_csv(milliseconds("time").as_bytes(), &given).unwrap();
+    assert_eq!(reading.record.sampling_rate_hz(), 200.0);
+    assert_eq!(layout(&reading).time_unit_s, Some(1e-3));
+    // said by the name, or steps that are seconds: as they are
+    assert_eq!(read(&milliseconds("time [ms]")).record.sampling_rate_hz(), 200.0);
+    assert_eq!(read(&milliseconds("시간 [s]")).record.sampling_rate_hz(), 0.2);
+    assert_eq!(
+        read(&stamped(100.0, 200, 2).replace("t,", "시간,"))
+            .record
+            .sampling_rate_hz(),
+        100.0
+    );
+}
+
+#[test]
+fn refuses_a_second_stamp_that_is_not_after_the_first() {
+    let fault = refusal("t,x\n0.50,1\n0.20,5\n0.10,3\n");
+    assert!(
+        fault.starts_with("line 3: the time stamp 0.2 is not after the one before, 0.5"),
+        "{fault}"
     );
 }

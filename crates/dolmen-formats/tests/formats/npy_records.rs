@@ -179,7 +179,7 @@ fn refuses_without_a_rate_by_name_and_with_nan() {
         read_npy(&file, &RecordOptions::default())
             .unwrap_err()
             .to_string(),
-        "the sampling rate is not known: an NPY file cannot hold it; give sampling_rate_hz"
+        "the sampling rate is not known: an NPY file cannot hold it; give sampling_rate"
     );
     let pick = |column| RecordOptions {
         picks: vec![Pick {

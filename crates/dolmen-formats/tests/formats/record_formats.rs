@@ -133,7 +133,7 @@ fn agrees_mat_of_scipy() {
     assert_eq!(reading.record.channels()[1].name, "data(2,:)");
     assert_eq!(
         refusal(&bytes("wide.mat"), &RecordOptions::default()),
-        "the sampling rate is not known: the mat file does not say it; give sampling_rate_hz"
+        "the sampling rate is not known: the mat file does not say it; give sampling_rate"
     );
     let other = RecordOptions {
         sampling_rate_hz: Some(100.0),
@@ -141,7 +141,7 @@ fn agrees_mat_of_scipy() {
     };
     assert_eq!(
         refusal(&bytes("plain.mat"), &other),
-        "sampling_rate_hz is 100, but the file says 200: correct it, or leave it out"
+        "sampling_rate is 100, but the file says 200: correct it, or leave it out"
     );
 }
 

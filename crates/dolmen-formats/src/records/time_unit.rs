@@ -1,0 +1,68 @@
+//! What a column of time stamps counts, where its name does not say it: seconds, milliseconds, the days of a table.
+
+use super::RecordError;
+use super::csv::Time;
+use super::dates::{DAY_S, SERIAL_DAYS};
+use super::layout::{Start, holds_cells, unquoted};
+use super::number::parse_cell;
+
+/// Lines looked at for the first steps.
+const LINES: usize = 20;
+/// Fewer tell nothing, and are no record.
+const LINES_LEAST: usize = 5;
+/// Steps of days, read as seconds, lie below this: above 10 kHz no structure is recorded. Chosen here.
+const DAYS_BELOW_S: f64 = 1e-4;
+/// Steps from here on, read as seconds, are no vibration's: stamps are milliseconds more often. Chosen here.
+const SLOW_FROM_S: f64 = 1.0;
+/// Share by which the first steps may differ from those of the rate given and be in that unit: a gap, or a coarse last digit.
+const NEAR: f64 = 0.05;
+const SMALLER_S: [f64; 2] = [1e-3, 1e-6];
+
+/// Seconds in one unit of the column, by its first steps and by the rate given.
+///
+/// # Errors
+/// [`RecordError::SlowStamps`] where the stamps, read as seconds, lie a second or more apart and nothing says what they are.
+pub(super) fn unit_s(
+    bytes: &[u8],
+    start: &Start,
+    (time, column): (Time, &str),
+    given_hz: Option<f64>,
+) -> Result<f64, RecordError> {
+    let lines = bytes[start.samples_at..].split(|b| *b == b'\n');
+    let lines = lines.map(|line| line.strip_suffix(b"\r").unwrap_or(line));
+    let stamp = |line: &[u8]| {
+        let cells = start.delimiter.cells(line);
+        let cell = unquoted(cells.get(time.column)?);
+        Some(parse_cell(cell, start.decimal.byte())?.value)
+    };
+    let first: Option<Vec<f64>> = lines
+        .filter(|line| holds_cells(line))
+        .take(LINES)
+        .map(stamp)
+        .collect();
+    // what is no number is refused where it is read
+    let Some(first) = first.filter(|all| all.len() >= LINES_LEAST) else {
+        return Ok(time.unit_s);
+    };
+    let (begin, end) = (first[0], first[first.len() - 1]);
+    let steps = (first.len() - 1) as f64;
+    let step_s = time.unit_s * (end - begin) / steps;
+    if SERIAL_DAYS.contains(&begin) && step_s > 0.0 && step_s < DAYS_BELOW_S {
+        return Ok(DAY_S);
+    }
+    if time.unit_named || step_s < SLOW_FROM_S || !step_s.is_finite() {
+        return Ok(time.unit_s);
+    }
+    let fits = |unit_s: &f64| given_hz.is_some_and(|rate| (rate * unit_s * step_s - 1.0).abs() < NEAR);
+    if fits(&1.0) {
+        return Ok(1.0);
+    }
+    SMALLER_S
+        .into_iter()
+        .find(fits)
+        .ok_or_else(|| RecordError::SlowStamps {
+            column: column.to_owned(),
+            step: step_s,
+            milliseconds_hz: 1e3 / step_s,
+        })
+}
