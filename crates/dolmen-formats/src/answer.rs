@@ -286,10 +286,13 @@ pub(crate) const REFERENCES_ALIKE: f64 = 0.9;
 
 impl SetupsAnswer {
     /// Frequencies, Hz, at which setups put together may not show one mode: another pairing was nearly as good, or the shapes at the
-    /// references are not alike. None where they were identified as one.
+    /// references are not alike. All where a reference is not the same in all setups; else none where they were identified as one.
     pub fn doubtful_hz(&self) -> Vec<f64> {
         if self.joint.is_some() {
             return Vec::new();
+        if !self.merged.reference_faults.is_empty() {
+            return self.modes().modes.iter().map(|mode| mode.frequency_hz).collect();
+        }
         }
         let unlike = |m: &MergedMode| {
             m.reference_assurance

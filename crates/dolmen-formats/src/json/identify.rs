@@ -47,6 +47,15 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "frequency_hz": p.frequency_hz,
             "setups": p.setups.iter().map(|s| s + 1).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+            "unlike_in": p.unlike_in.iter().map(|s| s + 1).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
+        "reference_faults": found.reference_faults.iter().map(|fault| json!({
+            "setup": fault.setups[0] + 1,
+            "against_setup": fault.setups[1] + 1,
+            "channels": fault.channels,
+            "factor": fault.factor,
+            "factor_sd": fault.factor_sd,
+            "modes": fault.modes,
         "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),
         "joint": setups.joint.as_ref().map(|joint| json!({
             "modes": identified(&joint.modes),

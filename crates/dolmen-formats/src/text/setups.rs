@@ -139,15 +139,43 @@ pub(crate) fn remarks(setups: &SetupsAnswer) -> Vec<String> {
             "another pairing is nearly as good: the setups may not show one mode at {doubtful} Hz, which goes on to no stiffness"
         ));
     }
-    if !merged.partial.is_empty() {
-        let one = |p: &PartialMode| {
-            let setups: Vec<String> = p.setups.iter().map(|s| (s + 1).to_string()).collect();
-            format!("{:.3} Hz (setup {})", p.frequency_hz, setups.join(", "))
+    let listed = |setups: &[usize]| -> String {
+        let setups: Vec<String> = setups.iter().map(|s| (s + 1).to_string()).collect();
+        setups.join(", ")
+    };
+    let left_out = |of: &dyn Fn(&PartialMode) -> Option<String>| -> String {
+        let all: Vec<String> = merged.partial.iter().filter_map(of).collect();
+        all.join("; ")
+    };
+    let missing = left_out(&|p| {
+        let one = || format!("{:.3} Hz (setup {})", p.frequency_hz, listed(&p.setups));
+        p.unlike_in.is_empty().then(one)
+    });
+    if !missing.is_empty() {
+        said.push(format!("left out, since not every setup shows them: {missing}"));
+    }
+    let unlike = left_out(&|p| {
+        let one = || {
+            let (own, others) = (listed(&p.setups), listed(&p.unlike_in));
+            format!("{:.3} Hz (setup {own}, unlike in setup {others})", p.frequency_hz)
         };
-        let all: Vec<String> = merged.partial.iter().map(one).collect();
+        (!p.unlike_in.is_empty()).then(one)
+    });
+    if !unlike.is_empty() {
         said.push(format!(
-            "left out, since not every setup shows them: {}",
-            all.join("; ")
+            "left out, since other setups show that frequency with another shape at the references: {unlike}: a sensor turned, exchanged or of \
+             another gain, or modes that lie close"
+        ));
+    }
+    said.extend(merged.reference_faults.iter().map(ToString::to_string));
+    if let Some(joint) = &setups.joint
+        && let Ok(lost_hz) = joint.not_shown_hz(merged)
+        && !lost_hz.is_empty()
+    {
+        let all: Vec<String> = lost_hz.iter().map(|hz| format!("{hz:.3}")).collect();
+        said.push(format!(
+            "setups by themselves show modes that the identification of all as one does not: {} Hz",
+            all.join(", ")
         ));
     }
     said

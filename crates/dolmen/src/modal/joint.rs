@@ -6,8 +6,10 @@ use super::machines::{split_tones, test_for_machines};
 use super::one_shaking::{Setup, stacked};
 use super::places::{Places, Seat};
 use super::settings::{Settings, choose};
+use super::pairing::{ObservedMode, pair_modes};
 use super::shape_checks::doubt_channels;
 use super::ssi;
+use super::setups::{MergeSetups, MergedSetups};
 use super::stabilization::{AllOrders, Stabilization};
 use super::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
 use crate::signal::Record;
@@ -17,6 +19,9 @@ const ONE_PEAK: f64 = 0.03;
 
 /// Several setups identified as one.
 #[derive(Clone, Debug)]
+/// Frequencies of one mode in several setups lie so near, relative. Chosen here.
+const ONE_MODE: f64 = 0.01;
+
 pub struct JointSetups {
     /// The modes at all sensors.
     pub modes: Modes,
@@ -36,6 +41,34 @@ pub struct JointSetups {
 
 /// Modes of several setups from one identification (pre-identification global estimation re-scaling).
 ///
+impl JointSetups {
+    /// Frequencies, Hz, of the modes of `merged` that no mode of this identification is, those that single setups show too.
+    ///
+    /// # Errors
+    /// As [`pair_modes`].
+    pub fn not_shown_hz(&self, merged: &MergedSetups) -> Result<Vec<f64>, ModalError> {
+        let own = ObservedMode::all(&self.modes, 0);
+        let together = ObservedMode::all(&merged.modes, 0);
+        let options = MergeSetups::default().pairing;
+        let paired = pair_modes(&together, &own, &options)?;
+        let lost = paired.only_first.iter().map(|&i| together[i].frequency_hz);
+        let mut frequency_hz: Vec<f64> = lost.collect();
+        // a mode of some setups has no shape at all sensors: by frequency, beside those that are taken
+        let mut free: Vec<f64> = paired.only_second.iter().map(|&j| own[j].frequency_hz).collect();
+        for mode in &merged.partial {
+            let near = |hz: &f64| (hz / mode.frequency_hz - 1.0).abs() <= ONE_PEAK;
+            match free.iter().position(near) {
+                Some(at) if mode.unlike_in.is_empty() => drop(free.remove(at)),
+                Some(_) => {} // its counterparts in other setups are the same
+                None => frequency_hz.push(mode.frequency_hz),
+            }
+        }
+        frequency_hz.sort_by(f64::total_cmp);
+        frequency_hz.dedup_by(|a, b| (*a / *b - 1.0).abs() <= ONE_MODE);
+        Ok(frequency_hz)
+    }
+}
+
 /// ```text
 /// [H_1^ref … H_S^ref] = U S Vᵀ,   Z_s = Uᵀ H_s^ref                         first n columns of U
 /// H = [U Z_1; H_1^mov Z_1⁺ Z_1; H_2^mov Z_2⁺ Z_1; … H_S^mov Z_S⁺ Z_1]             shape: l br × r br, l all sensors, r those that stay

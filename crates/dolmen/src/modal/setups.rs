@@ -5,6 +5,7 @@
 use super::merged_mode::{Growing, MergedMode};
 use super::pairing::{ObservedMode, Pairing, pair_modes};
 use super::places::Places;
+use super::reference_gains::{ReferenceFault, reference_faults};
 use super::{ModalError, Modes};
 
 /// Options of [`merge_setups`].
@@ -32,6 +33,8 @@ pub struct PartialMode {
     pub frequency_hz: f64,
     /// Setups that show it, from 0.
     pub setups: Vec<usize>,
+    /// Setups that show a mode of that frequency (2 %) whose shape at the references is another, or that had another partner.
+    pub unlike_in: Vec<usize>,
 }
 
 /// Several setups as one.
@@ -45,7 +48,12 @@ pub struct MergedSetups {
     pub partial: Vec<PartialMode>,
     /// Indices, in `modes.channels`, of the sensors that more than one setup has.
     pub references: Vec<usize>,
+    /// References whose gain or sense is not the same in all setups.
+    pub reference_faults: Vec<ReferenceFault>,
 }
+
+/// Frequencies of two setups so near, relative, may be one mode whatever the shapes. Chosen here.
+const ONE_FREQUENCY: f64 = 0.02;
 
 /// Modes of several setups put together (post-separate estimation re-scaling).
 ///
@@ -87,11 +95,13 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
             partial.push(PartialMode {
                 frequency_hz: growing[alone].members[0].frequency_hz,
                 setups: (0..number).collect(),
+                unlike_in: Vec::new(),
             });
         }
         partial.extend(paired.only_second.iter().map(|&alone| PartialMode {
             frequency_hz: setup.modes[alone].frequency_hz,
             setups: vec![number],
+            unlike_in: Vec::new(),
         }));
         let mut next = Vec::with_capacity(paired.pairs.len());
         for pair in &paired.pairs {
@@ -103,6 +113,20 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         growing = next;
     }
     partial.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    let all = partial.clone();
+    for mode in &mut partial {
+        let is_near = |other: &&PartialMode| {
+            (other.frequency_hz / mode.frequency_hz - 1.0).abs() <= ONE_FREQUENCY
+                && other.setups.iter().all(|s| !mode.setups.contains(s))
+        };
+        mode.unlike_in = all
+            .iter()
+            .filter(is_near)
+            .flat_map(|o| o.setups.clone())
+            .collect();
+        mode.unlike_in.sort_unstable();
+        mode.unlike_in.dedup();
+    }
     let mut found = Vec::with_capacity(growing.len());
     for mode in &growing {
         found.push(mode.finished()?);
@@ -121,6 +145,7 @@ pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSet
         merged,
         partial,
         references,
+        reference_faults: reference_faults(setups, &options.pairing)?,
     })
 }
 
@@ -254,8 +279,82 @@ mod tests {
             [PartialMode {
                 frequency_hz: lost.frequency_hz,
                 setups: vec![0],
+                unlike_in: Vec::new(),
             }]
         );
+    }
+
+    #[test]
+    fn exact_factor_of_a_reference_of_another_gain_or_turned_round() {
+        for (factor, words) in [
+            (
+                2.0,
+                "has another gain in setup 2: against the other references it moves 2.00",
+            ),
+            (
+                -1.0,
+                "looks turned round in setup 2: against the other references it moves -1.00",
+            ),
+        ] {
+            let mut setups = [
+                setup(&[6, 7, 4, 0], Complex64::ONE, 1.0),
+                setup(&[6, 7, 4, 1], Complex64::ONE, 1.0),
+                setup(&[6, 7, 4, 2], Complex64::ONE, 1.0),
+            ];
+            for mode in &mut setups[1].modes {
+                mode.shape[1] *= factor;
+            }
+            let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+            let [fault] = &found.reference_faults[..] else {
+                panic!("{:?}", found.reference_faults)
+            };
+            assert_eq!(
+                (fault.setups[0], &fault.channels[..]),
+                (1, &["s7".to_owned()][..])
+            );
+            assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
+            assert!(fault.to_string().contains(words), "{fault}");
+            // the first of the setups at fault, seen in the two others
+            setups.swap(0, 1);
+            let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+            let [fault] = &found.reference_faults[..] else {
+                panic!("{:?}", found.reference_faults)
+            };
+            assert_eq!(fault.setups[0], 0);
+            assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
+        }
+    }
+
+    #[test]
+    fn holds_a_mode_that_a_turned_sensor_hides_is_said_to_be_in_both_setups() {
+        let first = setup(&[6, 7, 0], Complex64::ONE, 1.0);
+        let mut second = setup(&[6, 7, 1], Complex64::ONE, 1.0);
+        for mode in &mut second.modes {
+            mode.shape[1] *= -1.0;
+        }
+        let found = merge_setups(&[first, second], &MergeSetups::default()).unwrap();
+        let [fault] = &found.reference_faults[..] else {
+            panic!("{:?}", found.reference_faults)
+        };
+        assert_eq!(fault.channels.len(), 2); // of two references either may be turned
+        assert!((fault.factor + 1.0).abs() < 1e-6, "{fault:?}");
+        assert!(
+            found.partial.iter().all(|p| !p.unlike_in.is_empty()),
+            "{:?}",
+            found.partial
+        );
+    }
+
+    #[test]
+    fn holds_references_that_agree_are_no_fault() {
+        // a component off by twice its deviation, and one setup scaled by -0.4
+        let first = setup(&[6, 7, 4, 0], Complex64::ONE, 1.0);
+        let mut second = setup(&[6, 7, 4, 1], Complex64::new(-0.4, 0.0), 1.002);
+        for (i, mode) in second.modes.iter_mut().enumerate() {
+            mode.shape[i % 3] *= 1.02;
+        }
+        let found = merge_setups(&[first, second], &MergeSetups::default()).unwrap();
+        assert_eq!(found.reference_faults, []);
     }
 
     #[test]
