@@ -113,6 +113,7 @@ pub(crate) fn found_in(survey: &Survey, file: &Path, quiet: bool) -> Result<Surv
         records,
         setups,
         stiffness: Vec::new(),
+        without_stiffness: None,
     })
 }
 
@@ -184,8 +185,39 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
             }
         }
     }
+    let is_sought = matches!(project.structure, Structure::Chain(_) | Structure::Frame(_));
+    if is_sought
+        && stiffness.is_empty()
+        && survey.modes.is_empty()
+        && let Some((found, _)) = answer.modes()
+    {
+        answer.without_stiffness = why_no_stiffness(found);
+    }
     answer.stiffness = stiffness;
     Ok(answer)
+}
+
+/// What the sensors lack, where none measures along x or y; `None` where one does.
+fn why_no_stiffness(found: &Modes) -> Option<String> {
+    let along =
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|vector| directional_modes(found, vector).channels_along);
+    if along != [0, 0] {
+        return None;
+    }
+    let placed = found
+        .channels
+        .iter()
+        .filter(|c| c.position_m.is_some() && c.direction.is_some());
+    Some(if placed.clone().next().is_none() {
+        "no stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure".to_owned()
+    } else {
+        let names: Vec<&str> = placed.map(|c| c.name.as_str()).collect();
+        format!(
+            "no stiffness is sought: no sensor points within 15° of x or y ({} do not); turn the axes of the project with the sensors, or give the \
+             direction in which each measures",
+            names.join(", ")
+        )
+    })
 }
 
 /// Peaks of a record that are none of its modes, and modes that were not picked, Hz, ascending.

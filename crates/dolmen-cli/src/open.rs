@@ -1,7 +1,7 @@
 //! From paths to values: project files, and the records they name, conditioned as they say.
 
 use crate::files;
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 use dolmen::signal::{
     Channel, ChannelFault, Join, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
     inspect, low_pass,
@@ -23,12 +23,36 @@ pub(crate) struct Opened {
 /// Reads the project file that `path` means.
 pub(crate) fn project(path: &Path) -> Result<Opened> {
     let file = files::project_file(path)?;
+    refuse_record(&file)?;
     let text = files::read_text(&file)?;
     let folder = file.parent().unwrap_or(Path::new(".")).to_owned();
     let others =
         Files::from_loader(move |name| files::read(&folder.join(name)).map_err(|why| format!("{why:#}")));
     let project = parse_project_with(&text, &file.display().to_string(), &others)?;
     Ok(Opened { project, file })
+}
+
+/// Names what to do with a record that stands where a project file should.
+fn refuse_record(file: &Path) -> Result<()> {
+    const RECORDS: [&str; 18] = [
+        "csv", "tsv", "npy", "mat", "wav", "uff", "unv", "saf", "gcf", "tdms", "mseed", "miniseed", "sac",
+        "xls", "xlsx", "at2", "v2", "zip",
+    ];
+    let ending = file.extension().map(|e| e.to_string_lossy().to_lowercase());
+    let is_record = ending.as_deref().is_some_and(|ending| RECORDS.contains(&ending));
+    if is_record {
+        let name = file
+            .file_name()
+            .map(|n| n.to_string_lossy().into_owned())
+            .unwrap_or_default();
+        bail!(
+            "{} is a record, not a project file: write a file project.toml beside it that names it, and give that\n\n\
+             schema = 1\nkind = \"survey\"\nname = {{ en = \"My survey\" }}\n[survey.one.records]\nfile = \"{name}\"\n\
+             sampling_rate = \"100 Hz\"   # where the file does not say it",
+            file.display()
+        );
+    }
+    Ok(())
 }
 
 /// A record as it is to be used, and what it was when read.

@@ -268,6 +268,8 @@ pub struct SurveyAnswer {
     pub setups: Option<SetupsAnswer>,
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
+    /// Why its modes lead to no stiffness of a chain or frame, where they do not.
+    pub without_stiffness: Option<String>,
 }
 
 /// What several setups gave.

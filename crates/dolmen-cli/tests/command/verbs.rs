@@ -150,3 +150,68 @@ fn holds_completions_and_manual_name_every_verb() {
         );
     }
 }
+
+#[test]
+fn refuses_a_record_in_place_of_a_project_in_a_few_lines() {
+    let scratch = Scratch::new("record-for-project");
+    let rows: String = (0..5000)
+        .map(|i| format!("{:.2},{}\n", f64::from(i) / 100.0, i % 7))
+        .collect();
+    fs::write(scratch.path().join("roof.csv"), format!("time,x\n{rows}")).unwrap();
+    for verb in ["identify", "compare", "check"] {
+        let said = scratch.dolmen(&format!("{verb} roof.csv"));
+        assert_eq!(said.status, 2, "{verb}: {}", said.stderr);
+        assert!(
+            said.stderr.contains("roof.csv is a record, not a project file")
+                && said.stderr.lines().count() < 12,
+            "{verb}: {}",
+            said.stderr
+        );
+    }
+}
+
+#[test]
+fn holds_sensors_that_point_along_neither_axis_are_the_reason_why_no_stiffness_is_sought() {
+    let scratch = Scratch::new("sensors-at-45");
+    // two floors' worth of motion: noise through a resonator at 2 Hz, ten minutes at 50 Hz
+    let (mut state, mut y) = (1_u64, [0.0_f64; 2]);
+    let omega = 2.0 * std::f64::consts::PI * 2.0 / 50.0;
+    let mut rows = String::from("time,a,b\n");
+    for i in 0..30_000 {
+        let mut noise = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 33) as f64 / f64::from(1_u32 << 30) - 1.0
+        };
+        let next = 1.98 * omega.cos() * y[0] - 0.98 * y[1] + noise();
+        y = [next, y[0]];
+        rows += &format!(
+            "{:.2},{:.5},{:.5}\n",
+            f64::from(i) / 50.0,
+            next + noise(),
+            0.6 * next + noise()
+        );
+    }
+    fs::write(scratch.path().join("pole.csv"), rows).unwrap();
+    let project = |direction: &str| {
+        format!(
+            "schema = 1\nkind = \"chain\"\nname = {{ en = \"Pole\" }}\nevidence = \"literature\"\njoints = \"unknown\"\nlinks = [\n\
+             {{ weight = \"20 kN\", length = 3, centroid = 1.5 }},\n{{ weight = \"10 kN\", length = 2, centroid = 1 }},\n]\n\
+             [survey.one.records]\nfile = \"pole.csv\"\nchannels = [\n\
+             {{ column = \"a\", position = [0, 0, 5], direction = {direction} }},\n\
+             {{ column = \"b\", position = [0, 0, 3], direction = {direction} }},\n]\n"
+        )
+    };
+    let said = |direction: &str| {
+        fs::write(scratch.path().join("pole.toml"), project(direction)).unwrap();
+        let answer = scratch.dolmen("identify pole.toml");
+        assert_eq!(answer.status, 0, "{}", answer.stderr);
+        answer.stdout
+    };
+    let words = "no stiffness is sought: no sensor points within 15° of x or y (a, b do not)";
+    let turned = said("[1, 1, 0]");
+    assert!(turned.contains(words), "{turned}");
+    let along = said("\"x\"");
+    assert!(!along.contains("no stiffness is sought"), "{along}");
+}

@@ -22,6 +22,7 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "records": survey.records.as_ref().map(record),
         "setups": survey.setups.as_ref().map(setups),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
+        "without_stiffness": survey.without_stiffness,
     })
 }
 

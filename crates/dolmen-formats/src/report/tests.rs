@@ -86,6 +86,7 @@ fn gate() -> Answer {
     let check = Check::Frame(checks.collect());
     let mut answer = answer(project, check);
     answer.surveys = vec![SurveyAnswer {
+        without_stiffness: None,
         setups: None,
         records: None,
         name: "2009".into(),
@@ -302,6 +303,7 @@ fn survey() -> Answer {
         sensitivities: vec![],
         sensitivity_of: Default::default(),
         surveys: vec![SurveyAnswer {
+            without_stiffness: None,
             name: "now".into(),
             setups: None,
             records: Some(RecordAnswer {

@@ -50,6 +50,9 @@ fn survey_text(survey: &SurveyAnswer) -> String {
             }
         }
     }
+    if let Some(why) = &survey.without_stiffness {
+        let _ = writeln!(out, "  note: {why}");
+    }
     let mut direction = "";
     for stiffness in &survey.stiffness {
         if stiffness.direction != direction {
