@@ -290,11 +290,11 @@ impl SetupsAnswer {
     /// Frequencies, Hz, at which setups put together may not show one mode: another pairing was nearly as good, or the shapes at the
     /// references are not alike. All where a reference is not the same in all setups; else none where they were identified as one.
     pub fn doubtful_hz(&self) -> Vec<f64> {
-        if self.joint.is_some() {
-            return Vec::new();
         if !self.merged.reference_faults.is_empty() {
             return self.modes().modes.iter().map(|mode| mode.frequency_hz).collect();
         }
+        if self.joint.is_some() {
+            return Vec::new();
         }
         let unlike = |m: &MergedMode| {
             m.reference_assurance
@@ -317,14 +317,20 @@ impl SetupsAnswer {
 }
 
 impl SurveyAnswer {
-    /// The modes that its records show, of several setups those put together, and the blocks of time behind their deviations.
+    /// The modes that its records show, of several setups those put together, and the equally strong blocks of time behind their deviations.
     pub fn modes(&self) -> Option<(&Modes, usize)> {
         match (&self.setups, &self.records) {
             (Some(setups), _) => {
-                let blocks = setups.records.iter().map(|r| r.analysis.settings.time_blocks);
+                let blocks = setups
+                    .records
+                    .iter()
+                    .map(|r| r.analysis.settings.time_blocks_effective);
                 Some((setups.modes(), blocks.min().unwrap_or(0)))
             }
-            (None, Some(record)) => Some((&record.analysis.modes, record.analysis.settings.time_blocks)),
+            (None, Some(record)) => Some((
+                &record.analysis.modes,
+                record.analysis.settings.time_blocks_effective,
+            )),
             (None, None) => None,
         }
     }

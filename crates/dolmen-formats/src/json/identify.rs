@@ -47,7 +47,6 @@ fn setups(setups: &SetupsAnswer) -> Value {
         "partial": found.partial.iter().map(|p| json!({
             "frequency_hz": p.frequency_hz,
             "setups": p.setups.iter().map(|s| s + 1).collect::<Vec<_>>(),
-        })).collect::<Vec<_>>(),
             "unlike_in": p.unlike_in.iter().map(|s| s + 1).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
         "reference_faults": found.reference_faults.iter().map(|fault| json!({
@@ -57,6 +56,7 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "factor": fault.factor,
             "factor_sd": fault.factor_sd,
             "modes": fault.modes,
+        })).collect::<Vec<_>>(),
         "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),
         "joint": setups.joint.as_ref().map(|joint| json!({
             "modes": identified(&joint.modes),
@@ -80,7 +80,7 @@ fn record(record: &RecordAnswer) -> Value {
         "remarks": record.remarks,
         "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "settings": settings(&analysis.settings, &analysis.modes),
+        "settings": settings(&analysis.settings, &analysis.fdd_modes),
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
         "decay": analysis.decay.as_ref().map(decay),
@@ -100,6 +100,7 @@ fn settings(settings: &Settings, modes: &Modes) -> Value {
         "block_rows_least": settings.block_rows_least,
         "order_most": settings.order_most,
         "time_blocks": settings.time_blocks,
+        "time_blocks_effective": settings.time_blocks_effective,
         "references": settings.references.iter().map(name).collect::<Vec<_>>(),
         "references_keep": settings.references_keep,
         "range_hz": settings.range_hz,

@@ -269,7 +269,7 @@ fn references(analysis: &ModalAnalysis) -> (String, String) {
     let Some(kept) = analysis.settings.references_keep else {
         return Default::default();
     };
-    let channels = &analysis.modes.channels;
+    let channels = &analysis.fdd_modes.channels;
     let names: Vec<&str> = analysis
         .settings
         .references
@@ -301,7 +301,7 @@ fn settings(analysis: &ModalAnalysis, language: Language) -> Markup {
     let (few, scattered, double) = (
         refused(Fate::FewOrders),
         refused(Fate::Scattered),
-        refused(Fate::Double),
+        refused(Fate::Double) + refused(Fate::Blend),
     );
     let (lines, lags) = (s.lines, (2 * s.block_rows).saturating_sub(1));
     let (references_en, references_ko) = references(analysis);

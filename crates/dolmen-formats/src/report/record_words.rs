@@ -101,6 +101,47 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
             hertz(frequency_hz),
             100.0 * damping_floor
         ),
+        Note::FilteredAbove { asked_hz, passed_hz } => format!(
+            "모드는 frequency_high_hz = {}가 아니라 {}까지 탐색하였다. 그 위는 표본율을 낮출 때 쓴 필터가 자르므로, 더 높은 모드를 보려면 decimate_factor를 줄여야 한다.",
+            hertz(asked_hz),
+            hertz(passed_hz)
+        ),
+        Note::ClockDrift {
+            drifting,
+            turn_degrees,
+            frequency_hz,
+            sampling_rate_hz,
+        } => {
+            let all: Vec<String> = drifting
+                .iter()
+                .map(|(channel, [ppm, sd])| {
+                    let rate_hz = sampling_rate_hz * (1.0 + 1e-6 * ppm);
+                    format!("\"{channel}\" {ppm:+.1} ± {sd:.1} ppm(sampling_rate = \"{rate_hz:.5} Hz\")")
+                })
+                .collect();
+            format!(
+                "기록계의 시계가 서로 다르게 간다: {}(± 표준편차). {}에서 기록 중 위상이 {turn_degrees:.0}° 돌아간다. 진동수와 감쇠비는 유효하나 이 채널은 모드형상에서 제외하였다. 해당 측점에 괄호 안의 표본율을 주면 포함된다.",
+                all.join(", "),
+                hertz(frequency_hz)
+            )
+        }
+        Note::HiddenPairs { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{}에서 스펙트럼의 특이값 두 개가 함께 솟지만 모드는 하나만 찾았다. 가까운 두 모드일 수 있으며, 그렇다면 진동수, 감쇠비, 모드형상은 둘이 섞인 것이다. ssi-cov와 ssi-data가 가까운 모드를 구별한다.",
+                all.join(", ")
+            )
+        }
+        Note::Blends { blends } => {
+            let all: Vec<String> = blends
+                .iter()
+                .map(|[hz, zeta]| format!("{}(감쇠비 {:.1}\u{202f}%)", hertz(hz), 100.0 * zeta))
+                .collect();
+            format!(
+                "{}: 낮은 차수에서만 나타나고 감쇠비가 다른 모드보다 훨씬 크므로 제외하였다. 이 기록으로는 구별되지 않는 여러 모드가 합쳐진 것이다.",
+                all.join(", ")
+            )
+        }
         other => format!("[영문] {other}"),
     };
     language.pick(sentence(&note.to_string()), korean)

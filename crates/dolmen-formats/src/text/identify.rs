@@ -7,7 +7,7 @@ use super::setups::{joint_heading, merged_text};
 use super::stiffness::{data_text, masses_text, stiffness_text};
 use crate::answer::{Answer, RecordAnswer, SurveyAnswer};
 use dolmen::modal::{Method, Modes, Settings};
-use dolmen::signal::Processing;
+use dolmen::signal::{Channel, Processing};
 use std::fmt::Write as _;
 
 /// Half width of a 95 % interval, in standard deviations of a normal variable.
@@ -91,7 +91,11 @@ fn record_text(record: &RecordAnswer) -> String {
     for fault in &record.faults {
         let _ = writeln!(out, "  warning: {fault} [channel-fault]");
     }
-    out += &chosen_text(modes, &record.analysis.settings);
+    out += &chosen_text(
+        modes.method,
+        &record.analysis.fdd_modes.channels,
+        &record.analysis.settings,
+    );
     out += &modes_text(modes);
     if let Some(decay) = &record.analysis.decay {
         out += &decay_text(decay);
@@ -103,11 +107,11 @@ fn record_text(record: &RecordAnswer) -> String {
 }
 
 /// The references that were chosen, and why.
-fn references_text(modes: &Modes, chosen: &Settings) -> String {
+fn references_text(channels: &[Channel], chosen: &Settings) -> String {
     let Some(kept) = chosen.references_keep else {
         return String::new();
     };
-    let channels = chosen.references.iter().filter_map(|&c| modes.channels.get(c));
+    let channels = chosen.references.iter().filter_map(|&c| channels.get(c));
     let names: Vec<&str> = channels.map(|channel| channel.name.as_str()).collect();
     format!(
         "  references: {}: they keep {:.0} % of the motion at the peaks, and few make many degrees possible\n",
@@ -117,8 +121,7 @@ fn references_text(modes: &Modes, chosen: &Settings) -> String {
 }
 
 /// What was chosen from the data.
-fn chosen_text(modes: &Modes, chosen: &Settings) -> String {
-    let method = modes.method;
+fn chosen_text(method: Method, channels: &[Channel], chosen: &Settings) -> String {
     let [low, high] = chosen.range_hz;
     if method == Method::Era {
         return format!(
@@ -135,7 +138,7 @@ fn chosen_text(modes: &Modes, chosen: &Settings) -> String {
             2 * chosen.block_rows - 1,
             chosen.order_most,
             chosen.order_most / chosen.references.len().max(1),
-            references_text(modes, chosen),
+            references_text(channels, chosen),
         );
     }
     let method = method.name();

@@ -72,7 +72,7 @@ pub(super) fn of_decay(
         options.frequency_low_hz.unwrap_or(0.0),
         options.frequency_high_hz.unwrap_or(nyquist_hz),
     );
-    let mut analysis = of_peaks(peaks, options);
+    let mut analysis = of_peaks(peaks, record, options);
     let groups = of_one_mode(&found);
     analysis.modes = found.modes.clone();
     analysis.modes.modes = groups.iter().map(|group| strongest(&found, group)).collect();

@@ -251,7 +251,7 @@ pub(super) fn parzen(x: f64) -> f64 {
     }
 }
 
-fn decibel(power: f64) -> f64 {
+pub(super) fn decibel(power: f64) -> f64 {
     10.0 * power.max(f64::MIN_POSITIVE).log10()
 }
 
@@ -273,15 +273,15 @@ fn half_power_width(level: &[f64], line: usize) -> f64 {
     reach(&|i| i.checked_sub(1)) + reach(&right)
 }
 
-struct Peak {
-    line: usize,
+pub(super) struct Peak {
+    pub(super) line: usize,
     /// Place of the top between the lines, -0.5 to 0.5.
     offset: f64,
     prominence_db: f64,
 }
 
 /// Local maxima that rise by `prominence_db` over the higher of the two lowest points between them and a higher line.
-fn peaks(level: &[f64], range: Range<usize>, prominence_db: f64) -> Vec<Peak> {
+pub(super) fn peaks(level: &[f64], range: Range<usize>, prominence_db: f64) -> Vec<Peak> {
     let mut found = Vec::new();
     for i in range.start.max(1)..range.end.min(level.len() - 1) {
         if level[i] <= level[i - 1] || level[i] < level[i + 1] {

@@ -1,21 +1,24 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
+use super::clocks::leave_out_other_clocks;
 use super::clusters::{Cluster, Clustering, Fate, group_poles};
 use super::decay::{Decay, SHORT, of_decay, short_spectrum};
 use super::efdd::{Efdd, efdd};
 use super::error::refused;
 use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::fraction_deviation::FractionScatter;
+use super::gusts::{unequal, widen};
+use super::hidden_pairs::note_hidden_pairs;
 use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
 use super::reference_channels::keeping_most;
-use super::settings::{Settings, choose};
+use super::settings::{Settings, choose, passed_hz};
 use super::shape_checks::{doubt_channels, to_one_quantity};
 use super::ssi::{ssi_cov, ssi_data};
 use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
 use super::uncertainty::Deviations;
 use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation};
-use crate::signal::{ChannelFault, Record, inspect};
+use crate::signal::{ChannelFault, Record, inspect, leave_out};
 
 /// What becomes of a mode that looks like a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -89,7 +92,7 @@ impl Default for Identify {
 /// The modes of a record and everything needed to draw, to doubt and to repeat them.
 #[derive(Clone, Debug)]
 pub struct ModalAnalysis {
-    /// The modes, by frequency.
+    /// The modes, by frequency; their shapes hold the channels of one clock alone.
     pub modes: Modes,
     /// Singular values of the spectral matrix over frequency.
     pub spectrum: SingularSpectrum,
@@ -133,6 +136,7 @@ pub struct ModalAnalysis {
 pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, ModalError> {
     check(record, options)?;
     let mut notes = judge_channels(record)?;
+    note_filter(record, options, &mut notes);
     let mut peaks = spectrum(record, options)?;
     let tones_hz = split_tones(
         record,
@@ -141,7 +145,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         &mut notes,
     )?;
     let mut analysis = match options.method {
-        Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, options),
+        Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
         Method::SsiCov | Method::SsiData | Method::Plscf => {
             of_poles(record, options, (peaks, &tones_hz), &mut notes)?
@@ -150,20 +154,59 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     if options.method != Method::Era {
         let all = (0..record.channels().len()).collect();
         test_for_machines(&[(record, all)], options, &mut analysis.modes, &mut notes)?;
+        leave_out_other_clocks(record, &mut analysis.modes, &mut notes);
+        if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
+            return Ok(alone);
+        }
     }
     to_one_quantity(&mut analysis.modes, &mut notes);
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
     remark(&analysis.modes, &analysis.fdd_modes, not_picked_hz, &mut notes);
+    // the subspace methods tell such modes apart, where the record does
+    if !matches!(options.method, Method::Era | Method::SsiCov | Method::SsiData) {
+        let prominence_db = options.fdd.prominence_db;
+        note_hidden_pairs(&analysis.modes, &analysis.spectrum, prominence_db, &mut notes);
+    }
     doubt_channels(&analysis.modes, &mut notes);
     analysis.notes = notes;
     Ok(analysis)
 }
 
+/// The same of the channels of one clock, where others were left out: the others' phases make two modes of one.
+fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Note]) -> Option<ModalAnalysis> {
+    const CHANNELS_LEAST: usize = 2; // one alone has no shape, and modes with a node there are lost
+    let is_off = |name: &&str| modes.channels.iter().all(|kept| kept.name != **name);
+    let off: Vec<&str> = record.channels().iter().map(|c| c.name.as_str()).collect();
+    let off: Vec<&str> = off.into_iter().filter(is_off).collect();
+    if off.is_empty() || modes.channels.len() < CHANNELS_LEAST || !options.references.is_empty() {
+        return None;
+    }
+    let mut alone = identify(&leave_out(record.clone(), &off).ok()?, options).ok()?;
+    let drift = notes.iter().find(|note| matches!(note, Note::ClockDrift { .. }));
+    alone.notes.extend(drift.cloned());
+    Some(alone)
+}
+
+/// Says where a frequency that was asked for lies beyond what the record's own anti-alias filter lets pass.
+pub(super) fn note_filter(record: &Record, options: &Identify, notes: &mut Vec<Note>) {
+    if let (Some(asked_hz), Some(passed_hz)) = (options.frequency_high_hz, passed_hz(record))
+        && asked_hz > passed_hz
+    {
+        notes.push(Note::FilteredAbove { asked_hz, passed_hz });
+    }
+}
+
 pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult, ModalError> {
     let fdd_options = Fdd {
         frequency_low_hz: options.frequency_low_hz.unwrap_or(options.fdd.frequency_low_hz),
-        frequency_high_hz: options.frequency_high_hz.or(options.fdd.frequency_high_hz),
+        frequency_high_hz: [
+            options.frequency_high_hz.or(options.fdd.frequency_high_hz),
+            passed_hz(record),
+        ]
+        .into_iter()
+        .flatten()
+        .reduce(f64::min),
         ..options.fdd.clone()
     };
     match options.method {
@@ -181,7 +224,7 @@ pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult,
 }
 
 /// The peaks are the modes.
-pub(super) fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
+pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) -> ModalAnalysis {
     let lines = peaks.spectrum.frequency_hz.len() - 1;
     let nyquist_hz = peaks.spectrum.frequency_hz.last().copied().unwrap_or(0.0);
     let first = |modes: &[Mode]| modes.first().map_or(0.0, |m| m.frequency_hz);
@@ -197,11 +240,15 @@ pub(super) fn of_peaks(peaks: FddResult, options: &Identify) -> ModalAnalysis {
         block_rows_least: 0,
         order_most: 0,
         time_blocks: 0,
+        time_blocks_effective: 0,
         references: Vec::new(),
         references_keep: None,
         range_hz: [
             options.frequency_low_hz.unwrap_or(0.0),
-            options.frequency_high_hz.unwrap_or(nyquist_hz),
+            options
+                .frequency_high_hz
+                .unwrap_or(nyquist_hz)
+                .min(passed_hz(record).unwrap_or(nyquist_hz)),
         ],
     };
     ModalAnalysis {
@@ -280,9 +327,14 @@ fn of_poles(
             &options.clustering,
         )?
     };
+    note_blends(&clusters, notes);
+    let mut modes = modes_of(&clusters, record.duration_s());
+    let unequal = unequal(record, settings.time_blocks);
+    widen(&mut modes, unequal.widening);
+    settings.time_blocks_effective = unequal.time_blocks;
     Ok(ModalAnalysis {
         modes: Modes {
-            modes: modes_of(&clusters, record.duration_s()),
+            modes,
             channels: record.channels().to_vec(),
             method: options.method,
             duration_s: record.duration_s(),
@@ -297,6 +349,16 @@ fn of_poles(
         decay: None,
         notes: Vec::new(),
     })
+}
+
+pub(super) fn note_blends(clusters: &[Cluster], notes: &mut Vec<Note>) {
+    let is_blend = clusters.iter().filter(|c| c.fate == Fate::Blend);
+    let blends: Vec<[f64; 2]> = is_blend
+        .map(|c| [c.medoid.frequency_hz, c.medoid.damping_ratio])
+        .collect();
+    if !blends.is_empty() {
+        notes.push(Note::Blends { blends });
+    }
 }
 
 /// The diagram, and the groups of its poles.

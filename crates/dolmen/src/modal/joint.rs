@@ -1,15 +1,17 @@
 //! Several setups as one identification: their correlations brought to one shaking and stacked (PreGER).
 
 use super::clusters::{Cluster, Clustering};
-use super::identify::{check, judge_channels, judged, modes_of, pick, remark, spectrum, wanted};
+use super::identify::{
+    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, remark, spectrum, wanted,
+};
 use super::machines::{split_tones, test_for_machines};
 use super::one_shaking::{Setup, stacked};
+use super::pairing::{ObservedMode, pair_modes};
 use super::places::{Places, Seat};
 use super::settings::{Settings, choose};
-use super::pairing::{ObservedMode, pair_modes};
+use super::setups::{MergeSetups, MergedSetups};
 use super::shape_checks::doubt_channels;
 use super::ssi;
-use super::setups::{MergeSetups, MergedSetups};
 use super::stabilization::{AllOrders, Stabilization};
 use super::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
 use crate::signal::Record;
@@ -17,11 +19,11 @@ use crate::signal::Record;
 /// Peaks of two setups so near, relative, are one.
 const ONE_PEAK: f64 = 0.03;
 
-/// Several setups identified as one.
-#[derive(Clone, Debug)]
 /// Frequencies of one mode in several setups lie so near, relative. Chosen here.
 const ONE_MODE: f64 = 0.01;
 
+/// Several setups identified as one.
+#[derive(Clone, Debug)]
 pub struct JointSetups {
     /// The modes at all sensors.
     pub modes: Modes,
@@ -39,8 +41,6 @@ pub struct JointSetups {
     pub notes: Vec<Note>,
 }
 
-/// Modes of several setups from one identification (pre-identification global estimation re-scaling).
-///
 impl JointSetups {
     /// Frequencies, Hz, of the modes of `merged` that no mode of this identification is, those that single setups show too.
     ///
@@ -69,6 +69,8 @@ impl JointSetups {
     }
 }
 
+/// Modes of several setups from one identification (pre-identification global estimation re-scaling).
+///
 /// ```text
 /// [H_1^ref … H_S^ref] = U S Vᵀ,   Z_s = Uᵀ H_s^ref                         first n columns of U
 /// H = [U Z_1; H_1^mov Z_1⁺ Z_1; H_2^mov Z_2⁺ Z_1; … H_S^mov Z_S⁺ Z_1]             shape: l br × r br, l all sensors, r those that stay
@@ -165,6 +167,7 @@ pub fn joint_setups(
             ..options.clustering.clone()
         },
     )?;
+    note_blends(&clusters, &mut notes);
     let mut modes = Modes {
         modes: modes_of(&clusters, duration_s),
         channels: places.channels,
@@ -202,6 +205,7 @@ fn peaks_of_all(
         // references are counted among the sensors that stay, and the spectrum takes all
         check(record, options)?;
         notes.extend(judge_channels(record)?);
+        note_filter(record, options, notes);
         let mut peaks = spectrum(record, options)?;
         let least = options.criteria.damping_ratio_least;
         tones_hz.extend(split_tones(record, &mut peaks, least, notes)?);

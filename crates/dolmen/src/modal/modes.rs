@@ -1,5 +1,6 @@
 //! What every method of identification returns.
 
+use super::indicators::{normalized, phase_collinearity};
 use super::{Kurtosis, ModalError};
 use crate::signal::{Channel, Processing};
 use dolmen_linalg::Complex64;
@@ -102,6 +103,20 @@ pub struct Modes {
 }
 
 impl Mode {
+    /// Keeps the components of these channels, the largest 1.
+    pub(super) fn keep_channels(&mut self, kept: &[usize]) {
+        let shape: Vec<Complex64> = kept.iter().map(|&c| self.shape[c]).collect();
+        let most = shape.iter().map(|z| z.norm()).fold(0.0, f64::max);
+        if let Some(sd) = &mut self.shape_sd {
+            *sd = kept
+                .iter()
+                .map(|&c| sd[c] / most.max(f64::MIN_POSITIVE))
+                .collect();
+        }
+        self.shape = normalized(&shape);
+        self.phase_collinearity = phase_collinearity(&self.shape);
+    }
+
     /// Whether the motion near its frequency is too steady for random forces: a machine's, not a mode's.
     pub fn harmonic(&self) -> bool {
         self.kurtosis.is_some_and(|k| k.harmonic())

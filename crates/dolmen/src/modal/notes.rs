@@ -66,6 +66,23 @@ pub enum Note {
         /// Their frequencies, Hz.
         pairs: Vec<[f64; 2]>,
     },
+    /// The record was brought to a lower rate before: modes are not sought where its filter cuts.
+    FilteredAbove {
+        /// Highest frequency asked for, Hz.
+        asked_hz: f64,
+        /// Highest one that passed the filter, Hz.
+        passed_hz: f64,
+    },
+    /// Groups of poles that several modes make together: left out.
+    Blends {
+        /// Frequency, Hz, and damping ratio of each.
+        blends: Vec<[f64; 2]>,
+    },
+    /// Modes at which two singular values of the spectrum rise, and which may be two.
+    HiddenPairs {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
     /// Peaks of the spectrum at which no stable mode was found.
     PeaksWithoutMode {
         /// Their frequencies, Hz.
@@ -94,6 +111,17 @@ pub enum Note {
         channel: String,
         /// Angle from the real axis, 0 to 90°, and the frequency of the mode, Hz.
         degrees_at_hz: Vec<[f64; 2]>,
+    },
+    /// Channels whose clock drifts against that of most: they are in no shape.
+    ClockDrift {
+        /// Each with what its clock runs fast and the standard deviation of that, 1e-6.
+        drifting: Vec<(String, [f64; 2])>,
+        /// Largest turn of the phase along the record, and the mode that it is of, Hz.
+        turn_degrees: f64,
+        /// That mode, Hz.
+        frequency_hz: f64,
+        /// Sampling rate taken for all, Hz.
+        sampling_rate_hz: f64,
     },
     /// A mode seen for so few cycles that its damping ratio is hardly known.
     FewCycles {
@@ -161,6 +189,32 @@ impl std::fmt::Display for Note {
                     all.join("; ")
                 )
             }
+            Note::FilteredAbove { asked_hz, passed_hz } => write!(
+                f,
+                "modes are sought up to {passed_hz:.3} Hz, not to frequency_high_hz = {asked_hz:.3} Hz: above it the filter cuts with which the \
+                 record was brought to its rate; lower decimate_factor to see more"
+            ),
+            Note::Blends { blends } => {
+                let all: Vec<String> = blends
+                    .iter()
+                    .map(|[hz, zeta]| format!("{hz:.3} Hz (damping {:.1} %)", 100.0 * zeta))
+                    .collect();
+                write!(
+                    f,
+                    "left out, since low orders alone show it and it is damped far above the modes: {}: several modes that this record does not \
+                     tell apart; a longer record or more sensors may",
+                    all.join(", ")
+                )
+            }
+            Note::HiddenPairs { frequency_hz } => {
+                write!(f, "two singular values of the spectrum rise at ")?;
+                list(f, frequency_hz)?;
+                write!(
+                    f,
+                    " Hz, where one mode was found: it may be two that lie close, and then its frequency, damping and shape are of both; \
+                     ssi-cov and ssi-data tell close modes apart"
+                )
+            }
             Note::PeaksWithoutMode { frequency_hz } => {
                 write!(f, "the spectrum has peaks that no stable mode explains, at ")?;
                 list(f, frequency_hz)?;
@@ -192,6 +246,27 @@ impl std::fmt::Display for Note {
                 write!(
                     f,
                     ": its clock or filter differs from the others', and its sign is not known in any mode; or modes lie close together"
+                )
+            }
+            Note::ClockDrift {
+                drifting,
+                turn_degrees,
+                frequency_hz,
+                sampling_rate_hz,
+            } => {
+                let each: Vec<String> = drifting
+                    .iter()
+                    .map(|(channel, [ppm, sd])| {
+                        let rate_hz = sampling_rate_hz * (1.0 + 1e-6 * ppm);
+                        format!("\"{channel}\" {ppm:+.1} ± {sd:.1} ppm (sampling_rate = \"{rate_hz:.5} Hz\")")
+                    })
+                    .collect();
+                write!(
+                    f,
+                    "clocks run apart: {} against the other channels, standard deviations beside, which turns the phase at {frequency_hz:.3} Hz \
+                     by {turn_degrees:.0}° along the record; frequencies and damping stay, and these channels are left out of the shapes; give \
+                     the station of each the rate in brackets, and they are in them",
+                    each.join(", ")
                 )
             }
             Note::FewCycles {

@@ -4,7 +4,7 @@ use super::correlations::{CLEAN_SHARE, lags_before};
 use super::error::{references_of, refused};
 use super::ssi::Ssi;
 use super::{Identify, Method, ModalError, Mode, Modes, Note};
-use crate::signal::Record;
+use crate::signal::{CORNER_OF_NYQUIST, Processing, Record};
 
 /// Periods of the lowest mode that the lags reach over, 2 br of them: one is the least of theory. Over 200 records of two floors
 /// the scatter of frequencies is 1.20, 1.25, 1.37, 1.42 of its floor with 1.5, 2, 3, 4 periods; close modes want more than one.
@@ -58,6 +58,8 @@ pub struct Settings {
     pub order_most: usize,
     /// Blocks of time.
     pub time_blocks: usize,
+    /// Equally strong blocks of time that would tell as much: fewer in a record of gusts. Standard deviations have one degree of freedom less.
+    pub time_blocks_effective: usize,
     /// Reference channels, by index; none where the modes come from the peaks or from a decay.
     pub references: Vec<usize>,
     /// Share of the motion at the peaks that they keep, 0 to 1, where they were chosen from the spectrum.
@@ -81,6 +83,15 @@ impl Settings {
 
 /// With fewer blocks of time the standard deviations are themselves known to worse than 24 %.
 const TIME_BLOCKS_LEAST: usize = 10;
+
+/// Highest frequency that the filters pass with which the record was brought to its rate, Hz; `None` where it was not. What lies above is
+/// partly cut and partly folded back: beside its edge the shoulder of noise passes for a mode.
+pub(super) fn passed_hz(record: &Record) -> Option<f64> {
+    let lowered =
+        |step: &Processing| matches!(step, Processing::Decimate { .. } | Processing::Resampled { .. });
+    let any = record.history().iter().any(lowered);
+    any.then(|| 0.5 * CORNER_OF_NYQUIST * record.sampling_rate_hz())
+}
 
 /// Settings of the subspace methods for a record with these peaks and tones.
 pub(super) fn choose(
@@ -190,6 +201,7 @@ pub(super) fn choose(
     } else {
         0.5 * rate_hz
     };
+    let clean_hz = clean_hz.min(passed_hz(record).unwrap_or(clean_hz));
     // below the least the block rows reach over less than half a period
     let seen_hz = 0.5 * sampling_rate_hz / block_rows as f64;
     Ok(Settings {
@@ -202,6 +214,7 @@ pub(super) fn choose(
         block_rows_least,
         order_most,
         time_blocks,
+        time_blocks_effective: time_blocks,
         references: references_of(&options.references, l)?,
         references_keep: None,
         range_hz: [
@@ -209,4 +222,57 @@ pub(super) fn choose(
             options.frequency_high_hz.unwrap_or(f64::INFINITY).min(clean_hz),
         ],
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{Identify, MadeMode, MadeRecord, Method, Note, identify};
+    use crate::signal::decimate;
+
+    #[test]
+    fn holds_no_mode_is_found_at_the_edge_of_the_filter_of_a_lower_rate() {
+        // a chain of four floors, two of its modes above the new Nyquist frequency
+        let shapes = [
+            [0.428, 0.657, 0.228],
+            [0.577, 0.0, 0.577],
+            [-0.657, -0.228, 0.428],
+            [-0.228, 0.577, -0.657],
+        ];
+        let mode = |(frequency_hz, shape): (f64, [f64; 3])| MadeMode {
+            frequency_hz,
+            damping_ratio: 0.03,
+            shape: shape.to_vec(),
+        };
+        let made = MadeRecord {
+            modes: [3.0, 8.64, 13.23, 16.23]
+                .into_iter()
+                .zip(shapes)
+                .map(mode)
+                .collect(),
+            sampling_rate_hz: 200.0,
+            noise_ratio: 0.2,
+            ..MadeRecord::default()
+        };
+        let record = decimate(made.make().unwrap(), 10).unwrap();
+        for method in [Method::SsiCov, Method::SsiData, Method::Plscf, Method::Efdd] {
+            let options = Identify {
+                method,
+                ..Identify::default()
+            };
+            let found = identify(&record, &options).unwrap();
+            assert_eq!(found.modes.modes.len(), 1, "{method:?} {:?}", found.modes.modes);
+            assert!((found.modes.modes[0].frequency_hz / 3.0 - 1.0).abs() < 0.02);
+            assert_eq!(found.settings.range_hz[1], 8.0);
+        }
+        let asked = Identify {
+            frequency_high_hz: Some(9.5),
+            ..Identify::default()
+        };
+        let found = identify(&record, &asked).unwrap();
+        let told = Note::FilteredAbove {
+            asked_hz: 9.5,
+            passed_hz: 8.0,
+        };
+        assert!(found.notes.contains(&told), "{:?}", found.notes);
+    }
 }

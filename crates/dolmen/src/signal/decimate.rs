@@ -5,7 +5,7 @@ use super::sections::{Prototype, Sections};
 use super::{Processing, Record, SignalError};
 
 /// Corner of the anti-alias filter over the new Nyquist frequency (as `scipy.signal.decimate` has it).
-const CORNER_OF_NYQUIST: f64 = 0.8;
+pub(crate) const CORNER_OF_NYQUIST: f64 = 0.8;
 /// Order and ripple of one pass of the anti-alias filter, as `scipy.signal.decimate` has them.
 const ORDER: usize = 8;
 const RIPPLE_DB: f64 = 0.05;

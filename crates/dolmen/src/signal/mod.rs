@@ -24,6 +24,7 @@ mod spectrum_match;
 
 pub use baseline::Baseline;
 pub use cut::cut;
+pub(crate) use decimate::CORNER_OF_NYQUIST;
 pub use decimate::decimate;
 pub use detrend::{Trend, detrend};
 pub use error::SignalError;
