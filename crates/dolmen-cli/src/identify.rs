@@ -3,7 +3,7 @@
 use crate::cli::Identify as Options;
 use crate::{Outcome, files, open};
 use anyhow::{Context as _, Result, bail};
-use dolmen::modal::{Identify, MergeSetups, Modes, Note, identify, joint_setups, merge_setups};
+use dolmen::modal::{Identify, MergeSetups, Modes, identify, joint_setups, merge_setups};
 use dolmen::signal::{Channel, Record};
 use dolmen::stability::{chain_stability, frame_stability};
 use dolmen::structure::{
@@ -170,7 +170,7 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
             .setups
             .as_ref()
             .map_or_else(Vec::new, SetupsAnswer::doubtful_hz);
-        let unexplained_hz = unexplained_hz(&answer);
+        let unexplained_hz = answer.unexplained_hz();
         for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
             if !survey.modes.contains_key(direction) {
                 let answers = from_record(project, found, &doubtful, (direction, vector));
@@ -218,18 +218,6 @@ fn why_no_stiffness(found: &Modes) -> Option<String> {
             names.join(", ")
         )
     })
-}
-
-/// Peaks of a record that are none of its modes, and modes that were not picked, Hz, ascending.
-fn unexplained_hz(answer: &SurveyAnswer) -> Vec<f64> {
-    let notes = answer.records.iter().flat_map(|record| &record.analysis.notes);
-    let frequencies = notes.filter_map(|note| match note {
-        Note::PeaksWithoutMode { frequency_hz } | Note::NotPicked { frequency_hz } => Some(frequency_hz),
-        _ => None,
-    });
-    let mut all: Vec<f64> = frequencies.flatten().copied().collect();
-    all.sort_by(f64::total_cmp);
-    all
 }
 
 /// The modes of a direction that twist: reported, but kept out of the fit.

@@ -8,7 +8,7 @@ use crate::tune::{TogetherAnswer, TuneAnswer};
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck, SurveyChange};
 use dolmen::blocks::{MatchedFrequency, StackMode};
-use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes};
+use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note};
 use dolmen::signal::ChannelFault;
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::DemandVerdict;
@@ -317,6 +317,18 @@ impl SetupsAnswer {
 }
 
 impl SurveyAnswer {
+    /// Peaks of its record that are none of its modes, and modes that were not picked, Hz, ascending. Empty of several setups.
+    pub fn unexplained_hz(&self) -> Vec<f64> {
+        let notes = self.records.iter().flat_map(|record| &record.analysis.notes);
+        let frequencies = notes.filter_map(|note| match note {
+            Note::PeaksWithoutMode { frequency_hz } | Note::NotPicked { frequency_hz } => Some(frequency_hz),
+            _ => None,
+        });
+        let mut all: Vec<f64> = frequencies.flatten().copied().collect();
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
     /// The modes that its records show, of several setups those put together, and the equally strong blocks of time behind their deviations.
     pub fn modes(&self) -> Option<(&Modes, usize)> {
         match (&self.setups, &self.records) {

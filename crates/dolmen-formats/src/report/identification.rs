@@ -9,7 +9,8 @@ use crate::answer::{StiffnessAnswer, SurveyAnswer};
 use crate::figures::{letter, measured_modes, solution_shapes};
 use crate::number::{self, beside_one, prefix, significant};
 use crate::project::{Project, Structure};
-use dolmen::structure::{Choice, MeasuredMode, StiffnessBounds, StiffnessSolution, Visibility};
+use crate::text::bounds_words;
+use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
 use maud::{Markup, html};
 
 /// Solutions drawn and listed; the rest are counted.
@@ -269,25 +270,6 @@ fn solution_row(
         .collect();
     row.push(Cell::wrapping(frequencies.join(", ")));
     row
-}
-
-fn bounds_words(bound: &StiffnessBounds, unit: &number::Prefixed, language: Language) -> String {
-    let number = |k: f64| unit.number(k, 3);
-    match (bound.lower, bound.upper) {
-        (Some(lower), Some(upper)) => {
-            let (lower, upper) = (number(lower), number(upper));
-            language.pick(format!("{lower} to {upper}"), format!("{lower} ~ {upper}"))
-        }
-        (Some(lower), None) => language.pick(
-            format!("above {}", number(lower)),
-            format!("{} 이상", number(lower)),
-        ),
-        (None, Some(upper)) => language.pick(
-            format!("below {}", number(upper)),
-            format!("{} 이하", number(upper)),
-        ),
-        (None, None) => language.pick("any", "임의").into(),
-    }
 }
 
 /// What the shapes of the solutions show: only where the frequencies are the same does a shape choose.

@@ -41,6 +41,7 @@ pub use rank::rank_text;
 pub use score::{score_quality_text, score_text};
 pub(crate) use setups::remarks as setup_remarks;
 pub use simulation::{outcome_text, points_a_side, simulation_inputs_text, simulation_text};
+pub(crate) use stiffness::bounds_words;
 pub use study::study_text;
 pub use table::Table;
 pub use tune::{choice_words, findings, goal_words, room_words, together_text, together_words, tune_text};

@@ -57,33 +57,29 @@ pub fn rank_text(answer: &PortfolioAnswer) -> String {
         let _ = writeln!(out, "  and {} more, in ranking.csv (-o DIR)", count - ROWS_MOST);
     }
     out += "  worst tenth: in how many of the draws of what is not known it is among the worst tenth\n";
-    let said = misjudged(answer, English);
     if let Some(line) = without_hazard(answer, English) {
         let _ = writeln!(out, "  NOT BY RATE: {line}");
     }
     if let Some(line) = hazards_replaced(answer, English) {
         let _ = writeln!(out, "  {line}");
     }
-    for line in said.iter().take(MISJUDGED_SHOWN) {
-        let _ = writeln!(out, "  {line}");
-    }
-    if said.len() > MISJUDGED_SHOWN {
-        let more = said.len() - MISJUDGED_SHOWN;
-        let _ = writeln!(
-            out,
-            "  and {more} more that falls alone would put far further back: place_by_falls in ranking.csv"
-        );
-    }
-    let falling = falls_first(answer, English);
-    for line in falling.iter().take(MISJUDGED_SHOWN) {
-        let _ = writeln!(out, "  {line}");
-    }
-    if falling.len() > MISJUDGED_SHOWN {
-        let more = falling.len() - MISJUDGED_SHOWN;
-        let _ = writeln!(
-            out,
-            "  and {more} more that fall far earlier than they are damaged: place_by_falls in ranking.csv"
-        );
+    for (lines, others) in [
+        (
+            misjudged(answer, English),
+            "that falls alone would put far further back",
+        ),
+        (
+            falls_first(answer, English),
+            "that fall far earlier than they are damaged",
+        ),
+    ] {
+        for line in lines.iter().take(MISJUDGED_SHOWN) {
+            let _ = writeln!(out, "  {line}");
+        }
+        if lines.len() > MISJUDGED_SHOWN {
+            let more = lines.len() - MISJUDGED_SHOWN;
+            let _ = writeln!(out, "  and {more} more {others}: place_by_falls in ranking.csv");
+        }
     }
     if !answer.left_out.is_empty() {
         let _ = writeln!(

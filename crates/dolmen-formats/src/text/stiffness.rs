@@ -2,6 +2,7 @@
 
 use super::Table;
 use super::project::convention_words;
+use crate::Language;
 use crate::answer::{StiffnessAnswer, SurveyAnswer};
 use crate::number::{Prefixed, beside_one, prefix, trimmed};
 use crate::project::{Project, Quantity, Structure};
@@ -159,17 +160,30 @@ fn stiffness_cells(solution: &StiffnessSolution, unit: &Prefixed) -> Vec<String>
             let each = solution.stiffness.iter();
             each.map(|k| format!("{:.4}", k * unit.factor)).collect()
         }
-        Some(bounds) => bounds.iter().map(|bound| bounds_words(bound, unit)).collect(),
+        Some(bounds) => bounds
+            .iter()
+            .map(|bound| bounds_words(bound, unit, Language::English))
+            .collect(),
     }
 }
 
-fn bounds_words(bound: &StiffnessBounds, unit: &Prefixed) -> String {
+/// A stiffness that the data only bound, in the unit given.
+pub(crate) fn bounds_words(bound: &StiffnessBounds, unit: &Prefixed, language: Language) -> String {
     let number = |k: f64| unit.number(k, 3);
     match (bound.lower, bound.upper) {
-        (Some(lower), Some(upper)) => format!("{} to {}", number(lower), number(upper)),
-        (Some(lower), None) => format!("above {}", number(lower)),
-        (None, Some(upper)) => format!("below {}", number(upper)),
-        (None, None) => "any".into(),
+        (Some(lower), Some(upper)) => {
+            let (lower, upper) = (number(lower), number(upper));
+            language.pick(format!("{lower} to {upper}"), format!("{lower} ~ {upper}"))
+        }
+        (Some(lower), None) => language.pick(
+            format!("above {}", number(lower)),
+            format!("{} 이상", number(lower)),
+        ),
+        (None, Some(upper)) => language.pick(
+            format!("below {}", number(upper)),
+            format!("{} 이하", number(upper)),
+        ),
+        (None, None) => language.pick("any", "임의").into(),
     }
 }
 
