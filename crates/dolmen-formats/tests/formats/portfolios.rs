@@ -86,6 +86,27 @@ fn exact_rows_of_a_table_of_structures() {
 }
 
 #[test]
+fn refuses_two_slendernesses_more_than_a_tenth_from_those_of_one_pagoda() {
+    let row = |angle: String| {
+        let table = format!(
+            "name,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio\na,5,6,{angle},3.4,9,3\n"
+        );
+        read_portfolio(table.as_bytes()).map(|table| table.rows[0].source.clone())
+    };
+    let factors = |angle: &str| match row(angle.to_owned()).unwrap() {
+        RowSource::Factors(factors) => factors,
+        other => panic!("{other:?}"),
+    };
+    let made = factors("").slenderness_angle; // that which the slenderness of the body makes
+    for (times, is_one) in [(0.89, false), (0.92, true), (1.08, true), (1.12, false)] {
+        let found = row((times * made).to_string());
+        assert_eq!(found.is_ok(), is_one, "{times}: {found:?}");
+    }
+    let why = row((1.12 * made).to_string()).unwrap_err().to_string();
+    assert!(why.contains("are not of one pagoda"), "{why}");
+}
+
+#[test]
 fn refuses_tables_of_structures_with_line_and_what_to_do() {
     let head =
         "name,storeys,body_height_m,body_slenderness,taper_deg,body_base_height_ratio,zone_factor_g,soil\n";
