@@ -77,7 +77,7 @@ pub struct ObservedMode {
     pub damping_ratio: Option<f64>,
     /// Its standard deviation.
     pub damping_ratio_sd: Option<f64>,
-    /// Degrees of freedom of the standard deviations: blocks of time less one; infinite where they are taken as known.
+    /// Degrees of freedom of the standard deviations; infinite where they are taken as known.
     pub degrees_of_freedom: f64,
     /// The direction that it is known to move in, or "torsion": modes of two different ones are never a pair. `None`: not known.
     pub direction: Option<String>,
@@ -86,7 +86,14 @@ pub struct ObservedMode {
 }
 
 impl ObservedMode {
-    /// As [`identify`](super::identify) found it; `time_blocks` are those behind its deviations.
+    /// As [`identify`](super::identify) found it; `time_blocks` are those behind its deviations, below 2 where these are taken as known.
+    ///
+    /// ```text
+    /// 1/ν = 2/(b − 1) + (sd ζ/ζ)²/2        b blocks of time, ν one at least
+    /// ```
+    /// The order that is shown is one of those that seem to know the mode best, so that its deviation is low by chance: 8 % in one minute of
+    /// 1.5 to 6 Hz, 5 % in three, none in ten (measured); half of the degrees make up for it. A deviation of a frequency goes with √ζ, and is
+    /// known no better than ζ.
     pub fn of(mode: &Mode, channels: &[Channel], time_blocks: usize) -> Self {
         let points = channels.iter().zip(&mode.shape);
         ObservedMode {
@@ -96,7 +103,11 @@ impl ObservedMode {
             damping_ratio_sd: mode.damping_ratio_sd,
             degrees_of_freedom: match time_blocks {
                 0 | 1 => f64::INFINITY,
-                blocks => (blocks - 1) as f64,
+                blocks => {
+                    let of_damping = mode.damping_ratio_sd.zip(mode.damping_ratio);
+                    let c = of_damping.map_or(0.0, |(sd, zeta)| sd / zeta);
+                    (1.0 / (2.0 / (blocks - 1) as f64 + 0.5 * c * c)).max(1.0)
+                }
             },
             direction: None,
             shape: points

@@ -279,3 +279,36 @@ fn refuses_surveys_and_options_that_make_no_sense() {
         "the coefficient of temperature is 0.5, but must be within ±0.05 per °C"
     );
 }
+
+#[test]
+fn holds_of_unchanged_minutes_one_pair_in_twenty_is_called_changed() {
+    // 300 pairs: 5 % is 15 ± 4; with a degree of freedom for every block of time less one it was 25
+    let shapes = [[0.33, 0.74, 1.0], [1.0, 0.45, -0.8], [0.8, -1.0, 0.36]];
+    let mode = |(frequency_hz, shape): (f64, [f64; 3])| MadeMode {
+        frequency_hz,
+        damping_ratio: 0.015,
+        shape: shape.to_vec(),
+    };
+    let minute = |seed: u64| {
+        let made = MadeRecord {
+            modes: [1.5, 4.2, 6.07].into_iter().zip(shapes).map(mode).collect(),
+            duration_s: 60.0,
+            seed,
+            ..MadeRecord::default()
+        };
+        let found = identify(&made.make().unwrap(), &Identify::default()).unwrap();
+        Surveyed {
+            name: seed.to_string(),
+            temperature_c: Some(10.0),
+            modes: ObservedMode::all(&found.modes, found.settings.time_blocks_effective),
+        }
+    };
+    let called = (0..300)
+        .filter(|pair| {
+            let (before, after) = (minute(2 * pair), minute(2 * pair + 1));
+            let change = survey_change(&before, &after, &[], &SurveyChangeOptions::default()).unwrap();
+            change.changed().count() > 0
+        })
+        .count();
+    assert!(called <= 23, "{called} of 300");
+}
