@@ -108,7 +108,8 @@ width, and the other half gapes.",
         text: "\
 A motor or the mains makes a line in the spectrum that a subspace method takes for a mode of very low damping. Noise that
 drives a mode makes its strength come and go (kurtosis 3 in a narrow band); a machine runs steadily (1.5). A peak that is
-narrower than any structure's, or steadier than random forces make one by three deviations, is named and decides nothing; a
+narrower than any structure's, or steadier than random forces make one by three deviations, in the whole record or in the
+blocks of time in which it is strong (then its share of the record is said), is named and decides nothing; a
 mode that is too steady is named, and left out with `harmonics = \"remove\"`. At least 36 independent strengths are needed to
 tell: 96 minutes at 1 Hz, 14 minutes at 7 Hz. Switch the machine off and measure again if it stands on a mode.",
     },

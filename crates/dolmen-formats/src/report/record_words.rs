@@ -3,7 +3,7 @@
 use super::words::listed;
 use crate::Language;
 use crate::number;
-use dolmen::modal::Note;
+use dolmen::modal::{Kurtosis, Note};
 use dolmen::signal::{ChannelFault, LostSpan, Processing};
 use maud::{Markup, html};
 
@@ -25,7 +25,11 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
             100.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt()
         ),
         Note::Tones { tones } => {
-            let all: Vec<String> = tones.iter().map(|tone| hertz(&tone.frequency_hz)).collect();
+            let spell = |k: &Option<Kurtosis>| k.map_or(String::new(), |k| running_share(&k));
+            let all: Vec<String> = tones
+                .iter()
+                .map(|tone| format!("{}{}", hertz(&tone.frequency_hz), spell(&tone.kurtosis)))
+                .collect();
             format!(
                 "{}에 구조물로 보기에는 폭이 너무 좁거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
                 all.join(", ")
@@ -34,7 +38,14 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
         Note::Harmonics { steady, removed } => {
             let all: Vec<String> = steady
                 .iter()
-                .map(|k| format!("{}(첨도 {:.2})", hertz(&k.frequency_hz), k.kurtosis))
+                .map(|k| {
+                    format!(
+                        "{}(첨도 {:.2}){}",
+                        hertz(&k.frequency_hz),
+                        k.kurtosis,
+                        running_share(k)
+                    )
+                })
                 .collect();
             let what = if *removed {
                 "모드에서 제외하였다"
@@ -125,6 +136,24 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
                 hertz(frequency_hz)
             )
         }
+        Note::LateClocks { late } => {
+            let all: Vec<String> = late
+                .iter()
+                .map(|clock| {
+                    let or = clock
+                        .or_s
+                        .map_or(String::new(), |or_s| format!(", {or_s:+.4}\u{202f}s로도 설명됨"));
+                    format!(
+                        "\"{}\" {:+.4} ± {:.4}\u{202f}s(모드 {}개{or})",
+                        clock.channel, clock.delay_s, clock.sd_s, clock.modes
+                    )
+                })
+                .collect();
+            format!(
+                "기록계의 시계가 일정하게 늦다(−는 빠름): {}(± 표준편차). 위상이 지연처럼 진동수에 비례하여 커진다. 진동수와 감쇠비는 유효하나 이 채널은 모드형상에서 제외하였다. 해당 측점(stations)의 begins에 이 지연을 더하면 포함된다. 한 파일의 다른 채널과 함께 있으면 별도의 측점으로 나눈다.",
+                all.join("; ")
+            )
+        }
         Note::HiddenPairs { frequency_hz } => {
             let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
             format!(
@@ -145,6 +174,15 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
         other => format!("[영문] {other}"),
     };
     language.pick(sentence(&note.to_string()), korean)
+}
+
+/// Which part of the record a machine runs in, where it is not all of it.
+fn running_share(kurtosis: &Kurtosis) -> String {
+    let percent = 100.0 * kurtosis.share;
+    match kurtosis.share < 1.0 {
+        true => format!("(기록의 {percent:.0}\u{202f}%에서 가동)"),
+        false => String::new(),
+    }
 }
 
 pub(super) fn fault_words(fault: &ChannelFault, language: Language) -> String {
@@ -213,7 +251,7 @@ pub(super) fn fault_words(fault: &ChannelFault, language: Language) -> String {
 }
 
 /// With a capital at the start and a full stop.
-fn sentence(words: &str) -> String {
+pub(super) fn sentence(words: &str) -> String {
     let mut letters = words.chars();
     let first = letters
         .next()

@@ -7,6 +7,7 @@
 //! | e | `error` | what the rule does not foretell, all channels together |
 
 use super::ModalError;
+use crate::numeric::middle;
 use crate::signal::Record;
 use dolmen_linalg::{Matrix, solve};
 
@@ -90,7 +91,7 @@ fn foretold(channels: &[Vec<f64>], spacing: usize, first: usize) -> Result<Vec<f
             };
             *e = channels.iter().map(of).sum();
         }
-        let usual = median(&error[first..]).max(f64::MIN_POSITIVE);
+        let usual = middle(error[first..].to_vec()).max(f64::MIN_POSITIVE);
         for (w, e) in trust.iter_mut().zip(&error) {
             *w = 1.0 / (1.0 + e / usual);
         }
@@ -136,12 +137,6 @@ fn rises(error: &[f64], motion: &[f64], first: usize) -> Vec<usize> {
     }
     taken.sort_unstable();
     taken
-}
-
-fn median(x: &[f64]) -> f64 {
-    let mut x = x.to_vec();
-    x.sort_by(f64::total_cmp);
-    x.get(x.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

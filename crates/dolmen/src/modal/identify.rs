@@ -9,6 +9,7 @@ use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
 use super::fraction_deviation::FractionScatter;
 use super::gusts::{unequal, widen};
 use super::hidden_pairs::note_hidden_pairs;
+use super::late_clocks::leave_out_late_clocks;
 use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
 use super::reference_channels::keeping_most;
@@ -160,6 +161,10 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
         }
     }
     to_one_quantity(&mut analysis.modes, &mut notes);
+    leave_out_late_clocks(&mut analysis.modes, &mut notes);
+    if let Some(alone) = of_one_clock(record, options, &analysis.modes, &notes) {
+        return Ok(alone);
+    }
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
     remark(&analysis.modes, &analysis.fdd_modes, not_picked_hz, &mut notes);
@@ -173,7 +178,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     Ok(analysis)
 }
 
-/// The same of the channels of one clock, where others were left out: the others' phases make two modes of one.
+/// The same of the channels of one clock, where others were left out: the others' phases make two modes of one, or none.
 fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Note]) -> Option<ModalAnalysis> {
     const CHANNELS_LEAST: usize = 2; // one alone has no shape, and modes with a node there are lost
     let is_off = |name: &&str| modes.channels.iter().all(|kept| kept.name != **name);
@@ -183,8 +188,8 @@ fn of_one_clock(record: &Record, options: &Identify, modes: &Modes, notes: &[Not
         return None;
     }
     let mut alone = identify(&leave_out(record.clone(), &off).ok()?, options).ok()?;
-    let drift = notes.iter().find(|note| matches!(note, Note::ClockDrift { .. }));
-    alone.notes.extend(drift.cloned());
+    let of_clocks = |note: &&Note| matches!(note, Note::ClockDrift { .. } | Note::LateClocks { .. });
+    alone.notes.extend(notes.iter().filter(of_clocks).cloned());
     Some(alone)
 }
 

@@ -19,9 +19,52 @@ impl std::fmt::Display for Tone {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         write!(f, "{:.3} Hz (width {:.3} Hz", self.frequency_hz, self.width_hz)?;
         if let Some(k) = self.kurtosis {
-            write!(f, ", kurtosis {:.2}", k.kurtosis)?;
+            write!(f, ", {k}")?;
         }
         write!(f, ")")
+    }
+}
+
+impl std::fmt::Display for Kurtosis {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "kurtosis {:.2}", self.kurtosis)?;
+        if self.share < 1.0 {
+            let percent = 100.0 * self.share;
+            write!(f, " in the {percent:.0} % of the record in which it runs")?;
+        }
+        Ok(())
+    }
+}
+
+/// A channel whose clock is late by the same time throughout.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LateClock {
+    /// Its name.
+    pub channel: String,
+    /// What it is late against the channels that agree, s; negative: early.
+    pub delay_s: f64,
+    /// Standard deviation of that, s.
+    pub sd_s: f64,
+    /// The next larger delay that explains the phases as well, s, if there is one.
+    pub or_s: Option<f64>,
+    /// Modes whose phases tell it.
+    pub modes: usize,
+}
+
+impl std::fmt::Display for LateClock {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let LateClock {
+            channel, sd_s, modes, ..
+        } = self;
+        write!(
+            f,
+            "\"{channel}\" by {:+.4} ± {sd_s:.4} s, from {modes} modes",
+            self.delay_s
+        )?;
+        match self.or_s {
+            Some(or_s) => write!(f, " ({or_s:+.4} s would explain them too)"),
+            None => Ok(()),
+        }
     }
 }
 
@@ -123,6 +166,11 @@ pub enum Note {
         /// Sampling rate taken for all, Hz.
         sampling_rate_hz: f64,
     },
+    /// Channels whose clock is late or early by the same time throughout: they are in no shape.
+    LateClocks {
+        /// Each with its delay.
+        late: Vec<LateClock>,
+    },
     /// A mode seen for so few cycles that its damping ratio is hardly known.
     FewCycles {
         /// Its frequency, Hz.
@@ -158,7 +206,7 @@ impl std::fmt::Display for Note {
             Note::Harmonics { steady, removed } => {
                 let all: Vec<String> = steady
                     .iter()
-                    .map(|k| format!("{:.3} Hz (kurtosis {:.2})", k.frequency_hz, k.kurtosis))
+                    .map(|k| format!("{:.3} Hz ({k})", k.frequency_hz))
                     .collect();
                 let what = if *removed {
                     "left out"
@@ -267,6 +315,17 @@ impl std::fmt::Display for Note {
                      by {turn_degrees:.0}° along the record; frequencies and damping stay, and these channels are left out of the shapes; give \
                      the station of each the rate in brackets, and they are in them",
                     each.join(", ")
+                )
+            }
+            Note::LateClocks { late } => {
+                let each: Vec<String> = late.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "clocks are late (- is early): {}, against the other channels, standard deviations beside: their phases grow with the \
+                     frequency of the mode as a delay's do; frequencies and damping stay, and these channels are left out of the shapes; \
+                     add the delay to the begins of the station of each (a channel among others of one file: as a station of its own), and \
+                     they are in them",
+                    each.join("; ")
                 )
             }
             Note::FewCycles {

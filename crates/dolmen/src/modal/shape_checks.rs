@@ -84,8 +84,8 @@ pub(super) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
             });
         }
         let off: Vec<(f64, f64)> = modes.modes.iter().filter_map(|mode| phase_off(mode, c)).collect();
-        let twice = off.iter().filter(|(_, angle)| *angle >= PHASE_TWICE).count() > 1;
-        if twice || off.iter().any(|(_, angle)| *angle >= PHASE_ONCE) {
+        let angles: Vec<f64> = off.iter().map(|(_, angle)| *angle).collect();
+        if is_no_shapes(&angles) {
             let is_off = off.into_iter().filter(|(_, angle)| *angle >= PHASE_TWICE);
             notes.push(Note::PhaseOff {
                 channel: channel.name.clone(),
@@ -95,18 +95,28 @@ pub(super) fn doubt_channels(modes: &Modes, notes: &mut Vec<Note>) {
     }
 }
 
-/// Frequency, Hz, and angle of a component from the real axis, 0 to π/2; `None` where the component has no phase worth the name, or
-/// another mode is so near that their shapes mix.
+/// Whether the angles of one channel from the real axis, 0 to π/2, are no shape's.
+pub(super) fn is_no_shapes(angles: &[f64]) -> bool {
+    let twice = angles.iter().filter(|angle| **angle >= PHASE_TWICE).count() > 1;
+    twice || angles.iter().any(|angle| *angle >= PHASE_ONCE)
+}
+
+/// Frequency, Hz, and angle of a component from the real axis, 0 to π/2; `None` where the component has no phase worth the name.
 fn phase_off(mode: &Mode, c: usize) -> Option<(f64, f64)> {
     let z = mode.shape[c];
+    has_phase(mode, c).then(|| (mode.frequency_hz, z.im.abs().atan2(z.re.abs())))
+}
+
+/// Whether a component is large enough, and known well enough, to have a phase worth the name.
+pub(super) fn has_phase(mode: &Mode, c: usize) -> bool {
+    let size = mode.shape[c].norm();
     let sd = mode
         .shape_sd
         .as_ref()
         .and_then(|sd| sd.get(c))
         .copied()
         .unwrap_or(0.0);
-    let counts = z.norm() >= PHASE_FROM && z.norm() >= PHASE_DEVIATIONS * sd;
-    counts.then(|| (mode.frequency_hz, z.im.abs().atan2(z.re.abs())))
+    size >= PHASE_FROM && size >= PHASE_DEVIATIONS * sd
 }
 
 #[cfg(test)]

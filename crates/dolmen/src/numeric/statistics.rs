@@ -33,6 +33,12 @@ pub fn variance(values: &[f64]) -> Result<f64, NumericError> {
     Ok((squares - rest * rest / n) / (n - 1.0))
 }
 
+/// The middle value, of an even count the upper one of the two; 0 of none.
+pub(crate) fn middle(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(0.0)
+}
+
 /// The value below which a share `probability` of the values lies, between order statistics by straight lines.
 ///
 /// ```text

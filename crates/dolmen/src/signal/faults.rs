@@ -2,6 +2,7 @@
 
 use super::Record;
 use super::fault_runs::{alike, drifts, faded, spikes, stuck};
+use crate::numeric::middle;
 use std::fmt;
 
 /// A channel this much weaker than the median of the others (−60 dB) hears the logger, not the structure. Chosen here.
@@ -236,8 +237,8 @@ pub fn inspect(record: &Record) -> Vec<ChannelFault> {
             .filter(|(other, s)| other.quantity == channel.quantity && s.largest_step > 0.0)
             .map(|(_, s)| s)
             .collect();
-        let typical = median(kind.iter().map(|s| s.deviation).collect());
-        let typical_step = median(kind.iter().map(|s| s.step_deviation).collect());
+        let typical = middle(kind.iter().map(|s| s.deviation).collect());
+        let typical_step = middle(kind.iter().map(|s| s.step_deviation).collect());
         let own = &strengths[c];
         if kind.len() >= 3 && own.deviation < FAINT * typical && own.step_deviation < FAINT * typical_step {
             faults.push(ChannelFault::Faint {
@@ -385,11 +386,6 @@ fn same_but_for_factor(a: &[f64], b: &[f64], largest_at: usize) -> Option<f64> {
     // false for a factor that is not a number (a constant channel) and for a channel without that step
     let same = bound > 0.0 && (0..a.len() - 1).all(|i| (step(b, i) - factor * step(a, i)).abs() <= bound);
     same.then_some(factor)
-}
-
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
 }
 
 #[cfg(test)]

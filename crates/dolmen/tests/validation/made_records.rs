@@ -14,7 +14,7 @@
 //            mode is itself known to 16 % from 20 seeds, so the root mean square over all modes is held to 0.8 … 1.25.
 
 use dolmen::modal::{
-    Identify, MadeMode, MadeRecord, Method, Modes, Note, ReferenceCase, assurance, identify,
+    Harmonics, Identify, MadeMode, MadeRecord, Method, Modes, Note, ReferenceCase, assurance, identify,
 };
 use dolmen::signal::{Channel, Quantity, Record};
 use dolmen_linalg::Complex64;
@@ -307,6 +307,49 @@ fn holds_the_hum_of_the_mains_and_an_engine_are_named_and_no_mode_is_lost() {
         "{:?}",
         found.notes
     );
+}
+
+#[test]
+fn holds_an_engine_that_runs_for_half_of_the_time_is_no_peak_that_needs_a_mode() {
+    let made = ReferenceCase::ClosePairs.made(200).unwrap();
+    let record = made.make().unwrap();
+    let hum = |c: usize| -> Vec<f64> {
+        let y = record.samples(c);
+        let level = 0.3 * 2.0_f64.sqrt() * deviation(y);
+        let wave = |t: usize| (2.0 * std::f64::consts::PI * 14.0 * t as f64 / 100.0 + c as f64).sin();
+        let runs = |t: usize| t < 30_000;
+        y.iter()
+            .enumerate()
+            .map(|(t, y)| if runs(t) { y + level * wave(t) } else { *y })
+            .collect()
+    };
+    let noisy = Record::new(record.channels().to_vec(), (0..8).map(hum).collect(), 100.0).unwrap();
+    for harmonics in [Harmonics::Flag, Harmonics::Remove] {
+        let options = Identify {
+            harmonics,
+            ..Identify::default()
+        };
+        let found = identify(&noisy, &options).unwrap();
+        matched(&made.modes, &found.modes, 200);
+        let tone = found.notes.iter().find_map(|note| match note {
+            Note::Tones { tones } => tones.iter().find(|tone| (tone.frequency_hz - 14.0).abs() < 0.02),
+            _ => None,
+        });
+        let share = tone.and_then(|tone| tone.kurtosis).map(|k| k.share);
+        assert!(
+            share.is_some_and(|share| (share - 0.5).abs() < 0.13),
+            "{:?}",
+            found.notes
+        );
+        assert!(
+            !found
+                .notes
+                .iter()
+                .any(|n| matches!(n, Note::PeaksWithoutMode { .. })),
+            "{:?}",
+            found.notes
+        );
+    }
 }
 
 #[test]
