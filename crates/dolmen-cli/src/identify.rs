@@ -12,7 +12,7 @@ use dolmen::structure::{
 };
 use dolmen_formats::Language;
 use dolmen_formats::answer::{
-    Answer, RecordAnswer, SensitivityOf, SetupsAnswer, StiffnessAnswer, SurveyAnswer,
+    Answer, RecordAnswer, SensitivityOf, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness,
 };
 use dolmen_formats::figures;
 use dolmen_formats::json::identification_json;
@@ -198,7 +198,7 @@ fn of_survey(project: &Project, survey: &Survey, file: &Path, quiet: bool) -> Re
 }
 
 /// What the sensors lack, where none measures along x or y; `None` where one does.
-fn why_no_stiffness(found: &Modes) -> Option<String> {
+fn why_no_stiffness(found: &Modes) -> Option<WithoutStiffness> {
     let along =
         [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|vector| directional_modes(found, vector).channels_along);
     if along != [0, 0] {
@@ -208,15 +208,10 @@ fn why_no_stiffness(found: &Modes) -> Option<String> {
         .channels
         .iter()
         .filter(|c| c.position_m.is_some() && c.direction.is_some());
-    Some(if placed.clone().next().is_none() {
-        "no stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure".to_owned()
-    } else {
-        let names: Vec<&str> = placed.map(|c| c.name.as_str()).collect();
-        format!(
-            "no stiffness is sought: no sensor points within 15° of x or y ({} do not); turn the axes of the project with the sensors, or give the \
-             direction in which each measures",
-            names.join(", ")
-        )
+    let channels: Vec<String> = placed.map(|c| c.name.clone()).collect();
+    Some(match channels.is_empty() {
+        true => WithoutStiffness::NoPlace,
+        false => WithoutStiffness::OffTheAxes { channels },
     })
 }
 

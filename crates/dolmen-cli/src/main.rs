@@ -49,6 +49,8 @@ enum Outcome {
     Falls,
     /// A simulation was stopped or diverged: there is no verdict.
     Unfinished,
+    /// What could be done was; the rest was named with its error, whose exit status this is.
+    Partial(u8),
 }
 
 fn main() -> ExitCode {
@@ -57,6 +59,7 @@ fn main() -> ExitCode {
         Ok(Outcome::Stands) => ExitCode::SUCCESS,
         Ok(Outcome::Falls) => ExitCode::from(1),
         Ok(Outcome::Unfinished) => ExitCode::from(tools::NO_CONVERGENCE),
+        Ok(Outcome::Partial(status)) => ExitCode::from(status),
         Err(fault) => {
             tools::complain(&fault);
             ExitCode::from(tools::exit_status(&fault))

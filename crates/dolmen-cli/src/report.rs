@@ -5,7 +5,7 @@ use crate::cli::{Demo, Motion, Report};
 use crate::simulate::language;
 use crate::{
     Outcome, files, identify, motion, new, open, simulate, simulate_building, simulate_chain, simulate_frame,
-    study, tune,
+    study, tools, tune,
 };
 use anyhow::{Result, bail};
 use dolmen::dynamics::ChainRotations;
@@ -14,7 +14,7 @@ use dolmen::structure::{Choice, Convention};
 use dolmen_formats::answer::Answer;
 use dolmen_formats::change::{change_of, surveys_to_compare};
 use dolmen_formats::project::{Names, Project, Structure};
-use dolmen_formats::report::{Imprint, html};
+use dolmen_formats::report::{Imprint, NotReported, html};
 use dolmen_formats::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use std::path::{Path, PathBuf};
 
@@ -199,26 +199,53 @@ pub(crate) fn run(options: &Report, quiet: bool) -> Result<Outcome> {
             "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file"
         );
     }
-    let mut answers = Vec::new();
+    let (mut answers, mut others, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for path in &options.projects {
-        if files::project_file(path)?.canonicalize().ok() == options.output.canonicalize().ok()
-            && options.output.exists()
-        {
+        let is_output = files::project_file(path).is_ok_and(|file| {
+            file.canonicalize().ok() == options.output.canonicalize().ok() && options.output.exists()
+        });
+        if is_output {
             bail!(
                 "{} is the project file itself: write the report elsewhere",
                 options.output.display()
             );
         }
-        answers.push(whole(path, sampling, Some(&options.motion), quiet)?);
+        match whole(path, sampling, Some(&options.motion), quiet) {
+            Ok(answer) => answers.push(answer),
+            Err(fault) if options.projects.len() == 1 => return Err(fault),
+            Err(fault) => {
+                tools::complain(&fault);
+                others.push(NotReported {
+                    file: path.display().to_string(),
+                    why: format!("{fault:#}"),
+                });
+                faults.push(fault);
+            }
+        }
+    }
+    if answers.is_empty() {
+        bail!(
+            "no report is written: none of the {} projects can be reported on",
+            others.len()
+        );
     }
     let page = html(
         &answers,
+        &others,
         language(options.language),
         &imprint(options.date.clone()),
     );
     files::write(&options.output, page.as_bytes())?;
     if !quiet {
         println!("{}", options.output.display());
+    }
+    if let Some(first) = faults.first() {
+        note!(
+            "{} of {} projects left out of the report",
+            faults.len(),
+            options.projects.len()
+        );
+        return Ok(Outcome::Partial(tools::exit_status(first)));
     }
     Ok(if answers.iter().any(Answer::falls) {
         Outcome::Falls
@@ -246,7 +273,7 @@ pub(crate) fn demo(options: &Demo, quiet: bool) -> Result<Outcome> {
     let report = folder.join("report.html");
     files::write(
         &report,
-        html(&answers, language(options.language), &imprint(None)).as_bytes(),
+        html(&answers, &[], language(options.language), &imprint(None)).as_bytes(),
     )?;
     if !quiet {
         print!("The report on all of them: ");

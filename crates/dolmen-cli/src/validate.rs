@@ -4,6 +4,7 @@ use crate::{Outcome, files, new, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::modal::{Identify, Mode, identify};
 use dolmen::validation::{Case, cases};
+use dolmen_formats::number::TWO_SIDED_95;
 use dolmen_formats::project::parse_project;
 use dolmen_formats::text::validation_text;
 use serde_json::json;
@@ -11,9 +12,6 @@ use std::time::Instant;
 
 /// Frequencies of Palisaden that its publication gives, Hz (Aloisio et al. 2020; the peer pyOMA-2 finds the same).
 const PALISADEN_HZ: [f64; 3] = [1.882, 2.421, 2.687];
-/// Half width of a 95 % interval, in standard deviations of a normal variable.
-const TWO_SIDED_95: f64 = 1.96;
-
 /// The record that the command carries, identified, beside what was published for the whole of it.
 fn palisaden() -> Result<Vec<Case>> {
     let project = parse_project(new::example_text("palisaden", "project.toml")?, "palisaden")?;

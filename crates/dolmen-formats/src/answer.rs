@@ -5,6 +5,7 @@ use crate::project::{Names, Project, Quantity};
 use crate::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use crate::study::StudyAnswer;
 use crate::tune::{TogetherAnswer, TuneAnswer};
+pub use crate::without_stiffness::WithoutStiffness;
 use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck, SurveyChange};
 use dolmen::blocks::{MatchedFrequency, StackMode};
@@ -269,7 +270,7 @@ pub struct SurveyAnswer {
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
     /// Why its modes lead to no stiffness of a chain or frame, where they do not.
-    pub without_stiffness: Option<String>,
+    pub without_stiffness: Option<WithoutStiffness>,
 }
 
 /// What several setups gave.

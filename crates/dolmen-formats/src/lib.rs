@@ -19,6 +19,7 @@ pub mod simulation;
 pub mod study;
 pub mod text;
 pub mod tune;
+mod without_stiffness;
 
 pub use language::Language;
 

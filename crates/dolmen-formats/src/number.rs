@@ -21,6 +21,35 @@ const MOST_EXPONENT: i32 = 7;
 /// f64 holds about 17 significant digits; more would print noise.
 const DIGITS_MOST: usize = 17;
 
+/// Half width of a 95 % interval, in standard deviations of a normal variable.
+pub const TWO_SIDED_95: f64 = 1.96;
+
+/// What is below this part of its like is rounding. Chosen here: sums of some thousand products keep 12 digits.
+const ROUNDING: f64 = 1e-9;
+
+/// "1 fault was", "3 faults were": English only, for Korean has no plural.
+///
+/// ```
+/// use dolmen_formats::number::counted;
+/// assert_eq!((counted(1, "floor", "floors"), counted(0, "floor", "floors")), ("1 floor".to_string(), "0 floors".to_string()));
+/// ```
+pub fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
+/// As [`significant`], with 0 for what is rounding beside `largest`, the largest number of its kind.
+///
+/// ```
+/// use dolmen_formats::number::significant_beside;
+/// assert_eq!((significant_beside(3e-13, 42.0, 4), significant_beside(3e-7, 42.0, 2)), ("0".to_string(), "3.0×10⁻⁷".to_string()));
+/// ```
+pub fn significant_beside(value: f64, largest: f64, digits: usize) -> String {
+    match value.abs() <= ROUNDING * largest.abs() {
+        true => "0".to_owned(),
+        false => significant(value, digits),
+    }
+}
+
 /// `value` rounded to so many significant digits (1 to 17).
 ///
 /// ```

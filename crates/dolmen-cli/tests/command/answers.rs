@@ -108,6 +108,32 @@ fn holds_the_report_of_a_variant_says_what_it_assumes() {
 }
 
 #[test]
+fn holds_one_bad_project_of_several_is_named_and_the_others_are_reported_on() {
+    let scratch = Scratch::with_examples("one_bad");
+    fs::write(
+        scratch.path().join("bad.toml"),
+        "schema = 1\nkind = \"chain\"\nlinks = 3\n",
+    )
+    .unwrap();
+    let answer = scratch
+        .dolmen("report examples/naju_flagpole bad.toml examples/twisting_floor --samples 0 -o all.html");
+    assert_eq!(answer.status, 2, "{}", answer.stderr);
+    assert!(
+        answer.stderr.contains("bad.toml") && answer.stderr.contains("1 of 3 projects left out"),
+        "{}",
+        answer.stderr
+    );
+    let page = fs::read_to_string(scratch.path().join("all.html")).unwrap();
+    assert!(page.contains("Not reported on: <code>bad.toml</code>: ") && page.contains("id=\"report-2\""));
+    let alone = scratch.dolmen("report bad.toml -o bad.html");
+    assert_eq!(alone.status, 2);
+    assert!(!scratch.path().join("bad.html").exists());
+    // a floor shaken along y alone does not move along x
+    let page = page.replace('\u{202f}', " ");
+    assert!(!page.contains("×10⁻¹"), "rounding is shown as a number");
+}
+
+#[test]
 fn agrees_validation_page_is_what_the_command_prints() {
     let printed = Scratch::new("validate").dolmen("validate");
     assert_eq!(printed.status, 0, "{}", printed.stderr);

@@ -212,6 +212,18 @@ fn holds_sensors_that_point_along_neither_axis_are_the_reason_why_no_stiffness_i
     let words = "no stiffness is sought: no sensor points within 15° of x or y (a, b do not)";
     let turned = said("[1, 1, 0]");
     assert!(turned.contains(words), "{turned}");
+    for (language, words) in [
+        ("en", "No sensor points within 15°"),
+        ("ko", "15° 이내를 향하는 센서가 없어(a, b)"),
+    ] {
+        let words = words.replace("No sensor", "No stiffness is sought: no sensor");
+        let report = scratch.dolmen(&format!(
+            "report pole.toml --samples 0 --language {language} -o pole.html"
+        ));
+        assert!(report.status < 2, "{}", report.stderr);
+        let page = fs::read_to_string(scratch.path().join("pole.html")).unwrap();
+        assert!(page.contains(&words), "{language}");
+    }
     let along = said("\"x\"");
     assert!(!along.contains("no stiffness is sought"), "{along}");
 }

@@ -1,6 +1,7 @@
 //! `dolmen identify` as JSON.
 
 use super::check::{modes, project};
+use crate::Language;
 use crate::answer::{Answer, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use crate::text::{decay_remarks, setup_remarks};
 use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
@@ -22,7 +23,7 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "records": survey.records.as_ref().map(record),
         "setups": survey.setups.as_ref().map(setups),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
-        "without_stiffness": survey.without_stiffness,
+        "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
     })
 }
 
@@ -65,7 +66,7 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "settings": settings(&joint.settings, &joint.modes),
             "notes": joint.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
         })),
-        "notes": setup_remarks(setups),
+        "notes": setup_remarks(setups, Language::English),
     })
 }
 
@@ -117,7 +118,7 @@ fn decay(decay: &Decay) -> Value {
         "explained": decay.explained,
         "left_peaks_hz": decay.left_peaks_hz,
         "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
-        "notes": decay_remarks(decay),
+        "notes": decay_remarks(decay, Language::English),
     })
 }
 

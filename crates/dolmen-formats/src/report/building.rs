@@ -7,7 +7,7 @@ use crate::Language;
 use crate::answer::{Check, VariantAnswer};
 use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, StandingBuilding};
 use crate::figures::building_plan;
-use crate::number::{beside_one, fixed, percent, prefix, significant};
+use crate::number::{beside_one, fixed, percent, prefix, significant, significant_beside};
 use crate::project::{BuiltDamper, strokes_of};
 use crate::text::GROWN;
 use dolmen::stability::Verdict;
@@ -346,7 +346,8 @@ pub(super) fn dampers(dampers: &[BuiltDamper], language: Language) -> Markup {
 
 fn spectrum(answer: &BuildingAnswer, spectral: &BuildingSpectral, language: Language) -> Markup {
     let [sum, srss, cqc] = spectral.base_shear_n;
-    let kn = |value: f64| significant(1e-3 * value, 4);
+    let largest_n = cqc[0].abs().max(cqc[1].abs());
+    let kn = |value: f64| significant_beside(1e-3 * value, 1e-3 * largest_n, 4);
     let worst = spectral.least_favourable.map(|of| of.largest);
     html! {
         h2 { (language.pick("Response to the spectrum of the site", "부지 스펙트럼에 대한 응답")) }
@@ -379,11 +380,15 @@ fn moved(
         language.pick("of the height", "층고에 대한 비").to_owned(),
     ];
     let storeys = answer.elastic.storeys();
+    let largest_m = displacement_m
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |most, x| most.max(x.abs()));
     let rows: Vec<Vec<Cell>> = (0..storeys.len())
         .rev()
         .map(|i| {
             let [x, y] = displacement_m[i];
-            let mm = |value: f64| significant(1e3 * value, 3);
+            let mm = |value: f64| significant_beside(1e3 * value, 1e3 * largest_m, 3);
             let mut row: Vec<Cell> = vec![answer.floors[i].clone().into(), mm(x).into(), mm(y).into()];
             row.extend(match edge_drift_m[i] {
                 Some([x, y]) => [mm(x), mm(y), percent(x.max(y) / storeys[i].height_m, 3)].map(Cell::from),
@@ -402,7 +407,8 @@ fn damped_spectrum(
     standing: &StandingBuilding,
     language: Language,
 ) -> Markup {
-    let kn = |value: f64| significant(1e-3 * value, 4);
+    let largest_n = damped.base_shear_n[0].abs().max(damped.base_shear_n[1].abs());
+    let kn = |value: f64| significant_beside(1e-3 * value, 1e-3 * largest_n, 4);
     let [x, y] = damped.base_shear_n.map(kn);
     let strokes: Vec<String> = strokes_of(&standing.dampers)
         .iter()
@@ -410,7 +416,7 @@ fn damped_spectrum(
         .map(|(damper, stroke_m)| format!("{} {}\u{202f}mm", damper.name, significant(1e3 * stroke_m, 4)))
         .collect();
     let list = strokes.join(", ");
-    let torque = significant(1e-3 * damped.base_torque_n_m, 4);
+    let torque = kn(damped.base_torque_n_m);
     html! {
         p { (language.pick(
             format!("With the dampers: base shear along x {x} kN, along y {y} kN, torque {torque} kN·m; strokes {list}."),

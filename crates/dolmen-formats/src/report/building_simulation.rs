@@ -8,7 +8,7 @@ use super::stack_notes::capitalised;
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::building_histories;
-use crate::number::{percent, significant};
+use crate::number::{percent, significant, significant_beside};
 use crate::project::strokes_of;
 use crate::simulation::{Against, BuildingSimulation};
 use crate::text::GROWN;
@@ -320,13 +320,16 @@ fn points_table(simulation: &BuildingSimulation, language: Language) -> Markup {
                 .along
                 .each_ref()
                 .map(|along| along.acceleration_peak_m_s2.value.abs());
+            let beside = |of: [f64; 2], along: usize, factor: f64| {
+                significant_beside(factor * of[along], factor * of[0].max(of[1]), 3)
+            };
             vec![
                 point.name.clone().into(),
                 point.floor.to_string().into(),
-                significant(1e3 * moved[0], 3).into(),
-                significant(1e3 * moved[1], 3).into(),
-                significant(felt[0] / STANDARD_GRAVITY_M_S2, 3).into(),
-                significant(felt[1] / STANDARD_GRAVITY_M_S2, 3).into(),
+                beside(moved, 0, 1e3).into(),
+                beside(moved, 1, 1e3).into(),
+                beside(felt, 0, 1.0 / STANDARD_GRAVITY_M_S2).into(),
+                beside(felt, 1, 1.0 / STANDARD_GRAVITY_M_S2).into(),
             ]
         })
         .collect();

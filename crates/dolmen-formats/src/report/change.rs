@@ -398,6 +398,28 @@ fn note_words(note: &ChangeNote, language: Language) -> String {
         ChangeNote::OneFactor { factor, modes } => format!(
             "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor:.3}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다."
         ),
+        ChangeNote::LineScatters {
+            frequency_hz,
+            scatter_hz,
+            stated_hz,
+        } => format!(
+            "{}\u{202f}Hz에서 이전 조사들은 기온 직선에서 {:.2}\u{202f}% 벗어나지만 각 조사가 제시한 편차는 {:.2}\u{202f}%이다. 그 사이에 구조물이 변하였을 수 있으며, 그 정도의 변화는 여기서 확인되지 않는다.",
+            significant(*frequency_hz, 4),
+            100.0 * scatter_hz / frequency_hz,
+            100.0 * stated_hz / frequency_hz
+        ),
+        ChangeNote::LineWithTime {
+            frequency_hz,
+            correlation,
+        } => format!(
+            "{}\u{202f}Hz에서 기온이 조사 순서에 따라 {}(상관계수 {correlation:+.2}). 기온과 노후화의 영향을 구별할 수 없으며, 노후화를 기온의 영향으로 보았을 수 있다.",
+            significant(*frequency_hz, 4),
+            if *correlation > 0.0 {
+                "높아진다"
+            } else {
+                "낮아진다"
+            }
+        ),
         other => format!("[영문] {other}"),
     };
     let end = if note.to_string().ends_with('?') { "" } else { "." };

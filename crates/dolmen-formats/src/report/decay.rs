@@ -1,5 +1,6 @@
 //! What follows the amplitude of a free decay, in the report.
 
+use super::record_words::sentence;
 use super::table::{Cell, table};
 use crate::Language;
 use crate::number::{fixed, significant};
@@ -44,6 +45,6 @@ pub(super) fn section(decay: &Decay, language: Language) -> Markup {
             format!("자유감쇠 기록: 찾은 극점이 운동의 {explained} %를 설명한다."),
         )) }
         @if !rows.is_empty() { (table(caption, 1, &head, &rows)) }
-        @for remark in decay_remarks(decay) { p.note { (language.pick("", "[영문] ")) (remark) "." } }
+        @for remark in decay_remarks(decay, language) { p.note { (sentence(&remark)) } }
     }
 }

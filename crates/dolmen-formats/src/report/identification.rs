@@ -2,12 +2,13 @@
 
 use super::findings::{Finding, Tone};
 use super::notes::stiffness_note_words;
+use super::record_words::sentence;
 use super::table::{Cell, figure, table};
 use super::words::{convention_word, listed};
 use crate::Language;
-use crate::answer::{StiffnessAnswer, SurveyAnswer};
+use crate::answer::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 use crate::figures::{letter, measured_modes, solution_shapes};
-use crate::number::{self, beside_one, prefix, significant};
+use crate::number::{self, beside_one, counted, prefix, significant, significant_beside};
 use crate::project::{Project, Structure};
 use crate::text::bounds_words;
 use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
@@ -20,10 +21,28 @@ const SOLUTIONS_SHOWN: usize = 8;
 const SEEN_LEAST: f64 = 0.5;
 
 pub(super) fn findings(all: &[SurveyAnswer], language: Language) -> Vec<Finding> {
+    let unsought = all.iter().filter_map(|i| i.without_stiffness.as_ref());
+    let unsought = unsought.map(|why| Finding::new(Tone::Warn, without_words(why, language)));
     all.iter()
         .flat_map(|i| &i.stiffness)
         .map(|answer| choice(answer, language))
+        .chain(unsought)
         .collect()
+}
+
+/// Why no stiffness is sought.
+fn without_words(why: &WithoutStiffness, language: Language) -> String {
+    let korean = match why {
+        WithoutStiffness::NoPlace => {
+            "위치와 방향이 모두 주어진 채널이 없어 강성을 추정하지 않았다. 구조물 위의 채널에 둘 다 주어야 한다."
+                .to_owned()
+        }
+        WithoutStiffness::OffTheAxes { channels } => format!(
+            "x 또는 y축에서 15° 이내를 향하는 센서가 없어({}) 강성을 추정하지 않았다. 프로젝트의 축을 센서에 맞추어 돌리거나 각 센서의 계측 방향을 주어야 한다.",
+            channels.join(", ")
+        ),
+    };
+    language.pick(sentence(&why.to_string()), korean)
 }
 
 /// Direction and convention, for a head or the start of a sentence.
@@ -155,7 +174,7 @@ fn measured_words(answer: &StiffnessAnswer, measured: &[MeasuredMode], language:
             } else {
                 let points = mode.shape.len();
                 language.pick(
-                    format!(" ({points} points of its shape)"),
+                    format!(" ({} of its shape)", counted(points, "point", "points")),
                     format!(" (측점 {points}개의 모드형상)"),
                 )
             };
@@ -257,7 +276,7 @@ fn solution_row(
         }
         row.push(text.into());
     }
-    row.push(significant(solution.misfit, 2).into());
+    row.push(significant_beside(solution.misfit, 1.0, 2).into());
     let shown = match solution.stiffness_bounds {
         Some(_) => answer.frequencies_hz.len(), // the others hang on stiffness that is not known
         None => solution.modes.len(),
@@ -316,7 +335,7 @@ fn seen(visibility: &Visibility, language: Language) -> Markup {
     };
     html! { p {
         (language.pick(
-            format!("What the data see, 1 fully and 0 not at all: {shares}; directions that stay free: {free}."),
+            format!("Share of each that the data see (at 1 all of it, at 0 nothing): {shares}; directions that stay free: {free}."),
             format!("자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 자유로운 방향 {free}개."),
         )) (verdict)
     } }

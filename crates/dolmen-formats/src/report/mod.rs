@@ -36,5 +36,5 @@ mod words;
 #[cfg(test)]
 mod tests;
 
-pub use page::{Imprint, html};
+pub use page::{Imprint, NotReported, html};
 pub use rank::ranking_html;

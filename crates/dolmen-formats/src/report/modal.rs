@@ -8,7 +8,7 @@ use super::words::listed;
 use crate::Language;
 use crate::answer::RecordAnswer;
 use crate::figures::{moving_shapes, sensor_shapes, singular_values, stabilization};
-use crate::number::{self, significant, with_sd};
+use crate::number::{self, counted, significant, with_sd};
 use dolmen::modal::{Fate, Method, ModalAnalysis, Mode, Note};
 use maud::{Markup, html};
 
@@ -38,7 +38,10 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
         return vec![Finding::new(
             Tone::Unknown,
             language.pick(
-                format!("No mode was found in {minutes} minutes of {channels} channels."),
+                format!(
+                    "No mode was found in {minutes} minutes of {}.",
+                    counted(channels, "channel", "channels")
+                ),
                 format!("{minutes}분, {channels}채널의 기록에서 모드를 찾지 못하였다."),
             ),
         )];
@@ -49,7 +52,8 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
         .collect();
     let values = listed(&values, language);
     let count = modes.len();
-    let found = if count == 1 { "mode was" } else { "modes were" };
+    let found = counted(count, "mode was", "modes were");
+    let of_channels = counted(channels, "channel", "channels");
     let by_hand = record
         .analysis
         .notes
@@ -65,7 +69,7 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
     let mut all = vec![Finding::new(
         Tone::Plain,
         language.pick(
-            format!("{count} {found} found in {minutes} minutes of {channels} channels, {picked}: {values} (± standard deviation)."),
+            format!("{found} found in {minutes} minutes of {of_channels}, {picked}: {values} (± standard deviation)."),
             format!("{minutes}분, {channels}채널의 기록에서 모드 {count}개를 {picked} 찾았다: {values}(± 표준편차)."),
         ),
     )];
@@ -74,7 +78,12 @@ pub(super) fn findings(record: &RecordAnswer, language: Language) -> Vec<Finding
         all.push(Finding::new(
             Tone::Warn,
             language.pick(
-                format!("{faults} faults were seen in its channels; they are named with the record."),
+                match faults {
+                    1 => "1 fault was seen in its channels; it is named with the record.".to_owned(),
+                    _ => {
+                        format!("{faults} faults were seen in its channels; they are named with the record.")
+                    }
+                },
                 format!("채널에서 이상 {faults}건이 발견되었다(기록 항목 참조)."),
             ),
         ));
@@ -156,7 +165,7 @@ fn read(record: &RecordAnswer, language: Language) -> Markup {
         p {
             (language.pick("Record ", "기록 ")) code { (record.file) } ": "
             (language.pick(
-                format!("{channels} channels of {samples} samples at {rate}\u{202f}Hz ({seconds}\u{202f}s), {unit}. Channels used: {used}."),
+                format!("{} of {samples} samples at {rate}\u{202f}Hz ({seconds}\u{202f}s), {unit}. Channels used: {used}.", counted(channels, "channel", "channels")),
                 format!("{channels}채널, 채널당 표본 {samples}개, {rate}\u{202f}Hz ({seconds}\u{202f}s), {unit}. 사용한 채널: {used}."),
             ))
         }

@@ -24,17 +24,26 @@ pub struct Imprint {
     pub date: Option<String>,
 }
 
+/// A project that could not be reported on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NotReported {
+    /// Its file or folder, as it was named.
+    pub file: String,
+    /// Why.
+    pub why: String,
+}
+
 /// The report on one or more projects as a page that needs nothing else: no script, no font, no picture from outside.
 ///
 /// Several projects begin on a page of their own in print, and a list of them stands at the top. What an answer does
-/// not hold is left out or called unknown.
-pub fn html(answers: &[Answer], language: Language, imprint: &Imprint) -> String {
-    let title = match answers {
-        [one] => name(one, language).to_string(),
+/// not hold is left out or called unknown. Projects that could not be reported on are named before all others.
+pub fn html(answers: &[Answer], others: &[NotReported], language: Language, imprint: &Imprint) -> String {
+    let title = match (answers, others) {
+        ([one], []) => name(one, language).to_string(),
         _ => language.pick("Reports", "보고서 모음").to_string(),
     };
     let body = markup! {
-        @if answers.len() > 1 { (contents(answers, language)) }
+        @if answers.len() + others.len() > 1 { (contents(answers, others, language)) }
         @for (i, answer) in answers.iter().enumerate() {
             article id=(format!("report-{}", i + 1)) { (article(answer, language, imprint)) }
         }
@@ -61,7 +70,7 @@ pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
     .into_string()
 }
 
-fn contents(answers: &[Answer], language: Language) -> Markup {
+fn contents(answers: &[Answer], others: &[NotReported], language: Language) -> Markup {
     markup! {
         nav {
             h1 { (language.pick("Reports", "보고서 모음")) }
@@ -74,6 +83,12 @@ fn contents(answers: &[Answer], language: Language) -> Markup {
                     }
                 }
             } }
+            @for other in others {
+                p.note {
+                    (language.pick("Not reported on: ", "보고서에서 제외됨: ")) code { (other.file) } ": "
+                    (language.pick("", "[영문] ")) (other.why)
+                }
+            }
         }
     }
 }

@@ -8,7 +8,7 @@ use super::words::listed;
 use crate::Language;
 use crate::answer::SetupsAnswer;
 use crate::figures::{moving_shapes, sensor_shapes};
-use crate::number::{fixed, with_sd};
+use crate::number::{counted, fixed, with_sd};
 use crate::text::setup_remarks;
 use dolmen::modal::JointSetups;
 use maud::{Markup, html};
@@ -40,7 +40,7 @@ pub(super) fn finding(setups: &SetupsAnswer, language: Language) -> Finding {
     Finding::new(
         tone,
         language.pick(
-            format!("{records} setups together show {count} modes at {sensors} sensors: {values} (± standard deviation). In {differing} of them the setups differ beyond chance."),
+            format!("{records} setups together show {} at {}: {values} (± standard deviation). In {differing} of them the setups differ beyond chance.", counted(count, "mode", "modes"), counted(sensors, "sensor", "sensors")),
             format!("{records}개 측정 배치를 합성하여 센서 {sensors}개에서 모드 {count}개를 찾았다: {values}(± 표준편차). 이 중 {differing}개에서 배치 사이의 차이가 우연을 넘는다."),
         ),
     )
@@ -77,7 +77,7 @@ pub(super) fn section(survey: &str, setups: &SetupsAnswer, language: Language) -
             }
         }
         @if let Some(joint) = &setups.joint { (joint_section(joint, survey, language)) }
-        @for remark in setup_remarks(setups) { p.note { (language.pick(String::new(), "[영문] ".to_owned())) (remark) "." } }
+        @for remark in setup_remarks(setups, language) { p.note { (remark) "." } }
     }
 }
 

@@ -4,7 +4,7 @@ use super::fragility::fragility;
 use super::table::{Cell, figure, table};
 use crate::Language;
 use crate::figures::study_figures;
-use crate::number::significant;
+use crate::number::{counted, significant};
 use crate::study::{
     CapacityOf, SCANS_OF_TAILS, ScanVerdict, StudyAnswer, StudyKind, TrendVerdict, input_words,
 };
@@ -60,7 +60,11 @@ fn what_was_run(answer: &StudyAnswer, language: Language) -> String {
     let above = count(|scan| scan.verdict.is_usable() && !scan.survived_above_m_s2().is_empty());
     let run = language.pick(
         format!(
-            "{runs} simulations of {cases} cases under {motions} motions, each at growing shaking; the inputs of {refused} scans were refused."
+            "{} of {} under {}, each at growing shaking; the inputs of {} refused.",
+            counted(runs, "simulation", "simulations"),
+            counted(cases, "case", "cases"),
+            counted(motions, "motion", "motions"),
+            counted(refused, "scan were", "scans were")
         ),
         format!(
             "경우 {cases}개와 지진파 {motions}개에 대해 지진동을 키워 가며 모두 {runs}회 해석하였고, 입력이 허용되지 않은 해석은 {refused}조이다."

@@ -6,7 +6,8 @@ use crate::answer::{Answer, Check, DirectionCheck, RecordAnswer, State, Stiffnes
 use crate::number::with_sd;
 use crate::project::{Project, Quantity, Structure, parse_project};
 use dolmen::assess::{check_chain, check_frame};
-use dolmen::modal::{Identify, ReferenceCase, identify};
+use dolmen::modal::{Identify, LateClock, Note, ReferenceCase, identify};
+use dolmen::signal::ChannelFault;
 use dolmen::structure::{Choice, Convention, StiffnessSolution, StiffnessSolutions};
 
 const POLE: &str = r#"
@@ -127,7 +128,7 @@ fn page(answers: &[Answer], language: Language) -> String {
         program: "dolmen 0.1.0".into(),
         date: None,
     };
-    html(answers, language, &imprint)
+    html(answers, &[], language, &imprint)
 }
 
 /// k in kN·m/rad of five equal joints.
@@ -350,4 +351,32 @@ fn holds_modes_of_a_record_stand_with_their_deviations_and_nothing_is_said_of_st
         assert!(english.contains(name), "{name}");
     }
     assert_eq!(numbers(&english), numbers(&page(&[answer], Language::Korean)));
+}
+
+#[test]
+fn holds_one_fault_is_one_and_notes_of_a_record_are_in_the_language_of_the_page() {
+    let mut answer = survey();
+    let record = answer.surveys[0].records.as_mut().unwrap();
+    record.faults = vec![ChannelFault::Drifts {
+        channel: "made 1".into(),
+        rise: 12.0,
+    }];
+    record.analysis.notes = vec![Note::LateClocks {
+        late: vec![LateClock {
+            channel: "made 2".into(),
+            delay_s: 0.12,
+            sd_s: 0.001,
+            or_s: None,
+            modes: 2,
+        }],
+    }];
+    let english = page(std::slice::from_ref(&answer), Language::English);
+    assert!(
+        english.contains("1 fault was seen in its channels; it is named"),
+        "{english}"
+    );
+    assert!(english.contains("2 channels of") && english.contains("by +0.1200 ± 0.0010 s, from 2 modes"));
+    let korean = page(&[answer], Language::Korean);
+    assert!(korean.contains("+0.1200 ± 0.0010") && korean.contains("begins에 이 지연을 더하면"));
+    assert!(!korean.contains("[영문]"));
 }

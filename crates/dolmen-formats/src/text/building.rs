@@ -2,7 +2,7 @@
 
 use super::{GROWN, Table};
 use crate::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
-use crate::number::{beside_one, significant};
+use crate::number::{beside_one, significant, significant_beside};
 use crate::project::{BuiltDamper, strokes_of};
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
@@ -201,23 +201,27 @@ fn spectral_text(
     {
         table.row(vec![
             word.to_owned(),
-            significant(1e-3 * x, 5),
-            significant(1e-3 * y, 5),
+            significant_beside(1e-3 * x, 1e-3 * y, 5),
+            significant_beside(1e-3 * y, 1e-3 * x, 5),
         ]);
     }
     out += &table.text();
     let _ = writeln!(
         out,
         "  what the walls of the lowest storey carry; torque about the vertical through the centre of all mass {} kN·m (CQC, as all below)",
-        significant(1e-3 * spectral.base_torque_n_m, 5)
+        significant_beside(
+            1e-3 * spectral.base_torque_n_m,
+            1e-3 * most(spectral.base_shear_n[2]),
+            5
+        )
     );
     let [x, y] = spectral.least_favourable;
     let _ = writeln!(
         out,
         "  least favourable direction, the weaker component {MINOR_RATIO} of the stronger (CQC3): x {} kN with the stronger at {:.0} deg, y {} kN at {:.0} deg",
-        significant(1e-3 * x.largest, 5),
+        significant_beside(1e-3 * x.largest, 1e-3 * y.largest, 5),
         x.direction_degrees,
-        significant(1e-3 * y.largest, 5),
+        significant_beside(1e-3 * y.largest, 1e-3 * x.largest, 5),
         y.direction_degrees
     );
     out += &moved_text(
@@ -247,12 +251,19 @@ fn spectral_text(
     out
 }
 
+fn most(of: [f64; 2]) -> f64 {
+    of[0].abs().max(of[1].abs())
+}
+
 /// With the dampers, whose modes are complex.
 fn damped_text(answer: &BuildingAnswer, damped: &DampedSpectral, standing: &StandingBuilding) -> String {
-    let [x, y] = damped.base_shear_n.map(|n| significant(1e-3 * n, 5));
+    let largest_n = most(damped.base_shear_n);
+    let [x, y] = damped
+        .base_shear_n
+        .map(|n| significant_beside(1e-3 * n, 1e-3 * largest_n, 5));
     let mut out = format!(
         "\nResponse to the spectrum of the site with its dampers: complex modes by CQC\n  base shear x {x} kN, y {y} kN; torque {} kN·m\n",
-        significant(1e-3 * damped.base_torque_n_m, 5)
+        significant_beside(1e-3 * damped.base_torque_n_m, 1e-3 * largest_n, 5)
     );
     out += &moved_text(
         answer,

@@ -2,7 +2,7 @@
 
 use super::Table;
 use super::building::dampers_text;
-use crate::number::{significant, trimmed};
+use crate::number::{significant, significant_beside, trimmed};
 use crate::project::strokes_of;
 use crate::simulation::{Against, BuildingSimulation};
 use dolmen::dynamics::HistoryMethod;
@@ -204,15 +204,19 @@ fn base_text(simulation: &BuildingSimulation) -> String {
     let peaks = &simulation.history.peaks;
     let weight_n = simulation.building.building().mass_kg() * 9.806_65;
     let [x, y] = peaks.base_shear_n;
+    let largest_n = x.value.abs().max(y.value.abs());
+    let beside = |value: f64, factor: f64, digits| {
+        significant_beside(factor * value.abs(), factor * largest_n, digits)
+    };
     format!(
         "Shear in the walls of the lowest storey: x {} kN at {:.3} s, y {} kN at {:.3} s ({} and {} % of the weight); torque about the vertical through the centre of all mass {} kN·m at {:.3} s\n",
-        significant(1e-3 * x.value.abs(), 5),
+        beside(x.value, 1e-3, 5),
         x.at_s,
-        significant(1e-3 * y.value.abs(), 5),
+        beside(y.value, 1e-3, 5),
         y.at_s,
-        significant(100.0 * x.value.abs() / weight_n, 3),
-        significant(100.0 * y.value.abs() / weight_n, 3),
-        significant(1e-3 * peaks.base_torque_n_m.value.abs(), 5),
+        beside(x.value, 100.0 / weight_n, 3),
+        beside(y.value, 100.0 / weight_n, 3),
+        beside(peaks.base_torque_n_m.value, 1e-3, 5),
         peaks.base_torque_n_m.at_s
     )
 }

@@ -1,6 +1,7 @@
 //! What follows the amplitude of a free decay, as text.
 
 use super::Table;
+use crate::Language;
 use dolmen::modal::{AtAmplitude, Decay, ModeDecay};
 
 /// Share of the motion that the poles explain below which it is warned. Chosen here.
@@ -40,14 +41,14 @@ pub(super) fn decay_text(decay: &Decay) -> String {
         out += "\nBy the size of the swings (logarithmic decrement of the channel that shows most of each mode)\n";
         out += &table.text();
     }
-    for sentence in remarks(decay) {
+    for sentence in remarks(decay, Language::English) {
         out += &format!("  note: {sentence}\n");
     }
     out
 }
 
 /// What must be known beside the modes.
-pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
+pub(crate) fn remarks(decay: &Decay, language: Language) -> Vec<String> {
     let list = |hz: &[f64]| {
         hz.iter()
             .map(|f| format!("{f:.3}"))
@@ -58,25 +59,38 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
     let mut said: Vec<String> = bent
         .map(|mode| {
             let why = match decay.channels {
-                1 => {
+                1 => language.pick(
                     "Either its frequency and damping follow the size of its swings, or these are several modes: one channel cannot tell, a second \
-                     place can"
-                }
-                _ => "Its frequency and damping follow the size of its swings",
+                     place can",
+                    "진동수와 감쇠비가 진폭에 따라 변하거나 여러 모드이다. 채널 하나로는 구별할 수 없고 다른 위치의 채널이 있으면 구별된다",
+                ),
+                _ => language.pick(
+                    "Its frequency and damping follow the size of its swings",
+                    "진동수와 감쇠비가 진폭에 따라 변한다",
+                ),
             };
-            format!(
-                "the mode at {:.3} Hz is no single exponential: poles of one shape at {} Hz stand for it. {why}; the strongest pole's are shown \
-                 without a deviation",
-                mode.frequency_hz,
-                list(&mode.poles_hz)
+            let (hz, poles) = (mode.frequency_hz, list(&mode.poles_hz));
+            language.pick(
+                format!(
+                    "the mode at {hz:.3} Hz is no single exponential: poles of one shape at {poles} Hz stand for it. {why}; the strongest pole's are \
+                     shown without a deviation"
+                ),
+                format!(
+                    "{hz:.3} Hz 모드는 단일 지수감쇠가 아니며 같은 형상의 극점 {poles} Hz가 이를 나타낸다. {why}. 가장 강한 극점의 값을 표준편차 없이 제시하였다"
+                ),
             )
         })
         .collect();
     said.extend(decay.modes.iter().filter(|mode| mode.damping_follows && mode.poles_hz.len() == 1).map(|mode| {
-        format!(
-            "the damping of the mode at {:.3} Hz follows the size of its swings, as friction makes it: take it at the size that matters; the one ratio is \
-             a mean, without a deviation",
-            mode.frequency_hz
+        let hz = mode.frequency_hz;
+        language.pick(
+            format!(
+                "the damping of the mode at {hz:.3} Hz follows the size of its swings, as friction makes it: take it at the size that matters; the one \
+                 ratio is a mean, without a deviation"
+            ),
+            format!(
+                "{hz:.3} Hz 모드의 감쇠비는 마찰에서처럼 진폭에 따라 변하므로 관심 있는 진폭의 값을 써야 한다. 하나로 제시한 감쇠비는 평균이며 표준편차가 없다"
+            ),
         )
     }));
     let of = |mode: &ModeDecay| mode.frequency_hz;
@@ -87,24 +101,30 @@ pub(crate) fn remarks(decay: &Decay) -> Vec<String> {
         .map(of)
         .collect();
     if !hidden.is_empty() {
-        said.push(format!(
-            "whether frequency and damping follow the amplitude cannot be told at {} Hz: too few clear swings, or another mode too near",
-            list(&hidden)
+        let hz = list(&hidden);
+        said.push(language.pick(
+            format!("whether frequency and damping follow the amplitude cannot be told at {hz} Hz: too few clear swings, or another mode too near"),
+            format!("{hz} Hz에서는 뚜렷한 진동이 너무 적거나 다른 모드가 너무 가까워 진동수와 감쇠비가 진폭에 따르는지 알 수 없다"),
         ));
     }
-    said.extend(still_shaken(decay));
+    said.extend(still_shaken(decay, language));
     if decay.explained < EXPLAINED_LEAST {
-        said.push(format!(
-            "only {:.0} % of the motion is that of modes which die away: look at the record for noise, a second blow or a recorder at its \
-             limit before these numbers are used",
-            100.0 * decay.explained
+        let percent = 100.0 * decay.explained;
+        said.push(language.pick(
+            format!(
+                "only {percent:.0} % of the motion is that of modes which die away: look at the record for noise, a second blow or a recorder at its \
+                 limit before these numbers are used"
+            ),
+            format!(
+                "감쇠하는 모드가 설명하는 운동은 {percent:.0} %뿐이다. 이 값을 쓰기 전에 잡음, 두 번째 타격, 측정 범위 초과가 없는지 기록을 확인해야 한다"
+            ),
         ));
     }
     said
 }
 
 /// That what is left has peaks, or the modes' own frequencies: something goes on.
-fn still_shaken(decay: &Decay) -> Option<String> {
+fn still_shaken(decay: &Decay, language: Language) -> Option<String> {
     const FAR: f64 = 3.0; // deviations over those in white noise that are worth a word; chosen here: above 2 one record of white noise in 20 is
     const NEAR: f64 = 0.05; // of a frequency: a peak of the mode's own; chosen here
     // what a mode that is no exponential leaves is its own
@@ -128,21 +148,34 @@ fn still_shaken(decay: &Decay) -> Option<String> {
         return None;
     }
     let all: Vec<String> = decay.left_peaks_hz.iter().map(|hz| format!("{hz:.2}")).collect();
+    let (all, lost, percent) = (
+        all.join(", "),
+        of_no_mode.join(", "),
+        100.0 * (1.0 - decay.explained),
+    );
     let mut said = match all.is_empty() {
-        true => "what is left is not white".to_owned(),
-        false => format!("what is left is not white, with peaks at {} Hz", all.join(", ")),
+        true => language
+            .pick("what is left is not white", "남은 운동이 백색잡음이 아니다")
+            .to_owned(),
+        false => language.pick(
+            format!("what is left is not white, with peaks at {all} Hz"),
+            format!("남은 운동이 백색잡음이 아니며 {all} Hz에 봉우리가 있다"),
+        ),
     };
-    said += &format!(
-        ": the structure is still shaken; {:.2} % of the motion is unexplained",
-        100.0 * (1.0 - decay.explained)
+    said += &language.pick(
+        format!(": the structure is still shaken; {percent:.2} % of the motion is unexplained"),
+        format!(". 구조물이 아직 가진되고 있으며 운동의 {percent:.2} %는 설명되지 않는다"),
     );
     if most > 0.0 {
-        said += &format!(", and deviations are up to {most:.1} times those in white noise");
+        said += &language.pick(
+            format!(", and deviations are up to {most:.1} times those in white noise"),
+            format!(". 표준편차는 백색잡음에서의 최대 {most:.1}배이다"),
+        );
     }
     if !of_no_mode.is_empty() {
-        said += &format!(
-            ". No mode is shown at {} Hz: lost in that motion, or a machine",
-            of_no_mode.join(", ")
+        said += &language.pick(
+            format!(". No mode is shown at {lost} Hz: lost in that motion, or a machine"),
+            format!(". {lost} Hz에서는 모드를 제시하지 않는다. 그 운동에 묻혔거나 기계 진동이다"),
         );
     }
     Some(said)

@@ -6,12 +6,10 @@ use super::project::{heading_text, warnings_text};
 use super::setups::{joint_heading, merged_text};
 use super::stiffness::{data_text, masses_text, stiffness_text};
 use crate::answer::{Answer, RecordAnswer, SurveyAnswer};
+use crate::number::{TWO_SIDED_95, counted};
 use dolmen::modal::{Method, Modes, Settings};
 use dolmen::signal::{Channel, Processing};
 use std::fmt::Write as _;
-
-/// Half width of a 95 % interval, in standard deviations of a normal variable.
-const TWO_SIDED_95: f64 = 1.96;
 
 /// What was identified from every survey.
 pub fn identification_text(answer: &Answer) -> String {
@@ -72,9 +70,9 @@ fn record_text(record: &RecordAnswer) -> String {
         &record.unit
     };
     let mut out = format!(
-        "\nRecord {}: {} channels × {} samples at {} Hz ({:.1} min), {unit}\n",
+        "\nRecord {}: {} × {} samples at {} Hz ({:.1} min), {unit}\n",
         record.file,
-        record.channels,
+        counted(record.channels, "channel", "channels"),
         record.samples,
         record.sampling_rate_hz,
         record.samples as f64 / record.sampling_rate_hz / 60.0

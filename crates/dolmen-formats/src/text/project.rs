@@ -1,5 +1,6 @@
 //! What was read: echoed before any result.
 
+use crate::number::counted;
 use crate::project::{Axial, Pick, Project, Quantity, Structure};
 use dolmen::structure::Convention;
 use dolmen::structure::stack::Body;
@@ -33,7 +34,10 @@ fn size(project: &Project) -> String {
                 .map(|link| link.heaviness.mass_kg(gravity, pick))
                 .sum();
             let (n, weight) = (chain.links.len(), mass * gravity / 1e3);
-            format!("chain of {n} links, {height:.2} m high, {weight:.2} kN, g {gravity} m/s2")
+            format!(
+                "chain of {}, {height:.2} m high, {weight:.2} kN, g {gravity} m/s2",
+                counted(n, "link", "links")
+            )
         }
         Structure::Frame(frame) => {
             let height: f64 = frame.storeys.iter().map(|storey| pick(&storey.height)).sum();
@@ -48,7 +52,10 @@ fn size(project: &Project) -> String {
                 Axial::FromMasses => "axial force from the masses",
             };
             let (n, mass) = (frame.storeys.len(), mass / 1e3);
-            format!("frame of {n} storeys, {height:.2} m high, {mass:.1} t, {axial}")
+            format!(
+                "frame of {}, {height:.2} m high, {mass:.1} t, {axial}",
+                counted(n, "storey", "storeys")
+            )
         }
         Structure::Stack(part) => match part.build(pick) {
             Ok(stack) => {
@@ -57,8 +64,9 @@ fn size(project: &Project) -> String {
                 let on_ground = stack.joints().iter().filter(|joint| joint.lower == Body::Ground);
                 let feet = on_ground.count();
                 format!(
-                    "stack of {blocks} blocks, {height:.3} m high, {mass:.2} t, {joints} joints ({feet} on the ground), g \
-                     {gravity} m/s2"
+                    "stack of {}, {height:.3} m high, {mass:.2} t, {} ({feet} on the ground), g {gravity} m/s2",
+                    counted(blocks, "block", "blocks"),
+                    counted(joints, "joint", "joints")
                 )
             }
             Err(fault) => format!("stack that cannot be: {fault}"),
@@ -74,7 +82,8 @@ fn size(project: &Project) -> String {
                     "P-delta left out"
                 };
                 format!(
-                    "building of {n} floors, {height:.2} m high, {:.1} t, {p_delta}",
+                    "building of {}, {height:.2} m high, {:.1} t, {p_delta}",
+                    counted(n, "floor", "floors"),
                     mass / 1e3
                 )
             }

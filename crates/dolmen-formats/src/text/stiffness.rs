@@ -4,14 +4,12 @@ use super::Table;
 use super::project::convention_words;
 use crate::Language;
 use crate::answer::{StiffnessAnswer, SurveyAnswer};
-use crate::number::{Prefixed, beside_one, prefix, trimmed};
+use crate::number::{Prefixed, TWO_SIDED_95, beside_one, prefix, trimmed};
 use crate::project::{Project, Quantity, Structure};
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, NaturalMode, StiffnessBounds, StiffnessSolution, Visibility};
 use std::fmt::Write as _;
 
-/// Half width of a 95 % interval, in standard deviations of a normal variable.
-const TWO_SIDED_95: f64 = 1.96;
 /// Significant digits of a frequency that went in.
 const FREQUENCY_DIGITS: usize = 5;
 /// Solutions printed in full; the rest are counted.

@@ -239,6 +239,7 @@ fn refuses_cells_that_are_no_samples() {
         refusal(&with("NaN")),
         "line 3, column \"roof x\" holds NaN: a sample is missing; cut the file before or after it, or leave the column out"
     );
+    assert!(refusal("time,x\n0.00,1\nNaN,2\n0.02,3\n").starts_with("line 3, column \"time\" holds NaN"));
     for empty in ["", "  ", "\"\""] {
         assert_eq!(
             refusal(&with(empty)),

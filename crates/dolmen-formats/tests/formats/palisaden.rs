@@ -22,6 +22,7 @@ fn published_first_three_modes_lie_in_the_stated_intervals() {
     };
     let record = read_npy(RECORD, &options).unwrap().record;
     let found = identify(&record, &Identify::default()).unwrap();
+    assert!(found.modes.modes.len() >= 3, "{:?}", found.modes.modes);
     for (mode, published_hz) in found.modes.modes.iter().zip(PUBLISHED_HZ) {
         let interval_hz = 1.96 * mode.frequency_sd_hz.unwrap();
         assert!(

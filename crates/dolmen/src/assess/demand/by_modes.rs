@@ -14,7 +14,7 @@ use crate::blocks::StackMode;
 use crate::dynamics::correlation_coefficient;
 use crate::stability::stack::{
     DemandVerdict, LimitAnalysis, LimitAnalysisStatus, LimitKind, Resistance, Shaking, StackLimits,
-    SwayingForces, cut_resistances, cuts, limit_analysis,
+    SwayingForces, cut_resistances, is_statically_determinate, limit_analysis,
 };
 use crate::structure::stack::Stack;
 use glam::{DMat3, DVec3};
@@ -47,6 +47,8 @@ struct Shaken<'a> {
     spectral: f64,
     /// What of S is not in phase with the ground: √(S² − A₀²)/S; all of it where S is less than A₀.
     periodic: f64,
+    /// Whether S is less than A₀: such a mode is not in phase with the ground.
+    below_ground: bool,
 }
 
 /// The modes of a stack under a spectrum.
@@ -78,6 +80,7 @@ impl<'a> ModalDemand<'a> {
                 shape: &mode.shape,
                 participation: participation(stack, &mode.shape),
                 spectral,
+                below_ground: spectral < ground,
                 periodic: match spectral >= ground {
                     true => (1.0 - (ground / spectral).powi(2)).sqrt(),
                     false => 1.0,
@@ -113,7 +116,7 @@ impl<'a> ModalDemand<'a> {
                 }
             }
         }
-        if !cuts(self.stack).statically_determinate {
+        if !is_statically_determinate(self.stack) {
             let swaying = self.swaying();
             for (direction, least) in directions.iter().zip(&mut least) {
                 let together = self.together(&swaying, limits, *direction)?;
@@ -195,13 +198,8 @@ impl<'a> ModalDemand<'a> {
         let mut combined = Combined::default();
         for (along, rigid) in combined.rigid.iter_mut().enumerate() {
             *rigid = on(&|_| std::array::from_fn(|part| if part == along { self.ground } else { 0.0 }));
-            // modes that feel less than the ground are not in phase with it
-            for (mode, wrench) in self
-                .modes
-                .iter()
-                .zip(&wrenches)
-                .filter(|(mode, _)| mode.periodic == 1.0)
-            {
+            let modes = self.modes.iter().zip(&wrenches);
+            for (mode, wrench) in modes.filter(|(mode, _)| mode.below_ground) {
                 add(rigid, -mode.participation[along] * self.ground, wrench);
             }
         }

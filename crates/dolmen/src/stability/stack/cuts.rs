@@ -32,6 +32,11 @@ pub struct Cuts {
     pub statically_determinate: bool,
 }
 
+/// Whether each stone stands on one joint that carries, so that statics alone tell what every joint bears.
+pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
+    stack.joints().len() == stack.blocks().len() && stack.joints().iter().all(carries)
+}
+
 /// The cuts of a stack.
 ///
 /// ```text
@@ -52,7 +57,7 @@ pub fn cuts(stack: &Stack) -> Cuts {
     let mut found = Cuts {
         cuts: Vec::new(),
         not_planar: Vec::new(),
-        statically_determinate: carrying.len() == joints.len() && joints.len() == stack.blocks().len(),
+        statically_determinate: is_statically_determinate(stack),
     };
     let mut parts: Vec<Vec<usize>> = Vec::new();
     for &joint in &carrying {

@@ -22,6 +22,7 @@ mod toe;
 #[cfg(test)]
 mod towers;
 
+pub(crate) use cuts::is_statically_determinate;
 pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
