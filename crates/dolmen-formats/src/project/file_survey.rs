@@ -216,6 +216,8 @@ pub(super) enum MethodRaw {
     SsiCov,
     /// Data-driven subspace method.
     SsiData,
+    /// Covariance-driven subspace method, its modes fitted to the Fourier lines about them.
+    Bayoma,
     /// Poly-reference least squares on half spectra.
     Plscf,
     /// Free decay: the record begins when the last force has ended.

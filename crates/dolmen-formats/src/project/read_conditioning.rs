@@ -138,6 +138,7 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
             MethodRaw::Fsdd => Method::Fsdd,
             MethodRaw::SsiCov => Method::SsiCov,
             MethodRaw::SsiData => Method::SsiData,
+            MethodRaw::Bayoma => Method::Bayoma,
             MethodRaw::Plscf => Method::Plscf,
             MethodRaw::Era => Method::Era,
         }),

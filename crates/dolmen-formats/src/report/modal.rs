@@ -257,6 +257,10 @@ fn modes_table(analysis: &ModalAnalysis, language: Language) -> Markup {
             "data-driven stochastic subspace identification",
             "데이터 기반 확률적 부분공간법(SSI-data)",
         ),
+        Method::Bayoma => language.pick(
+            "Bayesian operational modal analysis (subspace method, then the Fourier lines about each mode)",
+            "베이지안 운용 모드해석(BAYOMA: 부분공간법으로 찾은 모드를 주변 푸리에 선에 적합)",
+        ),
         Method::Plscf => language.pick(
             "poly-reference least squares in the frequency domain",
             "다기준 최소자승 복소주파수법(pLSCF)",

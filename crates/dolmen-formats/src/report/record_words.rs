@@ -154,6 +154,20 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
                 all.join("; ")
             )
         }
+        Note::FromPeaks { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{} 모드는 안정 극점에는 나타나지 않으나, 스펙트럼 봉우리의 푸리에 선에 모드를 적합하여 얻었고 잘 맞는다. 모드형상의 표준편차는 없다.",
+                all.join(", ")
+            )
+        }
+        Note::NotFitted { frequency_hz } => {
+            let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
+            format!(
+                "{} 모드는 ssi-cov의 값 그대로이다. 주변 스펙트럼이 고른 힘을 받는 이 모드들만의 것과 다르거나(다른 모드, 기계, 진폭에 따라 변하는 강성), 푸리에 선이 너무 적다.",
+                all.join(", ")
+            )
+        }
         Note::HiddenPairs { frequency_hz } => {
             let all: Vec<String> = frequency_hz.iter().map(hertz).collect();
             format!(

@@ -1,5 +1,6 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
+use super::bayoma::refined;
 use super::clocks::leave_out_other_clocks;
 use super::clusters::{Cluster, Clustering, Fate, group_poles};
 use super::decay::{Decay, SHORT, of_decay, short_spectrum};
@@ -13,6 +14,7 @@ use super::late_clocks::leave_out_late_clocks;
 use super::machines::{split_tones, test_for_machines};
 use super::plscf::{Plscf, plscf};
 use super::reference_channels::keeping_most;
+use super::remarks::remark;
 use super::settings::{Settings, choose, passed_hz};
 use super::shape_checks::{doubt_channels, to_one_quantity};
 use super::ssi::{ssi_cov, ssi_data};
@@ -148,7 +150,7 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     let mut analysis = match options.method {
         Method::Fdd | Method::Efdd | Method::Fsdd => of_peaks(peaks, record, options),
         Method::Era => of_decay(record, options, peaks)?,
-        Method::SsiCov | Method::SsiData | Method::Plscf => {
+        Method::SsiCov | Method::SsiData | Method::Bayoma | Method::Plscf => {
             of_poles(record, options, (peaks, &tones_hz), &mut notes)?
         }
     };
@@ -169,7 +171,10 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     wanted(options, &analysis.modes)?;
     remark(&analysis.modes, &analysis.fdd_modes, not_picked_hz, &mut notes);
     // the subspace methods tell such modes apart, where the record does
-    if !matches!(options.method, Method::Era | Method::SsiCov | Method::SsiData) {
+    if matches!(
+        options.method,
+        Method::Fdd | Method::Efdd | Method::Fsdd | Method::Plscf
+    ) {
         let prominence_db = options.fdd.prominence_db;
         note_hidden_pairs(&analysis.modes, &analysis.spectrum, prominence_db, &mut notes);
     }
@@ -321,8 +326,8 @@ fn of_poles(
     } else {
         let ssi = settings.ssi();
         let found = match options.method {
-            Method::SsiCov => ssi_cov(record, &ssi)?,
-            _ => ssi_data(record, &ssi)?,
+            Method::SsiData => ssi_data(record, &ssi)?,
+            _ => ssi_cov(record, &ssi)?,
         };
         hankel_singular_values.clone_from(&found.singular_values);
         judged(
@@ -334,6 +339,9 @@ fn of_poles(
     };
     note_blends(&clusters, notes);
     let mut modes = modes_of(&clusters, record.duration_s());
+    if options.method == Method::Bayoma {
+        modes = refined(record, modes, (&peaks, tones_hz), (&settings, &criteria), notes);
+    }
     let unequal = unequal(record, settings.time_blocks);
     widen(&mut modes, unequal.widening);
     settings.time_blocks_effective = unequal.time_blocks;
@@ -487,53 +495,5 @@ pub(super) fn wanted(options: &Identify, modes: &Modes) -> Result<(), ModalError
             found_hz: modes.modes.iter().map(|m| m.frequency_hz).collect(),
         }),
         _ => Ok(()),
-    }
-}
-
-pub(super) fn remark(modes: &Modes, peaks: &Modes, not_picked_hz: Vec<f64>, notes: &mut Vec<Note>) {
-    const NEAR: f64 = 0.03; // relative; a line of the spectrum lies so near its mode
-    const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
-    let explained = |peak: &Mode| {
-        let near = |hz: f64| (hz / peak.frequency_hz - 1.0).abs() <= NEAR;
-        modes.modes.iter().any(|mode| near(mode.frequency_hz)) || not_picked_hz.iter().any(|hz| near(*hz))
-    };
-    let frequency_hz: Vec<f64> = peaks
-        .modes
-        .iter()
-        .filter(|peak| !explained(peak))
-        .map(|peak| peak.frequency_hz)
-        .collect();
-    if !frequency_hz.is_empty() {
-        notes.push(Note::PeaksWithoutMode { frequency_hz });
-    }
-    if !not_picked_hz.is_empty() {
-        notes.push(Note::NotPicked {
-            frequency_hz: not_picked_hz,
-        });
-    }
-    if matches!(modes.method, Method::Efdd | Method::Fsdd) {
-        let without = modes.modes.iter().filter(|m| m.damping_ratio.is_none());
-        let frequency_hz: Vec<f64> = without.map(|m| m.frequency_hz).collect();
-        if !frequency_hz.is_empty() {
-            notes.push(Note::NoDamping { frequency_hz });
-        }
-    }
-    let pairs: Vec<[f64; 2]> = modes
-        .modes
-        .windows(2)
-        .filter(|pair| pair[0].overlaps(&pair[1]))
-        .map(|pair| [pair[0].frequency_hz, pair[1].frequency_hz])
-        .collect();
-    if !pairs.is_empty() {
-        notes.push(Note::ClosePairs { pairs });
-    }
-    for mode in &modes.modes {
-        let damping_floor = mode.damping_floor();
-        if modes.method != Method::Era && mode.damping_ratio.is_some() && damping_floor > DAMPING_FLOOR {
-            notes.push(Note::FewCycles {
-                frequency_hz: mode.frequency_hz,
-                damping_floor,
-            });
-        }
     }
 }

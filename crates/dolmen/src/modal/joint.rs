@@ -2,12 +2,13 @@
 
 use super::clusters::{Cluster, Clustering};
 use super::identify::{
-    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, remark, spectrum, wanted,
+    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
 };
 use super::machines::{split_tones, test_for_machines};
 use super::one_shaking::{Setup, stacked};
 use super::pairing::{ObservedMode, pair_modes};
 use super::places::{Places, Seat};
+use super::remarks::remark;
 use super::settings::{Settings, choose};
 use super::setups::{MergeSetups, MergedSetups};
 use super::shape_checks::doubt_channels;

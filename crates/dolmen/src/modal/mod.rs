@@ -1,6 +1,11 @@
 //! Modes from ambient vibration: frequency, damping ratio and shape, each with its standard deviation.
 
 mod agreement;
+mod band;
+mod band_fit;
+mod band_lines;
+mod band_motion;
+mod bayoma;
 mod blows;
 mod clocks;
 mod clusters;
@@ -20,6 +25,7 @@ mod gusts;
 mod half_spectra;
 mod hankel;
 mod harmonics;
+mod hermitian;
 mod hidden_pairs;
 mod identify;
 mod indicators;
@@ -37,6 +43,7 @@ mod plscf;
 mod products;
 mod reference_channels;
 mod reference_gains;
+mod remarks;
 mod settings;
 mod setups;
 mod shape_checks;

@@ -19,6 +19,9 @@ pub enum Method {
     SsiCov,
     /// Data-driven stochastic subspace identification.
     SsiData,
+    /// Covariance-driven subspace identification, its modes then fitted to the Fourier lines about them by maximum likelihood: Bayesian
+    /// operational modal analysis.
+    Bayoma,
     /// Poly-reference least squares in the frequency domain.
     Plscf,
     /// Eigensystem realization of a free decay.
@@ -27,12 +30,13 @@ pub enum Method {
 
 impl Method {
     /// All methods.
-    pub const ALL: [Method; 7] = [
+    pub const ALL: [Method; 8] = [
         Method::Fdd,
         Method::Efdd,
         Method::Fsdd,
         Method::SsiCov,
         Method::SsiData,
+        Method::Bayoma,
         Method::Plscf,
         Method::Era,
     ];
@@ -45,6 +49,7 @@ impl Method {
             Method::Fsdd => "fsdd",
             Method::SsiCov => "ssi-cov",
             Method::SsiData => "ssi-data",
+            Method::Bayoma => "bayoma",
             Method::Plscf => "plscf",
             Method::Era => "era",
         }

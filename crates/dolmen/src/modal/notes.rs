@@ -121,6 +121,16 @@ pub enum Note {
         /// Frequency, Hz, and damping ratio of each.
         blends: Vec<[f64; 2]>,
     },
+    /// Modes whose band of the spectrum could not be fitted: they are as the subspace method gave them.
+    NotFitted {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
+    /// Modes that no stable pole shows: a peak of the spectrum that the model of a mode fits.
+    FromPeaks {
+        /// Their frequencies, Hz.
+        frequency_hz: Vec<f64>,
+    },
     /// Modes at which two singular values of the spectrum rise, and which may be two.
     HiddenPairs {
         /// Their frequencies, Hz.
@@ -252,6 +262,23 @@ impl std::fmt::Display for Note {
                     "left out, since low orders alone show it and it is damped far above the modes: {}: several modes that this record does not \
                      tell apart; a longer record or more sensors may",
                     all.join(", ")
+                )
+            }
+            Note::FromPeaks { frequency_hz } => {
+                write!(f, "no stable pole shows the modes at ")?;
+                list(f, frequency_hz)?;
+                write!(
+                    f,
+                    " Hz: they are peaks of the spectrum to whose lines a mode was fitted, and fits; their shapes have no deviation"
+                )
+            }
+            Note::NotFitted { frequency_hz } => {
+                write!(f, "the modes at ")?;
+                list(f, frequency_hz)?;
+                write!(
+                    f,
+                    " Hz are those of ssi-cov, not fitted further: the spectrum about them is not that of these modes alone under even forces (another \
+                     mode, a machine, a stiffness that follows the motion), or has too few lines"
                 )
             }
             Note::HiddenPairs { frequency_hz } => {

@@ -122,7 +122,7 @@ pub(super) fn choose(
     let tones = tones_hz.iter().filter(|f| **f < 0.5 * sampling_rate_hz).count();
     let sought = (ORDER_OVER_PEAKS * (peaks.modes.len() + tones).max(l)).clamp(ORDER_RANGE[0], highest);
     let periods = match options.method {
-        Method::SsiCov => PERIODS_REACHED_BY_COVARIANCE,
+        Method::SsiCov | Method::Bayoma => PERIODS_REACHED_BY_COVARIANCE,
         Method::Plscf => PERIODS_REACHED_BY_LINES,
         _ => PERIODS_REACHED,
     };

@@ -1,0 +1,166 @@
+//! The modes of one band of the spectrum and all else that moves there, as numbers that are free.
+//!
+//! | symbol | code | meaning | shape |
+//! |:--|:--|:--|:--|
+//! | D | `Spectra` | expected cross spectra of the modes under forces of density 1 | m × m |
+//! | Ψ, P, B | `shapes`, `forces`, `noise` | shapes in these coordinates, spectral densities of the modal forces, of all else | r × m, m × m, r × r |
+//! | a | `rise` | power of the frequency by which the forces rise | - |
+//! | S | | (f/f_m)^a Ψ (P ∘ D) Ψ* + B | r × r |
+
+use super::band_motion::{Oscillator, Spectra};
+use super::hermitian::{Part, add_hermitian, adjoint, hermitian, plus, scaled, times};
+use dolmen_linalg::{Complex64, ComplexMatrix};
+
+/// Damping ratios beyond are no mode's.
+const DAMPING_MOST: f64 = 0.5;
+/// Forces rise or fall no faster with the frequency.
+const RISE_MOST: f64 = 20.0;
+/// Largest coherence of two modes' forces.
+const COHERENCE_MOST: f64 = 0.999;
+
+/// What is sought.
+#[derive(Clone, Debug)]
+pub(super) struct Band {
+    pub(super) oscillators: Vec<Oscillator>,
+    pub(super) shapes: ComplexMatrix,
+    pub(super) forces: ComplexMatrix,
+    pub(super) noise: ComplexMatrix,
+    /// Lowest and highest line, Hz: at their geometric mean the forces are `forces`.
+    pub(super) range_hz: [f64; 2],
+    /// Power of the frequency by which they rise from there.
+    pub(super) rise: f64,
+}
+
+/// One real number that is free.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Free {
+    Frequency(usize),
+    Damping(usize),
+    Shape(usize, usize, Part),
+    Force(usize, usize, Part),
+    Noise(usize, usize, Part),
+    Rise,
+}
+
+impl Band {
+    pub(super) fn free(&self) -> Vec<Free> {
+        let (r, m) = (self.shapes.rows(), self.oscillators.len());
+        let mut free: Vec<Free> = (0..m)
+            .flat_map(|i| [Free::Frequency(i), Free::Damping(i)])
+            .collect();
+        for mode in 0..m {
+            let norm = |row: &usize| self.shapes[(*row, mode)].norm();
+            let held = (0..r).max_by(|a, b| norm(a).total_cmp(&norm(b)));
+            for row in (0..r).filter(|row| Some(*row) != held) {
+                free.extend([Part::Real, Part::Imaginary].map(|part| Free::Shape(row, mode, part)));
+            }
+        }
+        free.extend(hermitian(m).map(|(i, j, part)| Free::Force(i, j, part)));
+        free.extend(hermitian(r).map(|(i, j, part)| Free::Noise(i, j, part)));
+        free.push(Free::Rise);
+        free
+    }
+
+    pub(super) fn moved(&self, free: &[Free], step: &[f64]) -> Band {
+        let mut to = self.clone();
+        for (free, by) in free.iter().zip(step) {
+            match *free {
+                Free::Frequency(i) => to.oscillators[i].frequency_hz += by,
+                Free::Damping(i) => to.oscillators[i].damping_ratio += by,
+                Free::Shape(row, mode, part) => to.shapes[(row, mode)] += by * part.unit(),
+                Free::Force(i, j, part) => add_hermitian(&mut to.forces, (i, j), by * part.unit()),
+                Free::Noise(i, j, part) => add_hermitian(&mut to.noise, (i, j), by * part.unit()),
+                Free::Rise => to.rise += by,
+            }
+        }
+        for i in 0..to.oscillators.len() {
+            for j in 0..i {
+                let most = COHERENCE_MOST * (to.forces[(i, i)].re * to.forces[(j, j)].re).max(0.0).sqrt();
+                let norm = to.forces[(i, j)].norm();
+                if norm > most {
+                    let held = to.forces[(i, j)] * (most / norm);
+                    to.forces[(i, j)] = held;
+                    to.forces[(j, i)] = held.conj();
+                }
+            }
+        }
+        to
+    }
+
+    pub(super) fn possible(&self) -> bool {
+        let m = self.oscillators.len();
+        let damped = |o: &Oscillator| o.damping_ratio > 0.0 && o.damping_ratio < DAMPING_MOST;
+        self.rise.abs() < RISE_MOST
+            && self.oscillators.iter().all(|o| damped(o) && o.frequency_hz > 0.0)
+            && (0..m).all(|i| self.forces[(i, i)].re > 0.0)
+    }
+
+    /// S = Ψ (P ∘ D) Ψ* + B.
+    pub(super) fn expected(&self, d: &ComplexMatrix, frequency_hz: f64) -> ComplexMatrix {
+        let motion = self.along_shapes(&self.under_forces(d));
+        plus(&scaled(&motion, self.risen(frequency_hz)), &self.noise)
+    }
+
+    /// What the forces are over those at the middle; beyond the band, as at its end.
+    pub(super) fn risen(&self, frequency_hz: f64) -> f64 {
+        (self.rise * self.logarithm(frequency_hz)).exp()
+    }
+
+    fn logarithm(&self, frequency_hz: f64) -> f64 {
+        let [low, high] = self.range_hz;
+        (frequency_hz.clamp(low, high) / (low * high).sqrt()).ln()
+    }
+
+    /// P ∘ D.
+    pub(super) fn under_forces(&self, d: &ComplexMatrix) -> ComplexMatrix {
+        let m = self.oscillators.len();
+        ComplexMatrix::from_fn(m, m, |i, j| self.forces[(i, j)] * d[(i, j)])
+    }
+
+    /// Ψ X Ψ*.
+    fn along_shapes(&self, x: &ComplexMatrix) -> ComplexMatrix {
+        times(&times(&self.shapes, x), &adjoint(&self.shapes))
+    }
+
+    /// ∂S by one free number.
+    pub(super) fn derivative(
+        &self,
+        free: Free,
+        spectra: &Spectra,
+        frequency_hz: f64,
+        d: &ComplexMatrix,
+    ) -> ComplexMatrix {
+        let (r, m) = (self.noise.rows(), self.oscillators.len());
+        let forces = self.risen(frequency_hz);
+        let ln = self.logarithm(frequency_hz);
+        let moving = |x: &ComplexMatrix| scaled(&self.along_shapes(&self.under_forces(x)), forces);
+        let with_adjoint =
+            |a: ComplexMatrix| ComplexMatrix::from_fn(r, r, |i, j| a[(i, j)] + a[(j, i)].conj());
+        match free {
+            Free::Frequency(i) => moving(&spectra.slope(2 * i, frequency_hz)),
+            Free::Damping(i) => moving(&spectra.slope(2 * i + 1, frequency_hz)),
+            Free::Rise => scaled(&moving(d), ln),
+            Free::Shape(row, mode, part) => {
+                let right = times(&self.under_forces(d), &adjoint(&self.shapes));
+                with_adjoint(ComplexMatrix::from_fn(r, r, |i, j| {
+                    if i == row {
+                        forces * part.unit() * right[(mode, j)]
+                    } else {
+                        Complex64::default()
+                    }
+                }))
+            }
+            Free::Force(a, b, part) => {
+                let mut unit = ComplexMatrix::zeros(m, m);
+                add_hermitian(&mut unit, (a, b), part.unit());
+                let seen = ComplexMatrix::from_fn(m, m, |i, j| unit[(i, j)] * d[(i, j)]);
+                scaled(&self.along_shapes(&seen), forces)
+            }
+            Free::Noise(a, b, part) => {
+                let mut unit = ComplexMatrix::zeros(r, r);
+                add_hermitian(&mut unit, (a, b), part.unit());
+                unit
+            }
+        }
+    }
+}
