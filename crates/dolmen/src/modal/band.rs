@@ -95,6 +95,17 @@ impl Band {
             && (0..m).all(|i| self.forces[(i, i)].re > 0.0)
     }
 
+    /// Largest coherence of two modes' forces.
+    pub(super) fn coherence(&self) -> f64 {
+        let m = self.oscillators.len();
+        let of = |i: usize, j: usize| {
+            self.forces[(i, j)].norm() / (self.forces[(i, i)].re * self.forces[(j, j)].re).sqrt()
+        };
+        (0..m)
+            .flat_map(|i| (0..i).map(move |j| of(i, j)))
+            .fold(0.0, f64::max)
+    }
+
     /// S = Ψ (P ∘ D) Ψ* + B.
     pub(super) fn expected(&self, d: &ComplexMatrix, frequency_hz: f64) -> ComplexMatrix {
         let motion = self.along_shapes(&self.under_forces(d));

@@ -34,7 +34,9 @@ pub(super) struct BandFit {
 
 /// Steps of the search; ten are the rule.
 const STEPS_MOST: usize = 80;
-/// The search ends where a step promises less than this of the log-likelihood: a hundredth of a deviation.
+/// No step goes up that is so short: the top lies beyond what is possible.
+const DAMP_MOST: f64 = 1e9;
+/// The search ends where the step promises less than this of the log-likelihood: a hundredth of a deviation.
 const PROMISE_LEAST: f64 = 1e-4;
 
 /// The band at which the lines are most likely, from `start`; `None` where the search finds no top or the top is flat.
@@ -54,48 +56,42 @@ pub(super) fn fit(cells: &[Cell], start: Band, recorded: Recorded) -> Option<Ban
     let mut damp = 1e-3;
     for _ in 0..STEPS_MOST {
         let (gradient, information) = derivatives(cells, &band, &free, recorded)?;
-        let scale: Vec<f64> = (0..free.len())
-            .map(|i| 1.0 / information[(i, i)].sqrt())
-            .collect();
-        let promise;
-        loop {
-            let damped = Matrix::from_fn(free.len(), free.len(), |i, j| {
-                scale[i] * information[(i, j)] * scale[j] + if i == j { damp } else { 0.0 }
-            });
-            let scaled: Vec<f64> = gradient.iter().zip(&scale).map(|(g, s)| g * s).collect();
-            let step = solve(&damped, &Matrix::from_column(&scaled)).ok()?;
-            let step: Vec<f64> = step.column(0).iter().zip(&scale).map(|(x, s)| x * s).collect();
-            let promised: f64 = step.iter().zip(&gradient).map(|(s, g)| s * g).sum();
-            let moved = band.moved(&free, &step);
-            match log_likelihood(cells, &moved, recorded).filter(|new| *new >= likelihood - PROMISE_LEAST) {
-                Some(new) => {
-                    (band, likelihood) = (moved, new);
-                    promise = promised;
-                    damp = (0.1 * damp).max(1e-12);
-                    break;
-                }
-                None if promised.abs() < PROMISE_LEAST => {
-                    promise = promised;
-                    break;
-                }
-                None => damp = 10.0 * damp.max(1e-6),
-            }
-            if damp > 1e12 {
-                return None;
-            }
-        }
-        if promise < PROMISE_LEAST {
-            let (_, information) = derivatives(cells, &band, &free, recorded)?;
-            let covariance = inverse(&information)?;
+        if inner(&gradient, &step(&gradient, &information, 0.0)?) < PROMISE_LEAST {
             return Some(BandFit {
                 band,
                 free,
-                covariance,
+                covariance: inverse(&information)?,
                 recorded,
             });
         }
+        loop {
+            let step = step(&gradient, &information, damp)?;
+            let moved = band.moved(&free, &step);
+            let found = log_likelihood(cells, &moved, recorded).filter(|new| *new > likelihood);
+            if let Some(new) = found {
+                (band, likelihood) = (moved, new);
+                damp *= 0.1;
+                break;
+            }
+            if damp > DAMP_MOST {
+                return None;
+            }
+            damp *= 10.0;
+        }
     }
     None
+}
+
+/// Of (F + λ diag F) δ = g, in the scale of each free number.
+fn step(gradient: &[f64], information: &Matrix, damp: f64) -> Option<Vec<f64>> {
+    let n = gradient.len();
+    let scale: Vec<f64> = (0..n).map(|i| 1.0 / information[(i, i)].sqrt()).collect();
+    let damped = Matrix::from_fn(n, n, |i, j| {
+        scale[i] * information[(i, j)] * scale[j] + if i == j { damp } else { 0.0 }
+    });
+    let scaled: Vec<f64> = gradient.iter().zip(&scale).map(|(g, s)| g * s).collect();
+    let step = solve(&damped, &Matrix::from_column(&scaled)).ok()?;
+    Some(step.column(0).iter().zip(&scale).map(|(x, s)| x * s).collect())
 }
 
 /// Of a positive definite matrix, each row brought to its own scale first.

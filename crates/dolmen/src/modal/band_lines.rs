@@ -11,6 +11,7 @@ use super::band::Band;
 use super::band_fit::{BandFit, Cell};
 use super::band_motion::{CrossSpectrum, Oscillator, Recorded, root};
 use super::hermitian::{backward, forward, lower, plus, times};
+use super::indicators::assurance;
 use super::modes::Mode;
 use crate::signal::{Quantity, Record};
 use dolmen_linalg::{Complex64, ComplexMatrix};
@@ -35,6 +36,10 @@ const TONE_LINES: f64 = 3.0;
 const TONE_SHARE: f64 = 2e-3;
 /// What came out further from where the subspace method found it, in the deviations of that, is another thing.
 pub(super) const DEVIATIONS_MOST: f64 = 5.0;
+/// And so is what has another shape, by its assurance criterion, or moves with another mode all but as one: within each other's half-power band the
+/// lines tell frequency from shape no more.
+const ALIKE_LEAST: f64 = 0.95;
+const COHERENCE_MOST: f64 = 0.95;
 /// Least deviation, by the information, over its floor at which a mode of the band is not told from the rest.
 const FLOORS_MOST: f64 = 3.5;
 
@@ -471,6 +476,11 @@ impl BandLines {
 
     /// Whether each mode is still where it was found, and known as well as a record of this length knows one.
     pub(super) fn are_the_same(&self, fit: &BandFit, modes: &[Mode]) -> bool {
+        let shapes = self.shapes_found(fit);
+        let alike = |i: usize| assurance(shapes.column(i), &self.shapes[i]) >= ALIKE_LEAST;
+        if fit.band.coherence() > COHERENCE_MOST || !(0..self.shapes.len()).all(alike) {
+            return false;
+        }
         let each = modes[self.modes.clone()]
             .iter()
             .zip(&fit.band.oscillators)

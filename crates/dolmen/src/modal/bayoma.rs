@@ -230,7 +230,7 @@ mod tests {
         let made = MadeRecord {
             modes: vec![
                 mode(1.1, [0.5, 1.0]),
-                mode(1.35, [0.6, 0.9]),
+                mode(1.3, [0.6, 0.9]),
                 mode(4.2, [1.0, -0.5]),
             ],
             seed: 5,

@@ -35,8 +35,8 @@ pub enum Harmonics {
 /// Options of [`identify`]. The defaults serve every record this chapter was measured on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
-    /// How modes are found; default `SsiCov`: `SsiData` scatters less on made records, but on ten minutes of a timber building
-    /// its damping was a half larger and its frequencies 0.6 % off.
+    /// How modes are found; default `SsiCov`: `Bayoma` and `SsiData` scatter less on made records, but on real ones the second had a damping a half
+    /// larger in ten minutes, and the first tells modes within each other's half-power band apart less well.
     pub method: Method,
     /// Reference channels of the subspace methods, by index; empty (default): all.
     pub references: Vec<usize>,
