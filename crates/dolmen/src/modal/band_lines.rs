@@ -501,3 +501,49 @@ impl BandLines {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::signal::Channel;
+
+    #[test]
+    fn exact_lines_of_a_displacement_are_brought_to_the_acceleration_beside_it() {
+        // a wave of 30 whole turns, and its second derivative
+        let turn = TAU * 30.0 / 3000.0;
+        let wave = |t: usize| (turn * t as f64).sin();
+        let omega = 100.0 * turn;
+        let samples = vec![
+            (0..3000).map(wave).collect(),
+            (0..3000).map(|t| -omega * omega * wave(t)).collect(),
+        ];
+        let mut channels = vec![Channel::named("d"), Channel::named("a")];
+        channels[0].quantity = Quantity::Displacement;
+        channels[1].quantity = Quantity::Acceleration;
+        let record = Record::new(channels, samples, 100.0).unwrap();
+        let lines = Lines::of(&record);
+        assert_eq!(lines.raised, [2, 0]);
+        let mut bands = [BandLines {
+            modes: 0..1,
+            oscillators: vec![Oscillator {
+                frequency_hz: 1.0,
+                damping_ratio: 0.01,
+            }],
+            shapes: vec![vec![Complex64::new(1.0, 0.0); 2]],
+            lines: 30..31,
+            sums: Vec::new(),
+            along: ComplexMatrix::default(),
+            seen: ComplexMatrix::default(),
+            cells: Vec::new(),
+            cell_of: Vec::new(),
+        }];
+        lines.fill(&record, &mut bands);
+        let [of_displacement, of_acceleration] = [bands[0].sums[0][0], bands[0].sums[1][0]];
+        assert!(
+            (of_displacement / of_acceleration - 1.0).norm() < 1e-9,
+            "{of_displacement} {of_acceleration}"
+        );
+        let raised = bands[0].shapes[0][0] / bands[0].shapes[0][1];
+        assert!((raised / root(bands[0].oscillators[0]).powi(2) - 1.0).norm() < 1e-12);
+    }
+}
