@@ -19,7 +19,7 @@ import obspy
 
 warnings.filterwarnings("ignore")
 ROOT = Path(__file__).resolve().parents[2]
-TESTS = ROOT / "crates/dolmen-formats/tests/data"
+TESTS = ROOT / "crates/dolmen-records/tests/data"
 CACHE = ROOT / "data/cache/formats"
 SAMPLES = 240
 

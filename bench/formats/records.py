@@ -1,6 +1,6 @@
-"""Makes the files of crates/dolmen-formats/tests/data/records: the same 96 numbers of two channels, each written by another program.
+"""Makes the files of crates/dolmen-records/tests/data/records: the same 96 numbers of two channels, each written by another program.
 
-    python bench/formats/records.py crates/dolmen-formats/tests/data/records [uff wav mat mat73 gcf tdms saf]
+    python bench/formats/records.py crates/dolmen-records/tests/data/records [uff wav mat mat73 gcf tdms saf]
 
 pyuff 2.5.8, scipy 1.17.1, h5py 3.16.0, ObsPy 1.5.1, npTDMS 1.13.0, hvsrpy 2.1.0 (requirements.txt).
 """

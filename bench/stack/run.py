@@ -15,7 +15,7 @@ import case
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-EXAMPLE = ROOT / "crates" / "dolmen-formats" / "examples" / "stack_bench.rs"
+EXAMPLE = ROOT / "crates" / "dolmen-records" / "examples" / "stack_bench.rs"
 FIGURES = ("peak_mm", "residual_mm", "joint_mm", "creep_mm")
 ONE_THREAD = {f"{name}_NUM_THREADS": "1" for name in ("OMP", "OPENBLAS", "MKL", "RAYON")}
 MOTIONS = [ROOT / "data" / "peer" / f"RSN6_IMPVALL.I_I-ELC{part}.AT2" for part in ("180-hor1", "270-hor2")]
@@ -49,7 +49,7 @@ def cargo(*arguments):
 def programs(options, motion):
     """Every program that takes part: (is ours, is slow, command)."""
     if not options.no_dolmen and EXAMPLE.exists():
-        cargo("build", "-p", "dolmen-formats", "--example", "stack_bench")
+        cargo("build", "-p", "dolmen-records", "--example", "stack_bench")
         yield True, False, [ROOT / "target" / "release" / "examples" / "stack_bench", *MOTIONS]
     cargo("build", "--manifest-path", HERE / "rapier" / "Cargo.toml")
     for name in ("rapier_default", "rapier_fast", "rapier_tuned"):

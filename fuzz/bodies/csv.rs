@@ -1,6 +1,6 @@
 //! Any bytes are a record or an error, whatever is known beforehand.
 
-use dolmen_formats::records::{RecordOptions, read_csv};
+use dolmen_records::records::{RecordOptions, read_csv};
 
 pub(super) fn run(bytes: &[u8]) {
     let _ = read_csv(bytes, &RecordOptions::default());

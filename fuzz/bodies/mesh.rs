@@ -1,6 +1,6 @@
 //! Any bytes are a mesh whose triangles name its vertices, or an error; any mesh is a solid or an error.
 
-use dolmen_formats::meshes::{read_mesh, read_obj, read_ply, read_stl};
+use dolmen_records::meshes::{read_mesh, read_obj, read_ply, read_stl};
 
 pub(super) fn run(bytes: &[u8]) {
     let _ = (read_obj(bytes), read_ply(bytes), read_stl(bytes));

@@ -1,10 +1,10 @@
 //! Any bytes are the channels of a ground motion or an error, whatever is known beforehand; what is read can be written.
 
 use dolmen::signal::{Component, GroundMotion};
-use dolmen_formats::motions::{
+use dolmen_records::motions::{
     MotionOptions, StatedPeak, motion_at2, motion_csv, read_channels, read_component, read_oriented,
 };
-use dolmen_formats::records::Unit;
+use dolmen_records::records::Unit;
 
 pub(super) fn run(bytes: &[u8]) {
     let _ = read_component(bytes, &MotionOptions::default());

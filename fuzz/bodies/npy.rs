@@ -1,6 +1,6 @@
 //! Any bytes are a record or an error.
 
-use dolmen_formats::records::{RecordOptions, read_npy};
+use dolmen_records::records::{RecordOptions, read_npy};
 
 pub(super) fn run(bytes: &[u8]) {
     let options = RecordOptions {

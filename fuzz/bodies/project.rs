@@ -1,7 +1,7 @@
 //! Any text is read or refused as a project file, never a panic; what is read builds its structure.
 
 use dolmen::dynamics::ChainRotations;
-use dolmen_formats::project::{Project, Quantity, Structure, parse_project};
+use dolmen_project::{Project, Quantity, Structure, parse_project};
 
 fn build(project: &Project) {
     match &project.structure {

@@ -1,6 +1,6 @@
 //! Any bytes are a record or an error, in every format and whatever is known beforehand.
 
-use dolmen_formats::records::{RecordFormat, RecordOptions, read_record};
+use dolmen_records::records::{RecordFormat, RecordOptions, read_record};
 
 pub(super) fn run(bytes: &[u8]) {
     let told = RecordOptions {

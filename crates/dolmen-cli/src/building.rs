@@ -8,10 +8,10 @@ use dolmen::dynamics::{
 };
 use dolmen::structure::Building;
 use dolmen::structure::building::{PDelta, PlanDirection, StoreyFall, storey_falls};
-use dolmen_formats::building::{
+use dolmen_project::{BuildingPart, BuiltDamper, Pick, Project};
+use dolmen_work::building::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
 };
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Pick, Project};
 
 /// What is known of a building, each input with the value that `pick` chooses.
 pub(crate) fn check(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingAnswer> {

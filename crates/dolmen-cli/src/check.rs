@@ -9,13 +9,13 @@ use dolmen::assess::{
 use dolmen::numeric::Random;
 use dolmen::stability::{chain_limits, chain_stability, frame_stability};
 use dolmen::structure::building::{StoreyFall, storey_falls};
-use dolmen_formats::answer::{
+use dolmen_project::{ModeKind, Pick, Project, Quantity, Structure, SurveyMode};
+use dolmen_report::json::check_json;
+use dolmen_report::text::check_text;
+use dolmen_work::answer::{
     Answer, Check, DirectionCheck, FREQUENCY_RATIO_MOST, FrequencyContradiction, Sampled, SensitivityOf,
     StackAnswer, State, TiltCheck, VariantAnswer,
 };
-use dolmen_formats::json::check_json;
-use dolmen_formats::project::{ModeKind, Pick, Project, Quantity, Structure, SurveyMode};
-use dolmen_formats::text::check_text;
 use std::collections::BTreeMap;
 use std::path::Path;
 

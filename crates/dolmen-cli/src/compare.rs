@@ -3,12 +3,12 @@
 use crate::cli::Compare;
 use crate::{Outcome, files, identify, open};
 use anyhow::Result;
-use dolmen_formats::Language;
-use dolmen_formats::answer::SurveyAnswer;
-use dolmen_formats::change::{change_of, surveys_to_compare};
-use dolmen_formats::figures;
-use dolmen_formats::json::change_json;
-use dolmen_formats::text::change_text;
+use dolmen_report::figures;
+use dolmen_report::json::change_json;
+use dolmen_report::text::change_text;
+use dolmen_words::Language;
+use dolmen_work::answer::SurveyAnswer;
+use dolmen_work::change::{change_of, surveys_to_compare};
 
 pub(crate) fn run(options: &Compare, as_json: bool, quiet: bool) -> Result<Outcome> {
     let open::Opened { project, file } = open::project(&options.project)?;

@@ -4,9 +4,9 @@ use anyhow::Result;
 use dolmen::assess::StackCheckOptions;
 use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
-use dolmen_formats::answer::{Check, DemandAnswer, SpectralAt};
-use dolmen_formats::building::BuildingAnswer;
-use dolmen_formats::project::Project;
+use dolmen_project::Project;
+use dolmen_work::answer::{Check, DemandAnswer, SpectralAt};
+use dolmen_work::building::BuildingAnswer;
 
 /// The demand of the project's site on its structure; `None` if the file has no site.
 pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer>> {

@@ -10,14 +10,14 @@ use dolmen::structure::{
     Chain, ChainStiffness, Convention, Frame, FrameStiffness, MeasuredMode, StiffnessNote, StiffnessSolution,
     StiffnessSolutions, chain_stiffness, directional_modes, frame_stiffness,
 };
-use dolmen_formats::Language;
-use dolmen_formats::answer::{
+use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_report::figures;
+use dolmen_report::json::identification_json;
+use dolmen_report::text::identification_text;
+use dolmen_words::Language;
+use dolmen_work::answer::{
     Answer, RecordAnswer, SensitivityOf, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness,
 };
-use dolmen_formats::figures;
-use dolmen_formats::json::identification_json;
-use dolmen_formats::project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
-use dolmen_formats::text::identification_text;
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 use std::time::Duration;

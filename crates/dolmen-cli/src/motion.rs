@@ -4,10 +4,10 @@ use crate::cli::Motion as Options;
 use crate::files;
 use anyhow::{Context as _, Result, bail};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
-use dolmen_formats::motions::{Lengths, MotionOptions, StatedPeak, read_motion, read_oriented};
-use dolmen_formats::project::{MotionPart, MotionSize, MotionSource, Project, Structure};
-use dolmen_formats::records::Unit;
-use dolmen_formats::simulation::MotionAnswer;
+use dolmen_project::{MotionPart, MotionSize, MotionSource, Project, Structure};
+use dolmen_records::motions::{Lengths, MotionOptions, StatedPeak, read_motion, read_oriented};
+use dolmen_records::records::Unit;
+use dolmen_work::simulation::MotionAnswer;
 use std::path::{Path, PathBuf};
 
 /// The motions that the command carries with it: name, file as it is called in `data/`, and its bytes.

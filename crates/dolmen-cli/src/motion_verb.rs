@@ -11,13 +11,12 @@ use dolmen::signal::{
     Component, GroundMotion, Noise, PulseShape, SpectrumMatch, SpectrumMisfit, intensity_measures,
     match_spectrum, noise_motion, pulse, response_spectrum,
 };
-use dolmen_formats::Language;
-use dolmen_formats::figures::motion_figures;
-use dolmen_formats::json::motion_report_json;
-use dolmen_formats::motions::{
-    MatchAnswer, MotionReport, MotionSeries, motion_at2, motion_csv, read_channels,
-};
-use dolmen_formats::text::motion_report_text;
+use dolmen_records::motions::{motion_at2, motion_csv, read_channels};
+use dolmen_report::figures::motion_figures;
+use dolmen_report::json::motion_report_json;
+use dolmen_report::text::motion_report_text;
+use dolmen_words::Language;
+use dolmen_work::motion::{MatchAnswer, MotionReport, MotionSeries};
 use std::path::Path;
 
 /// Periods of a spectrum: so many, evenly spaced in their logarithm, s. Chosen here.

@@ -6,10 +6,8 @@ use dolmen::signal::{
     Channel, ChannelFault, Join, Processing, Record, SignalError, Trend, band_pass, cut, decimate, detrend,
     inspect, low_pass,
 };
-use dolmen_formats::project::{
-    ChannelSource, Column, Conditioning, Files, Project, RecordSource, parse_project_with,
-};
-use dolmen_formats::records::{
+use dolmen_project::{ChannelSource, Column, Conditioning, Files, Project, RecordSource, parse_project_with};
+use dolmen_records::records::{
     self, Delimiter, Pick, Reading, RecordOptions, Station, TimeColumn, Unit, join_stations, read_record,
 };
 use std::path::{Path, PathBuf};

@@ -5,15 +5,15 @@ use crate::simulate::language;
 use crate::{Outcome, files, open, score, study};
 use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{Hazard, ScoreModel, Unlike};
-use dolmen_formats::figures::ranking;
-use dolmen_formats::json::rank_json;
-use dolmen_formats::portfolio::{
+use dolmen_report::figures::ranking;
+use dolmen_report::html::{Imprint, ranking_html};
+use dolmen_report::json::rank_json;
+use dolmen_report::text::rank_text;
+use dolmen_work::portfolio::{
     LeftOut, PortfolioAnswer, PortfolioEntry, PortfolioRow, PortfolioTable, RowSource, of_score, of_study,
     ranking_columns, read_portfolio,
 };
-use dolmen_formats::report::{Imprint, ranking_html};
-use dolmen_formats::study::table_csv;
-use dolmen_formats::text::rank_text;
+use dolmen_work::study::table_csv;
 use rayon::prelude::*;
 use std::path::Path;
 

@@ -11,11 +11,11 @@ use anyhow::{Result, bail};
 use dolmen::dynamics::ChainRotations;
 use dolmen::stability::Verdict;
 use dolmen::structure::{Choice, Convention};
-use dolmen_formats::answer::Answer;
-use dolmen_formats::change::{change_of, surveys_to_compare};
-use dolmen_formats::project::{Names, Project, Structure};
-use dolmen_formats::report::{Imprint, NotReported, html};
-use dolmen_formats::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
+use dolmen_project::{Names, Project, Structure};
+use dolmen_report::html::{Imprint, NotReported, html};
+use dolmen_work::answer::Answer;
+use dolmen_work::change::{change_of, surveys_to_compare};
+use dolmen_work::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
 use std::path::{Path, PathBuf};
 
 /// Samples of the demo: enough for a figure, few enough for a blink.

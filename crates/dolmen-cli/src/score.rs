@@ -4,10 +4,10 @@ use crate::cli_portfolio::Score as Options;
 use crate::{Outcome, files, open, study};
 use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{ScoreModel, SixFactors, Unlike, unlike_trained};
-use dolmen_formats::json::{score_json, score_quality_json};
-use dolmen_formats::project::{Project, Quantity, Structure};
-use dolmen_formats::score::{ScoreAnswer, ScoreDesigns, ScoreQuality, unlike_words};
-use dolmen_formats::text::{score_quality_text, score_text};
+use dolmen_project::{Project, Quantity, Structure};
+use dolmen_report::json::{score_json, score_quality_json};
+use dolmen_report::text::{score_quality_text, score_text};
+use dolmen_work::score::{ScoreAnswer, ScoreDesigns, ScoreQuality, unlike_words};
 use rayon::prelude::*;
 use std::path::Path;
 

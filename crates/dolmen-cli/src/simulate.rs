@@ -10,15 +10,15 @@ use dolmen::blocks::{
 use dolmen::signal::GroundMotion;
 use dolmen::stability::stack::{StackLimitStates, StackLimits, stack_limits};
 use dolmen::structure::stack::Stack;
-use dolmen_formats::Language;
-use dolmen_formats::figures;
-use dolmen_formats::json::simulation_json;
-use dolmen_formats::meshes::{
+use dolmen_project::{Names, Project, Quantity, Structure};
+use dolmen_records::meshes::{
     BlockPose, SeriesFile, series_pvd, stack_3dec, stack_json, stack_obj, stack_vtu,
 };
-use dolmen_formats::project::{Names, Project, Quantity, Structure};
-use dolmen_formats::simulation::{MotionAnswer, Simulation, energy_csv, joints_csv, poses_csv, stack_film};
-use dolmen_formats::text::{simulation_inputs_text, simulation_text};
+use dolmen_report::figures;
+use dolmen_report::json::simulation_json;
+use dolmen_report::text::{simulation_inputs_text, simulation_text};
+use dolmen_words::Language;
+use dolmen_work::simulation::{MotionAnswer, Simulation, energy_csv, joints_csv, poses_csv, stack_film};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::Path;
 use std::sync::OnceLock;

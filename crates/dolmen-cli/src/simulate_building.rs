@@ -10,14 +10,14 @@ use dolmen::dynamics::{
 };
 use dolmen::signal::GroundMotion;
 use dolmen::structure::building::PlanDirection;
-use dolmen_formats::Language;
-use dolmen_formats::figures::building_histories;
-use dolmen_formats::json::building_simulation_json;
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Names, Project, Quantity};
-use dolmen_formats::simulation::{
+use dolmen_project::{BuildingPart, BuiltDamper, Names, Project, Quantity};
+use dolmen_report::figures::building_histories;
+use dolmen_report::json::building_simulation_json;
+use dolmen_report::text::building_simulation_text;
+use dolmen_words::Language;
+use dolmen_work::simulation::{
     BuildingSimulation, MotionAnswer, WatchedPoint, building_histories_csv, building_peaks_csv,
 };
-use dolmen_formats::text::building_simulation_text;
 use std::path::Path;
 
 /// The wish of a user, as far as it concerns buildings.

@@ -6,15 +6,15 @@ use crate::simulate_frame::horizontal;
 use crate::{Outcome, files};
 use anyhow::{Context as _, Result, bail};
 use dolmen::dynamics::{ChainRotations, ChainRun, TimeFunction, chain_growth, simulate_chain};
-use dolmen_formats::Language;
-use dolmen_formats::figures::chain_histories;
-use dolmen_formats::json::chain_simulation_json;
-use dolmen_formats::project::{ChainPart, Names, Project, Quantity, parse_angle_rad};
-use dolmen_formats::simulation::{
+use dolmen_project::{ChainPart, Names, Project, Quantity, parse_angle_rad};
+use dolmen_report::figures::chain_histories;
+use dolmen_report::json::chain_simulation_json;
+use dolmen_report::text::chain_simulation_text;
+use dolmen_words::Language;
+use dolmen_work::simulation::{
     ChainSimulation, MotionAnswer, chain_energy_csv, chain_histories_csv, chain_slips_csv, chain_uplifts_csv,
 };
-use dolmen_formats::study::SWING_REST_S;
-use dolmen_formats::text::chain_simulation_text;
+use dolmen_work::study::SWING_REST_S;
 use std::path::Path;
 
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.

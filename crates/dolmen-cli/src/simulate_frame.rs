@@ -6,15 +6,15 @@ use crate::{Outcome, files};
 use anyhow::{Result, bail};
 use dolmen::dynamics::{FrameLoad, FrameRun, TimeFunction, simulate_frame};
 use dolmen::signal::Component;
-use dolmen_formats::Language;
-use dolmen_formats::figures::frame_histories;
-use dolmen_formats::json::frame_simulation_json;
-use dolmen_formats::project::{FramePart, Names, Project, Quantity};
-use dolmen_formats::simulation::{
+use dolmen_project::{FramePart, Names, Project, Quantity};
+use dolmen_report::figures::frame_histories;
+use dolmen_report::json::frame_simulation_json;
+use dolmen_report::text::frame_simulation_text;
+use dolmen_words::Language;
+use dolmen_work::simulation::{
     FrameSimulation, MotionAnswer, frame_energy_csv, frame_histories_csv, frame_slips_csv,
 };
-use dolmen_formats::study::SWING_REST_S;
-use dolmen_formats::text::frame_simulation_text;
+use dolmen_work::study::SWING_REST_S;
 use std::path::Path;
 
 /// The wish of a user, as far as it concerns frames.

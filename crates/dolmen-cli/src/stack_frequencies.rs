@@ -6,8 +6,8 @@ use dolmen::assess::StackCheck;
 use dolmen::blocks::{ContactRule, calibrate_springs, first_sway, stack_modes};
 use dolmen::stability::Verdict;
 use dolmen::structure::stack::Stack;
-use dolmen_formats::answer::{SpringFit, StackAnswer, StackFrequencies};
-use dolmen_formats::project::Survey;
+use dolmen_project::Survey;
+use dolmen_work::answer::{SpringFit, StackAnswer, StackFrequencies};
 
 /// How a joint is made of springs: exact for small motion of faces that stay closed.
 const RULE: ContactRule = ContactRule::Four;

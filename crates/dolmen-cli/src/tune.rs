@@ -12,11 +12,11 @@ use dolmen::damper::{
 };
 use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum, VibratingBuilding};
 use dolmen::structure::building::{Building, PlanDirection};
-use dolmen_formats::figures::tune_figures;
-use dolmen_formats::json::{together_json, tune_json};
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
-use dolmen_formats::text::{together_text, tune_text};
-use dolmen_formats::tune::{RoomCheck, TogetherAnswer, TuneAnswer, TuneLoad, TunePoint};
+use dolmen_project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
+use dolmen_report::figures::tune_figures;
+use dolmen_report::json::{together_json, tune_json};
+use dolmen_report::text::{together_text, tune_text};
+use dolmen_work::tune::{RoomCheck, TogetherAnswer, TuneAnswer, TuneLoad, TunePoint};
 use std::f64::consts::TAU;
 use std::path::Path;
 

@@ -4,8 +4,8 @@ use crate::{building, motion, simulate_building, tune};
 use anyhow::{Context as _, Result};
 use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding};
 use dolmen::signal::GroundMotion;
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Project, strokes_of};
-use dolmen_formats::tune::{RoomCheck, RowStroke};
+use dolmen_project::{BuildingPart, BuiltDamper, Project, strokes_of};
+use dolmen_work::tune::{RoomCheck, RowStroke};
 use std::path::Path;
 
 /// Longest step between samples of a motion, s.

@@ -10,8 +10,8 @@ use dolmen::damper::{
 };
 use dolmen::structure::Building;
 use dolmen::structure::building::PlanDirection;
-use dolmen_formats::project::{BuiltDamper, Project, Quantity};
-use dolmen_formats::tune::{TogetherAnswer, TogetherChoice, TogetherRow, TunePoint};
+use dolmen_project::{BuiltDamper, Project, Quantity};
+use dolmen_work::tune::{TogetherAnswer, TogetherChoice, TogetherRow, TunePoint};
 use std::path::Path;
 
 /// Steps of the search for places of several dampers. Chosen here: enough for four.

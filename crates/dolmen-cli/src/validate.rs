@@ -4,9 +4,9 @@ use crate::{Outcome, files, new, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::modal::{Identify, Mode, identify};
 use dolmen::validation::{Case, cases};
-use dolmen_formats::number::TWO_SIDED_95;
-use dolmen_formats::project::parse_project;
-use dolmen_formats::text::validation_text;
+use dolmen_project::parse_project;
+use dolmen_report::text::validation_text;
+use dolmen_words::number::TWO_SIDED_95;
 use serde_json::json;
 use std::time::Instant;
 

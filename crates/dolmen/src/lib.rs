@@ -6,8 +6,8 @@
 //! signal::Record → modal::Modes → structure::{Chain, Frame, stack::Stack} → stability → blocks → assess
 //! ```
 //!
-//! Everything here is a pure function of its arguments, in SI units: no file, clock, print or log. The crate
-//! `dolmen-formats` turns bytes into these values and back; the command `dolmen` opens the files.
+//! Everything here is a pure function of its arguments, in SI units: no file, clock, print or log; the
+//! crates above it turn bytes into these values and answers into pages; the command `dolmen` opens the files.
 
 pub mod assess;
 pub mod blocks;

@@ -6,8 +6,8 @@ use dolmen::dynamics::{
     BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
 };
 use dolmen::signal::GroundMotion;
-use dolmen_formats::project::{BuildingPart, BuiltDamper, Pick, StudyPart, strokes_of};
-use dolmen_formats::study::{Run, RunOutcome};
+use dolmen_project::{BuildingPart, BuiltDamper, Pick, StudyPart, strokes_of};
+use dolmen_work::study::{Run, RunOutcome};
 
 /// Longest step between samples of a motion, s: that of `dolmen simulate`.
 const STEP_S: f64 = 0.01;

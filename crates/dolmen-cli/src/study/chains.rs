@@ -4,8 +4,8 @@ use super::motions::acting_component;
 use crate::simulate;
 use dolmen::dynamics::{ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain};
 use dolmen::signal::GroundMotion;
-use dolmen_formats::project::{ChainPart, Pick, StudyPart};
-use dolmen_formats::study::{Run, RunOutcome, SWING_REST_S};
+use dolmen_project::{ChainPart, Pick, StudyPart};
+use dolmen_work::study::{Run, RunOutcome, SWING_REST_S};
 
 /// Time between the samples that a run is judged by, s.
 const SAMPLE_S: f64 = 0.02;

@@ -3,10 +3,10 @@
 use super::plan::Plan;
 use crate::files;
 use anyhow::{Context as _, Result, bail};
-use dolmen_formats::Language;
-use dolmen_formats::figures::study_figures;
-use dolmen_formats::json::study_json;
-use dolmen_formats::study::{
+use dolmen_report::figures::study_figures;
+use dolmen_report::json::study_json;
+use dolmen_words::Language;
+use dolmen_work::study::{
     Column, Journal, JournalHeader, Run, StudyAnswer, StudyKind, capacity_columns, fragility_columns,
     harmonic_columns, header_line, joint_columns, parquet, read_journal, release_columns, run_columns,
     run_line, table_csv,

@@ -4,8 +4,8 @@ use super::motions::acting_component;
 use crate::simulate;
 use dolmen::dynamics::{FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, simulate_frame};
 use dolmen::signal::GroundMotion;
-use dolmen_formats::project::{FramePart, Pick, StudyPart};
-use dolmen_formats::study::{Run, RunOutcome, SWING_REST_S};
+use dolmen_project::{FramePart, Pick, StudyPart};
+use dolmen_work::study::{Run, RunOutcome, SWING_REST_S};
 
 /// A frame in the direction that is shaken.
 pub(super) struct FrameModel {

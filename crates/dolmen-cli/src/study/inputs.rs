@@ -2,8 +2,8 @@
 
 use anyhow::Result;
 use dolmen::numeric::Random;
-use dolmen_formats::project::{Override, Project, Quantity, StudyPart};
-use dolmen_formats::study::{CaseInputs, InputColumn};
+use dolmen_project::{Override, Project, Quantity, StudyPart};
+use dolmen_work::study::{CaseInputs, InputColumn};
 use std::collections::BTreeMap;
 
 /// Values drawn for one sample, by path.

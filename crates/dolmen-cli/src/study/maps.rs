@@ -8,7 +8,7 @@ use anyhow::{Result, bail};
 use dolmen::dynamics::{
     DynamicsError, HarmonicPoint, amplitude_dependence, chain_harmonic_map, harmonic_map,
 };
-use dolmen_formats::study::ResponseMaps;
+use dolmen_work::study::ResponseMaps;
 use rayon::prelude::*;
 
 /// Maps and releases of every case that can be, in their order.

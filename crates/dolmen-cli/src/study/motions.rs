@@ -6,8 +6,8 @@ use dolmen::signal::{
     Component, GroundMotion, Noise, SignalError, SpectralOrdinate, noise_motion, peak_velocity_m_s,
     response_spectrum,
 };
-use dolmen_formats::project::{Project, StudyPart};
-use dolmen_formats::study::fingerprint;
+use dolmen_project::{Project, StudyPart};
+use dolmen_work::study::fingerprint;
 use std::path::Path;
 
 /// What motions that are made are called, before their number.

@@ -6,10 +6,10 @@ use crate::{files, open};
 use anyhow::{Context as _, Result, bail};
 use dolmen::assess::{RockingScale, rocking_scale};
 use dolmen::stability::stack::{StackLimits, stack_limits};
-use dolmen_formats::project::{
+use dolmen_project::{
     Files, Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
 };
-use dolmen_formats::study::{
+use dolmen_work::study::{
     CaseInputs, Fitted, InputColumn, JournalHeader, Run, ShakingScales, StudyAnswer, StudyKind, fingerprint,
 };
 use rayon::prelude::*;

@@ -8,8 +8,8 @@ use dolmen::blocks::{
 };
 use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Joint, Stack};
-use dolmen_formats::project::{LawPart, StudyPart};
-use dolmen_formats::study::{Run, RunOutcome};
+use dolmen_project::{LawPart, StudyPart};
+use dolmen_work::study::{Run, RunOutcome};
 
 /// Runs a batch; `each` gets the place of a run in it and its history, in the order in which they end. Each is the same
 /// in any batch. Ctrl-C stops those that are under way. On springs they go side by side; under the rigid law, which takes its points and

@@ -20,11 +20,37 @@ const CHAPTERS: [&str; 11] = [
     "validation",
 ];
 /// Crates, lowest first, with the crates each may name.
-const CRATES: [(&str, &[&str]); 4] = [
+const CRATES: [(&str, &[&str]); 8] = [
     ("dolmen-linalg", &[]),
     ("dolmen", &["dolmen-linalg"]),
-    ("dolmen-formats", &["dolmen", "dolmen-linalg"]),
-    ("dolmen-cli", &["dolmen", "dolmen-formats"]),
+    ("dolmen-words", &["dolmen"]),
+    ("dolmen-records", &["dolmen", "dolmen-words"]),
+    ("dolmen-project", &["dolmen", "dolmen-words", "dolmen-records"]),
+    (
+        "dolmen-work",
+        &["dolmen", "dolmen-words", "dolmen-records", "dolmen-project"],
+    ),
+    (
+        "dolmen-report",
+        &[
+            "dolmen",
+            "dolmen-words",
+            "dolmen-records",
+            "dolmen-project",
+            "dolmen-work",
+        ],
+    ),
+    (
+        "dolmen-cli",
+        &[
+            "dolmen",
+            "dolmen-words",
+            "dolmen-records",
+            "dolmen-project",
+            "dolmen-work",
+            "dolmen-report",
+        ],
+    ),
 ];
 /// Lines a file may have before its `#[cfg(test)]` module: one sitting.
 const LINES_MOST: usize = 550;

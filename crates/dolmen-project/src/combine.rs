@@ -1,0 +1,268 @@
+//! One run of a study: the file with a variant and some values laid over it, read again by the ordinary reader.
+
+use super::check::Node;
+use super::content::Project;
+use super::error::{Fault, ProjectError};
+use super::files::Files;
+use super::merge::merge;
+use super::read::{of_toml, read_one, value_starts};
+use super::study::Override;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::fmt::Write as _;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Reads a project file with a variant and then `overrides` laid over it, in this order; the result has no variants and no studies.
+///
+/// # Errors
+/// [`ProjectError`] with every problem found: those of values laid over it stand at the place of the study that writes them.
+///
+/// # Example
+/// ```
+/// use dolmen_project::{Files, Structure, parse_combination, parse_project};
+/// let text = r#"
+/// schema = 1
+/// kind = "stack"
+/// name = "Pagoda"
+/// density = 2600
+/// pagoda = { storeys = 3, body_height = 3.0 }
+/// [study.height]
+/// vary = { "pagoda.storeys" = [3, 5, 14] }
+/// motions = ["el-centro-1940-ns"]
+/// scale = [1]
+/// "#;
+/// let study = &parse_project(text, "p.toml")?.studies[0];
+/// let (variant, values) = study.combination(1);
+/// let changed = parse_combination(text, "p.toml", &Files::none(), variant, &values)?;
+/// let Structure::Stack(stack) = &changed.structure else { unreachable!() };
+/// assert_eq!(stack.pagoda.as_ref().map(|pagoda| pagoda.storeys), Some(5));
+/// let (variant, values) = study.combination(2);
+/// let refused = parse_combination(text, "p.toml", &Files::none(), variant, &values).unwrap_err();
+/// assert!(refused.to_string().contains("must be 1 to 13") && refused.problems[0].line == 8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn parse_combination(
+    text: &str,
+    file: &str,
+    files: &Files,
+    variant: Option<&str>,
+    overrides: &[&Override],
+) -> Result<Project, ProjectError> {
+    combined(text, files, variant, overrides).map_err(|mut faults| {
+        faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
+        faults.dedup();
+        ProjectError {
+            file: file.to_owned(),
+            problems: faults.into_iter().map(|fault| fault.locate(text)).collect(),
+        }
+    })
+}
+
+fn combined(
+    text: &str,
+    files: &Files,
+    variant: Option<&str>,
+    overrides: &[&Override],
+) -> Result<Project, Vec<Fault>> {
+    let (root, syntax) = DeTable::parse_recoverable(text);
+    if !syntax.is_empty() {
+        return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
+    }
+    let span = root.span();
+    let mut root = root.into_inner();
+    root.remove("study");
+    let variants = root.remove("variant");
+    let mut starts = BTreeSet::new();
+    for value in root.iter().map(|(_, value)| value) {
+        value_starts(value, &mut starts);
+    }
+    let mut faults = Vec::new();
+    if let Some(name) = variant {
+        let table = variants
+            .as_ref()
+            .and_then(|all| all.get_ref().as_table()?.get(name));
+        match table.and_then(|table| table.get_ref().as_table()) {
+            Some(patch) => {
+                let mut patch = patch.clone();
+                patch.remove("title");
+                faults.extend(merge(&mut root, &patch, ""));
+            }
+            None => faults.push(Fault::new(
+                0..0,
+                "variant",
+                format!("there is no variant \"{name}\""),
+            )),
+        }
+    }
+    for given in overrides {
+        match patch(given) {
+            Some(patch) => faults.extend(merge(&mut root, &patch, "")),
+            None => faults.push(not_a_path(given)),
+        }
+    }
+    match read_one((text, files), (&mut root, &span), Some(starts), &mut faults) {
+        Some(project) if faults.is_empty() => Ok(project),
+        _ => Err(faults),
+    }
+}
+
+fn not_a_path(given: &Override) -> Fault {
+    let message = format!(
+        "\"{}\" is no path of a value, or {} no value",
+        given.path, given.text
+    );
+    Fault::new(given.span.clone(), &given.path, message).help("write it as joint.friction or links[2].weight")
+}
+
+/// The value of an override at the end of its path, as a table to lay over the file; every part stands where the study writes it.
+fn patch<'i>(given: &'i Override) -> Option<DeTable<'i>> {
+    let mut value = DeValue::parse(&given.text).ok()?;
+    place(&mut value, &given.span);
+    let mut keys = keys(&given.path)?;
+    let first = keys.remove(0);
+    let at = |value: DeValue<'i>| Spanned::new(given.span.clone(), value);
+    let key = |name: &'i str| Spanned::new(given.span.clone(), Cow::Borrowed(name));
+    let mut inner = value;
+    for name in keys.into_iter().rev() {
+        let mut table = DeTable::new();
+        table.insert(key(name), inner);
+        inner = at(DeValue::Table(table));
+    }
+    let mut table = DeTable::new();
+    table.insert(key(first), inner);
+    Some(table)
+}
+
+/// The parts of `links[2].weight`: links, 2, weight; `None` if it is no path.
+pub(super) fn keys(path: &str) -> Option<Vec<&str>> {
+    let mut keys = Vec::new();
+    for part in path.split('.') {
+        let (name, mut rest) = part.split_at(part.find('[').unwrap_or(part.len()));
+        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
+        if name.is_empty() || !name.chars().all(is_word) {
+            return None;
+        }
+        keys.push(name);
+        while !rest.is_empty() {
+            let (number, behind) = rest.strip_prefix('[')?.split_once(']')?;
+            if number.is_empty() || !number.bytes().all(|b| b.is_ascii_digit()) {
+                return None;
+            }
+            keys.push(number);
+            rest = behind;
+        }
+    }
+    Some(keys)
+}
+
+fn place(node: &mut Node<'_>, span: &Range<usize>) {
+    let mut value = std::mem::replace(node.get_mut(), DeValue::Boolean(false));
+    match &mut value {
+        DeValue::Array(list) => list.iter_mut().for_each(|value| place(value, span)),
+        DeValue::Table(table) => table.iter_mut().for_each(|(_, value)| place(value, span)),
+        _ => {}
+    }
+    *node = Spanned::new(span.clone(), value);
+}
+
+/// Keys of a study that decide no run, only what is made of the runs.
+const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spectral_damping_ratio"];
+
+/// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, other studies, and what only
+/// says what is made of the runs.
+///
+/// # Errors
+/// [`ProjectError`] if it is no TOML.
+///
+/// # Example
+/// ```
+/// use dolmen_project::canonical_text;
+/// let of = |text: &str| canonical_text(text, "p.toml", "a");
+/// let first = of("x = 1 # one\n[study.a]\ny = [2]\n[study.b]\nz = 3\n")?;
+/// assert_eq!(first, of("# again\nx = 1\n[study.a]\ny = [ 2 ]\n")?);
+/// assert_eq!(first, of("x = 1\n[study.a]\ny = [2]\ntitle = 'A'\n")?);
+/// assert_ne!(first, of("x = 1\n[study.a]\ny = [3]\n")?);
+/// # Ok::<(), dolmen_project::ProjectError>(())
+/// ```
+pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, ProjectError> {
+    let (root, syntax) = DeTable::parse_recoverable(text);
+    if !syntax.is_empty() {
+        return Err(ProjectError {
+            file: file.to_owned(),
+            problems: syntax
+                .iter()
+                .map(|error| of_toml(error, text).locate(text))
+                .collect(),
+        });
+    }
+    let mut root = root.into_inner();
+    root.remove("survey");
+    let mut out = String::new();
+    let mut studies = root.remove("study");
+    table_text(&root, &mut out);
+    let own = match studies.as_mut().map(Spanned::get_mut) {
+        Some(DeValue::Table(all)) => all.get_mut(study),
+        _ => None,
+    };
+    if let Some(DeValue::Table(own)) = own.map(Spanned::get_mut) {
+        for key in OF_THE_ANSWER {
+            own.remove(key);
+        }
+        table_text(own, &mut out);
+    }
+    Ok(out)
+}
+
+fn table_text(table: &DeTable<'_>, out: &mut String) {
+    let mut keys: Vec<_> = table.iter().collect();
+    keys.sort_by(|a, b| a.0.get_ref().cmp(b.0.get_ref()));
+    for (key, value) in keys {
+        let _ = write!(out, "{:?}=", key.get_ref()); // into a String: cannot fail
+        value_text(value.get_ref(), out);
+        out.push('\n');
+    }
+}
+
+fn value_text(value: &DeValue<'_>, out: &mut String) {
+    let _ = match value {
+        DeValue::String(text) => write!(out, "{text:?}"),
+        DeValue::Integer(number) => write!(out, "{number}"),
+        DeValue::Float(number) => write!(out, "{number}"),
+        DeValue::Boolean(is) => write!(out, "{is}"),
+        DeValue::Datetime(date) => write!(out, "{date}"),
+        DeValue::Array(list) => {
+            out.push('[');
+            for value in list.iter() {
+                value_text(value.get_ref(), out);
+                out.push(',');
+            }
+            out.push(']');
+            Ok(())
+        }
+        DeValue::Table(table) => {
+            out.push('{');
+            table_text(table, out);
+            out.push('}');
+            Ok(())
+        }
+    }; // into a String: cannot fail
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_paths() {
+        assert_eq!(keys("links[2].weight").unwrap(), ["links", "2", "weight"]);
+        assert_eq!(
+            keys("direction.weak.stiffness[1]").unwrap(),
+            ["direction", "weak", "stiffness", "1"]
+        );
+        for wrong in ["", ".a", "a.", "a[", "a[x]", "a[]b", "a b", "a[1]b"] {
+            assert!(keys(wrong).is_none(), "{wrong}");
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! A project: everything one file says, checked.
+
+use super::building::BuildingPart;
+use super::chain::ChainPart;
+use super::frame::FramePart;
+use super::quantity::Quantity;
+use super::site::{MotionPart, SitePart};
+use super::stack::StackPart;
+use super::study::StudyPart;
+use super::survey::{ChangePart, Survey};
+
+/// A name in one or both languages; at least one is given.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Names {
+    /// English.
+    pub en: Option<String>,
+    /// Korean.
+    pub ko: Option<String>,
+}
+
+impl Names {
+    /// The English name, or the Korean one if there is no other.
+    pub fn english(&self) -> &str {
+        let names = self.en.as_deref().or(self.ko.as_deref());
+        names.unwrap_or_default()
+    }
+
+    /// The Korean name, or the English one if there is no other.
+    pub fn korean(&self) -> &str {
+        let names = self.ko.as_deref().or(self.en.as_deref());
+        names.unwrap_or_default()
+    }
+}
+
+/// What the file models: its `kind`.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Structure {
+    /// `kind = "chain"`: rigid links on rotational springs.
+    Chain(ChainPart),
+    /// `kind = "frame"`: rigid storeys on lateral springs.
+    Frame(FramePart),
+    /// `kind = "stack"`: blocks of stone on each other.
+    Stack(Box<StackPart>),
+    /// `kind = "building"`: rigid floors on walls that sway and twist.
+    Building(Box<BuildingPart>),
+    /// `kind = "survey"`: measured but not modelled.
+    Survey,
+}
+
+/// What a warning is about.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WarningKind {
+    /// The top part is left out of a chain: unconservative.
+    CapLeftOut,
+    /// Values marked as assumed.
+    Assumed,
+    /// A moment of inertia not given, taken as that of a thin rod.
+    ThinRod,
+    /// Axial forces not given, taken from the masses.
+    AxialFromMasses,
+    /// Values of the joints of a stack that are not given: Dolmen's own are taken.
+    JointDefaults,
+    /// A probable slip that `allow` lets pass.
+    Allowed,
+    /// An entry of `allow` that nothing needed.
+    AllowedInVain,
+}
+
+/// Something that does not stop the reading, but that every result carries.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Warning {
+    /// What it is about.
+    pub kind: WarningKind,
+    /// Line in the file, from 1.
+    pub line: usize,
+    /// Where in the file: `links[2].weight`.
+    pub path: String,
+    /// A sentence for the reader.
+    pub message: String,
+}
+
+/// The same structure with parts of the file replaced: `[variant.NAME]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Variant {
+    /// The table's name.
+    pub name: String,
+    /// A longer name, if given.
+    pub title: Option<Names>,
+    /// The whole merged project; it has no variants of its own.
+    pub project: Project,
+}
+
+/// One project file, checked: every number in SI.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Project {
+    /// Version of the file format.
+    pub schema: u32,
+    /// Name of the structure.
+    pub name: Names,
+    /// What it is, in a sentence or two.
+    pub description: Option<String>,
+    /// Where the numbers come from.
+    pub source: Option<String>,
+    /// Acceleration of gravity, m/s².
+    pub gravity_m_s2: f64,
+    /// The model.
+    pub structure: Structure,
+    /// Where it stands and by what it is judged; `None` if the file does not say.
+    pub site: Option<SitePart>,
+    /// Motions of the ground in the order of the file.
+    pub motions: Vec<MotionPart>,
+    /// Studies in the order of the file.
+    pub studies: Vec<StudyPart>,
+    /// Surveys in the order of the file.
+    pub surveys: Vec<Survey>,
+    /// How two surveys are compared.
+    pub change: ChangePart,
+    /// Variants in the order of the file.
+    pub variants: Vec<Variant>,
+    /// What every result must carry along.
+    pub warnings: Vec<Warning>,
+}
+
+impl Project {
+    /// Every number of the file that a result may depend on: the structure's, then the surveys'.
+    pub fn inputs(&self) -> Vec<&Quantity> {
+        let mut all = self.structure_inputs();
+        for survey in &self.surveys {
+            survey.inputs(&mut all);
+        }
+        all
+    }
+
+    /// The structure's own numbers: weights, lengths, stiffnesses.
+    pub fn structure_inputs(&self) -> Vec<&Quantity> {
+        let mut all = Vec::new();
+        match &self.structure {
+            Structure::Chain(chain) => chain.inputs(&mut all),
+            Structure::Frame(frame) => frame.inputs(&mut all),
+            Structure::Stack(stack) => stack.inputs(&mut all),
+            Structure::Building(building) => building.inputs(&mut all),
+            Structure::Survey => {}
+        }
+        all
+    }
+
+    /// The input at a path, `links[1].weight`.
+    pub fn input(&self, path: &str) -> Option<&Quantity> {
+        self.inputs().into_iter().find(|quantity| quantity.path == path)
+    }
+}

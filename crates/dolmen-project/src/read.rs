@@ -1,0 +1,480 @@
+//! From the text of a project file to a [`Project`]: parse, check against the schema, read, judge, then the variants.
+
+use super::check::SchemaCheck;
+use super::content::{Project, Structure, Variant, WarningKind};
+use super::error::{Fault, ProjectError};
+use super::file::{FileRaw, KindRaw, NamesRaw};
+use super::file_number::At;
+use super::files::Files;
+use super::foreign::foreign_keys;
+use super::measure::{Bound, Measure};
+use super::merge::merge;
+use super::quantity::Quantity;
+use super::read_building::{buildable as building_buildable, building};
+use super::read_motion::motions;
+use super::read_site::site;
+use super::read_stack::stack;
+use super::read_structure::{chain, frame};
+use super::read_study::studies;
+use super::read_survey::{change, surveys};
+use super::reader::{Reader, names};
+use super::schema::{SCHEMA_VERSION, kind_word};
+use super::schema_tree::{BUILT, TREE};
+use super::slips;
+use super::units::STANDARD_GRAVITY_M_S2;
+use dolmen::structure::StructureError;
+use serde::Deserialize;
+use std::borrow::Cow;
+use std::collections::BTreeSet;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Keys that hold for the whole file: a variant cannot change them.
+const KEYS_OF_THE_FILE: [&str; 6] = ["schema", "kind", "units", "variant", "study", "change"];
+
+/// Paths that one warning names, our choice: more are counted.
+const PATHS_LISTED: usize = 12;
+
+/// Reads a project file. `file` is its name, for messages only.
+///
+/// # Errors
+/// [`ProjectError`] with every problem found, each with its line, column, and where possible what is allowed and
+/// what to do.
+///
+/// # Example
+/// ```
+/// use dolmen_project::{Quantity, Structure, parse_project};
+/// let text = r#"
+/// schema = 1
+/// kind = "chain"
+/// name = "Two stones"
+/// units = { force = "kN" }
+/// links = [
+///   { weight = 20, length = 2.0, centroid = 0.9 },
+///   { weight = "15 kN", length = "1800 mm", centroid = { value = 0.8, cov = 0.05, source = "assumed" } },
+/// ]
+/// joints = "unknown"
+/// "#;
+/// let project = parse_project(text, "stones.toml")?;
+/// let Structure::Chain(chain) = &project.structure else { unreachable!() };
+/// let chain = chain.build(&mut Quantity::nominal).unwrap();
+/// assert_eq!(chain.links()[1].length_m, 1.8);
+/// assert_eq!(project.input("links[2].centroid").and_then(|q| q.cov), Some(0.05));
+///
+/// let mistake = text.replace("0.9", "9.0");
+/// let fault = parse_project(&mistake, "stones.toml").unwrap_err();
+/// assert_eq!(fault.problems[0].message, "links[1].centroid = 9 m lies above the link's top");
+/// # Ok::<(), dolmen_project::ProjectError>(())
+/// ```
+pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {
+    parse_project_with(text, file, &Files::none())
+}
+
+/// Reads a project file that may name others: meshes of stones, tables of spectra. `files` gives their bytes.
+///
+/// # Errors
+/// As [`parse_project`]; what is wrong in a file is said at the key that names it.
+pub fn parse_project_with(text: &str, file: &str, files: &Files) -> Result<Project, ProjectError> {
+    read(text, files).map_err(|mut faults| {
+        faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
+        faults.dedup();
+        ProjectError {
+            file: file.to_owned(),
+            problems: faults.into_iter().map(|fault| fault.locate(text)).collect(),
+        }
+    })
+}
+
+fn read(text: &str, files: &Files) -> Result<Project, Vec<Fault>> {
+    let (root, syntax) = DeTable::parse_recoverable(text);
+    if !syntax.is_empty() {
+        return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
+    }
+    let span = root.span();
+    let mut root = root.into_inner();
+    version(&root)?;
+    let variants = root.remove("variant");
+    let mut base = root.clone();
+    root.remove("study"); // of the file as a whole
+    let mut faults = Vec::new();
+    let project = read_one((text, files), (&mut base, &span), None, &mut faults);
+    let mut read_variants = Vec::new();
+    if let Some(variants) = variants {
+        let DeValue::Table(table) = variants.get_ref() else {
+            let fault = Fault::new(variants.span(), "variant", "variant is not a table");
+            faults.push(
+                fault
+                    .allowed("must be a table")
+                    .help("write [variant.NAME] above what it changes"),
+            );
+            return Err(faults);
+        };
+        let mut listed: Vec<_> = table.iter().collect();
+        listed.sort_by_key(|(key, _)| key.span().start);
+        for (key, patch) in listed {
+            let name = key.get_ref().as_ref();
+            read_variants.extend(variant((text, files), name, patch, (&root, &span), &mut faults));
+        }
+    }
+    match project {
+        Some(mut project) if faults.is_empty() => {
+            project.variants = read_variants;
+            Ok(project)
+        }
+        _ => Err(faults),
+    }
+}
+
+/// A fault of TOML itself.
+pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
+    let span = error.span().unwrap_or(0..0);
+    let first = error.message().lines().next().unwrap_or_default();
+    let rest: Vec<&str> = error.message().lines().skip(1).collect();
+    let mut fault = Fault::new(span.clone(), "", format!("this is not TOML: {first}"));
+    if !rest.is_empty() {
+        fault = fault.allowed(rest.join(", "));
+    }
+    let bare_point = text.get(..span.start).and_then(|before| before.chars().last());
+    let at_point =
+        text.get(span.start..).is_some_and(|rest| rest.starts_with('.')) || bare_point == Some('.');
+    if first.contains("mantissa") && at_point {
+        fault = fault.help("a number begins with a digit: write 0.02, not .02");
+    }
+    if first.contains("duplicate key") {
+        let line = text.get(span).unwrap_or_default();
+        fault = fault.help(format!("\"{line}\" is given twice in the same table: keep one"));
+    }
+    fault
+}
+
+/// The version is looked at first: a newer file may differ in everything else.
+pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
+    let Some((given, span)) = root
+        .get("schema")
+        .and_then(|node| Some((node.get_ref().as_integer()?, node.span())))
+    else {
+        return Ok(());
+    };
+    let number = i64::from_str_radix(given.as_str(), given.radix()).ok();
+    if number == Some(SCHEMA_VERSION) {
+        return Ok(());
+    }
+    let fault = Fault::new(
+        span,
+        "schema",
+        format!("schema = {} is not known", given.as_str()),
+    );
+    let fault = fault.allowed(format!("must be {SCHEMA_VERSION}"));
+    let dolmen = env!("CARGO_PKG_VERSION");
+    let help = match number {
+        Some(number) if number > SCHEMA_VERSION => format!(
+            "the file is of a newer format: this is Dolmen {dolmen}, which reads schema {SCHEMA_VERSION}; get a Dolmen \
+             that reads schema {number}"
+        ),
+        _ => format!("Dolmen {dolmen} reads schema {SCHEMA_VERSION}: write schema = {SCHEMA_VERSION}"),
+    };
+    Err(vec![fault.help(help)])
+}
+
+/// Reads one whole structure, the file's own or a merged variant.
+///
+/// `own` are the starts of the file's own values, if it is a variant.
+pub(super) fn read_one<'i>(
+    (text, files): (&str, &Files),
+    (root, span): (&mut DeTable<'i>, &Range<usize>),
+    own: Option<BTreeSet<usize>>,
+    faults: &mut Vec<Fault>,
+) -> Option<Project> {
+    // first: what belongs to another kind is no fault of type or spelling
+    let mut foreign = Vec::new();
+    foreign_keys(root, &mut foreign);
+    let untouched = root.clone();
+    let mut check = SchemaCheck::new(text, &TREE);
+    check.file(root, span);
+    if !check.faults.is_empty() {
+        // said by the types themselves, whatever the tree in the program is
+        *root = untouched;
+        check = SchemaCheck::new(text, &BUILT);
+        check.file(root, span);
+    }
+    check.faults.append(&mut foreign);
+    let tree = Spanned::new(span.clone(), std::mem::take(root));
+    let raw = match FileRaw::deserialize(toml::Deserializer::from(tree)) {
+        Ok(raw) => raw,
+        Err(error) => {
+            // What the schema does not say: whole numbers beyond 64 bits.
+            let message = error.message().lines().next().unwrap_or_default().to_owned();
+            check
+                .faults
+                .push(Fault::new(error.span().unwrap_or(0..0), "", message));
+            faults.append(&mut check.faults);
+            return None;
+        }
+    };
+    let project = of_raw((text, files), raw, own, &mut check);
+    let sound = check.faults.is_empty();
+    faults.append(&mut check.faults);
+    project.filter(|_| sound)
+}
+
+fn of_raw(
+    (text, files): (&str, &Files),
+    mut raw: FileRaw,
+    own: Option<BTreeSet<usize>>,
+    check: &mut SchemaCheck<'_, '_>,
+) -> Option<Project> {
+    let kind = raw.kind.as_ref().map(|kind| kind.value);
+    let mut reader = Reader::new(
+        raw.units.as_ref(),
+        kind.unwrap_or(KindRaw::Survey),
+        raw.allow.take(),
+    );
+    reader.files = files.clone();
+    reader.set_evidence(raw.evidence, own);
+    reader.take_over(&mut check.faults, std::mem::take(&mut check.meant));
+    let gravity = reader.quantity(
+        raw.gravity.as_ref(),
+        "gravity",
+        Measure::Acceleration,
+        Bound::Positive,
+    );
+    let gravity_m_s2 = gravity
+        .as_ref()
+        .map_or(STANDARD_GRAVITY_M_S2, |gravity| gravity.value);
+    let name = raw
+        .name
+        .take()
+        .and_then(|name| self::name(&mut reader, name, "name"));
+    let surveys = surveys(&mut reader, raw.survey.as_ref());
+    let change = change(&mut reader, raw.change.as_ref());
+    let site = site(&mut reader, raw.site.as_ref());
+    let motions = motions(&mut reader, raw.motion.as_ref());
+    let studies = studies(&mut reader, text, raw.study.as_ref());
+    let mut structure = match kind {
+        Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(Structure::Chain),
+        Some(KindRaw::Frame) => {
+            let mut surveyed: Vec<String> = Vec::new();
+            for direction in surveys.iter().flat_map(|survey| survey.modes.keys()) {
+                if !surveyed.contains(direction) {
+                    surveyed.push(direction.clone());
+                }
+            }
+            frame(&mut reader, &raw, gravity_m_s2, &surveyed).map(Structure::Frame)
+        }
+        Some(KindRaw::Stack) => {
+            stack(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Stack(Box::new(part)))
+        }
+        Some(KindRaw::Building) => {
+            building(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Building(Box::new(part)))
+        }
+        Some(KindRaw::Survey) => Some(Structure::Survey),
+        None => None,
+    };
+    if !reader.has_wrong_units {
+        slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
+    }
+    buildable(&mut reader, structure.as_mut());
+    let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
+    let mut project = match (schema, structure, name) {
+        (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
+            schema,
+            name,
+            description: raw.description,
+            source: raw.source,
+            gravity_m_s2,
+            structure,
+            site,
+            motions,
+            studies,
+            surveys,
+            change,
+            variants: Vec::new(),
+            warnings: Vec::new(),
+        },
+        _ => {
+            check.faults.append(&mut reader.faults);
+            return None;
+        }
+    };
+    warn_of_assumed(&mut reader, &project);
+    project.warnings = reader.take_warnings(text);
+    Some(project)
+}
+
+/// What the science refuses beyond what has been checked here: storeys whose axial force grows upwards.
+fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
+    if !reader.faults.is_empty() {
+        return;
+    }
+    let (built, path) = match structure {
+        Some(Structure::Chain(chain)) => (chain.build(&mut Quantity::nominal).map(|_| ()), "links"),
+        Some(Structure::Frame(frame)) => (frame.build(&mut Quantity::nominal).map(|_| ()), "storeys"),
+        Some(Structure::Stack(stack)) => {
+            if let Err(why) = stack.build(&mut Quantity::nominal) {
+                let path = why.path();
+                reader.fault(Fault::new(reader.place(path), path, why.to_string()));
+            }
+            return;
+        }
+        Some(Structure::Building(part)) => {
+            building_buildable(reader, part);
+            return;
+        }
+        Some(Structure::Survey) | None => return,
+    };
+    if let Err(why) = built {
+        let path = match &why {
+            StructureError::AxialOrder { storey, .. } => format!("storeys[{storey}].axial_force"),
+            _ => path.to_owned(),
+        };
+        reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+    }
+}
+
+fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<super::content::Names> {
+    let names = names(raw.value);
+    let is_empty = |name: &Option<String>| name.as_deref().is_none_or(|name| name.trim().is_empty());
+    if is_empty(&names.en) && is_empty(&names.ko) {
+        let fault = Fault::new(raw.span, path, format!("{path} is empty"));
+        reader.fault(
+            fault
+                .allowed("needs text")
+                .help("name = { en = \"…\", ko = \"…\" }, or one of them"),
+        );
+        return None;
+    }
+    Some(names)
+}
+
+fn warn_of_assumed(reader: &mut Reader, project: &Project) {
+    let paths = |which: fn(&Quantity) -> bool| -> Vec<&str> {
+        let inputs = project.inputs().into_iter();
+        inputs
+            .filter(|input| which(input))
+            .map(|input| input.path.as_str())
+            .collect()
+    };
+    let values = paths(Quantity::is_assumed);
+    let scatter = paths(|input| input.is_scatter_assumed() && !input.is_assumed());
+    for (paths, what) in [
+        (values, "assumed, and what rests on them is no finding"),
+        (
+            scatter,
+            "given with an assumed scatter, and so is every probability",
+        ),
+    ] {
+        if let Some(first) = paths.first() {
+            let listed = match paths.get(..PATHS_LISTED) {
+                Some(some) if paths.len() > PATHS_LISTED + 1 => {
+                    format!("{} and {} more", some.join(", "), paths.len() - PATHS_LISTED)
+                }
+                _ => paths.join(", "),
+            };
+            let message = match paths.len() {
+                1 => format!("1 input is {what}: {listed}"),
+                count => format!("{count} inputs are {what}: {listed}"),
+            };
+            reader.warn(WarningKind::Assumed, first, message);
+        }
+    }
+}
+
+/// Lays one variant over the file and reads the whole again.
+fn variant<'i>(
+    source: (&str, &Files),
+    name: &str,
+    patch: &Spanned<DeValue<'i>>,
+    base: (&DeTable<'i>, &Range<usize>),
+    faults: &mut Vec<Fault>,
+) -> Option<Variant> {
+    let path = format!("variant.{name}");
+    let DeValue::Table(table) = patch.get_ref() else {
+        let fault = Fault::new(patch.span(), &path, format!("{path} is not a table"));
+        faults.push(
+            fault
+                .allowed("must be a table")
+                .help("give the variant a name: [variant.NAME] above what it changes"),
+        );
+        return None;
+    };
+    let before = faults.len();
+    let mut table = table.clone();
+    let title = title(table.remove_entry("title"), &path, faults);
+    for key in KEYS_OF_THE_FILE {
+        if let Some((written, _)) = table.remove_entry(key) {
+            let path = format!("{path}.{key}");
+            let fault = Fault::new(
+                written.span(),
+                &path,
+                format!("variant \"{name}\" cannot change {key}"),
+            );
+            faults.push(
+                fault
+                    .allowed("holds for the whole file")
+                    .help("take it out, or make another file"),
+            );
+        }
+    }
+    let (base, span) = base;
+    let mut merged = base.clone();
+    let mut own = merge(&mut merged, &table, "");
+    let mut starts = BTreeSet::new();
+    for value in base.iter().map(|(_, value)| value) {
+        value_starts(value, &mut starts);
+    }
+    let project = read_one(source, (&mut merged, span), Some(starts), &mut own);
+    for fault in own {
+        // What the file itself does wrong has been said already.
+        if !faults[..before].contains(&fault) {
+            faults.push(fault.in_variant(name));
+        }
+    }
+    Some(Variant {
+        name: name.to_owned(),
+        title,
+        project: project?,
+    })
+}
+
+/// Where a value and all values within it start.
+pub(super) fn value_starts(node: &Spanned<DeValue<'_>>, starts: &mut BTreeSet<usize>) {
+    starts.insert(node.span().start);
+    match node.get_ref() {
+        DeValue::Array(list) => list.iter().for_each(|value| value_starts(value, starts)),
+        DeValue::Table(table) => table.iter().for_each(|(_, value)| value_starts(value, starts)),
+        _ => {}
+    }
+}
+
+fn title<'i>(
+    written: Option<(Spanned<Cow<'i, str>>, Spanned<DeValue<'i>>)>,
+    path: &str,
+    faults: &mut Vec<Fault>,
+) -> Option<super::content::Names> {
+    let (_, node) = written?;
+    let span = node.span();
+    let read = NamesRaw::deserialize(toml::de::ValueDeserializer::from(node));
+    match read {
+        Ok(raw) => Some(names(raw)),
+        Err(_) => {
+            let path = format!("{path}.title");
+            let fault = Fault::new(span, &path, format!("{path} is not a name"));
+            faults.push(fault.allowed("must be text, or { en = \"…\", ko = \"…\" }"));
+            None
+        }
+    }
+}
+
+impl Project {
+    /// "chain", "frame", "stack" or "survey".
+    pub fn kind(&self) -> &'static str {
+        kind_word(match &self.structure {
+            Structure::Chain(_) => KindRaw::Chain,
+            Structure::Frame(_) => KindRaw::Frame,
+            Structure::Stack(_) => KindRaw::Stack,
+            Structure::Building(_) => KindRaw::Building,
+            Structure::Survey => KindRaw::Survey,
+        })
+    }
+}

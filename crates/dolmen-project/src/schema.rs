@@ -1,0 +1,164 @@
+//! The JSON schema of a project file, from the types that read it.
+
+use super::file::{FileRaw, KindRaw};
+use schemars::generate::SchemaSettings;
+use serde_json::{Map, Value, json};
+
+/// The JSON schema of project files (draft 2020-12), for editors.
+///
+/// # Example
+/// ```
+/// let schema = dolmen_project::json_schema();
+/// assert_eq!(schema["properties"]["schema"]["const"], 1);
+/// assert!(schema["properties"]["links"]["description"].as_str().is_some_and(|d| d.contains("lowest first")));
+/// ```
+pub fn json_schema() -> Value {
+    let mut schema = of_file();
+    if let Some(object) = schema.as_object_mut() {
+        let needs = |kind: &str, key: &str| {
+            json!({
+                "if": { "properties": { "kind": { "const": kind } }, "required": ["kind"] },
+                "then": { "required": [key] },
+            })
+        };
+        let all: Vec<Value> = KEYS_OF_KIND
+            .iter()
+            .map(|(kind, keys)| match *kind {
+                "stack" => blocks_or_pagoda(),
+                kind => needs(kind, keys[0]),
+            })
+            .collect();
+        object.insert("allOf".to_owned(), Value::Array(all));
+    }
+    schema
+}
+
+/// A stack has blocks, or a pagoda that makes them.
+fn blocks_or_pagoda() -> Value {
+    json!({
+        "if": { "properties": { "kind": { "const": "stack" } }, "required": ["kind"] },
+        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }] },
+    })
+}
+
+/// Keys that belong to one kind only; the first is required there (of a stack, it or pagoda).
+pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
+    ("chain", &["links", "joints", "cap", "damping_ratio"]),
+    ("frame", &["storeys", "axial", "convention", "direction"]),
+    (
+        "stack",
+        &[
+            "blocks",
+            "pagoda",
+            "density",
+            "joint",
+            "contacts",
+            "ties",
+            "side_supports",
+        ],
+    ),
+    ("building", &["floors", "p_delta", "damping", "damper", "points"]),
+];
+
+/// The word of a kind.
+pub(super) fn kind_word(kind: KindRaw) -> &'static str {
+    match kind {
+        KindRaw::Chain => "chain",
+        KindRaw::Frame => "frame",
+        KindRaw::Stack => "stack",
+        KindRaw::Building => "building",
+        KindRaw::Survey => "survey",
+    }
+}
+
+/// The version that this Dolmen reads.
+pub(super) const SCHEMA_VERSION: i64 = 1;
+
+pub(super) fn of_file() -> Value {
+    let settings = SchemaSettings::draft2020_12();
+    let mut schema = settings
+        .into_generator()
+        .into_root_schema_for::<FileRaw>()
+        .to_value();
+    without_null(&mut schema);
+    if let Some(properties) = schema["properties"].as_object_mut() {
+        properties.insert("variant".to_owned(), variant());
+        if let Some(version) = properties.get_mut("schema").and_then(Value::as_object_mut) {
+            version.insert("const".to_owned(), json!(SCHEMA_VERSION));
+        }
+    }
+    schema
+}
+
+fn variant() -> Value {
+    json!({
+        "description": "The structure with parts of the file replaced, by name: [variant.repaired]. Tables are merged, \
+            lists replaced; links = { 2 = { centroid = 1.0 } } changes one element of a list.",
+        "type": "object",
+        "additionalProperties": {
+            "type": "object",
+            "properties": {
+                "title": { "description": "A longer name: text, or { en = \"…\", ko = \"…\" }." },
+            },
+        },
+    })
+}
+
+/// TOML has no null: what may be left out is simply not required.
+fn without_null(schema: &mut Value) {
+    match schema {
+        Value::Object(object) => {
+            for key in ["anyOf", "oneOf"] {
+                drop_null_branch(object, key);
+            }
+            if let Some(Value::Array(types)) = object.get_mut("type") {
+                types.retain(|name| name != "null");
+                if let [one] = types.as_slice() {
+                    let one = one.clone();
+                    object.insert("type".to_owned(), one);
+                }
+            }
+            object.values_mut().for_each(without_null);
+        }
+        Value::Array(list) => list.iter_mut().for_each(without_null),
+        _ => {}
+    }
+}
+
+/// Leaves the null branch out; a single branch that remains takes the place of the choice.
+fn drop_null_branch(object: &mut Map<String, Value>, key: &str) {
+    let Some(Value::Array(branches)) = object.get_mut(key) else {
+        return;
+    };
+    let before = branches.len();
+    branches.retain(|branch| branch["type"] != "null");
+    if branches.len() == before || branches.len() != 1 {
+        return;
+    }
+    let Some(Value::Object(only)) = branches.pop() else {
+        return;
+    };
+    object.remove(key);
+    for (name, value) in only {
+        object.entry(name).or_insert(value);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_the_schema_names_every_key_and_no_null() {
+        let schema = json_schema();
+        let text = schema.to_string();
+        assert!(!text.contains("null"), "{text}");
+        assert_eq!(schema["required"], json!(["schema", "kind", "name"]));
+        assert_eq!(schema["additionalProperties"], json!(false));
+        for key in [
+            "links", "joints", "storeys", "survey", "variant", "units", "allow",
+        ] {
+            assert!(schema["properties"][key]["description"].is_string(), "{key}");
+        }
+    }
+}

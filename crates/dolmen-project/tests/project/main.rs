@@ -1,0 +1,17 @@
+//! What bytes become which values, and which are refused with which words.
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
+
+mod corpus;
+mod project;
+mod project_book;
+mod project_building;
+mod project_chain_motion;
+mod project_friction;
+mod project_keys;
+mod project_shapes;
+mod project_site;
+mod project_stack;
+mod project_surveys;
+mod project_values;
+mod stations;
+mod three_setups;

@@ -1,0 +1,219 @@
+//! The channels of a motion file: format found out from the content, unit and step settled, peaks checked.
+
+use super::plausible::refuse_implausible;
+use super::read::{MotionFormat, Raw, same_step};
+use super::{MotionError, MotionOptions, Orientation, StatedPeak};
+use super::{at2, cosmos, csmip, esm, knet, miniseed, sac, text};
+use crate::records::Unit;
+use dolmen::signal::Quantity;
+
+/// Share by which the peak of a channel may differ from the one its header states. Chosen here: headers print 3 digits or more.
+const PEAK_TOLERANCE: f64 = 0.01;
+
+/// One channel as read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ComponentReading {
+    /// Format of the file.
+    pub format: MotionFormat,
+    /// What the file calls the channel: "HI.ARS1.HNE", "Chan 1", "AOM004 E-W"; "" if it does not say.
+    pub name: String,
+    /// What the file calls itself: earthquake, station, direction; "" if it does not say.
+    pub title: String,
+    /// Acceleration, m/s².
+    pub acceleration_m_s2: Vec<f64>,
+    /// Between samples, s.
+    pub time_step_s: f64,
+    /// Unit of the numbers in the file.
+    pub unit: Unit,
+    /// Which way positive numbers point, if the file says it.
+    pub orientation: Option<Orientation>,
+    /// The first sample, seconds from 1 January 1970 in the clock of the file, if it says it.
+    pub begins_s: Option<f64>,
+    /// The mean that was subtracted, m/s²: of K-NET and KiK-net files, whose numbers have an offset by their definition.
+    pub mean_subtracted_m_s2: Option<f64>,
+}
+
+/// All channels of a motion file: AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, or text in columns.
+///
+/// # Errors
+/// [`MotionError`], which says where in the file and what to do: no unit, a unit or a step that contradicts the file, a peak
+/// that no earthquake has or that is not the one the header states, a value that is no number, fewer or more samples than the
+/// header says, a gap between records.
+///
+/// # Example
+/// ```
+/// use dolmen_records::motions::{MotionOptions, Orientation, read_channels};
+/// let file = "NETWORK: HI\nSTATION_CODE: ARS1\nSAMPLING_INTERVAL_S: 0.005\nNDATA: 3\nSTREAM: HNE\nUNITS: cm/s^2\n0.5\n-2\n1\n";
+/// let read = &read_channels(file.as_bytes(), &MotionOptions::default())?[0];
+/// assert_eq!((read.name.as_str(), read.acceleration_m_s2[1]), ("HI.ARS1.HNE", -0.02));
+/// assert_eq!(read.orientation, Some(Orientation::Horizontal { azimuth_deg: 90.0 }));
+/// # Ok::<(), dolmen_records::motions::MotionError>(())
+/// ```
+pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<ComponentReading>, MotionError> {
+    if let Some(given) = options.time_step_s
+        && !(given > 0.0 && given.is_finite())
+    {
+        return Err(MotionError::Step { given });
+    }
+    if !(options.factor.is_finite() && options.factor != 0.0) {
+        return Err(MotionError::Factor {
+            given: options.factor,
+        });
+    }
+    let channels = raw(bytes, options)?;
+    channels
+        .into_iter()
+        .map(|channel| finished(channel, options))
+        .collect()
+}
+
+/// The numbers of each channel as the file prints them. What begins with a mark is told by it; alphanumeric SAC by its rows.
+fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
+    if miniseed::is_miniseed(bytes) {
+        miniseed::read(bytes).and_then(miniseed::whole)
+    } else if sac::is_binary(bytes) {
+        sac::read_binary(bytes)
+    } else if knet::is_knet(bytes) {
+        knet::read(bytes)
+    } else if cosmos::is_cosmos(bytes) {
+        cosmos::read(bytes)
+    } else if csmip::is_csmip(bytes) {
+        csmip::read(bytes)
+    } else if esm::is_esm(bytes) {
+        esm::read(bytes)
+    } else if sac::is_alphanumeric(bytes) {
+        sac::read_alphanumeric(bytes)
+    } else if at2::is_at2(bytes) {
+        at2::read(bytes, options.unit.is_some())
+    } else {
+        text::read(bytes, options)
+    }
+}
+
+/// The numbers of each channel of a file that vibration records come in too; `None` if it is none.
+pub(crate) fn raw_channels(bytes: &[u8]) -> Option<Result<Vec<Raw>, MotionError>> {
+    if miniseed::is_miniseed(bytes) {
+        Some(miniseed::read(bytes))
+    } else if sac::is_binary(bytes) {
+        Some(sac::read_binary(bytes))
+    } else if knet::is_knet(bytes) {
+        Some(knet::read(bytes))
+    } else if cosmos::is_cosmos(bytes) {
+        Some(cosmos::read(bytes))
+    } else if csmip::is_csmip(bytes) {
+        Some(csmip::read(bytes))
+    } else if esm::is_esm(bytes) {
+        Some(esm::read(bytes))
+    } else {
+        None
+    }
+}
+
+/// One channel of a motion file: its only one, or the one that [`MotionOptions::channel`] names.
+///
+/// # Errors
+/// As [`read_channels`]; [`MotionError::Channels`] for a file of several of which none is named.
+///
+/// # Example
+/// ```
+/// use dolmen_records::motions::{MotionOptions, read_component};
+/// let text = "time_s,acceleration_g\n0,0\n0.02,0.1\n0.04,-0.3\n";
+/// let read = read_component(text.as_bytes(), &MotionOptions::default())?;
+/// assert!((read.acceleration_m_s2[2] + 0.3 * 9.80665).abs() < 1e-15 && read.time_step_s == 0.02);
+/// # Ok::<(), dolmen_records::motions::MotionError>(())
+/// ```
+pub fn read_component(bytes: &[u8], options: &MotionOptions) -> Result<ComponentReading, MotionError> {
+    let mut channels = read_channels(bytes, options)?;
+    let names: Vec<String> = channels.iter().map(|channel| channel.name.clone()).collect();
+    let at = match &options.channel {
+        None if channels.len() == 1 => 0,
+        None => return Err(MotionError::Channels { given: None, names }),
+        Some(given) => {
+            let number = given
+                .parse::<usize>()
+                .ok()
+                .filter(|n| (1..=names.len()).contains(n));
+            let named = names.iter().position(|name| name.eq_ignore_ascii_case(given));
+            let at = named.or(number.map(|number| number - 1));
+            at.ok_or(MotionError::Channels {
+                given: Some(given.clone()),
+                names,
+            })?
+        }
+    };
+    Ok(channels.swap_remove(at))
+}
+
+/// A channel in SI units.
+fn finished(raw: Raw, options: &MotionOptions) -> Result<ComponentReading, MotionError> {
+    let other = match raw.quantity {
+        Some(Quantity::Velocity) => Some("velocities"),
+        Some(Quantity::Displacement) => Some("displacements"),
+        _ => None,
+    };
+    if let Some(what) = other {
+        return Err(MotionError::Quantity { line: 0, what });
+    }
+    let unit = match (options.unit, raw.unit) {
+        (Some(given), Some(found)) if given != found => {
+            return Err(MotionError::UnitDisagrees {
+                given: given.symbol(),
+                found: found.symbol(),
+            });
+        }
+        (given, found) => given.or(found).ok_or(MotionError::NoUnit)?,
+    };
+    if unit.quantity() != Quantity::Acceleration {
+        return Err(MotionError::NotAcceleration {
+            given: unit.symbol().to_owned(),
+        });
+    }
+    if let Some(given) = options.time_step_s
+        && !same_step(given, raw.time_step_s)
+    {
+        return Err(MotionError::StepDisagrees {
+            given,
+            found: raw.time_step_s,
+        });
+    }
+    let mut samples = raw.samples;
+    if let Some(sample) = samples.iter().position(|value| !value.is_finite()) {
+        return Err(MotionError::NotFinite {
+            channel: raw.name,
+            sample,
+        });
+    }
+    let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;
+    if raw.subtract_mean {
+        samples.iter_mut().for_each(|a| *a -= mean);
+    }
+    let peak = largest(&samples);
+    if let (Some(stated), StatedPeak::Check) = (raw.stated_peak, options.stated_peak)
+        && (peak - stated).abs() > PEAK_TOLERANCE * stated
+    {
+        return Err(MotionError::StatedPeak {
+            channel: raw.name,
+            stated,
+            found: peak,
+            unit: unit.symbol(),
+        });
+    }
+    let si = unit.si() * options.factor;
+    samples.iter_mut().for_each(|a| *a *= si);
+    refuse_implausible(largest(&samples), unit, &options.plausible_peak_m_s2)?;
+    Ok(ComponentReading {
+        format: raw.format,
+        name: raw.name,
+        title: raw.title,
+        acceleration_m_s2: samples,
+        time_step_s: raw.time_step_s,
+        unit,
+        orientation: raw.orientation,
+        begins_s: raw.begins_s,
+        mean_subtracted_m_s2: raw.subtract_mean.then_some(mean * si),
+    })
+}
+
+fn largest(samples: &[f64]) -> f64 {
+    samples.iter().fold(0.0, |peak, a| f64::max(peak, a.abs()))
+}

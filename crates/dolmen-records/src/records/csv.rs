@@ -1,0 +1,496 @@
+//! CSV: one line a sample, one column a channel, in any of the usual dialects.
+//!
+//! Two ways through a line: numbers are scanned where they stand, and whatever is not plain (quotes, blanks, more digits than
+//! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
+
+use super::dates::{Dates, held_against};
+use super::layout::{Start, TimeName, holds_cells, line_at, time_name, unquoted};
+use super::lost_samples::{Kept, Spans};
+use super::number::{Number, parse_cell, scan};
+use super::time_unit::unit_s;
+use super::{
+    Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
+};
+use dolmen::signal::{Channel, Processing, Record, SignalError};
+
+/// Lines turned from row order into channel order at a time: few enough for a first-level cache, many enough that each
+/// channel is written in whole cache lines.
+const ROWS_AT_ONCE: usize = 64;
+/// A name this similar (Jaro–Winkler) is worth suggesting.
+const SIMILAR: f64 = 0.7;
+/// A channel whose steps all agree to this share of the first is taken for a count. Chosen here.
+const COUNT_TOLERANCE: f64 = 1e-3;
+
+/// A record from the bytes of a CSV file.
+///
+/// Delimiter, decimal sign, header and time column are found out if `options` do not tell them. The rate is that of the time
+/// stamps, which must be even, or [`RecordOptions::sampling_rate_hz`].
+///
+/// # Errors
+/// [`RecordError`], which names the line and the column: text in a column of numbers, a missing sample, a line with more or
+/// fewer cells, uneven time stamps, no rate, a column that is not there.
+///
+/// # Limits
+/// Time stamps are numbers, not dates; where both the rate and the columns are told, the first and the last date of a column of dates are held
+/// against the rate, and those between are passed over. In a file without a line end after its last line, the last number may have been cut
+/// short: see [`CsvLayout::last_line_ended`].
+///
+/// # Example
+/// ```
+/// use dolmen_records::records::{RecordOptions, read_csv};
+/// let text = b"time,ch1\n0.00,1.5\n0.01,abc\n";
+/// let fault = read_csv(text, &RecordOptions::default()).unwrap_err();
+/// assert!(fault.to_string().starts_with("line 3, column \"ch1\": \"abc\" is not a number"));
+/// ```
+pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, RecordError> {
+    if bytes.starts_with(b"\xff\xfe") || bytes.starts_with(b"\xfe\xff") {
+        return Err(RecordError::Utf16);
+    }
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes); // byte order mark of UTF-8
+    let start = Start::find(bytes, options)?;
+    let time = find_time(&start.columns, &options.time)?;
+    // dates: everything that stamps could tell is told
+    let told =
+        options.time == TimeColumn::Detect && options.sampling_rate_hz.is_some() && !options.picks.is_empty();
+    let time = time.filter(|t| start.numeric[t.column] || !told);
+    let mut plan = Plan::new(&start, options, time)?;
+    if plan.channels.is_empty() {
+        return Err(RecordError::OnlyTime {
+            column: start.columns.into_iter().next().unwrap_or_default(),
+        });
+    }
+    let told_unit_s = time.map(|t| t.unit_s);
+    let time = match time {
+        Some(t) => Some(Time {
+            unit_s: unit_s(
+                bytes,
+                &start,
+                (t, &start.columns[t.column]),
+                options.sampling_rate_hz,
+            )?,
+            ..t
+        }),
+        None => None,
+    };
+    plan.time = time;
+    if time.is_none() && options.sampling_rate_hz.is_none() {
+        return Err(RecordError::NoRate { names: start.columns });
+    }
+    let table = Table::read(bytes, &start, &plan, options)?;
+    let count = plan.channels.len();
+    let length = table.samples.len() / count;
+    if length < 2 {
+        return Err(RecordError::Signal(SignalError::Empty {
+            channels: count,
+            samples: length,
+        }));
+    }
+    if options.picks.is_empty() && options.time == TimeColumn::Detect {
+        refuse_counts(&table.samples, length, &plan.channels)?;
+    }
+    let free: Vec<bool> = plan.uses.iter().map(|wanted| *wanted == Use::Nothing).collect();
+    let mut unread_stamps = None;
+    let (rate_hz, rate_source) = match (&table.kept, options.sampling_rate_hz) {
+        (Some(kept), Some(_)) => (kept.stamps.rate_hz()?, RateSource::GivenAndStamps),
+        (Some(kept), None) => (kept.stamps.rate_hz()?, RateSource::Stamps),
+        (None, Some(given)) => {
+            let dates = held_against(bytes, (&start, &free), (given, length))?;
+            let source = match dates {
+                Dates::Agree => RateSource::GivenAndDates,
+                Dates::None | Dates::Unread(_) => RateSource::Given,
+            };
+            if let Dates::Unread(column) = dates {
+                unread_stamps = Some(column);
+            }
+            (given, source)
+        }
+        (None, None) => return Err(RecordError::NoRate { names: start.columns }),
+    };
+    let mut samples = table.samples;
+    let factor = options.unit.si();
+    if factor != 1.0 {
+        samples.iter_mut().for_each(|x| *x *= factor);
+    }
+    let mut record = Record::from_contiguous(plan.channels, samples, rate_hz)?;
+    record.note(Processing::Read {
+        format: "csv".into(),
+        unit: options.unit.symbol().into(),
+    });
+    if let Some(step) = table.kept.and_then(|kept| kept.step) {
+        record.note(step);
+    }
+    Ok(Reading {
+        record,
+        begins_s: None,
+        layout: Layout::Csv(CsvLayout {
+            delimiter: start.delimiter,
+            decimal: start.decimal,
+            header_line: start.header_line,
+            time_column: time.map(|t| start.columns[t.column].clone()),
+            columns: start.columns,
+            rate_source,
+            unread_stamps,
+            passed_over: start.passed_over,
+            names_unread: start.names_unread,
+            time_unit_s: time
+                .map(|t| t.unit_s)
+                .filter(|unit_s| told_unit_s != Some(*unit_s)),
+            last_line_ended: bytes.ends_with(b"\n"),
+        }),
+    })
+}
+
+/// The time column, from 0, and its unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Time {
+    pub(super) column: usize,
+    pub(super) unit_s: f64,
+    /// Whether the name of the column says the unit.
+    pub(super) unit_named: bool,
+}
+
+fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, RecordError> {
+    match option {
+        TimeColumn::Absent => Ok(None),
+        TimeColumn::At(column) => Ok(Some(Time {
+            column: find_column(columns, column)?,
+            unit_s: 1.0,
+            unit_named: true, // seconds by definition
+        })),
+        TimeColumn::Detect => {
+            for (column, name) in columns.iter().enumerate() {
+                match time_name(name.as_bytes()) {
+                    TimeName::No => {}
+                    TimeName::Seconds { unit_s, named } => {
+                        return Ok(Some(Time {
+                            column,
+                            unit_s,
+                            unit_named: named,
+                        }));
+                    }
+                    TimeName::Unclear => return Err(RecordError::TimeUnit { column: name.clone() }),
+                }
+            }
+            Ok(None)
+        }
+    }
+}
+
+fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError> {
+    let given = match column {
+        Column::Number(n) if (1..=columns.len()).contains(n) => return Ok(n - 1),
+        Column::Number(n) => {
+            return Err(RecordError::ColumnNumber {
+                given: *n,
+                columns: columns.len(),
+            });
+        }
+        Column::Named(name) => name,
+    };
+    let mut found = columns.iter().enumerate().filter(|(_, c)| *c == given);
+    match (found.next(), found.count()) {
+        (Some((at, _)), 0) => Ok(at),
+        (Some(_), more) => Err(RecordError::AmbiguousColumn {
+            given: given.clone(),
+            count: more + 1,
+        }),
+        (None, _) => {
+            let similar = |c: &String| strsim::jaro_winkler(&c.to_lowercase(), &given.to_lowercase());
+            let nearest = columns.iter().max_by(|a, b| similar(a).total_cmp(&similar(b)));
+            Err(RecordError::UnknownColumn {
+                given: given.clone(),
+                nearest: nearest.filter(|c| similar(c) > SIMILAR).cloned(),
+                names: columns.to_vec(),
+            })
+        }
+    }
+}
+
+/// What a cell of a line is read for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Use {
+    Nothing,
+    Time,
+    /// The channel of that index.
+    Channel(usize),
+}
+
+/// What is read of each line.
+#[derive(Debug)]
+struct Plan {
+    uses: Vec<Use>,
+    channels: Vec<Channel>,
+    time: Option<Time>,
+}
+
+impl Plan {
+    fn new(start: &Start, options: &RecordOptions, time: Option<Time>) -> Result<Self, RecordError> {
+        let mut uses = vec![Use::Nothing; start.columns.len()];
+        let mut channels = Vec::new();
+        if options.picks.is_empty() {
+            for (column, name) in start.columns.iter().enumerate() {
+                if time.is_none_or(|t| t.column != column) {
+                    uses[column] = Use::Channel(channels.len());
+                    channels.push(Channel::named(name));
+                }
+            }
+        }
+        for pick in &options.picks {
+            let column = find_column(&start.columns, &pick.column)?;
+            let taken = match uses[column] {
+                Use::Channel(other) => Some(channels[other].name.clone()),
+                _ => None,
+            };
+            if let Some(first) = taken {
+                return Err(RecordError::PickedTwice {
+                    column: start.columns[column].clone(),
+                    first,
+                    second: pick.channel.name.clone(),
+                });
+            }
+            uses[column] = Use::Channel(channels.len());
+            channels.push(pick.channel.clone());
+        }
+        if let Some(t) = time {
+            if let Use::Channel(channel) = uses[t.column] {
+                return Err(RecordError::PickedTwice {
+                    column: start.columns[t.column].clone(),
+                    first: "time".into(),
+                    second: channels[channel].name.clone(),
+                });
+            }
+            uses[t.column] = Use::Time;
+        }
+        for channel in &mut channels {
+            channel.quantity = options.unit.quantity();
+        }
+        Ok(Plan { uses, channels, time })
+    }
+}
+
+/// What the lines hold.
+#[derive(Debug)]
+struct Table {
+    /// Channel after channel.
+    samples: Vec<f64>,
+    kept: Option<Kept>,
+}
+
+impl Table {
+    fn read(bytes: &[u8], start: &Start, plan: &Plan, options: &RecordOptions) -> Result<Self, RecordError> {
+        let count = plan.channels.len();
+        let body = &bytes[start.samples_at..];
+        // a line has an end, but for the last, and at least two bytes a cell: a bound on the memory taken
+        let lines_most = memchr::memchr_iter(b'\n', body).count() + 1;
+        let rows_most = lines_most.min(body.len() / (2 * plan.uses.len()) + 1);
+        let mut samples = vec![0.0; rows_most * count];
+        let mut block = vec![0.0; ROWS_AT_ONCE * count];
+        let (given_hz, lost_samples) = (options.sampling_rate_hz, options.lost_samples);
+        let mut stamps = plan.time.map(|t| Spans::new(t.unit_s, given_hz, lost_samples));
+        let (mut rows, mut flushed) = (0, 0);
+        let (mut at, mut number) = (start.samples_at, start.samples_line);
+        while let Some(line) = line_at(bytes, at, number) {
+            (at, number) = (line.next, number + 1);
+            if !holds_cells(line.text) {
+                continue;
+            }
+            let row = &mut block[(rows - flushed) * count..][..count];
+            let reader = LineReader {
+                text: line.text,
+                number: line.number,
+                start,
+                uses: &plan.uses,
+                last: !line.ended,
+            };
+            reader.read(row, stamps.as_mut())?;
+            rows += 1;
+            if rows - flushed == ROWS_AT_ONCE {
+                transpose(&block, &mut samples, flushed, rows_most);
+                flushed = rows;
+            }
+        }
+        transpose(
+            &block[..(rows - flushed) * count],
+            &mut samples,
+            flushed,
+            rows_most,
+        );
+        let kept = stamps.map(Spans::longest).transpose()?;
+        let used = kept.as_ref().map_or(0..rows, |kept| kept.rows.clone());
+        for channel in 0..count {
+            let from = channel * rows_most + used.start;
+            samples.copy_within(from..from + used.len(), channel * used.len());
+        }
+        samples.truncate(used.len() * count);
+        Ok(Table { samples, kept })
+    }
+}
+
+/// Writes rows of cells into series that are `stride` long, from sample `from` on.
+fn transpose(rows: &[f64], series: &mut [f64], from: usize, stride: usize) {
+    let count = series.len() / stride;
+    for (channel, samples) in series.chunks_exact_mut(stride).enumerate() {
+        let cells = rows.iter().skip(channel).step_by(count);
+        samples[from..].iter_mut().zip(cells).for_each(|(s, c)| *s = *c);
+    }
+}
+
+/// One line and what is to be read of it.
+struct LineReader<'a> {
+    text: &'a [u8],
+    number: usize,
+    start: &'a Start,
+    uses: &'a [Use],
+    last: bool,
+}
+
+impl LineReader<'_> {
+    #[inline]
+    fn read(&self, row: &mut [f64], mut stamps: Option<&mut Spans>) -> Result<(), RecordError> {
+        let (delimiter, decimal_sign) = (self.start.delimiter, self.start.decimal.byte());
+        let mut at = self.skip_blanks(0);
+        for (column, wanted) in self.uses.iter().enumerate() {
+            if column > 0 {
+                at = self.next_cell(at, column)?;
+            }
+            if *wanted == Use::Nothing {
+                at = self.cell_end(at);
+                continue;
+            }
+            let number = match scan(self.text, at, decimal_sign) {
+                Some(n) if self.text.get(n.end).is_none_or(|b| delimiter.is(*b)) => n,
+                _ => self.read_slowly(at, column)?,
+            };
+            at = number.end;
+            match wanted {
+                Use::Channel(channel) => row[*channel] = number.value,
+                Use::Time => {
+                    if let Some(stamps) = stamps.as_deref_mut() {
+                        stamps.push(number, self.number)?;
+                    }
+                }
+                Use::Nothing => {}
+            }
+        }
+        let rest = &self.text[at..];
+        // nothing may follow but blanks, and the delimiter that ends every line of some files
+        let rest = match rest.split_first() {
+            Some((first, more)) if self.start.trailing_delimiter && delimiter.is(*first) => more,
+            _ => rest,
+        };
+        if rest.trim_ascii().is_empty() && (delimiter != Delimiter::Tab || rest.is_empty()) {
+            Ok(())
+        } else {
+            Err(self.ragged())
+        }
+    }
+
+    /// Steps over the delimiter before cell `column`, which must be there.
+    #[inline]
+    fn next_cell(&self, at: usize, column: usize) -> Result<usize, RecordError> {
+        debug_assert!(column > 0);
+        match self.text.get(at) {
+            Some(b) if self.start.delimiter.is(*b) => {
+                let at = self.skip_blanks(at + 1);
+                if self.start.delimiter == Delimiter::WhiteSpace && at == self.text.len() {
+                    return Err(self.ragged());
+                }
+                Ok(at)
+            }
+            _ => Err(self.ragged()),
+        }
+    }
+
+    /// Steps over blanks, where they do not part cells by themselves.
+    #[inline]
+    fn skip_blanks(&self, mut at: usize) -> usize {
+        let tabs_part = self.start.delimiter == Delimiter::Tab;
+        while let Some(b' ' | b'\t') = self.text.get(at) {
+            if tabs_part && self.text[at] == b'\t' {
+                break;
+            }
+            at += 1;
+        }
+        at
+    }
+
+    /// Where the cell that begins at `at` ends. A delimiter within quotes ends nothing.
+    fn cell_end(&self, at: usize) -> usize {
+        let mut quoted = false;
+        let end = self.text[at..].iter().position(|b| {
+            quoted ^= *b == b'"';
+            !quoted && self.start.delimiter.is(*b)
+        });
+        end.map_or(self.text.len(), |end| at + end)
+    }
+
+    #[cold]
+    fn read_slowly(&self, at: usize, column: usize) -> Result<Number, RecordError> {
+        let end = self.cell_end(at);
+        let cell = unquoted(self.text[at..end].trim_ascii());
+        let (line, name) = (self.number, || self.start.columns[column].clone());
+        let text = || String::from_utf8_lossy(cell).into_owned();
+        if cell.is_empty() {
+            // a line that is too short is ragged, not empty in its last cell
+            return Err(if end == self.text.len() && self.cells() < self.uses.len() {
+                self.ragged()
+            } else {
+                RecordError::EmptyCell { line, column: name() }
+            });
+        }
+        match parse_cell(cell, self.start.decimal.byte()) {
+            Some(number) if number.value.is_finite() => Ok(Number { end, ..number }),
+            Some(_) => Err(RecordError::NotFinite {
+                line,
+                column: name(),
+                text: text(),
+            }),
+            None if self.uses[column] == Use::Time => Err(RecordError::TimeText {
+                line,
+                column: name(),
+                text: text(),
+            }),
+            None => Err(RecordError::NotANumber {
+                line,
+                column: name(),
+                text: text(),
+            }),
+        }
+    }
+
+    fn cells(&self) -> usize {
+        self.start.delimiter.cells(self.text).len()
+    }
+
+    #[cold]
+    fn ragged(&self) -> RecordError {
+        let trailing =
+            usize::from(self.start.trailing_delimiter && self.text.ends_with(&[self.start.delimiter.byte()]));
+        RecordError::Ragged {
+            line: self.number,
+            found: self.cells() - trailing,
+            expected: self.uses.len(),
+            last: self.last,
+        }
+    }
+}
+
+/// Refuses a channel that rises by the same step all along: a time column that was not recognised, or a line count.
+pub(super) fn refuse_counts(samples: &[f64], length: usize, channels: &[Channel]) -> Result<(), RecordError> {
+    for (x, channel) in samples.chunks_exact(length).zip(channels) {
+        if length <= 2 {
+            continue;
+        }
+        let step = x[1] - x[0];
+        if step > 0.0
+            && x.windows(2)
+                .all(|w| (w[1] - w[0] - step).abs() <= COUNT_TOLERANCE * step)
+        {
+            return Err(RecordError::LooksLikeTime {
+                column: channel.name.clone(),
+                step,
+            });
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,214 @@
+//! Time stamps of records from CSV: the rate behind them, samples lost, clocks that are uneven.
+
+use super::csv_records::{at_100_hz, layout, read, refusal, refusal_with};
+use dolmen_records::records::{LostSamples, RateSource, RecordOptions, read_csv};
+
+/// `steps` stamps at that rate, printed with that many decimals.
+fn stamped(rate_hz: f64, steps: usize, decimals: usize) -> String {
+    (0..steps).fold("t,x\n".to_string(), |text, i| {
+        text + &format!("{:.decimals$},{}\n", i as f64 / rate_hz, (i * i) % 7)
+    })
+}
+
+#[test]
+fn exact_the_rate_behind_rounded_stamps() {
+    for (rate_hz, steps, decimals) in [
+        (100.0, 3, 2),
+        (100.0, 5000, 2),
+        (100.0, 5000, 6),
+        (128.0, 5000, 3),
+        (200.0, 5000, 3),
+        (51.2, 5000, 4),
+        (1000.0 / 3.0, 5000, 3), // a step of 3 ms
+        (256.0, 5000, 9),
+        (1.25, 20, 1),
+        (10.0, 4, 1),
+    ] {
+        let rate = read(&stamped(rate_hz, steps, decimals)).record.sampling_rate_hz();
+        assert!(
+            (rate / rate_hz - 1.0).abs() < 1e-12,
+            "{rate_hz} Hz with {decimals} decimals: {rate}"
+        );
+    }
+}
+
+#[test]
+fn exact_stamps_that_lose_decimals_as_they_grow() {
+    // seven digits, as a program that prints "%.7g": 0.005 … 1000.005 is 1000.005, 10000.01 is short of one
+    let mut text = "t,x\n".to_string();
+    for i in 0..3000 {
+        let stamp = 9990.0 + f64::from(i) * 0.02;
+        let decimals = if stamp < 10_000.0 { 3 } else { 2 };
+        text += &format!("{stamp:.decimals$},{}\n", i % 11);
+    }
+    assert_eq!(read(&text).record.sampling_rate_hz(), 50.0);
+}
+
+#[test]
+fn refuses_uneven_time_stamps_with_line_step_and_expectation() {
+    let mut lines: Vec<String> = stamped(100.0, 200, 3).lines().map(String::from).collect();
+    lines.remove(120); // the stamp 1.19
+    let whole = RecordOptions {
+        lost_samples: LostSamples::Refuse,
+        ..Default::default()
+    };
+    assert_eq!(
+        refusal_with(&lines.join("\n"), &whole),
+        "line 121: the time stamp 1.2 s is 0.020000 s after the one before, but even steps of 0.010000 s would put it at \
+         1.190000 s: samples are missing or the clock jumped; cut the file there, or resample it before"
+    );
+    // repeated, backwards, and a clock that runs faster from the middle on
+    assert!(
+        refusal("t,x\n0,1\n0.01,2\n0.01,5\n0.02,2\n").contains("line 4: the time stamp is 0.000000 s after")
+    );
+    assert!(
+        refusal("t,x\n0,1\n0.010,2\n0.005,5\n")
+            .starts_with("line 4: the time stamp 0.005 s is -0.005000 s after")
+    );
+    let mut text = stamped(100.0, 500, 4);
+    for i in 1..500 {
+        text += &format!("{:.4},{}\n", 4.99 + f64::from(i) * 0.01002, i % 5);
+    }
+    assert!(refusal(&text).contains("samples are missing or the clock jumped"));
+}
+
+/// Rows that are used, the first sample of them, and what is said.
+fn kept(rows: impl Iterator<Item = usize>) -> (usize, f64, String) {
+    let text = rows.fold("t,x\n".to_string(), |text, i| {
+        text + &format!("{:.3},{i}.{}\n", 7.0 + i as f64 / 100.0, 7 * i % 10)
+    });
+    let record = read(&text).record;
+    assert_eq!(record.sampling_rate_hz(), 100.0);
+    let said = record
+        .history()
+        .last()
+        .map(ToString::to_string)
+        .unwrap_or_default();
+    (record.length(), record.samples(0)[0], said)
+}
+
+#[test]
+fn exact_longest_whole_span_of_a_record_that_lost_samples() {
+    let lost = |gaps: &'static [std::ops::Range<usize>]| {
+        kept((0..200).filter(|i| !gaps.iter().any(|gap| gap.contains(i))))
+    };
+    let (length, first, said) = lost(&[119..120, 150..160]);
+    assert_eq!((length, first), (119, 0.0));
+    assert_eq!(
+        said,
+        "samples are lost: 0.010 s after 1.180 s, 0.100 s after 1.490 s; only the longest whole span is used, 0.000 to 1.180 s: 1.180 of \
+         1.990 s"
+    );
+    // a sample that stands alone, at the start and between two gaps, is a span of its own
+    let (length, first, said) = lost(&[1..4, 50..60, 61..70]);
+    assert_eq!((length, first), (130, 70.0));
+    assert!(
+        said.starts_with(
+            "samples are lost: 0.030 s after 0.000 s, 0.100 s after 0.490 s, 0.090 s after 0.600 s; only"
+        ),
+        "{said}"
+    );
+    // every eleventh is lost: what is left whole is no record
+    let text = (0..200)
+        .filter(|i| i % 11 > 0)
+        .fold("t,x\n".to_string(), |text, i| {
+            text + &format!("{:.3},{i}.{}\n", i as f64 / 100.0, 7 * i % 10)
+        });
+    assert!(refusal(&text).contains("samples are missing or the clock jumped"));
+}
+
+#[test]
+fn refuses_a_missing_sample_hidden_in_coarse_stamps() {
+    let mut lines: Vec<String> = stamped(100.0, 200, 2).lines().map(String::from).collect();
+    lines.remove(120);
+    let expected = "line 121: the time stamp is 0.020000 s after the one before, that one 0.010000 s after its own; printed \
+                    to 0.01 s, this may be rounding or a missing sample: give sampling_rate if none is missing, or \
+                    print more digits";
+    assert_eq!(refusal(&lines.join("\n")), expected);
+    // a given rate of which the stamps need no rounding changes nothing; one of which they do is believed
+    assert_eq!(refusal_with(&lines.join("\n"), &at_100_hz()), expected);
+    let options = RecordOptions {
+        sampling_rate_hz: Some(128.0),
+        ..Default::default()
+    };
+    let reading = read_csv(stamped(128.0, 500, 2).as_bytes(), &options).unwrap();
+    assert_eq!(layout(&reading).rate_source, RateSource::GivenAndStamps);
+}
+
+#[test]
+fn refuses_a_rate_that_the_stamps_contradict() {
+    let options = RecordOptions {
+        sampling_rate_hz: Some(200.0),
+        ..Default::default()
+    };
+    assert_eq!(
+        refusal_with(&stamped(100.0, 500, 4), &options),
+        "sampling_rate is 200, but the time stamps say 100.000000: correct it, or leave it out to take that of the stamps"
+    );
+    assert_eq!(
+        refusal("a,b\n1,2\n4,3\n"),
+        "the sampling rate is not known: no column is named time or t (the columns are a, b); give sampling_rate, or \
+         name the time column"
+    );
+    assert!(
+        refusal("time (min),b\n1,2\n4,3\n")
+            .starts_with("column \"time (min)\" looks like time stamps in a unit")
+    );
+}
+
+#[test]
+fn exact_rates_of_stamps_in_days_and_in_milliseconds() {
+    // 2023-03-15 12:00 in the days of a table, ten decimals, 200 Hz
+    let days = (0..2000).fold("time,x\n".to_string(), |text, i| {
+        text + &format!(
+            "{:.10},{}\n",
+            45_000.5 + f64::from(i) / 200.0 / 86_400.0,
+            (i * i) % 7
+        )
+    });
+    let reading = read(&days);
+    assert!((reading.record.sampling_rate_hz() / 200.0 - 1.0).abs() < 1e-4);
+    assert_eq!(layout(&reading).time_unit_s, Some(86_400.0));
+    assert!(
+        reading.remarks()[0].contains("are read as days"),
+        "{:?}",
+        reading.remarks()
+    );
+
+    let milliseconds = |name: &str| {
+        (0..200).fold(format!("{name},x\n"), |text, i| {
+            text + &format!("{},{}\n", 5 * i, (i * i) % 7)
+        })
+    };
+    let fault = refusal(&milliseconds("time"));
+    assert!(
+        fault.starts_with("the time stamps of column \"time\" lie 5 apart")
+            && fault.contains("sampling_rate = \"200.0000 Hz\""),
+        "{fault}"
+    );
+    let given = RecordOptions {
+        sampling_rate_hz: Some(200.0),
+        ..Default::default()
+    };
+    let reading = read_csv(milliseconds("time").as_bytes(), &given).unwrap();
+    assert_eq!(reading.record.sampling_rate_hz(), 200.0);
+    assert_eq!(layout(&reading).time_unit_s, Some(1e-3));
+    // said by the name, or steps that are seconds: as they are
+    assert_eq!(read(&milliseconds("time [ms]")).record.sampling_rate_hz(), 200.0);
+    assert_eq!(read(&milliseconds("시간 [s]")).record.sampling_rate_hz(), 0.2);
+    assert_eq!(
+        read(&stamped(100.0, 200, 2).replace("t,", "시간,"))
+            .record
+            .sampling_rate_hz(),
+        100.0
+    );
+}
+
+#[test]
+fn refuses_a_second_stamp_that_is_not_after_the_first() {
+    let fault = refusal("t,x\n0.50,1\n0.20,5\n0.10,3\n");
+    assert!(
+        fault.starts_with("line 3: the time stamp 0.2 is not after the one before, 0.5"),
+        "{fault}"
+    );
+}

@@ -1,0 +1,11 @@
+//! What bytes become which values, and which are refused with which words.
+#![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
+
+mod csv_records;
+mod csv_stamps;
+mod motion_formats;
+mod motion_networks;
+mod motions;
+mod npy_records;
+mod palisaden;
+mod record_formats;

@@ -1,0 +1,202 @@
+//! Ground motions: AT2 in both headers, text in columns, and what is refused.
+
+use dolmen::signal::{Component, Processing};
+use dolmen_records::motions::{Lengths, MotionFormat, MotionOptions, read_component, read_motion};
+use dolmen_records::records::{Column, Unit};
+
+const G: f64 = 9.80665;
+const NEW: &str = "PEER NGA STRONG MOTION DATABASE RECORD\r\nMade Valley, 1/1/2000, Test Array #1, 180\r\n\
+    ACCELERATION TIME SERIES IN UNITS OF G\r\nNPTS=      7, DT=   .0100 SEC,     \r\n\
+    \x20  .1000000E-01  -.2500000E+00   .3000000E-01   .0000000E+00   .1000000E-02\r\n   .5000000E-02  -.1000000E-03\r\n";
+const OLD: &str = "PEER STRONG MOTION DATABASE RECORD. PROCESSING BY PEER\nMADE VALLEY 01/01/00, TEST, 270\n\
+    ACCELERATION TIME HISTORY IN UNITS OF G. FILTER POINTS: HP=0.1 Hz LP=40.0 Hz\n    6    0.0100    NPTS, DT\n\
+    \x20 0.1E-01 -0.2E+00 0.3 \n 0 1.0e-3 -4e-2";
+
+fn said(text: &str, options: &MotionOptions) -> String {
+    read_component(text.as_bytes(), options).unwrap_err().to_string()
+}
+
+fn in_unit(unit: Unit) -> MotionOptions {
+    MotionOptions {
+        unit: Some(unit),
+        ..Default::default()
+    }
+}
+
+#[test]
+fn exact_at2_in_both_headers() {
+    let read = read_component(NEW.as_bytes(), &MotionOptions::default()).unwrap();
+    assert_eq!(
+        (read.format, read.unit, read.time_step_s),
+        (MotionFormat::At2, Unit::Gravity, 0.01)
+    );
+    assert_eq!(read.title, "Made Valley, 1/1/2000, Test Array #1, 180");
+    let wanted = [0.01, -0.25, 0.03, 0.0, 0.001, 0.005, -0.0001].map(|a| a * G);
+    assert_eq!(read.acceleration_m_s2, wanted);
+    let old = read_component(OLD.as_bytes(), &MotionOptions::default()).unwrap();
+    assert_eq!(
+        old.acceleration_m_s2,
+        [0.01, -0.2, 0.3, 0.0, 0.001, -0.04].map(|a| a * G)
+    );
+    assert_eq!(old.time_step_s, 0.01);
+}
+
+#[test]
+fn exact_text_in_columns() {
+    let wanted = [0.0, 0.1, -0.3].map(|a| a * G);
+    let near = |read: &[f64]| read.iter().zip(wanted).all(|(a, b)| (a - b).abs() < 1e-14);
+    for text in [
+        "time_s,acceleration_g\n0,0\n0.02,0.1\n0.04,-0.3\n",
+        "Time (s);acc (g)\n0,00;0\n0,02;0,1\n0,04;-0,3\n",
+        "t\ta [cm/s2]\n0.00\t0\n0.02\t98.0665\n0.04\t-294.1995\n",
+        "t acceleration_m_s2\n0.00 0\n0.02 0.980665\n0.04 -2.941995\n",
+    ] {
+        let read = read_component(text.as_bytes(), &MotionOptions::default()).unwrap();
+        assert!(
+            near(&read.acceleration_m_s2) && read.time_step_s == 0.02,
+            "{text} {read:?}"
+        );
+    }
+    let bare = read_component(b"0.00 0\n0.02 0.1\n0.04 -0.3\n", &in_unit(Unit::Gravity)).unwrap();
+    assert!(near(&bare.acceleration_m_s2) && bare.time_step_s == 0.02);
+    let told = MotionOptions {
+        time_step_s: Some(0.02),
+        ..in_unit(Unit::Gravity)
+    };
+    for text in ["0\n0.1\n-0.3\n", "0.00 0\n0.02 0.1\n0.04 -0.3\n"] {
+        let read = read_component(text.as_bytes(), &told).unwrap();
+        assert!(near(&read.acceleration_m_s2) && read.time_step_s == 0.02);
+    }
+    let picked = MotionOptions {
+        column: Some(Column::Number(3)),
+        ..Default::default()
+    };
+    let read = read_component(b"t,a_g,b_g\n0,1,0\n0.02,1,0.1\n0.04,1,-0.3\n", &picked).unwrap();
+    assert!(near(&read.acceleration_m_s2));
+}
+
+#[test]
+fn exact_components_from_separate_files() {
+    let files = [(Component::X, NEW.as_bytes()), (Component::Z, OLD.as_bytes())];
+    let refused = read_motion("made", &files, &MotionOptions::default())
+        .unwrap_err()
+        .to_string();
+    assert_eq!(
+        refused,
+        "the x component has 7 samples, the z 6: if they begin at the same time, say lengths = shortest to cut all to the \
+         shortest"
+    );
+    let shortest = MotionOptions {
+        lengths: Lengths::Shortest,
+        ..Default::default()
+    };
+    let motion = read_motion("made", &files, &shortest).unwrap();
+    assert_eq!((motion.length(), motion.has(Component::Y)), (6, false));
+    assert_eq!(motion.component_peak_m_s2(Component::Z), 0.3 * G);
+    assert!(matches!(
+        motion.history(),
+        [
+            Processing::Read { .. },
+            Processing::Read { .. },
+            Processing::Cut { .. }
+        ]
+    ));
+    let coarse = OLD.replace("0.0100", "0.0200");
+    let files = [(Component::X, NEW.as_bytes()), (Component::Z, coarse.as_bytes())];
+    let refused = read_motion("made", &files, &shortest).unwrap_err().to_string();
+    assert!(refused.contains("0.01 s, the z of 0.02 s"), "{refused}");
+    let refused = read_motion("made", &[(Component::Y, b"" as &[u8])], &shortest)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.starts_with("the y component: the file is empty"),
+        "{refused}"
+    );
+    assert!(
+        read_motion("made", &[], &shortest)
+            .unwrap_err()
+            .to_string()
+            .contains("no file")
+    );
+}
+
+#[test]
+fn refuses_a_peak_that_no_earthquake_has() {
+    let gal = "0.00 0\n0.02 33.8\n0.04 -12\n";
+    let refused = said(gal, &in_unit(Unit::Gravity));
+    assert_eq!(
+        refused,
+        "the peak is 3.380e1 g, but must be 0.001 to 5 g: is the unit cm/s2 or mg instead of g?; if the motion is truly \
+         so, widen plausible_peak_m_s2"
+    );
+    // the dangerous way round: a strong motion that would shake nothing
+    let g = "0.00 0\n0.02 0.32\n0.04 -0.1\n";
+    assert!(said(g, &in_unit(Unit::Gal)).contains("is the unit g or m/s2 instead of cm/s2?"));
+    assert!(said("0.00 0\n0.02 0\n0.04 0\n", &in_unit(Unit::Gravity)).contains("check the unit g"));
+    let allowed = MotionOptions {
+        plausible_peak_m_s2: 0.0..=40.0 * G,
+        ..in_unit(Unit::Gravity)
+    };
+    assert!(read_component(gal.as_bytes(), &allowed).is_ok());
+}
+
+#[test]
+fn refuses_an_at2_that_is_not_whole() {
+    let plain = MotionOptions::default();
+    let short = NEW.replace("NPTS=      7", "NPTS=   4000");
+    assert_eq!(
+        said(&short, &plain),
+        "the header says 4000 samples, but 7 follow: the file was cut short or edited; download it again"
+    );
+    assert_eq!(
+        said(&NEW.replace(".3000000E-01", "********"), &plain),
+        "line 5: \"********\" is not a finite number: correct it, or download the file again"
+    );
+    assert!(said(&NEW.replace(".3000000E-01", "NaN"), &plain).contains("line 5: \"NaN\""));
+    assert!(
+        said(&NEW.replace(".0100 SEC", "UNKNOWN"), &plain)
+            .starts_with("line 4: \"NPTS=      7, DT=   UNKNOWN")
+    );
+    assert!(said(&NEW.replace("7, DT", "-7, DT"), &plain).contains("does not give NPTS and DT"));
+    assert!(said(&NEW.replace(".0100 SEC", "0 SEC"), &plain).contains("does not give NPTS and DT"));
+    let velocity = NEW.replace(
+        "ACCELERATION TIME SERIES IN UNITS OF G",
+        "VELOCITY TIME SERIES IN UNITS OF CM/S",
+    );
+    assert!(said(&velocity, &plain).starts_with("line 3: the file holds velocities"));
+    let strange = NEW.replace("UNITS OF G", "UNITS OF FURLONGS");
+    assert!(said(&strange, &plain).contains("\"FURLONGS\" is not known"));
+    assert!(read_component(strange.as_bytes(), &in_unit(Unit::Gravity)).is_ok());
+}
+
+#[test]
+fn refuses_what_is_not_known_or_contradicts() {
+    let bare = "0.00 0\n0.02 0.1\n0.04 -0.3\n";
+    let plain = MotionOptions::default();
+    assert_eq!(
+        said(bare, &plain),
+        "the unit of the accelerations is not known: the file does not say it; give unit = g, gal or m/s2"
+    );
+    assert_eq!(
+        said(NEW, &in_unit(Unit::Gal)),
+        "unit is \"cm/s2\", but the file says \"g\": correct it, or leave it out"
+    );
+    assert!(said(bare, &in_unit(Unit::Millimetre)).contains("\"mm\" is not one of acceleration"));
+    assert!(said("time,v (cm/s)\n0,0\n0.02,1\n0.04,2.5\n", &plain).contains("not one of acceleration"));
+    assert!(
+        said("time,a_g,b_g\n0,0,1\n0.02,1,0\n0.04,2.5,1\n", &plain)
+            .contains("2 columns of numbers (a_g, b_g)")
+    );
+    let step = |step| MotionOptions {
+        time_step_s: Some(step),
+        ..Default::default()
+    };
+    assert_eq!(
+        said(NEW, &step(0.02)),
+        "time_step_s is 0.02, but the file says 0.01: correct it, or leave it out"
+    );
+    for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+        assert!(said(NEW, &step(bad)).contains("positive number of seconds"));
+    }
+    assert!(said("0\n0.1\n-0.3\n", &in_unit(Unit::Gravity)).contains("sampling rate is not known"));
+}

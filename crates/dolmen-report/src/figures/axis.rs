@@ -1,0 +1,247 @@
+//! Axes: range, ticks at round numbers, and the name with its unit.
+
+use dolmen_words::number;
+use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
+use std::ops::Range;
+
+/// Powers of ten shown with all their multiples when the axis holds no more than this many of them.
+const DECADES_WITH_FIVES: f64 = 3.2;
+
+/// An axis has so many ticks at least, where that many are wanted: one alone gives no scale.
+const TICKS_LEAST: i64 = 2;
+
+/// Shares of the span kept free at both ends of an axis.
+const FREE_SHARE: f64 = 0.04;
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Scale {
+    Linear,
+    Logarithmic,
+}
+
+/// A place on an axis; without a text it is only a grid line.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Tick {
+    pub(crate) at: f64,
+    pub(crate) text: String,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Axis {
+    /// Name with unit: "Frequency (Hz)".
+    pub(crate) name: String,
+    pub(crate) from: f64,
+    pub(crate) to: f64,
+    pub(crate) scale: Scale,
+    pub(crate) ticks: Vec<Tick>,
+    pub(crate) grid: bool,
+}
+
+impl Axis {
+    /// A linear axis over exactly this range, with about `wanted` ticks.
+    pub(crate) fn linear(name: impl Into<String>, from: f64, to: f64, wanted: usize) -> Self {
+        let (from, to) = proper(from, to);
+        let rough = (to - from) / wanted.max(1) as f64;
+        let power = 10f64.powf(rough.log10().floor());
+        let steps = [10.0, 5.0, 2.0, 1.0].map(|s| s * power);
+        let ends = |step: f64| {
+            let first = (from / step - 1e-9).ceil() as i64;
+            (first, (to / step + 1e-9).floor() as i64)
+        };
+        // the finest step of about as many ticks as are wanted, or the next one if that has hardly any
+        let coarse = steps.iter().rposition(|s| *s >= rough * 0.999).unwrap_or(0);
+        let finer = (coarse..steps.len()).find(|i| {
+            let (first, last) = ends(steps[*i]);
+            last - first + 1 >= TICKS_LEAST.min(wanted as i64)
+        });
+        let step = steps[finer.unwrap_or(coarse)];
+        let decimals = (-step.log10().floor()).max(0.0) as usize;
+        let (first, last) = ends(step);
+        let tick = |i: i64| Tick {
+            at: i as f64 * step,
+            text: number::fixed(i as f64 * step, decimals),
+        };
+        Axis {
+            name: name.into(),
+            from,
+            to,
+            scale: Scale::Linear,
+            ticks: (first..=last).map(tick).collect(),
+            grid: true,
+        }
+    }
+
+    /// A linear axis around these values, with some room at both ends.
+    pub(crate) fn around(name: impl Into<String>, values: &[f64], wanted: usize) -> Self {
+        let (least, most) = bounds(values);
+        let room = FREE_SHARE * (most - least).max(1e-9 * most.abs()).max(f64::MIN_POSITIVE);
+        Self::linear(name, least - room, most + room, wanted)
+    }
+
+    /// A logarithmic axis around these values; those that are not positive are left out.
+    pub(crate) fn logarithmic(name: impl Into<String>, values: &[f64]) -> Self {
+        let positive: Vec<f64> = values.iter().copied().filter(|v| *v > 0.0).collect();
+        let (least, most) = bounds(&positive);
+        let (least, most) = if least > 0.0 { (least, most) } else { (0.1, 10.0) };
+        let room = (most / least).powf(FREE_SHARE).max(1.25);
+        let (from, to) = (least / room, most * room);
+        let decades = (to / from).log10();
+        let named: &[u32] = match decades {
+            d if d < 1.2 => &[1, 2, 3, 4, 5, 7],
+            d if d < DECADES_WITH_FIVES => &[1, 2, 5],
+            _ => &[1],
+        };
+        let mut ticks = Vec::new();
+        for power in from.log10().floor() as i32..=to.log10().ceil() as i32 {
+            for multiple in 1..10 {
+                let at = f64::from(multiple) * 10f64.powi(power);
+                if !(from..=to).contains(&at) {
+                    continue;
+                }
+                let text = if named.contains(&multiple) {
+                    let decimals = (-power).clamp(0, 12) as usize;
+                    number::fixed(at, decimals)
+                } else {
+                    String::new()
+                };
+                if !text.is_empty() || decades < DECADES_WITH_FIVES {
+                    ticks.push(Tick { at, text });
+                }
+            }
+        }
+        Axis {
+            name: name.into(),
+            from,
+            to,
+            scale: Scale::Logarithmic,
+            ticks,
+            grid: true,
+        }
+    }
+
+    /// One row a name, at 0, 1, 2 … upwards.
+    pub(crate) fn rows(names: &[String]) -> Self {
+        let tick = |(i, text): (usize, &String)| Tick {
+            at: i as f64,
+            text: text.clone(),
+        };
+        Axis {
+            name: String::new(),
+            from: -0.6,
+            to: names.len() as f64 - 0.4,
+            scale: Scale::Linear,
+            ticks: names.iter().enumerate().map(tick).collect(),
+            grid: false,
+        }
+    }
+
+    /// Share of the axis at which a value stands, 0 to 1 within its range.
+    fn share(&self, value: f64) -> f64 {
+        let share = match self.scale {
+            Scale::Linear => (value - self.from) / (self.to - self.from),
+            Scale::Logarithmic => (value / self.from).ln() / (self.to / self.from).ln(),
+        };
+        if share.is_nan() {
+            0.0
+        } else {
+            share.clamp(0.0, 1.0)
+        }
+    }
+}
+
+impl Ranged for Axis {
+    type FormatOption = NoDefaultFormatting;
+    type ValueType = f64;
+
+    fn map(&self, value: &f64, limit: (i32, i32)) -> i32 {
+        let span = f64::from(limit.1 - limit.0);
+        limit.0 + (span * self.share(*value)).round() as i32
+    }
+
+    fn key_points<Hint: KeyPointHint>(&self, _: Hint) -> Vec<f64> {
+        self.ticks.iter().map(|t| t.at).collect()
+    }
+
+    fn range(&self) -> Range<f64> {
+        self.from..self.to
+    }
+}
+
+impl ValueFormatter<f64> for Axis {
+    fn format_ext(&self, value: &f64) -> String {
+        self.ticks
+            .iter()
+            .find(|t| t.at == *value)
+            .map(|t| t.text.clone())
+            .unwrap_or_default()
+    }
+}
+
+/// Least and most of what is finite; 0 and 0 if nothing is.
+fn bounds(values: &[f64]) -> (f64, f64) {
+    let finite = values.iter().copied().filter(|v| v.is_finite());
+    let (least, most) = finite.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), v| {
+        (a.min(v), b.max(v))
+    });
+    if least <= most { (least, most) } else { (0.0, 0.0) }
+}
+
+/// A range that has a length.
+fn proper(from: f64, to: f64) -> (f64, f64) {
+    if from.is_finite() && to.is_finite() && to > from {
+        return (from, to);
+    }
+    let middle = if from.is_finite() { from } else { 0.0 };
+    (middle - 1.0, middle + 1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn texts(axis: &Axis) -> Vec<&str> {
+        axis.ticks
+            .iter()
+            .map(|t| t.text.as_str())
+            .filter(|t| !t.is_empty())
+            .collect()
+    }
+
+    #[test]
+    fn exact_linear_ticks_are_round() {
+        assert_eq!(
+            texts(&Axis::linear("", 0.0, 1.0, 5)),
+            ["0.0", "0.2", "0.4", "0.6", "0.8", "1.0"]
+        );
+        assert_eq!(
+            texts(&Axis::linear("", -12.0, 7.0, 4)),
+            ["\u{2212}10", "\u{2212}5", "0", "5"]
+        );
+    }
+
+    #[test]
+    fn exact_logarithmic_ticks_name_powers() {
+        assert_eq!(
+            texts(&Axis::logarithmic("", &[1.9, 739.0])),
+            ["2", "5", "10", "20", "50", "100", "200", "500"]
+        );
+        assert_eq!(
+            texts(&Axis::logarithmic("", &[1e-3, 1e3])),
+            ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]
+        );
+    }
+
+    #[test]
+    fn holds_axes_of_nothing_or_of_one_value_can_be_drawn() {
+        for axis in [
+            Axis::around("", &[], 5),
+            Axis::linear("", 3.0, 3.0, 5),
+            Axis::around("", &[3.0], 5),
+            Axis::logarithmic("", &[f64::NAN]),
+        ] {
+            assert!(axis.to > axis.from, "{axis:?}");
+            let at = axis.map(&axis.to, (0, 100));
+            assert_eq!(at, 100);
+        }
+    }
+}

@@ -1,0 +1,395 @@
+//! A building: its plan with centres, and how it moved in time.
+
+use super::Figure;
+use super::frame_histories::ground;
+use super::ink::{Anchor, BLACK, BLUE, GREEN, GREY, Label, Line, ORANGE, PURPLE, STONE, Shape, VERMILLION};
+use super::scene::Scene;
+use super::stack_histories::{Series, plot};
+use dolmen::dynamics::BuildingHistory;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen::signal::Component;
+use dolmen_words::Language;
+use dolmen_words::number::significant;
+use dolmen_work::building::StandingBuilding;
+use dolmen_work::simulation::BuildingSimulation;
+
+/// Largest width and height of the drawn floor, px.
+const FLOOR_PX: [f64; 2] = [380.0, 300.0];
+/// Room around it, px: mode centres beside the floor.
+const ROOM_PX: f64 = 90.0;
+/// Width of the words beside it, px.
+const WORDS_PX: f64 = 270.0;
+/// Mode centres drawn. Chosen here: the modes that sway both ways and twist.
+const MODES_DRAWN: usize = 3;
+/// Colours of the modes.
+const MODE_COLOURS: [&str; MODES_DRAWN] = [BLUE, VERMILLION, GREEN];
+/// Length of the longest wall as it is drawn, of the smaller side of the floor.
+const WALL_LONGEST: f64 = 0.28;
+
+/// From plan coordinates to px.
+struct View {
+    scale: f64,
+    left_m: f64,
+    top_m: f64,
+    size_px: [f64; 2],
+}
+
+impl View {
+    fn px(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [
+            ROOM_PX + (x - self.left_m) * self.scale,
+            ROOM_PX + (self.top_m - y) * self.scale,
+        ]
+    }
+
+    /// A point drawn at the edge of the picture if it lies beyond; whether it does.
+    fn kept(&self, at: [f64; 2]) -> ([f64; 2], bool) {
+        let px = self.px(at);
+        let most = self.size_px;
+        let inside = |axis: usize| (14.0..=most[axis] - 14.0).contains(&px[axis]);
+        let kept = [0, 1].map(|axis| px[axis].clamp(14.0, most[axis] - 14.0));
+        (kept, !(inside(0) && inside(1)))
+    }
+}
+
+/// The top floor in plan with the walls below it, its centre of mass and of rigidity, the centres of the lowest modes, and dampers.
+pub fn building_plan(standing: &StandingBuilding, language: Language) -> String {
+    let building = &standing.building;
+    let (Some(floor), Some(storey)) = (building.floors().last(), building.storeys().last()) else {
+        return String::new();
+    };
+    let radius = floor.gyration_m;
+    let square = [
+        [-radius, -radius],
+        [radius, -radius],
+        [radius, radius],
+        [-radius, radius],
+    ];
+    let square = square.map(|c| [c[0] + floor.centre_m[0], c[1] + floor.centre_m[1]]);
+    let corners: Vec<[f64; 2]> = match &floor.outline {
+        Some(outline) => outline.corners_m().to_vec(),
+        None => square.to_vec(),
+    };
+    let extent = |axis: usize| {
+        let values = corners.iter().map(|c| c[axis]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, m], v| {
+            [l.min(v), m.max(v)]
+        })
+    };
+    let ([left, right], [bottom, top]) = (extent(0), extent(1));
+    let scale = (FLOOR_PX[0] / (right - left)).min(FLOOR_PX[1] / (top - bottom));
+    let size_px = [
+        2.0 * ROOM_PX + (right - left) * scale,
+        2.0 * ROOM_PX + (top - bottom) * scale,
+    ];
+    let view = View {
+        scale,
+        left_m: left,
+        top_m: top,
+        size_px,
+    };
+    let mut scene = Scene::new(size_px[0] + WORDS_PX, size_px[1]);
+    let outline: Vec<[f64; 2]> = corners.iter().map(|&c| view.px(c)).collect();
+    let edge = match floor.outline {
+        Some(_) => Line::new(BLACK, 1.4),
+        None => Line::new(GREY, 1.2).dashed(),
+    };
+    scene.polygon(&outline, STONE, edge);
+    walls(
+        &mut scene,
+        &view,
+        storey.stiffness.elements(),
+        (right - left).min(top - bottom),
+    );
+    axes(&mut scene, size_px[1]);
+    let mut words = Words {
+        at: [size_px[0] + 8.0, 30.0],
+    };
+    let title = language.pick("top floor, walls below it", "최상층 바닥과 그 아래 벽체");
+    words.line(&mut scene, None, title.to_owned());
+    let place = |at: [f64; 2]| format!("({}, {}) m", short(at[0]), short(at[1]));
+    scene.marker(view.px(floor.centre_m), Shape::Circle, 5.5, BLACK);
+    let mass = language.pick("centre of mass", "질량 중심");
+    words.line(
+        &mut scene,
+        Some((Shape::Circle, BLACK)),
+        format!("{mass} {}", place(floor.centre_m)),
+    );
+    if let Some(rigidity) = storey.stiffness.centre_of_rigidity_m() {
+        let (at, _) = view.kept(rigidity);
+        scene.marker(at, Shape::Cross, 6.0, PURPLE);
+        let rigid = language.pick("centre of rigidity", "강성 중심");
+        words.line(
+            &mut scene,
+            Some((Shape::Cross, PURPLE)),
+            format!("{rigid} {}", place(rigidity)),
+        );
+    }
+    for (j, mode) in standing.modes.modes.iter().take(MODES_DRAWN).enumerate() {
+        let colour = MODE_COLOURS[j];
+        let name = language.pick(format!("mode {}", j + 1), format!("{}차 모드", j + 1));
+        let hertz = significant(mode.frequency_hz, 3);
+        let Some(centre) = mode.centres.last().copied().flatten() else {
+            let none = language.pick("no centre: it does not turn", "중심 없음: 비틀림이 없다");
+            words.line(&mut scene, None, format!("{name}, {hertz}\u{202f}Hz: {none}"));
+            continue;
+        };
+        let at = [centre.x_m, centre.y_m];
+        let (px, beyond) = view.kept(at);
+        if beyond {
+            let from = toward(px, view.px(floor.centre_m), 34.0);
+            scene.arrow(from, px, 9.0, Line::new(colour, 1.8));
+            scene.text(toward(px, view.px(floor.centre_m), 44.0), &number(j + 1, colour));
+        } else {
+            scene.marker(px, Shape::Diamond, 6.5, colour);
+            scene.text([px[0] + 13.0, px[1] - 11.0], &number(j + 1, colour));
+        }
+        words.line(
+            &mut scene,
+            Some((Shape::Diamond, colour)),
+            format!("{name}, {hertz}\u{202f}Hz: {}", place(at)),
+        );
+    }
+    let mut named: Vec<([f64; 2], Vec<&str>)> = Vec::new();
+    for damper in &standing.dampers {
+        match named.iter_mut().find(|(place, _)| *place == damper.place_m) {
+            Some((_, names)) => names.push(&damper.name),
+            None => named.push((damper.place_m, vec![&damper.name])),
+        }
+    }
+    for (place_m, names) in named {
+        // inward, so that a name does not lie on a wall
+        let [x, y] = view.px(place_m);
+        let (anchor, aside) = match place_m[0] > 0.5 * (left + right) {
+            true => (Anchor::End, -9.0),
+            false => (Anchor::Start, 9.0),
+        };
+        let name = Label::new(names.join(", "), anchor).small();
+        scene.text([x + aside, y - 22.0], &name);
+    }
+    for damper in &standing.dampers {
+        let at = view.px(damper.place_m);
+        let [cos, sin] = damper.direction.unit();
+        let line = Line::new(ORANGE, 2.0);
+        for sign in [-1.0, 1.0] {
+            let to = [at[0] + sign * 24.0 * cos, at[1] - sign * 24.0 * sin];
+            scene.arrow(at, to, 8.0, line);
+        }
+        scene.marker(at, Shape::Square, 5.0, ORANGE);
+        let word = language.pick("damper", "제진장치");
+        let floor = language.pick(format!("floor {}", damper.floor), format!("{}층", damper.floor));
+        words.line(
+            &mut scene,
+            Some((Shape::Square, ORANGE)),
+            format!("{word} {} ({floor})", damper.name),
+        );
+    }
+    scene.svg(language.pick("Plan with the centres of the modes", "모드 중심을 표시한 평면도"))
+}
+
+fn short(value: f64) -> String {
+    format!("{:.2}", value + 0.0)
+}
+
+fn number(mode: usize, colour: &'static str) -> Label {
+    Label::new(mode.to_string(), Anchor::Middle)
+        .bold()
+        .coloured(colour)
+}
+
+/// A point so many px from one toward another.
+fn toward(from: [f64; 2], to: [f64; 2], px: f64) -> [f64; 2] {
+    let (dx, dy) = (to[0] - from[0], to[1] - from[1]);
+    let length = dx.hypot(dy).max(1e-9);
+    [from[0] + dx / length * px, from[1] + dy / length * px]
+}
+
+/// Lines of words beside the plan.
+struct Words {
+    at: [f64; 2],
+}
+
+impl Words {
+    fn line(&mut self, scene: &mut Scene, key: Option<(Shape, &'static str)>, text: String) {
+        if let Some((shape, colour)) = key {
+            scene.marker([self.at[0] + 6.0, self.at[1]], shape, 5.0, colour);
+        }
+        let from = [self.at[0] + if key.is_some() { 18.0 } else { 0.0 }, self.at[1]];
+        scene.text(from, &Label::new(text, Anchor::Start).small());
+        self.at[1] += 22.0;
+    }
+}
+
+fn axes(scene: &mut Scene, height: f64) {
+    let from = [24.0, height - 24.0];
+    let line = Line::new(GREY, 1.2);
+    for (to, name, beside) in [
+        ([58.0, height - 24.0], "x", [66.0, height - 24.0]),
+        ([24.0, height - 58.0], "y", [24.0, height - 67.0]),
+    ] {
+        scene.arrow(from, to, 7.0, line);
+        scene.text(beside, &Label::new(name, Anchor::Middle).small().coloured(GREY));
+    }
+}
+
+/// Each wall as a bar along each axis in which it is stiff, as long as its share of the stiffest.
+fn walls(scene: &mut Scene, view: &View, elements: &[dolmen::structure::building::Element], side_m: f64) {
+    let stiffest = elements
+        .iter()
+        .map(|e| e.stiffness_x_n_m.max(e.stiffness_y_n_m))
+        .fold(0.0, f64::max);
+    for element in elements {
+        let (sin, cos) = element.angle_degrees.to_radians().sin_cos();
+        for (stiffness, [dx, dy]) in [
+            (element.stiffness_x_n_m, [cos, sin]),
+            (element.stiffness_y_n_m, [-sin, cos]),
+        ] {
+            let half = 0.5 * WALL_LONGEST * side_m * stiffness / stiffest;
+            let ends = [-half, half].map(|t| view.px([element.x_m + t * dx, element.y_m + t * dy]));
+            scene.line(ends[0], ends[1], Line::new(BLACK, 4.0).faint(0.75));
+        }
+    }
+}
+
+/// Whether nothing moves: a level line is no figure.
+fn still(series: &[Series]) -> bool {
+    let mut values = series
+        .iter()
+        .flat_map(|one| one.points.iter().map(|point| point[1]));
+    values.all(|value| value == 0.0)
+}
+
+/// The figures of a simulation: ground, top, rotation, base shear, damper strokes, points.
+pub fn building_histories(simulation: &BuildingSimulation, language: Language) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut add = |name: &str, series: &[Series], axis: &str, title: &str| {
+        if still(series) {
+            return;
+        }
+        if let Some(svg) = plot(series, axis, language, title) {
+            figures.push(Figure {
+                name: name.to_owned(),
+                svg,
+            });
+        }
+    };
+    let motion = &simulation.motion.motion;
+    let acting: Vec<Series> = [Component::X, Component::Y]
+        .into_iter()
+        .filter(|component| motion.has(*component))
+        .map(|component| Series {
+            name: component.name().to_owned(),
+            ..ground(motion, component)
+        })
+        .collect();
+    let acceleration = language.pick("Acceleration (g)", "가속도 (g)");
+    add(
+        "ground",
+        &acting,
+        acceleration,
+        language.pick("Acceleration of the ground", "지반 가속도"),
+    );
+    let history = &simulation.history;
+    let top = 3 * (simulation.floors.len().max(1) - 1);
+    let of = |history: &BuildingHistory, row: usize, factor: f64, name: String| Series {
+        name,
+        points: (0..history.length())
+            .map(|step| [history.time_s(step), factor * history.coordinates[(row, step)]])
+            .collect(),
+    };
+    let with = language.pick("with dampers", "제진장치 있음");
+    let without = language.pick("without dampers", "제진장치 없음");
+    let displacement = language.pick("Displacement (mm)", "변위 (mm)");
+    for (axis, name) in [(0, "x"), (1, "y")] {
+        let own = match simulation.without_dampers {
+            Some(_) => with.to_owned(),
+            None => name.to_owned(),
+        };
+        let mut series = Vec::new();
+        if let Some(other) = &simulation.without_dampers {
+            series.push(of(other, top + axis, 1e3, without.to_owned()));
+        }
+        series.push(of(history, top + axis, 1e3, own));
+        let title = language.pick(
+            format!("Displacement of the top floor along {name}"),
+            format!("최상층의 {name} 방향 변위"),
+        );
+        add(&format!("top-{name}"), &series, displacement, &title);
+    }
+    add(
+        "rotation",
+        &[of(
+            history,
+            top + 2,
+            1e3,
+            language.pick("top floor", "최상층").to_owned(),
+        )],
+        language.pick("Rotation (mrad)", "회전 (mrad)"),
+        language.pick("Rotation of the top floor", "최상층의 회전"),
+    );
+    let shear = |axis: usize, name: &str| Series {
+        name: name.to_owned(),
+        points: (0..history.length())
+            .map(|step| [history.time_s(step), 1e-3 * history.base[(axis, step)]])
+            .collect(),
+    };
+    add(
+        "base-shear",
+        &[shear(0, "x"), shear(1, "y")],
+        language.pick("Base shear (kN)", "밑면전단력 (kN)"),
+        language.pick("Base shear", "밑면전단력"),
+    );
+    let strokes: Vec<Series> = simulation
+        .stroke_names()
+        .into_iter()
+        .enumerate()
+        .map(|(d, name)| of(history, top + 3 + d, 1e3, name))
+        .collect();
+    if !strokes.is_empty() {
+        add(
+            "strokes",
+            &strokes,
+            language.pick("Stroke (mm)", "행정 (mm)"),
+            language.pick("Travel of the dampers", "제진장치의 행정"),
+        );
+    }
+    for (i, point) in simulation.points.iter().enumerate() {
+        let along = |values: &[f64], name: &str, factor: f64| Series {
+            name: name.to_owned(),
+            points: values
+                .iter()
+                .enumerate()
+                .map(|(step, value)| [history.time_s(step), factor * value])
+                .collect(),
+        };
+        let [x, y] = &point.along;
+        let title = language.pick(
+            format!("Displacement of point {}", point.name),
+            format!("{} 지점의 변위", point.name),
+        );
+        add(
+            &format!("point-{}", i + 1),
+            &[
+                along(&x.displacement_m, "x", 1e3),
+                along(&y.displacement_m, "y", 1e3),
+            ],
+            displacement,
+            &title,
+        );
+        let title = language.pick(
+            format!("Acceleration of point {}, with that of the ground", point.name),
+            format!("{} 지점의 절대가속도", point.name),
+        );
+        let in_g = 1.0 / STANDARD_GRAVITY_M_S2;
+        add(
+            &format!("acceleration-{}", i + 1),
+            &[
+                along(&x.acceleration_m_s2, "x", in_g),
+                along(&y.acceleration_m_s2, "y", in_g),
+            ],
+            acceleration,
+            &title,
+        );
+    }
+    figures
+}

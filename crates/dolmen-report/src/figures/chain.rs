@@ -1,0 +1,313 @@
+//! Figures of a chain: elevation to scale, limits of its joints, what lowering a centroid does.
+
+use super::axis::Axis;
+use super::ink::{
+    Anchor, BLACK, BLUE, GREY, LIGHT, Label, Line, ORANGE, STONE, Shape, VERMILLION, verdict_colour,
+    verdict_shape,
+};
+use super::plot::{Key, Plot};
+use super::scene::Scene;
+use dolmen::assess::CentroidEffect;
+use dolmen::stability::{ChainLimits, ChainStability, Verdict};
+use dolmen::structure::{Chain, Inertia};
+use dolmen_words::Language;
+use dolmen_words::number::{self, subscript};
+
+/// Height of the drawn chain, px.
+const ELEVATION_PX: f64 = 420.0;
+
+/// Links are drawn at least this wide, px, so that a slender pole can still be seen.
+const WIDTH_LEAST_PX: f64 = 18.0;
+
+/// Where neither breadth nor bed is given, width of the widest link as a share of the height.
+const WIDTH_SHARE: f64 = 0.07;
+
+/// The chain in elevation, heights to scale: links with lengths and centres of mass, and a mark at each joint whose
+/// colour and shape tell the verdict on its margin.
+///
+/// `names` are those of the links, lowest first; missing ones are numbered. Without `stability` the joints are unknown.
+/// Widths are to scale where the links' breadth or bed is given; else only their proportion √(mass/length) is.
+pub fn chain_elevation(
+    chain: &Chain,
+    names: &[Option<String>],
+    stability: Option<&ChainStability>,
+    language: Language,
+) -> String {
+    let links = chain.links();
+    let total: f64 = links.iter().map(|l| l.length_m).sum();
+    let scale = ELEVATION_PX / total;
+    let (top, bottom) = (26.0, 26.0 + ELEVATION_PX);
+    let mut scene = Scene::new(440.0, bottom + 44.0);
+    let axis = 168.0;
+    let widths = widths_m(chain, total);
+    let masses: Vec<f64> = links.iter().map(|l| l.mass_kg * chain.gravity_m_s2()).collect();
+    let weight_unit = number::prefix(&masses, "N");
+
+    // Ground, and the scale of heights at the left.
+    let ground = Line::new(GREY, 1.5);
+    scene.line([64.0, bottom], [272.0, bottom], ground);
+    for i in 0..13 {
+        let x = 64.0 + 16.0 * f64::from(i);
+        scene.line([x + 8.0, bottom], [x, bottom + 7.0], Line::new(GREY, 0.8));
+    }
+    let heights = Axis::linear("", 0.0, total, 5);
+    for tick in &heights.ticks {
+        let y = bottom - tick.at * scale;
+        scene.line([46.0, y], [52.0, y], Line::new(GREY, 1.0));
+        scene.text([42.0, y], &Label::new(&tick.text, Anchor::End).small());
+    }
+    scene.line([52.0, bottom], [52.0, top], Line::new(GREY, 1.0));
+    scene.text(
+        [8.0, 10.0],
+        &Label::new(language.pick("Height (m)", "높이 (m)"), Anchor::Start).small(),
+    );
+    let margin_head = language.pick("joint: margin k/k_min", "연결부: 여유율 k/k_min");
+    scene.text([432.0, 10.0], &Label::new(margin_head, Anchor::End).small());
+
+    let mut base_m = 0.0;
+    for (i, link) in links.iter().enumerate() {
+        let half = (0.5 * widths[i] * scale).max(0.5 * WIDTH_LEAST_PX);
+        let (low, high) = (bottom - base_m * scale, bottom - (base_m + link.length_m) * scale);
+        let box_line = Line::new(BLACK, 1.2);
+        let corners = [
+            [axis - half, low],
+            [axis + half, low],
+            [axis + half, high],
+            [axis - half, high],
+        ];
+        scene.polygon(&corners, STONE, box_line);
+        let centre = [axis, low - link.centroid_m * scale];
+        scene.circle(centre, 5.0, "#ffffff", Line::new(BLACK, 1.1));
+        scene.line(
+            [centre[0] - 7.5, centre[1]],
+            [centre[0] + 7.5, centre[1]],
+            Line::new(BLACK, 1.0),
+        );
+        scene.line(
+            [centre[0], centre[1] - 7.5],
+            [centre[0], centre[1] + 7.5],
+            Line::new(BLACK, 1.0),
+        );
+
+        let name = part_name(names, i, language.pick("link", "부재"));
+        let middle = 0.5 * (low + high);
+        scene.text(
+            [axis + 44.0, middle - 8.0],
+            &Label::new(name, Anchor::Start).bold(),
+        );
+        let facts = format!(
+            "L {}{s}m · {}",
+            number::significant(link.length_m, 3),
+            weight_unit.trimmed(masses[i], 4),
+            s = number::NARROW_SPACE
+        );
+        scene.text(
+            [axis + 44.0, middle + 8.0],
+            &Label::new(facts, Anchor::Start).small().coloured(GREY),
+        );
+
+        let joint = stability.and_then(|s| s.joints.get(i));
+        let margin = joint.and_then(|j| j.margin);
+        let verdict = match (joint, margin) {
+            (None, _) => Verdict::Unknown,
+            (Some(_), None) => Verdict::Unstable,
+            (Some(_), Some(margin)) => Verdict::of_load_factor(margin),
+        };
+        let words = match (joint, margin) {
+            (None, _) => language.pick("unknown", "미상").to_string(),
+            (Some(_), None) => language.pick("falls", "전도").to_string(),
+            (Some(_), Some(margin)) => number::beside_one(margin, 3),
+        };
+        scene.line([axis + half + 12.0, low], [330.0, low], Line::new(LIGHT, 1.0));
+        scene.marker([axis, low], verdict_shape(verdict), 6.0, verdict_colour(verdict));
+        let label = Label::new(format!("k{}   {words}", subscript(i + 1)), Anchor::Start);
+        scene.marker([342.0, low], verdict_shape(verdict), 5.0, verdict_colour(verdict));
+        scene.text([356.0, low], &label.bold());
+        base_m += link.length_m;
+    }
+    let note = if links.iter().all(|l| given_width(l).is_some()) {
+        language.pick(
+            "⊕ centre of mass; heights and widths to scale",
+            "⊕ 무게 중심; 높이와 폭은 축척에 맞음",
+        )
+    } else {
+        language.pick(
+            "⊕ centre of mass; heights to scale, widths schematic",
+            "⊕ 무게 중심; 높이는 축척에 맞고 폭은 모식도",
+        )
+    };
+    scene.text(
+        [8.0, bottom + 32.0],
+        &Label::new(note, Anchor::Start).small().coloured(GREY),
+    );
+    scene.svg(language.pick("Elevation of the chain with its joints", "연결부를 표시한 입면도"))
+}
+
+/// Stiffness limits of every joint on a logarithmic axis: the published critical stiffness k_cr, the published P·H, the
+/// exact limit M with all other joints rigid, and the given stiffness. Below M the chain falls whatever the other joints
+/// are: that side is tinted, so that one sees k_cr in it.
+pub fn stiffness_limits(
+    limits: &ChainLimits,
+    stability: Option<&ChainStability>,
+    language: Language,
+) -> String {
+    let given: Vec<f64> = stability
+        .iter()
+        .flat_map(|s| s.joints.iter().map(|j| j.stiffness_n_m_rad))
+        .collect();
+    let least: Vec<f64> = stability
+        .iter()
+        .flat_map(|s| s.joints.iter().filter_map(|j| j.stiffness_least_n_m_rad))
+        .collect();
+    let all: Vec<f64> = [
+        &limits.published_critical_n_m_rad,
+        &limits.published_buckling_n_m_rad,
+        &limits.necessary_n_m_rad,
+        &given,
+        &least,
+    ]
+    .into_iter()
+    .flatten()
+    .copied()
+    .collect();
+    let unit = number::prefix(&all, "N·m/rad");
+    let scaled: Vec<f64> = all.iter().map(|k| k * unit.factor).collect();
+    let name = language.pick("Rotational stiffness", "회전강성");
+    let x = Axis::logarithmic(format!("{name} ({})", unit.unit), &scaled);
+    let count = limits.necessary_n_m_rad.len();
+    let rows: Vec<String> = (1..=count)
+        .map(|i| format!("{} {i}", language.pick("joint", "연결부")))
+        .collect();
+    let size = [680.0, 96.0 + 46.0 * count as f64];
+    let mut plot = Plot::new(size, x, Axis::rows(&rows));
+    let from = plot.x.from;
+    for i in 0..count {
+        let row = i as f64;
+        let at = |k: f64, shift: f64| [k * unit.factor, row + shift];
+        let necessary = limits.necessary_n_m_rad[i];
+        plot.block([from, row - 0.36], at(necessary, 0.36), VERMILLION, 0.13);
+        plot.line(vec![[from, row], [plot.x.to, row]], Line::new(LIGHT, 1.0));
+        plot.sized_dot(at(necessary, 0.0), Shape::Bar, 7.0, BLACK);
+        plot.sized_dot(
+            at(limits.published_critical_n_m_rad[i], 0.0),
+            Shape::Triangle,
+            5.0,
+            VERMILLION,
+        );
+        plot.sized_dot(
+            at(limits.published_buckling_n_m_rad[i], 0.0),
+            Shape::Square,
+            4.2,
+            ORANGE,
+        );
+        let Some(joint) = stability.and_then(|s| s.joints.get(i)) else {
+            continue;
+        };
+        if let Some(least) = joint.stiffness_least_n_m_rad {
+            plot.sized_dot(at(least, -0.17), Shape::Ring, 4.5, BLUE);
+        }
+        plot.sized_dot(at(joint.stiffness_n_m_rad, -0.17), Shape::Circle, 5.0, BLUE);
+    }
+    let keys = [
+        (
+            Shape::Triangle,
+            VERMILLION,
+            "published k_cr (unsafe)",
+            "발표된 임계 강성 k_cr (불안전측)",
+        ),
+        (
+            Shape::Bar,
+            BLACK,
+            "exact limit M, other joints rigid",
+            "정확한 한계 M (다른 연결부 강체)",
+        ),
+        (Shape::Square, ORANGE, "published P·H", "발표된 좌굴 임계강성 P·H"),
+    ];
+    for (shape, colour, english, korean) in keys {
+        plot.key(Key::Dot(shape, colour), language.pick(english, korean));
+    }
+    let falls = language.pick(
+        "falls whatever the other joints are",
+        "다른 연결부와 무관하게 전도",
+    );
+    plot.key(Key::Block(VERMILLION, 0.13), falls);
+    if stability.is_some() {
+        plot.key(
+            Key::Dot(Shape::Circle, BLUE),
+            language.pick("given k", "주어진 강성 k"),
+        );
+        if !least.is_empty() {
+            let words = language.pick(
+                "least k, other joints as given",
+                "최소 k (다른 연결부는 주어진 값)",
+            );
+            plot.key(Key::Dot(Shape::Ring, BLUE), words);
+        }
+    }
+    plot.svg(language.pick("Stiffness limits of each joint", "연결부별 강성 한계"))
+}
+
+/// What lowering one centroid does to each joint: change of the published k_cr beside that of the exact limit M, per
+/// cent. A published limit that rises is an artefact of its criterion.
+pub fn centroid_effect(limits: &ChainLimits, effect: &CentroidEffect, language: Language) -> String {
+    let change = |new: &[f64], old: &[f64]| -> Vec<f64> {
+        new.iter()
+            .zip(old)
+            .map(|(new, old)| 100.0 * (new / old - 1.0))
+            .collect()
+    };
+    let published = change(
+        &effect.published_critical_n_m_rad,
+        &limits.published_critical_n_m_rad,
+    );
+    let exact = change(&effect.necessary_n_m_rad, &limits.necessary_n_m_rad);
+    let mut all = [published.clone(), exact.clone()].concat();
+    all.push(0.0);
+    let name = language.pick("Change of the limit (%)", "한계값의 변화 (%)");
+    let x = Axis::around(name, &all, 6);
+    let rows: Vec<String> = (1..=exact.len())
+        .map(|i| format!("{} {i}", language.pick("joint", "연결부")))
+        .collect();
+    let mut plot = Plot::new([345.0, 92.0 + 30.0 * exact.len() as f64], x, Axis::rows(&rows));
+    plot.upright(0.0, Line::new(BLACK, 1.2));
+    for i in 0..exact.len() {
+        let row = i as f64;
+        plot.line(vec![[exact[i], row], [published[i], row]], Line::new(GREY, 1.2));
+        plot.dot([exact[i], row], Shape::Circle, BLUE);
+        plot.dot([published[i], row], Shape::Triangle, VERMILLION);
+    }
+    plot.key(
+        Key::Dot(Shape::Triangle, VERMILLION),
+        language.pick("published k_cr", "발표된 k_cr"),
+    );
+    plot.key(
+        Key::Dot(Shape::Circle, BLUE),
+        language.pick("exact limit M", "정확한 한계 M"),
+    );
+    plot.svg(language.pick("Effect of a lower centre of mass", "무게 중심을 낮춘 효과"))
+}
+
+/// The name of a part, or its kind and number.
+pub(crate) fn part_name(names: &[Option<String>], index: usize, kind: &str) -> String {
+    match names.get(index) {
+        Some(Some(name)) => name.clone(),
+        _ => format!("{kind} {}", index + 1),
+    }
+}
+
+fn given_width(link: &dolmen::structure::Link) -> Option<f64> {
+    match link.inertia {
+        Inertia::Box { breadth_m } => Some(breadth_m),
+        _ => link.bed_width_m,
+    }
+}
+
+fn widths_m(chain: &Chain, total_m: f64) -> Vec<f64> {
+    let slender = |l: &dolmen::structure::Link| (l.mass_kg / l.length_m).sqrt();
+    let most = chain.links().iter().map(slender).fold(0.0, f64::max);
+    chain
+        .links()
+        .iter()
+        .map(|l| given_width(l).unwrap_or(WIDTH_SHARE * total_m * slender(l) / most))
+        .collect()
+}

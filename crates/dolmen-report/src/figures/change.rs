@@ -1,0 +1,76 @@
+//! What changed between two surveys: each frequency with its interval, and what could not have been seen.
+
+use super::axis::Axis;
+use super::ink::{BLUE, GREY, LIGHT, Line, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use dolmen::assess::SurveyChange;
+use dolmen_words::Language;
+
+/// Half the height of a band, in rows.
+const BAND: f64 = 0.32;
+
+/// Relative changes of frequencies with their 95 % intervals, over the bands within which a change could have been missed.
+pub fn survey_changes(change: &SurveyChange, language: Language) -> String {
+    let mut values = vec![0.0];
+    for mode in &change.modes {
+        let r = 100.0 * mode.frequency.relative;
+        values.push(r);
+        if let Some(e) = &mode.frequency.evidence {
+            let (half, band) = (100.0 * e.half_width_95, 100.0 * e.detectable);
+            values.extend([r - half, r + half, -band, band]);
+        }
+    }
+    let names: Vec<String> = change
+        .modes
+        .iter()
+        .rev()
+        .map(|mode| format!("{:.3} Hz", mode.from.frequency_hz))
+        .collect();
+    let x = Axis::around(
+        language.pick("Change of the frequency (%)", "고유진동수의 변화 (%)"),
+        &values,
+        8,
+    );
+    let mut plot = Plot::new([640.0, 110.0 + 30.0 * names.len() as f64], x, Axis::rows(&names));
+    for (row, mode) in change.modes.iter().rev().enumerate() {
+        let (row, r) = (row as f64, 100.0 * mode.frequency.relative);
+        let Some(e) = &mode.frequency.evidence else {
+            plot.dot([r, row], Shape::Ring, GREY);
+            continue;
+        };
+        let band = 100.0 * e.detectable;
+        plot.block([-band, row - BAND], [band, row + BAND], LIGHT, 1.0);
+        let (colour, shape) = if e.significant {
+            (VERMILLION, Shape::Diamond)
+        } else {
+            (BLUE, Shape::Circle)
+        };
+        let half = 100.0 * e.half_width_95;
+        plot.line(vec![[r - half, row], [r + half, row]], Line::new(colour, 2.0));
+        plot.dot([r, row], shape, colour);
+    }
+    plot.upright(0.0, Line::new(GREY, 1.0));
+    let any = |significant: bool| {
+        let all = change.modes.iter().filter_map(|m| m.frequency.evidence.as_ref());
+        all.into_iter().any(|e| e.significant == significant)
+    };
+    if any(true) {
+        plot.key(
+            Key::Dot(Shape::Diamond, VERMILLION),
+            language.pick("changed beyond chance", "우연을 넘는 변화"),
+        );
+    }
+    if any(false) {
+        plot.key(
+            Key::Dot(Shape::Circle, BLUE),
+            language.pick("no change shown", "변화가 확인되지 않음"),
+        );
+    }
+    if any(true) || any(false) {
+        plot.key(
+            Key::Block(LIGHT, 1.0),
+            language.pick("smaller changes could be missed", "놓칠 수 있는 작은 변화"),
+        );
+    }
+    plot.svg(language.pick("What changed between two surveys", "두 조사 사이의 변화"))
+}

@@ -1,0 +1,119 @@
+//! Fragility curves with their bands, and what was seen.
+
+use super::Figure;
+use super::axis::Axis;
+use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use super::study::SIZE_PX;
+use dolmen::assess::Observation;
+use dolmen_words::Language;
+use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
+
+/// Points of a curve.
+const POINTS: usize = 240;
+/// Figures of combinations; curves of more are in fragility.csv.
+const DRAWN_MOST: usize = 4;
+/// Colours of the states, the mildest first.
+const COLOURS: [&str; 4] = [GREEN, BLUE, ORANGE, VERMILLION];
+const SHAPES: [Shape; 4] = [Shape::Circle, Shape::Diamond, Shape::Square, Shape::Triangle];
+
+/// One figure a combination of inputs, of the first ones of many.
+pub(super) fn fragility_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+    let drawn = answer
+        .fragilities()
+        .iter()
+        .filter(|one| one.states.iter().any(|s| s.by_acceleration.is_ok()));
+    let each = drawn.take(DRAWN_MOST).map(|one| Figure {
+        name: format!("fragility-{}", one.combination + 1),
+        svg: curves(answer, one, language),
+    });
+    each.collect()
+}
+
+fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) -> String {
+    let g = answer.gravity_m_s2;
+    let largest = one.states.iter().flat_map(|state| &state.observations);
+    let largest = largest.map(|seen| ends(*seen)[1] / g).fold(0.0, f64::max);
+    let thetas = one
+        .states
+        .iter()
+        .filter_map(|state| state.by_acceleration.as_ref().ok());
+    let theta = thetas.map(|fit| fit.curve.theta() / g).fold(0.0, f64::max);
+    let most = (1.6 * theta).min(largest).max(0.5 * largest);
+    let x = Axis::linear(
+        language.pick("Peak ground acceleration (g)", "최대지반가속도 (g)"),
+        0.0,
+        most,
+        8,
+    );
+    let y = Axis::linear(language.pick("Probability", "확률"), 0.0, 1.0, 5);
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    let at = |i: usize| most * i as f64 / POINTS as f64;
+    let mut has_no_band = false;
+    for state in &one.states {
+        let colour = COLOURS[state.state];
+        if let Ok(fit) = &state.by_acceleration {
+            let band = state.band().ok().flatten();
+            has_no_band |= band.is_none();
+            for i in 0..POINTS {
+                let middle = 0.5 * (at(i) + at(i + 1));
+                let interval = band
+                    .as_ref()
+                    .and_then(|band| band.probability(middle * g, 0.9).ok()?);
+                if let Some(interval) = interval {
+                    plot.block([at(i), interval.lower], [at(i + 1), interval.upper], colour, 0.14);
+                }
+            }
+            let points = (0..=POINTS).map(|i| [at(i), fit.curve.probability(at(i) * g)]);
+            plot.line(points.collect(), Line::new(colour, 1.8));
+        }
+        for [intensity, share] in seen(state) {
+            if intensity / g <= most {
+                plot.sized_dot([intensity / g, share], SHAPES[state.state], 3.2, colour);
+            }
+        }
+        plot.key(
+            Key::Dot(SHAPES[state.state], colour),
+            answer.state_words(language)[state.state],
+        );
+    }
+    let words = answer.combination_words(one.job);
+    if !words.is_empty() {
+        plot.note(&words);
+    }
+    plot.note(language.pick(
+        "Lines: lognormal curves of largest likelihood; bands: 90 % of resampled motions; dots: share of the scans that had reached the state by then",
+        "실선: 최우추정 대수정규 곡선, 띠: 지진동 재표집의 90 %, 점: 그때까지 해당 상태에 이른 해석의 비율",
+    ));
+    if has_no_band {
+        plot.note(language.pick(
+            "No band: more than a tenth of the resampled motions allow no curve",
+            "띠 없음: 재표집의 1/10 넘게 곡선을 정할 수 없음",
+        ));
+    }
+    plot.note(&answer.method(language));
+    plot.svg(language.pick("Fragility", "취약도"))
+}
+
+fn ends(seen: Observation) -> [f64; 2] {
+    match seen {
+        Observation::Stripe { intensity: x, .. }
+        | Observation::At(x)
+        | Observation::Above(x)
+        | Observation::Below(x) => [x, x],
+        Observation::Between(low, high) => [low, high],
+    }
+}
+
+/// Peaks at which scans reached the state, each with the share of all scans that had by then.
+fn seen(state: &StateFragility) -> Vec<[f64; 2]> {
+    let reached = state.observations.iter();
+    let reached = reached.filter(|seen| !matches!(seen, Observation::Above(_)));
+    let mut places: Vec<f64> = reached.map(|seen| ends(*seen)[1]).collect();
+    places.sort_by(f64::total_cmp);
+    let all = state.observations.len() as f64;
+    let by_then = |place: f64| places.partition_point(|other| *other <= place) as f64 / all;
+    let mut found: Vec<[f64; 2]> = places.iter().map(|place| [*place, by_then(*place)]).collect();
+    found.dedup();
+    found
+}

@@ -1,0 +1,170 @@
+//! All figures of an identification, named for files.
+
+use super::{ShapePanel, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization};
+use dolmen::structure::{Convention, MeasuredMode};
+use dolmen_project::{Project, Quantity, Structure};
+use dolmen_words::Language;
+use dolmen_work::answer::{Answer, StiffnessAnswer};
+
+/// Solutions whose shapes are drawn.
+const SOLUTIONS_DRAWN: usize = 4;
+
+/// A figure and what to call its file.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Figure {
+    /// Name without an ending, of letters, digits and hyphens: "2009-singular-values".
+    pub name: String,
+    /// The SVG.
+    pub svg: String,
+}
+
+/// Every figure of what was identified, survey by survey: spectrum, stabilisation and shapes of each record, and the mode
+/// shapes of each set of solutions. Empty if nothing was identified.
+pub fn identification(answer: &Answer, language: Language) -> Vec<Figure> {
+    let mut all = Vec::new();
+    for survey in &answer.surveys {
+        let mut add = |what: &str, svg: String| {
+            all.push(Figure {
+                name: file_name(&format!("{}-{what}", survey.name)),
+                svg,
+            });
+        };
+        if let Some(record) = &survey.records {
+            add("singular-values", singular_values(&record.analysis, language));
+            add("stabilization", stabilization(&record.analysis, language));
+            if !record.analysis.modes.modes.is_empty() {
+                add("mode-shapes", sensor_shapes(&record.analysis.modes, language));
+            }
+            if let Some(moving) = moving_shapes(&record.analysis.modes, language) {
+                add("moving-shapes", moving);
+            }
+        }
+        if let Some(setups) = &survey.setups {
+            for (i, record) in setups.records.iter().enumerate() {
+                add(
+                    &format!("setup-{}-singular-values", i + 1),
+                    singular_values(&record.analysis, language),
+                );
+                add(
+                    &format!("setup-{}-stabilization", i + 1),
+                    stabilization(&record.analysis, language),
+                );
+            }
+            if !setups.modes().modes.is_empty() {
+                add("mode-shapes", sensor_shapes(setups.modes(), language));
+            }
+            if let Some(moving) = moving_shapes(setups.modes(), language) {
+                add("moving-shapes", moving);
+            }
+        }
+        for stiffness in &survey.stiffness {
+            let measured = measured_modes(&answer.project, &survey.name, stiffness);
+            let Some(svg) = solution_shapes(&answer.project.structure, stiffness, &measured, language) else {
+                continue;
+            };
+            let convention = match stiffness.convention {
+                None => "",
+                Some(Convention::Drift) => "-drift",
+                Some(Convention::Grounded) => "-grounded",
+            };
+            add(&format!("{}{convention}-solutions", stiffness.direction), svg);
+        }
+    }
+    all
+}
+
+/// The modes that went in as the project states them; those from records are known by frequency alone.
+pub(crate) fn measured_modes(project: &Project, survey: &str, answer: &StiffnessAnswer) -> Vec<MeasuredMode> {
+    let stated = project.surveys.iter().find(|s| s.name == survey);
+    let stated = stated
+        .map(|s| s.measured_modes(&answer.direction, &mut Quantity::nominal))
+        .unwrap_or_default();
+    let mode = |&frequency_hz: &f64| {
+        let same = stated.iter().find(|m| m.frequency_hz == frequency_hz);
+        same.cloned().unwrap_or(MeasuredMode {
+            frequency_hz,
+            frequency_sd_hz: 0.0,
+            frequency_changes_hz: Vec::new(),
+            shape: Vec::new(),
+        })
+    };
+    answer.frequencies_hz.iter().map(mode).collect()
+}
+
+/// "A" for the first solution, "B" for the second.
+pub(crate) fn letter(index: usize) -> String {
+    char::from_u32('A' as u32 + index as u32 % 26)
+        .map(String::from)
+        .unwrap_or_default()
+}
+
+/// Mode shapes of the first solutions side by side, measured points over them; `None` without a solution or a model.
+pub(crate) fn solution_shapes(
+    structure: &Structure,
+    answer: &StiffnessAnswer,
+    measured: &[MeasuredMode],
+    language: Language,
+) -> Option<String> {
+    let heights_m = heights_m(structure).filter(|_| !answer.solutions.solutions.is_empty())?;
+    let mut panels = Vec::new();
+    for (i, solution) in answer
+        .solutions
+        .solutions
+        .iter()
+        .take(SOLUTIONS_DRAWN)
+        .enumerate()
+    {
+        for (j, mode) in solution.modes.iter().enumerate() {
+            // A measured mode is drawn over the computed one nearest to it.
+            let nearest = measured.iter().find(|m| {
+                let apart = |f: f64| (f - m.frequency_hz).abs();
+                let others = solution.modes.iter();
+                others
+                    .clone()
+                    .all(|other| apart(mode.frequency_hz) <= apart(other.frequency_hz))
+            });
+            panels.push(ShapePanel {
+                title: format!("{} · {} {}", letter(i), language.pick("mode", "모드"), j + 1),
+                mode,
+                measured: nearest.map_or(&[], |m| m.shape.as_slice()),
+            });
+        }
+    }
+    Some(mode_shapes(&heights_m, &panels, language))
+}
+
+/// Heights of the displacements of a structure's modes.
+fn heights_m(structure: &Structure) -> Option<Vec<f64>> {
+    match structure {
+        Structure::Frame(part) => part
+            .build(&mut Quantity::nominal)
+            .ok()
+            .map(|f| f.level_heights_m()),
+        Structure::Chain(part) => {
+            let chain = part.build(&mut Quantity::nominal).ok()?;
+            let mut height = 0.0;
+            let tops = chain.links().iter().map(|link| {
+                height += link.length_m;
+                height
+            });
+            Some(tops.collect())
+        }
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
+    }
+}
+
+/// Letters (of any script) and digits stay, all else becomes one hyphen.
+fn file_name(text: &str) -> String {
+    let parts = text.split(|c: char| !c.is_alphanumeric());
+    parts.filter(|p| !p.is_empty()).collect::<Vec<_>>().join("-")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_names_of_files_cannot_leave_their_folder() {
+        assert_eq!(file_name("../2009/조사 1-x"), "2009-조사-1-x");
+    }
+}

@@ -1,0 +1,299 @@
+//! Mode shapes that move: sensors with places, seen from above at a slant. Moved by the drawing itself (SMIL), without scripts.
+
+use super::ink::{Anchor, BLUE, GREY, LIGHT, Label, Line};
+use super::scene::Scene;
+use dolmen::modal::Modes;
+use dolmen_words::Language;
+use dolmen_words::number;
+use std::f64::consts::TAU;
+
+/// Panels in one row, and the largest width and height of the structure in each, px.
+const ACROSS: usize = 4;
+const FILLED: [f64; 2] = [118.0, 190.0];
+/// Width of a panel, and height of what stands above the structure, px.
+const PANEL_PX: f64 = 178.0;
+const TITLE_PX: f64 = 44.0;
+/// Modes drawn at most: the file grows with each.
+const MODES_MOST: usize = 12;
+/// Pictures of one period, and how long it lasts, s: every mode moves at the same pace.
+const PICTURES: usize = 16;
+const PERIOD_S: f64 = 2.0;
+/// Largest displacement over the diagonal of the drawing.
+const SWING: f64 = 0.13;
+/// x and y on paper, as parts of their lengths; z is upright.
+const X: [f64; 2] = [0.90, -0.22];
+const Y: [f64; 2] = [0.48, 0.34];
+/// Sensors closer than this in plan stand above one another, m, as sensors of setups are one place.
+const ABOVE_M: f64 = 0.1;
+
+/// Each mode over one period; `None` where fewer than two sensors have a place and a direction.
+pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
+    let frame = Wires::of(modes)?;
+    let shown = &modes.modes[..modes.modes.len().min(MODES_MOST)];
+    if shown.is_empty() {
+        return None;
+    }
+    let rows = shown.len().div_ceil(ACROSS);
+    let across = shown.len().min(ACROSS);
+    let Fit {
+        scale,
+        middle,
+        size_px,
+    } = frame.fit();
+    let swing_px = SWING * size_px[0].hypot(size_px[1]);
+    let panel_px = TITLE_PX + size_px[1] + 2.0 * swing_px + 12.0;
+    let mut scene = Scene::new(across as f64 * PANEL_PX, rows as f64 * panel_px);
+    for (m, mode) in shown.iter().enumerate() {
+        let left = (m % ACROSS) as f64 * PANEL_PX + 0.5 * PANEL_PX;
+        let top = (m / ACROSS) as f64 * panel_px;
+        let title = format!("{} {}", language.pick("mode", "모드"), m + 1);
+        scene.text([left, top + 14.0], &Label::new(title, Anchor::Middle).bold());
+        let frequency = format!(
+            "{}{}Hz",
+            number::significant(mode.frequency_hz, 4),
+            number::NARROW_SPACE
+        );
+        scene.text(
+            [left, top + 31.0],
+            &Label::new(frequency, Anchor::Middle).coloured(BLUE),
+        );
+        let centre = top + TITLE_PX + 0.5 * (panel_px - TITLE_PX);
+        let px = |at: [f64; 3]| {
+            let [u, v] = paper(at);
+            [left + scale * (u - middle[0]), centre - scale * (v - middle[1])]
+        };
+        let shape: Vec<[f64; 2]> = mode.shape.iter().map(|z| [z.re, z.im]).collect();
+        let pictures = frame.pictures(&shape, swing_px / scale);
+        for wire in &frame.wires {
+            let still: Vec<[f64; 2]> = wire.iter().map(|&at| px(frame.places[at])).collect();
+            scene.path(&still, Line::new(LIGHT, 1.2));
+        }
+        for wire in &frame.wires {
+            let moving: Vec<Vec<[f64; 2]>> = pictures
+                .iter()
+                .map(|picture| wire.iter().map(|&at| px(picture[at])).collect())
+                .collect();
+            scene.moving_path(&moving, PERIOD_S, Line::new(BLUE, 2.0));
+        }
+        for at in 0..frame.sensors {
+            let moving: Vec<[f64; 2]> = pictures.iter().map(|picture| px(picture[at])).collect();
+            scene.moving_circle(&moving, PERIOD_S, 3.0, Line::new(GREY, 1.2));
+        }
+    }
+    Some(scene.svg(language.pick("Mode shapes, moving", "움직이는 모드형상")))
+}
+
+fn paper([x, y, z]: [f64; 3]) -> [f64; 2] {
+    [X[0] * x + Y[0] * y, z + X[1] * x + Y[1] * y]
+}
+
+/// How the structure fits its panel.
+struct Fit {
+    /// px a metre.
+    scale: f64,
+    /// The middle of what is drawn on paper, m.
+    middle: [f64; 2],
+    /// Its width and height, px.
+    size_px: [f64; 2],
+}
+
+/// Sensors, and what is drawn between them.
+struct Wires {
+    /// Places of the sensors, m, then those of feet on the ground, which stand still.
+    places: Vec<[f64; 3]>,
+    sensors: usize,
+    /// Place and direction of each channel.
+    channels: Vec<(usize, [f64; 3])>,
+    /// Places joined by lines.
+    wires: Vec<Vec<usize>>,
+}
+
+impl Wires {
+    fn of(modes: &Modes) -> Option<Wires> {
+        let mut places: Vec<[f64; 3]> = Vec::new();
+        let mut channels = Vec::new();
+        for channel in &modes.channels {
+            let (at, direction) = (channel.position_m?, channel.direction?);
+            let place = places.iter().position(|p| *p == at).unwrap_or_else(|| {
+                places.push(at);
+                places.len() - 1
+            });
+            channels.push((place, direction));
+        }
+        let sensors = places.len();
+        if sensors < 2 {
+            return None;
+        }
+        let mut wires = levels(&places);
+        for mut column in columns(&places) {
+            let foot = places[column[0]];
+            if foot[2] > 0.0 {
+                places.push([foot[0], foot[1], 0.0]);
+                column.insert(0, places.len() - 1);
+            }
+            if column.len() > 1 {
+                wires.push(column);
+            }
+        }
+        Some(Wires {
+            places,
+            sensors,
+            channels,
+            wires,
+        })
+    }
+
+    fn fit(&self) -> Fit {
+        let mut low = [f64::INFINITY; 2];
+        let mut high = [f64::NEG_INFINITY; 2];
+        for place in &self.places {
+            for (k, value) in paper(*place).into_iter().enumerate() {
+                low[k] = low[k].min(value);
+                high[k] = high[k].max(value);
+            }
+        }
+        let fits = [0, 1].map(|k| FILLED[k] / (high[k] - low[k]).max(1e-9));
+        let middle = [0, 1].map(|k| 0.5 * (low[k] + high[k]));
+        let scale = fits[0].min(fits[1]);
+        Fit {
+            scale,
+            middle,
+            size_px: [0, 1].map(|k| scale * (high[k] - low[k])),
+        }
+    }
+
+    /// Where every place is over one period, the largest displacement being `most_m`: Re(φ e^{iωt}), the last picture the first.
+    fn pictures(&self, shape: &[[f64; 2]], most_m: f64) -> Vec<Vec<[f64; 3]>> {
+        let mut parts = vec![[[0.0; 3]; 2]; self.places.len()];
+        for ((place, direction), [re, im]) in self.channels.iter().zip(shape) {
+            for (k, along) in direction.iter().enumerate() {
+                parts[*place][0][k] += re * along;
+                parts[*place][1][k] += im * along;
+            }
+        }
+        let lengths = parts.iter().map(|part| {
+            let squares = part.iter().flatten().map(|x| x * x);
+            squares.sum::<f64>().sqrt()
+        });
+        let factor = most_m / lengths.fold(1e-12, f64::max);
+        let picture = |n: usize| {
+            let (sin, cos) = (TAU * n as f64 / PICTURES as f64).sin_cos();
+            let pairs = self.places.iter().zip(&parts);
+            let moved = pairs.map(|(place, [re, im])| {
+                let mut at = *place;
+                for (k, x) in at.iter_mut().enumerate() {
+                    *x += factor * (re[k] * cos - im[k] * sin);
+                }
+                at
+            });
+            moved.collect()
+        };
+        (0..=PICTURES).map(picture).collect()
+    }
+}
+
+/// Places of each level, in turn around their middle and closed.
+fn levels(places: &[[f64; 3]]) -> Vec<Vec<usize>> {
+    let mut heights: Vec<f64> = places.iter().map(|p| p[2]).collect();
+    heights.sort_by(f64::total_cmp);
+    heights.dedup();
+    let mut wires = Vec::new();
+    for height in heights {
+        let mut level: Vec<usize> = (0..places.len()).filter(|&at| places[at][2] == height).collect();
+        let count = level.len() as f64;
+        let sum = level
+            .iter()
+            .fold([0.0; 2], |s, &at| [s[0] + places[at][0], s[1] + places[at][1]]);
+        let angle = |at: usize| (places[at][1] - sum[1] / count).atan2(places[at][0] - sum[0] / count);
+        level.sort_by(|a, b| angle(*a).total_cmp(&angle(*b)));
+        if level.len() > 2 {
+            level.push(level[0]);
+        }
+        if level.len() > 1 {
+            wires.push(level);
+        }
+    }
+    wires
+}
+
+/// Places above one another, lowest first.
+fn columns(places: &[[f64; 3]]) -> Vec<Vec<usize>> {
+    let mut columns: Vec<Vec<usize>> = Vec::new();
+    for (at, place) in places.iter().enumerate() {
+        let near = |column: &&mut Vec<usize>| {
+            let foot = places[column[0]];
+            (foot[0] - place[0]).hypot(foot[1] - place[1]) <= ABOVE_M
+        };
+        match columns.iter_mut().find(near) {
+            Some(column) => column.push(at),
+            None => columns.push(vec![at]),
+        }
+    }
+    for column in &mut columns {
+        column.sort_by(|a, b| places[*a][2].total_cmp(&places[*b][2]));
+    }
+    columns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_wires_of_a_house_with_two_levels() {
+        let places = [
+            [0.0, 0.0, 3.0],
+            [4.0, 0.0, 3.0],
+            [4.0, 5.0, 3.0],
+            [0.0, 5.0, 3.0],
+            [0.0, 0.05, 6.0],
+            [4.0, 5.0, 6.0],
+        ];
+        assert_eq!(levels(&places), [vec![0, 1, 2, 3, 0], vec![4, 5]]);
+        assert_eq!(columns(&places), [vec![0, 4], vec![1], vec![2, 5], vec![3]]);
+    }
+
+    #[test]
+    fn holds_a_drawing_moves_without_scripts_and_needs_places() {
+        let record = dolmen::modal::ReferenceCase::ShearChain
+            .made(11)
+            .unwrap()
+            .make()
+            .unwrap();
+        let mut modes = dolmen::modal::identify(&record, &Default::default())
+            .unwrap()
+            .modes;
+        assert_eq!(moving_shapes(&modes, Language::English), None);
+        for (j, channel) in modes.channels.iter_mut().enumerate() {
+            channel.position_m = Some([0.0, 0.0, 3.0 * (j + 1) as f64]);
+            channel.direction = Some([1.0, 0.0, 0.0]);
+        }
+        let svg = moving_shapes(&modes, Language::English).unwrap();
+        // two modes of one line and two circles, a circle along both axes
+        assert_eq!(svg.matches("<animate ").count(), 2 * (1 + 2 * 2));
+        assert!(!svg.contains("<script") && !svg.contains("NaN"), "{svg}");
+        let values = svg.split("values=\"").nth(1).unwrap().split('"').next().unwrap();
+        let pictures: Vec<&str> = values.split(';').collect();
+        assert_eq!((pictures.len(), pictures[0]), (PICTURES + 1, pictures[PICTURES]));
+    }
+
+    #[test]
+    fn exact_one_period_ends_where_it_began_and_feet_stand_still() {
+        let wires = Wires {
+            places: vec![[0.0, 0.0, 3.0], [0.0, 0.0, 0.0]],
+            sensors: 1,
+            channels: vec![(0, [1.0, 0.0, 0.0]), (0, [0.0, 1.0, 0.0])],
+            wires: vec![vec![1, 0]],
+        };
+        let pictures = wires.pictures(&[[2.0, 0.0], [0.0, 2.0]], 0.5);
+        assert_eq!(pictures.len(), PICTURES + 1);
+        for (n, picture) in pictures.iter().enumerate() {
+            // a circle: x leads y by a quarter of a period, each with its share of the largest displacement
+            let angle = TAU * n as f64 / PICTURES as f64;
+            let part = 0.5 / 2f64.sqrt();
+            assert!((picture[0][0] - part * angle.cos()).abs() < 1e-12);
+            assert!((picture[0][1] + part * angle.sin()).abs() < 1e-12);
+            assert_eq!(picture[1], [0.0, 0.0, 0.0]);
+        }
+    }
+}

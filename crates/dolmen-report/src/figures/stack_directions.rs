@@ -1,0 +1,92 @@
+//! At what acceleration a stack begins to move, by direction.
+
+use super::axis::Axis;
+use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use dolmen::stability::stack::StackLimitStates;
+use dolmen_words::Language;
+use std::f64::consts::TAU;
+
+/// Directions of the curves.
+const DIRECTIONS: usize = 360;
+
+/// Limits by direction: the acceleration of the part's inertia at which some joint opens, in every direction of the plan, and at
+/// which one slides where that is soonest. `demand_g`, if given, is what the ground does. Nothing where equilibrium alone does not
+/// give the forces, or it does not stand.
+///
+/// # Limits
+/// Sliding is drawn as a circle of its least acceleration: on level joints it is the same in all directions.
+///
+/// # Source
+/// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 12, for two directions.
+pub fn stack_directions(
+    limits: &StackLimitStates,
+    demand_g: Option<f64>,
+    gravity_m_s2: f64,
+    language: Language,
+) -> Option<String> {
+    if !limits.statically_determinate || !limits.standing.stands() {
+        return None;
+    }
+    let unit = |k: usize| {
+        let angle = TAU * k as f64 / DIRECTIONS as f64;
+        [angle.cos(), angle.sin()]
+    };
+    let along = |[x, y]: [f64; 2], g: f64| [g * x, g * y];
+    let mut rocks: Vec<[f64; 2]> = Vec::with_capacity(DIRECTIONS + 1);
+    for k in 0..=DIRECTIONS {
+        let direction = unit(k % DIRECTIONS);
+        let each = limits
+            .cuts
+            .iter()
+            .filter_map(|cut| cut.uplift_in_m_s2(direction).ok()?);
+        let least = each.fold(f64::INFINITY, f64::min);
+        if !least.is_finite() {
+            return None;
+        }
+        rocks.push(along(direction, least / gravity_m_s2));
+    }
+    let circle = |g: f64| -> Vec<[f64; 2]> { (0..=DIRECTIONS).map(|k| along(unit(k), g)).collect() };
+    let slides = limits.sliding.map(|sliding| sliding.threshold.acceleration_g);
+    let far = rocks.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
+    let most = 1.12
+        * [Some(far), slides, demand_g]
+            .into_iter()
+            .flatten()
+            .fold(0.05, f64::max);
+    let axis = |name: &str| Axis::linear(name, -most, most, 6);
+    let mut plot = Plot::new(
+        [480.0, 470.0],
+        axis(language.pick("Acceleration along x (g)", "x 방향 가속도 (g)")),
+        axis(language.pick("Acceleration along y (g)", "y 방향 가속도 (g)")),
+    );
+    plot.line(rocks, Line::new(BLUE, 1.8));
+    plot.key(Key::Line(Line::new(BLUE, 1.8)), language.pick("rocks", "로킹"));
+    if let Some(slides) = slides {
+        plot.line(circle(slides), Line::new(ORANGE, 1.8).dashed());
+        plot.key(
+            Key::Line(Line::new(ORANGE, 1.8).dashed()),
+            language.pick("slides", "미끄러짐"),
+        );
+    }
+    if let Some(demand) = demand_g {
+        plot.line(circle(demand), Line::new(VERMILLION, 1.6));
+        plot.key(
+            Key::Line(Line::new(VERMILLION, 1.6)),
+            language.pick("peak of the ground", "지반 최대 가속도"),
+        );
+    }
+    if let Some(first) = &limits.governing {
+        let threshold = &first.threshold;
+        plot.dot(
+            along(threshold.direction, threshold.acceleration_g),
+            Shape::Diamond,
+            GREEN,
+        );
+        plot.key(
+            Key::Dot(Shape::Diamond, GREEN),
+            language.pick("first of all", "최초 거동"),
+        );
+    }
+    Some(plot.svg(language.pick("Limits by direction", "방향별 한계")))
+}

@@ -1,0 +1,187 @@
+//! Histories of a simulated motion: what the ground did, where the top went, what each joint did.
+
+use super::Figure;
+use super::axis::Axis;
+use super::ink::{GREY, Line, SERIES};
+use super::plot::{Key, Plot};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen::signal::Component;
+use dolmen_words::Language;
+use dolmen_work::simulation::Simulation;
+
+/// Width and height of one plot, px.
+const SIZE_PX: [f64; 2] = [760.0, 210.0];
+/// A line is drawn through the least and the most of each of so many stretches of time: about one a px.
+const STRETCHES: usize = 700;
+/// Joints drawn in one plot: those that did most. More lines are not told apart.
+const JOINTS_MOST: usize = 5;
+
+/// One line of a plot.
+pub(super) struct Series {
+    pub(super) name: String,
+    pub(super) points: Vec<[f64; 2]>,
+}
+
+/// A line with no more points than can be seen: of each stretch the least and the most, in their order. Peaks stay.
+fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    if points.len() <= 2 * STRETCHES {
+        return points.to_vec();
+    }
+    let mut kept = Vec::with_capacity(2 * STRETCHES + 2);
+    kept.extend(points.first());
+    for stretch in points.chunks(points.len().div_ceil(STRETCHES)) {
+        let by = |a: &(usize, &[f64; 2]), b: &(usize, &[f64; 2])| a.1[1].total_cmp(&b.1[1]);
+        let least = stretch.iter().enumerate().min_by(by);
+        let most = stretch.iter().enumerate().max_by(by);
+        if let (Some(least), Some(most)) = (least, most) {
+            let (first, second) = if least.0 < most.0 {
+                (least, most)
+            } else {
+                (most, least)
+            };
+            kept.push(*first.1);
+            kept.push(*second.1);
+        }
+    }
+    kept.extend(points.last());
+    kept
+}
+
+/// A plot of some lines over time; nothing if there is no line.
+pub(super) fn plot(series: &[Series], name: &str, language: Language, title: &str) -> Option<String> {
+    let end = series.first()?.points.last()?[0];
+    let mut values: Vec<f64> = series
+        .iter()
+        .flat_map(|s| s.points.iter().map(|p| p[1]))
+        .collect();
+    values.push(0.0);
+    let x = Axis::linear(language.pick("Time (s)", "시간 (s)"), 0.0, end, 10);
+    let mut y = Axis::around(name, &values, 4);
+    if y.to - y.from < 1e-6 {
+        y = Axis::linear(name, -1.0, 1.0, 4); // nothing moved: a flat line on a scale that says so
+    }
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    plot.line(vec![[0.0, 0.0], [end, 0.0]], Line::new(GREY, 0.8));
+    for (number, series) in series.iter().enumerate() {
+        let line = Line::new(SERIES[number % SERIES.len()], 1.2);
+        plot.line(thinned(&series.points), line);
+        plot.key(Key::Line(Line { width: 2.2, ..line }), series.name.as_str());
+    }
+    Some(plot.svg(title))
+}
+
+/// The figures of a simulation over time: ground, top, and of the joints opening, slip and yaw.
+pub fn stack_histories(simulation: &Simulation, language: Language) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut add = |name: &'static str, svg: Option<String>| {
+        if let Some(svg) = svg {
+            figures.push(Figure {
+                name: name.to_owned(),
+                svg,
+            });
+        }
+    };
+    let ground = language.pick("Acceleration (g)", "가속도 (g)");
+    let title = language.pick("Acceleration of the ground", "지반 가속도");
+    add(
+        "ground",
+        plot(&ground_series(simulation), ground, language, title),
+    );
+    let top = language.pick("Displacement (mm)", "변위 (mm)");
+    let title = language.pick("Displacement of the highest stone", "최상부 부재의 변위");
+    add("top", plot(&top_series(simulation), top, language, title));
+    let opening = joint_series(simulation, |joint, sample| 1e3 * joint.opening_m[sample]);
+    let name = language.pick("Opening (mm)", "벌어짐 (mm)");
+    let title = language.pick("Opening of the joints", "접합면의 벌어짐");
+    add("opening", plot(&opening, name, language, title));
+    let slip = joint_series(simulation, |joint, sample| {
+        1e3 * joint.slip_m[sample][0].hypot(joint.slip_m[sample][1])
+    });
+    let name = language.pick("Slip (mm)", "미끄러짐 (mm)");
+    let title = language.pick("Slip of the joints", "접합면의 미끄러짐");
+    add("slip", plot(&slip, name, language, title));
+    let yaw = joint_series(simulation, |joint, sample| 1e3 * joint.yaw_rad[sample]);
+    let name = language.pick("Yaw (mrad)", "수평 회전 (mrad)");
+    let title = language.pick("Yaw of the joints", "접합면의 수평 회전");
+    add("yaw", plot(&yaw, name, language, title));
+    figures
+}
+
+fn ground_series(simulation: &Simulation) -> Vec<Series> {
+    let motion = &simulation.motion.motion;
+    let step = motion.time_step_s();
+    let given = Component::ALL
+        .into_iter()
+        .filter(|component| motion.has(*component));
+    given
+        .map(|component| {
+            let samples = motion.acceleration_m_s2(component).iter().enumerate();
+            Series {
+                name: component.name().to_owned(),
+                points: samples
+                    .map(|(i, a)| [i as f64 * step, a / STANDARD_GRAVITY_M_S2])
+                    .collect(),
+            }
+        })
+        .collect()
+}
+
+fn top_series(simulation: &Simulation) -> Vec<Series> {
+    let moved = simulation.displacement_m(simulation.highest_block());
+    let time_s = &simulation.history.time_s;
+    let each = ["x", "y", "z"].into_iter().enumerate();
+    each.map(|(axis, name)| Series {
+        name: name.to_owned(),
+        points: time_s
+            .iter()
+            .zip(&moved)
+            .map(|(t, d)| [*t, 1e3 * d[axis]])
+            .collect(),
+    })
+    .collect()
+}
+
+/// The joints of which a value was largest, largest first.
+fn joint_series(
+    simulation: &Simulation,
+    value: impl Fn(&dolmen::blocks::JointHistory, usize) -> f64,
+) -> Vec<Series> {
+    let time_s = &simulation.history.time_s;
+    let mut all: Vec<(f64, Series)> = Vec::new();
+    for (number, joint) in simulation.history.joints.iter().enumerate() {
+        let points: Vec<[f64; 2]> = (0..time_s.len()).map(|i| [time_s[i], value(joint, i)]).collect();
+        let most = points.iter().map(|p| p[1].abs()).fold(0.0, f64::max);
+        let [upper, lower] = simulation.joint_names(number);
+        let name = format!("{upper} / {lower}");
+        all.push((most, Series { name, points }));
+    }
+    all.sort_by(|a, b| b.0.total_cmp(&a.0));
+    all.truncate(JOINTS_MOST);
+    all.into_iter().map(|(_, series)| series).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_thinning_keeps_both_ends_and_every_peak() {
+        let points: Vec<[f64; 2]> = (0..10_000)
+            .map(|i| {
+                [
+                    f64::from(i),
+                    if i == 7777 {
+                        5.0
+                    } else {
+                        (0.1 * f64::from(i)).sin()
+                    },
+                ]
+            })
+            .collect();
+        let kept = thinned(&points);
+        assert!(kept.len() <= 2 * STRETCHES + 2);
+        assert!(kept.contains(&[7777.0, 5.0]));
+        assert_eq!((kept[0], kept[kept.len() - 1]), (points[0], points[9999]));
+        assert!(kept.windows(2).all(|pair| pair[0][0] <= pair[1][0]));
+    }
+}

@@ -1,0 +1,169 @@
+//! Limits of the joints of a stack: which governs, and capacity against what the ground does.
+
+use super::axis::Axis;
+use super::ink::{Anchor, BLUE, GREEN, GREY, Label, Line, ORANGE, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use dolmen::stability::stack::{CutLimits, StackLimitStates, Threshold};
+use dolmen_words::Language;
+use dolmen_words::number;
+
+/// Width and height of the plotting area, px, about: for names that would lie on each other.
+const AREA_PX: f64 = 550.0;
+/// What is free beside the plot on its right.
+const RIGHT_PX: f64 = 12.0;
+const TALL_PX: f64 = 285.0;
+
+fn finite(threshold: Option<Threshold>) -> Option<f64> {
+    threshold.map(|t| t.acceleration_g).filter(|g| g.is_finite())
+}
+
+/// What a joint is called: by what is below it.
+pub(crate) fn above_words(above: &str, language: Language) -> String {
+    let name = above.replace('\'', "");
+    if name == "the ground" {
+        language.pick(name, "지반".to_owned())
+    } else {
+        name
+    }
+}
+
+/// Which acceleration moves what stands on each joint, after Fig. 10 of the paper: on the slope a/g = B/H it rocks, on the
+/// level a/g = μ it slides. B/H is tan α: from the centroid of what stands on the joint the way to the nearer edge over the
+/// height. `demand_g`, if given, is what the ground does.
+///
+/// # Source
+/// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 10.
+pub fn stack_governing(limits: &StackLimitStates, demand_g: Option<f64>, language: Language) -> String {
+    let points: Vec<(f64, f64, &CutLimits)> = limits
+        .cuts
+        .iter()
+        .filter_map(|cut| Some((finite(cut.uplift)?, finite(cut.sliding)?, cut)))
+        .collect();
+    let slides = points.iter().map(|p| p.1).fold(0.0, f64::max);
+    let rocks = points.iter().map(|p| p.0).fold(0.0, f64::max);
+    let most = 1.12 * rocks.max(slides).min(4.0 * slides.max(0.05));
+    let tall = 1.15 * slides.max(demand_g.unwrap_or(0.0)).max(0.05);
+    let x = Axis::linear(
+        language.pick(
+            "B/H of what stands on the joint (–)",
+            "접합면 상부의 폭/높이 비 B/H (–)",
+        ),
+        0.0,
+        most,
+        8,
+    );
+    let y = Axis::linear(language.pick("Acceleration (g)", "가속도 (g)"), 0.0, tall, 6);
+    let mut plot = Plot::new([620.0, 360.0], x, y);
+    let mut frictions: Vec<f64> = points.iter().map(|p| p.1).collect();
+    frictions.sort_by(f64::total_cmp);
+    frictions.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+    plot.line(
+        vec![[0.0, 0.0], [tall.min(most), tall.min(most)]],
+        Line::new(BLUE, 1.8),
+    );
+    for mu in &frictions {
+        plot.line(vec![[0.0, *mu], [most, *mu]], Line::new(ORANGE, 1.8).dashed());
+    }
+    if let Some(demand) = demand_g {
+        plot.line(vec![[0.0, demand], [most, demand]], Line::new(VERMILLION, 1.6));
+    }
+    let mut named: Vec<[f64; 3]> = Vec::new();
+    for (rock, slide, cut) in &points {
+        let label = Label::new(above_words(&cut.above, language), Anchor::Middle).small();
+        let half = 0.5 * (label.width() + 8.0) * most / AREA_PX;
+        let (at, shape, colour, shift) = if rock <= slide {
+            ([*rock, *rock], Shape::Circle, BLUE, 12.0 + 0.5 * label.width())
+        } else {
+            // at the right end the name keeps inside
+            let room = (most - rock.min(most)) * AREA_PX / most;
+            let shift = (room + RIGHT_PX - 0.5 * label.width()).min(0.0);
+            ([rock.min(most), *slide], Shape::Diamond, ORANGE, shift)
+        };
+        plot.dot(at, shape, colour);
+        // on the slope names stand beside their points and clear each other in height, on the level they do not
+        let raise = if rock <= slide { 5.0 } else { -13.0 };
+        let height = at[1] - raise * tall / TALL_PX;
+        let middle = at[0] + shift * most / AREA_PX;
+        let clear = |other: &[f64; 3]| {
+            (other[0] - middle).abs() > other[1] + half || (other[2] - height).abs() > 13.0 * tall / TALL_PX
+        };
+        if named.iter().all(clear) {
+            plot.text(at, [shift, raise], label);
+            named.push([middle, half, height]);
+        }
+    }
+    plot.key(
+        Key::Line(Line::new(BLUE, 1.8)),
+        language.pick("rocks: a/g = B/H", "로킹: a/g = B/H"),
+    );
+    let slides = language.pick("slides: a/g = μ", "미끄러짐: a/g = μ");
+    plot.key(Key::Line(Line::new(ORANGE, 1.8).dashed()), slides);
+    if demand_g.is_some() {
+        let words = language.pick("peak of the ground", "지반 최대 가속도");
+        plot.key(Key::Line(Line::new(VERMILLION, 1.6)), words);
+    }
+    plot.svg(language.pick("What governs each joint", "접합면별 지배 거동"))
+}
+
+/// Capacity of each joint, lowest at the bottom, against the peak of the ground, after Fig. 12 of the paper.
+///
+/// # Source
+/// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 12.
+pub fn stack_capacity(limits: &StackLimitStates, demand_g: Option<f64>, language: Language) -> String {
+    let rows: Vec<String> = limits
+        .cuts
+        .iter()
+        .map(|cut| above_words(&cut.above, language))
+        .collect();
+    let mut all: Vec<f64> = limits
+        .cuts
+        .iter()
+        .flat_map(|c| [finite(c.uplift), finite(c.sliding)])
+        .flatten()
+        .collect();
+    all.extend(demand_g.filter(|g| *g > 0.0));
+    let name = language.pick(
+        "Horizontal acceleration of first motion (g)",
+        "움직임이 시작되는 수평 가속도 (g)",
+    );
+    let x = Axis::logarithmic(name, &all);
+    let mut plot = Plot::new([700.0, 92.0 + 24.0 * rows.len() as f64], x, Axis::rows(&rows));
+    if let Some(demand) = demand_g.filter(|g| *g > plot.x.from) {
+        plot.block([plot.x.from, plot.y.from], [demand, plot.y.to], VERMILLION, 0.10);
+        plot.upright(demand, Line::new(VERMILLION, 1.8));
+        let words = format!(
+            "{} {}{}g",
+            language.pick("peak of the ground", "지반 최대"),
+            number::trimmed(demand, 3),
+            number::NARROW_SPACE
+        );
+        plot.key(Key::Line(Line::new(VERMILLION, 1.8)), words);
+    }
+    for (row, cut) in limits.cuts.iter().enumerate() {
+        let row = row as f64;
+        let (rocks, slides) = (finite(cut.uplift), finite(cut.sliding));
+        if let (Some(rocks), Some(slides)) = (rocks, slides) {
+            plot.line(vec![[rocks, row], [slides, row]], Line::new(GREY, 0.9));
+        }
+        if let Some(rocks) = rocks {
+            plot.dot([rocks, row], Shape::Circle, BLUE);
+        }
+        if let Some(slides) = slides {
+            plot.dot([slides, row], Shape::Diamond, ORANGE);
+        }
+    }
+    if let Some(first) = &limits.governing {
+        let at = [first.threshold.acceleration_g, first.cut as f64];
+        plot.sized_dot(at, Shape::Bar, 5.0, GREEN);
+        plot.key(
+            Key::Dot(Shape::Bar, GREEN),
+            language.pick("first of all", "최초 거동"),
+        );
+    }
+    plot.key(Key::Dot(Shape::Circle, BLUE), language.pick("rocks", "로킹"));
+    plot.key(
+        Key::Dot(Shape::Diamond, ORANGE),
+        language.pick("slides", "미끄러짐"),
+    );
+    plot.svg(language.pick("Capacity of each joint", "접합면별 저항 가속도"))
+}

@@ -1,0 +1,314 @@
+//! Figures of a study: capacity against each input, and what fell and what survived at which shaking.
+
+use super::Figure;
+use super::axis::{Axis, Tick};
+use super::fragility::fragility_figures;
+use super::ink::{BLUE, GREY, Line, ORANGE, SKY, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use super::study_growth::growth_figures;
+use dolmen::assess::{Reached, Trial};
+use dolmen_words::Language;
+use dolmen_work::study::{LevelRow, RunOutcome, StudyAnswer, StudyKind, input_words};
+use std::collections::BTreeMap;
+
+/// Size of a figure, px.
+pub(super) const SIZE_PX: [f64; 2] = [640.0, 380.0];
+/// Room left for the texts of a level on its axis, px.
+const LEVEL_PX: f64 = 110.0;
+/// Part of the way to the next level that dots of one level spread over.
+const SPREAD: f64 = 0.24;
+/// The figures of a study.
+pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut add = |name: String, svg: String| figures.push(Figure { name, svg });
+    if answer.study.scan.is_some() {
+        let mut by_input: BTreeMap<Option<usize>, Vec<LevelRow>> = BTreeMap::new();
+        for row in answer.levels() {
+            by_input.entry(row.input).or_default().push(row);
+        }
+        for (input, rows) in &by_input {
+            let (name, label) = match input {
+                Some(input) => {
+                    let input = &answer.inputs[*input];
+                    (
+                        input.column.clone(),
+                        named(&input_words(&input.path, language), &input.unit),
+                    )
+                }
+                None if answer.study.variants.len() > 1 => {
+                    ("all".to_owned(), language.pick("variant", "대안").to_owned())
+                }
+                None => (
+                    "all".to_owned(),
+                    language.pick("nothing is varied", "변수 없음").to_owned(),
+                ),
+            };
+            add(
+                format!("capacity-{name}"),
+                capacity(answer, rows, &label, language),
+            );
+            add(
+                format!("survived-{name}"),
+                survived(answer, *input, rows, &label, language),
+            );
+        }
+    }
+    figures.extend(fragility_figures(answer, language));
+    figures.extend(growth_figures(answer, language));
+    figures
+}
+
+/// Says below the plot how it was computed.
+fn explain(plot: &mut Plot, answer: &StudyAnswer, language: Language) {
+    plot.note(&answer.method(language));
+    for note in &answer.notes {
+        plot.note(note);
+    }
+}
+
+fn named(path: &str, unit: &str) -> String {
+    if unit.is_empty() {
+        path.to_owned()
+    } else {
+        format!("{path} ({unit})")
+    }
+}
+
+/// Ends of the scan, g.
+fn largest_g(answer: &StudyAnswer) -> f64 {
+    let peaks = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
+    peaks.filter(|peak| peak.is_finite()).fold(0.0, f64::max) / answer.gravity_m_s2
+}
+
+/// The levels of an input side by side: places, and the axis.
+fn level_axis(rows: &[LevelRow], label: &str, language: Language) -> Axis {
+    let shown = |text: &str| {
+        let text = text.trim_matches('"');
+        let short: String = text.chars().take(16).collect();
+        if short.len() < text.len() {
+            format!("{short}…")
+        } else {
+            short
+        }
+    };
+    let mut axis = Axis::linear(label, -0.6, rows.len() as f64 - 0.4, 4);
+    axis.grid = false;
+    axis.ticks = rows
+        .iter()
+        .enumerate()
+        .map(|(i, row)| Tick {
+            at: i as f64,
+            text: shown(row.shown(language)),
+        })
+        .collect();
+    axis
+}
+
+fn wide(rows: &[LevelRow]) -> [f64; 2] {
+    [SIZE_PX[0].max(LEVEL_PX * rows.len() as f64), SIZE_PX[1]]
+}
+
+/// First falls at each level: every scan a dot, median and 5 to 95 %.
+fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Language) -> String {
+    let largest = largest_g(answer);
+    let y_name = match answer.kind {
+        StudyKind::Stack | StudyKind::Chain => language.pick(
+            "First fall: peak ground acceleration (g)",
+            "최초 낙하: 최대지반가속도 (g)",
+        ),
+        StudyKind::Frame | StudyKind::Building => language.pick(
+            "Drift limit: peak ground acceleration (g)",
+            "층간변위 한계: 최대지반가속도 (g)",
+        ),
+    };
+    let y = Axis::linear(y_name, 0.0, 1.06 * largest, 6);
+    let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
+    let g = answer.gravity_m_s2;
+    let at = |found: Option<Reached>| {
+        let reached = found.filter(|found| found.is_reached());
+        reached.map(|found| found.value() / g)
+    };
+    let above = |found: Option<Reached>| found.map(|found| at(Some(found)).unwrap_or(1.03 * largest));
+    let (mut tails, mut left_out) = (false, false);
+    for (i, row) in rows.iter().enumerate() {
+        let place = i as f64;
+        let tail = |probability| above(row.quantile_m_s2(3, probability));
+        if let (Some(low), Some(high)) = (tail(0.05), tail(0.95)) {
+            plot.block([place - 0.3, low], [place + 0.3, high], SKY, 0.25);
+            tails = true;
+        }
+        let count = row.scans.len();
+        let spread = |k: usize| match count {
+            0 | 1 => 0.0,
+            _ => SPREAD * (2.0 * k as f64 / (count - 1) as f64 - 1.0),
+        };
+        let usable = row.first_m_s2(3);
+        for (k, value) in usable.iter().enumerate() {
+            match value {
+                Reached::At(value) => {
+                    plot.sized_dot([place + spread(k), value / g], Shape::Circle, 3.0, BLUE);
+                }
+                Reached::Above(_) => {
+                    plot.sized_dot([place + spread(k), 1.03 * largest], Shape::Triangle, 3.5, GREY);
+                }
+            }
+        }
+        // what is known of a scan that cannot be used: that its capacity lies somewhere here
+        for (k, scan) in row.left_out().enumerate() {
+            let x = place + spread(usable.len() + k);
+            let high = scan.fell_m_s2().map_or(1.06 * largest, |fell| fell / g);
+            let low = scan.survived_m_s2() / g;
+            plot.line(vec![[x, low], [x, high]], Line::new(GREY, 1.2).dashed());
+            left_out = true;
+        }
+        if let Some(median) = at(row.quantile_m_s2(3, 0.5)) {
+            plot.line(
+                vec![[place - 0.3, median], [place + 0.3, median]],
+                Line::new(VERMILLION, 2.2),
+            );
+        }
+    }
+    let joined: Vec<[f64; 2]> = rows
+        .iter()
+        .enumerate()
+        .filter_map(|(i, row)| Some([i as f64, at(row.quantile_m_s2(3, 0.5))?]))
+        .collect();
+    plot.line(joined, Line::new(VERMILLION, 1.0).dashed());
+    plot.key(
+        Key::Dot(Shape::Circle, BLUE),
+        language.pick("one scan", "해석 1건"),
+    );
+    plot.key(
+        Key::Dot(Shape::Triangle, GREY),
+        language.pick("not up to the largest tried", "최대 입력까지 낙하 없음"),
+    );
+    if left_out {
+        plot.key(
+            Key::Line(Line::new(GREY, 1.2).dashed()),
+            language.pick("unusable: somewhere here", "사용 불가: 이 범위"),
+        );
+    }
+    plot.key(
+        Key::Line(Line::new(VERMILLION, 2.2)),
+        language.pick("median", "중앙값"),
+    );
+    if tails {
+        plot.key(Key::Block(SKY, 0.4), language.pick("5 to 95 %", "5–95 %"));
+    }
+    explain(&mut plot, answer, language);
+    plot.svg(language.pick("Capacity against an input", "입력변수에 따른 내진성능"))
+}
+
+/// Every run: what fell and what survived, at which peak, by level.
+fn survived(
+    answer: &StudyAnswer,
+    input: Option<usize>,
+    rows: &[LevelRow],
+    label: &str,
+    language: Language,
+) -> String {
+    let largest = largest_g(answer);
+    let y = Axis::linear(
+        language.pick("Peak ground acceleration (g)", "최대지반가속도 (g)"),
+        0.0,
+        1.04 * largest,
+        6,
+    );
+    let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
+    let level_of = |job: usize| {
+        let case = answer.case(job);
+        rows.iter().position(|row| match input {
+            Some(input) => case.texts.get(input).is_some_and(|text| *text == row.text),
+            None => case.variant.as_deref().is_none_or(|variant| variant == row.text) || rows.len() == 1,
+        })
+    };
+    // every scan of a level has its own column
+    let mut columns: Vec<Vec<usize>> = vec![Vec::new(); rows.len()];
+    for run in &answer.runs {
+        if let Some(level) = level_of(run.job).filter(|level| columns[*level].last() != Some(&run.job)) {
+            columns[level].push(run.job);
+        }
+    }
+    for run in answer.runs.iter().filter(|run| run.scale > 0.0) {
+        let Some(level) = level_of(run.job) else { continue };
+        let own = &columns[level];
+        let column = own.iter().position(|job| *job == run.job).unwrap_or(0) as f64;
+        let spread = if own.len() > 1 {
+            0.38 * (2.0 * column / (own.len() - 1) as f64 - 1.0)
+        } else {
+            0.0
+        };
+        let at = [
+            level as f64 + spread,
+            run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2,
+        ];
+        let (shape, size, colour) = match (run.outcome.trial(), run.damage_state) {
+            (Trial::Fell, _) => (Shape::Cross, 3.0, VERMILLION),
+            (Trial::Unknown, _) => (Shape::Ring, 3.0, GREY),
+            (_, 3) => (Shape::Square, 2.6, ORANGE),
+            (_, 0) => (Shape::Circle, 2.0, SKY),
+            _ => (Shape::Circle, 2.6, BLUE),
+        };
+        plot.sized_dot(at, shape, size, colour);
+    }
+    match answer.kind {
+        StudyKind::Stack => {
+            plot.key(
+                Key::Dot(Shape::Circle, SKY),
+                language.pick("nothing moved", "움직임 없음"),
+            );
+            plot.key(Key::Dot(Shape::Circle, BLUE), "DS1, DS2");
+            plot.key(Key::Dot(Shape::Square, ORANGE), "DS3");
+            plot.key(Key::Dot(Shape::Cross, VERMILLION), language.pick("fell", "낙하"));
+        }
+        StudyKind::Chain => {
+            plot.key(
+                Key::Dot(Shape::Circle, SKY),
+                language.pick("no joint moved", "연결부 움직임 없음"),
+            );
+            plot.key(
+                Key::Dot(Shape::Circle, BLUE),
+                language.pick("joints opened or slipped", "연결부 벌어짐·미끄러짐"),
+            );
+            plot.key(Key::Dot(Shape::Cross, VERMILLION), language.pick("fell", "전도"));
+        }
+        StudyKind::Frame => {
+            plot.key(Key::Dot(Shape::Circle, SKY), language.pick("stuck", "고착"));
+            plot.key(
+                Key::Dot(Shape::Circle, BLUE),
+                language.pick("slipped", "미끄러짐"),
+            );
+            plot.key(
+                Key::Dot(Shape::Cross, VERMILLION),
+                language.pick("beyond the drift limit", "층간변위 한계 초과"),
+            );
+        }
+        StudyKind::Building => {
+            plot.key(
+                Key::Dot(Shape::Circle, SKY),
+                language.pick("below every limit", "모든 한계 이내"),
+            );
+            plot.key(
+                Key::Dot(Shape::Circle, BLUE),
+                language.pick("limits 1, 2", "한계 1, 2 초과"),
+            );
+            plot.key(
+                Key::Dot(Shape::Square, ORANGE),
+                language.pick("limit 3", "한계 3 초과"),
+            );
+            plot.key(
+                Key::Dot(Shape::Cross, VERMILLION),
+                language.pick("limit 4", "한계 4 초과"),
+            );
+        }
+    }
+    let unusable = |outcome: RunOutcome| outcome.trial() == Trial::Unknown;
+    if answer.outcomes().into_keys().any(unusable) {
+        plot.key(
+            Key::Dot(Shape::Ring, GREY),
+            language.pick("no result", "결과 없음"),
+        );
+    }
+    explain(&mut plot, answer, language);
+    plot.svg(language.pick("What fell and what survived", "낙하와 생존"))
+}

@@ -1,0 +1,424 @@
+//! Figures of a study: what its runs reach as the shaking grows (incremental dynamic analysis), maps of slipping, releases.
+
+use super::Figure;
+use super::axis::Axis;
+use super::ink::{Anchor, BLUE, GREY, Label, Line, SERIES, SKY, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use super::study::SIZE_PX;
+use dolmen_words::Language;
+use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind};
+
+/// Colours of a share, the least first: from nothing to all of the time.
+const SHARES: [(f64, &str, f64); 5] = [
+    (0.0, SKY, 0.12),
+    (0.05, SKY, 0.45),
+    (0.2, SKY, 0.9),
+    (0.4, BLUE, 0.75),
+    (0.6, BLUE, 1.0),
+];
+
+/// Figures of growing shaking, of maps and of releases.
+pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut add = |name: String, svg: String| figures.push(Figure { name, svg });
+    if answer.study.scan.is_some() {
+        let told = grown(answer.kind, language)
+            .iter()
+            .filter(|(name, ..)| is_reached(answer, name));
+        for (name, label, factor) in told {
+            add(
+                format!("growth-{name}"),
+                growth(answer, name, (label, *factor), language),
+            );
+        }
+    }
+    for map in &answer.maps {
+        if !map.harmonic.is_empty() {
+            for part in 0..map.parts.len() {
+                let svg = harmonic(answer, map, part, language);
+                add(format!("harmonic-{}-{}", map.case + 1, part + 1), svg);
+            }
+        }
+    }
+    let released: Vec<&ResponseMaps> = answer.maps.iter().filter(|map| !map.release.is_empty()).collect();
+    if !released.is_empty() {
+        let frequency = (
+            language.pick("Apparent frequency (Hz)", "겉보기 진동수 (Hz)"),
+            1.0,
+        );
+        add(
+            "release-frequency".to_owned(),
+            release(
+                &released,
+                frequency,
+                |swing| swing.apparent_frequency_hz,
+                language,
+            ),
+        );
+        let damping = (language.pick("Equivalent damping (%)", "등가감쇠비 (%)"), 100.0);
+        add(
+            "release-damping".to_owned(),
+            release(
+                &released,
+                damping,
+                |swing| swing.equivalent_damping_ratio,
+                language,
+            ),
+        );
+    }
+    figures
+}
+
+/// Whether a number is anything but 0 in some run.
+fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
+    const NOTHING: f64 = 1e-6;
+    let place = answer.kind.measures().iter().position(|known| *known == measure);
+    let of = |run: &Run| place.and_then(|place| run.measures.get(place).copied());
+    answer
+        .runs
+        .iter()
+        .any(|run| of(run).is_some_and(|value| value > NOTHING))
+}
+
+/// The numbers of a run that are drawn as the shaking grows, with their labels and the factor to the label's unit.
+fn grown(kind: StudyKind, language: Language) -> &'static [(&'static str, &'static str, f64)] {
+    match (kind, language) {
+        (StudyKind::Stack, Language::English) => &[
+            (
+                "peak_rocking_ratio",
+                "Rocking of a joint over its slenderness angle",
+                1.0,
+            ),
+            (
+                "residual_slip_ratio",
+                "Offset left, % of the joint's width",
+                100.0,
+            ),
+        ],
+        (StudyKind::Stack, Language::Korean) => &[
+            ("peak_rocking_ratio", "접합면 로킹각 / 세장각", 1.0),
+            ("residual_slip_ratio", "잔류 변위 (접합면 폭의 %)", 100.0),
+        ],
+        (StudyKind::Frame, Language::English) => &[
+            ("peak_drift_m", "Largest drift (mm)", 1e3),
+            ("slipping_share", "Slips, % of the time", 100.0),
+            ("residual_drift_m", "Drift left (mm)", 1e3),
+        ],
+        (StudyKind::Frame, Language::Korean) => &[
+            ("peak_drift_m", "최대 층간변위 (mm)", 1e3),
+            ("slipping_share", "미끄러짐 시간 비율 (%)", 100.0),
+            ("residual_drift_m", "잔류 층간변위 (mm)", 1e3),
+        ],
+        (StudyKind::Chain, Language::English) => &[
+            ("peak_top_displacement_m", "Top moves (mm)", 1e3),
+            (
+                "peak_joint_rotation_rad",
+                "Largest turn across a joint (mrad)",
+                1e3,
+            ),
+            ("open_share", "A joint is open, % of the time", 100.0),
+        ],
+        (StudyKind::Chain, Language::Korean) => &[
+            ("peak_top_displacement_m", "최상단 변위 (mm)", 1e3),
+            ("peak_joint_rotation_rad", "연결부 최대 회전각 (mrad)", 1e3),
+            ("open_share", "연결부 벌어짐 시간 비율 (%)", 100.0),
+        ],
+        (StudyKind::Building, Language::English) => &[
+            ("peak_corner_drift_ratio", "Largest drift, % of the height", 100.0),
+            ("peak_stroke_m", "Stroke of the dampers (mm)", 1e3),
+        ],
+        (StudyKind::Building, Language::Korean) => &[
+            ("peak_corner_drift_ratio", "최대 층간변위 (층고의 %)", 100.0),
+            ("peak_stroke_m", "제진장치 행정 (mm)", 1e3),
+        ],
+    }
+}
+
+/// Share of slipping of a storey, or of opening and slipping of a joint, over frequency and acceleration of the ground.
+fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Language) -> String {
+    let gravity = answer.gravity_m_s2;
+    let name = map.parts.get(part).map_or("", String::as_str);
+    let is_chain = answer.kind == StudyKind::Chain;
+    let [still, moves, fell, title] = match (is_chain, language) {
+        (false, Language::English) => [
+            "white: stuck",
+            "slips, up to 5 %",
+            "drift limit",
+            "Share of the time in which a storey slips",
+        ],
+        (false, Language::Korean) => [
+            "흰색: 고착",
+            "미끄러짐 5 % 이하",
+            "층간변위 한계",
+            "미끄러짐 시간 비율",
+        ],
+        (true, Language::English) => [
+            "white: closed and stuck",
+            "opens or slips, up to 5 %",
+            "falls",
+            "Share of the time in which a joint is open or slips",
+        ],
+        (true, Language::Korean) => [
+            "흰색: 닫힘·고착",
+            "벌어짐·미끄러짐 5 % 이하",
+            "전도",
+            "연결부 벌어짐·미끄러짐 시간 비율",
+        ],
+    };
+    let mut frequencies: Vec<f64> = map.harmonic.iter().map(|point| point.frequency_hz).collect();
+    let mut accelerations: Vec<f64> = map
+        .harmonic
+        .iter()
+        .map(|p| p.ground_acceleration_m_s2 / gravity)
+        .collect();
+    for values in [&mut frequencies, &mut accelerations] {
+        values.sort_by(f64::total_cmp);
+        values.dedup();
+    }
+    let logarithms: Vec<f64> = accelerations.iter().map(|a| a.ln()).collect();
+    let fy: Vec<f64> = edges(&logarithms).into_iter().map(f64::exp).collect();
+    let fx = edges(&frequencies);
+    let range = |edges: &[f64]| {
+        [
+            edges.first().copied().unwrap_or(0.0),
+            edges.last().copied().unwrap_or(1.0),
+        ]
+    };
+    let ([x0, x1], [y0, y1]) = (range(&fx), range(&fy));
+    let x = Axis::linear(
+        language.pick("Frequency of the ground (Hz)", "지반 진동수 (Hz)"),
+        x0,
+        x1,
+        8,
+    );
+    let mut y = Axis::logarithmic(
+        language.pick("Acceleration of the ground (g)", "지반 가속도 (g)"),
+        &accelerations,
+    );
+    (y.from, y.to) = (y0, y1);
+    y.ticks.retain(|tick| (y0..=y1).contains(&tick.at));
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    let at = |values: &[f64], value: f64| values.iter().position(|known| *known == value);
+    for point in &map.harmonic {
+        let acceleration = point.ground_acceleration_m_s2 / gravity;
+        let (Some(i), Some(j)) = (
+            at(&frequencies, point.frequency_hz),
+            at(&accelerations, acceleration),
+        ) else {
+            continue;
+        };
+        let (from, to) = ([fx[i], fy[j]], [fx[i + 1], fy[j + 1]]);
+        let share = point.moving_share.get(part).copied().unwrap_or(0.0);
+        if point.fell {
+            plot.block(from, to, VERMILLION, 0.85);
+        } else if share > 0.0 {
+            let step = SHARES
+                .iter()
+                .rev()
+                .find(|(least, ..)| share > *least)
+                .unwrap_or(&SHARES[0]);
+            plot.block(from, to, step.1, step.2);
+        }
+        if !point.steady && !point.fell {
+            plot.sized_dot([point.frequency_hz, acceleration], Shape::Ring, 2.0, GREY);
+        }
+    }
+    plot.key(Key::Block(SKY, 0.0), still);
+    for (least, colour, opacity) in SHARES {
+        let text = if least == 0.0 {
+            moves.to_owned()
+        } else {
+            format!("> {:.0} %", 100.0 * least)
+        };
+        plot.key(Key::Block(colour, opacity), text);
+    }
+    plot.key(Key::Block(VERMILLION, 0.85), fell);
+    plot.key(Key::Dot(Shape::Ring, GREY), language.pick("not steady", "비정상"));
+    let words = if map.label.is_empty() {
+        name.to_owned()
+    } else {
+        format!("{name}, {}", map.label)
+    };
+    plot.text([x1, y0], [-8.0, -14.0], Label::new(words, Anchor::End).bold());
+    plot.svg(title)
+}
+
+/// One number of the runs that did not end in a fall against the peak of the ground, a line a scan; falls stand on the upper edge.
+fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), language: Language) -> String {
+    const NAMED_MOST: usize = SERIES.len();
+    let place = answer.kind.measures().iter().position(|known| *known == measure);
+    let scans: Vec<(usize, Vec<[f64; 2]>)> = answer
+        .runs
+        .chunk_by(|a, b| a.job == b.job)
+        .filter_map(|runs| {
+            let stood = runs.iter().filter(|run| !falls(answer.kind, run));
+            let points = stood.filter_map(|run| {
+                let value = run.measures.get(place?)?;
+                Some([
+                    run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2,
+                    factor * value,
+                ])
+            });
+            Some((runs.first()?.job, points.collect()))
+        })
+        .collect();
+    let all: Vec<[f64; 2]> = scans
+        .iter()
+        .flat_map(|(_, points)| points.iter().copied())
+        .collect();
+    let peaks = answer.runs.iter().filter(|run| !run.measures.is_empty());
+    let peaks: Vec<f64> = peaks
+        .map(|run| run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2)
+        .collect();
+    let most = all.iter().map(|point| point[1]).fold(1e-9, f64::max);
+    let x = Axis::logarithmic(
+        language.pick("Peak ground acceleration (g)", "최대지반가속도 (g)"),
+        &peaks,
+    );
+    let mut plot = Plot::new(SIZE_PX, x, Axis::linear(label, 0.0, 1.16 * most, 6));
+    let few = scans.len() <= NAMED_MOST;
+    for (i, (job, points)) in scans.into_iter().enumerate() {
+        let colour = if few { SERIES[i % SERIES.len()] } else { SKY };
+        for point in points.iter().filter(|_| few) {
+            plot.sized_dot(*point, Shape::Circle, 2.5, colour);
+        }
+        plot.line(points, Line::new(colour, if few { 1.2 } else { 0.8 }));
+        let fell = answer
+            .runs
+            .iter()
+            .filter(|run| run.job == job && falls(answer.kind, run));
+        for run in fell {
+            let at = [
+                run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2,
+                (1.04 + 0.04 * (i % 3) as f64) * most,
+            ];
+            plot.sized_dot(at, Shape::Cross, 3.0, colour);
+        }
+        if few {
+            let case = answer.case(job);
+            let words: Vec<&str> = case
+                .variant
+                .iter()
+                .chain(&case.texts)
+                .map(String::as_str)
+                .collect();
+            plot.key(
+                Key::Line(Line::new(colour, 2.2)),
+                format!("{} {}", words.join(", "), answer.motion_of(job)),
+            );
+        }
+    }
+    if !few && let Some(place) = place {
+        fractiles(&mut plot, answer, (place, factor), 1.04 * most, language);
+    }
+    if answer.runs.iter().any(|run| falls(answer.kind, run)) {
+        plot.key(Key::Dot(Shape::Cross, GREY), language.pick("fell", "전도"));
+    }
+    plot.svg(label)
+}
+
+/// Half of the scans, and the middle two thirds, at the peaks at which every scan was run; a fall is larger than any number.
+fn fractiles(
+    plot: &mut Plot,
+    answer: &StudyAnswer,
+    (place, factor): (usize, f64),
+    most: f64,
+    language: Language,
+) {
+    let scans = answer.runs.chunk_by(|a, b| a.job == b.job).count();
+    let usable = |run: &&Run| falls(answer.kind, run) || !run.measures.is_empty();
+    let mut runs: Vec<&Run> = answer.runs.iter().filter(usable).collect();
+    runs.sort_by(|a, b| {
+        let [a, b] = [a, b].map(|run| run.peak_ground_acceleration_m_s2);
+        a.total_cmp(&b)
+    });
+    let same = |a: &&Run, b: &&Run| {
+        let [a, b] = [a, b].map(|run| run.peak_ground_acceleration_m_s2);
+        (a - b).abs() <= 1e-9 * b
+    };
+    let mut lines = [const { Vec::new() }; 3];
+    for at_peak in runs.chunk_by(same).filter(|runs| runs.len() == scans) {
+        let value = |run: &&Run| match falls(answer.kind, run) {
+            true => f64::INFINITY,
+            false => factor * run.measures.get(place).copied().unwrap_or(f64::NAN),
+        };
+        let mut values: Vec<f64> = at_peak.iter().map(value).collect();
+        values.sort_by(f64::total_cmp);
+        let x = at_peak[0].peak_ground_acceleration_m_s2 / answer.gravity_m_s2;
+        for (line, part) in lines.iter_mut().zip([0.16, 0.5, 0.84]) {
+            let value = values[((values.len() - 1) as f64 * part).round() as usize];
+            if value <= most {
+                line.push([x, value]);
+            }
+        }
+    }
+    for (line, dashed) in lines.into_iter().zip([true, false, true]) {
+        let stroke = Line::new(VERMILLION, 2.0);
+        plot.line(line, if dashed { stroke.dashed() } else { stroke });
+    }
+    plot.key(
+        Key::Line(Line::new(VERMILLION, 2.0)),
+        language.pick("median; 16 % and 84 %", "중앙값, 16 %와 84 %"),
+    );
+}
+
+/// Whether a run ended in a fall, at whatever angle a fall is counted: what it reached by then tells nothing.
+fn falls(kind: StudyKind, run: &Run) -> bool {
+    !matches!(kind, StudyKind::Frame | StudyKind::Building) && run.outcome == RunOutcome::Fell
+}
+
+/// Half way between values, and as far beyond the ends.
+fn edges(values: &[f64]) -> Vec<f64> {
+    let (Some(first), Some(last)) = (values.first(), values.last()) else {
+        return vec![0.0, 1.0];
+    };
+    let ends = if values.len() > 1 {
+        [0.5 * (values[1] - first), 0.5 * (last - values[values.len() - 2])]
+    } else {
+        [0.5 * first.abs().max(1.0); 2]
+    };
+    let mut edges = vec![first - ends[0]];
+    edges.extend(values.windows(2).map(|pair| 0.5 * (pair[0] + pair[1])));
+    edges.push(last + ends[1]);
+    edges
+}
+
+/// One number of the swings of releases against their amplitude.
+fn release(
+    maps: &[&ResponseMaps],
+    (name, factor): (&str, f64),
+    value: impl Fn(&dolmen::dynamics::AtAmplitude) -> f64,
+    language: Language,
+) -> String {
+    let points = |map: &ResponseMaps| -> Vec<[f64; 2]> {
+        let each = map
+            .release
+            .iter()
+            .map(|swing| [1e3 * swing.amplitude_m, factor * value(swing)]);
+        each.filter(|point| point[1].is_finite()).collect()
+    };
+    let all: Vec<[f64; 2]> = maps.iter().flat_map(|map| points(map)).collect();
+    let of = |k: usize| -> Vec<f64> { all.iter().map(|point| point[k]).collect() };
+    let most = of(1).into_iter().fold(0.0, f64::max);
+    let x = Axis::logarithmic(
+        language.pick("Amplitude at the top (mm)", "상단 진폭 (mm)"),
+        &of(0),
+    );
+    let y = Axis::linear(name, 0.0, 1.1 * most, 6);
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    for (i, map) in maps.iter().enumerate() {
+        let colour = SERIES[i % SERIES.len()];
+        let own = points(map);
+        for point in &own {
+            plot.sized_dot(*point, Shape::Circle, 2.5, colour);
+        }
+        plot.line(own, Line::new(colour, 1.2));
+        let label = if map.label.is_empty() {
+            language.pick("release", "자유진동").to_owned()
+        } else {
+            map.label.clone()
+        };
+        plot.key(Key::Line(Line::new(colour, 2.2)), label);
+    }
+    plot.svg(name)
+}

@@ -1,0 +1,321 @@
+//! A damper beside the rule and the best: motion against its place, the floor in plan, and what being out of tune costs.
+
+use super::Figure;
+use super::axis::Axis;
+use super::ink::{Anchor, BLACK, BLUE, GREEN, GREY, Label, Line, SERIES, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use super::scene::Scene;
+use dolmen::damper::{Choice, MapCell};
+use dolmen_words::Language;
+use dolmen_work::tune::TuneAnswer;
+
+const SIZE_PX: [f64; 2] = [680.0, 400.0];
+/// Longer side of the floor in plan, px, and the room around it.
+const PLAN_PX: f64 = 460.0;
+const AROUND_PX: f64 = 84.0;
+/// Steps of the shading of the plan, light (small) to dark (large): one hue, so that grey print keeps the order.
+const SHADES: [&str; 8] = [
+    "#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594",
+];
+
+/// The figures of one damper.
+pub fn tune_figures(answer: &TuneAnswer, language: Language) -> Vec<Figure> {
+    let mut figures = Vec::new();
+    let mut add = |name: &str, svg: String| {
+        figures.push(Figure {
+            name: name.to_owned(),
+            svg,
+        });
+    };
+    if answer.comparison.line_given.len() > 1 {
+        add("position", position(answer, language));
+    }
+    if !answer.comparison.map.cells.is_empty() {
+        add("plan", plan(answer, language));
+    }
+    add("robustness", robustness(answer, language));
+    figures
+}
+
+/// How far along the line a place lies, m: x or y where the line runs along an axis.
+fn along(answer: &TuneAnswer, language: Language) -> (String, impl Fn(&MapCell) -> f64) {
+    let degrees = answer.direction_degrees.rem_euclid(180.0);
+    let (sin, cos) = degrees.to_radians().sin_cos();
+    let name = match degrees {
+        90.0 => language
+            .pick("x of the damper (m)", "제진장치의 x 위치 (m)")
+            .to_owned(),
+        0.0 => language
+            .pick("y of the damper (m)", "제진장치의 y 위치 (m)")
+            .to_owned(),
+        _ => language
+            .pick(
+                "Place of the damper across its direction (m)",
+                "진동 방향에 직각인 제진장치 위치 (m)",
+            )
+            .to_owned(),
+    };
+    let unit = if degrees == 0.0 { [0.0, 1.0] } else { [sin, -cos] };
+    (name, move |cell: &MapCell| {
+        let [x, y] = cell.damper.place_m;
+        unit[0] * x + unit[1] * y
+    })
+}
+
+/// Motion of each point against the place of the damper, as Figure 5 of Hwang, Min & Hong; and tuned at each place.
+fn position(answer: &TuneAnswer, language: Language) -> String {
+    let comparison = &answer.comparison;
+    let (name, at) = along(answer, language);
+    let series = |cells: &[MapCell], point: usize| -> Vec<[f64; 2]> {
+        cells
+            .iter()
+            .map(|cell| [at(cell), answer.over_without(&cell.point_rms)[point]])
+            .collect()
+    };
+    let all = comparison.line_given.iter().chain(&comparison.line_best);
+    let largest = all
+        .flat_map(|cell| answer.over_without(&cell.point_rms))
+        .fold(1.0, f64::max);
+    let places: Vec<f64> = comparison.line_given.iter().map(&at).collect();
+    let ends = [
+        places.iter().copied().fold(f64::INFINITY, f64::min),
+        places.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    ];
+    let x = Axis::linear(name, ends[0], ends[1], 10);
+    let y_name = language.pick("RMS over that without a damper", "비제어 대비 RMS 비");
+    let mut plot = Plot::new(SIZE_PX, x, Axis::linear(y_name, 0.0, 1.06 * largest, 6));
+    plot.line(
+        vec![[ends[0], 1.0], [ends[1], 1.0]],
+        Line::new(GREY, 1.0).dashed(),
+    );
+    for (p, point) in answer.points.iter().enumerate() {
+        let colour = SERIES[p % SERIES.len()];
+        plot.line(series(&comparison.line_given, p), Line::new(colour, 2.0));
+        plot.line(series(&comparison.line_best, p), Line::new(colour, 1.6).dashed());
+        plot.key(Key::Line(Line::new(colour, 2.0)), point.name.clone());
+    }
+    plot.key(
+        Key::Line(Line::new(GREY, 2.0)),
+        language.pick("tuned as in the file", "입력한 동조"),
+    );
+    plot.key(
+        Key::Line(Line::new(GREY, 1.6).dashed()),
+        language.pick("tuned best at each place", "위치마다 최적 동조"),
+    );
+    plot.svg(language.pick(
+        "Motion of the points against the place of the damper",
+        "제진장치 위치에 따른 관측점의 RMS",
+    ))
+}
+
+/// The floor: the goal for each place of the damper, tuned best there; the damper, the rule, the best; centre of the mode.
+fn plan(answer: &TuneAnswer, language: Language) -> String {
+    let comparison = &answer.comparison;
+    let ends = |axis: usize| {
+        let values = answer.corners_m.iter().map(|corner| corner[axis]);
+        values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| {
+            [low.min(v), high.max(v)]
+        })
+    };
+    let [x, y] = [ends(0), ends(1)];
+    let scale = PLAN_PX / (x[1] - x[0]).max(y[1] - y[0]);
+    let (width, height) = (scale * (x[1] - x[0]), scale * (y[1] - y[0]));
+    let px = |[a, b]: [f64; 2]| [AROUND_PX + scale * (a - x[0]), AROUND_PX + scale * (y[1] - b)];
+    let legend = 250.0;
+    let total_height = (height + 2.0 * AROUND_PX).max(330.0);
+    let mut scene = Scene::new(width + 2.0 * AROUND_PX + legend, total_height);
+    let over = |cost: f64| cost / comparison.cost_without;
+    let costs: Vec<f64> = comparison
+        .map
+        .cells
+        .iter()
+        .flatten()
+        .map(|cell| over(cell.cost))
+        .collect();
+    let low = costs.iter().copied().fold(f64::INFINITY, f64::min);
+    let high = costs.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let span = (high - low).max(1e-9);
+    let step = |list: &[f64], whole: f64| whole / list.len().max(1) as f64;
+    let (dx, dy) = (
+        step(&comparison.map.x_m, x[1] - x[0]),
+        step(&comparison.map.y_m, y[1] - y[0]),
+    );
+    // runs of equal shade in a row are one rectangle
+    let columns = comparison.map.x_m.len();
+    let shade = |cell: &Option<MapCell>| {
+        cell.as_ref().map(|cell| {
+            let part = (over(cell.cost) - low) / span;
+            ((part * SHADES.len() as f64) as usize).min(SHADES.len() - 1)
+        })
+    };
+    for (j, row_y) in comparison.map.y_m.iter().enumerate() {
+        let row = &comparison.map.cells[j * columns..(j + 1) * columns];
+        let mut from = 0;
+        for i in 1..=columns {
+            if i < columns && shade(&row[i]) == shade(&row[from]) {
+                continue;
+            }
+            if let Some(shade) = shade(&row[from]) {
+                let left = comparison.map.x_m[from] - 0.5 * dx;
+                let right = comparison.map.x_m[i - 1] + 0.5 * dx;
+                let (bottom, top) = (row_y - 0.5 * dy, row_y + 0.5 * dy);
+                let corners = [[left, bottom], [right, bottom], [right, top], [left, top]].map(px);
+                scene.polygon(&corners, SHADES[shade], Line::new(SHADES[shade], 0.6));
+            }
+            from = i;
+        }
+    }
+    let outline: Vec<[f64; 2]> = answer.corners_m.iter().map(|corner| px(*corner)).collect();
+    scene.polygon(&outline, "none", Line::new(BLACK, 1.4));
+    for point in answer.points.iter().filter(|point| point.floor == answer.floor) {
+        let at = px(point.place_m);
+        scene.marker(at, Shape::Cross, 5.0, BLACK);
+        // names stand outside the floor, on the side that is nearer
+        let right = point.place_m[0] > 0.5 * (x[0] + x[1]);
+        let anchor = if right { Anchor::Start } else { Anchor::End };
+        let beside = [at[0] + if right { 9.0 } else { -9.0 }, at[1] - 12.0];
+        scene.text(beside, &Label::new(point.name.clone(), anchor).small());
+    }
+    let mut keys: Vec<(Shape, &'static str, String)> = Vec::new();
+    if let Some(centre) = answer.mode_centre_m {
+        let mode = answer.mode;
+        let inside = (x[0]..=x[1]).contains(&centre[0]) && (y[0]..=y[1]).contains(&centre[1]);
+        if inside {
+            scene.marker(px(centre), Shape::Ring, 6.0, GREY);
+            keys.push((
+                Shape::Ring,
+                GREY,
+                language.pick(format!("centre of mode {mode}"), format!("{mode}차 모드 중심")),
+            ));
+        } else {
+            keys.push((
+                Shape::Ring,
+                GREY,
+                language.pick(
+                    format!("centre of mode {mode}: x = {:.2} m, off the floor", centre[0]),
+                    format!("{mode}차 모드 중심: x = {:.2} m (평면 밖)", centre[0]),
+                ),
+            ));
+        }
+    }
+    for (choice, shape, colour, words) in [
+        (
+            Choice::Given,
+            Shape::Square,
+            BLACK,
+            language.pick("as in the file", "입력한 위치"),
+        ),
+        (
+            Choice::Rule,
+            Shape::Triangle,
+            VERMILLION,
+            language.pick("the rule", "논문의 규칙"),
+        ),
+        (
+            Choice::Best,
+            Shape::Diamond,
+            GREEN,
+            language.pick("placed and tuned best", "최적 위치와 동조"),
+        ),
+    ] {
+        if let Some(row) = comparison.row(choice) {
+            scene.marker(px(row.damper.place_m), shape, 6.0, colour);
+            let value = format!("{words}: {:.4}", over(row.cost));
+            keys.push((shape, colour, value));
+        }
+    }
+    // legend and shades, right of the floor
+    let left = AROUND_PX * 2.0 + width;
+    let mut down = AROUND_PX;
+    for (shape, colour, words) in keys {
+        scene.marker([left, down], shape, 6.0, colour);
+        scene.text([left + 14.0, down], &Label::new(words, Anchor::Start).small());
+        down += 22.0;
+    }
+    down += 14.0;
+    let heading = language.pick("goal over that without", "목표값의 비제어 대비 비");
+    scene.text(
+        [left - 6.0, down],
+        &Label::new(heading, Anchor::Start).small().bold(),
+    );
+    for (k, colour) in SHADES.iter().enumerate() {
+        down += 18.0;
+        let box_px = [
+            [left - 6.0, down - 7.0],
+            [left + 14.0, down - 7.0],
+            [left + 14.0, down + 7.0],
+            [left - 6.0, down + 7.0],
+        ];
+        scene.polygon(&box_px, colour, Line::new(GREY, 0.5));
+        let [from, to] = [k, k + 1].map(|k| low + span * k as f64 / SHADES.len() as f64);
+        scene.text(
+            [left + 22.0, down],
+            &Label::new(format!("{from:.3}–{to:.3}"), Anchor::Start).small(),
+        );
+    }
+    for (value, at) in [(x[0], [x[0], y[0]]), (x[1], [x[1], y[0]])] {
+        let [a, b] = px(at);
+        scene.text(
+            [a, b + 16.0],
+            &Label::new(format!("{value} m"), Anchor::Middle).small(),
+        );
+    }
+    for (value, at) in [(y[0], [x[0], y[0]]), (y[1], [x[0], y[1]])] {
+        let [a, b] = px(at);
+        scene.text([a - 6.0, b], &Label::new(format!("{value}"), Anchor::End).small());
+    }
+    scene.svg(language.pick(
+        "What a damper does at each place of the floor, tuned best there",
+        "평면 위치별 제어 효과(위치마다 최적 동조)",
+    ))
+}
+
+/// The goal with the frequency and the damping off.
+fn robustness(answer: &TuneAnswer, language: Language) -> String {
+    let comparison = &answer.comparison;
+    let curves = [
+        (&comparison.off_frequency, true),
+        (&comparison.off_damping, false),
+    ];
+    let all = curves.iter().flat_map(|(pair, _)| pair.iter().flatten());
+    let values: Vec<f64> = all.map(|point| point.cost / comparison.cost_without).collect();
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    let ends = comparison.off_frequency[0]
+        .iter()
+        .map(|point| 100.0 * (point.factor - 1.0))
+        .fold([0.0_f64; 2], |[low, high], v| [low.min(v), high.max(v)]);
+    let x = Axis::linear(language.pick("Off by (%)", "오차 (%)"), ends[0], ends[1], 8);
+    let margin = 0.08 * (largest - least).max(0.02);
+    let y = Axis::linear(
+        language.pick("Goal over that without a damper", "목표값의 비제어 대비 비"),
+        least - margin,
+        largest + margin,
+        6,
+    );
+    let mut plot = Plot::new(SIZE_PX, x, y);
+    for (pair, frequency) in curves {
+        for (k, points) in pair.iter().enumerate() {
+            let colour = [BLUE, VERMILLION][k];
+            let line = match frequency {
+                true => Line::new(colour, 2.0),
+                false => Line::new(colour, 1.6).dashed(),
+            };
+            let points = points
+                .iter()
+                .map(|point| [100.0 * (point.factor - 1.0), point.cost / comparison.cost_without])
+                .collect();
+            plot.line(points, line);
+            let which = match k {
+                0 => language.pick("as in the file", "입력한 제진장치"),
+                _ => language.pick("placed and tuned best", "최적 위치와 동조"),
+            };
+            let what = match frequency {
+                true => language.pick("frequency off", "진동수 오차"),
+                false => language.pick("damping off", "감쇠 오차"),
+            };
+            plot.key(Key::Line(line), format!("{which}, {what}"));
+        }
+    }
+    plot.svg(language.pick("What being out of tune costs", "동조 오차에 따른 제어 효과"))
+}

@@ -1,0 +1,301 @@
+//! The fixed words: verdicts with their thresholds, where numbers come from, what parts are called.
+
+use dolmen::stability::Verdict;
+use dolmen::structure::Convention;
+use dolmen_project::Evidence;
+use dolmen_words::Language;
+use dolmen_words::number;
+
+/// The word of a verdict.
+pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str {
+    match verdict {
+        Verdict::Stable => language.pick("stable", "안정"),
+        Verdict::Marginal => language.pick("marginal", "여유 부족"),
+        Verdict::Unstable => language.pick("unstable", "불안정"),
+        Verdict::Unknown => language.pick("unknown", "판정 불가"),
+    }
+}
+
+/// The sign that stands before a verdict, for those who see no colours.
+pub(super) fn verdict_sign(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Stable => "●",
+        Verdict::Marginal => "◆",
+        Verdict::Unstable => "✕",
+        Verdict::Unknown => "?",
+    }
+}
+
+/// What the words mean, with their thresholds.
+pub(super) fn thresholds(language: Language) -> String {
+    let limit = number::significant(Verdict::MARGINAL_BELOW, 2);
+    language.pick(
+        format!(
+            "stable: λ ≥ {limit} · marginal: 1 < λ < {limit} · unstable: λ ≤ 1 · unknown: not enough is given. λ is the \
+             factor on gravity at which the structure falls."
+        ),
+        format!(
+            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중계수)이다."
+        ),
+    )
+}
+
+/// Where a number comes from.
+pub(super) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &'static str {
+    match evidence {
+        Some(Evidence::Measured) => language.pick("measured", "실측"),
+        Some(Evidence::Test) => language.pick("test", "시험"),
+        Some(Evidence::Literature) => language.pick("literature", "문헌"),
+        Some(Evidence::Assumed) => language.pick("assumed", "가정"),
+        None => language.pick("not stated", "출처 미기재"),
+    }
+}
+
+/// What the springs of a frame act on.
+pub(super) fn convention_word(convention: Convention, language: Language) -> &'static str {
+    match convention {
+        Convention::Drift => language.pick("spring on storey drift", "층간변위에 작용하는 스프링"),
+        Convention::Grounded => language.pick(
+            "spring on displacement from the ground (as printed)",
+            "지반 기준 변위에 작용하는 스프링(논문 표기)",
+        ),
+    }
+}
+
+/// A unit as printed: "N m/rad" is "N·m/rad".
+pub(super) fn unit_text(unit: &str) -> String {
+    unit.replace(' ', "·")
+}
+
+/// `links[1].weight` in words, "link 1, weight"; a path that is not known stays as it is.
+pub(super) fn path_words(path: &str, language: Language) -> String {
+    if let Some(words) = survey_words(path, language) {
+        return words;
+    }
+    if path == "density" {
+        return language.pick("density of the stones", "석재 밀도").to_string();
+    }
+    if path == "damping_ratio" {
+        return language
+            .pick("damping ratio of the first mode", "1차 모드 감쇠비")
+            .to_string();
+    }
+    if let Some(words) = direction_words(path, language) {
+        return words;
+    }
+    let Some((part, quantity)) = path.rsplit_once('.') else {
+        return path.to_string();
+    };
+    match (part_words(part, language), quantity_word(quantity, language)) {
+        (Some(part), Some(quantity)) => format!("{part} {quantity}"),
+        _ => stack_words(path, language).unwrap_or_else(|| path.to_string()),
+    }
+}
+
+/// `survey.2009.frequencies.x[1]` and `survey.2009.modes.x[1].frequency`.
+fn survey_words(path: &str, language: Language) -> Option<String> {
+    let rest = path.strip_prefix("survey.")?;
+    let (place, damping) = match rest.strip_suffix(".frequency") {
+        Some(place) => (place, false),
+        None => match rest.strip_suffix(".damping_ratio") {
+            Some(place) => (place, true),
+            None => (rest, false),
+        },
+    };
+    let (survey, mode) = place
+        .split_once(".frequencies.")
+        .or_else(|| place.split_once(".modes."))?;
+    let (direction, number) = mode.strip_suffix(']')?.split_once('[')?;
+    let quantity = if damping {
+        language.pick("damping ratio", "감쇠비")
+    } else {
+        language.pick("frequency", "고유진동수")
+    };
+    Some(language.pick(
+        format!("{quantity} {number}, direction {direction} (survey {survey})"),
+        format!("{direction} 방향 {quantity} {number} (조사 {survey})"),
+    ))
+}
+
+/// `direction.weak.stiffness[1]` and `direction.weak.friction.coefficient` of a frame.
+fn direction_words(path: &str, language: Language) -> Option<String> {
+    let (direction, rest) = path.strip_prefix("direction.")?.split_once('.')?;
+    let (quantity, number) = match rest.split_once('[') {
+        Some((quantity, number)) => (quantity, number.strip_suffix(']')),
+        None => (rest, None),
+    };
+    let quantity = match quantity {
+        "stiffness" => language.pick("stiffness", "강성"),
+        "damping_ratio" => language.pick("damping ratio", "감쇠비"),
+        "friction.coefficient" => language.pick("friction coefficient", "마찰계수"),
+        "friction.static_coefficient" => language.pick("static friction coefficient", "정지마찰계수"),
+        "friction.force" => language.pick("friction force", "마찰력"),
+        "friction.slipping_stiffness" => language.pick("stiffness while slipping", "미끄럼 시 강성"),
+        _ => return None,
+    };
+    Some(match number {
+        Some(number) => language.pick(
+            format!("direction {direction}, storey {number}: {quantity}"),
+            format!("{direction} 방향 {number}층 {quantity}"),
+        ),
+        None => language.pick(
+            format!("direction {direction}: {quantity}"),
+            format!("{direction} 방향 {quantity}"),
+        ),
+    })
+}
+
+/// `blocks[5].openings[1].position[2]` as "block 5 opening 1 position y", segment by segment.
+fn stack_words(path: &str, language: Language) -> Option<String> {
+    let each = path.split('.').map(|segment| {
+        let (name, numbers) = segment.split_once('[').unwrap_or((segment, ""));
+        let axis = |number: &str| match number {
+            "1" => Some("x"),
+            "2" => Some("y"),
+            "3" => Some("z"),
+            _ => None,
+        };
+        let number = numbers.trim_end_matches(']');
+        Some(match name {
+            "blocks" => format!("{} {number}", language.pick("block", "블록")),
+            "openings" => format!("{} {number}", language.pick("opening", "개구부")),
+            "contacts" => format!("{} {number}", language.pick("contact", "접촉면")),
+            "ties" => format!("{} {number}", language.pick("tie", "연결재")),
+            "floors" => format!("{} {number}", language.pick("floor", "바닥")),
+            "walls" => format!("{} {number}", language.pick("wall", "벽체")),
+            "damping" => language.pick("damping", "감쇠").to_owned(),
+            "ratio" => language.pick("ratio", "비").to_owned(),
+            "stiffness_x" => language.pick("stiffness x", "강성 x").to_owned(),
+            "stiffness_y" => language.pick("stiffness y", "강성 y").to_owned(),
+            "rotation" if path.starts_with("floors") => language.pick("against turning", "회전").to_owned(),
+            "centre" => format!("{} {}", language.pick("centre", "중심"), axis(number)?),
+            "place" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
+            "side_supports" => format!("{} {number}", language.pick("side support", "측면 지지")),
+            "pagoda" => language.pick("pagoda:", "석탑").to_owned(),
+            "joint" => language.pick("joint", "접합면").to_owned(),
+            "tilt" => language.pick("tilt", "기울기").to_owned(),
+            "x" | "y" => name.to_owned(),
+            "position" => format!("{} {}", language.pick("position", "위치"), axis(number)?),
+            "at" => format!("{} {}", language.pick("place", "위치"), axis(number)?),
+            "offset" => format!("{} {}", language.pick("offset", "편심"), axis(number)?),
+            "points" if path.starts_with("points") => format!("{} {number}", language.pick("point", "점")),
+            "points" => {
+                let (point, coordinate) = number.split_once("][")?;
+                format!("{} {point} {}", language.pick("point", "점"), axis(coordinate)?)
+            }
+            other => quantity_word(other, language)?.to_owned(),
+        })
+    });
+    Some(each.collect::<Option<Vec<_>>>()?.join(" "))
+}
+
+fn part_words(part: &str, language: Language) -> Option<String> {
+    if part == "joint" {
+        return Some(language.pick("all joints:", "모든 접합면").to_string());
+    }
+    let (kind, number) = part.split_once('[')?;
+    let number = number.strip_suffix(']')?;
+    let kind = match kind {
+        "links" => language.pick("link", "부재"),
+        "joints" => language.pick("joint", "연결부"),
+        "storeys" => language.pick("storey", "층"),
+        "blocks" => language.pick("block", "블록"),
+        _ => return None,
+    };
+    number
+        .bytes()
+        .all(|b| b.is_ascii_digit())
+        .then(|| format!("{kind} {number}"))
+}
+
+fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
+    Some(match quantity {
+        "weight" => language.pick("weight", "무게"),
+        "mass" => language.pick("mass", "질량"),
+        "length" => language.pick("length", "길이"),
+        "centroid" => language.pick("height of centre of mass", "무게 중심 높이"),
+        "inertia" => language.pick("moment of inertia", "질량 관성모멘트"),
+        "breadth" => language.pick("breadth", "폭"),
+        "bed_width" => language.pick("bed width", "밑면 폭"),
+        "stiffness" => language.pick("stiffness", "강성"),
+        "friction_moment" => language.pick("moment of friction", "마찰 모멘트"),
+        "static_friction_moment" => language.pick("static moment of friction", "정지마찰 모멘트"),
+        "damping" => language.pick("damping", "감쇠"),
+        "height" => language.pick("height", "높이"),
+        "axial_force" => language.pick("axial force", "축력"),
+        "width" => language.pick("width", "폭"),
+        "depth" => language.pick("depth", "깊이"),
+        "top_width" => language.pick("width at the top", "윗면 폭"),
+        "top_depth" => language.pick("depth at the top", "윗면 깊이"),
+        "diameter" => language.pick("diameter", "지름"),
+        "top_diameter" => language.pick("diameter at the top", "윗면 지름"),
+        "density" => language.pick("density", "밀도"),
+        "rotation" => language.pick("turn about the vertical", "수평 회전각"),
+        "friction" => language.pick("friction coefficient", "마찰계수"),
+        "friction_kinetic" => language.pick("kinetic friction coefficient", "운동마찰계수"),
+        "cohesion" => language.pick("cohesion", "점착력"),
+        "tension" => language.pick("tensile strength of the bond", "부착 인장강도"),
+        "normal_stiffness" => language.pick("normal stiffness", "수직 강성"),
+        "shear_stiffness" => language.pick("shear stiffness", "전단 강성"),
+        "restitution" => language.pick("restitution", "반발계수"),
+        "damping_ratio" => language.pick("damping ratio", "감쇠비"),
+        "body_height" => language.pick("height of all storeys", "탑신 높이"),
+        "body_slenderness" => language.pick("body slenderness", "탑신 세장비"),
+        "slenderness_angle" => language.pick("slenderness angle", "세장각"),
+        "taper" => language.pick("taper", "체감각"),
+        "body_base_height_ratio" => language.pick("body height / base height", "탑신/기단 높이비"),
+        "gap" => language.pick("gap", "유격"),
+        "axial_stiffness" => language.pick("axial stiffness", "축강성"),
+        "tension_strength" => language.pick("tensile strength", "인장강도"),
+        "shear_strength" => language.pick("shear strength", "전단강도"),
+        _ => return None,
+    })
+}
+
+/// "1, 2 and 3".
+pub(super) fn listed(items: &[String], language: Language) -> String {
+    match items {
+        [] => String::new(),
+        [one] => one.clone(),
+        [first @ .., last] => format!("{}{}{last}", first.join(", "), language.pick(" and ", " 및 ")),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_paths_of_stacks_have_words() {
+        for (path, english, korean) in [
+            ("blocks[5].width", "block 5 width", "블록 5 폭"),
+            (
+                "blocks[5].openings[1].position[2]",
+                "block 5 opening 1 position y",
+                "블록 5 개구부 1 위치 y",
+            ),
+            ("blocks[2].points[3][1]", "block 2 point 3 x", "블록 2 점 3 x"),
+            ("blocks[2].tilt.x", "block 2 tilt x", "블록 2 기울기 x"),
+            (
+                "blocks[2].joint.friction",
+                "block 2 joint friction coefficient",
+                "블록 2 접합면 마찰계수",
+            ),
+            ("pagoda.taper", "pagoda: taper", "석탑 체감각"),
+            (
+                "direction.weak.stiffness[2]",
+                "direction weak, storey 2: stiffness",
+                "weak 방향 2층 강성",
+            ),
+            (
+                "direction.x.friction.coefficient",
+                "direction x: friction coefficient",
+                "x 방향 마찰계수",
+            ),
+            ("nothing.known[1]", "nothing.known[1]", "nothing.known[1]"),
+        ] {
+            assert_eq!(path_words(path, Language::English), english);
+            assert_eq!(path_words(path, Language::Korean), korean);
+        }
+    }
+}

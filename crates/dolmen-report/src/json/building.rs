@@ -1,0 +1,195 @@
+//! A building as JSON: its check, its simulation.
+
+use super::simulation::motion_json;
+use dolmen::damper::DamperKind;
+use dolmen::dynamics::{BuildingPeaks, HistoryMethod, Peak};
+use dolmen_project::BuiltDamper;
+use dolmen_work::building::{
+    BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
+};
+use dolmen_work::simulation::BuildingSimulation;
+use serde_json::{Value, json};
+
+/// The check of a building.
+pub(super) fn building(answer: &BuildingAnswer) -> Value {
+    let storeys = answer.elastic.storeys().iter().zip(&answer.falls).enumerate();
+    let storeys = storeys.map(|(i, (storey, fall))| {
+        let floor = &answer.elastic.floors()[i];
+        let centre = storey.stiffness.centre_of_rigidity_m();
+        json!({
+            "floor": answer.floors[i],
+            "mass_kg": floor.mass_kg, "centre_of_mass_m": floor.centre_m, "gyration_m": floor.gyration_m,
+            "height_m": storey.height_m,
+            "centre_of_rigidity_m": centre,
+            "stiffness_about_it": centre.map(|centre| storey.stiffness.matrix_about(centre)),
+            "weight_above_n": fall.weight_n, "load_factor": fall.load_factor, "falls_by": fall.motion(),
+            "falling_drift": fall.drift,
+        })
+    });
+    json!({
+        "load_factor": answer.load_factor(),
+        "storeys": storeys.collect::<Vec<_>>(),
+        "standing": answer.stands.as_ref().map(|standing| self::standing(standing)),
+    })
+}
+
+fn standing(standing: &StandingBuilding) -> Value {
+    let modes = standing.modes.modes.iter().zip(&standing.damping_ratios);
+    let modes = modes.map(|(mode, damping_ratio)| {
+        json!({
+            "frequency_hz": mode.frequency_hz, "omega_rad_s": mode.omega_rad_s, "damping_ratio": damping_ratio,
+            "shape": mode.shape, "participation": mode.participation, "effective_mass": mode.effective_mass,
+            "energy_shares": mode.energy_shares, "coupling": mode.coupling, "repeated": mode.repeated,
+            "centres": mode.centres.iter().map(|centre| centre.map(|c| json!({
+                "r_x_m": c.r_x_m, "r_y_m": c.r_y_m, "x_m": c.x_m, "y_m": c.y_m,
+            }))).collect::<Vec<_>>(),
+        })
+    });
+    json!({
+        "modes": modes.collect::<Vec<_>>(),
+        "total_mass": standing.modes.total_mass,
+        "dampers": standing.dampers.iter().map(damper).collect::<Vec<_>>(),
+        "spectral": standing.spectral.as_ref().map(spectral),
+        "spectral_refused": standing.spectral_refused,
+        "spectral_with_dampers": standing.damped.as_ref().map(damped),
+        "spectral_with_dampers_refused": standing.damped_refused,
+        "against_without": standing.against_without().iter().map(|of| json!({
+            "what": of.what[0], "ratio": of.ratio,
+        })).collect::<Vec<_>>(),
+        "beyond_room": standing.beyond_room().iter().map(|beyond| json!({
+            "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
+        })).collect::<Vec<_>>(),
+    })
+}
+
+pub(super) fn damper(damper: &BuiltDamper) -> Value {
+    let mut value = json!({
+        "name": damper.name, "kind": damper.word(),
+        "floor": damper.floor, "x_m": damper.place_m[0], "y_m": damper.place_m[1], "direction": damper.direction.unit(),
+        "mode": damper.tuned_to.map(|tuned| tuned.mode), "mass_ratio": damper.tuned_to.map(|tuned| tuned.mass_ratio),
+        "mass_kg": damper.kind.mass_kg(),
+        "frequency_hz": damper.own().map(|own| own[0]), "damping_ratio": damper.own().map(|own| own[1]),
+        "tuning": damper.tuning.map(|tuning| tuning.name()), "room_m": damper.room_m, "liquid_room_m": damper.liquid_room_m,
+    });
+    let rest = match damper.kind {
+        DamperKind::TunedMass { .. } => json!({}),
+        DamperKind::LiquidColumn { length_ratio, .. } => json!({ "length_ratio": length_ratio }),
+        DamperKind::LiquidColumnMass {
+            liquid_mass_kg,
+            length_ratio,
+            liquid_frequency_hz,
+            liquid_damping_ratio,
+            ..
+        } => json!({
+            "length_ratio": length_ratio, "liquid_mass_kg": liquid_mass_kg,
+            "liquid_frequency_hz": liquid_frequency_hz, "liquid_damping_ratio": liquid_damping_ratio,
+        }),
+        DamperKind::Viscous { coefficient_n_s_m } => json!({
+            "coefficient_n_s_m": coefficient_n_s_m,
+            "to_floor": damper.to.map(|to| to.0), "to_place_m": damper.to.map(|to| to.1),
+        }),
+    };
+    if let (Some(value), Value::Object(rest)) = (value.as_object_mut(), rest) {
+        value.extend(rest);
+    }
+    value
+}
+
+fn spectral(spectral: &BuildingSpectral) -> Value {
+    let [sum, srss, cqc] = spectral.base_shear_n;
+    json!({
+        "modes": spectral.modes.iter().map(|mode| json!({
+            "period_s": mode.period_s, "damping_ratio": mode.damping_ratio, "acceleration_m_s2": mode.acceleration_m_s2,
+        })).collect::<Vec<_>>(),
+        "base_shear_n": { "absolute_sum": sum, "srss": srss, "cqc": cqc },
+        "base_torque_n_m": spectral.base_torque_n_m,
+        "base_shear_least_favourable": spectral.least_favourable.map(|of| json!({
+            "base_shear_n": of.largest, "direction_degrees": of.direction_degrees, "minor_ratio": MINOR_RATIO,
+        })),
+        "displacement_m": spectral.displacement_m,
+        "edge_drift_m": spectral.edge_drift_m,
+        "points": spectral.points_m.iter().map(|(name, at)| json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
+    })
+}
+
+fn damped(damped: &DampedSpectral) -> Value {
+    json!({
+        "modes": damped.modes.iter().map(|mode| json!({
+            "period_s": mode.period_s, "damping_ratio": mode.damping_ratio, "acceleration_m_s2": mode.acceleration_m_s2,
+        })).collect::<Vec<_>>(),
+        "base_shear_n": damped.base_shear_n,
+        "base_torque_n_m": damped.base_torque_n_m,
+        "displacement_m": damped.displacement_m,
+        "edge_drift_m": damped.edge_drift_m,
+        "points": damped.points_m.iter().map(|(name, at)| json!({ "name": name, "displacement_m": at })).collect::<Vec<_>>(),
+        "strokes_m": damped.strokes_m,
+    })
+}
+
+/// Everything of a simulation but its histories.
+pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
+    let history = &simulation.history;
+    let points = simulation.points.iter().map(|point| {
+        json!({
+            "name": point.name, "floor": point.floor, "place_m": point.place_m,
+            "peak_displacement_m": point.along.each_ref().map(|along| along.displacement_peak_m.value.abs()),
+            "peak_acceleration_m_s2": point.along.each_ref().map(|along| along.acceleration_peak_m_s2.value.abs()),
+        })
+    });
+    json!({
+        "file": simulation.file,
+        "name": { "en": simulation.name.en, "ko": simulation.name.ko },
+        "variant": simulation.variant,
+        "motion": motion_json(&simulation.motion),
+        "method": match history.method {
+            HistoryMethod::ComplexModes => "complex_modes",
+            HistoryMethod::MatrixExponential => "matrix_exponential",
+        },
+        "time_step_s": history.time_step_s,
+        "steps": history.length() - 1,
+        "dampers": simulation.dampers.iter().map(damper).collect::<Vec<_>>(),
+        "peaks": peaks(&history.peaks, simulation),
+        "peaks_without_dampers": simulation.without_dampers.as_ref().map(|other| peaks(&other.peaks, simulation)),
+        "dashpot_forces_n": simulation.dashpot_forces_n().iter().map(|force| force.as_ref().map(peak)).collect::<Vec<_>>(),
+        "points": points.collect::<Vec<_>>(),
+        "drift_ratio": simulation.drift().ratio,
+        "drift_at": if simulation.drift().at_corner { "corner" } else { "centre_of_mass" },
+        "against_without": simulation.without_dampers.is_some().then(|| simulation.against_without().iter().map(|of| json!({
+            "what": of.what[0], "ratio": of.ratio,
+        })).collect::<Vec<_>>()),
+        "grows_at_the_end": history.grows_at_the_end(),
+        "dampers_across_the_motion": simulation.across_the_motion().iter().map(|damper| &damper.name).collect::<Vec<_>>(),
+        "beyond_room": simulation.beyond_room().iter().map(|beyond| json!({
+            "damper": beyond.name, "stroke_m": beyond.stroke_m, "room_m": beyond.room_m,
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn peak(peak: &Peak) -> Value {
+    json!({ "value": peak.value, "at_s": peak.at_s })
+}
+
+fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
+    let floors = peaks.floors.iter().zip(&peaks.storeys).zip(&simulation.floors);
+    let floors = floors.map(|((floor, storey), name)| {
+        json!({
+            "floor": name,
+            "displacement_x_m": peak(&floor.displacement_x_m), "displacement_y_m": peak(&floor.displacement_y_m),
+            "rotation_rad": peak(&floor.rotation_rad),
+            "drift_x_m": peak(&storey.drift_x_m), "drift_y_m": peak(&storey.drift_y_m), "twist_rad": peak(&storey.twist_rad),
+            "edge_drift_x_m": storey.edge_drift_x_m.as_ref().map(peak), "edge_drift_y_m": storey.edge_drift_y_m.as_ref().map(peak),
+            "resultant_drift": {
+                "size_m": storey.resultant.size_m, "at_s": storey.resultant.at_s, "place_m": storey.resultant.place_m,
+                "direction_deg": storey.resultant.direction_degrees,
+            },
+        })
+    });
+    json!({
+        "floors": floors.collect::<Vec<_>>(),
+        "strokes_m": peaks.strokes_m.iter().map(peak).collect::<Vec<_>>(),
+        "stroke_rates_m_s": peaks.stroke_rates_m_s.iter().map(peak).collect::<Vec<_>>(),
+        "stroke_names": simulation.stroke_names(),
+        "base_shear_x_n": peak(&peaks.base_shear_n[0]), "base_shear_y_n": peak(&peaks.base_shear_n[1]),
+        "base_torque_n_m": peak(&peaks.base_torque_n_m),
+    })
+}

@@ -1,0 +1,124 @@
+//! What an earthquake asks for, as JSON.
+
+use crate::text::{ground_word, type_word};
+use dolmen::assess::demand::{ShakenDirection, SiteParameters, SpectrumBranches, StackDemandCheck};
+use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
+use dolmen_work::answer::DemandAnswer;
+use serde_json::{Value, json};
+
+/// The site, its numbers, and what they ask of the structure.
+pub(super) fn demand(answer: &DemandAnswer) -> Value {
+    let site = &answer.site;
+    let spectrum = &site.spectrum;
+    json!({
+        "source": spectrum.source,
+        "parameters": parameters(&site.parameters),
+        "damping_ratio": site.damping_ratio,
+        "peak_ground_acceleration_m_s2": site.peak_ground_acceleration_m_s2,
+        "vertical": site.vertical.map(|v| json!({ "ratio": v.ratio, "verified": v.verified })),
+        "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "spectral": answer.spectral.iter().map(|at| json!({
+            "direction": at.direction, "period_s": at.period_s, "damping_ratio": at.damping_ratio, "acceleration_m_s2": at.acceleration_m_s2,
+        })).collect::<Vec<_>>(),
+        "refused": answer.refused,
+        "stack": answer.stack.as_ref().map(stack),
+        "near_below": DemandVerdict::NEAR_BELOW,
+    })
+}
+
+fn parameters(parameters: &SiteParameters) -> Value {
+    match parameters {
+        SiteParameters::Korea {
+            zone_factor_g,
+            return_period_years,
+            risk_factor,
+            effective_acceleration_g,
+            soil,
+            amplification,
+            design,
+            branches,
+        } => json!({ "korea": {
+            "zone_factor_g": zone_factor_g,
+            "return_period_years": return_period_years,
+            "risk_factor": risk_factor,
+            "effective_acceleration_g": effective_acceleration_g,
+            "soil": format!("{soil:?}"),
+            "amplification_short_periods": amplification.short_periods,
+            "amplification_one_second": amplification.one_second,
+            "design_short_period_g": design.map(|design| design.short_period_g),
+            "design_one_second_g": design.map(|design| design.one_second_g),
+            "branches": self::branches(branches),
+        } }),
+        SiteParameters::Eurocode {
+            ground_acceleration_g,
+            importance_factor,
+            spectrum,
+            ground,
+            soil_factor,
+            branches,
+        } => json!({ "eurocode": {
+            "ground_acceleration_g": ground_acceleration_g,
+            "importance_factor": importance_factor,
+            "spectrum_type": type_word(*spectrum),
+            "ground": ground_word(*ground),
+            "soil_factor": soil_factor,
+            "branches": self::branches(branches),
+        } }),
+        SiteParameters::Table {
+            rows,
+            least_s,
+            most_s,
+        } => json!({ "table": { "rows": rows, "least_s": least_s, "most_s": most_s } }),
+    }
+}
+
+fn branches(branches: &SpectrumBranches) -> Value {
+    json!({
+        "ground_m_s2": branches.ground_m_s2,
+        "plateau_m_s2": branches.plateau_m_s2,
+        "rise_s": branches.rise_s,
+        "plateau_s": branches.plateau_s,
+        "displacement_s": branches.displacement_s,
+    })
+}
+
+fn stack(stack: &StackDemandCheck) -> Value {
+    let at = |threshold: &Option<Threshold>| threshold.as_ref().map(|t| t.acceleration_m_s2);
+    json!({
+        "verdict": stack.verdict.words(),
+        "vertical_acceleration_m_s2": stack.vertical_acceleration_m_s2,
+        "rows": stack.rows.iter().map(|row| json!({
+            "direction": match row.direction {
+                ShakenDirection::X => "x",
+                ShakenDirection::Y => "y",
+                ShakenDirection::Any => "any",
+            },
+            "capacity_m_s2": at(&row.capacity),
+            "capacity_with_vertical_m_s2": at(&row.capacity_with_vertical),
+            "period_s": row.period_s,
+            "amplification": row.amplification,
+            "rigid": comparison(&row.comparison.rigid),
+            "elastic_published": row.comparison.elastic.as_ref().map(comparison),
+            "elastic_by_modes": row.by_modes.as_ref().map(|by_modes| json!({
+                "ratio": by_modes.ratio,
+                "verdict": by_modes.verdict.words(),
+                "first": by_modes.first.as_ref().map(|(kind, above)| json!({
+                    "kind": match kind {
+                        LimitKind::Uplift => "tipping",
+                        LimitKind::Sliding => "sliding",
+                    },
+                    "above": above,
+                })),
+            })),
+            "verdict": row.verdict.words(),
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn comparison(comparison: &Comparison) -> Value {
+    json!({
+        "demand_m_s2": comparison.demand_m_s2,
+        "ratio": comparison.ratio,
+        "verdict": comparison.verdict.words(),
+    })
+}

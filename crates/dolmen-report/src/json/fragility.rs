@@ -1,0 +1,116 @@
+//! Fragility and risk of a study, as JSON.
+
+use dolmen::assess::{AssessError, FragilityFit};
+use dolmen_work::study::{StateFragility, StudyAnswer, YEARS};
+use serde_json::{Map, Value, json};
+
+/// Confidence of intervals.
+const CONFIDENCE: f64 = 0.95;
+
+/// One object a combination of inputs, with one a state.
+///
+/// # Errors
+/// None for curves as they are fitted.
+pub(super) fn fragilities_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
+    let each = answer.fragilities().iter().map(|one| {
+        let states = one.states.iter().map(|state| {
+            Ok(json!({
+                "state": answer.kind.states()[state.state],
+                "by_peak_acceleration_m_s2": fit_json(&state.by_acceleration)?,
+                "by_measure": by_measure(state)?,
+                "beta_of_motions": state.scatter.map(|split| split.of_motions),
+                "beta_of_inputs": state.scatter.map(|split| split.of_inputs),
+                "beta_of_inputs_95": match &state.scatter {
+                    Some(split) => { let found = split.of_inputs_interval(CONFIDENCE)?; json!([found.lower, found.upper]) }
+                    None => Value::Null,
+                },
+                "samples_without_curve": state.scatter.map(|split| split.without_curve),
+                "motions_enough": state.motions_enough(),
+                "annual_rate": state.risk.map(|risk| risk.annual_rate),
+                "annual_rate_at_ends_95": state.rate_interval,
+                "probability_in_50_years": state.risk.map(|risk| risk.probability_in(YEARS)),
+                "rate_share_below_hazard": state.risk.map(|risk| risk.share_below_points),
+                "rate_share_above_hazard": state.risk.map(|risk| risk.share_above_points),
+            }))
+        });
+        let crossings = one.crossings().into_iter().map(|(mild, severe, at, is_below)| {
+            json!({
+                "states": [answer.kind.states()[mild], answer.kind.states()[severe]],
+                "peak_acceleration_m_s2": at.intensity, "probability": at.probability,
+                "worse_state_likelier": if is_below { "below" } else { "above" },
+            })
+        });
+        Ok(json!({
+            "combination": one.combination + 1,
+            "inputs": answer.combination_words(one.job),
+            "scans_usable": one.usable,
+            "states": states.collect::<Result<Vec<_>, AssessError>>()?,
+            "crossings": crossings.collect::<Vec<_>>(),
+        }))
+    });
+    each.collect()
+}
+
+/// An object a measure of the shaking, by the name of its column.
+fn by_measure(state: &StateFragility) -> Result<Value, AssessError> {
+    let each = state.by_measure.iter();
+    let each = each.map(|by| Ok((by.measure.column(), fit_json(&by.fit)?)));
+    Ok(Value::Object(each.collect::<Result<Map<_, _>, AssessError>>()?))
+}
+
+/// β by each measure of the shaking, within combinations and of all as one.
+pub(super) fn measures_json(answer: &StudyAnswer) -> Vec<Value> {
+    let mut names = vec!["peak_acceleration_m_s2".to_owned()];
+    names.extend(answer.measures().iter().map(|measure| measure.column()));
+    let each = answer.compare_measures().iter().map(|row| {
+        let measures = names.iter().zip(&row.within).zip(&row.together);
+        let measures = measures.map(|((name, within), together)| {
+            (
+                name.clone(),
+                json!({ "beta": within, "beta_of_all_as_one": together }),
+            )
+        });
+        json!({
+            "state": answer.kind.states()[row.state],
+            "combinations": row.combinations,
+            "measures": measures.collect::<Map<_, _>>(),
+        })
+    });
+    each.collect()
+}
+
+/// Every joint of a stack with the peaks at which it reaches each state.
+///
+/// # Errors
+/// None for curves as they are fitted.
+pub(super) fn joints_json(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
+    let joints = answer.joint_fragilities().iter().map(|one| {
+        let states = one.states.iter().map(|state| {
+            Ok(json!({
+                "state": answer.kind.states()[state.state],
+                "median_above_m_s2": state.median_between[0],
+                "median_at_most_m_s2": state.median_between[1],
+                "by_peak_acceleration_m_s2": match state.fit { Some(fit) => fit_json(&Ok(fit))?, None => Value::Null },
+            }))
+        });
+        Ok(json!({
+            "combination": one.combination + 1, "joint": one.joint + 1, "name": one.name, "gave_way": one.gave_way,
+            "states": states.collect::<Result<Vec<_>, AssessError>>()?,
+        }))
+    });
+    joints.collect()
+}
+
+fn fit_json(fit: &Result<FragilityFit, AssessError>) -> Result<Value, AssessError> {
+    let fit = match fit {
+        Ok(fit) => fit,
+        Err(why) => return Ok(json!({ "why_not": why.to_string() })),
+    };
+    let (theta, beta) = (fit.theta_interval(CONFIDENCE)?, fit.beta_interval(CONFIDENCE)?);
+    Ok(json!({
+        "theta": fit.curve.theta(), "theta_q025": theta.lower, "theta_q975": theta.upper,
+        "beta": fit.curve.beta(), "beta_q025": beta.lower, "beta_q975": beta.upper,
+        "ln_theta_error": fit.ln_theta_error, "beta_error": fit.beta_error, "covariance": fit.covariance,
+        "log_likelihood": fit.log_likelihood, "reached": fit.reached, "observations": fit.observations,
+    }))
+}

@@ -1,0 +1,91 @@
+//! A simulation of a frame, as JSON.
+
+use super::simulation::motion_json;
+use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
+use dolmen_work::simulation::FrameSimulation;
+use serde_json::{Value, json};
+
+/// Everything of a simulation but its histories.
+pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
+    let (history, options) = (&simulation.history, &simulation.options);
+    let end = history.energy.last().copied().unwrap_or_default();
+    let storeys = simulation.storeys.iter().enumerate().map(|(i, name)| {
+        let (drift, level) = (history.drift_peaks[i], history.displacement_peaks[i]);
+        let below = i.checked_sub(1).map_or(0.0, |j| history.rest_m[j]);
+        json!({
+            "name": name,
+            "stiffness_n_m": simulation.frame.stiffness_n_m()[i],
+            "friction": friction(&simulation.frame.friction()[i]),
+            "peak_drift_m": drift.value_m, "peak_drift_at_s": drift.at_s, "peak_drift_at_samples_m": drift.at_samples_m,
+            "peak_displacement_m": level.value_m, "peak_displacement_at_s": level.at_s,
+            "peak_displacement_at_samples_m": level.at_samples_m,
+            "residual_drift_m": history.rest_m[i] - below,
+            "residual_displacement_m": history.rest_m[i],
+            "displacement_at_end_m": history.residual_m[i],
+            "slipped_way_m": history.slipped_way_m(i),
+            "slipping_share": history.slipping_share(i),
+        })
+    });
+    json!({
+        "file": simulation.file,
+        "name": { "en": simulation.name.en, "ko": simulation.name.ko },
+        "variant": simulation.variant,
+        "direction": simulation.direction,
+        "component": simulation.component.name(),
+        "motion": motion_json(&simulation.motion),
+        "friction_acts_on": match simulation.frame.acts_on() {
+            FrictionActsOn::Drift => "drift",
+            FrictionActsOn::Displacement => "displacement",
+        },
+        "output_step_s": options.output_step_s,
+        "duration_s": history.time_s.last(),
+        "outcome": outcome(simulation),
+        "at_rest": history.at_rest,
+        "events": history.events,
+        "steps": history.steps,
+        "storeys": storeys.collect::<Vec<_>>(),
+        "energy": {
+            "input_j": end.input_j, "kinetic_j": end.kinetic_j, "stored_j": end.stored_j, "friction_j": end.friction_j,
+            "damping_j": end.damping_j, "left_over_ratio": history.energy_left_over_ratio(),
+        },
+    })
+}
+
+fn outcome(simulation: &FrameSimulation) -> Value {
+    let until_then = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        None => until_then,
+    }
+}
+
+fn ending(simulation: &FrameSimulation) -> Value {
+    match simulation.history.outcome {
+        FrameOutcome::Finished => json!({ "kind": "finished" }),
+        FrameOutcome::DriftLimit { storey, at_s } => {
+            json!({ "kind": "drift_limit", "storey": simulation.storeys.get(storey), "at_s": at_s })
+        }
+        FrameOutcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
+        _ => json!({ "kind": "unknown" }),
+    }
+}
+
+fn friction(friction: &StoreyFriction) -> Value {
+    match *friction {
+        StoreyFriction::None => Value::Null,
+        StoreyFriction::Coulomb {
+            static_force_n,
+            kinetic_force_n,
+        } => {
+            json!({ "law": "coulomb", "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n })
+        }
+        StoreyFriction::Jenkins {
+            stuck_stiffness_n_m,
+            static_force_n,
+            kinetic_force_n,
+        } => json!({
+            "law": "jenkins", "stuck_stiffness_n_m": stuck_stiffness_n_m,
+            "static_force_n": static_force_n, "kinetic_force_n": kinetic_force_n,
+        }),
+    }
+}

@@ -1,0 +1,213 @@
+//! `dolmen identify` as JSON.
+
+use super::check::{modes, project};
+use crate::text::{decay_remarks, setup_remarks};
+use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
+use dolmen::signal::Channel;
+use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
+use dolmen_words::Language;
+use dolmen_work::answer::{Answer, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
+use serde_json::{Value, json};
+
+/// What was identified from every survey.
+pub fn identification_json(answer: &Answer) -> Value {
+    json!({
+        "project": project(&answer.project, &answer.file),
+        "surveys": answer.surveys.iter().map(survey).collect::<Vec<_>>(),
+    })
+}
+
+fn survey(survey: &SurveyAnswer) -> Value {
+    json!({
+        "name": survey.name,
+        "records": survey.records.as_ref().map(record),
+        "setups": survey.setups.as_ref().map(setups),
+        "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
+        "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
+    })
+}
+
+fn setups(setups: &SetupsAnswer) -> Value {
+    let agreement = |a: &Agreement| json!({ "spread": a.spread, "chi_squared": a.chi_squared, "p": a.p, "differs": a.differs() });
+    let merged = |m: &MergedMode| {
+        json!({
+            "frequency_hz": m.frequency_hz,
+            "damping_ratio": m.damping_ratio,
+            "scale": m.scale.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>(),
+            "reference_assurance": m.reference_assurance,
+            "frequency_agreement": agreement(&m.frequency),
+            "damping_ratio_agreement": m.damping.as_ref().map(agreement),
+            "doubtful": m.doubtful,
+        })
+    };
+    let found = &setups.merged;
+    json!({
+        "records": setups.records.iter().map(record).collect::<Vec<_>>(),
+        "modes": identified(&found.modes),
+        "merged": found.merged.iter().map(merged).collect::<Vec<_>>(),
+        "partial": found.partial.iter().map(|p| json!({
+            "frequency_hz": p.frequency_hz,
+            "setups": p.setups.iter().map(|s| s + 1).collect::<Vec<_>>(),
+            "unlike_in": p.unlike_in.iter().map(|s| s + 1).collect::<Vec<_>>(),
+        })).collect::<Vec<_>>(),
+        "reference_faults": found.reference_faults.iter().map(|fault| json!({
+            "setup": fault.setups[0] + 1,
+            "against_setup": fault.setups[1] + 1,
+            "channels": fault.channels,
+            "factor": fault.factor,
+            "factor_sd": fault.factor_sd,
+            "modes": fault.modes,
+        })).collect::<Vec<_>>(),
+        "references": found.references.iter().map(|&c| &found.modes.channels[c].name).collect::<Vec<_>>(),
+        "joint": setups.joint.as_ref().map(|joint| json!({
+            "modes": identified(&joint.modes),
+            "references": joint.references.iter().map(|&c| &joint.modes.channels[c].name).collect::<Vec<_>>(),
+            "strength": joint.strength,
+            "settings": settings(&joint.settings, &joint.modes),
+            "notes": joint.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        })),
+        "notes": setup_remarks(setups, Language::English),
+    })
+}
+
+fn record(record: &RecordAnswer) -> Value {
+    let analysis = &record.analysis;
+    json!({
+        "file": record.file,
+        "channels": record.channels,
+        "samples": record.samples,
+        "sampling_rate_hz": record.sampling_rate_hz,
+        "unit": record.unit,
+        "remarks": record.remarks,
+        "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "settings": settings(&analysis.settings, &analysis.fdd_modes),
+        "modes": identified(&analysis.modes),
+        "fdd_modes": identified(&analysis.fdd_modes),
+        "decay": analysis.decay.as_ref().map(decay),
+        "notes": analysis.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn settings(settings: &Settings, modes: &Modes) -> Value {
+    let name = |&c: &usize| modes.channels.get(c).map(|channel| &channel.name);
+    json!({
+        "lowest_hz": settings.lowest_hz,
+        "highest_hz": settings.highest_hz,
+        "decimation": settings.decimation,
+        "sampling_rate_hz": settings.sampling_rate_hz,
+        "lines": settings.lines,
+        "block_rows": settings.block_rows,
+        "block_rows_least": settings.block_rows_least,
+        "order_most": settings.order_most,
+        "time_blocks": settings.time_blocks,
+        "time_blocks_effective": settings.time_blocks_effective,
+        "references": settings.references.iter().map(name).collect::<Vec<_>>(),
+        "references_keep": settings.references_keep,
+        "range_hz": settings.range_hz,
+    })
+}
+
+fn decay(decay: &Decay) -> Value {
+    let at = |a: &AtAmplitude| {
+        json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio, "damping_ratio_sd": a.damping_ratio_sd,
+        "degrees_of_freedom": a.degrees_of_freedom, "half_width_95": a.half_width_95().ok() })
+    };
+    let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
+    json!({
+        "explained": decay.explained,
+        "left_peaks_hz": decay.left_peaks_hz,
+        "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
+        "notes": decay_remarks(decay, Language::English),
+    })
+}
+
+/// Identified modes; shapes as [re, im] a channel.
+fn identified(modes: &Modes) -> Value {
+    let finite = |x: f64| x.is_finite().then_some(x);
+    let mode = |mode: &Mode| {
+        json!({
+            "frequency_hz": mode.frequency_hz,
+            "frequency_sd_hz": mode.frequency_sd_hz,
+            "damping_ratio": mode.damping_ratio,
+            "damping_ratio_sd": mode.damping_ratio_sd,
+            "shape": mode.shape.iter().map(|z| [z.re, z.im]).collect::<Vec<_>>(),
+            "shape_sd": mode.shape_sd,
+            "phase_collinearity": mode.phase_collinearity,
+            "cycles": mode.cycles,
+            "frequency_floor_hz": finite(mode.frequency_floor_hz()).filter(|_| modes.method != Method::Era),
+            "damping_ratio_floor": finite(mode.damping_ratio.unwrap_or(f64::NAN) * mode.damping_floor()).filter(|_| modes.method != Method::Era),
+            "orders": mode.orders,
+            "kurtosis": mode.kurtosis.map(|k| k.kurtosis),
+            "kurtosis_sd": mode.kurtosis.map(|k| k.deviation),
+            "harmonic": mode.harmonic(),
+            "window_bias": mode.window_bias,
+        })
+    };
+    let channel =
+        |c: &Channel| json!({ "name": c.name, "position_m": c.position_m, "direction": c.direction });
+    json!({
+        "method": modes.method.name(),
+        "duration_s": modes.duration_s,
+        "channels": modes.channels.iter().map(channel).collect::<Vec<_>>(),
+        "modes": modes.modes.iter().map(mode).collect::<Vec<_>>(),
+    })
+}
+
+fn stiffness(answer: &StiffnessAnswer) -> Value {
+    let found = &answer.solutions;
+    json!({
+        "direction": answer.direction,
+        "convention": answer.convention.map(|convention| match convention {
+            Convention::Drift => "drift",
+            Convention::Grounded => "grounded",
+        }),
+        "unit": if answer.convention.is_some() { "N/m" } else { "N m/rad" },
+        "frequencies_hz": answer.frequencies_hz,
+        "with_shapes": answer.with_shapes,
+        "choice": match found.choice {
+            Choice::One => "one",
+            Choice::Bounded => "bounded",
+            Choice::Indistinguishable => "indistinguishable",
+            Choice::Underdetermined => "underdetermined",
+            Choice::Impossible => "impossible",
+        },
+        "load_factors": answer.load_factors,
+        "peaks_below_hz": answer.peaks_below_hz,
+        "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
+        "visibility": found.visibility.as_ref().map(visibility),
+        "starts": found.starts,
+        "notes": found.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn solution(solution: &StiffnessSolution) -> Value {
+    json!({
+        "stiffness": solution.stiffness,
+        "stiffness_sd": solution.stiffness_sd,
+        "stiffness_bounds": solution.stiffness_bounds.as_ref().map(|bounds| {
+            bounds.iter().map(|bound| json!({ "lower": bound.lower, "upper": bound.upper })).collect::<Vec<_>>()
+        }),
+        "stiffness_range": solution.stiffness_range.as_ref().map(range),
+        "modes": modes(&solution.modes),
+        "misfit": solution.misfit,
+        "stands": solution.stands,
+    })
+}
+
+fn visibility(visibility: &Visibility) -> Value {
+    json!({
+        "singular_values": visibility.singular_values,
+        "seen": visibility.seen,
+        "free_directions": visibility.free_directions,
+    })
+}
+
+fn range(range: &StiffnessRange) -> Value {
+    json!({
+        "half_width_hz": range.half_width_hz,
+        "lower": range.lower,
+        "upper": range.upper,
+        "exists_throughout": range.exists_throughout,
+    })
+}

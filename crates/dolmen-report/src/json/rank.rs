@@ -1,0 +1,65 @@
+//! A ranked portfolio as JSON.
+
+use dolmen::assess::{Factor, RankedBy};
+use dolmen_words::Language;
+use dolmen_work::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_years, without_hazard};
+use dolmen_work::score::SCORE_STATES;
+use serde_json::{Map, Value, json};
+
+/// Everything that was found.
+pub fn rank_json(answer: &PortfolioAnswer) -> Value {
+    let rows = answer.rows().map(|(place, entry, _)| {
+        let states: Map<String, Value> = entry
+            .states
+            .iter()
+            .zip(SCORE_STATES)
+            .map(|(known, name)| {
+                let value = known.as_ref().map(|known| {
+                    json!({
+                        "theta_m_s2": known.fragility.theta(), "beta": known.fragility.beta(),
+                        "ln_theta_sd": known.ln_theta_sd, "known": known_word(known.known),
+                    })
+                });
+                (name.to_owned(), value.unwrap_or(Value::Null))
+            })
+            .collect();
+        let basis = match &entry.basis {
+            Basis::Study { name, scans } => json!({ "kind": "study", "study": name, "scans": scans }),
+            Basis::Score {
+                reasons,
+                outside,
+                unlike,
+            } => {
+                let names = Factor::ALL.iter().map(|factor| factor.name().to_owned());
+                let reasons: Map<_, _> = names.zip(reasons.iter().map(|reason| json!(reason))).collect();
+                json!({
+                    "kind": "score", "reasons_ln": reasons,
+                    "outside_training": outside.iter().map(|factor| factor.name()).collect::<Vec<_>>(),
+                    "unlike_the_designs": unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
+                })
+            }
+        };
+        json!({
+            "place": place.rank,
+            "place_interval_90": [place.rank_interval.lower, place.rank_interval.upper],
+            "name": entry.name,
+            "basis": basis,
+            "states": states,
+            "annual_rate": place.annual_rate,
+            "probability_in_50_years": place.annual_rate.map(probability_in_years),
+            "share_in_worst_tenth": place.worst_tenth,
+            "place_by_falls": answer.by_falls.get(place.candidate).copied().flatten(),
+        })
+    });
+    let left_out = answer.left_out.iter();
+    json!({
+        "source": answer.source,
+        "state": SCORE_STATES[answer.state],
+        "ranked_by": match answer.ranked.by { RankedBy::AnnualRate => "annual_rate", RankedBy::Capacity => "capacity" },
+        "not_by_rate": without_hazard(answer, Language::English),
+        "designs": answer.designs,
+        "draws": answer.draws,
+        "structures": rows.collect::<Vec<_>>(),
+        "left_out": left_out.map(|one| json!({ "name": one.name, "why": one.why })).collect::<Vec<_>>(),
+    })
+}

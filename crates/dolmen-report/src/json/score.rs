@@ -1,0 +1,75 @@
+//! The six-factor score as JSON.
+
+use dolmen::assess::{EffectVerdict, Factor, Ranking};
+use dolmen_work::score::{SCORE_STATES, ScoreAnswer, ScoreQuality};
+use serde_json::{Map, Value, json};
+
+fn by_factor(values: impl IntoIterator<Item = Value>) -> Value {
+    let names = Factor::ALL.iter().map(|factor| factor.name().to_owned());
+    Value::Object(names.zip(values).collect::<Map<_, _>>())
+}
+
+/// The score of one pagoda.
+pub fn score_json(answer: &ScoreAnswer) -> Value {
+    let states = answer.states.iter().map(|one| {
+        let score = &one.score;
+        json!({
+            "state": SCORE_STATES[one.state],
+            "capacity_m_s2": score.capacity_m_s2,
+            "interval_90_m_s2": [one.interval_m_s2.lower, one.interval_m_s2.upper],
+            "ln_capacity_sd": score.ln_capacity_sd,
+            "ln_shared_sd": score.ln_shared_sd,
+            "designs": one.designs,
+            "beta": score.beta,
+            "percentile": score.percentile,
+            "percentile_interval_90": [score.percentile_interval.lower, score.percentile_interval.upper],
+            "reasons_ln": by_factor(score.reasons.iter().map(|reason| json!(reason))),
+            "outside_training": score.outside.iter().map(|one| one.factor.name()).collect::<Vec<_>>(),
+        })
+    });
+    json!({
+        "file": answer.file,
+        "name": { "en": answer.name.en, "ko": answer.name.ko },
+        "designs": answer.designs,
+        "unlike_the_designs": answer.unlike.iter().map(|one| one.to_string()).collect::<Vec<_>>(),
+        "factors": by_factor(answer.factors.values().into_iter().map(|value| json!(value))),
+        "trained": by_factor(answer.trained.iter().map(|range| json!([range.lower, range.upper]))),
+        "states": states.collect::<Vec<_>>(),
+    })
+}
+
+/// What the score is worth, state by state.
+pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
+    let ranking = |found: Ranking| json!({ "kendall_tau": found.kendall_tau, "worst_fifth_found": found.worst_fifth_found });
+    let states = qualities.iter().map(|one| {
+        let shares = one.shares.shares.iter();
+        json!({
+            "state": SCORE_STATES[one.state],
+            "designs": one.designs,
+            "weights": by_factor(shares.map(|share| {
+                json!({ "share": share.share, "interval_90": [share.interval.lower, share.interval.upper] })
+            })),
+            "effects": one.effects.iter().map(|effect| json!({
+                "factor": effect.factor.name(),
+                "from": effect.from,
+                "to": effect.to,
+                "ln_change": effect.ln_change,
+                "ln_change_sd": effect.ln_change_sd,
+                "as_published": match effect.verdict {
+                    EffectVerdict::Holds => "holds",
+                    EffectVerdict::Contradicted => "contradicted",
+                    EffectVerdict::NotSeen => "not seen",
+                },
+            })).collect::<Vec<_>>(),
+            "explained": one.shares.explained,
+            "correlation_of_slendernesses": one.slenderness_correlation,
+            "held_out": {
+                "parts": one.held_out.parts,
+                "score": ranking(one.held_out.score),
+                "equal_weights": ranking(one.held_out.equal_weights),
+                "slenderness_angle": ranking(one.held_out.slenderness_angle),
+            },
+        })
+    });
+    json!({ "designs": designs, "states": states.collect::<Vec<_>>() })
+}

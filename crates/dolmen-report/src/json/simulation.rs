@@ -1,0 +1,149 @@
+//! A simulation, as JSON.
+
+use crate::text::points_a_side;
+use dolmen::blocks::Outcome;
+use dolmen::signal::Component;
+use dolmen_work::simulation::{MotionAnswer, Simulation};
+use serde_json::{Value, json};
+
+/// Everything of a simulation but its histories: what went in, how it ended, peaks and residuals, the balance of energy.
+pub fn simulation_json(simulation: &Simulation) -> Value {
+    let (history, law) = (&simulation.history, &simulation.law);
+    json!({
+        "file": simulation.file,
+        "name": { "en": simulation.name.en, "ko": simulation.name.ko },
+        "variant": simulation.variant,
+        "motion": motion_json(&simulation.motion),
+        "law": law.name(),
+        "contact_points_a_side": points_a_side(law.contact_rule()),
+        "contact_points": history.contact_points,
+        "time_step_s": history.time_step_s,
+        "longest_step_s": history.longest_step_s,
+        "steps": history.steps,
+        "output_step_s": law.output_step_s(),
+        "duration_s": history.time_s.last(),
+        "settlement_m": history.settlement_m,
+        "outcome": outcome(simulation),
+        "damage_state": simulation.damage.state.number(),
+        "joints": joints(simulation),
+        "blocks": blocks(simulation),
+        "broken_ties": history.broken_ties,
+        "energy": energy(simulation),
+        "rigid": history.rigid.map(|rigid| json!({
+            "residual_most_m_s": rigid.residual_most_m_s,
+            "penetration_most_m": rigid.penetration_most_m,
+            "impacts": rigid.impacts,
+            "solutions": rigid.solutions,
+            "newton_steps": rigid.newton_steps,
+            "steps_at_rest": rigid.steps_at_rest,
+            "loose_solutions": rigid.loose_solutions,
+            "halvings": rigid.halvings,
+        })),
+    })
+}
+
+/// The motion of the base, and what was done to it.
+pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
+    let motion = &answer.motion;
+    let file = |component: &Component| {
+        let found = answer.files.iter().find(|(of, _)| of == component);
+        found.map(|(_, file)| file.as_str())
+    };
+    let read = |component: &Component| {
+        let found = answer.peaks_read_m_s2.iter().find(|(of, _)| of == component);
+        found.map(|(_, peak)| *peak)
+    };
+    let components = Component::ALL.iter().filter(|component| motion.has(**component));
+    json!({
+        "name": motion.name(),
+        "time_step_s": motion.time_step_s(),
+        "samples": motion.length(),
+        "duration_s": motion.duration_s(),
+        "components": components.map(|component| json!({
+            "component": component.name(),
+            "file": file(component),
+            "peak_read_m_s2": read(component),
+            "peak_acceleration_m_s2": motion.component_peak_m_s2(*component),
+        })).collect::<Vec<_>>(),
+        "history": motion.history().iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn outcome(simulation: &Simulation) -> Value {
+    let until_then = ending(simulation);
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
+        None => until_then,
+    }
+}
+
+fn ending(simulation: &Simulation) -> Value {
+    let name = |block: usize| simulation.stack.blocks().get(block).map(|b| b.name.as_str());
+    match simulation.history.outcome {
+        Outcome::Stood => json!({ "kind": "stood" }),
+        Outcome::Uplifted { joint, at_s } => {
+            let [upper, lower] = simulation.joint_names(joint);
+            json!({ "kind": "uplifted", "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
+        }
+        Outcome::Slid {
+            block,
+            slip_m,
+            margin_ratio,
+        } => json!({ "kind": "slid", "block": name(block), "slip_m": slip_m, "margin_ratio": margin_ratio }),
+        Outcome::Fell { block, joint, at_s } => {
+            let [upper, lower] = simulation.joint_names(joint);
+            json!({ "kind": "fell", "block": name(block), "joint": joint, "upper": upper, "lower": lower, "at_s": at_s })
+        }
+        Outcome::StillMoving {
+            block,
+            at_s,
+            margin_ratio,
+        } => {
+            json!({ "kind": "still_moving", "block": name(block), "at_s": at_s, "margin_ratio": margin_ratio })
+        }
+        Outcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
+        Outcome::NotConverged { at_s, residual_m_s } => {
+            json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })
+        }
+        Outcome::Diverged { at_s } => json!({ "kind": "diverged", "at_s": at_s }),
+        _ => json!({ "kind": "unknown" }),
+    }
+}
+
+fn joints(simulation: &Simulation) -> Vec<Value> {
+    let each = simulation.history.joints.iter().enumerate();
+    each.map(|(number, joint)| {
+        let [upper, lower] = simulation.joint_names(number);
+        json!({
+            "upper": upper, "lower": lower,
+            "peak_opening_m": joint.peak_opening_m,
+            "peak_slip_m": joint.peak_slip_m,
+            "peak_yaw_rad": joint.peak_yaw_rad,
+            "residual_opening_m": joint.opening_m.last(),
+            "residual_slip_m": joint.residual_slip_m(),
+            "residual_yaw_rad": joint.residual_yaw_rad(),
+        })
+    })
+    .collect()
+}
+
+fn blocks(simulation: &Simulation) -> Vec<Value> {
+    let last = simulation.poses(simulation.samples().saturating_sub(1));
+    let (rest, each) = (simulation.poses(0), simulation.stack.blocks().iter().zip(last));
+    each.zip(rest)
+        .map(|((block, now), rest)| {
+            let moved: [f64; 3] = std::array::from_fn(|axis| now.centroid_m[axis] - rest.centroid_m[axis]);
+            json!({ "name": block.name, "residual_displacement_m": moved, "rotation": now.rotation })
+        })
+        .collect()
+}
+
+fn energy(simulation: &Simulation) -> Value {
+    let history = &simulation.history;
+    let end = history.energy.last().copied().unwrap_or_default();
+    json!({
+        "input_j": end.input_j, "kinetic_j": end.kinetic_j, "potential_j": end.potential_j, "stored_j": end.stored_j,
+        "friction_j": end.friction_j, "damping_j": end.damping_j, "clipping_j": end.clipping_j,
+        "made_j": history.energy_made_j, "made_ratio": history.energy_made_ratio(),
+    })
+}

@@ -1,0 +1,104 @@
+//! The check of a stack, as JSON.
+
+use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Threshold};
+use dolmen::structure::stack::{Body, Stack};
+use dolmen_work::answer::{MODES_SHOWN, StackAnswer, StackFrequencies};
+use serde_json::{Value, json};
+
+/// Blocks, joints and limits.
+pub(super) fn stack(answer: &StackAnswer) -> Value {
+    let (stack, check) = (&answer.stack, &answer.check);
+    let limits = &check.limits;
+    let name = |block: &usize| stack.blocks().get(*block).map(|block| block.name.as_str());
+    let names = |group: &Vec<usize>| group.iter().map(name).collect::<Vec<_>>();
+    json!({
+        "blocks": stack.blocks().iter().map(|block| json!({
+            "name": block.name, "mass_kg": block.mass_kg(), "volume_m3": block.solid.volume_m3(),
+            "centroid_m": block.solid.centroid_m(), "bounds_m": block.solid.bounds_m(),
+        })).collect::<Vec<_>>(),
+        "joints": joints(stack),
+        "height_m": stack.height_m(),
+        "mass_kg": stack.mass_kg(),
+        "cuts": limits.cuts.iter().map(|cut| self::cut(cut, names(&cut.cut.blocks))).collect::<Vec<_>>(),
+        "standing": limits.standing.to_string(),
+        "gravity_margin": limits.gravity_margin,
+        "verdict": check.verdict.word(),
+        "capacity": check.capacity.as_ref().map(threshold),
+        "frequencies": answer.frequencies.as_ref().map(frequencies),
+        "period_of_thumb_s": check.period_of_thumb.period_s,
+        "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "uplift": limits.uplift.as_ref().map(governing),
+        "sliding": limits.sliding.as_ref().map(governing),
+        "governing": limits.governing.as_ref().map(governing),
+        "governing_with_ties": limits.governing_with_ties.as_ref().map(governing),
+        "soil_factor": limits.soil_factor,
+        "statically_determinate": limits.statically_determinate,
+        "not_planar": limits.not_planar.iter().map(names).collect::<Vec<_>>(),
+    })
+}
+
+fn frequencies(frequencies: &StackFrequencies) -> Value {
+    match frequencies {
+        StackFrequencies::Known { modes, sways } => json!({
+            "modes": modes.iter().take(MODES_SHOWN).map(|mode| json!({
+                "frequency_hz": mode.frequency_hz, "effective_mass_ratio": mode.effective_mass_ratio, "shape": mode.shape,
+            })).collect::<Vec<_>>(),
+            "sway_x_hz": sways[0].map(|(_, hz)| hz),
+            "sway_y_hz": sways[1].map(|(_, hz)| hz),
+        }),
+        StackFrequencies::Refused(why) => json!({ "refused": why }),
+    }
+}
+
+fn joints(stack: &Stack) -> Vec<Value> {
+    let of = |joint: &dolmen::structure::stack::Joint| {
+        let material = &joint.material;
+        json!({
+            "lower": stack.name(joint.lower), "upper": stack.name(Body::Block(joint.upper)),
+            "origin_m": joint.origin_m, "axes": joint.axes, "corners_m": joint.patch.corners_m,
+            "area_m2": joint.patch.moments().area_m2,
+            "friction_static": material.friction_static, "friction_kinetic": material.friction_kinetic,
+            "cohesion_pa": material.cohesion_pa, "tension_pa": material.tension_pa,
+            "normal_stiffness_pa_m": material.normal_stiffness_pa_m,
+            "shear_stiffness_pa_m": material.shear_stiffness_pa_m,
+            "damping_ratio": material.damping_ratio,
+            "restitution": material.restitution,
+        })
+    };
+    stack.joints().iter().map(of).collect()
+}
+
+fn cut(cut: &CutLimits, blocks: Vec<Option<&str>>) -> Value {
+    json!({
+        "above": cut.above,
+        "blocks": blocks,
+        "weight_n": cut.weight_n,
+        "centroid_m": cut.centroid_m,
+        "origin_m": cut.origin_m,
+        "area_m2": cut.contact.moments().area_m2,
+        "resultant_m": cut.resultant_m,
+        "depth_m": cut.depth_m,
+        "gravity_margin": cut.gravity_margin,
+        "uplift": cut.uplift.as_ref().map(threshold),
+        "uplift_with_ties": cut.uplift_with_ties.as_ref().map(threshold),
+        "sliding": cut.sliding.as_ref().map(threshold),
+        "sliding_with_ties": cut.sliding_with_ties.as_ref().map(threshold),
+        "standing": cut.standing.to_string(),
+    })
+}
+
+fn threshold(threshold: &Threshold) -> Value {
+    json!({
+        "acceleration_m_s2": threshold.acceleration_m_s2,
+        "acceleration_g": threshold.acceleration_g,
+        "direction": threshold.direction,
+    })
+}
+
+fn governing(governing: &Governing) -> Value {
+    json!({
+        "kind": match governing.kind { LimitKind::Uplift => "uplift", LimitKind::Sliding => "sliding" },
+        "cut": governing.cut,
+        "threshold": threshold(&governing.threshold),
+    })
+}

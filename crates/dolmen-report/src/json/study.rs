@@ -1,0 +1,136 @@
+//! A study, as JSON.
+
+use super::fragility::{fragilities_json, joints_json, measures_json};
+use dolmen::assess::{AssessError, Direction, Reached};
+use dolmen_work::study::StudyAnswer;
+use serde_json::{Map, Value, json};
+
+/// Everything of a study but its single runs.
+///
+/// # Errors
+/// As [`StudyAnswer::trends`].
+pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
+    let study = &answer.study;
+    let outcomes: Map<String, Value> = answer
+        .outcomes()
+        .into_iter()
+        .map(|(outcome, count)| (outcome.word().to_owned(), json!(count)))
+        .collect();
+    let refusals = answer
+        .refusals()
+        .into_iter()
+        .map(|(why, count)| json!({ "why": why, "count": count }));
+    let inputs = answer.inputs.iter().map(|input| {
+        json!({ "path": input.path, "column": input.column, "unit": input.unit, "drawn": input.is_drawn })
+    });
+    Ok(json!({
+        "file": answer.file,
+        "name": { "en": answer.name.en, "ko": answer.name.ko },
+        "study": study.name,
+        "kind": answer.kind.word(),
+        "version": answer.version,
+        "law": answer.law(),
+        "contact_points_a_joint": answer.law().map(|_| study.points),
+        "rest_s": answer.rest_s(),
+        "halvings": study.refine,
+        "damage": answer.law().map(|_| json!({
+            "slip_begun_m": study.damage.slip_begun_m, "offset_ratio": study.damage.offset_ratio, "offset_m": study.damage.offset_m,
+            "severe_offset_ratio": study.damage.severe_offset_ratio, "severe_rocking_ratio": study.damage.severe_rocking_ratio,
+        })),
+        "noise_seed": study.artificial.map(|made| made.seed),
+        "notes": answer.notes,
+        "inputs": inputs.collect::<Vec<_>>(),
+        "cases": answer.cases.len(),
+        "samples": study.samples,
+        "seed": study.seed,
+        "motions": answer.motions,
+        "directions_deg": study.turns_rad.iter().map(|turn| turn.to_degrees()).collect::<Vec<_>>(),
+        "scans": answer.jobs(),
+        "scans_missing": answer.missing.len(),
+        "scans_left_out": left_out(answer),
+        "runs": answer.runs.len(),
+        "outcomes": outcomes,
+        "runs_beyond_room": answer.beyond_room().map_or(0, |(beyond, ..)| beyond),
+        "refused": refusals.collect::<Vec<_>>(),
+        "levels": levels(answer),
+        "trends": trends(answer)?,
+        "spectral_damping_ratio": study.spectral_damping_ratio,
+        "fragility": fragilities_json(answer)?,
+        "measures": measures_json(answer),
+        "joints": joints_json(answer)?,
+        "hazard": answer.hazard.as_ref().map(|hazard| hazard.curve.points().iter().map(|[peak, rate]| json!({ "peak_acceleration_m_s2": peak, "annual_rate": rate })).collect::<Vec<_>>()),
+    }))
+}
+
+/// Scans that are in no quantile and no trend.
+fn left_out(answer: &StudyAnswer) -> Vec<Value> {
+    let scans = answer.capacities().into_iter();
+    let each = scans.filter(|scan| !scan.verdict.is_usable()).map(|scan| {
+        json!({
+            "scan": scan.job + 1,
+            "verdict": scan.verdict.word(),
+            "survived_m_s2": scan.survived_m_s2(),
+            "fell_m_s2": scan.fell_m_s2(),
+        })
+    });
+    each.collect()
+}
+
+fn levels(answer: &StudyAnswer) -> Vec<Value> {
+    let each = answer.levels().into_iter().map(|row| {
+        // where it is only known to lie above, `null`, with how far it was tried under the second name
+        let mut object = json!({
+            "input": row.input.map(|input| answer.inputs[input].path.clone()),
+            "text": row.text,
+            "value": row.value,
+            "scans": row.scans.len(),
+            "scans_usable": row.usable(),
+            "fell": row.fell(),
+            "not_fallen": row.usable() - row.fell(),
+            "first_fall_least_m_s2": row.least_m_s2().filter(|least| least.is_reached()).map(Reached::value),
+            "survived_above": row.survived_above(),
+        });
+        for (name, state, probability) in [
+            ("first_fall_q05", 3, 0.05),
+            ("first_fall_median", 3, 0.5),
+            ("first_fall_q95", 3, 0.95),
+            ("median_ds1", 0, 0.5),
+            ("median_ds2", 1, 0.5),
+            ("median_ds3", 2, 0.5),
+        ] {
+            let found = row.quantile_m_s2(state, probability);
+            let at = found.filter(|found| found.is_reached()).map(Reached::value);
+            let above = found.filter(|found| !found.is_reached()).map(Reached::value);
+            object[format!("{name}_m_s2")] = json!(at);
+            object[format!("{name}_above_m_s2")] = json!(above);
+        }
+        object
+    });
+    each.collect()
+}
+
+fn trends(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
+    let word = |direction| match direction {
+        Direction::Rising => "rising",
+        Direction::Falling => "falling",
+    };
+    let each = answer.trends()?.into_iter().map(|trend| {
+        let tau = trend.of_medians;
+        let expected = trend.expected.as_ref();
+        json!({
+            "input": answer.inputs[trend.input].path,
+            "tau": tau.tau,
+            "tau_by_chance": tau.tau_by_chance,
+            "rises_by_chance": tau.rises_by_chance,
+            "falls_by_chance": tau.falls_by_chance,
+            "pairs": tau.pairs,
+            "concordant": tau.concordant,
+            "discordant": tau.discordant,
+            "tau_of_each": trend.of_each,
+            "expected": expected.map(|(expected, _)| word(expected.direction)),
+            "verdict": expected.map(|(_, verdict)| verdict.word()),
+            "source": expected.and_then(|(expected, _)| expected.source.clone()),
+        })
+    });
+    Ok(each.collect())
+}

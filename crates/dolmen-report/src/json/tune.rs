@@ -1,0 +1,161 @@
+//! A damper beside the rule and the best, as JSON.
+
+use dolmen::damper::{Compared, DesignEnd, Goal, MapCell, PlacedDamper, RobustnessPoint};
+use dolmen_work::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
+use serde_json::{Value, json};
+
+/// Everything that was found.
+pub fn tune_json(answer: &TuneAnswer) -> Value {
+    let comparison = &answer.comparison;
+    let tunings = comparison.tunings.iter().map(|row| {
+        json!({
+            "rule": row.rule.map(|rule| rule.name()),
+            "exact_for": row.aim.map(|aim| aim.name()),
+            "source": row.rule.map(|rule| rule.source()),
+            "frequency_ratio": row.tuning.frequency_ratio,
+            "damping_ratio": row.tuning.damping_ratio,
+            "damping_ratio_on_structure": row.tuning.damping_ratio_on_structure(),
+            "point_ratio": answer.over_without(&row.point_values),
+            "cost": row.cost,
+        })
+    });
+    let line =
+        |cells: &[MapCell]| -> Vec<Value> { cells.iter().map(|cell| cell_json(answer, cell)).collect() };
+    let map: Vec<Value> = comparison
+        .map
+        .cells
+        .iter()
+        .map(|cell| cell.as_ref().map_or(Value::Null, |cell| cell_json(answer, cell)))
+        .collect();
+    let curve = |points: &[RobustnessPoint]| -> Vec<Value> {
+        points
+            .iter()
+            .map(|point| {
+                json!({
+                    "factor": point.factor, "cost": point.cost,
+                    "point_rms": point.point_rms,
+                    "stroke_rms_m": point.stroke_rms_m[0],
+                })
+            })
+            .collect()
+    };
+    let curves = |of: &[Vec<RobustnessPoint>; 2]| json!({ "given": curve(&of[0]), "best": curve(&of[1]) });
+    json!({
+        "file": answer.file,
+        "name": { "en": answer.name.en, "ko": answer.name.ko },
+        "variant": answer.variant,
+        "damper": answer.damper,
+        "other_dampers_left_out": answer.others,
+        "floor": answer.floor,
+        "mode": {
+            "number": answer.mode, "frequency_hz": answer.mode_frequency_hz, "damping_ratio": answer.mode_damping_ratio,
+            "centre_m": answer.mode_centre_m, "modal_mass_kg": comparison.modal_mass_kg,
+        },
+        "mass_ratio": comparison.mass_ratio,
+        "load": {
+            "kind": answer.load.name(), "direction_degrees": answer.load_direction_degrees,
+            "corner_hz": match answer.load { TuneLoad::Wind { corner_hz } => Some(corner_hz), _ => None },
+            "ground_hz": match answer.load { TuneLoad::Ground { ground_hz } => Some(ground_hz), _ => None },
+        },
+        "goal": goal_word(answer.goal),
+        "stroke_most": answer.stroke_most, "off_by": answer.off_by,
+        "prepared_frequencies_apart": comparison.apart,
+        "points": answer.points.iter().zip(&comparison.without).map(|(point, without)| json!({
+            "name": point.name, "floor": point.floor, "place_m": point.place_m,
+            "direction_degrees": answer.direction_degrees, "without_damper": without,
+        })).collect::<Vec<_>>(),
+        "value_is": match answer.goal { Goal::LargestPeak => "largest_amplitude", _ => "rms" },
+        "cost_without_damper": comparison.cost_without,
+        "choices": comparison.rows.iter().map(|row| row_json(answer, row)).collect::<Vec<_>>(),
+        "tunings": tunings.collect::<Vec<_>>(),
+        "strokes_under_motions": room_json(&answer.room), "room_is_unjudged": answer.room.is_unjudged(),
+        "line": { "tuned_as_given": line(&comparison.line_given), "tuned_best": line(&comparison.line_best) },
+        "map": { "x_m": comparison.map.x_m, "y_m": comparison.map.y_m, "cells": map },
+        "frequency_off": curves(&comparison.off_frequency),
+        "damping_off": curves(&comparison.off_damping),
+    })
+}
+
+fn damper_json(damper: &PlacedDamper) -> Value {
+    json!({
+        "place_m": damper.place_m, "direction_degrees": damper.direction_degrees, "mass_kg": damper.mass_kg,
+        "frequency_hz": damper.frequency_hz, "damping_ratio": damper.damping_ratio, "length_ratio": damper.length_ratio,
+    })
+}
+
+fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
+    json!({
+        "choice": row.choice.name(),
+        "damper": damper_json(&row.damper),
+        "point_rms": row.judged.point_rms,
+        "point_ratio": answer.ratios(row),
+        "worse_than_none": !answer.worse(row).is_empty(),
+        "stroke_rms_m": row.judged.stroke_rms_m[0],
+        "cost": row.cost,
+        "cost_ratio": row.cost / answer.comparison.cost_without,
+        "end": row.end.map(end_word),
+    })
+}
+
+fn cell_json(answer: &TuneAnswer, cell: &MapCell) -> Value {
+    json!({
+        "place_m": cell.damper.place_m, "frequency_hz": cell.damper.frequency_hz, "damping_ratio": cell.damper.damping_ratio,
+        "point_rms_ratio": answer.over_without(&cell.point_rms), "cost": cell.cost, "at_limit": cell.at_limit,
+    })
+}
+
+/// All dampers at once.
+pub fn together_json(answer: &TogetherAnswer) -> Value {
+    let rows = answer.rows.iter().map(|row| {
+        json!({
+            "choice": row.choice.name(),
+            "damper": match &row.choice {
+                TogetherChoice::Only(name) | TogetherChoice::AllBut(name) => Some(name),
+                _ => None,
+            },
+            "dampers": row.dampers.iter().map(super::building::damper).collect::<Vec<_>>(),
+            "point_rms": row.point_rms, "point_ratio": answer.ratios(row), "stroke_rms_m": row.stroke_rms_m,
+            "cost": row.cost, "cost_ratio": answer.cost_ratio(row),
+            "end": row.end.map(end_word),
+        })
+    });
+    json!({
+        "file": answer.file,
+        "name": { "en": answer.name.en, "ko": answer.name.ko },
+        "variant": answer.variant,
+        "load": { "kind": answer.load.name(), "directions_degrees": answer.load_directions_degrees },
+        "goal": goal_word(answer.goal),
+        "stroke_most": answer.stroke_most,
+        "points": answer.points.iter().map(|(point, degrees)| json!({
+            "name": point.name, "floor": point.floor, "place_m": point.place_m, "direction_degrees": degrees,
+        })).collect::<Vec<_>>(),
+        "rows": rows.collect::<Vec<_>>(),
+        "strokes_under_motions": room_json(&answer.room), "room_is_unjudged": answer.room.is_unjudged(),
+    })
+}
+
+fn room_json(room: &RoomCheck) -> Vec<Value> {
+    let each = room.strokes.iter().map(|of| {
+        json!({
+            "row": of.row, "damper": of.damper, "motion": of.motion, "stroke_m": of.stroke_m, "room_m": of.room_m,
+            "beyond_room": of.stroke_m > of.room_m,
+        })
+    });
+    each.collect()
+}
+
+fn goal_word(goal: Goal) -> &'static str {
+    match goal {
+        Goal::LargestRms => "largest_rms",
+        Goal::MeanSquare => "mean_square",
+        Goal::LargestPeak => "largest_peak",
+    }
+}
+
+fn end_word(end: DesignEnd) -> &'static str {
+    match end {
+        DesignEnd::Optimum => "optimum",
+        DesignEnd::Limit => "limit",
+        DesignEnd::Stalled => "stalled",
+    }
+}

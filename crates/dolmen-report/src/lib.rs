@@ -1,0 +1,17 @@
+//! Answers as text, JSON, figures and pages, in English and Korean. Opens no file.
+
+pub mod explain;
+pub mod figures;
+pub mod html;
+pub mod json;
+pub mod text;
+
+/// The listings of the book are compiled and run as tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/library.md")]
+pub struct LibraryPage;
+
+/// The same of fragility.
+#[cfg(doctest)]
+#[doc = include_str!("../../../docs/fragility.md")]
+pub struct FragilityPage;

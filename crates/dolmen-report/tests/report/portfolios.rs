@@ -1,0 +1,229 @@
+// SOURCE     docs/score.md.
+// GOAL       Tables of designs and of structures are read to the last digit, and what is wrong is refused with line and column; a ranking says
+//            what it knows.
+// TOLERANCE  none.
+
+use dolmen::assess::{Fragility, Known, KnownCapacity, RankedBy};
+use dolmen_report::text::rank_text;
+use dolmen_words::Language;
+use dolmen_work::portfolio::{
+    Basis, PortfolioAnswer, PortfolioEntry, RowSource, capacity_words, misjudged, ranking_columns,
+    read_portfolio,
+};
+use dolmen_work::score::{SCORE_STATES, ScoreDesigns};
+use dolmen_work::study::table_csv;
+
+#[test]
+fn exact_designs_are_what_was_written() {
+    let shipped = ScoreDesigns::shipped().unwrap();
+    assert!(shipped.designs.len() >= 50, "{}", shipped.designs.len());
+    let again = ScoreDesigns::read(shipped.csv().as_bytes()).unwrap();
+    assert_eq!(again, shipped);
+    // a state that no design reached less often than a milder one
+    for design in &shipped.designs {
+        let thetas: Vec<f64> = design.states.iter().flatten().map(Fragility::theta).collect();
+        assert!(
+            thetas.windows(2).all(|pair| pair[0] <= 1.001 * pair[1]),
+            "{design:?}"
+        );
+    }
+    let mut some = shipped.clone();
+    some.designs[0].states[1] = None;
+    assert_eq!(ScoreDesigns::read(some.csv().as_bytes()).unwrap(), some);
+    assert_eq!(some.of_state(1).len(), some.designs.len() - 1);
+}
+
+#[test]
+fn refuses_tables_of_designs_with_line_and_column() {
+    let shipped = ScoreDesigns::shipped().unwrap().csv();
+    let fault = |text: &str| ScoreDesigns::read(text.as_bytes()).unwrap_err().to_string();
+    let without = shipped.replacen("theta_ds3_m_s2", "theta", 1);
+    assert!(
+        fault(&without).contains("no column \"theta_ds3_m_s2\""),
+        "{}",
+        fault(&without)
+    );
+    let table = shipped.lines().filter(|line| !line.starts_with('#'));
+    let mut lines: Vec<String> = table.map(str::to_owned).collect();
+    lines[3] = lines[3].replacen(',', ",x", 1);
+    let text = fault(&lines.join("\n"));
+    assert!(
+        text.starts_with("line 4, body_height_m: \"x") && text.ends_with("is no number"),
+        "{text}"
+    );
+    lines[3] = "3,NaN,0.3,3,0.1,2,1,0.4,1,0.4,1,0.4,1,0.4".to_owned();
+    assert!(fault(&lines.join("\n")).contains("line 4, body_height_m: \"NaN\""));
+    lines[3] = "3,4,0.3,3,0.1,2,-1,0.4,1,0.4,1,0.4,1,0.4".to_owned();
+    assert!(fault(&lines.join("\n")).contains("line 4, theta_ds1_m_s2"));
+}
+
+#[test]
+fn exact_rows_of_a_table_of_structures() {
+    let table = read_portfolio(
+        "\u{feff}# a comment\nname,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio,project,study,zone_factor_g,soil\n\
+         가, 5, 6.0, 0.35, 3.4, 9, 3,,,0.11,S4\nb,,,,,,,../b,shaken,,\n"
+            .as_bytes(),
+    )
+    .unwrap();
+    let rows = table.rows;
+    let RowSource::Factors(factors) = &rows[0].source else {
+        panic!("{:?}", rows[0])
+    };
+    assert_eq!((rows[0].name.as_str(), factors.storeys), ("가", 5));
+    assert_eq!((factors.slenderness_angle, factors.body_slenderness), (0.35, 3.4));
+    assert!((factors.taper_rad - 9.0_f64.to_radians()).abs() < 1e-15);
+    // 2400 years, S = .22, S4: F_a 1.36, of the theory page
+    let hazard = rows[0].hazard.as_ref().unwrap();
+    let [peak, rate] = *hazard.points().last().unwrap();
+    assert!((peak - 0.22 * 1.36 * 9.80665).abs() < 1e-9 && (rate - 1.0 / 2400.0).abs() < 1e-15);
+    assert_eq!(
+        rows[1].source,
+        RowSource::Project {
+            path: "../b".to_owned(),
+            study: Some("shaken".to_owned())
+        }
+    );
+}
+
+#[test]
+fn refuses_two_slendernesses_more_than_a_tenth_from_those_of_one_pagoda() {
+    let row = |angle: String| {
+        let table = format!(
+            "name,storeys,body_height_m,slenderness_angle,body_slenderness,taper_deg,body_base_height_ratio\na,5,6,{angle},3.4,9,3\n"
+        );
+        read_portfolio(table.as_bytes()).map(|table| table.rows[0].source.clone())
+    };
+    let factors = |angle: &str| match row(angle.to_owned()).unwrap() {
+        RowSource::Factors(factors) => factors,
+        other => panic!("{other:?}"),
+    };
+    let made = factors("").slenderness_angle; // that which the slenderness of the body makes
+    for (times, is_one) in [(0.89, false), (0.92, true), (1.08, true), (1.12, false)] {
+        let found = row((times * made).to_string());
+        assert_eq!(found.is_ok(), is_one, "{times}: {found:?}");
+    }
+    let why = row((1.12 * made).to_string()).unwrap_err().to_string();
+    assert!(why.contains("are not of one pagoda"), "{why}");
+}
+
+#[test]
+fn refuses_tables_of_structures_with_line_and_what_to_do() {
+    let head =
+        "name,storeys,body_height_m,body_slenderness,taper_deg,body_base_height_ratio,zone_factor_g,soil\n";
+    let fault = |rows: &str| {
+        read_portfolio(format!("{head}{rows}").as_bytes())
+            .unwrap_err()
+            .to_string()
+    };
+    for (rows, says) in [
+        (
+            "a,5,6,3,9,x,,\n",
+            "line 2 (a): body_base_height_ratio is \"x\", but must be a number",
+        ),
+        ("a,5,6,-3,9,2,,\n", "line 2 (a): body_slenderness is \"-3\""),
+        (
+            "a,5.5,6,3,9,2,,\n",
+            "line 2 (a): storeys is \"5.5\", but must be a whole number",
+        ),
+        (
+            "a,5,6,3,57,2,,\n",
+            "line 2 (a): taper_deg is \"57\", but must be below 40, in degrees",
+        ),
+        ("a,5,6,,9,2,,\n", "body_slenderness or slenderness_angle or both"),
+        (",5,6,3,9,2,,\n", "the structure has no name"),
+        ("a,5,6,3,9,2,0.11,\n", "zone_factor_g and soil belong together"),
+        ("a,5,6,3,9,2,0.11,S9\n", "soil is \"S9\", but must be S1 to S6"),
+        (
+            "a,5,6,3,9,2,0.11,S6\n",
+            "line 2 (a): site class S6 is site-specific",
+        ),
+        (
+            "a,5,6,3,9,2,,\nb,5,6,3,9,2,,\na,5,6,3,9,2,,\n",
+            "lines 2 and 4 are both \"a\"",
+        ),
+        ("a,5,6\n", "the table cannot be read"),
+    ] {
+        let found = fault(rows);
+        assert!(found.contains(says), "{rows}: {found}");
+    }
+    // one row that is wrong does not cost the others
+    let some = read_portfolio(format!("{head}a,5,6,3,9,2,,\nb,5,6,3,57,2,,\n").as_bytes()).unwrap();
+    assert_eq!((some.rows.len(), some.refused.len()), (1, 1));
+    assert_eq!(some.refused[0].0, "b");
+    assert!(
+        read_portfolio(b"storeys\n5\n")
+            .unwrap_err()
+            .to_string()
+            .starts_with("the table has no column \"name\"")
+    );
+    assert!(
+        read_portfolio(b"name,height\na,5\n")
+            .unwrap_err()
+            .to_string()
+            .contains("\"height\" is not known")
+    );
+}
+
+/// Three structures whose order by DS3 is that of falls turned round.
+fn answer() -> PortfolioAnswer {
+    let known = |theta: f64, known| {
+        Some(KnownCapacity {
+            fragility: Fragility::new(theta, 0.4).unwrap(),
+            ln_theta_sd: 0.1,
+            known,
+        })
+    };
+    let entry = |name: &str, ds3: f64, falls: f64, how| PortfolioEntry {
+        name: name.to_owned(),
+        basis: Basis::Score {
+            reasons: [0.1, 0.0, -0.3, 0.0, -0.1, 0.0],
+            outside: Vec::new(),
+            unlike: Vec::new(),
+        },
+        states: [None, None, known(ds3, Known::Found), known(falls, how)],
+        has: [true; 4],
+        hazard: None,
+        hazard_replaced: false,
+    };
+    let entries = vec![
+        entry("a", 9.0, 9.5, Known::Found),
+        entry("b", 3.0, 20.0, Known::AtLeast),
+        entry("c", 6.0, 12.0, Known::Found),
+    ];
+    PortfolioAnswer::of("list.csv".to_owned(), 2, entries, Vec::new(), 100).unwrap()
+}
+
+#[test]
+fn holds_what_falls_alone_would_miss_is_said() {
+    let answer = answer();
+    assert_eq!(answer.ranked.by, RankedBy::Capacity);
+    let names: Vec<&str> = answer.rows().map(|(_, entry, _)| entry.name.as_str()).collect();
+    assert_eq!(names, ["b", "c", "a"]);
+    assert_eq!(answer.by_falls, [Some(1), Some(3), Some(2)]);
+    let said = misjudged(&answer, Language::English);
+    assert_eq!(
+        said,
+        ["b: place 1 by DS3, but 3 by falls alone: it is damaged long before anything falls"]
+    );
+    let text = rank_text(&answer);
+    assert!(text.contains(&said[0]) && text.contains("tan α: -26 %"), "{text}");
+    let falls = answer.entries[1].states[3].unwrap();
+    assert_eq!(capacity_words(&falls, 9.81), "> 2.0");
+    let table = table_csv(&ranking_columns(&answer));
+    let mut lines = table.lines();
+    let head: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let row: Vec<&str> = lines.next().unwrap().split(',').collect();
+    let of = |column: &str| row[head.iter().position(|name| *name == column).unwrap()];
+    assert_eq!((of("name"), of("place"), of("theta_ds3_m_s2")), ("b", "1", "3"));
+    assert_eq!(
+        (of("known_falls"), of("theta_ds1_m_s2"), of("annual_rate")),
+        ("at_least", "", "")
+    );
+    assert_eq!(SCORE_STATES.len(), 4);
+    // a structure of which the state is not known is named, not dropped
+    let mut entries = answer.entries.clone();
+    entries[2].states[2] = None;
+    let again = PortfolioAnswer::of("list.csv".to_owned(), 2, entries, Vec::new(), 100).unwrap();
+    assert_eq!((again.entries.len(), again.left_out[0].name.as_str()), (2, "c"));
+    assert!(rank_text(&again).contains("Without a place, look at these yourself: 1\n  c: nothing is known"));
+}

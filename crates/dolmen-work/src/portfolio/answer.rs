@@ -1,0 +1,316 @@
+//! A ranked portfolio: what is known of each structure, its place, and why it stands there.
+
+use super::words::state_words;
+use crate::study::{CombinationFragility, StudyAnswer};
+use dolmen::assess::{
+    AssessError, Candidate, Factor, Fragility, FragilityBound, Hazard, Known, KnownCapacity, Place, Ranked,
+    ScoreModel, SixFactors, Unlike, rank,
+};
+use dolmen_words::Language;
+use dolmen_words::number::significant;
+
+/// β of a state that no motion, or every one, reached: that of rocking blocks over peak acceleration, .37 to .48 under the far-field set of FEMA
+/// P-695 (docs/fragility.md).
+const BETA_OF_BOUNDS: f64 = 0.4;
+
+/// A factor that lowers ln θ by less is no reason: half a per cent. Chosen here.
+const REASON_LEAST: f64 = 0.005;
+
+/// What the capacity of a structure rests on.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Basis {
+    /// Its own study.
+    Study {
+        /// The study.
+        name: String,
+        /// Scans that can be used.
+        scans: usize,
+    },
+    /// The six-factor score.
+    Score {
+        /// What each factor adds to ln θ of the state ranked by, against the mean of the designs.
+        reasons: [f64; 6],
+        /// Factors outside the range trained.
+        outside: Vec<Factor>,
+        /// How it differs from the designs in all but its factors.
+        unlike: Vec<Unlike>,
+    },
+}
+
+/// One structure with what is known of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PortfolioEntry {
+    /// Its name.
+    pub name: String,
+    /// What its capacity rests on.
+    pub basis: Basis,
+    /// Each state, the mildest first: DS1 to DS3, falls.
+    pub states: [Option<KnownCapacity>; 4],
+    /// Which states structures of its kind have: a frame has no DS2 and DS3.
+    pub has: [bool; 4],
+    /// How often the ground shakes where it stands.
+    pub hazard: Option<Hazard>,
+    /// Whether the table gave the hazard although the project has its own.
+    pub hazard_replaced: bool,
+}
+
+impl PortfolioEntry {
+    /// The factor that takes most from the capacity of a pagoda known by its score, with what it takes from ln θ (negative).
+    pub fn worst_factor(&self) -> Option<(Factor, f64)> {
+        let Basis::Score { reasons, .. } = &self.basis else {
+            return None;
+        };
+        let all = Factor::ALL.into_iter().zip(*reasons);
+        all.min_by(|a, b| a.1.total_cmp(&b.1))
+            .filter(|worst| worst.1 < -REASON_LEAST)
+    }
+}
+
+/// A structure that has no place, and why.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Its name.
+    pub name: String,
+    /// Why.
+    pub why: String,
+}
+
+/// Everything `dolmen rank` found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PortfolioAnswer {
+    /// The table or folder, as it was named.
+    pub source: String,
+    /// The state ranked by, 0 to 3.
+    pub state: usize,
+    /// Structures that have a place; the others are in `left_out`.
+    pub entries: Vec<PortfolioEntry>,
+    /// Their order by the state.
+    pub ranked: Ranked,
+    /// Their places by falls alone, by entry; `None` where nothing is known of falls.
+    pub by_falls: Vec<Option<usize>>,
+    /// Structures without a place.
+    pub left_out: Vec<LeftOut>,
+    /// Designs behind the score.
+    pub designs: usize,
+    /// Draws behind the intervals of places.
+    pub draws: usize,
+    /// Gravity that turns accelerations into g, m/s².
+    pub gravity_m_s2: f64,
+}
+
+impl PortfolioAnswer {
+    /// Ranks entries by a state, 0 to 3; those without it are left out.
+    ///
+    /// # Errors
+    /// [`AssessError::NothingToRank`] if none is left: ask [`PortfolioAnswer::without_place`] why.
+    pub fn of(
+        source: String,
+        state: usize,
+        entries: Vec<PortfolioEntry>,
+        mut left_out: Vec<LeftOut>,
+        draws: usize,
+    ) -> Result<Self, AssessError> {
+        left_out.extend(Self::without_place(&entries, state));
+        let mut kept = entries;
+        kept.retain(|entry| entry.states[state].is_some());
+        let ranked = rank(&candidates(&kept, state), draws, SEED)?;
+        let mut by_falls = vec![None; kept.len()];
+        let known: Vec<usize> = (0..kept.len()).filter(|i| kept[*i].states[3].is_some()).collect();
+        let falling: Vec<PortfolioEntry> = known.iter().map(|i| kept[*i].clone()).collect();
+        if let Ok(found) = rank(&candidates(&falling, 3), DRAWS_LEAST, SEED) {
+            for place in found.places {
+                by_falls[known[place.candidate]] = Some(place.rank);
+            }
+        }
+        Ok(PortfolioAnswer {
+            source,
+            state,
+            entries: kept,
+            ranked,
+            by_falls,
+            left_out,
+            designs: 0,
+            draws,
+            gravity_m_s2: GRAVITY_M_S2,
+        })
+    }
+
+    /// Of structures that could be read, those that nothing is known of in a state, each with the reason.
+    pub fn without_place(entries: &[PortfolioEntry], state: usize) -> Vec<LeftOut> {
+        let lacking = entries.iter().filter(|entry| entry.states[state].is_none());
+        let left_out = lacking.map(|entry| LeftOut {
+            name: entry.name.clone(),
+            why: why_no_place(entry, state),
+        });
+        left_out.collect()
+    }
+
+    /// Places with their structures, the worst first.
+    pub fn rows(&self) -> impl Iterator<Item = (&Place, &PortfolioEntry, &KnownCapacity)> {
+        self.ranked.places.iter().filter_map(|place| {
+            let entry = self.entries.get(place.candidate)?;
+            Some((place, entry, entry.states[self.state].as_ref()?))
+        })
+    }
+}
+
+/// Why nothing is known of a state, and what is.
+fn why_no_place(entry: &PortfolioEntry, state: usize) -> String {
+    if entry.has[state] {
+        return "nothing is known of this state: too few motions that can be used".to_owned();
+    }
+    let known = entry.states.iter().enumerate().filter_map(|(other, known)| {
+        let g = known.as_ref()?.fragility.theta() / GRAVITY_M_S2;
+        Some(format!(
+            "{} ({} g)",
+            state_words(other, Language::English),
+            significant(g, 2)
+        ))
+    });
+    let known = known.collect::<Vec<_>>().join(" and ");
+    format!(
+        "a structure of its kind has no {}; known of it: {}. Rank such structures with --state falls",
+        state_words(state, Language::English),
+        if known.is_empty() { "nothing" } else { &known }
+    )
+}
+
+/// Gravity that turns accelerations into g, m/s².
+const GRAVITY_M_S2: f64 = 9.81;
+/// Seed of the draws, and the fewest.
+const SEED: u64 = 1;
+const DRAWS_LEAST: usize = 20;
+
+fn candidates(entries: &[PortfolioEntry], state: usize) -> Vec<Candidate> {
+    let known = entries.iter().filter_map(|entry| {
+        Some(Candidate {
+            capacity: entry.states[state]?,
+            hazard: entry.hazard.clone(),
+        })
+    });
+    known.collect()
+}
+
+/// A structure known by a study of its own: of one combination of inputs.
+///
+/// # Errors
+/// What to do, in words, if the study has several combinations, no scan that can be used, or something missing.
+pub fn of_study(
+    name: String,
+    answer: &StudyAnswer,
+    hazard: Option<Hazard>,
+) -> Result<PortfolioEntry, String> {
+    if !answer.missing.is_empty() {
+        return Err(format!(
+            "study \"{}\" is not done: {} scans are missing; run it again",
+            answer.study.name,
+            answer.missing.len()
+        ));
+    }
+    let found = answer.fragilities();
+    let [only] = found else {
+        return Err(match found.len() {
+            0 => format!("study \"{}\" has no scan that can be used", answer.study.name),
+            n => format!(
+                "study \"{}\" varies its inputs in {n} combinations: name one that varies nothing",
+                answer.study.name
+            ),
+        });
+    };
+    Ok(PortfolioEntry {
+        name,
+        basis: Basis::Study {
+            name: answer.study.name.clone(),
+            scans: only.usable,
+        },
+        states: states_of(only),
+        has: std::array::from_fn(|state| only.states.iter().any(|own| own.state == state)),
+        hazard,
+        hazard_replaced: false,
+    })
+}
+
+fn states_of(found: &CombinationFragility) -> [Option<KnownCapacity>; 4] {
+    let mut states = [None; 4];
+    for state in &found.states {
+        states[state.state] = match &state.by_acceleration {
+            Ok(fit) => Some(KnownCapacity {
+                fragility: fit.curve,
+                ln_theta_sd: fit.ln_theta_deviation(),
+                known: Known::Found,
+            }),
+            Err(AssessError::NoFragility(bound)) => of_bound(bound),
+            Err(_) => None,
+        };
+    }
+    states
+}
+
+fn of_bound(bound: &FragilityBound) -> Option<KnownCapacity> {
+    let (theta, ln_theta_sd, known) = match bound {
+        FragilityBound::NoneReached { intensity, .. } => (*intensity, 0.0, Known::AtLeast),
+        FragilityBound::AllReached { intensity, .. } => (*intensity, 0.0, Known::AtMost),
+        FragilityBound::Middle { above, at_most } if at_most.is_finite() && *above > 0.0 => {
+            let width = (at_most / above).ln();
+            ((above * at_most).sqrt(), width / 12.0_f64.sqrt(), Known::Found)
+        }
+        FragilityBound::Middle { above, .. } if *above > 0.0 => (*above, 0.0, Known::AtLeast),
+        FragilityBound::Middle { at_most, .. } => (*at_most, 0.0, Known::AtMost),
+        // anywhere between the two, in logarithms
+        FragilityBound::Separated { survived, reached } => {
+            let width = if *survived > 0.0 {
+                (reached / survived).ln()
+            } else {
+                0.0
+            };
+            ((survived * reached).sqrt(), width / 12.0_f64.sqrt(), Known::Found)
+        }
+    };
+    Some(KnownCapacity {
+        fragility: Fragility::new(theta, BETA_OF_BOUNDS).ok()?,
+        ln_theta_sd,
+        known,
+    })
+}
+
+/// A pagoda known by its six factors: `models` of the states, the mildest first; `unlike` is what else sets it apart from the designs.
+///
+/// # Errors
+/// Those of [`ScoreModel::score`].
+pub fn of_score(
+    name: String,
+    (factors, unlike): (&SixFactors, &[Unlike]),
+    models: &[Option<ScoreModel>; 4],
+    state: usize,
+    outside_too: bool,
+    hazard: Option<Hazard>,
+) -> Result<PortfolioEntry, AssessError> {
+    let mut states = [None; 4];
+    let mut reasons = [0.0; 6];
+    let mut outside = Vec::new();
+    for (index, model) in models.iter().enumerate() {
+        let Some(model) = model else { continue };
+        let score = model.score(factors, outside_too)?;
+        if index == state {
+            reasons = score.reasons;
+            outside = score.outside.iter().map(|one| one.factor).collect();
+        }
+        states[index] = Some(KnownCapacity {
+            fragility: Fragility::new(score.capacity_m_s2, score.beta)?,
+            ln_theta_sd: score.ln_capacity_sd,
+            known: Known::Found,
+        });
+    }
+    Ok(PortfolioEntry {
+        name,
+        basis: Basis::Score {
+            reasons,
+            outside,
+            unlike: unlike.to_vec(),
+        },
+        states,
+        has: [true; 4],
+        hazard,
+        hazard_replaced: false,
+    })
+}

@@ -1,0 +1,178 @@
+//! What `dolmen simulate` found, with what went in.
+
+use dolmen::assess::{DamageThresholds, JointDamage, StackDamage};
+use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
+use dolmen::signal::{Component, GroundMotion, last_and_peak_displacement_m};
+use dolmen::structure::stack::{Body, Stack};
+use dolmen_project::Names;
+
+/// The motion of the base and where it came from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionAnswer {
+    /// The motion as it acts: read, then changed as its history says.
+    pub motion: GroundMotion,
+    /// The file of each component.
+    pub files: Vec<(Component, String)>,
+    /// Largest absolute acceleration of each component as read, m/s².
+    pub peaks_read_m_s2: Vec<(Component, f64)>,
+}
+
+/// A base line drifts where the last displacement is more than this part of the largest, and that more than this, m. Chosen here.
+const DRIFT_LEAST: f64 = 0.5;
+const DRIFT_LEAST_M: f64 = 0.01;
+
+/// Whether a component of a motion ends near its largest displacement: a base line that drifts, or ground that moved for good.
+pub fn base_line_drifts([last_m, peak_m]: [f64; 2]) -> bool {
+    last_m.abs() > DRIFT_LEAST * peak_m && peak_m > DRIFT_LEAST_M
+}
+
+impl MotionAnswer {
+    /// When a run ends, s, if that is before the motion does.
+    pub fn cut_at_s(&self, end_s: f64) -> Option<f64> {
+        (end_s < self.motion.duration_s() * (1.0 - 1e-9)).then_some(end_s)
+    }
+
+    /// How a run that ended before the motion is announced, before what it showed until then.
+    pub fn cut_words(&self, end_s: f64) -> String {
+        format!(
+            "ENDED BEFORE THE MOTION: {end_s:.2} of its {:.2} s were run; no verdict. Until then: ",
+            self.motion.duration_s()
+        )
+    }
+
+    /// Components whose base line drifts, and how far away the ground ends, m.
+    pub fn drifting_m(&self) -> Vec<(Component, f64)> {
+        let given = Component::ALL
+            .into_iter()
+            .filter(|component| self.motion.has(*component));
+        let measured = given.filter_map(|component| {
+            let travel = last_and_peak_displacement_m(&self.motion, component).ok()?;
+            base_line_drifts(travel).then_some((component, travel[0]))
+        });
+        measured.collect()
+    }
+}
+
+/// A simulation and its inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Simulation {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The variant of the file; `None` for the structure as given.
+    pub variant: Option<String>,
+    /// The stack.
+    pub stack: Stack,
+    /// The motion of its base.
+    pub motion: MotionAnswer,
+    /// The law of contact, with the options of the run.
+    pub law: ContactLaw,
+    /// What happened.
+    pub history: StackHistory,
+    /// How far it is damaged, by the usual thresholds.
+    pub damage: StackDamage,
+}
+
+impl Simulation {
+    /// When the run ended, s, if that is before the motion did and no stone had fallen: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let motion_s = self.motion.motion.duration_s();
+        let end_s = self.law.run_length_s(motion_s);
+        let is_open = matches!(
+            self.history.outcome,
+            Outcome::Stood | Outcome::Uplifted { .. } | Outcome::Slid { .. }
+        );
+        self.motion.cut_at_s(end_s).filter(|_| is_open)
+    }
+
+    /// The joint with the largest slip left over its width, if that is at least the offset of DS2.
+    pub fn shifted(&self) -> Option<(usize, &JointDamage)> {
+        let DamageThresholds {
+            offset_ratio,
+            offset_m,
+            ..
+        } = DamageThresholds::default();
+        let each = self.damage.joints.iter().enumerate();
+        let shifted =
+            each.filter(|(_, of)| of.residual_slip_ratio >= offset_ratio || of.residual_slip_m >= offset_m);
+        shifted.max_by(|(_, a), (_, b)| a.residual_slip_ratio.total_cmp(&b.residual_slip_ratio))
+    }
+
+    /// The joint that slipped farthest, if sliding began.
+    pub fn slipped(&self) -> Option<(usize, &JointDamage)> {
+        let begun = DamageThresholds::default().slip_begun_m;
+        let each = self.damage.joints.iter().enumerate();
+        let slipped = each.filter(|(_, of)| of.peak_slip_m >= begun);
+        slipped.max_by(|(_, a), (_, b)| a.peak_slip_m.total_cmp(&b.peak_slip_m))
+    }
+
+    /// Largest horizontal acceleration of the ground, of x and y taken together, in g of the stack.
+    pub fn peak_horizontal_g(&self) -> f64 {
+        let motion = &self.motion.motion;
+        let [x, y] = [Component::X, Component::Y].map(|component| motion.acceleration_m_s2(component));
+        let both = x.iter().zip(y).map(|(x, y)| x.hypot(*y));
+        both.fold(0.0, f64::max) / self.stack.gravity_m_s2()
+    }
+
+    /// Whether a stone fell: exit status 1.
+    pub fn falls(&self) -> bool {
+        matches!(self.history.outcome, Outcome::Fell { .. })
+    }
+
+    /// Whether the run came to its end, at rest or by falling.
+    pub fn is_whole(&self) -> bool {
+        let is_cut = self.ended_before_the_motion_s().is_some();
+        !is_cut
+            && !matches!(
+                self.history.outcome,
+                Outcome::Stopped { .. }
+                    | Outcome::Diverged { .. }
+                    | Outcome::NotConverged { .. }
+                    | Outcome::StillMoving { .. }
+            )
+    }
+
+    /// Names of the two bodies of a joint, the upper first.
+    pub fn joint_names(&self, joint: usize) -> [&str; 2] {
+        match self.stack.joints().get(joint) {
+            Some(joint) => [
+                self.stack.name(Body::Block(joint.upper)),
+                self.stack.name(joint.lower),
+            ],
+            None => ["", ""],
+        }
+    }
+
+    /// Number of samples of the history.
+    pub fn samples(&self) -> usize {
+        self.history.time_s.len()
+    }
+
+    /// Poses of all blocks at a sample; the first sample is the stack at rest. Empty beyond the last.
+    pub fn poses(&self, sample: usize) -> &[Pose] {
+        let blocks = self.history.blocks;
+        let poses = &self.history.poses;
+        poses.get(sample * blocks..(sample + 1) * blocks).unwrap_or(&[])
+    }
+
+    /// The block whose centroid is drawn highest.
+    pub fn highest_block(&self) -> usize {
+        let heights = self
+            .stack
+            .blocks()
+            .iter()
+            .map(|block| block.solid.centroid_m()[2]);
+        let highest = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        highest.map_or(0, |(block, _)| block)
+    }
+
+    /// Displacement of a block's centroid from the stack at rest, in the frame of the ground, m: one a sample.
+    pub fn displacement_m(&self, block: usize) -> Vec<[f64; 3]> {
+        let at = |sample: usize| self.poses(sample).get(block).map_or([0.0; 3], |p| p.centroid_m);
+        let rest = at(0);
+        let each = (0..self.samples()).map(at);
+        each.map(|now| std::array::from_fn(|axis| now[axis] - rest[axis]))
+            .collect()
+    }
+}

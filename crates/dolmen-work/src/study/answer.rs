@@ -1,0 +1,426 @@
+//! A study as it is answered: inputs, runs, levels and trends.
+
+use super::fitted::Fitted;
+use super::maps::ResponseMaps;
+use super::run::{Run, RunOutcome, StudyKind};
+use super::scans::{CapacityOf, LevelRow, capacity_of};
+use super::shaking::ShakingScales;
+use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
+use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
+use std::collections::BTreeMap;
+
+/// One input of the runs: varied, or drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct InputColumn {
+    /// Its path in the project file.
+    pub path: String,
+    /// Its column in tables, the unit last.
+    pub column: String,
+    /// Its SI unit; empty without one.
+    pub unit: String,
+    /// Whether its values are numbers.
+    pub is_number: bool,
+    /// Whether it is drawn, not varied.
+    pub is_drawn: bool,
+}
+
+/// The inputs of one case: a combination of varied values, and a sample.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CaseInputs {
+    /// The variant; `None` for the file as it is.
+    pub variant: Option<String>,
+    /// One value an input, in SI; `None` where it is no number or was refused.
+    pub values: Vec<Option<f64>>,
+    /// The same as they are written.
+    pub texts: Vec<String>,
+}
+
+/// A study with everything that was run.
+#[derive(Clone, Debug)]
+pub struct StudyAnswer {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The study.
+    pub study: StudyPart,
+    /// What is studied.
+    pub kind: StudyKind,
+    /// Gravity that turns accelerations into g, m/s².
+    pub gravity_m_s2: f64,
+    /// How often the ground shakes at the site, if that is known.
+    pub hazard: Option<HazardPart>,
+    /// Version of the program.
+    pub version: String,
+    /// What is to be known of the project file: values that it does not give, and others.
+    pub notes: Vec<String>,
+    /// Inputs, the varied ones first.
+    pub inputs: Vec<InputColumn>,
+    /// Cases: samples of the first combination, then of the next.
+    pub cases: Vec<CaseInputs>,
+    /// Of a stack, by combination: its joints, what lies on what; none where its inputs were refused.
+    pub joints: Vec<Vec<String>>,
+    /// What measures of shaking rest on.
+    pub shaking: ShakingScales,
+    /// Motions, by name.
+    pub motions: Vec<String>,
+    /// Runs by job and scale.
+    pub runs: Vec<Run>,
+    /// Scans that are not done.
+    pub missing: Vec<usize>,
+    /// Of a frame: maps and releases by case.
+    pub maps: Vec<ResponseMaps>,
+    /// What was fitted to the runs so far.
+    pub fitted: Fitted,
+}
+
+/// What is said of an expected trend.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TrendVerdict {
+    /// Seen, beyond chance.
+    Holds,
+    /// Neither it nor its opposite is seen beyond chance.
+    NotSeen,
+    /// The opposite is seen beyond chance.
+    Contradicted,
+}
+
+impl TrendVerdict {
+    /// The word that is printed.
+    pub fn word(self) -> &'static str {
+        match self {
+            TrendVerdict::Holds => "holds",
+            TrendVerdict::NotSeen => "not seen",
+            TrendVerdict::Contradicted => "contradicted",
+        }
+    }
+}
+
+/// The trend of the capacity with one input, all else equal.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TrendAnswer {
+    /// The input, an index.
+    pub input: usize,
+    /// Of the medians over motions, directions and samples.
+    pub of_medians: Trend,
+    /// τ of each motion, direction and sample by itself.
+    pub of_each: Vec<f64>,
+    /// What was expected of it, with what is said of that.
+    pub expected: Option<(ExpectedTrend, TrendVerdict)>,
+}
+
+impl TrendAnswer {
+    /// Of how many motions, directions and samples τ goes this way.
+    pub fn same_way(&self, direction: Direction) -> usize {
+        let goes = |tau: &&f64| match direction {
+            Direction::Rising => **tau > 0.0,
+            Direction::Falling => **tau < 0.0,
+        };
+        self.of_each.iter().filter(goes).count()
+    }
+}
+
+impl StudyAnswer {
+    /// Scans in all: cases × motions × directions.
+    pub fn jobs(&self) -> usize {
+        self.cases.len() * self.replicates()
+    }
+
+    /// Scans a case: motions × directions.
+    fn replicates(&self) -> usize {
+        self.motions.len() * self.study.turns_rad.len()
+    }
+
+    fn samples(&self) -> usize {
+        self.study.samples.unwrap_or(1)
+    }
+
+    /// The case of a job, an index.
+    pub fn case_of(&self, job: usize) -> usize {
+        job / self.replicates().max(1)
+    }
+
+    /// The inputs of a job.
+    pub fn case(&self, job: usize) -> &CaseInputs {
+        &self.cases[self.case_of(job)]
+    }
+
+    /// The varied inputs of a job in words, without what is drawn; empty if nothing is varied.
+    pub fn combination_words(&self, job: usize) -> String {
+        let case = self.case(job);
+        let several = self.study.variants.len() > 1;
+        let mut words: Vec<String> = case.variant.iter().filter(|_| several).cloned().collect();
+        let each = self.inputs.iter().zip(&case.texts);
+        let varied = each.filter(|(input, _)| !input.is_drawn);
+        words.extend(varied.map(|(input, text)| format!("{} = {text}", input.path)));
+        words.join(", ")
+    }
+
+    /// The sample of a job, from 0.
+    pub fn sample_of(&self, job: usize) -> usize {
+        self.case_of(job) % self.samples()
+    }
+
+    /// The combination of varied values of a job, from 0.
+    pub fn combination_of(&self, job: usize) -> usize {
+        self.case_of(job) / self.samples()
+    }
+
+    /// The motion of a job.
+    pub fn motion_of(&self, job: usize) -> &str {
+        self.motions
+            .get(self.motion_index(job))
+            .map_or("", String::as_str)
+    }
+
+    /// The motion of a job, from 0.
+    pub fn motion_index(&self, job: usize) -> usize {
+        job % self.replicates().max(1) / self.study.turns_rad.len()
+    }
+
+    /// The turn of the motion of a job, rad.
+    pub fn turn_rad(&self, job: usize) -> f64 {
+        self.study.turns_rad[job % self.study.turns_rad.len()]
+    }
+
+    /// What each scan shows, by job; also those that cannot be used.
+    pub fn capacities(&self) -> Vec<CapacityOf> {
+        let mut scans = self.runs.chunk_by(|a, b| a.job == b.job).peekable();
+        let drift_ratio = self
+            .kind
+            .measures()
+            .iter()
+            .position(|name| self.kind == StudyKind::Building && *name == "peak_corner_drift_ratio");
+        let each = (0..self.jobs()).map(|job| {
+            let runs = scans.next_if(|runs| runs.first().is_some_and(|run| run.job == job));
+            let is_whole = self.missing.binary_search(&job).is_err();
+            let runs = runs.unwrap_or_default();
+            let found = capacity_of(job, runs, is_whole);
+            match drift_ratio {
+                Some(place) => found.in_proportion(runs, &self.study.drift_limits, place),
+                None => found,
+            }
+        });
+        each.collect()
+    }
+
+    /// Scans that cannot be used: refused, with runs lacking below their first fall, or not done.
+    pub fn left_out(&self) -> usize {
+        let scans = self.capacities();
+        scans.iter().filter(|scan| !scan.verdict.is_usable()).count()
+    }
+
+    /// How many runs ended each way.
+    pub fn outcomes(&self) -> BTreeMap<RunOutcome, usize> {
+        let mut counts = BTreeMap::new();
+        for run in &self.runs {
+            *counts.entry(run.outcome).or_insert(0) += 1;
+        }
+        counts
+    }
+
+    /// Reasons of refusals, each with how many cases have it.
+    pub fn refusals(&self) -> BTreeMap<&str, usize> {
+        let mut counts = BTreeMap::new();
+        for run in self.runs.iter().filter(|run| run.outcome == RunOutcome::Refused) {
+            *counts.entry(run.why.as_str()).or_insert(0) += 1;
+        }
+        counts
+    }
+
+    /// Scans that can be used and fell at the least size of the study, below which only halving has looked.
+    pub fn fell_at_the_least(&self) -> usize {
+        const ROUNDING: f64 = 1e-9;
+        let least = |values: &[f64]| values.iter().copied().fold(f64::INFINITY, f64::min) * (1.0 + ROUNDING);
+        let capacities = self.capacities();
+        let usable = capacities.iter().filter(|c| c.verdict.is_usable());
+        let fell = usable.filter(|c| match &self.study.scan {
+            Some(Scan::Scales(values)) => {
+                let first = c.scan.as_ref().and_then(|scan| scan.first_fall);
+                first.is_some_and(|scale| scale <= least(values))
+            }
+            Some(Scan::Peaks(values)) => c.fell_m_s2().is_some_and(|peak| peak <= least(values)),
+            None => false,
+        });
+        fell.count()
+    }
+
+    /// Capacities by value of each varied input; with a single row for everything if nothing is varied.
+    pub fn levels(&self) -> Vec<LevelRow> {
+        let capacities = self.capacities();
+        let mut rows = Vec::new();
+        if self.study.variants.len() > 1 {
+            for variant in &self.study.variants {
+                let own = |c: &&CapacityOf| self.case(c.job).variant.as_ref() == Some(variant);
+                rows.push(level((None, variant, None), capacities.iter().filter(own)));
+            }
+        }
+        for (index, axis) in self
+            .study
+            .vary
+            .iter()
+            .enumerate()
+            .filter(|(_, axis)| axis.values.len() > 1)
+        {
+            let mut seen: Vec<&str> = Vec::new();
+            for value in &axis.values {
+                let text = value.text.trim_matches('"');
+                if seen.contains(&text) {
+                    continue;
+                }
+                seen.push(text);
+                let is_own = |c: &&CapacityOf| self.case(c.job).texts.get(index).is_some_and(|t| t == text);
+                let own: Vec<&CapacityOf> = capacities.iter().filter(is_own).collect();
+                let number = own
+                    .first()
+                    .and_then(|c| self.case(c.job).values.get(index).copied().flatten());
+                rows.push(level((Some(index), text, number), own.into_iter()));
+            }
+        }
+        if rows.is_empty() {
+            rows.push(level((None, "all", None), capacities.iter()));
+        }
+        rows
+    }
+
+    /// The trend of the capacity with each varied input of two or more numbers.
+    ///
+    /// # Errors
+    /// None for runs as they are read: [`AssessError`] for a value that is not a number.
+    pub fn trends(&self) -> Result<Vec<TrendAnswer>, AssessError> {
+        let capacities = self.capacities();
+        let mut found = Vec::new();
+        for (index, axis) in self
+            .study
+            .vary
+            .iter()
+            .enumerate()
+            .filter(|(_, axis)| axis.values.len() > 1)
+        {
+            let expected = self
+                .study
+                .expect
+                .iter()
+                .find(|expected| expected.input == axis.path);
+            if !self.inputs.get(index).is_some_and(|input| input.is_number) {
+                continue;
+            }
+            let of_medians = trend(&self.groups(index, &self.medians(&capacities)))?;
+            let mut of_each = Vec::new();
+            for replicate in 0..self.replicates() * self.samples() {
+                let own: Vec<(usize, Reached)> = capacities
+                    .iter()
+                    .filter(|c| self.replicate_of(c.job) == replicate)
+                    .filter_map(|c| Some((c.job, c.first_fall_m_s2()?)))
+                    .collect();
+                let tau = trend(&self.groups(index, &own))?;
+                if tau.pairs > 0 {
+                    of_each.push(tau.tau);
+                }
+            }
+            let expected = expected.map(|expected| {
+                let opposite = match expected.direction {
+                    Direction::Rising => Direction::Falling,
+                    Direction::Falling => Direction::Rising,
+                };
+                let verdict = if of_medians.shows(expected.direction) {
+                    TrendVerdict::Holds
+                } else if of_medians.shows(opposite) {
+                    TrendVerdict::Contradicted
+                } else {
+                    TrendVerdict::NotSeen
+                };
+                (expected.clone(), verdict)
+            });
+            found.push(TrendAnswer {
+                input: index,
+                of_medians,
+                of_each,
+                expected,
+            });
+        }
+        Ok(found)
+    }
+
+    /// Which motion, direction and sample a job has, all cases alike.
+    fn replicate_of(&self, job: usize) -> usize {
+        let replicates = self.replicates().max(1);
+        self.sample_of(job) * replicates + job % replicates
+    }
+
+    /// The median first fall of each combination over its scans that can be used, with one of its jobs.
+    fn medians(&self, capacities: &[CapacityOf]) -> Vec<(usize, Reached)> {
+        let mut by_combination: BTreeMap<usize, (usize, Vec<Reached>)> = BTreeMap::new();
+        for c in capacities {
+            let Some(first) = c.first_fall_m_s2() else {
+                continue;
+            };
+            let entry = by_combination.entry(self.combination_of(c.job));
+            entry.or_insert((c.job, Vec::new())).1.push(first);
+        }
+        let each = by_combination.into_values();
+        each.filter_map(|(job, values)| Some((job, reached_quantile(&values, 0.5)?)))
+            .collect()
+    }
+
+    /// (input, result) in groups in which the variant and all other inputs are equal; infinite where it did not fall.
+    fn groups(&self, index: usize, results: &[(usize, Reached)]) -> Vec<Vec<(f64, f64)>> {
+        let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, Reached)>> = BTreeMap::new();
+        for &(job, result) in results {
+            let case = self.case(job);
+            let Some(value) = case.values.get(index).copied().flatten() else {
+                continue;
+            };
+            let others = case.texts.iter().take(self.study.vary.len()).enumerate();
+            let others: Vec<&str> = others
+                .filter(|(i, _)| *i != index)
+                .map(|(_, t)| t.as_str())
+                .collect();
+            let key = (case.variant.as_deref(), others);
+            groups.entry(key).or_default().push((value, result));
+        }
+        groups.into_values().map(ranked).collect()
+    }
+}
+
+/// Results by size: what did not fall is larger than all that did. What was tried up to less than another fell at could be smaller or
+/// larger than that one, and is left out.
+fn ranked(group: Vec<(f64, Reached)>) -> Vec<(f64, f64)> {
+    let fell = group.iter().filter(|(_, result)| result.is_reached());
+    let largest_fall = fell.map(|(_, result)| result.value()).fold(0.0, f64::max);
+    let each = group.into_iter().filter_map(|(input, result)| match result {
+        Reached::At(value) => Some((input, value)),
+        Reached::Above(value) => (value >= largest_fall).then_some((input, f64::INFINITY)),
+    });
+    each.collect()
+}
+
+/// What is equal within a group: the variant, and all other inputs as they are written.
+type AllElse<'a> = (Option<&'a str>, Vec<&'a str>);
+
+fn level<'c>(
+    (input, text, value): (Option<usize>, &str, Option<f64>),
+    capacities: impl Iterator<Item = &'c CapacityOf>,
+) -> LevelRow {
+    LevelRow {
+        input,
+        text: text.to_owned(),
+        value,
+        scans: capacities.cloned().collect(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_what_did_not_fall_ranks_above_what_did_if_that_is_known() {
+        use Reached::{Above, At};
+        let inf = f64::INFINITY;
+        let known = ranked(vec![(1.0, At(0.4)), (2.0, Above(1.0)), (3.0, At(0.9))]);
+        assert_eq!(known, [(1.0, 0.4), (2.0, inf), (3.0, 0.9)]);
+        let unknown = ranked(vec![(1.0, At(0.4)), (2.0, Above(0.3)), (3.0, Above(0.5))]);
+        assert_eq!(unknown, [(1.0, 0.4), (3.0, inf)]);
+    }
+}

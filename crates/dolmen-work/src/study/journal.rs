@@ -1,0 +1,359 @@
+//! The journal of a study: a header, then one line a finished run, only ever appended to. A process that is killed leaves at most
+//! one torn line, the last.
+
+use super::run::{Run, RunOutcome, StudyKind};
+
+/// First word of a journal, with the version of its layout.
+const MAGIC: &str = "dolmen-study-journal-4";
+
+/// What decides the results of a study: journals of different ones do not mix.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct JournalHeader {
+    /// Name of the study.
+    pub study: String,
+    /// Version of the program.
+    pub version: String,
+    /// Scans of the whole study, over all shards.
+    pub jobs: usize,
+    /// Which part of how many, from 1.
+    pub shard: (usize, usize),
+    /// Fingerprints of the inputs, by name.
+    pub inputs: Vec<(String, String)>,
+}
+
+impl JournalHeader {
+    /// What differs from another, in words, shards left out; `None` if both are of one study.
+    pub fn difference(&self, other: &JournalHeader) -> Option<String> {
+        if self.study != other.study {
+            return Some(format!("it is of the study \"{}\"", other.study));
+        }
+        if self.version != other.version {
+            return Some(format!(
+                "it was made by Dolmen {}, this is {}",
+                other.version, self.version
+            ));
+        }
+        let changed: Vec<&str> = self
+            .inputs
+            .iter()
+            .filter(|input| !other.inputs.contains(input))
+            .map(|(name, _)| name.as_str())
+            .collect();
+        if !changed.is_empty() || self.inputs.len() != other.inputs.len() || self.jobs != other.jobs {
+            return Some(format!("changed since then: {}", changed.join(", ")));
+        }
+        None
+    }
+}
+
+/// A journal as it was read.
+#[derive(Clone, Debug)]
+pub struct Journal {
+    /// Its header.
+    pub header: JournalHeader,
+    /// Its runs in the order in which they ended.
+    pub runs: Vec<Run>,
+    /// Bytes that are whole lines: what follows was torn as the process died.
+    pub whole_bytes: usize,
+}
+
+/// Why a journal cannot be used.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum JournalError {
+    /// It has no header, or another program's.
+    #[error(
+        "it is no journal of a study of this program: its first line is another's, or of an older one that judged runs otherwise; --restart throws \
+         it away"
+    )]
+    Header,
+    /// A line that is not the last is damaged.
+    #[error("line {line} is damaged: restore the file, or start anew with --restart")]
+    Line {
+        /// Which, from 1.
+        line: usize,
+    },
+}
+
+/// FNV-1a over 128 bits, as 32 hexadecimal digits: tells inputs apart, keeps no secret.
+///
+/// # Source
+/// Fowler, G., Noll, L. C., Vo, K.-P. and Eastlake, D., The FNV non-cryptographic hash algorithm, IETF draft-eastlake-fnv.
+///
+/// # Example
+/// ```
+/// assert_eq!(dolmen_work::study::fingerprint(b""), "6c62272e07bb014262b821756295c58d");
+/// assert_eq!(dolmen_work::study::fingerprint(b"a"), "d228cb696f1a8caf78912b704e4a8964");
+/// ```
+pub fn fingerprint(bytes: &[u8]) -> String {
+    const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
+    const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
+    let hash = bytes
+        .iter()
+        .fold(BASIS, |hash, &byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME));
+    format!("{hash:032x}")
+}
+
+/// The first line of a journal, with its end.
+pub fn header_line(header: &JournalHeader) -> String {
+    let (part, of) = header.shard;
+    let mut cells = vec![
+        MAGIC.to_owned(),
+        escaped(&header.study),
+        escaped(&header.version),
+        header.jobs.to_string(),
+        format!("{part}/{of}"),
+    ];
+    for (name, print) in &header.inputs {
+        cells.push(format!("{}={print}", escaped(name)));
+    }
+    closed(&cells)
+}
+
+/// The line of a run, with its end.
+pub fn run_line(run: &Run) -> String {
+    let numbers: Vec<String> = run.measures.iter().map(f64::to_string).collect();
+    closed(&[
+        run.job.to_string(),
+        run.scale.to_string(),
+        run.peak_ground_acceleration_m_s2.to_string(),
+        run.peak_ground_velocity_m_s.to_string(),
+        run.outcome.word().to_owned(),
+        run.damage_state.to_string(),
+        joint_words(&run.joint_states),
+        run.at_s.to_string(),
+        escaped(&run.part),
+        escaped(&run.gave_way),
+        numbers.join(","),
+        escaped(&run.why),
+    ])
+}
+
+/// Reads a journal; a torn last line is left out.
+///
+/// # Errors
+/// [`JournalError`] without a header, or with a damaged line before the last.
+pub fn read_journal(text: &str, kind: StudyKind) -> Result<Journal, JournalError> {
+    let mut lines = text.split_inclusive('\n').enumerate();
+    let first = lines.next().and_then(|(_, line)| opened(line));
+    let header = first.as_deref().and_then(header_of).ok_or(JournalError::Header)?;
+    let mut whole_bytes = text.find('\n').map_or(text.len(), |at| at + 1);
+    let mut runs = Vec::new();
+    for (number, line) in lines {
+        let run = opened(line).and_then(|cells| run_of(&cells, kind));
+        match run {
+            Some(run) => {
+                runs.push(run);
+                whole_bytes += line.len();
+            }
+            None if whole_bytes + line.len() == text.len() => break,
+            None => return Err(JournalError::Line { line: number + 1 }),
+        }
+    }
+    Ok(Journal {
+        header,
+        runs,
+        whole_bytes,
+    })
+}
+
+fn header_of(cells: &[String]) -> Option<JournalHeader> {
+    let [magic, study, version, jobs, shard, inputs @ ..] = cells else {
+        return None;
+    };
+    let (part, of) = shard.split_once('/')?;
+    let inputs: Option<Vec<(String, String)>> = inputs
+        .iter()
+        .map(|cell| {
+            let (name, print) = cell.rsplit_once('=')?;
+            Some((plain(name), print.to_owned()))
+        })
+        .collect();
+    (magic == MAGIC).then_some(())?;
+    Some(JournalHeader {
+        study: plain(study),
+        version: plain(version),
+        jobs: jobs.parse().ok()?,
+        shard: (part.parse().ok()?, of.parse().ok()?),
+        inputs: inputs?,
+    })
+}
+
+fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
+    let [
+        job,
+        scale,
+        peak,
+        velocity,
+        outcome,
+        damage,
+        joints,
+        at,
+        part,
+        gave_way,
+        numbers,
+        why,
+    ] = cells
+    else {
+        return None;
+    };
+    let number = |text: &str| text.parse::<f64>().ok();
+    let measures: Option<Vec<f64>> = match numbers.as_str() {
+        "" => Some(Vec::new()),
+        numbers => numbers.split(',').map(number).collect(),
+    };
+    let measures = measures?;
+    (measures.is_empty() || measures.len() == kind.measures().len()).then_some(())?;
+    Some(Run {
+        job: job.parse().ok()?,
+        scale: number(scale)?,
+        peak_ground_acceleration_m_s2: number(peak)?,
+        peak_ground_velocity_m_s: number(velocity)?,
+        outcome: RunOutcome::of_word(outcome)?,
+        damage_state: damage.parse().ok()?,
+        joint_states: joint_states(joints)?,
+        at_s: number(at)?,
+        part: plain(part),
+        gave_way: plain(gave_way),
+        measures,
+        why: plain(why),
+    })
+}
+
+/// States of joints as a text, a number each.
+pub(super) fn joint_words(states: &[u8]) -> String {
+    let words: Vec<String> = states.iter().map(u8::to_string).collect();
+    words.join(" ")
+}
+
+fn joint_states(text: &str) -> Option<Vec<u8>> {
+    text.split_ascii_whitespace()
+        .map(|word| word.parse().ok().filter(|state| *state <= 4))
+        .collect()
+}
+
+/// Cells as a line that tells whether it is whole.
+fn closed(cells: &[String]) -> String {
+    let line = cells.join("\t");
+    let print = fingerprint(line.as_bytes());
+    format!("{line}\t{}\n", &print[16..])
+}
+
+/// Cells of a whole line.
+fn opened(line: &str) -> Option<Vec<String>> {
+    let (line, print) = line.strip_suffix('\n')?.rsplit_once('\t')?;
+    (fingerprint(line.as_bytes())[16..] == *print).then(|| line.split('\t').map(str::to_owned).collect())
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('\\', "\\\\")
+        .replace('\t', "\\t")
+        .replace('\n', "\\n")
+        .replace('\r', "\\r")
+}
+
+fn plain(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut letters = text.chars();
+    while let Some(letter) = letters.next() {
+        out.push(match (letter, letter == '\\') {
+            (_, true) => match letters.next() {
+                Some('t') => '\t',
+                Some('n') => '\n',
+                Some('r') => '\r',
+                other => other.unwrap_or('\\'),
+            },
+            (letter, false) => letter,
+        });
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn run(job: usize, scale: f64) -> Run {
+        Run {
+            job,
+            scale,
+            peak_ground_acceleration_m_s2: 0.1 + 0.2,
+            peak_ground_velocity_m_s: 1.0 / 3.0,
+            outcome: RunOutcome::Fell,
+            damage_state: 4,
+            joint_states: vec![0, 4, 3],
+            at_s: f64::NAN,
+            part: "stone\t\"1\"\\n".to_owned(),
+            gave_way: "a\nb\\".to_owned(),
+            measures: (0..10).map(|n| f64::from(n).exp() * 1e-7).collect(),
+            why: String::new(),
+        }
+    }
+
+    fn header() -> JournalHeader {
+        JournalHeader {
+            study: "a b".to_owned(),
+            version: "0.1.0".to_owned(),
+            jobs: 7,
+            shard: (1, 2),
+            inputs: vec![
+                ("project".to_owned(), fingerprint(b"x")),
+                ("motion a=b".to_owned(), fingerprint(b"y")),
+            ],
+        }
+    }
+
+    #[test]
+    fn exact_what_is_written_is_read_to_the_last_bit() {
+        let runs = [run(0, 0.1), run(3, 1e-300), run(6, 2.0 / 3.0)];
+        let text = header_line(&header()) + &runs.iter().map(run_line).collect::<String>();
+        let read = read_journal(&text, StudyKind::Stack).unwrap();
+        assert_eq!(read.header, header());
+        assert_eq!(read.whole_bytes, text.len());
+        assert!(
+            read.runs.iter().zip(&runs).all(|(a, b)| a.is_same(b)),
+            "{:?}",
+            read.runs
+        );
+    }
+
+    #[test]
+    fn holds_a_journal_torn_anywhere_loses_no_whole_line() {
+        let runs = [run(0, 0.1), run(1, 0.2), run(2, 0.3)];
+        let lines: Vec<String> = runs.iter().map(run_line).collect();
+        let head = header_line(&header());
+        let text = head.clone() + &lines.concat();
+        for end in head.len()..text.len() {
+            let read = read_journal(&text[..end], StudyKind::Stack).unwrap();
+            let whole = lines
+                .iter()
+                .scan(head.len(), |at, line| {
+                    *at += line.len();
+                    Some(*at)
+                })
+                .filter(|at| *at <= end)
+                .count();
+            assert_eq!(read.runs.len(), whole, "{end}");
+            assert!(read.whole_bytes <= end);
+        }
+        assert_eq!(
+            read_journal(&text[..head.len() - 1], StudyKind::Stack).unwrap_err(),
+            JournalError::Header
+        );
+    }
+
+    #[test]
+    fn refuses_a_changed_line_and_names_what_differs() {
+        let text = header_line(&header()) + &run_line(&run(0, 0.1)) + &run_line(&run(1, 0.2));
+        let changed = text.replacen("\t0.1\t", "\t0.3\t", 1);
+        let refused = read_journal(&changed, StudyKind::Stack).unwrap_err();
+        assert_eq!(refused, JournalError::Line { line: 2 });
+        let mut other = header();
+        other.shard = (2, 2);
+        assert_eq!(header().difference(&other), None);
+        other.inputs[1].1 = fingerprint(b"z");
+        assert_eq!(
+            header().difference(&other).unwrap(),
+            "changed since then: motion a=b"
+        );
+    }
+}

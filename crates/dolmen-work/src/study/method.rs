@@ -1,0 +1,199 @@
+//! How a study was computed, in words: every result says it.
+
+use super::answer::StudyAnswer;
+use super::run::StudyKind;
+use dolmen::assess::DamageThresholds;
+use dolmen::blocks::Springs;
+use dolmen_project::LawPart;
+use dolmen_words::Language;
+use dolmen_words::number::trimmed;
+
+/// Time after the motion in which a frame or a chain swings on if nothing else is said, s, in a study and a single
+/// simulation alike: with a damping ratio of 2 % a swing of 1 Hz dies down to a tenth. Chosen here.
+pub const SWING_REST_S: f64 = 20.0;
+
+/// A direction as it was written: degrees to their ninth decimal, which radians do not keep to the last digit.
+pub(super) fn direction_deg(turn_rad: f64) -> f64 {
+    (turn_rad.to_degrees() * 1e9).round() / 1e9
+}
+
+impl StudyAnswer {
+    /// Of a building whose dampers have a room: runs in which one needs more than it has, of how many, and the least peak of the ground at which,
+    /// m/s²; `None` if there is no such run. The runs do not know the stops.
+    pub fn beyond_room(&self) -> Option<(usize, usize, f64)> {
+        let place = self
+            .kind
+            .measures()
+            .iter()
+            .position(|name| *name == "stroke_over_room")?;
+        let known = self.runs.iter().filter_map(|run| {
+            let share = run.measures.get(place).copied().filter(|share| !share.is_nan())?;
+            Some((share, run.peak_ground_acceleration_m_s2))
+        });
+        let known: Vec<(f64, f64)> = known.collect();
+        let beyond: Vec<f64> = known
+            .iter()
+            .filter(|(share, _)| *share > 1.0)
+            .map(|(_, peak)| *peak)
+            .collect();
+        (!beyond.is_empty()).then(|| {
+            let least = beyond.iter().copied().fold(f64::INFINITY, f64::min);
+            (beyond.len(), known.len(), least)
+        })
+    }
+
+    /// Time after the motion, s.
+    pub fn rest_s(&self) -> f64 {
+        let usual = match self.kind {
+            StudyKind::Stack => Springs::default().rest_s,
+            StudyKind::Frame | StudyKind::Chain | StudyKind::Building => SWING_REST_S,
+        };
+        self.study.rest_s.unwrap_or(usual)
+    }
+
+    /// The contact law of a stack; `None` of what has none.
+    pub fn law(&self) -> Option<&'static str> {
+        (self.kind == StudyKind::Stack).then_some(match self.study.law {
+            LawPart::Springs => "springs",
+            LawPart::Rigid => "rigid",
+        })
+    }
+
+    /// Law, points, rest, refinement, seeds and version.
+    pub fn method(&self, language: Language) -> String {
+        let study = &self.study;
+        let mut words = Vec::new();
+        if let Some(law) = self.law() {
+            let korean = match study.law {
+                LawPart::Springs => "스프링 법칙",
+                LawPart::Rigid => "강체 법칙",
+            };
+            words.push(language.pick(format!("{law} law"), korean.to_owned()));
+            let points = study.points;
+            words.push(language.pick(
+                format!("{points} contact points a joint"),
+                format!("접합면당 접촉점 {points}개"),
+            ));
+            if points == 4 && study.law == LawPart::Springs {
+                words.push(
+                    language
+                        .pick(
+                            "which make joints three times as stiff in rocking as faces are: capacities come out too large",
+                            "접합면의 회전강성이 약 3배로 커져 내력이 크게 산정됨",
+                        )
+                        .to_owned(),
+                );
+            }
+        }
+        if self.kind == StudyKind::Building {
+            let limits = study
+                .drift_limits
+                .map(|limit| trimmed(100.0 * limit, 4))
+                .join(", ");
+            words.push(language.pick(
+                format!("drift limits {limits} % of the storey's height"),
+                format!("층간변위 한계 층고의 {limits} %"),
+            ));
+        }
+        if study.damage != DamageThresholds::default() {
+            words.push(
+                language
+                    .pick("damage states of its own", "손상 상태 기준 별도 지정")
+                    .to_owned(),
+            );
+        }
+        if study.scan.is_some() {
+            let rest = trimmed(self.rest_s(), 3);
+            words.push(match (self.kind, study.rest_s) {
+                (StudyKind::Building, None) => language.pick(
+                    format!("{rest} s and at least ten periods after the motion"),
+                    format!("지진동 종료 후 {rest}초, 최소 10주기"),
+                ),
+                _ => language.pick(
+                    format!("{rest} s after the motion"),
+                    format!("지진동 종료 후 {rest}초"),
+                ),
+            });
+            let part = part_of_step(study.refine);
+            words.push(language.pick(
+                format!("first fall to {part} of a step"),
+                match study.refine {
+                    0 => "최초 낙하는 한 단계까지".to_owned(),
+                    _ => format!("최초 낙하는 단계의 {part}까지"),
+                },
+            ));
+        }
+        if study.samples.is_some() {
+            let seed = study.seed;
+            words.push(language.pick(format!("samples from seed {seed}"), format!("표본 시드 {seed}")));
+        }
+        if let Some(made) = &study.artificial {
+            let seed = made.seed;
+            words.push(language.pick(
+                format!("noise from seed {seed}"),
+                format!("인공 지진동 시드 {seed}"),
+            ));
+        }
+        words.push(format!("Dolmen {}", self.version));
+        words.join(", ")
+    }
+}
+
+/// To what part of a step of the scan so many halvings lead.
+pub fn part_of_step(halvings: u32) -> String {
+    match halvings {
+        0 => "the whole".to_owned(),
+        n => format!("1/{}", 1_u64 << n.min(63)),
+    }
+}
+
+/// An input in words, with its path; in English, and of what has no words here, the path alone.
+pub fn input_words(path: &str, language: Language) -> String {
+    const WORDS: [(&str, &str); 14] = [
+        ("joint.friction", "접합면 마찰계수"),
+        ("joint.normal_stiffness", "접합면 수직강성"),
+        ("joint.shear_stiffness", "접합면 전단강성"),
+        ("joint.damping_ratio", "접합면 감쇠비"),
+        ("joint.restitution", "접합면 반발계수"),
+        ("density", "밀도"),
+        ("pagoda.storeys", "탑 층수"),
+        ("pagoda.body_height", "탑신 높이"),
+        ("height", "높이"),
+        ("width", "폭"),
+        ("depth", "깊이"),
+        ("diameter", "지름"),
+        ("weight", "무게"),
+        ("tilt", "기울기"),
+    ];
+    let words_of = |name: &str| {
+        WORDS
+            .iter()
+            .find(|(known, _)| *known == name)
+            .map(|(_, words)| *words)
+    };
+    if language == Language::English {
+        return path.to_owned();
+    }
+    let of_stone = || {
+        let (number, rest) = path.strip_prefix("blocks[")?.split_once("].")?;
+        Some(format!("부재 {number} {}", words_of(rest)?))
+    };
+    match words_of(path).map(str::to_owned).or_else(of_stone) {
+        Some(words) => format!("{words}, {path}"),
+        None => path.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_inputs_have_words_beside_their_path() {
+        let korean = |path| input_words(path, Language::Korean);
+        assert_eq!(korean("joint.friction"), "접합면 마찰계수, joint.friction");
+        assert_eq!(korean("blocks[2].height"), "부재 2 높이, blocks[2].height");
+        assert_eq!(korean("links[1].sway"), "links[1].sway");
+        assert_eq!(input_words("density", Language::English), "density");
+    }
+}

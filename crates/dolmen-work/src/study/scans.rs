@@ -1,0 +1,381 @@
+//! What scans show: first falls, what is open because runs cannot be used, and capacities at one value of an input.
+
+use super::run::{Run, RunOutcome};
+use dolmen::assess::{
+    Capacity, Observation, Reached, Reading, ScaleTrial, Trial, capacity, reached_quantile,
+};
+use dolmen_words::Language;
+
+/// Fewest scans of which 5 % and 95 % are said: of fewer they would be the least and the largest. Chosen here.
+pub const SCANS_OF_TAILS: usize = 20;
+
+/// How far a scan can be used.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ScanVerdict {
+    /// Its first fall is known.
+    Fell,
+    /// It fell at no scale, and none of its runs is lacking.
+    Beyond,
+    /// A run below its first fall cannot be used: only a bracket is known.
+    Bracketed,
+    /// Nothing is known.
+    Unusable,
+    /// Its inputs were refused: nothing was run.
+    Refused,
+    /// It is not done.
+    Missing,
+}
+
+impl ScanVerdict {
+    /// The word of tables and of JSON.
+    pub fn word(self) -> &'static str {
+        match self {
+            ScanVerdict::Fell => "fell",
+            ScanVerdict::Beyond => "beyond",
+            ScanVerdict::Bracketed => "bracketed",
+            ScanVerdict::Unusable => "unusable",
+            ScanVerdict::Refused => "refused",
+            ScanVerdict::Missing => "missing",
+        }
+    }
+
+    /// Whether it takes part in quantiles and trends.
+    pub fn is_usable(self) -> bool {
+        matches!(self, ScanVerdict::Fell | ScanVerdict::Beyond)
+    }
+}
+
+/// What one scan shows.
+#[derive(Clone, Debug)]
+pub struct CapacityOf {
+    /// Its case, motion and direction.
+    pub job: usize,
+    /// How far it can be used.
+    pub verdict: ScanVerdict,
+    /// First fall and what was survived, as factors on the motion; `None` where nothing was run.
+    pub scan: Option<Capacity>,
+    /// Largest horizontal peak of the motion at scale 1, m/s²; not a number where nothing was run.
+    pub peak_of_scale_1_m_s2: f64,
+    /// Largest velocity of that component at scale 1, m/s.
+    pub velocity_of_scale_1_m_s: f64,
+    /// Peak at which DS1, DS2, DS3 are first reached, and the first fall, m/s²; of scans that can be used.
+    pub first_m_s2: Option<[Reached; 4]>,
+    /// What is known of when DS1, DS2, DS3 and a fall are first reached, as peaks, m/s²; also of scans of which only a bracket is known.
+    pub seen_m_s2: [Option<Observation>; 4],
+}
+
+impl CapacityOf {
+    /// Peak at which it first fell, m/s².
+    pub fn first_fall_m_s2(&self) -> Option<Reached> {
+        self.first_m_s2.map(|first| first[3])
+    }
+
+    /// Peak up to which every size tried was survived, m/s²; 0 if there is none.
+    pub fn survived_m_s2(&self) -> f64 {
+        self.in_m_s2(self.scan.as_ref().map(|scan| scan.survived_below))
+            .unwrap_or(0.0)
+    }
+
+    /// The least peak that it fell at, whatever lies below, m/s².
+    pub fn fell_m_s2(&self) -> Option<f64> {
+        self.in_m_s2(self.scan.as_ref().and_then(|scan| scan.first_fall))
+    }
+
+    /// The largest peak that was tried, m/s².
+    pub fn largest_m_s2(&self) -> Option<f64> {
+        self.in_m_s2(self.scan.as_ref().map(|scan| scan.largest_tried))
+    }
+
+    /// Peaks above the first fall that were survived, m/s².
+    pub fn survived_above_m_s2(&self) -> Vec<f64> {
+        let scales = self.scan.iter().flat_map(|scan| &scan.survived_above);
+        scales.map(|scale| scale * self.peak_of_scale_1_m_s2).collect()
+    }
+
+    /// The same of a linear building, in which everything is in proportion: the largest of its runs tells exactly when each drift limit is reached, up
+    /// to the largest size that was tried. `place` is that of the drift ratio among the numbers of a run.
+    pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4], place: usize) -> Self {
+        let ratio = |run: &Run| run.measures.get(place).copied().filter(|ratio| *ratio > 0.0);
+        let usable = runs.iter().filter(|run| run.scale > 0.0);
+        let known = usable.filter_map(|run| Some((run.peak_ground_acceleration_m_s2, ratio(run)?)));
+        let Some((largest, ratio)) = known.reduce(|most, own| if own.0 > most.0 { own } else { most }) else {
+            return self;
+        };
+        let exact = limits.map(|limit| limit * (largest / ratio));
+        if self.first_m_s2.is_some() {
+            self.first_m_s2 = Some(exact.map(|peak| match peak <= largest {
+                true => Reached::At(peak),
+                false => Reached::Above(largest),
+            }));
+        }
+        for (seen, peak) in self.seen_m_s2.iter_mut().zip(exact) {
+            *seen = seen.map(|_| match peak <= largest {
+                true => Observation::At(peak),
+                false => Observation::Above(largest),
+            });
+        }
+        self
+    }
+
+    /// How many of its runs cannot be used.
+    pub fn unusable_runs(&self) -> usize {
+        self.scan.as_ref().map_or(0, |scan| scan.unknown.len())
+    }
+
+    fn in_m_s2(&self, scale: Option<f64>) -> Option<f64> {
+        scale.map(|scale| scale * self.peak_of_scale_1_m_s2)
+    }
+}
+
+/// Capacities over everything else at one value of an input.
+#[derive(Clone, Debug)]
+pub struct LevelRow {
+    /// The input, an index; `None` for the variant.
+    pub input: Option<usize>,
+    /// The value as it is written.
+    pub text: String,
+    /// In SI, if it is a number.
+    pub value: Option<f64>,
+    /// Its scans, also those that cannot be used.
+    pub scans: Vec<CapacityOf>,
+}
+
+impl LevelRow {
+    /// The value as it is shown: of a study that varies nothing "all".
+    pub fn shown(&self, language: Language) -> &str {
+        match (self.input, self.text.as_str()) {
+            (None, "all") => language.pick("all", "전체"),
+            (_, text) => text,
+        }
+    }
+
+    /// Scans that can be used.
+    pub fn usable(&self) -> usize {
+        self.scans.iter().filter(|scan| scan.verdict.is_usable()).count()
+    }
+
+    /// Scans that cannot.
+    pub fn left_out(&self) -> impl Iterator<Item = &CapacityOf> {
+        self.scans.iter().filter(|scan| !scan.verdict.is_usable())
+    }
+
+    /// Peaks at which a state, 0 to 3, is first reached, m/s², by size.
+    pub fn first_m_s2(&self, state: usize) -> Vec<Reached> {
+        let mut first: Vec<Reached> = self
+            .scans
+            .iter()
+            .filter_map(|scan| scan.first_m_s2.map(|first| first[state]))
+            .collect();
+        first.sort_by(|a, b| a.value().total_cmp(&b.value()));
+        first
+    }
+
+    /// How many of those that can be used fell.
+    pub fn fell(&self) -> usize {
+        self.first_m_s2(3)
+            .iter()
+            .filter(|first| first.is_reached())
+            .count()
+    }
+
+    /// The least first fall, m/s²; the least that was tried where none fell; `None` without a scan that can be used.
+    pub fn least_m_s2(&self) -> Option<Reached> {
+        let first = self.first_m_s2(3);
+        let fell = first.iter().find(|first| first.is_reached());
+        fell.or(first.first()).copied()
+    }
+
+    /// A quantile of the peaks at which a state is first reached, m/s²; `None` without a scan that can be used, and of tails with fewer
+    /// than [`SCANS_OF_TAILS`].
+    pub fn quantile_m_s2(&self, state: usize, probability: f64) -> Option<Reached> {
+        let is_tail = probability != 0.5;
+        if is_tail && self.usable() < SCANS_OF_TAILS {
+            return None;
+        }
+        reached_quantile(&self.first_m_s2(state), probability)
+    }
+
+    /// Scans that can be used and survived a size above their first fall.
+    pub fn survived_above(&self) -> usize {
+        let usable = self.scans.iter().filter(|scan| scan.verdict.is_usable());
+        usable
+            .filter(|scan| {
+                scan.scan
+                    .as_ref()
+                    .is_some_and(|scan| !scan.survived_above.is_empty())
+            })
+            .count()
+    }
+}
+
+/// What one run says of a state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Seen {
+    Reached,
+    NotReached,
+    /// The run cannot be used, or ended before it could be told.
+    Unknown,
+}
+
+/// What runs at rising sizes say of when a state is first reached; `None` if they say nothing.
+pub(super) fn first_seen(runs: impl Iterator<Item = (f64, Seen)>) -> Option<Observation> {
+    let (mut below, mut is_open) = (None, false);
+    for (size, seen) in runs {
+        match seen {
+            Seen::Reached => {
+                return Some(match below {
+                    Some(below) => Observation::Between(below, size),
+                    None => Observation::Below(size),
+                });
+            }
+            Seen::NotReached if !is_open => below = Some(size),
+            Seen::NotReached => {}
+            Seen::Unknown => is_open = true, // the state may have been reached first here
+        }
+    }
+    below.map(Observation::Above)
+}
+
+/// What the runs of one scan show; `is_whole`: none is lacking.
+pub(super) fn capacity_of(job: usize, runs: &[Run], is_whole: bool) -> CapacityOf {
+    let usable: Vec<&Run> = runs.iter().filter(|run| run.scale > 0.0).collect();
+    let tried: Vec<ScaleTrial> = usable
+        .iter()
+        .map(|run| ScaleTrial {
+            scale: run.scale,
+            trial: run.outcome.trial(),
+        })
+        .collect();
+    let scan = capacity(&tried).ok().filter(|_| !tried.is_empty());
+    let reading = scan.as_ref().map(Capacity::reading);
+    let verdict = match reading {
+        _ if runs.iter().any(|run| run.scale == 0.0) => ScanVerdict::Refused,
+        _ if !is_whole => ScanVerdict::Missing,
+        Some(Reading::Fell(_)) => ScanVerdict::Fell,
+        Some(Reading::Beyond(_)) => ScanVerdict::Beyond,
+        Some(Reading::Open { survived, fell }) if survived > 0.0 || fell.is_some() => ScanVerdict::Bracketed,
+        Some(Reading::Open { .. }) | None => ScanVerdict::Unusable,
+    };
+    let largest = usable.iter().map(|run| run.peak_ground_acceleration_m_s2);
+    let largest = largest.fold(0.0, f64::max);
+    let first = |state: u8| {
+        let reached = usable.iter().filter(|run| run.damage_state >= state);
+        let least = reached
+            .map(|run| run.peak_ground_acceleration_m_s2)
+            .fold(f64::INFINITY, f64::min);
+        match least.is_finite() {
+            true => Reached::At(least),
+            false => Reached::Above(largest),
+        }
+    };
+    let seen = |state: u8| {
+        let each = usable.iter().map(|run| {
+            let seen = match run.outcome.trial() {
+                _ if run.damage_state >= state => Seen::Reached,
+                Trial::Unknown => Seen::Unknown,
+                Trial::Fell | Trial::Survived => Seen::NotReached,
+            };
+            (run.peak_ground_acceleration_m_s2, seen)
+        });
+        first_seen(each).filter(|_| is_whole)
+    };
+    CapacityOf {
+        job,
+        verdict,
+        scan,
+        peak_of_scale_1_m_s2: usable
+            .first()
+            .map_or(f64::NAN, |run| run.peak_ground_acceleration_m_s2 / run.scale),
+        velocity_of_scale_1_m_s: usable
+            .first()
+            .map_or(f64::NAN, |run| run.peak_ground_velocity_m_s / run.scale),
+        first_m_s2: verdict
+            .is_usable()
+            .then(|| [first(1), first(2), first(3), first(4)]),
+        seen_m_s2: [1, 2, 3, 4].map(seen),
+    }
+}
+
+impl RunOutcome {
+    /// What a scan makes of it.
+    pub fn trial(self) -> Trial {
+        match self {
+            RunOutcome::Fell => Trial::Fell,
+            RunOutcome::StillMoving | RunOutcome::Diverged | RunOutcome::Refused => Trial::Unknown,
+            RunOutcome::Stood | RunOutcome::Uplifted | RunOutcome::Slid => Trial::Survived,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn runs(outcomes: &[RunOutcome]) -> Vec<Run> {
+        let each = outcomes.iter().zip(1..);
+        each.map(|(&outcome, scale)| Run {
+            job: 0,
+            scale: f64::from(scale),
+            peak_ground_acceleration_m_s2: 2.0 * f64::from(scale),
+            peak_ground_velocity_m_s: 0.1,
+            outcome,
+            damage_state: if outcome == RunOutcome::Fell { 4 } else { 0 },
+            joint_states: Vec::new(),
+            at_s: f64::NAN,
+            part: String::new(),
+            gave_way: String::new(),
+            measures: Vec::new(),
+            why: String::new(),
+        })
+        .collect()
+    }
+
+    /// What lies above a run that says nothing cannot be told to be below the state.
+    #[test]
+    fn exact_what_runs_say_of_when_a_state_begins() {
+        use Seen::{NotReached as No, Reached as Yes, Unknown as Open};
+        let of = |all: &[Seen]| first_seen((1..).map(f64::from).zip(all.iter().copied()));
+        assert_eq!(of(&[No, No, Yes, No]), Some(Observation::Between(2.0, 3.0)));
+        assert_eq!(of(&[No, Open, No, Yes]), Some(Observation::Between(1.0, 4.0)));
+        assert_eq!(of(&[Open, No, Yes]), Some(Observation::Below(3.0)));
+        assert_eq!(of(&[No, No, Open, No]), Some(Observation::Above(2.0)));
+        assert_eq!(of(&[Open, No]), None);
+        assert_eq!(of(&[]), None);
+    }
+
+    #[test]
+    fn holds_what_cannot_be_used_is_left_out_with_its_bracket() {
+        use RunOutcome::{Diverged, Fell, Refused, Stood};
+        let row = |scans: &[&[RunOutcome]]| LevelRow {
+            input: None,
+            text: String::new(),
+            value: None,
+            scans: scans
+                .iter()
+                .map(|ends| capacity_of(0, &runs(ends), true))
+                .collect(),
+        };
+        let refused = row(&[&[Refused, Refused]]);
+        assert_eq!((refused.usable(), refused.fell()), (0, 0));
+        assert_eq!(refused.quantile_m_s2(3, 0.5), None);
+        assert_eq!(refused.scans[0].verdict, ScanVerdict::Unusable);
+        let mixed = row(&[&[Stood, Fell], &[Stood, Diverged, Fell], &[Stood, Stood]]);
+        assert_eq!(
+            (mixed.usable(), mixed.fell(), mixed.least_m_s2()),
+            (2, 1, Some(Reached::At(4.0)))
+        );
+        let open = mixed.left_out().next().unwrap();
+        assert_eq!(open.verdict, ScanVerdict::Bracketed);
+        assert_eq!((open.survived_m_s2(), open.fell_m_s2()), (2.0, Some(6.0)));
+        assert_eq!(open.seen_m_s2[3], Some(Observation::Between(2.0, 6.0)));
+        assert_eq!(mixed.quantile_m_s2(3, 0.05), None);
+        assert_eq!(mixed.quantile_m_s2(3, 0.5), Some(Reached::At(4.0)));
+        let halfway = capacity_of(0, &runs(&[Stood, Stood]), false);
+        assert_eq!(
+            (halfway.verdict, halfway.first_m_s2),
+            (ScanVerdict::Missing, None)
+        );
+        let many: Vec<&[RunOutcome]> = vec![&[Stood, Fell]; SCANS_OF_TAILS];
+        assert_eq!(row(&many).quantile_m_s2(3, 0.05), Some(Reached::At(4.0)));
+    }
+}

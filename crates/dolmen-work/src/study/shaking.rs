@@ -1,0 +1,193 @@
+//! Measures of the size of shaking beside the peak of the ground, and which of them tells most.
+
+use super::answer::StudyAnswer;
+use super::fragility::{CombinationFragility, StateFragility};
+use dolmen::assess::{Observation, RockingScale, fit_fragility_of_motions};
+use dolmen_words::number::trimmed;
+
+/// A measure of the size of shaking. All grow in proportion with a motion.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ShakingMeasure {
+    /// Peak velocity of the ground, m/s.
+    PeakVelocity,
+    /// Pseudo-spectral acceleration of the component that the peak is of, m/s².
+    Spectral {
+        /// Its place among the periods of the study.
+        index: usize,
+        /// The period, s.
+        period_s: f64,
+    },
+    /// Peak acceleration over that which lifts the part that lifts first, –.
+    UpliftRatio,
+    /// Peak velocity over that which blocks of the shape and size of that part overturn at, –.
+    VelocityRatio,
+}
+
+impl ShakingMeasure {
+    /// What it is called.
+    pub fn words(self) -> String {
+        match self {
+            ShakingMeasure::PeakVelocity => "PGV".to_owned(),
+            ShakingMeasure::Spectral { period_s, .. } => format!("S_a({} s)", trimmed(period_s, 3)),
+            ShakingMeasure::UpliftRatio => "PGA/(g tan α)".to_owned(),
+            ShakingMeasure::VelocityRatio => "p·PGV/(g tan α)".to_owned(),
+        }
+    }
+
+    /// Its name in columns, without a unit.
+    pub fn key(self) -> String {
+        match self {
+            ShakingMeasure::PeakVelocity => "pgv".to_owned(),
+            ShakingMeasure::Spectral { period_s, .. } => format!("sa_{}_s", trimmed(period_s, 3)),
+            ShakingMeasure::UpliftRatio => "uplift_ratio".to_owned(),
+            ShakingMeasure::VelocityRatio => "velocity_ratio".to_owned(),
+        }
+    }
+
+    /// The same with its unit.
+    pub fn column(self) -> String {
+        let unit = match self {
+            ShakingMeasure::PeakVelocity => "_m_s",
+            ShakingMeasure::Spectral { .. } => "_m_s2",
+            ShakingMeasure::UpliftRatio | ShakingMeasure::VelocityRatio => "",
+        };
+        self.key() + unit
+    }
+}
+
+/// What measures of a study's shaking rest on.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ShakingScales {
+    /// S_a over the peak of the ground, a row a motion and direction, by the periods of the study; no rows where a motion is itself varied, or its samples
+    /// are too far apart for a period.
+    pub spectral_over_peak: Vec<Vec<f64>>,
+    /// Of a stack, by combination, with its mean inputs: the part that lifts first.
+    pub rocking: Vec<Option<RockingScale>>,
+}
+
+/// How one state's capacities scatter by the peak of the ground and by the other measures.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeasureComparison {
+    /// The state, 0 to 3.
+    pub state: usize,
+    /// Combinations that `within` is of.
+    pub combinations: usize,
+    /// β within a combination, the root of the mean of the squares: by peak acceleration first, then by each of [`StudyAnswer::measures`]; `None`
+    /// where there is no curve.
+    pub within: Vec<Option<f64>>,
+    /// β of all combinations, one curve for all.
+    pub together: Vec<Option<f64>>,
+}
+
+impl StudyAnswer {
+    /// The measures beside the peak acceleration that are known of this study.
+    pub fn measures(&self) -> Vec<ShakingMeasure> {
+        let mut found = vec![ShakingMeasure::PeakVelocity];
+        if !self.shaking.spectral_over_peak.is_empty() {
+            let periods = self.study.spectral_periods_s.iter().enumerate();
+            found.extend(periods.map(|(index, &period_s)| ShakingMeasure::Spectral { index, period_s }));
+        }
+        if self.shaking.rocking.iter().any(Option::is_some) {
+            found.extend([ShakingMeasure::UpliftRatio, ShakingMeasure::VelocityRatio]);
+        }
+        found
+    }
+
+    /// A measure of the shaking of a job at a peak acceleration, m/s², and a peak velocity, m/s; `None` where it is not known.
+    pub fn intensity(&self, job: usize, measure: ShakingMeasure, [peak, velocity]: [f64; 2]) -> Option<f64> {
+        let rocking = || {
+            let of = self.shaking.rocking.get(self.combination_of(job));
+            of.copied().flatten()
+        };
+        match measure {
+            ShakingMeasure::PeakVelocity => Some(velocity),
+            ShakingMeasure::Spectral { index, .. } => {
+                let turns = self.study.turns_rad.len();
+                let place = self.motion_index(job) * turns + job % turns;
+                let row = self.shaking.spectral_over_peak.get(place)?;
+                Some(peak * row.get(index)?)
+            }
+            ShakingMeasure::UpliftRatio => Some(rocking()?.uplift_ratio(peak, self.gravity_m_s2)),
+            ShakingMeasure::VelocityRatio => Some(rocking()?.velocity_ratio(velocity, self.gravity_m_s2)),
+        }
+    }
+
+    pub(super) fn fit_measures(&self, found: &[CombinationFragility]) -> Vec<MeasureComparison> {
+        let measures = self.measures();
+        let mut all = Vec::new();
+        for state in 0..4 {
+            let own = found.iter().filter_map(|one| {
+                let own = one.states.iter().find(|own| own.state == state)?;
+                (own.by_measure.len() == measures.len()).then_some(own)
+            });
+            let own: Vec<&StateFragility> = own.collect();
+            let betas = |state: &&StateFragility| -> Vec<Option<f64>> {
+                let fits = std::iter::once(&state.by_acceleration);
+                let fits = fits.chain(state.by_measure.iter().map(|by| &by.fit));
+                fits.map(|fit| Some(fit.as_ref().ok()?.curve.beta())).collect()
+            };
+            let of_each: Vec<Vec<Option<f64>>> = own.iter().map(betas).collect();
+            let whole: Vec<&Vec<Option<f64>>> = match of_each.as_slice() {
+                [only] => vec![only],
+                several => several
+                    .iter()
+                    .filter(|betas| betas.iter().all(Option::is_some))
+                    .collect(),
+            };
+            let mean_square = |place: usize| {
+                let squares = whole.iter().map(|betas| betas[place].map(|beta| beta * beta));
+                let squares: Vec<f64> = squares.collect::<Option<_>>()?;
+                let count = squares.len() as f64;
+                (count > 0.0).then(|| (squares.iter().sum::<f64>() / count).sqrt())
+            };
+            let together = |place: usize| {
+                let (mut seen, mut motions) = (Vec::new(), Vec::new());
+                for state in &own {
+                    for (i, observation) in state.observations.iter().enumerate() {
+                        let factor = match place {
+                            0 => 1.0,
+                            place => state.by_measure[place - 1].over_peak[i],
+                        };
+                        seen.push(scaled(*observation, factor));
+                    }
+                    motions.extend(&state.motions);
+                }
+                let fit = fit_fragility_of_motions(&seen, &motions).ok();
+                fit.map(|fit| fit.curve.beta())
+            };
+            let places = 0..=measures.len();
+            let compared = MeasureComparison {
+                state,
+                combinations: whole.len(),
+                within: places.clone().map(mean_square).collect(),
+                together: places.map(together).collect(),
+            };
+            let has_any = compared
+                .within
+                .iter()
+                .chain(&compared.together)
+                .any(Option::is_some);
+            all.extend(has_any.then_some(compared));
+        }
+        all
+    }
+}
+
+/// An observation in another measure of the same motion.
+pub(super) fn scaled(observation: Observation, factor: f64) -> Observation {
+    match observation {
+        Observation::Stripe {
+            intensity,
+            motions,
+            reached,
+        } => Observation::Stripe {
+            intensity: factor * intensity,
+            motions,
+            reached,
+        },
+        Observation::At(x) => Observation::At(factor * x),
+        Observation::Above(x) => Observation::Above(factor * x),
+        Observation::Below(x) => Observation::Below(factor * x),
+        Observation::Between(low, high) => Observation::Between(factor * low, factor * high),
+    }
+}
