@@ -1,5 +1,6 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
+use crate::cli_language::{Language, positive};
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_tune::Tune;
 use clap::builder::TypedValueParser as _;
@@ -11,9 +12,9 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "dolmen", version, max_term_width = 110, propagate_version = true)]
 #[command(
-    after_help = "Exit status: 0 stands or done, 1 a verdict is \"unstable\" or \"below demand\", or a stone fell, 2 bad input, 3 a computation did \
-                        not converge, ended undecided or was stopped. A study is done with 0 whatever fell, and ends with 3 where \
-                        a scan is missing or cannot be used.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
+    after_help = "Exit status of check, simulate and report: 1 where the judgement is red (unstable, below demand, fallen, beyond its room, \
+                        damage state 3), else 0. Other verbs: 0 when done, whatever they found. Of all: 2 bad input, 3 a computation did not \
+                        converge, ended undecided or was stopped.\nStart with `dolmen demo`, or `dolmen new flagpole DIR` and `dolmen check DIR`."
 )]
 pub(crate) struct Cli {
     #[command(subcommand)]
@@ -446,14 +447,6 @@ pub(crate) struct Report {
     pub(crate) date: Option<String>,
 }
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Language {
-    /// English
-    En,
-    /// Korean
-    Ko,
-}
-
 #[derive(Debug, Args)]
 pub(crate) struct Demo {
     /// Folder to make for the examples and the report
@@ -462,12 +455,4 @@ pub(crate) struct Demo {
     /// Language of the page
     #[arg(long, value_enum, default_value_t = Language::En)]
     pub(crate) language: Language,
-}
-
-/// A positive number.
-pub(crate) fn positive(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(value) if value > 0.0 && value.is_finite() => Ok(value),
-        _ => Err("must be a positive number".to_owned()),
-    }
 }

@@ -1,6 +1,6 @@
 //! Arguments of the verbs that put structures into order.
 
-use crate::cli::Language;
+use crate::cli_language::Language;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 

@@ -1,6 +1,6 @@
 //! Arguments of `dolmen tune`.
 
-use crate::cli::{Language, positive};
+use crate::cli_language::{Language, positive};
 use clap::builder::TypedValueParser as _;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -48,28 +48,6 @@ pub(crate) struct Tune {
     /// Language of the figures
     #[arg(long, value_enum, default_value_t = Language::En)]
     pub(crate) language: Language,
-}
-
-impl Tune {
-    /// What a report shows: a white-noise force along the damper, a coarser map.
-    pub(crate) fn of_report(project: &std::path::Path) -> Self {
-        Tune {
-            project: project.to_owned(),
-            damper: None,
-            variant: None,
-            load: TuneLoad::Force,
-            corner: 0.05,
-            ground: 2.5,
-            load_direction: None,
-            goal: TuneGoal::LargestRms,
-            map: 24,
-            stroke_most: None,
-            off: 0.0,
-            share_mass: false,
-            output: None,
-            language: Language::En,
-        }
-    }
 }
 
 /// 0 or more, below one half.

@@ -1,8 +1,10 @@
 //! The only place that touches the disk: opening inputs with a clear error, and writing results whole or not at all.
 
 use anyhow::{Context as _, Result, bail};
+use dolmen_records::FileError;
+use dolmen_report::figures::Figure;
 use std::fs;
-use std::io::Write as _;
+use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
 
 /// The project file that `path` means: itself, or `project.toml` in the folder it names.
@@ -29,6 +31,33 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
 /// All bytes of a file.
 pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
     fs::read(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// All bytes of a file that a project names, if they are not too many.
+pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+    let shown = || path.display().to_string();
+    let unreadable = |why: std::io::Error| FileError::Unreadable {
+        shown: shown(),
+        why: why.to_string(),
+    };
+    let file = fs::File::open(path).map_err(unreadable)?;
+    let bytes = file.metadata().map_err(unreadable)?.len();
+    let too_large = |bytes: u64| FileError::TooLarge {
+        shown: shown(),
+        bytes,
+        most,
+    };
+    if bytes > most {
+        return Err(too_large(bytes));
+    }
+    let mut read = Vec::with_capacity(bytes as usize);
+    file.take(most.saturating_add(1))
+        .read_to_end(&mut read)
+        .map_err(unreadable)?;
+    match read.len() as u64 {
+        bytes if bytes > most => Err(too_large(bytes)),
+        _ => Ok(read),
+    }
 }
 
 /// All of a text file, which must be UTF-8.
@@ -75,6 +104,27 @@ pub(crate) fn say(text: &str) -> Result<()> {
         Err(fault) if fault.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
         written => written.context("cannot write to standard output"),
     }
+}
+
+/// Prints a value as JSON.
+pub(crate) fn say_json(value: &serde_json::Value) -> Result<()> {
+    say(&format!("{value:#}\n"))
+}
+
+/// Writes a value as JSON.
+pub(crate) fn write_json(path: &Path, value: &serde_json::Value) -> Result<()> {
+    write(path, format!("{value:#}\n").as_bytes())
+}
+
+/// Writes figures into a folder.
+pub(crate) fn write_figures(folder: &Path, figures: &[Figure]) -> Result<()> {
+    for figure in figures {
+        write(
+            &folder.join(format!("{}.svg", figure.name)),
+            figure.svg.as_bytes(),
+        )?;
+    }
+    Ok(())
 }
 
 /// Makes `path` a folder to be filled: refused if it holds anything, so that nothing is overwritten.

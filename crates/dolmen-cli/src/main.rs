@@ -8,58 +8,47 @@ macro_rules! note {
     }};
 }
 
-mod building;
 mod check;
 mod cli;
+mod cli_language;
 mod cli_portfolio;
 mod cli_tune;
 mod compare;
-mod demand;
+mod examples;
+mod export;
 mod files;
 mod identify;
 mod motion;
-mod motion_verb;
-mod new;
 mod open;
+mod outcome;
+mod progress;
 mod rank;
 mod report;
+mod request;
 mod score;
 mod simulate;
-mod simulate_building;
-mod simulate_chain;
-mod simulate_frame;
-mod stack_frequencies;
 mod study;
+mod study_folder;
 mod tools;
 mod tune;
-mod tune_room;
-mod tune_together;
+mod typed;
 mod validate;
 
-use clap::Parser as _;
+use clap::{CommandFactory as _, FromArgMatches as _};
 use cli::{Cli, Verb};
+use outcome::Outcome;
 use std::process::ExitCode;
-
-/// How a run ended, other than by an error.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Outcome {
-    /// Nothing is unstable.
-    Stands,
-    /// A verdict is "unstable" or "below demand", or a stone fell.
-    Falls,
-    /// A simulation was stopped or diverged: there is no verdict.
-    Unfinished,
-    /// What could be done was; the rest was named with its error, whose exit status this is.
-    Partial(u8),
-}
+use typed::Typed;
 
 fn main() -> ExitCode {
-    let cli = Cli::parse();
-    match run(&cli) {
-        Ok(Outcome::Stands) => ExitCode::SUCCESS,
-        Ok(Outcome::Falls) => ExitCode::from(1),
+    let command = Cli::command();
+    let matches = command.clone().get_matches();
+    let typed = Typed::of(&command, &matches);
+    let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|fault| fault.exit());
+    match run(&cli, &typed) {
+        Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Unfinished) => ExitCode::from(tools::NO_CONVERGENCE),
-        Ok(Outcome::Partial(status)) => ExitCode::from(status),
+        Ok(Outcome::Judged(status)) => ExitCode::from(status),
         Err(fault) => {
             tools::complain(&fault);
             ExitCode::from(tools::exit_status(&fault))
@@ -67,19 +56,19 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(cli: &Cli) -> anyhow::Result<Outcome> {
+fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
     match &cli.verb {
-        Verb::New(options) => new::run(options, cli.quiet),
-        Verb::Check(options) => check::run(options, cli.json),
+        Verb::New(options) => examples::run(options, cli.quiet),
+        Verb::Check(options) => check::run(options, typed, cli.json),
         Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
         Verb::Compare(options) => compare::run(options, cli.json, cli.quiet),
-        Verb::Simulate(options) => simulate::run(options, cli.json, cli.quiet),
-        Verb::Study(options) => study::run(options, cli.json, cli.quiet),
-        Verb::Tune(options) => tune::run(options, cli.json, cli.quiet),
+        Verb::Simulate(options) => simulate::run(options, typed, cli.json, cli.quiet),
+        Verb::Study(options) => study::run(options, typed, cli.json, cli.quiet),
+        Verb::Tune(options) => tune::run(options, typed, cli.json, cli.quiet),
         Verb::Score(options) => score::run(options, cli.json, cli.quiet),
         Verb::Rank(options) => rank::run(options, cli.json, cli.quiet),
-        Verb::Motion(options) => motion_verb::run(options, cli.json, cli.quiet),
-        Verb::Report(options) => report::run(options, cli.quiet),
+        Verb::Motion(options) => motion::run(options, cli.json, cli.quiet),
+        Verb::Report(options) => report::run(options, typed, cli.quiet),
         Verb::Demo(options) => report::demo(options, cli.quiet),
         Verb::Schema => tools::schema(),
         Verb::Validate => validate::run(cli.json),

@@ -1,7 +1,8 @@
 //! What helps to use the command: explanations, completions, manual pages, and how errors are shown.
 
 use crate::cli::Cli;
-use crate::{Outcome, files};
+use crate::files;
+use crate::outcome::Outcome;
 use anyhow::{Context as _, Result, bail};
 use clap::CommandFactory as _;
 use dolmen::blocks::BlocksError;
@@ -66,19 +67,19 @@ pub(crate) fn explain(code: Option<&str>, as_json: bool) -> Result<Outcome> {
             println!("{}: {}\n\n{}", e.code, e.title, e.text);
         }
     }
-    Ok(Outcome::Stands)
+    Ok(Outcome::Done)
 }
 
 pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
     let mut script = Vec::new();
     clap_complete::generate(shell, &mut Cli::command(), "dolmen", &mut script);
     std::io::stdout().write_all(&script)?;
-    Ok(Outcome::Stands)
+    Ok(Outcome::Done)
 }
 
 pub(crate) fn schema() -> Result<Outcome> {
     files::say(&format!("{:#}\n", json_schema()))?;
-    Ok(Outcome::Stands)
+    Ok(Outcome::Done)
 }
 
 pub(crate) fn man(directory: Option<&Path>) -> Result<Outcome> {
@@ -91,5 +92,5 @@ pub(crate) fn man(directory: Option<&Path>) -> Result<Outcome> {
                 .with_context(|| format!("cannot write manual pages into {}", directory.display()))?;
         }
     }
-    Ok(Outcome::Stands)
+    Ok(Outcome::Done)
 }

@@ -3,10 +3,10 @@
 use super::check::Node;
 use super::content::Project;
 use super::error::{Fault, ProjectError};
-use super::files::Files;
 use super::merge::merge;
 use super::read::{of_toml, read_one, value_starts};
 use super::study::Override;
+use dolmen_records::Files;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -21,7 +21,7 @@ use toml::de::{DeTable, DeValue};
 ///
 /// # Example
 /// ```
-/// use dolmen_project::{Files, Structure, parse_combination, parse_project};
+/// use dolmen_project::{NoFiles, Structure, parse_combination, parse_project};
 /// let text = r#"
 /// schema = 1
 /// kind = "stack"
@@ -35,18 +35,18 @@ use toml::de::{DeTable, DeValue};
 /// "#;
 /// let study = &parse_project(text, "p.toml")?.studies[0];
 /// let (variant, values) = study.combination(1);
-/// let changed = parse_combination(text, "p.toml", &Files::none(), variant, &values)?;
+/// let changed = parse_combination(text, "p.toml", &NoFiles, variant, &values)?;
 /// let Structure::Stack(stack) = &changed.structure else { unreachable!() };
 /// assert_eq!(stack.pagoda.as_ref().map(|pagoda| pagoda.storeys), Some(5));
 /// let (variant, values) = study.combination(2);
-/// let refused = parse_combination(text, "p.toml", &Files::none(), variant, &values).unwrap_err();
+/// let refused = parse_combination(text, "p.toml", &NoFiles, variant, &values).unwrap_err();
 /// assert!(refused.to_string().contains("must be 1 to 13") && refused.problems[0].line == 8);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn parse_combination(
     text: &str,
     file: &str,
-    files: &Files,
+    files: &dyn Files,
     variant: Option<&str>,
     overrides: &[&Override],
 ) -> Result<Project, ProjectError> {
@@ -62,7 +62,7 @@ pub fn parse_combination(
 
 fn combined(
     text: &str,
-    files: &Files,
+    files: &dyn Files,
     variant: Option<&str>,
     overrides: &[&Override],
 ) -> Result<Project, Vec<Fault>> {

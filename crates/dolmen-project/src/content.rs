@@ -8,6 +8,8 @@ use super::site::{MotionPart, SitePart};
 use super::stack::StackPart;
 use super::study::StudyPart;
 use super::survey::{ChangePart, Survey};
+use std::collections::BTreeMap;
+use std::ops::Range;
 
 /// A name in one or both languages; at least one is given.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -119,6 +121,8 @@ pub struct Project {
     pub variants: Vec<Variant>,
     /// What every result must carry along.
     pub warnings: Vec<Warning>,
+    /// Where each value stands in the text of the file, by its path, in bytes: what a value is written back by.
+    pub spans: BTreeMap<String, Range<usize>>,
 }
 
 impl Project {

@@ -5,7 +5,6 @@ use super::content::{Project, Structure, Variant, WarningKind};
 use super::error::{Fault, ProjectError};
 use super::file::{FileRaw, KindRaw, NamesRaw};
 use super::file_number::At;
-use super::files::Files;
 use super::foreign::foreign_keys;
 use super::measure::{Bound, Measure};
 use super::merge::merge;
@@ -23,9 +22,10 @@ use super::schema_tree::{BUILT, TREE};
 use super::slips;
 use super::units::STANDARD_GRAVITY_M_S2;
 use dolmen::structure::StructureError;
+use dolmen_records::{Files, NoFiles};
 use serde::Deserialize;
 use std::borrow::Cow;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -68,14 +68,14 @@ const PATHS_LISTED: usize = 12;
 /// # Ok::<(), dolmen_project::ProjectError>(())
 /// ```
 pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {
-    parse_project_with(text, file, &Files::none())
+    parse_project_with(text, file, &NoFiles)
 }
 
 /// Reads a project file that may name others: meshes of stones, tables of spectra. `files` gives their bytes.
 ///
 /// # Errors
 /// As [`parse_project`]; what is wrong in a file is said at the key that names it.
-pub fn parse_project_with(text: &str, file: &str, files: &Files) -> Result<Project, ProjectError> {
+pub fn parse_project_with(text: &str, file: &str, files: &dyn Files) -> Result<Project, ProjectError> {
     read(text, files).map_err(|mut faults| {
         faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
         faults.dedup();
@@ -86,7 +86,7 @@ pub fn parse_project_with(text: &str, file: &str, files: &Files) -> Result<Proje
     })
 }
 
-fn read(text: &str, files: &Files) -> Result<Project, Vec<Fault>> {
+fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
@@ -181,7 +181,7 @@ pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
 ///
 /// `own` are the starts of the file's own values, if it is a variant.
 pub(super) fn read_one<'i>(
-    (text, files): (&str, &Files),
+    (text, files): (&str, &dyn Files),
     (root, span): (&mut DeTable<'i>, &Range<usize>),
     own: Option<BTreeSet<usize>>,
     faults: &mut Vec<Fault>,
@@ -219,7 +219,7 @@ pub(super) fn read_one<'i>(
 }
 
 fn of_raw(
-    (text, files): (&str, &Files),
+    (text, files): (&str, &dyn Files),
     mut raw: FileRaw,
     own: Option<BTreeSet<usize>>,
     check: &mut SchemaCheck<'_, '_>,
@@ -229,8 +229,8 @@ fn of_raw(
         raw.units.as_ref(),
         kind.unwrap_or(KindRaw::Survey),
         raw.allow.take(),
+        files,
     );
-    reader.files = files.clone();
     reader.set_evidence(raw.evidence, own);
     reader.take_over(&mut check.faults, std::mem::take(&mut check.meant));
     let gravity = reader.quantity(
@@ -291,6 +291,7 @@ fn of_raw(
             change,
             variants: Vec::new(),
             warnings: Vec::new(),
+            spans: BTreeMap::new(),
         },
         _ => {
             check.faults.append(&mut reader.faults);
@@ -299,6 +300,7 @@ fn of_raw(
     };
     warn_of_assumed(&mut reader, &project);
     project.warnings = reader.take_warnings(text);
+    project.spans = reader.take_places();
     Some(project)
 }
 
@@ -382,7 +384,7 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
 
 /// Lays one variant over the file and reads the whole again.
 fn variant<'i>(
-    source: (&str, &Files),
+    source: (&str, &dyn Files),
     name: &str,
     patch: &Spanned<DeValue<'i>>,
     base: (&DeTable<'i>, &Range<usize>),

@@ -9,6 +9,7 @@ use super::read_stack::lengths;
 use super::reader::Reader;
 use super::stack::{MeshPart, PointsFrame, ShapePart, TopPart};
 use dolmen::structure::stack::Solid;
+use dolmen_records::MESH_BYTES_MOST;
 use dolmen_records::meshes::read_mesh;
 use std::ops::Range;
 
@@ -262,8 +263,10 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
         let message = format!("{file_path} = \"{}\", the mesh of '{name}': {why}", file.value);
         reader.fault(Fault::new(file.span.clone(), &file_path, message));
     };
-    let read = reader.files.read(&file.value);
-    let mesh = read.and_then(|bytes| read_mesh(&bytes).map_err(|why| why.to_string()));
+    let read = reader.files.read(&file.value, MESH_BYTES_MOST);
+    let mesh = read
+        .map_err(|why| why.to_string())
+        .and_then(|bytes| read_mesh(&bytes).map_err(|why| why.to_string()));
     let mesh = match mesh {
         Ok(mesh) => mesh.merged().scaled(metres),
         Err(why) => {

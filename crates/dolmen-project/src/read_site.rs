@@ -11,6 +11,7 @@ use dolmen::assess::{AssessError, Hazard};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::numeric::NumericError;
 use dolmen::signal::Quantity;
+use dolmen_records::TABLE_BYTES_MOST;
 use dolmen_records::records::Unit;
 
 /// Damping ratio that codes give their plateaus for.
@@ -435,10 +436,10 @@ fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>>
         let message = format!("site.file = \"{}\": {why}", file.value);
         reader.fault(Fault::new(file.span.clone(), "site.file", message));
     };
-    let bytes = match reader.files.read(&file.value) {
+    let bytes = match reader.files.read(&file.value, TABLE_BYTES_MOST) {
         Ok(bytes) => bytes,
         Err(why) => {
-            refuse(reader, why);
+            refuse(reader, why.to_string());
             return None;
         }
     };

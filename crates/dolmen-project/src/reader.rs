@@ -4,12 +4,12 @@ use super::content::{Warning, WarningKind};
 use super::error::Fault;
 use super::file::{KindRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
-use super::files::Files;
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
 use super::read_survey::tilt_ratio;
 use super::units::{Dimension, Unit, UnitError, parse_unit, split_number};
 use super::written::with_unit;
+use dolmen_records::Files;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -23,8 +23,7 @@ struct BareUnit {
 }
 
 /// The state of one reading.
-#[derive(Debug, Default)]
-pub(super) struct Reader {
+pub(super) struct Reader<'f> {
     units: BTreeMap<Measure, BareUnit>,
     places: BTreeMap<String, Range<usize>>,
     allow: Vec<(At<String>, bool)>,
@@ -35,18 +34,31 @@ pub(super) struct Reader {
     /// Paths that a misspelt key was probably meant for.
     meant: Vec<String>,
     /// Where the files come from that the project names.
-    pub(super) files: Files,
+    pub(super) files: &'f dyn Files,
     /// Whether a unit of bare numbers is wrong: their size then says nothing.
     pub(super) has_wrong_units: bool,
     pub(super) faults: Vec<Fault>,
     warnings: Vec<(Range<usize>, Warning)>,
 }
 
-impl Reader {
-    pub(super) fn new(units: Option<&UnitsRaw>, kind: KindRaw, allow: Option<Vec<At<String>>>) -> Self {
+impl<'f> Reader<'f> {
+    pub(super) fn new(
+        units: Option<&UnitsRaw>,
+        kind: KindRaw,
+        allow: Option<Vec<At<String>>>,
+        files: &'f dyn Files,
+    ) -> Self {
         let mut reader = Reader {
+            units: BTreeMap::new(),
+            places: BTreeMap::new(),
             allow: allow.into_iter().flatten().map(|path| (path, false)).collect(),
-            ..Reader::default()
+            evidence: None,
+            own: None,
+            meant: Vec::new(),
+            files,
+            has_wrong_units: false,
+            faults: Vec::new(),
+            warnings: Vec::new(),
         };
         let Some(units) = units else {
             return reader;
@@ -152,6 +164,11 @@ impl Reader {
             message,
         };
         self.warnings.push((self.place(path), warning));
+    }
+
+    /// Where each value that was read stands in the text.
+    pub(super) fn take_places(&mut self) -> BTreeMap<String, Range<usize>> {
+        std::mem::take(&mut self.places)
     }
 
     /// The warnings, by line; entries of `allow` that nothing needed are among them.

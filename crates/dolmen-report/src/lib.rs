@@ -2,8 +2,10 @@
 
 pub mod explain;
 pub mod figures;
+pub mod film;
 pub mod html;
 pub mod json;
+pub mod tables;
 pub mod text;
 
 /// The listings of the book are compiled and run as tests.

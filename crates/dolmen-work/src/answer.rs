@@ -1,24 +1,45 @@
-//! Everything that was computed for one project: what the command fills, and text, JSON and report print.
+//! What the verbs answer, and everything that was computed for one project.
 
-use crate::building::BuildingAnswer;
-use crate::simulation::{BuildingSimulation, ChainSimulation, FrameSimulation, Simulation};
-use crate::study::StudyAnswer;
-use crate::tune::{TogetherAnswer, TuneAnswer};
-pub use crate::without_stiffness::WithoutStiffness;
-use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
-use dolmen::assess::{ChainCheck, FrameCheck, Probability, Sensitivity, StackCheck, SurveyChange};
-use dolmen::blocks::{MatchedFrequency, StackMode};
-use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note};
-use dolmen::signal::ChannelFault;
-use dolmen::stability::Verdict;
-use dolmen::stability::stack::DemandVerdict;
-use dolmen::structure::stack::Stack;
-use dolmen::structure::{Convention, StiffnessSolutions};
-use dolmen_project::{Names, Project, Quantity};
+use crate::building::{BuildingSimulation, TogetherAnswer, TuneAnswer};
+use crate::chain::ChainSimulation;
+use crate::frame::FrameSimulation;
+use crate::motion::MotionReport;
+use crate::portfolio::PortfolioAnswer;
+use crate::score::ScoreAnswer;
+use crate::simulation::{SimulateAnswer, Simulation};
+use crate::stack::StackSimulation;
+use crate::state::{SensitivityOf, State, VariantAnswer};
+use crate::study::{LeftOutStudy, StudyAnswer};
+use crate::surveyed::SurveyAnswer;
+use dolmen::assess::{Sensitivity, SurveyChange};
+use dolmen_project::Project;
 
-/// One project with its answers. What was not asked for, or cannot be computed, is empty or `None`.
+/// What a verb answers.
 #[derive(Clone, Debug)]
-pub struct Answer {
+pub enum Answer {
+    /// Does it stand.
+    Check(CheckAnswer),
+    /// Modes and stiffness of the surveys.
+    Identify(IdentifyAnswer),
+    /// What changed from one survey to another.
+    Compare(CompareAnswer),
+    /// The structure under a ground motion.
+    Simulate(SimulateAnswer),
+    /// A study.
+    Study(Box<StudyAnswer>),
+    /// Dampers of a building.
+    Tune(TuneAnswers),
+    /// The score of a pagoda.
+    Score(Box<ScoreAnswer>),
+    /// Many structures in order.
+    Rank(Box<PortfolioAnswer>),
+    /// Ground motions.
+    Motion(MotionReport),
+}
+
+/// Whether a structure and its variants stand.
+#[derive(Clone, Debug)]
+pub struct CheckAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
     /// What the file says.
@@ -31,490 +52,162 @@ pub struct Answer {
     pub sensitivities: Vec<Sensitivity>,
     /// The result that the sensitivities are of.
     pub sensitivity_of: SensitivityOf,
+}
+
+/// What the surveys of a project give.
+#[derive(Clone, Debug)]
+pub struct IdentifyAnswer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// What the file says.
+    pub project: Project,
     /// What was identified from each survey, in the order of the file.
     pub surveys: Vec<SurveyAnswer>,
-    /// What changed from one survey to another; `None` where fewer than two can be compared.
-    pub change: Option<SurveyChange>,
-    /// The stack under a ground motion; `None` if none was asked for.
-    pub simulation: Option<Box<Simulation>>,
-    /// The frame under a ground motion, one a direction of known stiffness, of the structure as it is and of its variants.
-    pub frame_simulations: Vec<FrameSimulation>,
-    /// The chain under a ground motion, as it is and in its variants.
-    pub chain_simulations: Vec<ChainSimulation>,
-    /// Dampers of a building beside the rule and the best.
+}
+
+/// What changed from one survey to another.
+#[derive(Clone, Debug)]
+pub struct CompareAnswer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// What the file says.
+    pub project: Project,
+    /// The change.
+    pub change: SurveyChange,
+}
+
+/// Dampers of a building beside the rule and the best.
+#[derive(Clone, Debug)]
+pub struct TuneAnswers {
+    /// Each by itself.
     pub tunings: Vec<TuneAnswer>,
     /// All dampers of a version at once, where there are several.
     pub together: Vec<TogetherAnswer>,
-    /// The building under a ground motion, as it is and in its variants.
-    pub building_simulations: Vec<BuildingSimulation>,
-    /// Studies that were run before, in the order of the file.
-    pub studies: Vec<StudyAnswer>,
 }
 
-/// The result whose sensitivities are given.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SensitivityOf {
-    /// λ: the structure's stiffness is known.
-    #[default]
-    LoadFactor,
-    /// Stiffness that equal joints of a chain need: its own is not known.
-    EqualJoints,
-    /// Horizontal acceleration at which a stack begins to move.
-    FirstMotion,
-}
-
-/// Whether one version of a structure stands.
+/// Everything that was computed for one project.
 #[derive(Clone, Debug)]
-pub struct State {
-    /// The check of the structure.
-    pub check: Check,
-    /// Measured tilt against the tilt at which a joint reaches its uplift limit, of the last survey that states one.
-    pub tilts: Vec<TiltCheck>,
-    /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
-    pub contradictions: Vec<FrequencyContradiction>,
-    /// What the springs of a stack must be multiplied by to have the frequencies that surveys measured.
-    pub spring_fits: Vec<SpringFit>,
-    /// What an earthquake asks for at its site; `None` if the file has none.
-    pub demand: Option<DemandAnswer>,
-    /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
-    pub sampled: Option<Sampled>,
+pub struct ProjectReport {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// What the file says.
+    pub project: Project,
+    /// The answers.
+    pub answers: Vec<Answer>,
+    /// Studies whose results could not be used.
+    pub left_out: Vec<LeftOutStudy>,
 }
 
-/// What an earthquake asks of a structure.
-#[derive(Clone, Debug, PartialEq)]
-pub struct DemandAnswer {
-    /// The site with every number on the way.
-    pub site: SiteDemand,
-    /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
-    pub stack: Option<StackDemandCheck>,
-    /// The spectrum at the first period of each direction that is known.
-    pub spectral: Vec<SpectralAt>,
-    /// Why nothing was compared, or a value is missing.
-    pub refused: Option<String>,
-}
-
-/// The spectrum at a first period.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpectralAt {
-    /// "x", "weak"; "all" for a structure that is the same in all.
-    pub direction: String,
-    /// T₁, s.
-    pub period_s: f64,
-    /// ζ at which the spectrum is read: that of the mode of a building, else that of the site.
-    pub damping_ratio: f64,
-    /// S_a(T₁, ζ), m/s².
-    pub acceleration_m_s2: f64,
-}
-
-/// Ratio of a measured first frequency to the model's (or the other way round) from which the stiffness of the model is
-/// not that of the structure measured: 10 %, a fifth in stiffness. Chosen here.
-pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
-
-/// A measured tilt against overturning, which a load factor does not see: a linear joint does not open.
-#[derive(Clone, Debug, PartialEq)]
-pub struct TiltCheck {
-    /// The survey.
-    pub survey: String,
-    /// Direction of the tilt, "x".
-    pub direction: String,
-    /// Horizontal / vertical.
-    pub tilt: f64,
-    /// Least tilt of all joints at which one reaches its uplift limit N b/2; `None` without bed widths or stiffness.
-    pub uplift_tilt: Option<f64>,
-}
-
-impl TiltCheck {
-    /// Unstable if the tilt has reached the uplift limit, marginal within [`Verdict::MARGINAL_BELOW`] of it.
-    pub fn verdict(&self) -> Verdict {
-        self.uplift_tilt.map_or(Verdict::Unknown, |limit| {
-            Verdict::of_load_factor(limit / self.tilt.abs())
+impl ProjectReport {
+    /// The check.
+    pub fn check(&self) -> Option<&CheckAnswer> {
+        self.answers.iter().find_map(|answer| match answer {
+            Answer::Check(check) => Some(check),
+            _ => None,
         })
     }
-}
 
-/// A measured frequency that the model does not have.
-#[derive(Clone, Debug, PartialEq)]
-pub struct FrequencyContradiction {
-    /// The survey.
-    pub survey: String,
-    /// Direction of the mode.
-    pub direction: String,
-    /// Lowest measured frequency of translation, Hz.
-    pub measured_hz: f64,
-    /// Lowest frequency of the model, Hz.
-    pub computed_hz: f64,
-}
-
-/// The check, by kind of structure.
-#[derive(Clone, Debug)]
-pub enum Check {
-    /// A chain.
-    Chain(Box<ChainCheck>),
-    /// A frame, one check a direction.
-    Frame(Vec<DirectionCheck>),
-    /// A stack of blocks.
-    Stack(Box<StackAnswer>),
-    /// A building.
-    Building(Box<BuildingAnswer>),
-}
-
-/// A stack and its check.
-#[derive(Clone, Debug, PartialEq)]
-pub struct StackAnswer {
-    /// The stack as the file gives it.
-    pub stack: Stack,
-    /// Does it stand, and at what horizontal acceleration does it begin to move.
-    pub check: StackCheck,
-    /// Natural frequencies on the springs of its joints; `None` if it does not stand.
-    pub frequencies: Option<StackFrequencies>,
-}
-
-/// Natural frequencies of a stack: those of the springs that the file gives or Dolmen assumes.
-#[derive(Clone, Debug, PartialEq)]
-pub enum StackFrequencies {
-    /// They are known.
-    Known {
-        /// All of them, lowest first; [`MODES_SHOWN`] are shown.
-        modes: Vec<StackMode>,
-        /// Which of all its modes is the first of swaying along x and along y, and its frequency, Hz.
-        sways: [Option<(usize, f64)>; 2],
-    },
-    /// Why they are not.
-    Refused(String),
-}
-
-/// How many natural frequencies of a stack are shown. Chosen here: swaying along both axes, and one more.
-pub const MODES_SHOWN: usize = 3;
-
-impl StackFrequencies {
-    /// The first mode of swaying along "x" or "y": its number among all modes, from 0, and its frequency, Hz.
-    pub fn sway(&self, direction: &str) -> Option<(usize, f64)> {
-        let StackFrequencies::Known { sways, .. } = self else {
-            return None;
-        };
-        match direction {
-            "x" => sways[0],
-            "y" => sways[1],
-            _ => None,
-        }
+    /// Does it stand, as it is; `None` for a survey alone.
+    pub fn state(&self) -> Option<&State> {
+        self.check()?.state.as_ref()
     }
 
-    /// All modes, lowest first.
-    pub fn modes(&self) -> Option<&[StackMode]> {
-        match self {
-            StackFrequencies::Known { modes, .. } => Some(modes),
-            StackFrequencies::Refused(_) => None,
-        }
-    }
-}
-
-/// One factor on all springs of a stack, from one survey.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SpringFit {
-    /// The survey.
-    pub survey: String,
-    /// What the stiffness of every joint must be multiplied by; `None` if nothing can be compared.
-    pub factor: Option<f64>,
-    /// By direction the lowest frequency measured, and that of the stack with the factor.
-    pub frequencies: Vec<(String, MatchedFrequency)>,
-    /// Directions with a measured frequency that are neither x nor y: not compared.
-    pub not_compared: Vec<String>,
-}
-
-/// A frame in one direction.
-#[derive(Clone, Debug)]
-pub struct DirectionCheck {
-    /// "weak", "strong", "x".
-    pub direction: String,
-    /// Its check, with every joint stuck.
-    pub check: FrameCheck,
-    /// The same while every joint slips; `None` where slipping takes no stiffness away, or it is not known.
-    pub slipping: Option<FrameCheck>,
-}
-
-/// A variant and whether it stands.
-#[derive(Clone, Debug)]
-pub struct VariantAnswer {
-    /// The table's name.
-    pub name: String,
-    /// A longer name, if given.
-    pub title: Option<Names>,
-    /// Inputs that the project as given does not have, or not so.
-    pub own_inputs: Vec<Quantity>,
-    /// Does it stand.
-    pub state: State,
-    /// It under the ground motion; `None` if none was asked for, or it does not stand.
-    pub simulation: Option<Box<Simulation>>,
-}
-
-/// The load factor under inputs drawn from their distributions.
-#[derive(Clone, Debug)]
-pub struct Sampled {
-    /// Probability that the structure falls (λ ≤ 1).
-    pub unstable: Probability,
-    /// λ of each sample, ascending. For a frame the smallest of its directions.
-    pub load_factors: Vec<f64>,
-    /// Paths of the inputs that were drawn.
-    pub inputs: Vec<String>,
-}
-
-/// What was identified from one survey.
-#[derive(Clone, Debug)]
-pub struct SurveyAnswer {
-    /// The survey's name.
-    pub name: String,
-    /// Modes from its records; `None` if it has none.
-    pub records: Option<RecordAnswer>,
-    /// Its setups, one by one and put together; `None` if it has none.
-    pub setups: Option<SetupsAnswer>,
-    /// Stiffness from its modes, one entry a direction and convention.
-    pub stiffness: Vec<StiffnessAnswer>,
-    /// Why its modes lead to no stiffness of a chain or frame, where they do not.
-    pub without_stiffness: Option<WithoutStiffness>,
-}
-
-/// What several setups gave.
-#[derive(Clone, Debug)]
-pub struct SetupsAnswer {
-    /// Each by itself.
-    pub records: Vec<RecordAnswer>,
-    /// Put together after each was identified.
-    pub merged: MergedSetups,
-    /// Identified as one, where the file asks for that: then these are the modes of the survey.
-    pub joint: Option<JointSetups>,
-}
-
-/// Shapes of one mode at its references are rarely less alike; chosen here.
-pub const REFERENCES_ALIKE: f64 = 0.9;
-
-impl SetupsAnswer {
-    /// Frequencies, Hz, at which setups put together may not show one mode: another pairing was nearly as good, or the shapes at the
-    /// references are not alike. All where a reference is not the same in all setups; else none where they were identified as one.
-    pub fn doubtful_hz(&self) -> Vec<f64> {
-        if !self.merged.reference_faults.is_empty() {
-            return self.modes().modes.iter().map(|mode| mode.frequency_hz).collect();
-        }
-        if self.joint.is_some() {
-            return Vec::new();
-        }
-        let unlike = |m: &MergedMode| {
-            m.reference_assurance
-                .iter()
-                .flatten()
-                .any(|mac| *mac < REFERENCES_ALIKE)
-        };
-        let both = self.merged.modes.modes.iter().zip(&self.merged.merged);
-        both.filter(|(_, of)| of.doubtful || unlike(of))
-            .map(|(mode, _)| mode.frequency_hz)
-            .collect()
+    /// The variants and whether they stand.
+    pub fn variants(&self) -> &[VariantAnswer] {
+        self.check().map_or(&[], |check| &check.variants)
     }
 
-    /// The modes of all setups.
-    pub fn modes(&self) -> &Modes {
-        self.joint
-            .as_ref()
-            .map_or(&self.merged.modes, |joint| &joint.modes)
-    }
-}
-
-impl SurveyAnswer {
-    /// Peaks of its record that are none of its modes, and modes that were not picked, Hz, ascending. Empty of several setups.
-    pub fn unexplained_hz(&self) -> Vec<f64> {
-        let notes = self.records.iter().flat_map(|record| &record.analysis.notes);
-        let frequencies = notes.filter_map(|note| match note {
-            Note::PeaksWithoutMode { frequency_hz } | Note::NotPicked { frequency_hz } => Some(frequency_hz),
+    /// What was identified from each survey.
+    pub fn surveys(&self) -> &[SurveyAnswer] {
+        let found = self.answers.iter().find_map(|answer| match answer {
+            Answer::Identify(identified) => Some(identified.surveys.as_slice()),
             _ => None,
         });
-        let mut all: Vec<f64> = frequencies.flatten().copied().collect();
-        all.sort_by(f64::total_cmp);
-        all
+        found.unwrap_or_default()
     }
 
-    /// The modes that its records show, of several setups those put together, and the equally strong blocks of time behind their deviations.
-    pub fn modes(&self) -> Option<(&Modes, usize)> {
-        match (&self.setups, &self.records) {
-            (Some(setups), _) => {
-                let blocks = setups
-                    .records
-                    .iter()
-                    .map(|r| r.analysis.settings.time_blocks_effective);
-                Some((setups.modes(), blocks.min().unwrap_or(0)))
-            }
-            (None, Some(record)) => Some((
-                &record.analysis.modes,
-                record.analysis.settings.time_blocks_effective,
-            )),
-            (None, None) => None,
-        }
-    }
-}
-
-/// What a record gave.
-#[derive(Clone, Debug)]
-pub struct RecordAnswer {
-    /// Path of the record file as the project names it.
-    pub file: String,
-    /// Channels read, before any was left out.
-    pub channels: usize,
-    /// Samples a channel, as read.
-    pub samples: usize,
-    /// Sampling rate, as read, Hz.
-    pub sampling_rate_hz: f64,
-    /// Unit of the numbers; "" if not known.
-    pub unit: String,
-    /// What its files say beside the samples, sentences.
-    pub remarks: Vec<String>,
-    /// What looked wrong with channels.
-    pub faults: Vec<ChannelFault>,
-    /// Spectrum, stabilisation and modes.
-    pub analysis: ModalAnalysis,
-}
-
-/// Stiffness from modes, in one direction and convention.
-#[derive(Clone, Debug)]
-pub struct StiffnessAnswer {
-    /// "x", "weak".
-    pub direction: String,
-    /// What the springs of a frame act on; `None` for a chain.
-    pub convention: Option<Convention>,
-    /// Frequencies that went in, Hz.
-    pub frequencies_hz: Vec<f64>,
-    /// Whether any of them carried a measured shape.
-    pub with_shapes: bool,
-    /// Every solution.
-    pub solutions: StiffnessSolutions,
-    /// Load factor λ with each solution, in the same order.
-    pub load_factors: Vec<Option<f64>>,
-    /// Peaks of the record below the highest mode used that are none of the modes, Hz: one of them may be a mode of this direction, and every
-    /// stiffness then is wrong.
-    pub peaks_below_hz: Vec<f64>,
-}
-
-impl State {
-    /// Whether a damper of a building needs more room under the spectrum of its site than it has.
-    pub fn is_beyond_room(&self) -> bool {
-        match &self.check {
-            Check::Building(answer) => {
-                let mut standing = answer.stands.iter();
-                standing.any(|standing| !standing.beyond_room().is_empty())
-            }
-            _ => false,
-        }
+    /// What changed from one survey to another; `None` where fewer than two can be compared.
+    pub fn change(&self) -> Option<&SurveyChange> {
+        self.answers.iter().find_map(|answer| match answer {
+            Answer::Compare(compared) => Some(&compared.change),
+            _ => None,
+        })
     }
 
-    /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known, and of a stack.
-    pub fn load_factor(&self) -> Option<f64> {
-        match &self.check {
-            Check::Chain(check) => check.stability.as_ref().map(|s| s.load_factor),
-            Check::Frame(directions) => {
-                let known = directions.iter().filter_map(|d| d.check.stability.as_ref());
-                known.map(|s| s.load_factor).min_by(f64::total_cmp)
-            }
-            Check::Building(building) => Some(building.load_factor()),
-            Check::Stack(_) => None,
-        }
+    /// Every simulation, of the structure as it is and of its variants.
+    pub fn simulations(&self) -> impl Iterator<Item = &Simulation> {
+        let each = self.answers.iter().filter_map(|answer| match answer {
+            Answer::Simulate(simulated) => Some(&simulated.simulations),
+            _ => None,
+        });
+        each.flatten()
     }
 
-    /// Least load factor of a frame whose joints slip; `None` if none can.
-    pub fn slipping_load_factor(&self) -> Option<f64> {
-        let Check::Frame(directions) = &self.check else {
-            return None;
-        };
-        let slipping = directions
-            .iter()
-            .filter_map(|direction| direction.slipping.as_ref());
-        let known = slipping.filter_map(|check| check.stability.as_ref());
-        known
-            .map(|stability| stability.load_factor)
-            .min_by(f64::total_cmp)
+    /// Those of stacks.
+    pub fn stack_simulations(&self) -> impl Iterator<Item = &StackSimulation> {
+        self.simulations().filter_map(|run| match run {
+            Simulation::Stack(run) => Some(&**run),
+            _ => None,
+        })
     }
 
-    /// The worst verdict of the structure.
-    pub fn verdict(&self) -> Verdict {
-        // a tilt that cannot be checked is said beside the verdict, and does not change it
-        let tilts = self
-            .tilts
-            .iter()
-            .map(TiltCheck::verdict)
-            .filter(|verdict| *verdict != Verdict::Unknown);
-        worst(tilts.chain([self.stability_verdict()]))
+    /// The stack as it is under the motion; `None` if none was asked for, or it does not stand.
+    pub fn stack_simulation(&self) -> Option<&StackSimulation> {
+        self.stack_simulations().find(|run| run.variant.is_none())
     }
 
-    /// Against the demand of its site; `None` if that is not compared.
-    pub fn demand_verdict(&self) -> Option<DemandVerdict> {
-        Some(self.demand.as_ref()?.stack.as_ref()?.verdict)
+    /// Those of frames, one a direction.
+    pub fn frame_simulations(&self) -> Vec<&FrameSimulation> {
+        let each = self.simulations().filter_map(|run| match run {
+            Simulation::Frame(run) => Some(&**run),
+            _ => None,
+        });
+        each.collect()
     }
 
-    /// The verdict on the load factor alone, of a stack on its least margin without shaking.
-    pub fn stability_verdict(&self) -> Verdict {
-        match &self.check {
-            Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
-            Check::Frame(directions) => {
-                let of =
-                    |check: &FrameCheck| check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
-                let checks = directions
-                    .iter()
-                    .flat_map(|d| [&d.check].into_iter().chain(&d.slipping));
-                worst(checks.map(of))
-            }
-            Check::Building(building) => Verdict::of_load_factor(building.load_factor()),
-            Check::Stack(answer) => answer.check.verdict,
-        }
+    /// Those of chains.
+    pub fn chain_simulations(&self) -> Vec<&ChainSimulation> {
+        let each = self.simulations().filter_map(|run| match run {
+            Simulation::Chain(run) => Some(&**run),
+            _ => None,
+        });
+        each.collect()
     }
-}
 
-/// Unstable if any is; else unknown if any is; else the worse of the rest.
-fn worst(verdicts: impl Iterator<Item = Verdict>) -> Verdict {
-    let severity = |verdict: &Verdict| match verdict {
-        Verdict::Unstable => 3,
-        Verdict::Unknown => 2,
-        Verdict::Marginal => 1,
-        Verdict::Stable => 0,
-    };
-    verdicts.max_by_key(severity).unwrap_or(Verdict::Unknown)
-}
-
-impl Answer {
-    /// Whether any version of the structure is unstable or below demand, or a stone fell in a simulation: exit status 1.
-    pub fn falls(&self) -> bool {
-        let simulated = self.simulation.iter();
-        let mut simulated = simulated.chain(self.variants.iter().filter_map(|v| v.simulation.as_ref()));
-        let mut states = self.state.iter().chain(self.variants.iter().map(|v| &v.state));
-        simulated.any(|simulation| simulation.falls())
-            || self.frame_simulations.iter().any(FrameSimulation::falls)
-            || self.chain_simulations.iter().any(ChainSimulation::falls)
-            || self
-                .building_simulations
-                .iter()
-                .any(|run| !run.beyond_room().is_empty())
-            || self.tunings.iter().any(TuneAnswer::is_beyond_room)
-            || self.together.iter().any(TogetherAnswer::is_beyond_room)
-            || states.any(|state| {
-                state.is_beyond_room()
-                    || state.verdict() == Verdict::Unstable
-                    || state.demand_verdict() == Some(DemandVerdict::Below)
-            })
+    /// Those of buildings.
+    pub fn building_simulations(&self) -> Vec<&BuildingSimulation> {
+        let each = self.simulations().filter_map(|run| match run {
+            Simulation::Building(run) => Some(&**run),
+            _ => None,
+        });
+        each.collect()
     }
-}
 
-#[cfg(test)]
-mod tests {
-    use super::*;
+    fn tuned(&self) -> Option<&TuneAnswers> {
+        self.answers.iter().find_map(|answer| match answer {
+            Answer::Tune(tuned) => Some(tuned),
+            _ => None,
+        })
+    }
 
-    #[test]
-    fn holds_an_unknown_direction_never_hides_behind_a_stable_one() {
-        assert_eq!(
-            worst([Verdict::Stable, Verdict::Unknown].into_iter()),
-            Verdict::Unknown
-        );
-        assert_eq!(
-            worst([Verdict::Unknown, Verdict::Unstable].into_iter()),
-            Verdict::Unstable
-        );
-        assert_eq!(
-            worst([Verdict::Marginal, Verdict::Stable].into_iter()),
-            Verdict::Marginal
-        );
-        assert_eq!(worst([].into_iter()), Verdict::Unknown);
+    /// Dampers, each by itself.
+    pub fn tunings(&self) -> Vec<&TuneAnswer> {
+        self.tuned()
+            .map_or(Vec::new(), |tuned| tuned.tunings.iter().collect())
+    }
+
+    /// All dampers of a version at once.
+    pub fn together(&self) -> Vec<&TogetherAnswer> {
+        self.tuned()
+            .map_or(Vec::new(), |tuned| tuned.together.iter().collect())
+    }
+
+    /// Studies that were run before.
+    pub fn studies(&self) -> Vec<&StudyAnswer> {
+        let each = self.answers.iter().filter_map(|answer| match answer {
+            Answer::Study(study) => Some(&**study),
+            _ => None,
+        });
+        each.collect()
     }
 }

@@ -1,12 +1,48 @@
-//! What Dolmen answers about a project. Opens no file, prints nothing.
+//! What Dolmen answers: every verb as a function of values. Opens no file, prints nothing.
+//!
+//! ```text
+//! Opened (project, text) ─ kinds ─→ check · identify · compare · simulate · study · tune · score · rank · report
+//! ```
+//!
+//! What a project names comes through [`Files`](dolmen_records::Files), how far a verb has come goes through [`Progress`], the
+//! runs of a study go to a [`Journal`](study::Journal).
 
 pub mod answer;
 pub mod building;
-pub mod change;
+pub mod chain;
+mod check;
+pub mod compare;
+mod demand;
+mod error;
+pub mod flags;
+pub mod frame;
+mod identify;
+pub mod judgement;
+mod kinds;
 pub mod motion;
+mod opened;
 pub mod portfolio;
+mod progress;
+mod record;
+mod report;
 pub mod score;
+mod simulate;
 pub mod simulation;
+pub mod stack;
+pub mod state;
+mod stiffness;
 pub mod study;
-pub mod tune;
-mod without_stiffness;
+mod survey_dates;
+pub mod surveyed;
+mod validate;
+mod version;
+
+pub use check::{CheckOptions, Sampling, check};
+pub use error::{Within, WorkError};
+pub use flags::{FlagVerb, ForeignFlag, Kind};
+pub use identify::{IdentifyOptions, identify};
+pub use opened::Opened;
+pub use progress::{Progress, Silent, Stage};
+pub use report::{ReportOptions, report};
+pub use simulate::{PreparedSimulation, SimulateOptions, prepare};
+pub use validate::validate;

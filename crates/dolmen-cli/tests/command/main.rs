@@ -10,6 +10,7 @@ mod decisions;
 mod demands;
 mod docs;
 mod frames;
+mod judgements;
 mod layout;
 mod safety;
 mod simulations;

@@ -267,7 +267,8 @@ fn holds_a_stone_that_still_topples_at_the_end_is_no_survivor() {
         "simulate . --motion pulse --law rigid --duration {}",
         at_s - 0.1
     ));
-    assert_eq!(cut.status, 3, "{}{}", cut.stdout, cut.stderr);
+    // it has rocked beyond 0.35 of its slenderness angle: DS3, whatever comes after
+    assert_eq!(cut.status, 1, "{}{}", cut.stdout, cut.stderr);
     assert!(cut.stdout.contains("STILL MOVING at its end"), "{}", cut.stdout);
     assert!(
         cut.stdout.contains("no verdict. Give a longer --duration"),

@@ -232,7 +232,7 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
     // 211.25 mm under el-centro, as `simulate` has it
     fs::write(&file, roomy(&text, "211")).unwrap();
     let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
-    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    assert_eq!(answer.status, 0, "a tuning is done: {}", answer.stderr);
     let said = "BEYOND ITS ROOM: as in the file, damper tmd needs 211.3 mm each way under motion el-centro and has 211.0 mm";
     let (place, table) = (answer.stdout.find(said), answer.stdout.find("Standard deviation"));
     assert!(place.is_some() && place < table, "{}", answer.stdout);
@@ -253,7 +253,7 @@ fn holds_rooms_are_held_against_strokes_under_the_motions_of_the_file() {
         .as_f64()
         .unwrap();
     let answer = scratch.dolmen("tune examples/twisting_floor --map 2");
-    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    assert_eq!(answer.status, 0, "a tuning is done: {}", answer.stderr);
     let said = format!("needs {stroke_mm:.1} mm each way under the spectrum of the site");
     assert!(answer.stdout.contains(&said), "{said}: {}", answer.stdout);
     // a room, and nothing to hold it against

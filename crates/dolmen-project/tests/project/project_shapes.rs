@@ -3,7 +3,7 @@
 use super::project::refused;
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness, Stack, pagoda};
 use dolmen_project::{
-    Files, Project, Quantity, ShapePart, StackPart, Structure, parse_project, parse_project_with,
+    MemoryFiles, Project, Quantity, ShapePart, StackPart, Structure, parse_project, parse_project_with,
 };
 
 const HEAD: &str = "schema = 1\nkind = \"stack\"\nname = \"S\"\ndensity = 2600\n";
@@ -42,14 +42,16 @@ fn cuboid_obj(without: Option<usize>, turned: bool) -> String {
     text
 }
 
-fn files() -> Files {
-    Files::from_loader(|name| match name {
-        "stone.obj" => Ok(cuboid_obj(None, false).into_bytes()),
-        "hole.obj" => Ok(cuboid_obj(Some(3), false).into_bytes()),
-        "turned.obj" => Ok(cuboid_obj(None, true).into_bytes()),
-        "text.txt" => Ok(b"hello".to_vec()),
-        other => Err(format!("there is no {other}")),
-    })
+fn files() -> MemoryFiles {
+    let files = [
+        ("stone.obj", cuboid_obj(None, false).into_bytes()),
+        ("hole.obj", cuboid_obj(Some(3), false).into_bytes()),
+        ("turned.obj", cuboid_obj(None, true).into_bytes()),
+        ("text.txt", b"hello".to_vec()),
+    ];
+    MemoryFiles {
+        files: files.map(|(name, bytes)| (name.to_owned(), bytes)).into(),
+    }
 }
 
 fn with_mesh(keys: &str) -> String {

@@ -3,7 +3,9 @@
 use super::project::{refused, with};
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, Site, SiteParameters};
 use dolmen::signal::Component;
-use dolmen_project::{Files, MotionSize, MotionSource, Project, SitePart, parse_project, parse_project_with};
+use dolmen_project::{
+    MemoryFiles, MotionSize, MotionSource, Project, SitePart, parse_project, parse_project_with,
+};
 
 /// A stack that is right, without a site.
 const STONE: &str = r#"schema = 1
@@ -116,10 +118,8 @@ fn exact_tables_from_lists_and_from_a_file() {
     assert_eq!(points[1], [0.1, 0.25 * 9.80665]);
     let text = STONE.to_owned() + "[site]\ncode = \"table\"\nfile = \"sp.csv\"\nunit = \"m/s2\"\n";
     let files = |content: &'static str| {
-        Files::from_loader(move |name| match name {
-            "sp.csv" => Ok(content.as_bytes().to_vec()),
-            other => Err(format!("there is no {other}")),
-        })
+        let files = [("sp.csv".to_owned(), content.as_bytes().to_vec())];
+        MemoryFiles { files: files.into() }
     };
     let good = "# study\nperiod_s;sa\n0;1.0\n0.1\t2.5\n2, 0.2\n";
     let project = parse_project_with(&text, "project.toml", &files(good)).unwrap();

@@ -10,8 +10,8 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use dolmen_words::Language;
 use dolmen_words::number::significant;
+use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::StandingBuilding;
-use dolmen_work::simulation::BuildingSimulation;
 
 /// Largest width and height of the drawn floor, px.
 const FLOOR_PX: [f64; 2] = [380.0, 300.0];

@@ -5,7 +5,7 @@ use super::frame_histories::{ground, loops, rows_of_bands};
 use super::stack_histories::{Series, plot};
 use dolmen::dynamics::ChainEnergy;
 use dolmen_words::Language;
-use dolmen_work::simulation::ChainSimulation;
+use dolmen_work::chain::ChainSimulation;
 
 /// The figures of a simulation: ground, rotations, one loop a joint, bands of opening and slipping, energy.
 pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<Figure> {

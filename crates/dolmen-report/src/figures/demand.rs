@@ -7,7 +7,7 @@ use crate::text::STANDARD_GRAVITY_M_S2;
 use dolmen::assess::demand::ShakenDirection;
 use dolmen_words::Language;
 use dolmen_words::number::trimmed;
-use dolmen_work::answer::DemandAnswer;
+use dolmen_work::state::DemandAnswer;
 
 /// Points of the curve.
 const POINTS: usize = 240;

@@ -8,7 +8,7 @@ use super::stack_histories::{Series, plot};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_words::Language;
-use dolmen_work::simulation::FrameSimulation;
+use dolmen_work::frame::FrameSimulation;
 
 /// Width and height of a loop, px: nearly square.
 const LOOP_PX: [f64; 2] = [420.0, 340.0];

@@ -4,7 +4,8 @@ use super::{ShapePanel, mode_shapes, moving_shapes, sensor_shapes, singular_valu
 use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::Language;
-use dolmen_work::answer::{Answer, StiffnessAnswer};
+use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::surveyed::StiffnessAnswer;
 
 /// Solutions whose shapes are drawn.
 const SOLUTIONS_DRAWN: usize = 4;
@@ -20,7 +21,7 @@ pub struct Figure {
 
 /// Every figure of what was identified, survey by survey: spectrum, stabilisation and shapes of each record, and the mode
 /// shapes of each set of solutions. Empty if nothing was identified.
-pub fn identification(answer: &Answer, language: Language) -> Vec<Figure> {
+pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure> {
     let mut all = Vec::new();
     for survey in &answer.surveys {
         let mut add = |what: &str, svg: String| {

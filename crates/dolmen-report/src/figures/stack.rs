@@ -7,7 +7,7 @@ use dolmen::blocks::{JointHistory, Outcome, StackHistory};
 use dolmen::structure::stack::{Body, Joint, Stack};
 use dolmen_words::Language;
 use dolmen_words::number;
-use dolmen_work::simulation::Simulation;
+use dolmen_work::stack::StackSimulation;
 
 /// Width and height of the room for one view of a stack, px.
 const VIEW_PX: [f64; 2] = [270.0, 420.0];
@@ -269,7 +269,7 @@ pub fn stack_view(stack: &Stack, language: Language) -> String {
 }
 
 /// A round factor by which to enlarge residual displacements; `None` where there are none, or they are large as they are.
-fn enlarged(simulation: &Simulation, rest: &[Placed], end: &[Placed]) -> Option<f64> {
+fn enlarged(simulation: &StackSimulation, rest: &[Placed], end: &[Placed]) -> Option<f64> {
     let pairs = rest
         .iter()
         .zip(end)
@@ -296,7 +296,7 @@ fn class(joint: &JointHistory) -> usize {
 
 /// A stack at the end of a simulation, at true scale and beside it with its displacements enlarged so many times as is said;
 /// joints coloured by the larger of their peak opening and slip, which stand beside them.
-pub fn stack_after(simulation: &Simulation, language: Language) -> String {
+pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
     let (stack, history) = (&simulation.stack, &simulation.history);
     let camera = Camera::new();
     let samples = simulation.samples();

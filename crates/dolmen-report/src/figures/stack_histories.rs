@@ -7,7 +7,7 @@ use super::plot::{Key, Plot};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use dolmen_words::Language;
-use dolmen_work::simulation::Simulation;
+use dolmen_work::stack::StackSimulation;
 
 /// Width and height of one plot, px.
 const SIZE_PX: [f64; 2] = [760.0, 210.0];
@@ -71,7 +71,7 @@ pub(super) fn plot(series: &[Series], name: &str, language: Language, title: &st
 }
 
 /// The figures of a simulation over time: ground, top, and of the joints opening, slip and yaw.
-pub fn stack_histories(simulation: &Simulation, language: Language) -> Vec<Figure> {
+pub fn stack_histories(simulation: &StackSimulation, language: Language) -> Vec<Figure> {
     let mut figures = Vec::new();
     let mut add = |name: &'static str, svg: Option<String>| {
         if let Some(svg) = svg {
@@ -107,7 +107,7 @@ pub fn stack_histories(simulation: &Simulation, language: Language) -> Vec<Figur
     figures
 }
 
-fn ground_series(simulation: &Simulation) -> Vec<Series> {
+fn ground_series(simulation: &StackSimulation) -> Vec<Series> {
     let motion = &simulation.motion.motion;
     let step = motion.time_step_s();
     let given = Component::ALL
@@ -126,7 +126,7 @@ fn ground_series(simulation: &Simulation) -> Vec<Series> {
         .collect()
 }
 
-fn top_series(simulation: &Simulation) -> Vec<Series> {
+fn top_series(simulation: &StackSimulation) -> Vec<Series> {
     let moved = simulation.displacement_m(simulation.highest_block());
     let time_s = &simulation.history.time_s;
     let each = ["x", "y", "z"].into_iter().enumerate();
@@ -143,7 +143,7 @@ fn top_series(simulation: &Simulation) -> Vec<Series> {
 
 /// The joints of which a value was largest, largest first.
 fn joint_series(
-    simulation: &Simulation,
+    simulation: &StackSimulation,
     value: impl Fn(&dolmen::blocks::JointHistory, usize) -> f64,
 ) -> Vec<Series> {
     let time_s = &simulation.history.time_s;

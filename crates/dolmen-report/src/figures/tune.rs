@@ -7,7 +7,7 @@ use super::plot::{Key, Plot};
 use super::scene::Scene;
 use dolmen::damper::{Choice, MapCell};
 use dolmen_words::Language;
-use dolmen_work::tune::TuneAnswer;
+use dolmen_work::building::TuneAnswer;
 
 const SIZE_PX: [f64; 2] = [680.0, 400.0];
 /// Longer side of the floor in plan, px, and the room around it.

@@ -10,8 +10,8 @@ use dolmen::structure::building::StoreyFall;
 use dolmen_project::{BuiltDamper, strokes_of};
 use dolmen_words::Language;
 use dolmen_words::number::{beside_one, fixed, percent, prefix, significant, significant_beside};
-use dolmen_work::answer::{Check, VariantAnswer};
 use dolmen_work::building::{BuildingAnswer, BuildingSpectral, DampedSpectral, StandingBuilding};
+use dolmen_work::state::{Check, VariantAnswer};
 use maud::{Markup, html};
 
 /// Share of the energy in rotation, in a mode that sways, from which the building is said to twist. Our choice.

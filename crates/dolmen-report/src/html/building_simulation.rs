@@ -12,14 +12,14 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_project::strokes_of;
 use dolmen_words::Language;
 use dolmen_words::number::{percent, significant, significant_beside};
-use dolmen_work::simulation::{Against, BuildingSimulation};
+use dolmen_work::building::{Against, BuildingSimulation};
 use maud::{Markup, html};
 
 /// Motion below this part of the largest is round-off.
 const NOTHING: f64 = 1e-9;
 
 /// How each moved, as findings.
-pub(super) fn findings(simulations: &[BuildingSimulation], language: Language) -> Vec<Finding> {
+pub(super) fn findings(simulations: &[&BuildingSimulation], language: Language) -> Vec<Finding> {
     let each = simulations.iter().map(|simulation| {
         let motion = simulation.motion.motion.name();
         let of = match variant_words(&simulation.variant, &simulation.variant_title, language) {
@@ -109,7 +109,7 @@ fn moved(simulation: &BuildingSimulation, language: Language) -> String {
 }
 
 /// One section a simulation.
-pub(super) fn sections(simulations: &[BuildingSimulation], language: Language) -> Markup {
+pub(super) fn sections(simulations: &[&BuildingSimulation], language: Language) -> Markup {
     html! { @for simulation in simulations { (section(simulation, language)) } }
 }
 

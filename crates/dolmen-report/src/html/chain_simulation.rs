@@ -10,14 +10,14 @@ use dolmen::dynamics::{ChainOutcome, JointFriction};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::Language;
 use dolmen_words::number::{self, significant};
-use dolmen_work::simulation::ChainSimulation;
+use dolmen_work::chain::ChainSimulation;
 use maud::{Markup, html};
 
 /// Digits of peaks and residuals.
 const DIGITS: usize = 3;
 
 /// How each ended, as findings.
-pub(super) fn findings(simulations: &[ChainSimulation], language: Language) -> Vec<Finding> {
+pub(super) fn findings(simulations: &[&ChainSimulation], language: Language) -> Vec<Finding> {
     let each = simulations.iter().map(|simulation| {
         let tone = match simulation.history.outcome {
             ChainOutcome::Stood if simulation.held_joints().is_empty() => Tone::Plain,
@@ -108,7 +108,7 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
 }
 
 /// One section a simulation, and a comparison of several.
-pub(super) fn sections(simulations: &[ChainSimulation], language: Language) -> Markup {
+pub(super) fn sections(simulations: &[&ChainSimulation], language: Language) -> Markup {
     html! {
         @for simulation in simulations { (section(simulation, language)) }
         @if simulations.len() > 1 { (compared(simulations, language)) }
@@ -281,7 +281,7 @@ fn links_table(simulation: &ChainSimulation, language: Language) -> Markup {
 }
 
 /// Versions of the chain under their motions, one row each.
-fn compared(simulations: &[ChainSimulation], language: Language) -> Markup {
+fn compared(simulations: &[&ChainSimulation], language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("Version", "구분"),
         language.pick("ended", "결과"),

@@ -11,7 +11,7 @@ use dolmen::assess::demand::{
 use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
 use dolmen_words::Language;
 use dolmen_words::number::{NARROW_SPACE, significant, trimmed};
-use dolmen_work::answer::DemandAnswer;
+use dolmen_work::state::DemandAnswer;
 use maud::{Markup, html};
 
 /// Digits of accelerations and ratios.

@@ -8,7 +8,8 @@ use super::{
 use dolmen::stability::Verdict;
 use dolmen_project::{Cap, Structure};
 use dolmen_words::Language;
-use dolmen_work::answer::{Answer, Check};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::state::Check;
 use maud::{Markup, html};
 
 /// How a finding is marked.
@@ -49,9 +50,9 @@ impl Finding {
 }
 
 /// The list of all findings.
-pub(super) fn list(answer: &Answer, language: Language) -> Markup {
+pub(super) fn list(answer: &ProjectReport, language: Language) -> Markup {
     let mut all = Vec::new();
-    if let Some(state) = &answer.state {
+    if let Some(state) = answer.state() {
         match &state.check {
             Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
@@ -63,19 +64,19 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         all.extend(samples::findings(state.sampled.as_ref(), language));
     }
     all.extend(variants::findings(answer, language));
-    all.extend(building::variant_findings(&answer.variants, language));
-    if let Some(simulated) = &answer.simulation {
+    all.extend(building::variant_findings(answer.variants(), language));
+    if let Some(simulated) = answer.stack_simulation() {
         all.extend(simulation::findings(simulated, language));
     }
-    all.extend(frame_simulation::findings(&answer.frame_simulations, language));
-    all.extend(chain_simulation::findings(&answer.chain_simulations, language));
-    all.extend(tune::findings(&answer.tunings, language));
-    all.extend(tune::findings_together(&answer.together, language));
+    all.extend(frame_simulation::findings(&answer.frame_simulations(), language));
+    all.extend(chain_simulation::findings(&answer.chain_simulations(), language));
+    all.extend(tune::findings(&answer.tunings(), language));
+    all.extend(tune::findings_together(&answer.together(), language));
     all.extend(building_simulation::findings(
-        &answer.building_simulations,
+        &answer.building_simulations(),
         language,
     ));
-    for survey in &answer.surveys {
+    for survey in answer.surveys() {
         if let Some(record) = &survey.records {
             all.extend(modal::findings(record, language));
         }
@@ -83,10 +84,10 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
             all.push(setups::finding(found, language));
         }
     }
-    if let Some(found) = &answer.change {
+    if let Some(found) = answer.change() {
         all.extend(change::findings(found, language));
     }
-    all.extend(identification::findings(&answer.surveys, language));
+    all.extend(identification::findings(answer.surveys(), language));
     let cap_left_out =
         matches!(&answer.project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut);
     if cap_left_out {
@@ -104,7 +105,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
         .into_iter()
         .filter(|q| q.is_scatter_assumed())
         .count();
-    let sampled = answer.state.as_ref().is_some_and(|s| s.sampled.is_some());
+    let sampled = answer.state().is_some_and(|s| s.sampled.is_some());
     if sampled && scatters > 0 {
         all.push(Finding::new(
             Tone::Warn,
@@ -119,7 +120,7 @@ pub(super) fn list(answer: &Answer, language: Language) -> Markup {
     if let Some(text) = assumptions(&answer.project, language) {
         all.push(Finding::new(Tone::Warn, text));
     }
-    for variant in &answer.variants {
+    for variant in answer.variants() {
         all.extend(assumptions_of_variant(variant, language).map(|text| Finding::new(Tone::Warn, text)));
     }
     // what is worst comes first

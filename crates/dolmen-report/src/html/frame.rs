@@ -12,7 +12,7 @@ use dolmen::structure::Frame;
 use dolmen_project::{FramePart, Quantity};
 use dolmen_words::Language;
 use dolmen_words::number::{self, beside_one, prefix, significant};
-use dolmen_work::answer::DirectionCheck;
+use dolmen_work::state::DirectionCheck;
 use maud::{Markup, html};
 
 pub(super) fn findings(directions: &[DirectionCheck], language: Language) -> Vec<Finding> {

@@ -10,14 +10,14 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_project::Names;
 use dolmen_words::Language;
 use dolmen_words::number::{self, significant};
-use dolmen_work::simulation::FrameSimulation;
+use dolmen_work::frame::FrameSimulation;
 use maud::{Markup, html};
 
 /// Digits of peaks and residuals.
 const DIGITS: usize = 3;
 
 /// How each ended, as findings.
-pub(super) fn findings(simulations: &[FrameSimulation], language: Language) -> Vec<Finding> {
+pub(super) fn findings(simulations: &[&FrameSimulation], language: Language) -> Vec<Finding> {
     let each = simulations.iter().map(|simulation| {
         let tone = match simulation.history.outcome {
             FrameOutcome::Finished => Tone::Plain,
@@ -101,7 +101,7 @@ fn ending(simulation: &FrameSimulation, language: Language) -> String {
 }
 
 /// One section a simulation.
-pub(super) fn sections(simulations: &[FrameSimulation], language: Language) -> Markup {
+pub(super) fn sections(simulations: &[&FrameSimulation], language: Language) -> Markup {
     html! {
         @for simulation in simulations { (section(simulation, language)) }
     }

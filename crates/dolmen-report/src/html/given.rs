@@ -6,11 +6,12 @@ use super::words::{evidence_word, listed, path_words, unit_text};
 use dolmen_project::{Project, Quantity, Structure, Warning, WarningKind};
 use dolmen_words::Language;
 use dolmen_words::number;
-use dolmen_work::answer::{Answer, VariantAnswer};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::state::VariantAnswer;
 use maud::{Markup, html};
 
 /// The section "what was given".
-pub(super) fn section(answer: &Answer, language: Language) -> Markup {
+pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
     let project = &answer.project;
     let inputs = project.inputs();
     html! {
@@ -29,7 +30,7 @@ pub(super) fn section(answer: &Answer, language: Language) -> Markup {
             );
             (inputs_table(&caption, &inputs, language))
         }
-        @for variant in &answer.variants {
+        @for variant in answer.variants() {
             @if !variant.own_inputs.is_empty() {
                 @let inputs: Vec<&Quantity> = variant.own_inputs.iter().collect();
                 @let title = variants::title(variant, language);

@@ -11,7 +11,7 @@ use dolmen::structure::{Choice, MeasuredMode, StiffnessSolution, Visibility};
 use dolmen_project::{Project, Structure};
 use dolmen_words::Language;
 use dolmen_words::number::{self, beside_one, counted, prefix, significant, significant_beside};
-use dolmen_work::answer::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
+use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 use maud::{Markup, html};
 
 /// Solutions drawn and listed; the rest are counted.

@@ -4,7 +4,7 @@ use super::findings::{Finding, Tone};
 use dolmen::stability::Verdict;
 use dolmen_words::Language;
 use dolmen_words::number::significant;
-use dolmen_work::answer::{FrequencyContradiction, State, TiltCheck};
+use dolmen_work::state::{FrequencyContradiction, State, TiltCheck};
 
 /// Digits of a frequency or a tilt in a sentence.
 const DIGITS: usize = 3;

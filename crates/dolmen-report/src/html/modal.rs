@@ -9,7 +9,7 @@ use crate::figures::{moving_shapes, sensor_shapes, singular_values, stabilizatio
 use dolmen::modal::{Fate, Method, ModalAnalysis, Mode, Note};
 use dolmen_words::Language;
 use dolmen_words::number::{self, counted, significant, with_sd};
-use dolmen_work::answer::RecordAnswer;
+use dolmen_work::surveyed::RecordAnswer;
 use maud::{Markup, html};
 
 /// "1.882 ± 0.004".

@@ -1,18 +1,21 @@
 //! The page: head, verdict, findings, sections, method, evidence.
 
 use super::style::STYLE;
-use super::words::{thresholds, verdict_sign, verdict_word};
+use super::words::{colour_class, judgement_sign, thresholds};
 use super::{
     building, building_simulation, chain, chain_simulation, change, demand, findings, frame,
     frame_simulation, given, identification, modal, samples, setups, simulation, stack, study, tune,
     variants,
 };
 use dolmen::stability::Verdict;
-use dolmen::stability::stack::DemandVerdict;
 use dolmen_project::{Quantity, Structure};
 use dolmen_words::Language;
 use dolmen_words::number::beside_one;
-use dolmen_work::answer::{Answer, Check, State};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::judgement::{
+    Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
+};
+use dolmen_work::state::{Check, State};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 /// Who made the page, and when.
@@ -37,7 +40,12 @@ pub struct NotReported {
 ///
 /// Several projects begin on a page of their own in print, and a list of them stands at the top. What an answer does
 /// not hold is left out or called unknown. Projects that could not be reported on are named before all others.
-pub fn html(answers: &[Answer], others: &[NotReported], language: Language, imprint: &Imprint) -> String {
+pub fn html(
+    answers: &[ProjectReport],
+    others: &[NotReported],
+    language: Language,
+    imprint: &Imprint,
+) -> String {
     let title = match (answers, others) {
         ([one], []) => name(one, language).to_string(),
         _ => language.pick("Reports", "보고서 모음").to_string(),
@@ -70,17 +78,14 @@ pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
     .into_string()
 }
 
-fn contents(answers: &[Answer], others: &[NotReported], language: Language) -> Markup {
+fn contents(answers: &[ProjectReport], others: &[NotReported], language: Language) -> Markup {
     markup! {
         nav {
             h1 { (language.pick("Reports", "보고서 모음")) }
             ol { @for (i, answer) in answers.iter().enumerate() {
                 li {
                     a href=(format!("#report-{}", i + 1)) { (name(answer, language)) }
-                    @if let Some(state) = &answer.state {
-                        ": " (verdict_word(state.verdict(), language))
-                        @for words in shaken(answer, language) { "; " (words) }
-                    }
+                    @if answer.state().is_some() { ": " (summary(answer, language)) }
                 }
             } }
             @for other in others {
@@ -93,11 +98,24 @@ fn contents(answers: &[Answer], others: &[NotReported], language: Language) -> M
     }
 }
 
-fn name(answer: &Answer, language: Language) -> &str {
+/// A project in the list: the sign of the worst colour, the words of its headline, why, and variants that are worse.
+fn summary(answer: &ProjectReport, language: Language) -> String {
+    let judgement = judge(&answer.answers);
+    let mut all = Vec::new();
+    if let Some(headline) = judgement.headline() {
+        all.push(headline.words(language).join(" · "));
+        all.extend(shaken(headline, &answer.project.structure, language));
+    }
+    all.extend(worse(answer, &judgement, language));
+    all.dedup();
+    format!("{} {}", judgement_sign(&judgement), all.join("; "))
+}
+
+fn name(answer: &ProjectReport, language: Language) -> &str {
     language.pick(answer.project.name.english(), answer.project.name.korean())
 }
 
-fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
+fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Markup {
     let project = &answer.project;
     let other = language.pick(project.name.korean(), project.name.english());
     let kind = match &project.structure {
@@ -126,84 +144,99 @@ fn article(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
                 (imprint.program)
             }
         }
-        @if let Some(state) = &answer.state { (banner(answer, state, language)) }
+        @if let Some(state) = answer.state() { (banner(answer, state, language)) }
         h2 { (language.pick("Findings", "검토 결과 요약")) }
         (findings::list(answer, language))
         (given::section(answer, language))
-        @match (&project.structure, answer.state.as_ref().map(|s| &s.check)) {
+        @match (&project.structure, answer.state().map(|s| &s.check)) {
             (Structure::Chain(part), Some(Check::Chain(check))) => (chain::sections(part, check, language)),
             (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
             (Structure::Stack(_), Some(Check::Stack(check))) => (stack::sections(answer, check, language)),
             (Structure::Building(_), Some(Check::Building(check))) => (building::sections(check, language)),
             _ => {}
         }
-        (demand::section(answer.state.as_ref().and_then(|state| state.demand.as_ref()), language))
-        @if let Some(simulated) = &answer.simulation { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
-        (frame_simulation::sections(&answer.frame_simulations, language))
-        (chain_simulation::sections(&answer.chain_simulations, language))
-        (tune::sections(&answer.tunings, language))
-        (tune::together(&answer.together, language))
-        (building_simulation::sections(&answer.building_simulations, language))
-        (study::sections(&answer.studies, language))
+        (demand::section(answer.state().and_then(|state| state.demand.as_ref()), language))
+        @if let Some(simulated) = answer.stack_simulation() { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
+        (frame_simulation::sections(&answer.frame_simulations(), language))
+        (chain_simulation::sections(&answer.chain_simulations(), language))
+        (tune::sections(&answer.tunings(), language))
+        (tune::together(&answer.together(), language))
+        (building_simulation::sections(&answer.building_simulations(), language))
+        (study::sections(&answer.studies(), language))
         @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
         (samples::sections(answer, language))
-        @for survey in &answer.surveys {
+        @for survey in answer.surveys() {
             @if let Some(record) = &survey.records { (modal::section(&survey.name, record, language)) }
             @if let Some(all) = &survey.setups { (setups::section(&survey.name, all, language)) }
         }
-        (change::section(answer.change.as_ref(), language))
-        (identification::section(project, &answer.surveys, language))
+        (change::section(answer.change(), language))
+        (identification::section(project, answer.surveys(), language))
         (method(answer, language))
         (evidence(answer, language, imprint))
     }
 }
 
-/// What is worse with shaking than the verdict without it says: demand that is not met, a stone that falls.
-fn shaken(answer: &Answer, language: Language) -> Vec<String> {
-    let demand = answer.state.as_ref().and_then(|state| state.demand.as_ref());
-    let demand = demand
-        .and_then(|demand| demand.stack.as_ref())
-        .map(|stack| stack.verdict);
-    let mut words = Vec::new();
-    if let Some(verdict @ (DemandVerdict::Below | DemandVerdict::Near)) = demand {
-        words.push(demand::verdict_word(verdict, language).to_owned());
-    }
-    if let Some(simulated) = answer.simulation.as_ref().filter(|simulated| simulated.falls()) {
-        let motion = simulated.motion.motion.name();
-        words.push(language.pick(
-            format!("a stone falls under {motion}"),
-            format!("{motion} 작용 시 낙하"),
-        ));
-    }
-    let chains = answer.chain_simulations.iter().filter(|run| run.falls());
-    for (motion, _) in chains.filter_map(|run| run.motion.as_ref()) {
-        let motion = motion.motion.name();
-        words.push(language.pick(
-            format!("it falls under {motion}"),
-            format!("{motion} 작용 시 전도"),
-        ));
-    }
-    for run in answer.frame_simulations.iter().filter(|run| run.falls()) {
-        let motion = run.motion.motion.name();
-        words.push(language.pick(
-            format!("it leans too far under {motion}"),
-            format!("{motion} 작용 시 과대 변위"),
-        ));
-    }
+/// What an earthquake does to a version that is not above demand, a word each.
+fn shaken(judged: &VersionJudgement, structure: &Structure, language: Language) -> Vec<String> {
+    let findings = judged.earthquake.iter();
+    let worse = findings.filter(|of| of.word.colour() != Colour::Green);
+    let mut words: Vec<String> = worse.map(|of| reason(of, structure, language)).collect();
     words.dedup();
     words
 }
 
-fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
+fn reason(of: &EarthquakeFinding, structure: &Structure, language: Language) -> String {
+    let word = of.word.word(language);
+    let motion = of.motion.as_deref();
+    match (&of.decided_by, motion) {
+        (DecidedBy::Fall, Some(motion)) if matches!(structure, Structure::Stack(_)) => language.pick(
+            format!("a stone falls under {motion}"),
+            format!("{motion} 작용 시 낙하"),
+        ),
+        (DecidedBy::Fall, Some(motion)) => language.pick(
+            format!("it falls under {motion}"),
+            format!("{motion} 작용 시 전도"),
+        ),
+        (DecidedBy::Drift, Some(motion)) if of.word == Earthquake::BelowDemand => language.pick(
+            format!("it leans too far under {motion}"),
+            format!("{motion} 작용 시 과대 변위"),
+        ),
+        (DecidedBy::Room { part }, motion) => {
+            let word = match of.word {
+                Earthquake::BelowDemand => language.pick("beyond its room", "여유 공간 초과"),
+                _ => word,
+            };
+            let under: Vec<&str> = [Some(part.as_str()), motion].into_iter().flatten().collect();
+            format!("{word} ({})", under.join(", "))
+        }
+        (DecidedBy::DamageState(state), Some(motion)) => format!("{word} ({motion}, DS{state})"),
+        (_, Some(motion)) => format!("{word} ({motion})"),
+        (_, None) => word.to_owned(),
+    }
+}
+
+/// Variants that are worse than the structure as it is, with their words.
+fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> Vec<String> {
+    let each = judgement.worse().map(|judged| {
+        let name = judged.variant.as_deref().unwrap_or_default();
+        let own = answer.variants().iter().find(|variant| variant.name == name);
+        let title = own.map_or(name, |variant| variants::title(variant, language));
+        let words = judged.words(language).join(" · ");
+        language.pick(
+            format!("Variant “{title}”: {words}"),
+            format!("변형안 ‘{title}’: {words}"),
+        )
+    });
+    each.collect()
+}
+
+fn banner(answer: &ProjectReport, state: &State, language: Language) -> Markup {
     let verdict = state.verdict();
-    let shaken = shaken(answer, language);
-    let only_near =
-        matches!(shaken.as_slice(), [words] if *words == demand::verdict_word(DemandVerdict::Near, language));
-    let class = match verdict {
-        Verdict::Stable | Verdict::Marginal if !shaken.is_empty() && !only_near => Verdict::Unstable.word(),
-        Verdict::Stable if only_near || !state.contradictions.is_empty() => Verdict::Marginal.word(),
-        verdict => verdict.word(),
-    };
+    let judgement = judge(&answer.answers);
+    let headline = judgement.headline();
+    let words = headline.map_or_else(Vec::new, |of| of.words(language));
+    let shaken = headline.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
+    let class = colour_class(judgement.colour());
     let stack = match &state.check {
         Check::Stack(answer) => Some(answer),
         _ => None,
@@ -228,8 +261,9 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
     };
     markup! {
         div class=(format!("verdict {class}")) {
-            div.word { (verdict_sign(verdict)) " " (verdict_word(verdict, language)) }
+            div.word { (judgement_sign(&judgement)) " " (words.join(" · ")) }
             div {
+                @for worse in worse(answer, &judgement, language) { p { b { (worse) "." } } }
                 @if !shaken.is_empty() {
                     p { b { (language.pick("Without shaking only. With shaking: ", "지진이 없을 때에 한함. 지진 시: ")) (shaken.join("; ")) "." } }
                 }
@@ -251,7 +285,7 @@ fn banner(answer: &Answer, state: &State, language: Language) -> Markup {
     }
 }
 
-fn method(answer: &Answer, language: Language) -> Markup {
+fn method(answer: &ProjectReport, language: Language) -> Markup {
     let lines: Vec<&str> = match answer.project.structure {
         Structure::Chain(_) => vec![
             language.pick(
@@ -320,7 +354,7 @@ fn method(answer: &Answer, language: Language) -> Markup {
     }
 }
 
-fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
+fn evidence(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Markup {
     let chain = matches!(answer.project.structure, Structure::Chain(_));
     let frame = matches!(answer.project.structure, Structure::Frame(_));
     let stack = matches!(answer.project.structure, Structure::Stack(_));
@@ -329,7 +363,7 @@ fn evidence(answer: &Answer, language: Language, imprint: &Imprint) -> Markup {
         h2 { (language.pick("Evidence and sources", "근거와 출처")) }
         ul {
             li { (language.pick("Computed by ", "계산 프로그램: ")) (imprint.program) }
-            @if let Some(sampled) = answer.state.as_ref().and_then(|s| s.sampled.as_ref()) {
+            @if let Some(sampled) = answer.state().and_then(|s| s.sampled.as_ref()) {
                 li { (language.pick("Seed of the samples: ", "표본 추출 시드: ")) (sampled.unstable.seed) }
             }
             @if let Some(source) = &answer.project.source { li { (language.pick("Input: ", "입력 자료: ")) (source) } }

@@ -7,7 +7,8 @@ use crate::figures::load_factor_distribution;
 use dolmen::assess::Sensitivity;
 use dolmen_words::Language;
 use dolmen_words::number::{self, beside_one, percent};
-use dolmen_work::answer::{Answer, Sampled, SensitivityOf, State};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::state::{Sampled, SensitivityOf, State};
 use maud::{Markup, html};
 
 /// Inputs shown in the table of sensitivities.
@@ -48,8 +49,13 @@ pub(super) fn findings(sampled: Option<&Sampled>, language: Language) -> Vec<Fin
 }
 
 /// The sections on samples and sensitivities.
-pub(super) fn sections(answer: &Answer, language: Language) -> Markup {
-    let (state, sensitivities) = (answer.state.as_ref(), &answer.sensitivities);
+pub(super) fn sections(answer: &ProjectReport, language: Language) -> Markup {
+    let state = answer.state();
+    let sensitivities = answer.check().map_or(&[][..], |check| &check.sensitivities);
+    let sensitivity_of = answer
+        .check()
+        .map(|check| check.sensitivity_of)
+        .unwrap_or_default();
     let sampled = state.and_then(|s| s.sampled.as_ref());
     let nominal = state.and_then(State::load_factor);
     if sampled.is_none() && sensitivities.is_empty() {
@@ -68,7 +74,7 @@ pub(super) fn sections(answer: &Answer, language: Language) -> Markup {
             @let drawn: Vec<String> = sampled.inputs.iter().map(|path| path_words(path, language)).collect();
             p { (language.pick("Inputs drawn: ", "추출한 입력: ")) (listed(&drawn, language)) "." }
         }
-        @if !sensitivities.is_empty() { (sensitivity_table(sensitivities, answer.sensitivity_of, language)) }
+        @if !sensitivities.is_empty() { (sensitivity_table(sensitivities, sensitivity_of, language)) }
     }
 }
 

@@ -10,7 +10,7 @@ use crate::text::setup_remarks;
 use dolmen::modal::JointSetups;
 use dolmen_words::Language;
 use dolmen_words::number::{counted, fixed, with_sd};
-use dolmen_work::answer::SetupsAnswer;
+use dolmen_work::surveyed::SetupsAnswer;
 use maud::{Markup, html};
 
 pub(super) fn finding(setups: &SetupsAnswer, language: Language) -> Finding {

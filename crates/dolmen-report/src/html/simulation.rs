@@ -10,8 +10,9 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use dolmen_words::Language;
 use dolmen_words::number::{self, significant};
-use dolmen_work::answer::Answer;
-use dolmen_work::simulation::{MotionAnswer, Simulation};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::motion::MotionAnswer;
+use dolmen_work::stack::StackSimulation;
 use maud::{Markup, html};
 
 /// Digits of peaks and residuals.
@@ -20,7 +21,7 @@ const DIGITS: usize = 3;
 const LEAST: f64 = 0.01;
 
 /// How it ended, as a finding.
-pub(super) fn findings(simulation: &Simulation, language: Language) -> Vec<Finding> {
+pub(super) fn findings(simulation: &StackSimulation, language: Language) -> Vec<Finding> {
     let motion = simulation.motion.motion.name();
     let peak = significant(simulation.peak_horizontal_g(), DIGITS);
     let lead = language.pick(
@@ -39,7 +40,7 @@ pub(super) fn findings(simulation: &Simulation, language: Language) -> Vec<Findi
 }
 
 /// How it ended, in a sentence.
-fn ending(simulation: &Simulation, language: Language) -> String {
+fn ending(simulation: &StackSimulation, language: Language) -> String {
     let korean = korean(simulation);
     let korean = match simulation.ended_before_the_motion_s() {
         Some(end_s) => {
@@ -50,7 +51,7 @@ fn ending(simulation: &Simulation, language: Language) -> String {
     language.pick(english(simulation), korean)
 }
 
-fn korean(simulation: &Simulation) -> String {
+fn korean(simulation: &StackSimulation) -> String {
     let shifted = simulation.shifted().filter(|_| {
         matches!(
             simulation.history.outcome,
@@ -110,7 +111,7 @@ fn korean(simulation: &Simulation) -> String {
 }
 
 /// The sentence of the text, without its fixed word in capitals.
-fn english(simulation: &Simulation) -> String {
+fn english(simulation: &StackSimulation) -> String {
     let text = outcome_text(simulation);
     let rest = text.split_once(": ").map_or(text.as_str(), |(_, rest)| rest);
     let word = match simulation.history.outcome {
@@ -129,17 +130,18 @@ fn english(simulation: &Simulation) -> String {
 }
 
 /// Versions under the motion side by side; nothing if no variant was simulated.
-pub(super) fn compared(answer: &Answer, language: Language) -> Markup {
+pub(super) fn compared(answer: &ProjectReport, language: Language) -> Markup {
     let own = answer
-        .simulation
-        .iter()
+        .stack_simulation()
+        .into_iter()
         .map(|s| (language.pick("as given", "현재"), s));
-    let others = answer.variants.iter().filter_map(|variant| {
+    let others = answer.variants().iter().filter_map(|variant| {
         let title = match &variant.title {
             Some(names) => language.pick(names.english(), names.korean()),
             None => &variant.name,
         };
-        Some((title, variant.simulation.as_ref()?))
+        let of_variant = |run: &&StackSimulation| run.variant.as_deref() == Some(variant.name.as_str());
+        Some((title, answer.stack_simulations().find(of_variant)?))
     });
     let all: Vec<_> = own.chain(others).collect();
     if all.len() < 2 {
@@ -180,7 +182,7 @@ pub(super) fn compared(answer: &Answer, language: Language) -> Markup {
 }
 
 /// The section of a simulation.
-pub(super) fn section(simulation: &Simulation, language: Language) -> Markup {
+pub(super) fn section(simulation: &StackSimulation, language: Language) -> Markup {
     html! {
         h2 { (language.pick("Simulated earthquake", "지진응답 시뮬레이션")) }
         p { b { (capitalised(&ending(simulation, language))) } }
@@ -282,7 +284,7 @@ fn thousandths(value: f64) -> String {
     }
 }
 
-fn joints_table(simulation: &Simulation, language: Language) -> Markup {
+fn joints_table(simulation: &StackSimulation, language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("Stone", "부재"),
         language.pick("on", "아래 부재"),
@@ -327,7 +329,7 @@ fn joints_table(simulation: &Simulation, language: Language) -> Markup {
 }
 
 /// The run itself: what a second engineer needs to repeat and to doubt it.
-fn run(simulation: &Simulation, language: Language) -> Markup {
+fn run(simulation: &StackSimulation, language: Language) -> Markup {
     let history = &simulation.history;
     let end = history.energy.last().copied().unwrap_or_default();
     let side = points_a_side(simulation.law.contact_rule());

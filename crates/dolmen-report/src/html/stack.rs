@@ -10,7 +10,8 @@ use dolmen::stability::Verdict;
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Standing, Threshold};
 use dolmen_words::Language;
 use dolmen_words::number::{self, significant};
-use dolmen_work::answer::{Answer, Check, StackAnswer};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::state::{Check, StackAnswer};
 use maud::{Markup, html};
 
 /// Digits of an acceleration or a margin.
@@ -108,10 +109,10 @@ fn first_words(answer: &StackAnswer, first: &Governing, language: Language) -> S
 }
 
 /// The sections of a stack.
-pub(super) fn sections(whole: &Answer, answer: &StackAnswer, language: Language) -> Markup {
+pub(super) fn sections(whole: &ProjectReport, answer: &StackAnswer, language: Language) -> Markup {
     let limits = &answer.check.limits;
-    let simulated_g = whole.simulation.as_ref().map(|s| s.peak_horizontal_g());
-    let site = whole.state.as_ref().and_then(|state| state.demand.as_ref());
+    let simulated_g = whole.stack_simulation().map(|s| s.peak_horizontal_g());
+    let site = whole.state().and_then(|state| state.demand.as_ref());
     let site_g = site.and_then(|demand| demand.site.peak_ground_acceleration_m_s2);
     let peak_g = simulated_g.or(site_g.map(|peak| peak / answer.stack.gravity_m_s2()));
     html! {
@@ -211,8 +212,8 @@ fn row(cut: &CutLimits, language: Language) -> Vec<Cell> {
 }
 
 /// The stack as given beside its variants.
-fn variants(whole: &Answer, own: &StackAnswer, language: Language) -> Markup {
-    if whole.variants.is_empty() {
+fn variants(whole: &ProjectReport, own: &StackAnswer, language: Language) -> Markup {
+    if whole.variants().is_empty() {
         return html! {};
     }
     let line = |name: String, answer: &StackAnswer| -> Vec<Cell> {
@@ -238,7 +239,7 @@ fn variants(whole: &Answer, own: &StackAnswer, language: Language) -> Markup {
         ]
     };
     let mut rows = vec![line(language.pick("as given", "현재").to_owned(), own)];
-    for variant in &whole.variants {
+    for variant in whole.variants() {
         if let Check::Stack(answer) = &variant.state.check {
             let title = match &variant.title {
                 Some(names) => language.pick(names.english(), names.korean()),

@@ -15,7 +15,7 @@ use maud::{Markup, html};
 const FIGURES_MOST: usize = 8;
 
 /// One section a study.
-pub(super) fn sections(studies: &[StudyAnswer], language: Language) -> Markup {
+pub(super) fn sections(studies: &[&StudyAnswer], language: Language) -> Markup {
     html! {
         @for study in studies { (section(study, language)) }
     }

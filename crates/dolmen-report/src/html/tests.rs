@@ -8,9 +8,9 @@ use dolmen::structure::{Choice, Convention, StiffnessSolution, StiffnessSolution
 use dolmen_project::{Project, Quantity, Structure, parse_project};
 use dolmen_words::Language;
 use dolmen_words::number::with_sd;
-use dolmen_work::answer::{
-    Answer, Check, DirectionCheck, RecordAnswer, State, StiffnessAnswer, SurveyAnswer,
-};
+use dolmen_work::answer::Answer;
+use dolmen_work::state::{Check, DirectionCheck, State};
+use dolmen_work::surveyed::{RecordAnswer, StiffnessAnswer, SurveyAnswer};
 
 const POLE: &str = r#"
 schema = 1

@@ -7,11 +7,11 @@ use crate::text::{choice_words, findings as sentences, room_words, together_word
 use dolmen::damper::{Aim, Choice, DesignEnd, TuningRule};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
-use dolmen_work::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use maud::{Markup, html};
 
 /// What is worse than no damper, and what the best brings.
-pub(super) fn findings(answers: &[TuneAnswer], language: Language) -> Vec<Finding> {
+pub(super) fn findings(answers: &[&TuneAnswer], language: Language) -> Vec<Finding> {
     let mut all = Vec::new();
     for answer in answers {
         let worse = answer.comparison.row(Choice::Given).map(|row| answer.worse(row));
@@ -97,7 +97,7 @@ fn beyond_room(room: &RoomCheck, language: Language, is_given: impl Fn(usize) ->
 }
 
 /// What all dampers together need beyond their room.
-pub(super) fn findings_together(answers: &[TogetherAnswer], language: Language) -> Vec<Finding> {
+pub(super) fn findings_together(answers: &[&TogetherAnswer], language: Language) -> Vec<Finding> {
     let each = answers.iter().map(|answer| {
         beyond_room(&answer.room, language, |row| {
             let row = answer.rows.get(row);
@@ -108,7 +108,7 @@ pub(super) fn findings_together(answers: &[TogetherAnswer], language: Language) 
 }
 
 /// One section a damper.
-pub(super) fn sections(answers: &[TuneAnswer], language: Language) -> Markup {
+pub(super) fn sections(answers: &[&TuneAnswer], language: Language) -> Markup {
     html! { @for answer in answers { (section(answer, language)) } }
 }
 
@@ -335,7 +335,7 @@ fn caption(name: &str, language: Language) -> &'static str {
 }
 
 /// All dampers of a version at once.
-pub(super) fn together(answers: &[TogetherAnswer], language: Language) -> Markup {
+pub(super) fn together(answers: &[&TogetherAnswer], language: Language) -> Markup {
     html! { @for answer in answers { (all_of(answer, language)) } }
 }
 

@@ -8,7 +8,8 @@ use crate::figures::{VariantDot, variants_compared};
 use dolmen::stability::Verdict;
 use dolmen_words::Language;
 use dolmen_words::number::{beside_one, significant};
-use dolmen_work::answer::{Answer, Check, State, VariantAnswer};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::state::{Check, State, VariantAnswer};
 use maud::{Markup, html};
 
 /// Differences of λ below this share are called none.
@@ -23,13 +24,13 @@ struct Row {
     frequency_hz: Option<f64>,
 }
 
-pub(super) fn findings(answer: &Answer, language: Language) -> Vec<Finding> {
-    let Some(state) = &answer.state else {
+pub(super) fn findings(answer: &ProjectReport, language: Language) -> Vec<Finding> {
+    let Some(state) = answer.state() else {
         return Vec::new();
     };
     let basis = rows(state, "");
     let mut all = Vec::new();
-    for variant in &answer.variants {
+    for variant in answer.variants() {
         let title = title(variant, language);
         for (after, before) in rows(&variant.state, "").iter().zip(&basis) {
             let (Some(new), Some(old)) = (after.load_factor, before.load_factor) else {
@@ -61,12 +62,12 @@ pub(super) fn findings(answer: &Answer, language: Language) -> Vec<Finding> {
 }
 
 /// The section that compares variants.
-pub(super) fn section(answer: &Answer, language: Language) -> Markup {
-    let Some(state) = answer.state.as_ref().filter(|_| !answer.variants.is_empty()) else {
+pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
+    let Some(state) = answer.state().filter(|_| !answer.variants().is_empty()) else {
         return html! {};
     };
     let mut all = rows(state, language.pick("as given", "현재"));
-    for variant in &answer.variants {
+    for variant in answer.variants() {
         all.extend(rows(&variant.state, title(variant, language)));
     }
     let dots: Vec<VariantDot> = all

@@ -5,6 +5,7 @@ use dolmen::structure::Convention;
 use dolmen_project::Evidence;
 use dolmen_words::Language;
 use dolmen_words::number;
+use dolmen_work::judgement::{Colour, Judgement, Weight};
 
 /// The word of a verdict.
 pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str {
@@ -16,13 +17,23 @@ pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str
     }
 }
 
-/// The sign that stands before a verdict, for those who see no colours.
-pub(super) fn verdict_sign(verdict: Verdict) -> &'static str {
-    match verdict {
-        Verdict::Stable => "●",
-        Verdict::Marginal => "◆",
-        Verdict::Unstable => "✕",
-        Verdict::Unknown => "?",
+/// The class of the style sheet that has a colour.
+pub(super) fn colour_class(colour: Colour) -> &'static str {
+    match colour {
+        Colour::Green => "stable",
+        Colour::Amber => "marginal",
+        Colour::Red => "unstable",
+    }
+}
+
+/// The sign that stands before a judgement, for those who see no colours.
+pub(super) fn judgement_sign(judgement: &Judgement) -> &'static str {
+    let weight = judgement.headline().and_then(|of| of.weight);
+    match (judgement.colour(), weight) {
+        (Colour::Green, _) => "●",
+        (Colour::Amber, Some(Weight::Unknown { .. })) => "?",
+        (Colour::Amber, _) => "◆",
+        (Colour::Red, _) => "✕",
     }
 }
 

@@ -1,13 +1,15 @@
 //! A building as JSON: its check, its simulation.
 
+use super::judgement::judgement;
 use super::simulation::motion_json;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::{BuildingPeaks, HistoryMethod, Peak};
 use dolmen_project::BuiltDamper;
+use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding,
 };
-use dolmen_work::simulation::BuildingSimulation;
+use dolmen_work::judgement::judge_building_run;
 use serde_json::{Value, json};
 
 /// The check of a building.
@@ -140,6 +142,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
+        "judgement": judgement(&judge_building_run(simulation)),
         "motion": motion_json(&simulation.motion),
         "method": match history.method {
             HistoryMethod::ComplexModes => "complex_modes",

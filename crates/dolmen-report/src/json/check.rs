@@ -2,22 +2,26 @@
 
 use super::building::building;
 use super::demand::demand;
+use super::judgement::judgement;
 use super::stack::stack;
 use dolmen::assess::{CentroidEffect, ChainCheck, FrameCheck, Probability, Sensitivity};
 use dolmen::stability::{ChainLimits, ChainStability, FrameStability, JointStability, StoreyStability};
 use dolmen::structure::NaturalMode;
 use dolmen_project::Project;
-use dolmen_work::answer::{Answer, Check, DirectionCheck, Sampled, SensitivityOf, State};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::judgement::judge_check;
+use dolmen_work::state::{Check, DirectionCheck, Sampled, SensitivityOf, State};
 use serde_json::{Value, json};
 
 /// A project's whole check.
-pub fn check_json(answer: &Answer) -> Value {
+pub fn check_json(answer: &CheckAnswer) -> Value {
     let variants = answer
         .variants
         .iter()
         .map(|variant| json!({ "name": variant.name, "state": state(&variant.state) }));
     json!({
         "project": project(&answer.project, &answer.file),
+        "judgement": judgement(&judge_check(answer)),
         "state": answer.state.as_ref().map(state),
         "variants": variants.collect::<Vec<_>>(),
         "sensitivity_of": match answer.sensitivity_of {

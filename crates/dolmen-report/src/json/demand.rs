@@ -3,7 +3,7 @@
 use crate::text::{ground_word, type_word};
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, SpectrumBranches, StackDemandCheck};
 use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
-use dolmen_work::answer::DemandAnswer;
+use dolmen_work::state::DemandAnswer;
 use serde_json::{Value, json};
 
 /// The site, its numbers, and what they ask of the structure.

@@ -1,8 +1,10 @@
 //! A simulation of a frame, as JSON.
 
+use super::judgement::judgement;
 use super::simulation::motion_json;
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
-use dolmen_work::simulation::FrameSimulation;
+use dolmen_work::frame::FrameSimulation;
+use dolmen_work::judgement::judge_frame_run;
 use serde_json::{Value, json};
 
 /// Everything of a simulation but its histories.
@@ -30,6 +32,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
+        "judgement": judgement(&judge_frame_run(simulation)),
         "direction": simulation.direction,
         "component": simulation.component.name(),
         "motion": motion_json(&simulation.motion),

@@ -6,11 +6,12 @@ use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, Mod
 use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use dolmen_words::Language;
-use dolmen_work::answer::{Answer, RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
+use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
 
 /// What was identified from every survey.
-pub fn identification_json(answer: &Answer) -> Value {
+pub fn identification_json(answer: &IdentifyAnswer) -> Value {
     json!({
         "project": project(&answer.project, &answer.file),
         "surveys": answer.surveys.iter().map(survey).collect::<Vec<_>>(),

@@ -8,6 +8,7 @@ mod demand;
 mod fragility;
 mod frame_simulation;
 mod identify;
+mod judgement;
 mod motion;
 mod rank;
 mod score;

@@ -1,18 +1,22 @@
 //! A simulation, as JSON.
 
+use super::judgement::judgement;
 use crate::text::points_a_side;
 use dolmen::blocks::Outcome;
 use dolmen::signal::Component;
-use dolmen_work::simulation::{MotionAnswer, Simulation};
+use dolmen_work::judgement::judge_stack_run;
+use dolmen_work::motion::MotionAnswer;
+use dolmen_work::stack::StackSimulation;
 use serde_json::{Value, json};
 
 /// Everything of a simulation but its histories: what went in, how it ended, peaks and residuals, the balance of energy.
-pub fn simulation_json(simulation: &Simulation) -> Value {
+pub fn simulation_json(simulation: &StackSimulation) -> Value {
     let (history, law) = (&simulation.history, &simulation.law);
     json!({
         "file": simulation.file,
         "name": { "en": simulation.name.en, "ko": simulation.name.ko },
         "variant": simulation.variant,
+        "judgement": judgement(&judge_stack_run(simulation)),
         "motion": motion_json(&simulation.motion),
         "law": law.name(),
         "contact_points_a_side": points_a_side(law.contact_rule()),
@@ -69,7 +73,7 @@ pub(super) fn motion_json(answer: &MotionAnswer) -> Value {
     })
 }
 
-fn outcome(simulation: &Simulation) -> Value {
+fn outcome(simulation: &StackSimulation) -> Value {
     let until_then = ending(simulation);
     match simulation.ended_before_the_motion_s() {
         Some(end_s) => json!({ "kind": "ended_before_the_motion", "at_s": end_s, "until_then": until_then }),
@@ -77,7 +81,7 @@ fn outcome(simulation: &Simulation) -> Value {
     }
 }
 
-fn ending(simulation: &Simulation) -> Value {
+fn ending(simulation: &StackSimulation) -> Value {
     let name = |block: usize| simulation.stack.blocks().get(block).map(|b| b.name.as_str());
     match simulation.history.outcome {
         Outcome::Stood => json!({ "kind": "stood" }),
@@ -110,7 +114,7 @@ fn ending(simulation: &Simulation) -> Value {
     }
 }
 
-fn joints(simulation: &Simulation) -> Vec<Value> {
+fn joints(simulation: &StackSimulation) -> Vec<Value> {
     let each = simulation.history.joints.iter().enumerate();
     each.map(|(number, joint)| {
         let [upper, lower] = simulation.joint_names(number);
@@ -127,7 +131,7 @@ fn joints(simulation: &Simulation) -> Vec<Value> {
     .collect()
 }
 
-fn blocks(simulation: &Simulation) -> Vec<Value> {
+fn blocks(simulation: &StackSimulation) -> Vec<Value> {
     let last = simulation.poses(simulation.samples().saturating_sub(1));
     let (rest, each) = (simulation.poses(0), simulation.stack.blocks().iter().zip(last));
     each.zip(rest)
@@ -138,7 +142,7 @@ fn blocks(simulation: &Simulation) -> Vec<Value> {
         .collect()
 }
 
-fn energy(simulation: &Simulation) -> Value {
+fn energy(simulation: &StackSimulation) -> Value {
     let history = &simulation.history;
     let end = history.energy.last().copied().unwrap_or_default();
     json!({

@@ -2,7 +2,7 @@
 
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Threshold};
 use dolmen::structure::stack::{Body, Stack};
-use dolmen_work::answer::{MODES_SHOWN, StackAnswer, StackFrequencies};
+use dolmen_work::state::{MODES_SHOWN, StackAnswer, StackFrequencies};
 use serde_json::{Value, json};
 
 /// Blocks, joints and limits.

@@ -1,7 +1,7 @@
 //! A damper beside the rule and the best, as JSON.
 
 use dolmen::damper::{Compared, DesignEnd, Goal, MapCell, PlacedDamper, RobustnessPoint};
-use dolmen_work::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
 use serde_json::{Value, json};
 
 /// Everything that was found.

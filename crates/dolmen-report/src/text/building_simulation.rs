@@ -6,7 +6,7 @@ use dolmen::dynamics::HistoryMethod;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_project::strokes_of;
 use dolmen_words::number::{significant, significant_beside, trimmed};
-use dolmen_work::simulation::{Against, BuildingSimulation};
+use dolmen_work::building::{Against, BuildingSimulation};
 use std::fmt::Write as _;
 
 /// How it moved: base, floors, storeys, dampers, points.

@@ -3,7 +3,7 @@
 use super::Table;
 use dolmen::dynamics::{ChainOutcome, JointFriction};
 use dolmen_words::number;
-use dolmen_work::simulation::ChainSimulation;
+use dolmen_work::chain::ChainSimulation;
 use std::fmt::Write as _;
 
 /// Digits of stiffness and moments.

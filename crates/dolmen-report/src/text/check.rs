@@ -12,7 +12,9 @@ use dolmen::stability::{ChainLimits, ChainStability, FrameStability};
 use dolmen::structure::NaturalMode;
 use dolmen_project::{Project, Structure};
 use dolmen_words::number::{percent, prefix};
-use dolmen_work::answer::{Answer, Check, DirectionCheck, State};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::judgement::{VersionJudgement, judge_check};
+use dolmen_work::state::{Check, DirectionCheck, State};
 use std::fmt::Write as _;
 
 /// Digits of a stiffness in the table of limits: as many as the theory is known to.
@@ -21,19 +23,23 @@ const LIMIT_DECIMALS: usize = 4;
 const ROUNDING: f64 = 1e-9;
 
 /// The whole check of a project and its variants.
-pub fn check_text(answer: &Answer) -> String {
+pub fn check_text(answer: &CheckAnswer) -> String {
     let mut out = heading_text(&answer.project, &answer.file);
     let Some(state) = &answer.state else {
         out += "\nNothing is modelled (kind = \"survey\"), so there is nothing to check: run `dolmen identify`.\n";
         return out + &warnings_text(&answer.project);
     };
-    out += &state_text(state, &answer.project);
+    let judgement = judge_check(answer);
+    let mut versions = judgement.versions.iter();
+    if let Some(as_it_is) = versions.next() {
+        out += &state_text(state, as_it_is, &answer.project);
+    }
     out += &made_stones_text(&answer.project);
-    for variant in &answer.variants {
+    for (variant, judged) in answer.variants.iter().zip(versions) {
         let title = variant.title.as_ref().map_or("", |names| names.english());
         let _ = writeln!(out, "\n== variant {} {title}", variant.name);
         let same_limits = same_limits(state, &variant.state);
-        out += &verdict_line(&variant.state);
+        out += &verdict_line(&variant.state, judged);
         if !same_limits {
             out += &limits_of(&variant.state);
         }
@@ -59,8 +65,8 @@ pub fn check_text(answer: &Answer) -> String {
     out
 }
 
-fn state_text(state: &State, project: &Project) -> String {
-    let mut out = verdict_line(state);
+fn state_text(state: &State, judged: &VersionJudgement, project: &Project) -> String {
+    let mut out = verdict_line(state, judged);
     out += &limits_of(state);
     out += &spring_fits_text(&state.spring_fits);
     if let (Check::Chain(check), Structure::Chain(part)) = (&state.check, &project.structure) {

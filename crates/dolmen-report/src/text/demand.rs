@@ -8,7 +8,7 @@ use dolmen::assess::demand::{
 pub(crate) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
 use dolmen_words::number::trimmed;
-use dolmen_work::answer::{DemandAnswer, SpectralAt};
+use dolmen_work::state::{DemandAnswer, SpectralAt};
 use std::fmt::Write as _;
 
 /// Digits of the numbers that a code gives on its way.

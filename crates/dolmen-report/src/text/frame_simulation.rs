@@ -5,7 +5,7 @@ use dolmen::dynamics::{FrameOutcome, FrictionActsOn, FrictionFrame, Sliders, Sto
 use dolmen::signal::Component;
 use dolmen_words::Language;
 use dolmen_words::number::significant;
-use dolmen_work::simulation::FrameSimulation;
+use dolmen_work::frame::FrameSimulation;
 use std::fmt::Write as _;
 
 /// How it ended, each storey, the balance of energy.

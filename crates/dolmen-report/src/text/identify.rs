@@ -8,11 +8,12 @@ use super::stiffness::{data_text, masses_text, stiffness_text};
 use dolmen::modal::{Method, Modes, Settings};
 use dolmen::signal::{Channel, Processing};
 use dolmen_words::number::{TWO_SIDED_95, counted};
-use dolmen_work::answer::{Answer, RecordAnswer, SurveyAnswer};
+use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::surveyed::{RecordAnswer, SurveyAnswer};
 use std::fmt::Write as _;
 
 /// What was identified from every survey.
-pub fn identification_text(answer: &Answer) -> String {
+pub fn identification_text(answer: &IdentifyAnswer) -> String {
     let mut out = heading_text(&answer.project, &answer.file);
     if answer.surveys.is_empty() {
         out +=

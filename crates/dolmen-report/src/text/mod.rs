@@ -12,6 +12,7 @@ mod frame_simulation;
 mod identify;
 mod motion;
 mod project;
+mod project_line;
 mod rank;
 mod score;
 mod setups;
@@ -37,6 +38,7 @@ pub use frame_simulation::{frame_outcome_text, frame_simulation_text, friction_w
 pub use identify::identification_text;
 pub use motion::motion_report_text;
 pub use project::{heading_text, warnings_text};
+pub use project_line::project_line;
 pub use rank::rank_text;
 pub use score::{score_quality_text, score_text};
 pub(crate) use setups::remarks as setup_remarks;

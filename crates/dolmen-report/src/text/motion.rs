@@ -3,8 +3,8 @@
 use super::Table;
 use super::simulation::drift_words;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen_work::motion::base_line_drifts;
 use dolmen_work::motion::{MatchAnswer, MotionReport, MotionSeries};
-use dolmen_work::simulation::base_line_drifts;
 use std::fmt::Write as _;
 
 /// Files and channels, the history, the measures, the match and the spectrum.

@@ -4,7 +4,7 @@ use super::Table;
 use dolmen::modal::{Agreement, JointSetups, MergedMode, Mode, PartialMode};
 use dolmen_words::Language;
 use dolmen_words::number::TWO_SIDED_95;
-use dolmen_work::answer::{REFERENCES_ALIKE, SetupsAnswer};
+use dolmen_work::surveyed::{REFERENCES_ALIKE, SetupsAnswer};
 
 /// What all setups give together; each by itself has been printed before.
 pub(super) fn merged_text(setups: &SetupsAnswer) -> String {

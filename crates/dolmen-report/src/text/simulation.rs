@@ -5,7 +5,8 @@ use dolmen::blocks::{ContactLaw, ContactRule, Outcome, StackHistory};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use dolmen_project::Project;
-use dolmen_work::simulation::{MotionAnswer, Simulation};
+use dolmen_work::motion::MotionAnswer;
+use dolmen_work::stack::StackSimulation;
 use std::fmt::Write as _;
 
 /// Share of the work put in that contacts may make before it is called a fault: that of the engine's own tests.
@@ -86,7 +87,7 @@ pub(crate) fn drift_words(name: &str, away_m: f64) -> String {
 }
 
 /// What came out: how it ended, each joint, the balance of energy.
-pub fn simulation_text(simulation: &Simulation) -> String {
+pub fn simulation_text(simulation: &StackSimulation) -> String {
     let mut out = format!("\n{}\n", outcome_text(simulation));
     out += &joints_text(simulation);
     out += &top_text(simulation);
@@ -96,7 +97,7 @@ pub fn simulation_text(simulation: &Simulation) -> String {
 }
 
 /// How it ended, in one sentence that begins with a fixed word.
-pub fn outcome_text(simulation: &Simulation) -> String {
+pub fn outcome_text(simulation: &StackSimulation) -> String {
     let sentence = ending(simulation);
     match simulation.ended_before_the_motion_s() {
         Some(end_s) => simulation.motion.cut_words(end_s) + &sentence,
@@ -104,7 +105,7 @@ pub fn outcome_text(simulation: &Simulation) -> String {
     }
 }
 
-fn ending(simulation: &Simulation) -> String {
+fn ending(simulation: &StackSimulation) -> String {
     let history = &simulation.history;
     let least_mm = 1e3 * StackHistory::UPLIFT_LEAST_M;
     let state = simulation.damage.state.number();
@@ -201,7 +202,7 @@ fn ending(simulation: &Simulation) -> String {
     }
 }
 
-fn joints_text(simulation: &Simulation) -> String {
+fn joints_text(simulation: &StackSimulation) -> String {
     let heads = [
         "stone",
         "on",
@@ -242,7 +243,7 @@ fn thousandths(value: f64) -> String {
     }
 }
 
-fn top_text(simulation: &Simulation) -> String {
+fn top_text(simulation: &StackSimulation) -> String {
     let block = simulation.highest_block();
     let moved = simulation.displacement_m(block);
     let far = |d: &[f64; 3]| d[0].hypot(d[1]);
@@ -256,7 +257,7 @@ fn top_text(simulation: &Simulation) -> String {
     )
 }
 
-fn energy_text(simulation: &Simulation) -> String {
+fn energy_text(simulation: &StackSimulation) -> String {
     let history = &simulation.history;
     let end = history.energy.last().copied().unwrap_or_default();
     let start = history.energy.first().copied().unwrap_or_default();
@@ -300,7 +301,7 @@ fn lost_in(law: &ContactLaw) -> &'static str {
     }
 }
 
-fn run_text(simulation: &Simulation) -> String {
+fn run_text(simulation: &StackSimulation) -> String {
     let history = &simulation.history;
     let side = points_a_side(simulation.law.contact_rule());
     let stable = match simulation.law {

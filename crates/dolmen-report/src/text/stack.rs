@@ -4,7 +4,8 @@ use super::Table;
 use dolmen::assess::{StackCheck, StackNote};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{CutLimits, Governing, LimitKind, StackLimitStates, Threshold};
-use dolmen_work::answer::{Answer, Check, MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::state::{Check, MODES_SHOWN, SpringFit, StackAnswer, StackFrequencies};
 use std::fmt::Write as _;
 
 /// Directions nearer to an axis than this are that axis, rad.
@@ -222,7 +223,7 @@ fn row(cut: &CutLimits) -> Vec<String> {
 }
 
 /// Versions of a stack side by side.
-pub(super) fn stack_comparison(answer: &Answer) -> String {
+pub(super) fn stack_comparison(answer: &CheckAnswer) -> String {
     let mut heads = vec![
         "version",
         "verdict",

@@ -7,7 +7,7 @@ use dolmen::structure::{Choice, NaturalMode, StiffnessBounds, StiffnessSolution,
 use dolmen_project::{Project, Quantity, Structure};
 use dolmen_words::Language;
 use dolmen_words::number::{Prefixed, TWO_SIDED_95, beside_one, prefix, trimmed};
-use dolmen_work::answer::{StiffnessAnswer, SurveyAnswer};
+use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer};
 use std::fmt::Write as _;
 
 /// Significant digits of a frequency that went in.

@@ -3,7 +3,7 @@
 use super::Table;
 use dolmen::damper::{Aim, Choice, Compared, DesignEnd, Goal};
 use dolmen_words::Language;
-use dolmen_work::tune::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, direction_words};
 use std::fmt::Write as _;
 
 /// What is compared, what each choice does, tunings with their names, and what being off costs.

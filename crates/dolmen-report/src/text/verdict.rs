@@ -2,8 +2,10 @@
 
 use super::stack::stack_verdict;
 use dolmen::stability::Verdict;
+use dolmen_words::Language;
 use dolmen_words::number::beside_one;
-use dolmen_work::answer::{Check, State, TiltCheck};
+use dolmen_work::judgement::VersionJudgement;
+use dolmen_work::state::{Check, State, TiltCheck};
 use std::fmt::Write as _;
 
 /// A chance of falling whose upper bound is above this stands beside the verdict. Chosen here.
@@ -11,8 +13,8 @@ const SAID_LEAST: f64 = 0.01;
 /// Load factors above this are asked about. Chosen here: measured timber frames and stone poles have 5 to 100.
 const LOAD_FACTOR_USUAL_MOST: f64 = 500.0;
 
-/// The verdict, its reason, and what stands beside it.
-pub(super) fn verdict_line(state: &State) -> String {
+/// The words of the judgement, the reason of its word on weight, and what stands beside it.
+pub(super) fn verdict_line(state: &State, judgement: &VersionJudgement) -> String {
     let verdict = state.verdict();
     let worst_tilt = state.tilts.iter().find(|tilt| tilt.verdict() == verdict);
     let why = match (state.stability_verdict(), state.load_factor()) {
@@ -53,11 +55,12 @@ pub(super) fn verdict_line(state: &State) -> String {
         ),
         (_, None) => String::new(),
     };
-    let but = match state.contradictions.is_empty() {
-        true => "",
-        false => "; BUT a survey contradicts this model",
+    let but = match judgement.evidence.is_contradicted() {
+        false => "",
+        true => "; BUT a survey contradicts this model",
     };
-    let mut out = format!("\nVERDICT {}: {why}{but}\n", verdict.word());
+    let words = judgement.words(Language::English).join("; ");
+    let mut out = format!("\nVERDICT {words}: {why}{but}\n");
     if let Some(sampled) = state
         .sampled
         .as_ref()

@@ -4,7 +4,8 @@ use super::Table;
 use super::stack::stack_comparison;
 use dolmen::structure::NaturalMode;
 use dolmen_words::number::percent;
-use dolmen_work::answer::{Answer, Check, Sampled, SensitivityOf};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::state::{Check, Sampled, SensitivityOf};
 
 /// Elasticities below this are not listed: less than a hundredth of a per cent for one per cent of input.
 const ELASTICITY_SHOWN_LEAST: f64 = 5e-5;
@@ -37,7 +38,7 @@ pub(super) fn sampled_text(sampled: &Sampled) -> String {
     )
 }
 
-pub(super) fn comparison(answer: &Answer) -> String {
+pub(super) fn comparison(answer: &CheckAnswer) -> String {
     if matches!(answer.state.as_ref().map(|s| &s.check), Some(Check::Stack(_))) {
         return stack_comparison(answer);
     }
@@ -88,7 +89,7 @@ fn first_frequency(mode: &NaturalMode) -> String {
     }
 }
 
-pub(super) fn sensitivity_text(answer: &Answer) -> String {
+pub(super) fn sensitivity_text(answer: &CheckAnswer) -> String {
     let sensitivities = &answer.sensitivities;
     let of = match answer.sensitivity_of {
         SensitivityOf::LoadFactor => "load factor",

@@ -10,15 +10,16 @@ use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 use dolmen_project::Names;
 use dolmen_report::figures::{stack_after, stack_capacity, stack_governing, stack_histories, stack_view};
+use dolmen_report::film::{FILM_STEP_S, stack_film};
 use dolmen_report::json::simulation_json;
+use dolmen_report::tables::{energy_csv, joints_csv, poses_csv};
 use dolmen_report::text::{outcome_text, simulation_text};
 use dolmen_words::Language;
-use dolmen_work::simulation::{
-    FILM_STEP_S, MotionAnswer, Simulation, energy_csv, joints_csv, poses_csv, stack_film,
-};
+use dolmen_work::motion::MotionAnswer;
+use dolmen_work::stack::StackSimulation;
 use serde_json::Value;
 
-fn simulation() -> Simulation {
+fn simulation() -> StackSimulation {
     let block = |name: &str, z: f64| Block {
         name: name.into(),
         solid: Solid::cuboid(0.3, 0.2, 0.1).unwrap().placed(&Placement {
@@ -37,7 +38,7 @@ fn simulation() -> Simulation {
     };
     let history = simulate_springs(&stack, Some(&motion), &options, &mut |_| true).unwrap();
     let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
-    Simulation {
+    StackSimulation {
         damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
         file: "project.toml".into(),
         name: Names {

@@ -2,11 +2,13 @@
 
 mod answer;
 mod columns;
+mod rank;
 mod table;
 mod words;
 
 pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
 pub use columns::ranking_columns;
+pub use rank::{FoundProject, Projects, RankOptions, rank};
 pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
 pub use words::{
     basis_words, capacity_words, count_words, factor_words, falls_first, hazards_replaced, known_word,

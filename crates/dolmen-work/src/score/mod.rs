@@ -2,6 +2,9 @@
 
 mod answer;
 mod designs;
+mod verb;
 
 pub use answer::{ScoreAnswer, ScoreQuality, StateScore, unlike_words};
 pub use designs::{SCORE_STATES, ScoreDesign, ScoreDesigns, ScoreDesignsError};
+pub(crate) use verb::{check_alike, factors};
+pub use verb::{score, score_quality};

@@ -2,6 +2,7 @@
 //! one torn line, the last.
 
 use super::run::{Run, RunOutcome, StudyKind};
+use crate::error::WorkError;
 
 /// First word of a journal, with the version of its layout.
 const MAGIC: &str = "dolmen-study-journal-4";
@@ -46,9 +47,18 @@ impl JournalHeader {
     }
 }
 
+/// Where the runs of a study are kept as they end, from any thread.
+pub trait Journal: Send + Sync {
+    /// Keeps a run: once this returns it is not lost.
+    ///
+    /// # Errors
+    /// [`WorkError`], where it cannot be written.
+    fn append(&self, run: &Run) -> Result<(), WorkError>;
+}
+
 /// A journal as it was read.
 #[derive(Clone, Debug)]
-pub struct Journal {
+pub struct ReadJournal {
     /// Its header.
     pub header: JournalHeader,
     /// Its runs in the order in which they ended.
@@ -132,7 +142,7 @@ pub fn run_line(run: &Run) -> String {
 ///
 /// # Errors
 /// [`JournalError`] without a header, or with a damaged line before the last.
-pub fn read_journal(text: &str, kind: StudyKind) -> Result<Journal, JournalError> {
+pub fn read_journal(text: &str, kind: StudyKind) -> Result<ReadJournal, JournalError> {
     let mut lines = text.split_inclusive('\n').enumerate();
     let first = lines.next().and_then(|(_, line)| opened(line));
     let header = first.as_deref().and_then(header_of).ok_or(JournalError::Header)?;
@@ -149,7 +159,7 @@ pub fn read_journal(text: &str, kind: StudyKind) -> Result<Journal, JournalError
             None => return Err(JournalError::Line { line: number + 1 }),
         }
     }
-    Ok(Journal {
+    Ok(ReadJournal {
         header,
         runs,
         whole_bytes,

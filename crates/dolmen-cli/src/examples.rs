@@ -1,0 +1,86 @@
+//! `dolmen new`: the shipped examples, and a project started from one.
+
+use crate::cli::{Kind, New};
+use crate::files;
+use crate::outcome::Outcome;
+use anyhow::{Context as _, Result};
+use dolmen_records::{FileError, Files};
+use include_dir::{Dir, include_dir};
+use std::path::Path;
+
+/// The folder `examples/` as it was at build time: the command carries its examples with it.
+static EXAMPLES: Dir = include_dir!("$CARGO_MANIFEST_DIR/../../examples");
+
+/// Folders of the examples that `dolmen demo` runs, in order.
+pub(crate) const DEMO: [&str; 3] = ["naju_flagpole", "heunginjimun_gate", "palisaden"];
+
+fn example_of(kind: Kind) -> &'static str {
+    match kind {
+        Kind::Flagpole => "naju_flagpole",
+        Kind::Gate => "heunginjimun_gate",
+        Kind::Pagoda => "three_storey_pagoda",
+        Kind::Building => "twisting_floor",
+        Kind::Survey => "palisaden",
+    }
+}
+
+/// Writes the files of the example `name` into `directory`.
+pub(crate) fn copy_example(name: &str, directory: &Path) -> Result<()> {
+    let example = EXAMPLES
+        .get_dir(name)
+        .with_context(|| format!("the example {name} is not in this build"))?;
+    for file in example.files() {
+        let file_name = file.path().file_name().unwrap_or_default();
+        files::write(&directory.join(file_name), file.contents())?;
+    }
+    Ok(())
+}
+
+/// The files of an example.
+pub(crate) struct Example(pub(crate) &'static str);
+
+impl Files for Example {
+    fn read(&self, name: &str, _most_bytes: u64) -> Result<Vec<u8>, FileError> {
+        let found = EXAMPLES.get_file(format!("{}/{name}", self.0));
+        match found {
+            Some(file) => Ok(file.contents().to_vec()),
+            None => Err(FileError::Absent {
+                shown: format!("{}/{name}", self.0),
+            }),
+        }
+    }
+}
+
+/// A text file of the example `name`.
+pub(crate) fn example_text(name: &str, file: &str) -> Result<&'static str> {
+    let found = EXAMPLES.get_file(format!("{name}/{file}"));
+    found
+        .and_then(include_dir::File::contents_utf8)
+        .with_context(|| format!("{name}/{file} is not in this build"))
+}
+
+pub(crate) fn run(options: &New, quiet: bool) -> Result<Outcome> {
+    let directory = &options.directory;
+    files::fresh_folder(directory)?;
+    copy_example(example_of(options.kind), directory)?;
+    if !quiet {
+        let shown = directory.display();
+        println!(
+            "{shown}/project.toml is a copy of the example {}.",
+            example_of(options.kind)
+        );
+        println!("Next: put your own numbers in it (its README.md says what each means), then");
+        let verb = match options.kind {
+            Kind::Flagpole | Kind::Pagoda | Kind::Building => "check",
+            Kind::Gate | Kind::Survey => "identify",
+        };
+        println!("    dolmen {verb} {shown}");
+        let motion = if matches!(options.kind, Kind::Pagoda | Kind::Building) {
+            " --motion el-centro-1940-ns"
+        } else {
+            ""
+        };
+        println!("    dolmen report {shown}{motion} -o {shown}/report.html");
+    }
+    Ok(Outcome::Done)
+}

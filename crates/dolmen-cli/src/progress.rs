@@ -1,0 +1,134 @@
+//! Progress on standard error, on a terminal only, and Ctrl-C, which keeps what is done.
+
+use dolmen_work::{Progress, Stage};
+use indicatif::{ProgressBar, ProgressStyle};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Mutex, OnceLock, PoisonError};
+use std::time::Duration;
+
+/// Ctrl-C was pressed: what is under way ends at its next sample and keeps what is done.
+static STOP: AtomicBool = AtomicBool::new(false);
+/// The handler of Ctrl-C is set once a process.
+static HANDLER: OnceLock<bool> = OnceLock::new();
+/// Exit status of a process that Ctrl-C ends, as shells have it.
+const INTERRUPTED: i32 = 130;
+/// How often the progress line turns.
+const TICK: Duration = Duration::from_millis(120);
+
+/// A bar or a turning line.
+pub(crate) struct Terminal {
+    quiet: bool,
+    shown: Mutex<Shown>,
+}
+
+struct Shown {
+    bar: ProgressBar,
+    /// Length of a run, s; `None` while something else is under way.
+    whole_s: Option<f64>,
+}
+
+impl Terminal {
+    pub(crate) fn new(quiet: bool) -> Self {
+        Terminal {
+            quiet,
+            shown: Mutex::new(Shown {
+                bar: ProgressBar::hidden(),
+                whole_s: None,
+            }),
+        }
+    }
+
+    fn bar(&self, length: u64, template: &str) -> ProgressBar {
+        styled(
+            if self.quiet {
+                ProgressBar::hidden()
+            } else {
+                ProgressBar::new(length)
+            },
+            template,
+        )
+    }
+
+    fn spinner(&self, message: String) -> ProgressBar {
+        let bar = if self.quiet {
+            ProgressBar::hidden()
+        } else {
+            ProgressBar::new_spinner()
+        };
+        let bar = styled(bar, "{spinner} {msg} {elapsed}");
+        bar.set_message(message);
+        bar.enable_steady_tick(TICK);
+        bar
+    }
+}
+
+fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
+    if let Ok(style) = ProgressStyle::with_template(template) {
+        bar.set_style(style);
+    }
+    bar
+}
+
+impl Progress for Terminal {
+    fn begin(&self, stage: &Stage) {
+        let mut shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        shown.bar.finish_and_clear();
+        shown.whole_s = None;
+        shown.bar = match stage {
+            Stage::Simulating { whole_s } => {
+                watch_interrupts();
+                shown.whole_s = Some(*whole_s);
+                let template = "{bar:40} {msg} {eta} left; Ctrl-C keeps what is done";
+                self.bar((1e3 * whole_s) as u64, template)
+            }
+            Stage::Runs { about } => {
+                watch_interrupts();
+                let template = "{bar:40} {pos} of about {len} runs, {eta} left; Ctrl-C keeps what is done";
+                self.bar(*about as u64, template)
+            }
+            Stage::Reading { file } => self.spinner(format!("reading {file}")),
+            Stage::Identifying { file } => self.spinner(format!("modes of {file}")),
+            Stage::Joining => self.spinner("all setups as one".to_owned()),
+        };
+    }
+
+    fn advance(&self, position: f64) {
+        if self.quiet {
+            return;
+        }
+        let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        match shown.whole_s {
+            Some(whole_s) => {
+                shown.bar.set_position((1e3 * position) as u64);
+                shown.bar.set_message(format!("{position:.1} of {whole_s:.1} s,"));
+            }
+            None => shown.bar.set_position(position as u64),
+        }
+    }
+
+    fn end(&self) {
+        let shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
+        shown.bar.finish_and_clear();
+    }
+
+    fn is_cancelled(&self) -> bool {
+        interrupted()
+    }
+}
+
+/// From now on Ctrl-C asks to end and keep what is done; a second one ends the process.
+fn watch_interrupts() {
+    HANDLER.get_or_init(|| {
+        let pressed = || {
+            if STOP.swap(true, Ordering::SeqCst) {
+                std::process::exit(INTERRUPTED);
+            }
+        };
+        ctrlc::set_handler(pressed).is_ok()
+    });
+}
+
+/// Whether Ctrl-C was pressed.
+pub(crate) fn interrupted() -> bool {
+    STOP.load(Ordering::SeqCst)
+}

@@ -1,0 +1,93 @@
+//! From flags to the options of the verbs.
+
+use crate::cli::{Motion, Points, Rotations, Simulate};
+use crate::cli_language::Language as Chosen;
+use crate::files;
+use anyhow::Result;
+use dolmen::blocks::ContactRule;
+use dolmen::dynamics::ChainRotations;
+use dolmen::signal::Component;
+use dolmen_words::Language;
+use dolmen_work::SimulateOptions;
+use dolmen_work::motion::{GivenFile, MotionRequest};
+use dolmen_work::stack::Law;
+use std::path::Path;
+
+/// The language of figures and pages.
+pub(crate) fn language(chosen: Chosen) -> Language {
+    match chosen {
+        Chosen::En => Language::English,
+        Chosen::Ko => Language::Korean,
+    }
+}
+
+/// The motion that was asked for, its files read.
+pub(crate) fn motion(options: &Motion, named: &[String]) -> Result<MotionRequest> {
+    let mut files = Vec::new();
+    for text in named {
+        let (component, name) = named_file(text);
+        files.push(GivenFile {
+            component,
+            name: name.to_owned(),
+            bytes: files::read(Path::new(name))?,
+        });
+    }
+    Ok(MotionRequest {
+        name: options.motion.clone(),
+        files,
+        unit: options.unit.clone(),
+        sample_step_s: options.sample_step,
+        channel: options.channel.clone(),
+        factor: options.factor,
+        shortest: options.shortest,
+        ignore_stated_peak: options.ignore_stated_peak,
+        x_azimuth_deg: options.x_azimuth,
+        baseline_degree: options.baseline,
+        high_pass_hz: options.high_pass,
+        keep_first_s: options.keep_first,
+        taper_s: options.taper,
+        turn_deg: options.turn,
+        scale: options.scale,
+        peak: options.peak.clone(),
+    })
+}
+
+/// "y" and "FILE" of "y=FILE"; a text without a component is a file.
+fn named_file(text: &str) -> (Option<Component>, &str) {
+    let split = text.split_once('=').and_then(|(before, file)| {
+        let component = Component::ALL.into_iter().find(|c| c.name() == before)?;
+        Some((Some(component), file))
+    });
+    split.unwrap_or((None, text))
+}
+
+/// What is simulated, and how.
+pub(crate) fn simulation(options: &Simulate, as_json: bool) -> Result<SimulateOptions> {
+    Ok(SimulateOptions {
+        motion: motion(&options.motion, &options.motion.motion_file)?,
+        variant: options.variant.clone(),
+        direction: options.direction.clone(),
+        push: options.push.clone(),
+        rotations: match options.rotations {
+            Rotations::Large => ChainRotations::Large,
+            Rotations::Small => ChainRotations::Small,
+        },
+        law: match options.law {
+            crate::cli::Law::Springs => Law::Springs,
+            crate::cli::Law::Rigid => Law::Rigid,
+        },
+        contact_rule: match options.points {
+            Points::P4 => ContactRule::Corners,
+            Points::P9 => ContactRule::Three,
+            Points::P16 => ContactRule::Four,
+            Points::P36 => ContactRule::Six,
+        },
+        step_s: options.step,
+        duration_s: options.duration,
+        output_step_s: options.output_step,
+        to_the_end: options.to_the_end,
+        // numbers alone are of one run
+        compare: options.output.is_some() || !as_json,
+        keep: options.output.is_some(),
+    })
+}

@@ -1,0 +1,227 @@
+//! The folder of a study: journals that are appended to, tables and figures that are written whole or not at all.
+
+use crate::files;
+use crate::open::Found;
+use anyhow::{Context as _, Result, bail};
+use dolmen_report::figures::study_figures;
+use dolmen_report::json::study_json;
+use dolmen_report::tables::parquet;
+use dolmen_words::Language;
+use dolmen_work::WorkError;
+use dolmen_work::study::{
+    Column, Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind,
+    capacity_columns, fragility_columns, harmonic_columns, header_line, joint_columns, release_columns,
+    resumed, run_columns, run_line, table_csv,
+};
+use std::fs::{self, File, OpenOptions};
+use std::io::{Seek as _, SeekFrom, Write as _};
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+/// Where the results of a study lie.
+pub(crate) struct StudyFolder {
+    path: PathBuf,
+}
+
+/// A journal that is being written; it is locked against a second process.
+pub(crate) struct JournalFile {
+    file: Mutex<File>,
+    path: PathBuf,
+}
+
+impl Journal for JournalFile {
+    /// Writes the line of a run in one piece.
+    fn append(&self, run: &Run) -> Result<(), WorkError> {
+        let line = run_line(run);
+        let mut file = self.file.lock().unwrap_or_else(PoisonError::into_inner);
+        let written = file.write_all(line.as_bytes()).and_then(|()| file.flush());
+        written.map_err(|why| WorkError::Outside {
+            why: format!("cannot write {}: {why}", self.path.display()),
+        })
+    }
+}
+
+/// "2/5": the second of five.
+pub(crate) fn shard(text: &str) -> Result<(usize, usize)> {
+    let parts = text.split_once('/');
+    let numbers = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
+    match numbers {
+        Some((part, of)) if 1 <= part && part <= of => Ok((part, of)),
+        _ => bail!("--shard is \"{text}\", but must be k/N with k from 1 to N: 1/4 is the first of four"),
+    }
+}
+
+impl StudyFolder {
+    /// `output`/NAME, or studies/NAME beside the project file.
+    pub(crate) fn of(output: Option<&Path>, project: &Path, study: &str) -> Self {
+        let beside = project.parent().unwrap_or(Path::new(".")).join("studies");
+        StudyFolder {
+            path: output.unwrap_or(&beside).join(study),
+        }
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(crate) fn journal_file(&self, (part, of): (usize, usize)) -> PathBuf {
+        let name = if of == 1 {
+            "journal.tsv".to_owned()
+        } else {
+            format!("journal-{part}-of-{of}.tsv")
+        };
+        self.path.join(name)
+    }
+
+    /// The journal of a shard, ready to be appended to, and what it holds already.
+    pub(crate) fn journal(
+        &self,
+        header: &JournalHeader,
+        kind: StudyKind,
+        restart: bool,
+    ) -> Result<(JournalFile, Vec<Run>)> {
+        let path = self.journal_file(header.shard);
+        let shown = path.display().to_string();
+        fs::create_dir_all(&self.path)
+            .with_context(|| format!("cannot make the folder {}", self.path.display()))?;
+        let file = OpenOptions::new()
+            .read(true)
+            .write(true)
+            .create(true)
+            .truncate(false)
+            .open(&path);
+        let mut file = file.with_context(|| format!("cannot open {shown}"))?;
+        if file.try_lock().is_err() {
+            bail!("{shown} is in use: another `dolmen study` is running this study");
+        }
+        let text = if restart {
+            String::new()
+        } else {
+            files::read_text(&path)?
+        };
+        let (keep, runs) = resumed(
+            header,
+            kind,
+            &JournalText {
+                shown: shown.clone(),
+                text,
+            },
+        )?;
+        let starts_anew = keep == 0;
+        let made = file
+            .set_len(keep as u64)
+            .and_then(|()| file.seek(SeekFrom::End(0)))
+            .and_then(|_| {
+                if starts_anew {
+                    file.write_all(header_line(header).as_bytes())
+                } else {
+                    Ok(())
+                }
+            });
+        made.with_context(|| format!("cannot write {shown}"))?;
+        let file = JournalFile {
+            file: Mutex::new(file),
+            path,
+        };
+        Ok((file, runs))
+    }
+
+    /// All journals of a study: in its folder, and in others that are named.
+    pub(crate) fn journals(&self, study: &str, from: &[PathBuf]) -> Result<Vec<JournalText>> {
+        let mut journals = journals_in(&self.path)?;
+        for folder in from {
+            let mut found = journals_in(folder)?;
+            found.extend(journals_in(&folder.join(study))?);
+            if found.is_empty() {
+                bail!(
+                    "--from {} has no journal of a study, and neither has {study} in it",
+                    folder.display(),
+                );
+            }
+            journals.extend(found);
+        }
+        journals.sort();
+        if journals.is_empty() {
+            bail!(
+                "there is no journal in {}: run `dolmen study` first, or name the folders of the shards",
+                self.path.display()
+            );
+        }
+        let each = journals.into_iter().map(|path| {
+            Ok(JournalText {
+                shown: path.display().to_string(),
+                text: files::read_text(&path)?,
+            })
+        });
+        each.collect()
+    }
+
+    /// Tables, figures and JSON.
+    pub(crate) fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
+        let put = |name: &str, bytes: &[u8]| files::write(&self.path.join(name), bytes);
+        let table = |name: &str, columns: Vec<Column>| -> Result<()> {
+            put(&format!("{name}.csv"), table_csv(&columns).as_bytes())?;
+            put(&format!("{name}.parquet"), &parquet(&columns)?)
+        };
+        if answer.study.scan.is_some() {
+            table("runs", run_columns(answer))?;
+            table("capacities", capacity_columns(answer))?;
+            table("fragility", fragility_columns(answer))?;
+            if !answer.joint_fragilities().is_empty() {
+                table("joints", joint_columns(answer))?;
+            }
+        }
+        if answer.study.harmonic.is_some() {
+            table("harmonic", harmonic_columns(&answer.maps, answer.kind))?;
+        }
+        if answer.study.release_m.is_some() {
+            table("release", release_columns(&answer.maps))?;
+        }
+        for figure in study_figures(answer, language) {
+            put(&format!("{}.svg", figure.name), figure.svg.as_bytes())?;
+        }
+        put("study.json", format!("{:#}\n", study_json(answer)?).as_bytes())
+    }
+}
+
+/// The journals in a folder; none if there is no such folder.
+fn journals_in(folder: &Path) -> Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in fs::read_dir(folder).into_iter().flatten() {
+        let path = entry?.path();
+        let name = path.file_name().map(|name| name.to_string_lossy().into_owned());
+        if name.is_some_and(|name| name.starts_with("journal") && name.ends_with(".tsv")) {
+            found.push(path);
+        }
+    }
+    Ok(found)
+}
+
+/// The journals beside a project file of each of its studies that was run.
+pub(crate) fn journals_beside(found: &Found) -> Vec<StudyJournals> {
+    let studies = found.opened.project.studies.iter();
+    let run = studies.filter_map(|study| {
+        let folder = StudyFolder::of(None, &found.file, &study.name);
+        let journals = folder.path.is_dir().then(|| folder.journals(&study.name, &[]))?;
+        Some(StudyJournals {
+            study: study.name.clone(),
+            journals: journals.map_err(|why| WorkError::Outside {
+                why: format!("{why:#}"),
+            }),
+        })
+    });
+    run.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_shards_and_refuses_others() {
+        assert_eq!(shard("2/5").unwrap(), (2, 5));
+        for wrong in ["0/2", "3/2", "1", "a/b", "1/0", ""] {
+            assert!(shard(wrong).is_err(), "{wrong}");
+        }
+    }
+}

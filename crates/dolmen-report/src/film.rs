@@ -1,0 +1,214 @@
+//! The film of a simulation as binary glTF 2.0: one node a block, moved by keyframes.
+//!
+//! A root node turns z up into glTF's y up. Each block's mesh lies about its own centroid; keyframes hold the centroid and
+//! the turn of the block in the frame of the ground, so that the ground stands still.
+
+use dolmen::structure::stack::{Block, Solid};
+use dolmen_work::stack::StackSimulation;
+use serde_json::{Value, json};
+
+/// Time between keyframes, s: 50 a second, between which viewers go straight. Chosen here.
+pub const FILM_STEP_S: f64 = 0.02;
+
+/// Colours of stones in turn, linear light: near to each other, so that the eye tells stones apart without a meaning.
+const STONES: [[f64; 4]; 3] = [
+    [0.64, 0.61, 0.56, 1.0],
+    [0.55, 0.53, 0.49, 1.0],
+    [0.71, 0.68, 0.62, 1.0],
+];
+/// The ground's.
+const EARTH: [f64; 4] = [0.33, 0.38, 0.30, 1.0];
+
+/// Numbers of glTF 2.0.
+const FLOAT: u32 = 5126;
+const ARRAY_BUFFER: u32 = 34962;
+const MAGIC: u32 = 0x4654_6C67;
+const JSON_CHUNK: u32 = 0x4E4F_534A;
+const BINARY_CHUNK: u32 = 0x004E_4942;
+
+/// The parts of a file under construction.
+#[derive(Default)]
+struct Film {
+    bytes: Vec<u8>,
+    views: Vec<Value>,
+    accessors: Vec<Value>,
+}
+
+impl Film {
+    /// Adds rows of `N` numbers and gives their accessor; `target` says that they are vertices.
+    fn rows<const N: usize>(&mut self, kind: &str, rows: &[[f32; N]], target: Option<u32>) -> usize {
+        let start = self.bytes.len();
+        let (mut least, mut most) = ([f32::INFINITY; N], [f32::NEG_INFINITY; N]);
+        for row in rows {
+            for (i, value) in row.iter().enumerate() {
+                self.bytes.extend(value.to_le_bytes());
+                least[i] = least[i].min(*value);
+                most[i] = most[i].max(*value);
+            }
+        }
+        let mut view = json!({ "buffer": 0, "byteOffset": start, "byteLength": self.bytes.len() - start });
+        if let Some(target) = target {
+            view["target"] = json!(target);
+        }
+        self.views.push(view);
+        self.accessors.push(json!({
+            "bufferView": self.views.len() - 1, "componentType": FLOAT, "count": rows.len(), "type": kind,
+            "min": least.to_vec(), "max": most.to_vec(),
+        }));
+        self.accessors.len() - 1
+    }
+
+    /// Adds a mesh of flat triangles about `origin`.
+    fn mesh(&mut self, name: &str, triangles: &[[[f64; 3]; 3]], material: usize) -> Value {
+        let (mut places, mut normals) = (Vec::new(), Vec::new());
+        for triangle in triangles {
+            let normal = unit_normal(triangle).map(|part| part as f32);
+            for corner in triangle {
+                places.push(corner.map(|part| part as f32));
+                normals.push(normal);
+            }
+        }
+        let place = self.rows("VEC3", &places, Some(ARRAY_BUFFER));
+        let normal = self.rows("VEC3", &normals, Some(ARRAY_BUFFER));
+        json!({ "name": name, "primitives": [{
+            "attributes": { "POSITION": place, "NORMAL": normal }, "material": material,
+        }] })
+    }
+}
+
+fn unit_normal([a, b, c]: &[[f64; 3]; 3]) -> [f64; 3] {
+    let minus = |p: &[f64; 3], q: &[f64; 3]| [p[0] - q[0], p[1] - q[1], p[2] - q[2]];
+    let (u, v) = (minus(b, a), minus(c, a));
+    let normal = [
+        u[1] * v[2] - u[2] * v[1],
+        u[2] * v[0] - u[0] * v[2],
+        u[0] * v[1] - u[1] * v[0],
+    ];
+    let length = normal.iter().map(|part| part * part).sum::<f64>().sqrt();
+    normal.map(|part| part / length.max(f64::MIN_POSITIVE))
+}
+
+/// Triangles of a solid's hull about its centroid, outward; those without area are left out.
+fn triangles(solid: &Solid) -> Vec<[[f64; 3]; 3]> {
+    let (vertices, centroid) = (solid.vertices_m(), solid.centroid_m());
+    let at =
+        |corner: usize| -> [f64; 3] { std::array::from_fn(|axis| vertices[corner][axis] - centroid[axis]) };
+    let fans = solid.faces().iter().flat_map(|face| {
+        let fan = face.windows(2).skip(1);
+        fan.map(|pair| [at(face[0]), at(pair[0]), at(pair[1])])
+            .collect::<Vec<_>>()
+    });
+    let has_area = |triangle: &[[f64; 3]; 3]| unit_normal(triangle).iter().any(|part| part.abs() > 0.5);
+    fans.filter(has_area).collect()
+}
+
+/// A square of ground under the stack, twice as wide as what stands on it.
+fn ground(blocks: &[Block]) -> Vec<[[f64; 3]; 3]> {
+    let far = blocks.iter().flat_map(|block| block.solid.bounds_m());
+    let half = far.fold(0.0_f64, |most, at| most.max(at[0].abs()).max(at[1].abs())) * 2.0;
+    let [a, b, c, d] =
+        [[-half, -half], [half, -half], [half, half], [-half, half]].map(|p| [p[0], p[1], 0.0]);
+    vec![[a, b, c], [a, c, d]]
+}
+
+/// The samples that become keyframes: the first of each [`FILM_STEP_S`], and the last.
+fn keyframes(time_s: &[f64]) -> Vec<usize> {
+    let mut kept: Vec<usize> = Vec::new();
+    for (sample, time) in time_s.iter().enumerate() {
+        let due = kept.last().is_none_or(|&last| {
+            time - time_s[last] >= FILM_STEP_S * (1.0 - 1e-6) || sample + 1 == time_s.len()
+        });
+        if due {
+            kept.push(sample);
+        }
+    }
+    kept
+}
+
+/// A simulation as the bytes of a .glb file.
+///
+/// # Limits
+/// Numbers are of single precision, as glTF wants them: a place is exact to about 1e-7 of the stack's size. Of stones that are
+/// not convex the hull is shown, and openings are not.
+pub fn stack_film(simulation: &StackSimulation) -> Vec<u8> {
+    let blocks = simulation.stack.blocks();
+    let history = &simulation.history;
+    let samples = keyframes(&history.time_s);
+    let mut film = Film::default();
+    let mut meshes = vec![film.mesh("ground", &ground(blocks), STONES.len())];
+    let mut nodes = vec![
+        // z up to y up: a quarter turn about −x
+        json!({
+            "name": simulation.name.english(), "rotation": [-(0.5_f64.sqrt()), 0.0, 0.0, 0.5_f64.sqrt()],
+            "children": (1..blocks.len() + 2).collect::<Vec<_>>(),
+        }),
+        json!({ "name": "ground", "mesh": 0 }),
+    ];
+    let times: Vec<[f32; 1]> = samples.iter().map(|&s| [history.time_s[s] as f32]).collect();
+    let (mut channels, mut samplers) = (Vec::new(), Vec::new());
+    let time = film.rows("SCALAR", &times, None);
+    for (number, block) in blocks.iter().enumerate() {
+        meshes.push(film.mesh(&block.name, &triangles(&block.solid), number % STONES.len()));
+        let mut places: Vec<[f32; 3]> = Vec::with_capacity(samples.len());
+        let mut turns: Vec<[f32; 4]> = Vec::with_capacity(samples.len());
+        let mut before = [0.0, 0.0, 0.0, 1.0];
+        for &sample in &samples {
+            let pose = history.pose(sample, number);
+            places.push(pose.centroid_m.map(|part| part as f32));
+            let [w, x, y, z] = pose.rotation;
+            // q and −q are one turn; neighbours must lie on one side, or viewers turn the long way round
+            let near: f64 = [x, y, z, w].iter().zip(before).map(|(a, b)| a * b).sum();
+            let side = if near < 0.0 { -1.0 } else { 1.0 };
+            before = [side * x, side * y, side * z, side * w];
+            turns.push(before.map(|part| part as f32));
+        }
+        let node = nodes.len();
+        let first = |rows: Option<&[f32; 3]>| rows.map(|row| row.to_vec());
+        nodes.push(json!({
+            "name": block.name, "mesh": number + 1,
+            "translation": first(places.first()), "rotation": turns.first().map(|row| row.to_vec()),
+        }));
+        let outputs = [
+            ("translation", film.rows("VEC3", &places, None)),
+            ("rotation", film.rows("VEC4", &turns, None)),
+        ];
+        for (path, output) in outputs {
+            channels.push(json!({ "sampler": samplers.len(), "target": { "node": node, "path": path } }));
+            samplers.push(json!({ "input": time, "output": output, "interpolation": "LINEAR" }));
+        }
+    }
+    let colours = STONES.iter().chain([&EARTH]);
+    let materials: Vec<Value> = colours
+        .map(|colour| {
+            json!({ "pbrMetallicRoughness": {
+                "baseColorFactor": colour, "metallicFactor": 0.0, "roughnessFactor": 0.95,
+            } })
+        })
+        .collect();
+    let text = json!({
+        "asset": { "version": "2.0", "generator": concat!("dolmen ", env!("CARGO_PKG_VERSION")) },
+        "scene": 0, "scenes": [{ "name": simulation.motion.motion.name(), "nodes": [0] }],
+        "nodes": nodes, "meshes": meshes, "materials": materials,
+        "animations": [{ "name": simulation.motion.motion.name(), "channels": channels, "samplers": samplers }],
+        "buffers": [{ "byteLength": film.bytes.len() }],
+        "bufferViews": film.views, "accessors": film.accessors,
+    });
+    container(text.to_string().into_bytes(), film.bytes)
+}
+
+/// The two chunks of a .glb, each filled up to a multiple of four bytes.
+fn container(mut text: Vec<u8>, mut bytes: Vec<u8>) -> Vec<u8> {
+    text.resize(text.len().next_multiple_of(4), b' ');
+    bytes.resize(bytes.len().next_multiple_of(4), 0);
+    let whole = 12 + 8 + text.len() + 8 + bytes.len();
+    let mut out = Vec::with_capacity(whole);
+    for word in [MAGIC, 2, whole as u32, text.len() as u32, JSON_CHUNK] {
+        out.extend(word.to_le_bytes());
+    }
+    out.extend(text);
+    for word in [bytes.len() as u32, BINARY_CHUNK] {
+        out.extend(word.to_le_bytes());
+    }
+    out.extend(bytes);
+    out
+}

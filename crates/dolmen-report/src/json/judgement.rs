@@ -1,0 +1,78 @@
+//! The judgement as JSON: words, colours and what decided them.
+
+use dolmen_words::Language;
+use dolmen_work::judgement::{DecidedBy, EarthquakeFinding, Evidence, Judgement, VersionJudgement, Weight};
+use serde_json::{Value, json};
+
+/// The judgement of an answer, the structure as it is first.
+pub(super) fn judgement(judgement: &Judgement) -> Value {
+    json!({
+        "colour": judgement.colour().word(),
+        "words": judgement.headline().map(|of| of.words(Language::English)),
+        "finished": judgement.is_done,
+        "versions": judgement.versions.iter().map(version).collect::<Vec<_>>(),
+    })
+}
+
+fn version(version: &VersionJudgement) -> Value {
+    let earthquake = version.earthquake_word();
+    json!({
+        "variant": version.variant,
+        "colour": version.colour().word(),
+        "weight": version.weight.map(weight),
+        "earthquake": {
+            "word": earthquake.word(Language::English),
+            "colour": earthquake.colour().word(),
+            "reasons": version.earthquake.iter().map(finding).collect::<Vec<_>>(),
+        },
+        "evidence": evidence(&version.evidence),
+    })
+}
+
+fn weight(weight: Weight) -> Value {
+    let load_factor_if_right = match weight {
+        Weight::Unknown { load_factor_if_right } => load_factor_if_right,
+        _ => None,
+    };
+    json!({
+        "word": weight.word(Language::English),
+        "colour": weight.colour().word(),
+        "load_factor_if_right": load_factor_if_right,
+    })
+}
+
+fn finding(finding: &EarthquakeFinding) -> Value {
+    let (part, damage_state) = match &finding.decided_by {
+        DecidedBy::Room { part } => (Some(part), None),
+        DecidedBy::DamageState(state) => (None, Some(state)),
+        _ => (None, None),
+    };
+    json!({
+        "word": finding.word.word(Language::English),
+        "decided_by": finding.decided_by.key(),
+        "motion": finding.motion,
+        "part": part,
+        "damage_state": damage_state,
+    })
+}
+
+fn evidence(evidence: &Evidence) -> Value {
+    let (survey, calibrated_to) = match evidence {
+        Evidence::Agrees { survey } => (Some(survey), None),
+        Evidence::Contradicted(of) => (Some(&of.survey), None),
+        Evidence::NotMeasured { calibrated_to } => (None, calibrated_to.as_ref()),
+    };
+    let contradicted = match evidence {
+        Evidence::Contradicted(of) => Some(of),
+        _ => None,
+    };
+    json!({
+        "word": evidence.key(),
+        "colour": evidence.colour().word(),
+        "survey": survey,
+        "calibrated_to": calibrated_to,
+        "direction": contradicted.map(|of| &of.direction),
+        "measured_hz": contradicted.map(|of| of.measured_hz),
+        "computed_hz": contradicted.map(|of| of.computed_hz),
+    })
+}

@@ -1,0 +1,192 @@
+//! What `dolmen check` found of a building.
+
+use super::simulation::{Against, BeyondRoom};
+use dolmen::dynamics::{LeastFavourable, SpectralMode};
+use dolmen::structure::Building;
+use dolmen::structure::building::{BuildingModes, StoreyFall};
+use dolmen_project::{BuiltDamper, StoreyStiffnessPart};
+
+/// Share of the mass, along x and along y, that the shown modes have at least. Chosen here: what codes ask for.
+const MASS_SHOWN: f64 = 0.9;
+/// Fewest and most modes shown. Chosen here: swaying both ways and twisting; a page.
+const MODES_SHOWN: [usize; 2] = [3, 12];
+
+/// A building and its check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildingAnswer {
+    /// Names of the floors, lowest first.
+    pub floors: Vec<String>,
+    /// The building without P-delta.
+    pub elastic: Building,
+    /// How each storey falls, and under what factor on the weight, lowest first.
+    pub falls: Vec<StoreyFall>,
+    /// What is known of it if it stands.
+    pub stands: Option<Box<StandingBuilding>>,
+}
+
+/// A building that stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StandingBuilding {
+    /// With P-delta, if the file counts it.
+    pub building: Building,
+    /// Its modes without dampers.
+    pub modes: BuildingModes,
+    /// Damping ratio of each.
+    pub damping_ratios: Vec<f64>,
+    /// Dampers of the file, every number worked out.
+    pub dampers: Vec<BuiltDamper>,
+    /// Against the spectrum of its site, without dampers; `None` without a site.
+    pub spectral: Option<BuildingSpectral>,
+    /// Why there is none although the site has one.
+    pub spectral_refused: Option<String>,
+    /// The same with the dampers; `None` without dampers or site.
+    pub damped: Option<DampedSpectral>,
+    /// Why there is none although there are dampers and a site.
+    pub damped_refused: Option<String>,
+}
+
+/// Largest responses of a building with its dampers by the spectrum of the site: complex modes by CQC, shaking along x and y by the square root
+/// of the sum of squares.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DampedSpectral {
+    /// The complex modes in the spectrum.
+    pub modes: Vec<SpectralMode>,
+    /// Shear in the walls of the lowest storey along x and y, N.
+    pub base_shear_n: [f64; 2],
+    /// Their torque about the vertical through the centre of all mass, N·m.
+    pub base_torque_n_m: f64,
+    /// Displacement of the centre of mass of each floor along x and y, m.
+    pub displacement_m: Vec<[f64; 2]>,
+    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
+    pub edge_drift_m: Vec<Option<[f64; 2]>>,
+    /// Displacement of the points of the file along x and y, m.
+    pub points_m: Vec<(String, [f64; 2])>,
+    /// Largest stroke of each damper, m, then of the liquids of columns on springs.
+    pub strokes_m: Vec<f64>,
+}
+
+impl StandingBuilding {
+    /// Dampers that need more room under the spectrum than they have.
+    pub fn beyond_room(&self) -> Vec<BeyondRoom> {
+        let strokes = self
+            .damped
+            .iter()
+            .flat_map(|damped| damped.strokes_m.iter().copied());
+        BeyondRoom::of(&self.dampers, strokes)
+    }
+
+    /// What the spectrum of the site makes of the building with its dampers over what it makes of it without: base shear, the top, the
+    /// largest drift of a storey at its edges, points; each along x and y. What hardly moves without, less than a thousandth of the largest of
+    /// its kind, is left out; empty without dampers or site.
+    pub fn against_without(&self) -> Vec<Against> {
+        const HARDLY: f64 = 1e-3;
+        let (Some(without), Some(with)) = (&self.spectral, &self.damped) else {
+            return Vec::new();
+        };
+        let most = |drifts: &[Option<[f64; 2]>]| {
+            let each = drifts.iter().zip(self.building.storeys());
+            each.filter_map(|(drift, storey)| drift.map(|drift| drift.map(|m| m / storey.height_m)))
+                .fold([0.0_f64; 2], |[x, y], [own_x, own_y]| {
+                    [x.max(own_x), y.max(own_y)]
+                })
+        };
+        let top = |moved: &[[f64; 2]]| moved.last().copied().unwrap_or_default();
+        let [.., shear_n] = without.base_shear_n;
+        let mut kinds = vec![
+            (
+                ["the base shear", "밑면 전단력"].map(str::to_owned),
+                with.base_shear_n,
+                shear_n,
+            ),
+            (
+                ["the top", "최상층"].map(str::to_owned),
+                top(&with.displacement_m),
+                top(&without.displacement_m),
+            ),
+            (
+                ["the largest drift at an edge", "최대 단부 층간변위"].map(str::to_owned),
+                most(&with.edge_drift_m),
+                most(&without.edge_drift_m),
+            ),
+        ];
+        let points = with.points_m.iter().zip(&without.points_m);
+        kinds.extend(points.map(|((name, with), (_, without))| {
+            ([format!("point {name}"), format!("지점 {name}")], *with, *without)
+        }));
+        let mut all = Vec::new();
+        // about an arm of a millimetre there is no torque
+        if without.base_torque_n_m > HARDLY * shear_n[0].max(shear_n[1]) {
+            all.push(Against {
+                what: ["the base torque", "밑면 비틀림 모멘트"].map(str::to_owned),
+                ratio: with.base_torque_n_m / without.base_torque_n_m,
+            });
+        }
+        for ([english, korean], with, without) in kinds {
+            let largest = without[0].max(without[1]);
+            for (axis, name) in ["x", "y"].into_iter().enumerate() {
+                if without[axis] > HARDLY * largest {
+                    all.push(Against {
+                        what: [format!("{english} along {name}"), format!("{korean} {name} 방향")],
+                        ratio: with[axis] / without[axis],
+                    });
+                }
+            }
+        }
+        all
+    }
+}
+
+/// The weaker horizontal component over the stronger: Menun & Der Kiureghian (1998) give 0.5 to 0.85; the larger is taken.
+pub const MINOR_RATIO: f64 = 0.85;
+
+/// Largest responses by the spectrum of the site, modes put together by CQC, shaking along x and y by the square root of the
+/// sum of squares.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BuildingSpectral {
+    /// The modes in the spectrum.
+    pub modes: Vec<SpectralMode>,
+    /// Shear in the walls of the lowest storey along x and y, N: modes by absolute sum, SRSS, CQC.
+    pub base_shear_n: [[f64; 2]; 3],
+    /// Their torque about the vertical through the centre of all mass, N·m.
+    pub base_torque_n_m: f64,
+    /// The base shear along x and y in the least favourable direction of shaking, the weaker component [`MINOR_RATIO`] of the stronger.
+    pub least_favourable: [LeastFavourable; 2],
+    /// Displacement of the centre of mass of each floor along x and y, m.
+    pub displacement_m: Vec<[f64; 2]>,
+    /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
+    pub edge_drift_m: Vec<Option<[f64; 2]>>,
+    /// Displacement of the points of the file along x and y, m.
+    pub points_m: Vec<(String, [f64; 2])>,
+}
+
+impl BuildingAnswer {
+    /// Smallest factor on the weight at which a storey falls.
+    pub fn load_factor(&self) -> f64 {
+        StoreyFall::first(&self.falls).map_or(f64::NAN, |first| first.load_factor)
+    }
+}
+
+impl StandingBuilding {
+    /// How many of the lowest modes are shown.
+    pub fn shown(&self) -> usize {
+        let mut sums = [0.0; 2];
+        let modes = &self.modes;
+        let enough = modes.modes.iter().position(|mode| {
+            (0..2).for_each(|axis| sums[axis] += mode.effective_mass[axis] / modes.total_mass[axis]);
+            sums.iter().all(|sum| *sum >= MASS_SHOWN)
+        });
+        let wanted = enough.map_or(modes.modes.len(), |last| last + 1);
+        wanted
+            .clamp(MODES_SHOWN[0], MODES_SHOWN[1])
+            .min(modes.modes.len())
+    }
+}
+
+/// How the stiffness of a storey is given, in a word.
+pub fn stiffness_word(part: &StoreyStiffnessPart) -> &'static str {
+    match part {
+        StoreyStiffnessPart::Walls(_) => "walls",
+        StoreyStiffnessPart::Whole { .. } => "whole",
+        StoreyStiffnessPart::Matrix { .. } => "matrix",
+    }
+}

@@ -1,0 +1,202 @@
+//! The check of a building: storeys, modes, dampers, the spectrum of its site.
+
+use super::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
+use crate::error::{Within as _, WorkError};
+use dolmen::assess::demand::SiteDemand;
+use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_spectral_analysis};
+use dolmen::dynamics::{
+    DirectionalCombination, ModalCombination, SpectralAnalysis, VibratingBuilding, spectral_analysis,
+};
+use dolmen::structure::Building;
+use dolmen::structure::building::{PDelta, PlanDirection, StoreyFall, storey_falls};
+use dolmen_project::{BuildingPart, BuiltDamper, Pick, Project};
+
+/// What is known of a building, each input with the value that `pick` chooses.
+pub(crate) fn check(
+    project: &Project,
+    part: &BuildingPart,
+    pick: Pick<'_>,
+) -> Result<BuildingAnswer, WorkError> {
+    let (floors, storeys) = part.floors_and_storeys(pick)?;
+    let falls = storey_falls(&floors, &storeys, part.gravity_m_s2)?;
+    let elastic = Building::new(floors, storeys, PDelta::LeftOut)?;
+    let stands = StoreyFall::first(&falls).is_some_and(|first| first.load_factor > 1.0);
+    let stands = match stands {
+        true => Some(Box::new(standing(project, part, pick)?)),
+        false => None,
+    };
+    Ok(BuildingAnswer {
+        floors: part.floor_names(),
+        elastic,
+        falls,
+        stands,
+    })
+}
+
+fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<StandingBuilding, WorkError> {
+    let vibrating = part.vibrating(pick)?;
+    let dampers = part.dampers(&vibrating, pick)?;
+    let mut spectral_refused = None;
+    let mut spectral = None;
+    let (mut damped, mut damped_refused) = (None, None);
+    // a site that is refused is said with its demand
+    if let Some(site) = project.site.as_ref().and_then(|site| site.demand().ok()) {
+        let read = spectrum_of(&site);
+        match spectral_analysis(&vibrating, &read) {
+            Ok(analysis) => {
+                spectral = Some(by_spectrum(part, vibrating.building(), &analysis, pick)?);
+            }
+            Err(why) => spectral_refused = Some(why.line()),
+        }
+        if !dampers.is_empty() {
+            let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
+            match damped_spectral_analysis(&vibrating, &attached, &read) {
+                Ok(analysis) => damped = Some(with_dampers(part, vibrating.building(), &analysis, pick)?),
+                Err(why) => damped_refused = Some(why.line()),
+            }
+        }
+    }
+    Ok(StandingBuilding {
+        building: vibrating.building().clone(),
+        modes: vibrating.modes().clone(),
+        damping_ratios: vibrating.damping_ratios().to_vec(),
+        dampers,
+        spectral,
+        spectral_refused,
+        damped,
+        damped_refused,
+    })
+}
+
+fn with_dampers(
+    part: &BuildingPart,
+    building: &Building,
+    analysis: &DampedSpectralAnalysis,
+    pick: Pick<'_>,
+) -> Result<DampedSpectral, WorkError> {
+    let both = |row: &[f64]| analysis.largest(row, DirectionalCombination::Srss);
+    let [shear_x, shear_y, torque] = building.base_rows();
+    let Moved {
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    } = moved(part, building, &both, pick)?;
+    Ok(DampedSpectral {
+        modes: analysis.modes.clone(),
+        base_shear_n: [both(&shear_x), both(&shear_y)],
+        base_torque_n_m: both(&torque),
+        displacement_m,
+        edge_drift_m,
+        points_m,
+        strokes_m: analysis.largest_strokes_m(DirectionalCombination::Srss),
+    })
+}
+
+/// Floors, storeys and points by the largest value of a row.
+struct Moved {
+    displacement_m: Vec<[f64; 2]>,
+    edge_drift_m: Vec<Option<[f64; 2]>>,
+    points_m: Vec<(String, [f64; 2])>,
+}
+
+/// Along x and y at the period and damping of a mode.
+fn spectrum_of(site: &SiteDemand) -> impl Fn(f64, f64) -> Result<[f64; 2], WorkError> {
+    |period_s, damping_ratio| {
+        let read = site.spectrum.acceleration_m_s2(period_s, damping_ratio);
+        let of = || {
+            format!(
+                "a mode has a period of {period_s:.4} s and {:.3} % damping, and every mode counts",
+                100.0 * damping_ratio
+            )
+        };
+        Ok([read.within(of)?; 2])
+    }
+}
+
+/// The stroke of each damper under the spectrum of the site, m; `None` without a site, or where its spectrum cannot be read for these
+/// dampers.
+pub(crate) fn site_strokes_m(
+    project: &Project,
+    alone: &VibratingBuilding,
+    dampers: &[BuiltDamper],
+) -> Option<Vec<f64>> {
+    let site = project.site.as_ref()?.demand().ok()?;
+    let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
+    let analysis = damped_spectral_analysis(alone, &attached, spectrum_of(&site)).ok()?;
+    Some(analysis.largest_strokes_m(DirectionalCombination::Srss))
+}
+
+fn by_spectrum(
+    part: &BuildingPart,
+    building: &Building,
+    analysis: &SpectralAnalysis,
+    pick: Pick<'_>,
+) -> Result<BuildingSpectral, WorkError> {
+    let both = |row: &[f64]| analysis.largest(row, ModalCombination::Cqc, DirectionalCombination::Srss);
+    let [shear_x, shear_y, torque] = building.base_rows();
+    let base_shear_n = [
+        ModalCombination::AbsoluteSum,
+        ModalCombination::Srss,
+        ModalCombination::Cqc,
+    ]
+    .map(|modal| {
+        [
+            analysis.largest(&shear_x, modal, DirectionalCombination::Srss),
+            analysis.largest(&shear_y, modal, DirectionalCombination::Srss),
+        ]
+    });
+    let Moved {
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    } = moved(part, building, &both, pick)?;
+    Ok(BuildingSpectral {
+        modes: analysis.modes.clone(),
+        base_shear_n,
+        base_torque_n_m: both(&torque),
+        least_favourable: [
+            analysis.least_favourable(&shear_x, MINOR_RATIO)?,
+            analysis.least_favourable(&shear_y, MINOR_RATIO)?,
+        ],
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    })
+}
+
+fn moved(
+    part: &BuildingPart,
+    building: &Building,
+    both: &dyn Fn(&[f64]) -> f64,
+    pick: Pick<'_>,
+) -> Result<Moved, WorkError> {
+    let (mut displacement_m, mut edge_drift_m) = (Vec::new(), Vec::new());
+    for i in 0..building.floors().len() {
+        let centre = |axis: usize| {
+            let mut row = vec![0.0; building.coordinates()];
+            row[3 * i + axis] = 1.0;
+            both(&row)
+        };
+        displacement_m.push([centre(0), centre(1)]);
+        let rows = building.edge_drift_rows(i + 1)?;
+        edge_drift_m.push(rows.map(|[front, back, left, right]| {
+            [both(&front).max(both(&back)), both(&left).max(both(&right))]
+        }));
+    }
+    let mut points_m = Vec::new();
+    for point in &part.points {
+        let (x, y) = (pick(&point.place[0]), pick(&point.place[1]));
+        let along = |direction| -> Result<f64, WorkError> {
+            Ok(both(&building.point_row(point.floor, x, y, direction)?))
+        };
+        points_m.push((
+            point.name.clone(),
+            [along(PlanDirection::X)?, along(PlanDirection::Y)?],
+        ));
+    }
+    Ok(Moved {
+        displacement_m,
+        edge_drift_m,
+        points_m,
+    })
+}

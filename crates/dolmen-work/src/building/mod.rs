@@ -1,0 +1,23 @@
+//! Buildings: rigid floors on walls that sway and twist, and their dampers.
+
+mod answer;
+pub(crate) mod check;
+pub(crate) mod simulate;
+mod simulation;
+pub(crate) mod study;
+pub(crate) mod tune;
+mod tune_answer;
+mod tune_room;
+mod tune_together;
+mod tuned;
+
+pub use answer::{
+    BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
+};
+pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
+pub use tune::tune;
+pub use tune_answer::{
+    RoomCheck, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad, TunePoint,
+    direction_words,
+};
+pub use tuned::TuneOptions;

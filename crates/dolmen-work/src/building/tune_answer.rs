@@ -1,0 +1,343 @@
+//! A damper of a building beside the rule and the best: what `dolmen tune` computes, and text, JSON, figures and report print.
+
+use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, Goal};
+use dolmen_project::{BuiltDamper, Names};
+use dolmen_words::Language;
+
+/// What acts while a damper is judged.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum TuneLoad {
+    /// The same white-noise force on every floor, at its centre of mass.
+    Force,
+    /// The same force of gusts, its density falling beyond a corner, Hz.
+    Wind {
+        /// Corner, Hz.
+        corner_hz: f64,
+    },
+    /// White-noise acceleration of the base.
+    Base,
+    /// Acceleration of the ground after Clough & Penzien, with the frequency of the soil, Hz; its damping .6, the second filter at a tenth.
+    Ground {
+        /// Of the soil, Hz.
+        ground_hz: f64,
+    },
+}
+
+impl TuneLoad {
+    /// Whether the base moves.
+    pub fn is_base(self) -> bool {
+        matches!(self, TuneLoad::Base | TuneLoad::Ground { .. })
+    }
+
+    /// Its name in JSON.
+    pub fn name(self) -> &'static str {
+        match self {
+            TuneLoad::Force => "force",
+            TuneLoad::Wind { .. } => "wind",
+            TuneLoad::Base => "base",
+            TuneLoad::Ground { .. } => "ground",
+        }
+    }
+
+    /// What it is.
+    pub fn english(self) -> String {
+        match self {
+            TuneLoad::Force => "white-noise force, the same on every floor, at its centre of mass".to_owned(),
+            TuneLoad::Wind { corner_hz } => {
+                format!(
+                    "force of gusts (low pass at {corner_hz} Hz), the same on every floor, at its centre of mass"
+                )
+            }
+            TuneLoad::Base => "white-noise acceleration of the base".to_owned(),
+            TuneLoad::Ground { ground_hz } => {
+                format!("acceleration of the ground after Clough & Penzien, soil at {ground_hz} Hz")
+            }
+        }
+    }
+
+    /// The same in Korean.
+    pub fn korean(self) -> String {
+        match self {
+            TuneLoad::Force => "각 층 질량중심에 동일하게 작용하는 백색잡음 하중".to_owned(),
+            TuneLoad::Wind { corner_hz } => {
+                format!("각 층 질량중심에 동일하게 작용하는 풍하중형 하중(저역통과 {corner_hz} Hz)")
+            }
+            TuneLoad::Base => "백색잡음 지반가속도".to_owned(),
+            TuneLoad::Ground { ground_hz } => {
+                format!("Clough–Penzien 지반가속도(지반 진동수 {ground_hz} Hz)")
+            }
+        }
+    }
+}
+
+/// A point whose motion is made small.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TunePoint {
+    /// Its name.
+    pub name: String,
+    /// Its floor, from 1.
+    pub floor: usize,
+    /// Its place in plan, m.
+    pub place_m: [f64; 2],
+}
+
+/// A stroke that is more than asked for by less than this part keeps to it: it is printed so.
+const STROKE_KEPT: f64 = 5e-4;
+
+/// The stroke of a damper of a row under a motion of the file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct RowStroke {
+    /// Which row of the comparison.
+    pub row: usize,
+    /// The damper.
+    pub damper: String,
+    /// The motion's name in the file; `None`: the spectrum of the site.
+    pub motion: Option<String>,
+    /// Its largest stroke, m.
+    pub stroke_m: f64,
+    /// Its room each way, m.
+    pub room_m: f64,
+}
+
+impl RowStroke {
+    /// Under what, in words.
+    pub fn under(&self, language: Language) -> String {
+        match &self.motion {
+            Some(motion) => language.pick(format!("motion {motion}"), motion.clone()),
+            None => language
+                .pick("the spectrum of the site", "부지 스펙트럼")
+                .to_owned(),
+        }
+    }
+}
+
+/// Strokes under the motions of the file and the spectrum of its site beside the rooms of the dampers; empty where the file gives no room.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct RoomCheck {
+    /// Whether some damper says how much room it has.
+    pub has_room: bool,
+    /// Whether the file has a motion or a site to judge it under.
+    pub is_judged: bool,
+    /// Of every row, damper with a room, and motion.
+    pub strokes: Vec<RowStroke>,
+}
+
+impl RoomCheck {
+    /// Those that need more room than there is.
+    pub fn beyond(&self) -> impl Iterator<Item = &RowStroke> {
+        self.strokes.iter().filter(|of| of.stroke_m > of.room_m)
+    }
+
+    /// A room is given, and nothing to hold it against.
+    pub fn is_unjudged(&self) -> bool {
+        self.has_room && !self.is_judged
+    }
+}
+
+/// One damper of a project, tuned.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TuneAnswer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// The building.
+    pub name: Names,
+    /// The variant of the file; `None`: as it is.
+    pub variant: Option<String>,
+    /// The damper's table.
+    pub damper: String,
+    /// Other dampers of the file, which are left out while this one is judged alone.
+    pub others: usize,
+    /// What is designed keeps to this stroke, over that of the file's damper.
+    pub stroke_most: Option<f64>,
+    /// What is designed is the best for frequencies off by so much either way.
+    pub off_by: f64,
+    /// Its floor, from 1.
+    pub floor: usize,
+    /// Corners of the floor, m.
+    pub corners_m: Vec<[f64; 2]>,
+    /// The mode that it is for, from 1.
+    pub mode: usize,
+    /// Its frequency, Hz.
+    pub mode_frequency_hz: f64,
+    /// Its own damping ratio.
+    pub mode_damping_ratio: f64,
+    /// Where its centre on that floor lies in plan, m; `None` if it does not turn.
+    pub mode_centre_m: Option<[f64; 2]>,
+    /// What acts.
+    pub load: TuneLoad,
+    /// Its direction, degrees from x.
+    pub load_direction_degrees: f64,
+    /// The points.
+    pub points: Vec<TunePoint>,
+    /// Direction in which their motion is taken, degrees from x: that of the damper.
+    pub direction_degrees: f64,
+    /// What is made small.
+    pub goal: Goal,
+    /// All that was found.
+    pub comparison: Comparison,
+    /// Strokes under the motions of the file, in the order of the comparison's rows.
+    pub room: RoomCheck,
+}
+
+impl TuneAnswer {
+    /// The stroke of a row over that of the damper as in the file.
+    pub fn stroke_ratio(&self, row: &Compared) -> f64 {
+        let stroke = |row: &Compared| row.judged.stroke_rms_m.first().copied().unwrap_or(f64::NAN);
+        stroke(row) / self.comparison.row(Choice::Given).map_or(f64::NAN, stroke)
+    }
+
+    /// Whether a row was designed to keep a stroke, and does not.
+    pub fn is_beyond_stroke(&self, row: &Compared) -> bool {
+        let kept = |most: f64| self.stroke_ratio(row) <= most * (1.0 + STROKE_KEPT);
+        row.end.is_some() && !self.stroke_most.is_none_or(kept)
+    }
+
+    /// What the goal is made of at each point, over that without a damper: standard deviations, or largest amplitudes.
+    pub fn ratios(&self, row: &Compared) -> Vec<f64> {
+        self.over_without(&row.point_values)
+    }
+
+    /// Values of the points over those without a damper.
+    pub fn over_without(&self, values: &[f64]) -> Vec<f64> {
+        let each = values.iter().zip(&self.comparison.without);
+        each.map(|(with, without)| with / without).collect()
+    }
+
+    /// The points that a row makes worse than no damper, with their ratios.
+    pub fn worse(&self, row: &Compared) -> Vec<(&TunePoint, f64)> {
+        let ratios = self.ratios(row);
+        self.points
+            .iter()
+            .zip(ratios)
+            .filter(|(_, ratio)| *ratio > 1.0)
+            .collect()
+    }
+
+    /// How much more of the goal one choice leaves than another: 0.02 for 2 % more.
+    pub fn costs(&self, choice: Choice, than: Choice) -> Option<f64> {
+        let of = |choice| self.comparison.row(choice).map(|row| row.cost);
+        Some(of(choice)? / of(than)? - 1.0)
+    }
+
+    /// By how much the goal grows where the frequency of the given damper (0) or the best one (1) is off by the factor nearest to `factor`.
+    pub fn detuned(&self, which: usize, factor: f64) -> Option<f64> {
+        let curve = &self.comparison.off_frequency[which];
+        let near = |of: f64| {
+            let each = curve.iter();
+            each.min_by(|a, b| (a.factor - of).abs().total_cmp(&(b.factor - of).abs()))
+        };
+        Some(near(factor)?.cost / near(1.0)?.cost - 1.0)
+    }
+}
+
+/// What a row of all dampers shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum TogetherChoice {
+    /// None of them.
+    Without,
+    /// All as in the file.
+    Given,
+    /// One alone as in the file, by its name.
+    Only(String),
+    /// All but one as in the file.
+    AllBut(String),
+    /// All where they are, their tunings searched together.
+    TunedBest,
+    /// Masses and liquid columns placed and tuned best together, the rest tuned before.
+    Best,
+    /// The same, the sum of the masses shared anew.
+    BestShared,
+}
+
+impl TogetherChoice {
+    /// Its name in JSON.
+    pub fn name(&self) -> &'static str {
+        match self {
+            TogetherChoice::Without => "without",
+            TogetherChoice::Given => "given",
+            TogetherChoice::Only(_) => "only",
+            TogetherChoice::AllBut(_) => "all_but",
+            TogetherChoice::TunedBest => "tuned_best",
+            TogetherChoice::Best => "best",
+            TogetherChoice::BestShared => "best_shared",
+        }
+    }
+}
+
+/// One row of all dampers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TogetherRow {
+    /// Which.
+    pub choice: TogetherChoice,
+    /// The dampers that are there, with their places and directions.
+    pub dampers: Vec<BuiltDamper>,
+    /// Standard deviation of each point along each direction, by assembled matrices.
+    pub point_rms: Vec<f64>,
+    /// Standard deviation of each stroke, m.
+    pub stroke_rms_m: Vec<f64>,
+    /// The goal.
+    pub cost: f64,
+    /// How a search ended; `None` for what was not searched.
+    pub end: Option<DesignEnd>,
+}
+
+/// All dampers of a project at once.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TogetherAnswer {
+    /// Path of the project file as the user named it.
+    pub file: String,
+    /// The building.
+    pub name: Names,
+    /// The variant of the file; `None`: as it is.
+    pub variant: Option<String>,
+    /// What acts.
+    pub load: TuneLoad,
+    /// Along each of these, degrees from x, independently.
+    pub load_directions_degrees: Vec<f64>,
+    /// Points with the direction in which each is taken, degrees from x.
+    pub points: Vec<(TunePoint, f64)>,
+    /// What is made small: standard deviations.
+    pub goal: Goal,
+    /// What is designed keeps to this stroke, over those of the file's dampers.
+    pub stroke_most: Option<f64>,
+    /// Without, given, each alone, all but each, tuned, placed, shared.
+    pub rows: Vec<TogetherRow>,
+    /// Strokes under the motions of the file, in the order of the rows.
+    pub room: RoomCheck,
+}
+
+impl TogetherAnswer {
+    /// Dampers of a row that were designed to keep a stroke, and do not, each with its stroke over that in the file.
+    pub fn beyond_stroke(&self, row: &TogetherRow) -> Vec<(String, f64)> {
+        let given = self.rows.iter().find(|row| row.choice == TogetherChoice::Given);
+        let (Some(most), Some(given), true) = (self.stroke_most, given, row.end.is_some()) else {
+            return Vec::new();
+        };
+        let strokes = row.stroke_rms_m.iter().zip(&given.stroke_rms_m);
+        let each = row.dampers.iter().zip(strokes.map(|(own, given)| own / given));
+        let beyond = each.filter(|(_, ratio)| *ratio > most * (1.0 + STROKE_KEPT));
+        beyond
+            .map(|(damper, ratio)| (damper.name.clone(), ratio))
+            .collect()
+    }
+
+    /// Standard deviations over those without dampers.
+    pub fn ratios(&self, row: &TogetherRow) -> Vec<f64> {
+        let without = self.rows.first().map_or(&[][..], |row| &row.point_rms);
+        row.point_rms.iter().zip(without).map(|(a, b)| a / b).collect()
+    }
+
+    /// The goal over that without dampers.
+    pub fn cost_ratio(&self, row: &TogetherRow) -> f64 {
+        row.cost / self.rows.first().map_or(f64::NAN, |row| row.cost)
+    }
+}
+
+/// A direction in words: "x", "y", or degrees.
+pub fn direction_words(degrees: f64) -> String {
+    match degrees.rem_euclid(180.0) {
+        0.0 => "x".to_owned(),
+        90.0 => "y".to_owned(),
+        turned => format!("{turned}° from x"),
+    }
+}

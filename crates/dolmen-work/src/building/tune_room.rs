@@ -1,0 +1,79 @@
+//! The strokes of designed dampers under the motions of the file and the spectrum of its site, beside the room that they have.
+
+use super::check::site_strokes_m;
+use super::simulate::{moved, steps_per_sample};
+use super::tune_answer::{RoomCheck, RowStroke};
+use super::tuned::standing;
+use crate::error::{Within as _, WorkError};
+use crate::motion::{self, MotionRequest};
+use dolmen::dynamics::{BuildingRun, Histories, VibratingBuilding};
+use dolmen::signal::GroundMotion;
+use dolmen_project::{BuildingPart, BuiltDamper, Project, strokes_of};
+use dolmen_records::Files;
+
+/// Longest step between samples of a motion, s.
+const STEP_S: f64 = 0.01;
+
+/// Every row of dampers under every motion of the file; empty where no damper says how much room it has.
+pub(crate) fn room_check(
+    (project, part): (&Project, &BuildingPart),
+    files: &dyn Files,
+    rows: &[Vec<BuiltDamper>],
+) -> Result<RoomCheck, WorkError> {
+    let of_rows = rows.iter().flat_map(|dampers| strokes_of(dampers));
+    let has_room = of_rows.into_iter().any(|stroke| stroke.room_m.is_some());
+    if !has_room {
+        return Ok(RoomCheck::default());
+    }
+    let alone = standing(part)?;
+    let mut motions: Vec<(String, GroundMotion)> = Vec::new();
+    for part in &project.motions {
+        let read = motion::prepared(&MotionRequest::named(&part.name), (project, files));
+        let read = read.within(|| format!("motion.{}, under which strokes are judged", part.name))?;
+        motions.push((part.name.clone(), read.motion));
+    }
+    let mut strokes = Vec::new();
+    let mut is_judged = !motions.is_empty();
+    for (row, dampers) in rows.iter().enumerate() {
+        let mut add = |motion: Option<&String>, peaks: Vec<f64>| {
+            let each = strokes_of(dampers).into_iter().zip(peaks);
+            strokes.extend(each.filter_map(|(damper, stroke_m)| {
+                Some(RowStroke {
+                    row,
+                    damper: damper.name,
+                    motion: motion.cloned(),
+                    stroke_m,
+                    room_m: damper.room_m?,
+                })
+            }));
+        };
+        for (name, motion) in &motions {
+            add(Some(name), strokes_m(alone.clone(), dampers, motion)?);
+        }
+        if let Some(peaks) = site_strokes_m(project, alone, dampers) {
+            is_judged = true;
+            add(None, peaks);
+        }
+    }
+    Ok(RoomCheck {
+        has_room,
+        is_judged,
+        strokes,
+    })
+}
+
+/// The largest stroke of each damper, m.
+fn strokes_m(
+    alone: VibratingBuilding,
+    dampers: &[BuiltDamper],
+    motion: &GroundMotion,
+) -> Result<Vec<f64>, WorkError> {
+    let run = BuildingRun {
+        steps_per_sample: steps_per_sample(motion, STEP_S),
+        histories: Histories::PeaksAlone,
+        ..BuildingRun::default()
+    };
+    let (_, history) = moved(alone, dampers, motion, &run)?;
+    let strokes = history.peaks.strokes_m.iter();
+    Ok(strokes.map(|peak| peak.value.abs()).collect())
+}

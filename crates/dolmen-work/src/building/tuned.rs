@@ -1,0 +1,172 @@
+//! A building as those see it who tune its dampers.
+
+use super::tune_answer::{TuneLoad, TunePoint};
+use crate::error::WorkError;
+use dolmen::damper::{DamperKind, DamperSite, Goal, PlacedDamper};
+use dolmen::dynamics::{LinearSystem, RandomInput, RandomLoad, Spectrum, VibratingBuilding};
+use dolmen::structure::building::{Building, PlanDirection};
+use dolmen_project::{BuildingPart, BuiltDamper, Project, Quantity, Structure};
+use std::f64::consts::TAU;
+
+/// Density of what acts, two-sided, unit² s/rad: only ratios are shown.
+const DENSITY: f64 = 1.0;
+/// Damping of the soil and of the second filter, and its frequency over the soil's: Clough & Penzien (1975), sec. 28-4.
+const GROUND_DAMPING_RATIO: f64 = 0.6;
+const FILTER_PART: f64 = 0.1;
+
+/// What dampers are judged by.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TuneOptions {
+    /// Only this damper; all without it.
+    pub damper: Option<String>,
+    /// Dampers of this variant; without it those of the file, or of all its variants if the file itself has none.
+    pub variant: Option<String>,
+    /// What acts, at random.
+    pub load: TuneLoad,
+    /// Direction of the load, degrees from x counter-clockwise; that of the damper without it.
+    pub load_direction_degrees: Option<f64>,
+    /// What is made small.
+    pub goal: Goal,
+    /// Places of the map along each side of the floor.
+    pub map: usize,
+    /// What is designed keeps its stroke's standard deviation to this part of that of the damper as in the file.
+    pub stroke_most: Option<f64>,
+    /// What is designed is the best for frequencies off by so much either way, 0.1 for 10 %.
+    pub off_by: f64,
+    /// With several dampers: also share the sum of their masses anew.
+    pub share_mass: bool,
+}
+
+impl Default for TuneOptions {
+    /// What a report shows: a white-noise force along the damper, a coarse map.
+    fn default() -> Self {
+        TuneOptions {
+            damper: None,
+            variant: None,
+            load: TuneLoad::Force,
+            load_direction_degrees: None,
+            goal: Goal::LargestRms,
+            map: 24,
+            stroke_most: None,
+            off_by: 0.0,
+            share_mass: false,
+        }
+    }
+}
+
+/// The building of a project.
+pub(crate) fn part_of(project: &Project) -> Result<&BuildingPart, WorkError> {
+    match &project.structure {
+        Structure::Building(part) => Ok(part),
+        Structure::Chain(_) | Structure::Frame(_) | Structure::Stack(_) | Structure::Survey => {
+            Err(WorkError::TuneOfOther)
+        }
+    }
+}
+
+/// The building as it is written, which must stand.
+pub(crate) fn standing(part: &BuildingPart) -> Result<&VibratingBuilding, WorkError> {
+    let Some(building) = part.as_written() else {
+        return Err(WorkError::BuildingFallsItself);
+    };
+    Ok(building)
+}
+
+/// A damper as one whose place can be found: a mass or a liquid column.
+pub(crate) fn placed(damper: &BuiltDamper, site: usize) -> Option<PlacedDamper> {
+    let length_ratio = match damper.kind {
+        DamperKind::TunedMass { .. } => 1.0,
+        DamperKind::LiquidColumn { length_ratio, .. } => length_ratio,
+        DamperKind::LiquidColumnMass { .. } | DamperKind::Viscous { .. } => return None,
+    };
+    let [frequency_hz, damping_ratio] = damper.own()?;
+    Some(PlacedDamper {
+        site,
+        place_m: damper.place_m,
+        direction_degrees: degrees(damper.direction),
+        mass_kg: damper.kind.mass_kg(),
+        frequency_hz,
+        damping_ratio,
+        length_ratio,
+    })
+}
+
+/// A direction in degrees from x, counter-clockwise.
+pub(crate) fn degrees(direction: PlanDirection) -> f64 {
+    match direction {
+        PlanDirection::X => 0.0,
+        PlanDirection::Y => 90.0,
+        PlanDirection::Degrees(degrees) => degrees,
+    }
+}
+
+/// The building with its damping, as the dampers see it.
+pub(crate) fn structure(building: &Building, part: &BuildingPart) -> Result<LinearSystem, WorkError> {
+    Ok(LinearSystem::new(
+        building.mass_matrix(),
+        building.damping_matrix(&part.damping(&mut Quantity::nominal))?,
+        building.stiffness_matrix(),
+    )?)
+}
+
+/// A floor as a place for dampers.
+pub(crate) fn site(building: &Building, floor: usize) -> Result<DamperSite, WorkError> {
+    let own = &building.floors()[floor - 1];
+    let Some(outline) = &own.outline else {
+        return Err(WorkError::FloorWithoutOutline { floor });
+    };
+    Ok(DamperSite {
+        first_degree_of_freedom: 3 * (floor - 1),
+        reference_m: own.centre_m,
+        corners_m: outline.corners_m().to_vec(),
+    })
+}
+
+pub(crate) fn random_load(building: &Building, load: TuneLoad, direction: PlanDirection) -> RandomLoad {
+    let column = building.ground_column(direction);
+    RandomLoad {
+        input: match load.is_base() {
+            true => RandomInput::Base(column),
+            false => RandomInput::Force(column),
+        },
+        spectrum: spectrum(load),
+    }
+}
+
+/// The points of the file, or the corners of a floor.
+pub(crate) fn points(part: &BuildingPart, floor: usize, corners_m: &[[f64; 2]]) -> Vec<TunePoint> {
+    if part.points.is_empty() {
+        let corners = corners_m.iter();
+        return corners
+            .map(|corner| TunePoint {
+                name: format!("({}, {})", corner[0], corner[1]),
+                floor,
+                place_m: *corner,
+            })
+            .collect();
+    }
+    let each = part.points.iter();
+    each.map(|point| TunePoint {
+        name: point.name.clone(),
+        floor: point.floor,
+        place_m: [point.place[0].value, point.place[1].value],
+    })
+    .collect()
+}
+
+fn spectrum(load: TuneLoad) -> Spectrum {
+    match load {
+        TuneLoad::Force | TuneLoad::Base => Spectrum::White { density: DENSITY },
+        TuneLoad::Wind { corner_hz } => Spectrum::LowPass {
+            density: DENSITY,
+            corner_rad_s: TAU * corner_hz,
+        },
+        TuneLoad::Ground { ground_hz } => Spectrum::CloughPenzien {
+            density: DENSITY,
+            ground_rad_s: TAU * ground_hz,
+            ground_damping_ratio: GROUND_DAMPING_RATIO,
+            filter_rad_s: FILTER_PART * TAU * ground_hz,
+            filter_damping_ratio: GROUND_DAMPING_RATIO,
+        },
+    }
+}

@@ -1,0 +1,9 @@
+//! Chains: poles of rigid links on rotational joints.
+
+pub(crate) mod check;
+pub(crate) mod simulate;
+mod simulation;
+pub(crate) mod stiffness;
+pub(crate) mod study;
+
+pub use simulation::ChainSimulation;

@@ -1,0 +1,106 @@
+//! What `dolmen simulate` found of a chain, with what went in.
+
+use crate::motion::MotionAnswer;
+use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun};
+use dolmen::signal::Component;
+use dolmen_project::Names;
+
+/// A simulation of a chain in one plane, and its inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainSimulation {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The variant of the file; `None` for the structure as given.
+    pub variant: Option<String>,
+    /// A longer name of the variant, if the file gives one.
+    pub variant_title: Option<Names>,
+    /// Names of the links, lowest first.
+    pub links: Vec<String>,
+    /// The chain.
+    pub model: ChainModel,
+    /// The motion of its base and the component that acts; `None` for a still ground.
+    pub motion: Option<(MotionAnswer, Component)>,
+    /// Angle by which the whole chain leaned at the start, rad.
+    pub push_rad: f64,
+    /// Options of the run.
+    pub options: ChainRun,
+    /// Lowest natural frequency upright, with every slider free, Hz; `None` if it falls by itself.
+    pub first_frequency_hz: Option<f64>,
+    /// How fast it left the vertical; `None` if it stands by itself.
+    pub growth: Option<ChainGrowth>,
+    /// What happened.
+    pub history: ChainHistory,
+}
+
+impl ChainSimulation {
+    /// Largest acceleration of the ground, m/s²; 0 for a still one.
+    pub fn peak_acceleration_m_s2(&self) -> f64 {
+        self.motion.as_ref().map_or(0.0, |(motion, component)| {
+            motion.motion.component_peak_m_s2(*component)
+        })
+    }
+
+    /// Whether a link fell.
+    pub fn falls(&self) -> bool {
+        matches!(self.history.outcome, ChainOutcome::Fell { .. })
+    }
+
+    /// When the run ended, s, if that is before the motion did and no link had fallen: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let (motion, _) = self.motion.as_ref()?;
+        let is_open = matches!(
+            self.history.outcome,
+            ChainOutcome::Stood | ChainOutcome::Uplifted { .. } | ChainOutcome::StillLeaning { .. }
+        );
+        motion.cut_at_s(self.options.duration_s?).filter(|_| is_open)
+    }
+
+    /// Whether the run came to an end that says whether it falls.
+    pub fn is_whole(&self) -> bool {
+        !matches!(
+            self.history.outcome,
+            ChainOutcome::Stopped { .. } | ChainOutcome::StillLeaning { .. }
+        ) && self.ended_before_the_motion_s().is_none()
+    }
+
+    /// Joints without a bed that can open, which pass any moment in this run, and how wide each bed would have to be for its largest, m: 2 M / N.
+    pub fn held_joints(&self) -> Vec<(usize, f64)> {
+        let most = self.model.moment_most_n_m().iter().enumerate();
+        let held = most.filter(|(_, most)| most.is_infinite());
+        held.map(|(joint, _)| {
+            let chain = self.model.chain();
+            let mass_kg: f64 = chain.links()[joint..].iter().map(|link| link.mass_kg).sum();
+            let weight_n = mass_kg * chain.gravity_m_s2();
+            (joint, 2.0 * self.joint_moment_peak_n_m(joint) / weight_n)
+        })
+        .collect()
+    }
+
+    /// Joints whose bed opened on one side, beyond N b/6, without coming to its edge at N b/2.
+    pub fn opened_beds(&self) -> Vec<usize> {
+        let each = self.model.moment_most_n_m().iter().enumerate();
+        let opened = each.filter(|(joint, most)| {
+            let moment = self.joint_moment_peak_n_m(*joint);
+            most.is_finite() && moment > **most / 3.0 && moment < **most * (1.0 - 1e-9)
+        });
+        opened.map(|(joint, _)| joint).collect()
+    }
+
+    /// How long the run was, s.
+    pub fn duration_s(&self) -> f64 {
+        self.history.times_s.last().copied().unwrap_or_default()
+    }
+
+    /// Name of a link, 0 the lowest.
+    pub fn link(&self, link: usize) -> &str {
+        self.links.get(link).map_or("", String::as_str)
+    }
+
+    /// Largest moment of a joint at the samples, spring and friction, N m.
+    pub fn joint_moment_peak_n_m(&self, joint: usize) -> f64 {
+        let rows = &self.history.joint_moment_n_m[joint];
+        rows.iter().fold(0.0, |most, moment| most.max(moment.abs()))
+    }
+}

@@ -1,0 +1,19 @@
+//! Stiffness of a chain from measured modes.
+
+use crate::error::WorkError;
+use crate::stiffness::MeasuredDirection;
+use crate::surveyed::StiffnessAnswer;
+use dolmen::stability::chain_stability;
+use dolmen::structure::{ChainStiffness, chain_stiffness};
+use dolmen_project::{ChainPart, Quantity};
+
+/// Every stiffness that explains the modes.
+pub(crate) fn stiffness(
+    part: &ChainPart,
+    measured: &MeasuredDirection<'_>,
+) -> Result<Vec<StiffnessAnswer>, WorkError> {
+    let chain = part.build(&mut Quantity::nominal)?;
+    let found = chain_stiffness(&chain, measured.modes, &ChainStiffness::default())?;
+    let load_factor = |k: &[f64]| Ok(chain_stability(&chain, k)?.load_factor);
+    Ok(vec![measured.answer(None, found, load_factor)?])
+}

@@ -1,0 +1,223 @@
+//! `dolmen check`: does it stand, at what does it begin to move, and how sure is that.
+
+use crate::answer::CheckAnswer;
+use crate::demand;
+use crate::error::{Within as _, WorkError};
+use crate::judgement::{MeasuredFrequency, measured_frequencies};
+use crate::kinds;
+use crate::opened::Opened;
+use crate::state::{Check, FrequencyContradiction, Sampled, SensitivityOf, State, TiltCheck, VariantAnswer};
+use dolmen::assess::{Sensitivity, elasticity, probability};
+use dolmen::numeric::Random;
+use dolmen_project::{Project, Quantity, Structure};
+use std::collections::BTreeMap;
+
+/// What is asked beyond the check itself.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct CheckOptions {
+    /// Draw the inputs that carry a scatter.
+    pub sampling: Option<Sampling>,
+    /// What one per cent of each input does.
+    pub sensitivity: bool,
+}
+
+/// How many samples are drawn, and from which seed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sampling {
+    /// How many.
+    pub samples: usize,
+    /// The same seed gives the same bits.
+    pub seed: u64,
+}
+
+/// Whether a structure and its variants stand; its surveys are left for [`identify`](crate::identify()).
+///
+/// # Errors
+/// [`WorkError`], where the structure cannot be built or computed, and where samples are asked of a stack.
+pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, WorkError> {
+    let project = &opened.project;
+    if options.sampling.is_some() && matches!(project.structure, Structure::Stack(_)) {
+        return Err(WorkError::SamplesOfStack);
+    }
+    let mut state = state_of(project, options.sampling)?;
+    if let Some(state) = &mut state {
+        state.contradictions = contradictions(project, state);
+        state.spring_fits = kinds::spring_fits(&state.check, &project.surveys)?;
+    }
+    let mut variants = Vec::new();
+    for variant in &project.variants {
+        if let Some(state) = state_of(&variant.project, options.sampling)? {
+            variants.push(VariantAnswer {
+                name: variant.name.clone(),
+                title: variant.title.clone(),
+                own_inputs: own_inputs(project, &variant.project),
+                state,
+            });
+        }
+    }
+    let known = kinds::load_factor(project, &mut Quantity::nominal)?.is_some();
+    let sensitivity_of = match project.structure {
+        Structure::Stack(_) => SensitivityOf::FirstMotion,
+        _ if known => SensitivityOf::LoadFactor,
+        _ => SensitivityOf::EqualJoints,
+    };
+    let sensitivities = match options.sensitivity {
+        true => sensitivities(project, sensitivity_of)?,
+        false => Vec::new(),
+    };
+    Ok(CheckAnswer {
+        file: opened.file.clone(),
+        project: project.clone(),
+        state,
+        variants,
+        sensitivities,
+        sensitivity_of,
+    })
+}
+
+/// What a variant gives that the project does not, or gives otherwise.
+fn own_inputs(project: &Project, variant: &Project) -> Vec<Quantity> {
+    let given = project.structure_inputs();
+    let is_own = |input: &&Quantity| {
+        !given.iter().any(|own| {
+            (&own.path, own.value, &own.written, own.source)
+                == (&input.path, input.value, &input.written, input.source)
+        })
+    };
+    let inputs = variant.structure_inputs().into_iter();
+    inputs.filter(is_own).cloned().collect()
+}
+
+fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<State>, WorkError> {
+    let Some(check) = kinds::check(project, &mut Quantity::nominal)? else {
+        return Ok(None);
+    };
+    let sampled = match sampling {
+        Some(sampling) => sampled(project, sampling)?,
+        None => None,
+    };
+    let tilts = tilts(project, &check);
+    Ok(Some(State {
+        demand: demand::of(project, &check)?,
+        check,
+        tilts,
+        contradictions: Vec::new(),
+        spring_fits: Vec::new(),
+        sampled,
+    }))
+}
+
+/// The tilts of the last survey that states any, against the uplift limit of the joints of a chain or stack; of others it is not known.
+fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
+    let Some(survey) = project
+        .surveys
+        .iter()
+        .rev()
+        .find(|survey| !survey.tilt.is_empty())
+    else {
+        return Vec::new();
+    };
+    let uplift_tilt = kinds::uplift_tilt(check);
+    let each = survey.tilt.iter().map(|(direction, tilt)| TiltCheck {
+        survey: survey.name.clone(),
+        direction: direction.clone(),
+        tilt: tilt.ratio,
+        uplift_tilt,
+    });
+    each.collect()
+}
+
+/// Where the lowest measured frequency of a direction and that of the model differ too much to be of one structure.
+fn contradictions(project: &Project, state: &State) -> Vec<FrequencyContradiction> {
+    let differing = measured_frequencies(&project.surveys, &state.check).into_iter();
+    differing
+        .filter(MeasuredFrequency::differs)
+        .map(|of| FrequencyContradiction {
+            survey: of.survey,
+            direction: of.direction,
+            measured_hz: of.measured_hz,
+            computed_hz: of.computed_hz,
+        })
+        .collect()
+}
+
+/// The load factor of a chain without friction, or a frame, that falls under its own weight; `None` if it stands, or that is not known.
+pub(crate) fn falls_by_itself(project: &Project) -> Result<Option<f64>, WorkError> {
+    let is_held = match &project.structure {
+        Structure::Chain(part) => part.joints.iter().flatten().any(|joint| joint.friction.is_some()),
+        Structure::Frame(_) => false,
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => return Ok(None),
+    };
+    if is_held {
+        return Ok(None);
+    }
+    Ok(kinds::load_factor(project, &mut Quantity::nominal)?.filter(|factor| *factor <= 1.0))
+}
+
+/// The load factor under inputs drawn from their distributions; `None` if no stiffness or no scatter is known.
+fn sampled(project: &Project, sampling: Sampling) -> Result<Option<Sampled>, WorkError> {
+    let inputs = project.structure_inputs();
+    let scatters: Vec<(&Quantity, f64)> = inputs
+        .iter()
+        .filter_map(|q| Some((*q, q.cov.filter(|cov| *cov > 0.0)?)))
+        .collect();
+    if scatters.is_empty() || kinds::load_factor(project, &mut Quantity::nominal)?.is_none() {
+        return Ok(None);
+    }
+    let mut load_factors = Vec::with_capacity(sampling.samples);
+    let unstable = probability(
+        sampling.samples,
+        sampling.seed,
+        |random: &mut Random| -> Result<bool, WorkError> {
+            // drawn in the order of the file, so that a sample does not depend on who asks first, or twice
+            let mut drawn = BTreeMap::new();
+            for (q, cov) in &scatters {
+                drawn.insert(q.path.as_str(), random.lognormal(q.value, *cov)?);
+            }
+            let mut pick = |q: &Quantity| drawn.get(q.path.as_str()).copied().unwrap_or(q.value);
+            let factor = kinds::least_load_factor(project, &mut pick).within(|| {
+                "a sample of the inputs gives an impossible structure: lower the cov of the input that it names"
+                    .to_owned()
+            })?;
+            let factor = factor
+                .filter(|factor| !factor.is_nan())
+                .ok_or(WorkError::SampleNotANumber)?;
+            load_factors.push(factor);
+            Ok(factor <= 1.0)
+        },
+    )?;
+    load_factors.sort_by(f64::total_cmp);
+    let inputs = scatters.iter().map(|(q, _)| q.path.clone()).collect();
+    Ok(Some(Sampled {
+        unstable,
+        load_factors,
+        inputs,
+    }))
+}
+
+/// Elasticity of a result to each of the structure's inputs, strongest first; empty if there is no such result.
+fn sensitivities(project: &Project, of: SensitivityOf) -> Result<Vec<Sensitivity>, WorkError> {
+    if kinds::sensitive(project, of, &mut Quantity::nominal)?.is_none() {
+        return Ok(Vec::new());
+    }
+    let mut all = Vec::new();
+    for input in project.structure_inputs() {
+        let elasticity = elasticity(input.value, |changed| -> Result<f64, WorkError> {
+            let mut pick = |q: &Quantity| if q.path == input.path { changed } else { q.value };
+            Ok(kinds::sensitive(project, of, &mut pick)?.unwrap_or(f64::NAN))
+        })?;
+        all.push(Sensitivity {
+            input: input.path.clone(),
+            value: input.value,
+            elasticity,
+            cov: input.cov,
+        });
+    }
+    // an input of 0 has no elasticity: it stands last
+    let strength = |of: &Sensitivity| match of.elasticity.is_finite() {
+        true => of.elasticity.abs(),
+        false => -1.0,
+    };
+    all.sort_by(|a, b| strength(b).total_cmp(&strength(a)));
+    Ok(all)
+}

@@ -1,0 +1,301 @@
+//! Which two surveys of a project are compared, and their modes as the comparison takes them.
+
+use crate::answer::CompareAnswer;
+use crate::error::WorkError;
+use crate::identify;
+use crate::opened::Opened;
+use crate::progress::Progress;
+use crate::survey_dates::date;
+use crate::surveyed::SurveyAnswer;
+use dolmen::assess::{
+    AssessError, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change,
+};
+use dolmen::modal::{ObservedMode, ObservedPoint, Pairing};
+use dolmen::signal::Channel;
+use dolmen_project::{ModeKind, Project, Survey, SurveyMode, TemperaturePart};
+use dolmen_records::Files;
+
+/// Why surveys cannot be compared.
+#[derive(Debug, thiserror::Error)]
+pub enum ChangeFault {
+    /// There is no survey of that name.
+    #[error("there is no survey \"{given}\" with frequencies, modes or records: the file has {known}")]
+    NoSurvey {
+        /// The name given.
+        given: String,
+        /// Those that can be compared.
+        known: String,
+    },
+    /// It is not clear which two.
+    #[error(
+        "the file has no two surveys whose names begin with a date (2019, 2019-04 or 2019-04-02), so that it is not clear which came \
+         first: name them with --from and --to (it has {known})"
+    )]
+    Unclear {
+        /// Surveys that can be compared.
+        known: String,
+    },
+    /// Twice the same.
+    #[error("survey \"{given}\" cannot be compared with itself")]
+    Same {
+        /// Its name.
+        given: String,
+    },
+    /// The comparison is refused.
+    #[error(transparent)]
+    Assess(#[from] AssessError),
+}
+
+/// Which surveys are compared.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct CompareOptions {
+    /// The survey before; the first whose name begins with a date without it.
+    pub from: Option<String>,
+    /// The survey after; the last whose name begins with a date without it.
+    pub to: Option<String>,
+}
+
+/// What changed from one survey to another.
+///
+/// # Errors
+/// Surveys that cannot be compared, or whose records cannot be read.
+pub fn compare(
+    opened: &Opened,
+    options: &CompareOptions,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<CompareAnswer, WorkError> {
+    let project = &opened.project;
+    let compared = surveys_to_compare(project, options.from.as_deref(), options.to.as_deref())?;
+    let needed = [compared.from, compared.to]
+        .into_iter()
+        .chain(compared.earlier.iter().copied());
+    let answers: Vec<SurveyAnswer> = needed
+        .map(|i| identify::found_in(&project.surveys[i], files, progress))
+        .collect::<Result<_, _>>()?;
+    Ok(CompareAnswer {
+        file: opened.file.clone(),
+        project: project.clone(),
+        change: change_of(project, &compared, &answers)?,
+    })
+}
+
+/// Two surveys, by index, and those before the later one that a coefficient of temperature is fitted to.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ComparedSurveys {
+    /// The survey before.
+    pub from: usize,
+    /// The survey after.
+    pub to: usize,
+    /// Other surveys before `to` with a temperature, in their order; empty unless a coefficient is fitted.
+    pub earlier: Vec<usize>,
+}
+
+/// Whether a survey has modes, or records to find them in.
+fn has_modes(survey: &Survey) -> bool {
+    survey.records.is_some()
+        || !survey.setups.is_empty()
+        || survey.modes.values().any(|modes| !modes.is_empty())
+}
+
+/// Which surveys are compared: those named, else the first and the last whose names begin with a date.
+///
+/// # Errors
+/// [`ChangeFault::NoSurvey`], [`ChangeFault::Unclear`], [`ChangeFault::Same`].
+pub fn surveys_to_compare(
+    project: &Project,
+    from: Option<&str>,
+    to: Option<&str>,
+) -> Result<ComparedSurveys, ChangeFault> {
+    let usable = || project.surveys.iter().enumerate().filter(|(_, s)| has_modes(s));
+    let known = || {
+        let names: Vec<&str> = usable().map(|(_, s)| s.name.as_str()).collect();
+        if names.is_empty() {
+            "none".to_owned()
+        } else {
+            names.join(", ")
+        }
+    };
+    let named = |name: &str| {
+        usable()
+            .find(|(_, s)| s.name == name)
+            .map(|(i, _)| i)
+            .ok_or_else(|| ChangeFault::NoSurvey {
+                given: name.to_owned(),
+                known: known(),
+            })
+    };
+    let mut dated: Vec<([u32; 3], usize)> = usable().filter_map(|(i, s)| Some((date(&s.name)?, i))).collect();
+    dated.sort();
+    let unclear = || ChangeFault::Unclear { known: known() };
+    let end = |name: Option<&str>, of_dated: Option<&([u32; 3], usize)>| match name {
+        Some(name) => named(name),
+        None => of_dated
+            .filter(|_| dated.len() > 1)
+            .map(|(_, i)| *i)
+            .ok_or_else(unclear),
+    };
+    let (from, to) = (end(from, dated.first())?, end(to, dated.last())?);
+    if from == to {
+        return Err(ChangeFault::Same {
+            given: project.surveys[from].name.clone(),
+        });
+    }
+    let fitted = project.change.temperature == TemperaturePart::Fitted;
+    // in the order of their dates if the later one has one, else of the file
+    let place = |i: usize| {
+        (
+            date(&project.surveys[to].name).and(date(&project.surveys[i].name)),
+            i,
+        )
+    };
+    let earlier = usable()
+        .map(|(i, _)| i)
+        .filter(|i| fitted && *i != from && *i != to && place(*i) < place(to))
+        .filter(|i| project.surveys[*i].temperature_c.is_some())
+        .collect();
+    Ok(ComparedSurveys { from, to, earlier })
+}
+
+/// The modes of a survey: of its records, if it has any, else those that the file states.
+pub fn surveyed(survey: &Survey, found: Option<&SurveyAnswer>) -> Surveyed {
+    let mut modes = match found.and_then(SurveyAnswer::modes) {
+        Some((modes, time_blocks)) => {
+            let mut all = ObservedMode::all(modes, time_blocks);
+            let setups = found
+                .and_then(|found| found.setups.as_ref())
+                .filter(|setups| setups.joint.is_none());
+            let merged = setups.iter().flat_map(|setups| &setups.merged.merged);
+            for (mode, merged) in all.iter_mut().zip(merged) {
+                let own = merged.degrees_of_freedom.unwrap_or(f64::INFINITY);
+                mode.degrees_of_freedom = mode.degrees_of_freedom.min(own);
+            }
+            all
+        }
+        None => {
+            let listed = survey.modes.iter();
+            listed
+                .flat_map(|(direction, modes)| modes.iter().map(|mode| stated(direction, mode)))
+                .collect()
+        }
+    };
+    modes.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    Surveyed {
+        name: survey.name.clone(),
+        temperature_c: survey.temperature_c,
+        modes,
+    }
+}
+
+fn stated(direction: &str, mode: &SurveyMode) -> ObservedMode {
+    let twists = mode.kind == ModeKind::Torsion;
+    ObservedMode {
+        frequency_hz: mode.frequency.value,
+        frequency_sd_hz: mode.frequency.cov.map(|_| mode.frequency.standard_deviation()),
+        damping_ratio: mode.damping_ratio.as_ref().map(|zeta| zeta.value),
+        damping_ratio_sd: mode
+            .damping_ratio
+            .as_ref()
+            .and_then(|zeta| zeta.cov.map(|_| zeta.standard_deviation())),
+        degrees_of_freedom: f64::INFINITY,
+        direction: Some(if twists {
+            "torsion".to_owned()
+        } else {
+            direction.to_owned()
+        }),
+        shape: mode
+            .shape
+            .iter()
+            .map(|point| {
+                let name = format!("{direction} at {:.3} m", point.height_m);
+                ObservedPoint::real(Channel::named(name), point.displacement)
+            })
+            .collect(),
+    }
+}
+
+/// What changed between two surveys of a project; `answers` hold what their records gave.
+///
+/// # Errors
+/// [`ChangeFault::Assess`].
+pub fn change_of(
+    project: &Project,
+    compared: &ComparedSurveys,
+    answers: &[SurveyAnswer],
+) -> Result<SurveyChange, ChangeFault> {
+    let of = |i: usize| {
+        let survey = &project.surveys[i];
+        surveyed(survey, answers.iter().find(|a| a.name == survey.name))
+    };
+    let pairing = Pairing::default();
+    let options = SurveyChangeOptions {
+        pairing: Pairing {
+            frequency_within: project
+                .change
+                .frequency_within
+                .unwrap_or(pairing.frequency_within),
+            ..pairing
+        },
+        temperature: match project.change.temperature {
+            TemperaturePart::Unknown => TemperatureEffect::Unknown,
+            TemperaturePart::Coefficient { per_c, sd_per_c } => {
+                TemperatureEffect::Coefficient { per_c, sd_per_c }
+            }
+            TemperaturePart::Fitted => TemperatureEffect::Fitted,
+        },
+        ..SurveyChangeOptions::default()
+    };
+    let earlier: Vec<Surveyed> = compared.earlier.iter().map(|i| of(*i)).collect();
+    Ok(survey_change(
+        &of(compared.from),
+        &of(compared.to),
+        &earlier,
+        &options,
+    )?)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_project::parse_project;
+
+    fn project(surveys: &[&str], change: &str) -> Project {
+        let mut text = "schema = 1\nkind = \"survey\"\nname = \"Gate\"\n".to_owned() + change;
+        for name in surveys {
+            text += &format!("\n[survey.{name}]\ntemperature_c = 9\nfrequencies = {{ x = [2.0] }}\n");
+        }
+        parse_project(&text, "project.toml").unwrap()
+    }
+
+    #[test]
+    fn holds_the_first_and_the_last_date_are_compared() {
+        let four = project(&["2024-11-30", "2019-04-02", "extra", "2019-03"], "");
+        let found = surveys_to_compare(&four, None, None).unwrap();
+        assert_eq!((found.from, found.to, found.earlier), (3, 0, vec![]));
+        let found = surveys_to_compare(&four, Some("extra"), Some("2019-03")).unwrap();
+        assert_eq!((found.from, found.to), (2, 3));
+    }
+
+    #[test]
+    fn holds_a_line_is_fitted_to_what_came_before() {
+        let five = project(
+            &["2021", "2019", "2020-02", "2023", "2022-05-01"],
+            "[change]\ntemperature = \"fitted\"\n",
+        );
+        let found = surveys_to_compare(&five, None, Some("2022-05-01")).unwrap();
+        assert_eq!((found.from, found.to, found.earlier), (1, 4, vec![0, 2]));
+    }
+
+    #[test]
+    fn refuses_what_is_not_clear() {
+        let message = |p: &Project, from, to| surveys_to_compare(p, from, to).unwrap_err().to_string();
+        let two = project(&["before", "after"], "");
+        assert!(message(&two, None, None).contains("(it has before, after)"));
+        let said = message(&two, Some("before"), Some("afer"));
+        assert!(said.starts_with("there is no survey \"afer\""), "{said}");
+        let said = message(&two, Some("after"), Some("after"));
+        assert_eq!(said, "survey \"after\" cannot be compared with itself");
+        assert_eq!(date("20190402"), None);
+        assert_eq!(date("2019-13"), Some([2019, 0, 0]));
+    }
+}

@@ -1,0 +1,536 @@
+//! Why a verb cannot answer.
+
+use crate::compare::ChangeFault;
+use crate::portfolio::PortfolioError;
+use crate::score::ScoreDesignsError;
+use crate::study::JournalError;
+use dolmen::assess::AssessError;
+use dolmen::blocks::BlocksError;
+use dolmen::damper::DamperError;
+use dolmen::dynamics::DynamicsError;
+use dolmen::modal::ModalError;
+use dolmen::numeric::NumericError;
+use dolmen::signal::{Component, SignalError};
+use dolmen::stability::StabilityError;
+use dolmen::structure::StructureError;
+use dolmen::structure::building::BuildingError;
+use dolmen::structure::stack::StackError;
+use dolmen::validation::ValidationError;
+use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
+use dolmen_records::FileError;
+use dolmen_records::motions::MotionError;
+use dolmen_records::records::RecordError;
+use std::error::Error as _;
+use thiserror::Error;
+
+/// Why a verb cannot answer: what the science, the readers or the project file refuse, each with its place, or what was asked for.
+#[derive(Debug, Error)]
+pub enum WorkError {
+    /// Where the cause lies: a file, a survey, an option.
+    #[error("{place}")]
+    Within {
+        /// The place.
+        place: String,
+        /// What is wrong there.
+        #[source]
+        cause: Box<WorkError>,
+    },
+    /// A file cannot be had.
+    #[error(transparent)]
+    File(#[from] FileError),
+    /// The project file is refused.
+    #[error(transparent)]
+    Project(#[from] ProjectError),
+    /// A record is refused.
+    #[error(transparent)]
+    Record(#[from] RecordError),
+    /// A file of a ground motion is refused.
+    #[error(transparent)]
+    Motion(#[from] MotionError),
+    /// An angle is refused.
+    #[error(transparent)]
+    Angle(#[from] AngleError),
+    /// A stack cannot be built.
+    #[error(transparent)]
+    StackPart(#[from] StackFault),
+    /// A damper cannot be built.
+    #[error(transparent)]
+    DamperPart(#[from] DamperFault),
+    /// Surveys cannot be compared.
+    #[error(transparent)]
+    Change(#[from] ChangeFault),
+    /// A table of structures is refused.
+    #[error(transparent)]
+    Portfolio(#[from] PortfolioError),
+    /// A table of designs is refused.
+    #[error(transparent)]
+    Designs(#[from] ScoreDesignsError),
+    /// A journal cannot be read.
+    #[error(transparent)]
+    Journal(#[from] JournalError),
+    /// From the science.
+    #[error(transparent)]
+    Assess(#[from] AssessError),
+    /// From the science.
+    #[error(transparent)]
+    Blocks(#[from] BlocksError),
+    /// From the science.
+    #[error(transparent)]
+    Building(#[from] BuildingError),
+    /// From the science.
+    #[error(transparent)]
+    Damper(#[from] DamperError),
+    /// From the science.
+    #[error(transparent)]
+    Dynamics(#[from] DynamicsError),
+    /// From the science.
+    #[error(transparent)]
+    Modal(#[from] ModalError),
+    /// From the science.
+    #[error(transparent)]
+    Numeric(#[from] NumericError),
+    /// From the science.
+    #[error(transparent)]
+    Signal(#[from] SignalError),
+    /// From the science.
+    #[error(transparent)]
+    Stability(#[from] StabilityError),
+    /// From the science.
+    #[error(transparent)]
+    Stack(#[from] StackError),
+    /// From the science.
+    #[error(transparent)]
+    Structure(#[from] StructureError),
+    /// From the science.
+    #[error(transparent)]
+    Validation(#[from] ValidationError),
+    /// The caller could not open, read or keep what was asked of it.
+    #[error("{why}")]
+    Outside {
+        /// Why.
+        why: String,
+    },
+
+    /// Samples are asked of a stack.
+    #[error(
+        "--samples cannot draw for a stack yet: its verdict is without shaking; take --sensitivity for what moves it"
+    )]
+    SamplesOfStack,
+    /// The load factor of a sample is not a number.
+    #[error("the load factor of a sample is not a number: it must not be counted as standing")]
+    SampleNotANumber,
+    /// There is no such variant.
+    #[error("there is no variant \"{name}\": the file has {known}")]
+    NoSuchVariant {
+        /// The name.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// There is no such survey.
+    #[error("there is no survey \"{name}\": the file has {known}")]
+    NoSuchSurvey {
+        /// The name.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// A reference channel has a name that no channel has.
+    #[error("modal.references names {name:?}, but the channels used are {known}")]
+    NoSuchReference {
+        /// The name.
+        name: String,
+        /// The channels.
+        known: String,
+    },
+
+    /// There is no such motion.
+    #[error(
+        "there is no motion \"{name}\": known are {known}; other motions come from files with --motion-file, or stand in the project file as \
+         [motion.{name}]"
+    )]
+    NoSuchMotion {
+        /// The name.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// There is no such motion among those that Dolmen carries.
+    #[error("there is no built-in motion \"{name}\": known are {known}")]
+    NoBuiltInMotion {
+        /// The name.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// No motion is asked for.
+    #[error(
+        "no motion is given: name files (`dolmen simulate`: with --motion-file), or take --motion {known}"
+    )]
+    NoMotion {
+        /// Those there are.
+        known: String,
+    },
+    /// A run that needs a motion was prepared without one.
+    #[error("the run was prepared without a motion")]
+    NoMotionPrepared,
+    /// Two files are of one component.
+    #[error("--motion-file: the {component} component is given twice; name each as in {component}=FILE")]
+    ComponentTwice {
+        /// The component.
+        component: Component,
+    },
+    /// A text is no acceleration.
+    #[error("\"{given}\" is no acceleration: write it as \"0.3 g\" or \"2.94 m/s2\"")]
+    NoAcceleration {
+        /// The text.
+        given: String,
+    },
+    /// An acceleration has no unit.
+    #[error("\"{given}\" has no unit: write \"{value} g\" or \"{value} m/s2\"")]
+    AccelerationWithoutUnit {
+        /// The text.
+        given: String,
+        /// Its number.
+        value: f64,
+    },
+    /// A site is no ground of Eurocode 8.
+    #[error("--site is \"{given}\", but a ground of Eurocode 8 is A, B, C, D or E")]
+    NoEurocodeGround {
+        /// The text.
+        given: String,
+    },
+    /// A site is none of KDS 17 10 00.
+    #[error(
+        "--site is \"{given}\", but a site of KDS 17 10 00 is S1 to S5; for Eurocode 8 give --ground-acceleration too"
+    )]
+    NoKoreanSite {
+        /// The text.
+        given: String,
+    },
+    /// Nothing is there to be matched.
+    #[error("no motion is given to match")]
+    NothingToMatch,
+    /// Several channels could be matched.
+    #[error(
+        "the file has several channels: name the one to match with --channel, or turn them to x and y with --x-azimuth"
+    )]
+    SeveralToMatch,
+    /// A motion shakes along x and y what moves in a plane.
+    #[error(
+        "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give the component \
+         that you mean as x"
+    )]
+    TwoHorizontal {
+        /// What moves: "a chain".
+        what: &'static str,
+    },
+    /// A motion shakes only upwards what moves in a plane.
+    #[error("{what} moves horizontally, but the motion has neither x nor y")]
+    NoHorizontal {
+        /// What moves: "a chain".
+        what: &'static str,
+    },
+    /// A motion of a study has no horizontal component.
+    #[error("motion \"{name}\" has no horizontal component")]
+    NoHorizontalOf {
+        /// The motion.
+        name: String,
+    },
+
+    /// A survey cannot be simulated.
+    #[error("only stacks, frames, chains and buildings can be simulated: the file has kind = \"survey\"")]
+    SurveySimulated,
+    /// A motion was given to report on a survey.
+    #[error("{file}: only stacks, frames and chains can be simulated; leave the motion out")]
+    SurveyReported {
+        /// The project file.
+        file: String,
+    },
+    /// What is no chain is pushed.
+    #[error("--push lets a chain lean at the start: the file has another kind")]
+    PushOfOther,
+    /// A chain is pushed too far.
+    #[error("--push is {push_rad} rad, but must be at most {most_rad} rad in size")]
+    PushTooLarge {
+        /// The push, rad.
+        push_rad: f64,
+        /// The largest allowed, rad.
+        most_rad: f64,
+    },
+    /// Neither a motion nor a push is given.
+    #[error(
+        "nothing moves the chain: give --motion or --motion-file, or let it lean at the start with --push \"1e-4 rad\""
+    )]
+    NothingMovesChain,
+    /// The joints of a chain are unknown.
+    #[error(
+        "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints or into a variant, and \
+         simulate that with --variant"
+    )]
+    JointsUnknown,
+    /// The stiffness of a direction is unknown.
+    #[error(
+        "the stiffness of direction \"{direction}\" is unknown: `dolmen identify` finds those that its frequencies allow; write one of them \
+         into [direction.{direction}] or into a variant, and simulate that"
+    )]
+    DirectionUnknown {
+        /// The direction.
+        direction: String,
+    },
+    /// There is no such direction.
+    #[error("there is no direction \"{direction}\": the file has {known}")]
+    NoSuchDirection {
+        /// The name.
+        direction: String,
+        /// Those there are.
+        known: String,
+    },
+    /// The stiffness of no direction is known.
+    #[error(
+        "the stiffness of no direction is known ({directions}): `dolmen identify` finds those that measured frequencies allow; write one of \
+         them into [direction.NAME] or into a variant, and simulate that with --variant"
+    )]
+    NoDirectionKnown {
+        /// The directions of the file.
+        directions: String,
+    },
+    /// A building falls, so that nothing can be simulated.
+    #[error(
+        "the building falls under its own weight, so that nothing was simulated: `dolmen check` says where"
+    )]
+    BuildingFalls,
+    /// A point of a building was lost.
+    #[error("a point of the file was not watched")]
+    PointNotWatched,
+
+    /// There is no such study.
+    #[error("there is no study \"{name}\": the file has {known}")]
+    NoSuchStudy {
+        /// The name.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// There is no such study in a file.
+    #[error("there is no study \"{name}\" in {file}")]
+    NoStudyIn {
+        /// The name.
+        name: String,
+        /// The file.
+        file: String,
+    },
+    /// The file has no study.
+    #[error("the file has no study: write one as [study.NAME]; docs/study.md has its keys")]
+    NoStudy,
+    /// What is to be studied falls by itself.
+    #[error(
+        "it does not stand under its own weight (load factor {load_factor:.3}): no shaking is needed to fell it, and a capacity against \
+         shaking would say nothing. `dolmen check` says what it lacks"
+    )]
+    StudyOfWhatFalls {
+        /// λ.
+        load_factor: f64,
+    },
+    /// A survey holds nothing to study.
+    #[error("a survey holds no structure that could be studied: kind is stack, frame, chain or building")]
+    SurveyStudied,
+    /// A study has no motion.
+    #[error(
+        "the study names no motion: give motions = [\"el-centro-1940-ns\"] or artificial = {{ count = 22 }}"
+    )]
+    StudyWithoutMotion,
+    /// A study does not say how the shaking grows.
+    #[error("the study says not how the shaking grows: give scale or peak")]
+    StudyWithoutScan,
+    /// A study has too many scans.
+    #[error("the study has more than {most} scans: vary less, or draw fewer samples")]
+    StudyTooLarge {
+        /// The largest number of scans.
+        most: usize,
+    },
+    /// Samples are asked for, but nothing scatters.
+    #[error(
+        "samples is {samples}, but no input has a cov: all samples would be the same. Write joint.friction = {{ value = 0.6, cov = 0.1 }}, or \
+         leave samples out"
+    )]
+    StudySamplesNothing {
+        /// The samples asked for.
+        samples: usize,
+    },
+    /// A map of harmonic motions is asked of what has none.
+    #[error("harmonic and release are for frames and chains")]
+    HarmonicOfOther,
+    /// The inputs of a case are refused.
+    #[error("{why}")]
+    CaseRefused {
+        /// Why.
+        why: String,
+    },
+    /// The inputs of every run were refused.
+    #[error("the inputs of every run were refused: {why}")]
+    EveryRunRefused {
+        /// Why those of the first were.
+        why: String,
+    },
+    /// A journal is of another study, or of another state of this one.
+    #[error(
+        "{shown} belongs to another state of this study: {difference}. Name another folder with -o, or give --restart to throw its runs away"
+    )]
+    OtherJournal {
+        /// The journal.
+        shown: String,
+        /// What differs.
+        difference: String,
+    },
+    /// Journals hold one run with different results.
+    #[error(
+        "{shown}: the run of scan {scan} at scale {scale} is there twice with different results: they come from programs that do not compute \
+         alike; start anew with --restart"
+    )]
+    RunTwice {
+        /// The journals.
+        shown: String,
+        /// The scan, from 1.
+        scan: usize,
+        /// The factor on its motion.
+        scale: f64,
+    },
+    /// A study for the score has no pagodas of six factors.
+    #[error("study \"{name}\" has no pagoda of six factors: write pagoda = {{ storeys = 5, … }}")]
+    StudyWithoutPagoda {
+        /// The study.
+        name: String,
+    },
+
+    /// There is no such damper that can be tuned.
+    #[error(
+        "there is no damper \"{name}\" in {file} that stands at a place to be found: \"tmd\" and \"tlcd\" do, \"tlcmd\" and \"link\" are tuned \
+         with the others, without --damper"
+    )]
+    NoSuchDamper {
+        /// The name.
+        name: String,
+        /// The project file.
+        file: String,
+    },
+    /// There is no damper.
+    #[error(
+        "{file} has no damper to tune: write a table such as [damper.roof] with kind = \"tmd\", floor, place, direction, mass_ratio and \
+         tuning, in the file or in a variant"
+    )]
+    NoDamper {
+        /// The project file.
+        file: String,
+    },
+    /// Dampers of what is no building.
+    #[error(
+        "only buildings have dampers to tune: the file has another kind; start one with kind = \"building\""
+    )]
+    TuneOfOther,
+    /// The building falls by itself.
+    #[error("the building falls under its own weight: `dolmen check` says where")]
+    BuildingFallsItself,
+    /// A damper is tuned to no mode.
+    #[error("it is tuned to no mode")]
+    TunedToNoMode,
+    /// A floor has no outline.
+    #[error(
+        "floor {floor} has no outline, so that places on it are not known: give sides or outline in its table"
+    )]
+    FloorWithoutOutline {
+        /// The floor, from 1.
+        floor: usize,
+    },
+
+    /// The score does not know such a pagoda.
+    #[error(
+        "the score does not know such a pagoda: {how}. Simulate it with dolmen study, or force the score with --extrapolate"
+    )]
+    PagodaUnlike {
+        /// How it differs.
+        how: String,
+    },
+    /// A project has no pagoda of six factors.
+    #[error(
+        "{file} has no pagoda of six factors: write pagoda = {{ storeys = 5, body_height = 6.0, … }} in a stack, or simulate its blocks with \
+         dolmen study"
+    )]
+    NoPagoda {
+        /// The project file.
+        file: String,
+    },
+    /// Too few designs for a score.
+    #[error("{designs} designs are too few for a score: 50 and more with a curve are needed")]
+    TooFewDesigns {
+        /// How many there are.
+        designs: usize,
+    },
+    /// Too few designs for the score of the state ranked by.
+    #[error("the score has too few designs of this state")]
+    TooFewDesignsOfState,
+    /// No structure can be ranked.
+    #[error("none of {structures} structures can be ranked:{reasons}")]
+    NoneRanked {
+        /// How many there are.
+        structures: usize,
+        /// Why, a line a structure.
+        reasons: String,
+    },
+    /// A study that a table names has no results.
+    #[error(
+        "study \"{study}\" of {file} has no results beside the project file, or they are of another state of it: run dolmen study"
+    )]
+    StudyNotRun {
+        /// The study.
+        study: String,
+        /// The project file.
+        file: String,
+    },
+    /// A project has nothing to be ranked by.
+    #[error("it has neither results of a study nor a pagoda of six factors: run dolmen study {file} first")]
+    NothingToRankBy {
+        /// The project file.
+        file: String,
+    },
+    /// A project has results of several studies.
+    #[error("it has results of several studies ({names}): name one in the column study")]
+    SeveralStudies {
+        /// The studies.
+        names: String,
+    },
+    /// The project of Palisaden has no record, or none with a mode.
+    #[error("palisaden has no record")]
+    PalisadenWithoutRecord,
+}
+
+impl WorkError {
+    /// The error and its causes in one line.
+    pub fn line(&self) -> String {
+        let mut line = self.to_string();
+        let mut cause = self.source();
+        while let Some(below) = cause {
+            line = format!("{line}: {below}");
+            cause = below.source();
+        }
+        line
+    }
+}
+
+/// Says where a fault lies.
+pub trait Within<T> {
+    /// Adds the place to the error.
+    ///
+    /// # Errors
+    /// That of `self`, within the place.
+    fn within(self, place: impl FnOnce() -> String) -> Result<T, WorkError>;
+}
+
+impl<T, E: Into<WorkError>> Within<T> for Result<T, E> {
+    fn within(self, place: impl FnOnce() -> String) -> Result<T, WorkError> {
+        self.map_err(|cause| WorkError::Within {
+            place: place(),
+            cause: Box::new(cause.into()),
+        })
+    }
+}

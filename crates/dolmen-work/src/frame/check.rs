@@ -1,0 +1,53 @@
+//! The check of a frame.
+
+use crate::error::WorkError;
+use crate::state::DirectionCheck;
+use dolmen::assess::check_frame;
+use dolmen::stability::frame_stability;
+use dolmen_project::{FramePart, Pick};
+
+/// What is known of a frame in each direction, each input with the value that `pick` chooses.
+pub(crate) fn check(part: &FramePart, pick: Pick<'_>) -> Result<Vec<DirectionCheck>, WorkError> {
+    let frame = part.build(pick)?;
+    let mut checks = Vec::new();
+    for direction in &part.directions {
+        let stiffness = part.stiffness_n_m(&direction.name, pick);
+        let check = check_frame(&frame, stiffness.as_deref())?;
+        let slipping = match part.slipping_stiffness_n_m(&direction.name, pick) {
+            Some(slipping) => Some(check_frame(&frame, Some(&slipping))?),
+            None => None,
+        };
+        checks.push(DirectionCheck {
+            direction: direction.name.clone(),
+            check,
+            slipping,
+        });
+    }
+    Ok(checks)
+}
+
+/// The smallest load factor of all directions; `None` unless the stiffness is known in every one.
+pub(crate) fn load_factor(part: &FramePart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
+    let frame = part.build(pick)?;
+    let mut least: Option<f64> = None;
+    for direction in &part.directions {
+        let Some(stiffness) = part.stiffness_n_m(&direction.name, pick) else {
+            return Ok(None); // a direction that is not known is not a direction that stands
+        };
+        let factor = frame_stability(&frame, &stiffness)?.load_factor;
+        least = Some(least.map_or(factor, |other| other.min(factor)));
+    }
+    Ok(least)
+}
+
+/// The load factor `stuck`, or that of the frame while its joints slip if it is less.
+pub(crate) fn least_load_factor(part: &FramePart, stuck: f64, pick: Pick<'_>) -> Result<f64, WorkError> {
+    let frame = part.build(pick)?;
+    let mut least = stuck;
+    for direction in &part.directions {
+        if let Some(slipping) = part.slipping_stiffness_n_m(&direction.name, pick) {
+            least = least.min(frame_stability(&frame, &slipping)?.load_factor);
+        }
+    }
+    Ok(least)
+}

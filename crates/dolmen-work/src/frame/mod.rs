@@ -1,0 +1,9 @@
+//! Frames: timber gates of rigid storeys on lateral springs.
+
+pub(crate) mod check;
+pub(crate) mod simulate;
+mod simulation;
+pub(crate) mod stiffness;
+pub(crate) mod study;
+
+pub use simulation::FrameSimulation;

@@ -1,0 +1,75 @@
+//! What `dolmen simulate` found of a frame, with what went in.
+
+use crate::motion::MotionAnswer;
+use dolmen::dynamics::{FrameHistory, FrameOutcome, FrameRun, FrictionFrame};
+use dolmen::signal::Component;
+use dolmen_project::Names;
+
+/// A simulation of a frame in one direction, and its inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrameSimulation {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The variant of the file; `None` for the structure as given.
+    pub variant: Option<String>,
+    /// A longer name of the variant, if the file gives one.
+    pub variant_title: Option<Names>,
+    /// The direction of the frame.
+    pub direction: String,
+    /// Names of the storeys, lowest first.
+    pub storeys: Vec<String>,
+    /// The frame.
+    pub frame: FrictionFrame,
+    /// The motion of its base.
+    pub motion: MotionAnswer,
+    /// The component of the motion that acts along the direction.
+    pub component: Component,
+    /// Options of the run.
+    pub options: FrameRun,
+    /// What happened.
+    pub history: FrameHistory,
+}
+
+impl FrameSimulation {
+    /// Largest acceleration of the ground along the direction, m/s².
+    pub fn peak_acceleration_m_s2(&self) -> f64 {
+        self.motion.motion.component_peak_m_s2(self.component)
+    }
+
+    /// Whether a storey leaned beyond what the model can tell of.
+    pub fn falls(&self) -> bool {
+        matches!(self.history.outcome, FrameOutcome::DriftLimit { .. })
+    }
+
+    /// When the run ended, s, if that is before the motion did and no storey leaned too far: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let end_s = self.options.duration_s?;
+        let is_open = matches!(self.history.outcome, FrameOutcome::Finished);
+        self.motion.cut_at_s(end_s).filter(|_| is_open)
+    }
+
+    /// Whether the run came to its end.
+    pub fn is_whole(&self) -> bool {
+        !matches!(self.history.outcome, FrameOutcome::Stopped { .. })
+            && self.ended_before_the_motion_s().is_none()
+    }
+
+    /// Force of the whole storey, spring, P-delta and friction, at every sample, N: what its drift is drawn against.
+    ///
+    /// ```text
+    /// V_i = −Σ_{j≥i} m_j (Y_j'' + a_ground)
+    /// ```
+    /// Dashpots are in it.
+    pub fn storey_force_n(&self, storey: usize) -> Vec<f64> {
+        let storeys = self.frame.frame().storeys();
+        let mut force = vec![0.0; self.history.time_s.len()];
+        for (level, part) in storeys.iter().enumerate().skip(storey) {
+            for (force, acceleration) in force.iter_mut().zip(&self.history.acceleration_m_s2[level]) {
+                *force -= part.mass_kg * acceleration;
+            }
+        }
+        force
+    }
+}

@@ -1,0 +1,24 @@
+//! Stiffness of a frame from measured modes.
+
+use crate::error::WorkError;
+use crate::stiffness::MeasuredDirection;
+use crate::surveyed::StiffnessAnswer;
+use dolmen::stability::frame_stability;
+use dolmen::structure::{Convention, Frame, FrameStiffness, frame_stiffness};
+use dolmen_project::{FramePart, Quantity};
+
+/// Every stiffness that explains the modes, one answer a convention.
+pub(crate) fn stiffness(
+    part: &FramePart,
+    measured: &MeasuredDirection<'_>,
+) -> Result<Vec<StiffnessAnswer>, WorkError> {
+    let built = part.build(&mut Quantity::nominal)?;
+    let mut answers = Vec::new();
+    for convention in [Convention::Drift, Convention::Grounded] {
+        let frame = Frame::new(built.storeys().to_vec(), convention)?;
+        let found = frame_stiffness(&frame, measured.modes, &FrameStiffness::default())?;
+        let load_factor = |k: &[f64]| Ok(frame_stability(&frame, k)?.load_factor);
+        answers.push(measured.answer(Some(convention), found, load_factor)?);
+    }
+    Ok(answers)
+}

@@ -1,0 +1,289 @@
+//! `dolmen identify`: records to modes, modes to stiffness.
+
+use crate::answer::IdentifyAnswer;
+use crate::error::{Within as _, WorkError};
+use crate::kinds;
+use crate::opened::Opened;
+use crate::progress::{Progress, Stage};
+use crate::record;
+use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
+use dolmen::modal::{Identify, MergeSetups, Modes, identify as modes_of, joint_setups, merge_setups};
+use dolmen::signal::{Channel, Record};
+use dolmen::structure::{StiffnessNote, directional_modes};
+use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
+use dolmen_records::Files;
+
+/// Which surveys are identified.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct IdentifyOptions {
+    /// Only this one; all without it.
+    pub survey: Option<String>,
+}
+
+/// Modes of every survey's records, and every stiffness that explains them.
+///
+/// # Errors
+/// An unknown survey; records that cannot be read or hold no modes.
+pub fn identify(
+    opened: &Opened,
+    options: &IdentifyOptions,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<IdentifyAnswer, WorkError> {
+    Ok(IdentifyAnswer {
+        file: opened.file.clone(),
+        project: opened.project.clone(),
+        surveys: surveys(&opened.project, options.survey.as_deref(), files, progress)?,
+    })
+}
+
+/// What the surveys of a project give, all of them or the one that is named.
+pub(crate) fn surveys(
+    project: &Project,
+    only: Option<&str>,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<Vec<SurveyAnswer>, WorkError> {
+    if let Some(name) = only
+        && !project.surveys.iter().any(|survey| survey.name == name)
+    {
+        let names: Vec<&str> = project
+            .surveys
+            .iter()
+            .map(|survey| survey.name.as_str())
+            .collect();
+        return Err(WorkError::NoSuchSurvey {
+            name: name.to_owned(),
+            known: names.join(", "),
+        });
+    }
+    let chosen = project
+        .surveys
+        .iter()
+        .filter(|survey| only.is_none_or(|name| survey.name == name));
+    chosen
+        .map(|survey| of_survey(project, survey, files, progress))
+        .collect()
+}
+
+/// Modes of a survey's records, without the stiffness that explains them.
+pub(crate) fn found_in(
+    survey: &Survey,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<SurveyAnswer, WorkError> {
+    let context = || format!("survey {}", survey.name);
+    let records = match &survey.records {
+        Some(source) => Some(of_record(source, files, progress).within(context)?.0),
+        None => None,
+    };
+    let setups = if survey.setups.is_empty() {
+        None
+    } else {
+        Some(of_setups(survey, files, progress).within(context)?)
+    };
+    Ok(SurveyAnswer {
+        name: survey.name.clone(),
+        records,
+        setups,
+        stiffness: Vec::new(),
+        without_stiffness: None,
+    })
+}
+
+/// Each setup by itself, then all together, and as one where the file asks for it.
+fn of_setups(survey: &Survey, files: &dyn Files, progress: &dyn Progress) -> Result<SetupsAnswer, WorkError> {
+    let (mut records, mut measured) = (Vec::new(), Vec::new());
+    for source in &survey.setups {
+        let (answer, record) = of_record(source, files, progress)?;
+        records.push(answer);
+        measured.push(record);
+    }
+    let modes: Vec<Modes> = records
+        .iter()
+        .map(|record| record.analysis.modes.clone())
+        .collect();
+    let merge = MergeSetups::default();
+    let merged = merge_setups(&modes, &merge)?;
+    let joint = match (survey.merge, survey.setups.first()) {
+        (Merge::Preger, Some(first)) => {
+            progress.begin(&Stage::Joining);
+            let options = Identify {
+                references: Vec::new(),
+                ..options(first, measured[0].channels())?
+            };
+            let joint = joint_setups(&measured, &options, merge.pairing.place_within_m)
+                .within(|| "all setups as one".to_owned())?;
+            progress.end();
+            Some(joint)
+        }
+        _ => None,
+    };
+    Ok(SetupsAnswer {
+        records,
+        merged,
+        joint,
+    })
+}
+
+fn of_survey(
+    project: &Project,
+    survey: &Survey,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<SurveyAnswer, WorkError> {
+    let context = || format!("survey {}", survey.name);
+    let mut answer = found_in(survey, files, progress)?;
+    let mut stiffness = Vec::new();
+    for direction in survey.modes.keys() {
+        let modes = survey.measured_modes(direction, &mut Quantity::nominal);
+        if !modes.is_empty() {
+            stiffness.extend(
+                kinds::stiffness(project, direction, &modes, &twisting(survey, direction)).within(context)?,
+            );
+        }
+    }
+    if let Some((found, _)) = answer.modes() {
+        let doubtful = answer
+            .setups
+            .as_ref()
+            .map_or_else(Vec::new, SetupsAnswer::doubtful_hz);
+        let unexplained_hz = answer.unexplained_hz();
+        for (direction, vector) in [("x", [1.0, 0.0, 0.0]), ("y", [0.0, 1.0, 0.0])] {
+            if !survey.modes.contains_key(direction) {
+                let answers = from_record(project, found, &doubtful, (direction, vector));
+                stiffness.extend(answers.within(context)?.into_iter().map(|answer| {
+                    let highest_hz = answer.frequencies_hz.last().copied().unwrap_or(0.0);
+                    let below = unexplained_hz.iter().copied().filter(|hz| *hz < highest_hz);
+                    StiffnessAnswer {
+                        peaks_below_hz: below.collect(),
+                        ..answer
+                    }
+                }));
+            }
+        }
+    }
+    let is_sought = matches!(project.structure, Structure::Chain(_) | Structure::Frame(_));
+    if is_sought
+        && stiffness.is_empty()
+        && survey.modes.is_empty()
+        && let Some((found, _)) = answer.modes()
+    {
+        answer.without_stiffness = why_no_stiffness(found);
+    }
+    answer.stiffness = stiffness;
+    Ok(answer)
+}
+
+/// What the sensors lack, where none measures along x or y; `None` where one does.
+fn why_no_stiffness(found: &Modes) -> Option<WithoutStiffness> {
+    let along =
+        [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|vector| directional_modes(found, vector).channels_along);
+    if along != [0, 0] {
+        return None;
+    }
+    let placed = found
+        .channels
+        .iter()
+        .filter(|c| c.position_m.is_some() && c.direction.is_some());
+    let channels: Vec<String> = placed.map(|c| c.name.clone()).collect();
+    Some(match channels.is_empty() {
+        true => WithoutStiffness::NoPlace,
+        false => WithoutStiffness::OffTheAxes { channels },
+    })
+}
+
+/// The modes of a direction that twist: reported, but kept out of the fit.
+fn twisting(survey: &Survey, direction: &str) -> Vec<StiffnessNote> {
+    let modes = survey.modes.get(direction).into_iter().flatten();
+    let twisting = modes.filter(|mode| mode.kind == ModeKind::Torsion);
+    twisting
+        .map(|mode| StiffnessNote::Twists {
+            frequency_hz: mode.frequency.value,
+        })
+        .collect()
+}
+
+fn of_record(
+    source: &RecordSource,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<(RecordAnswer, Record), WorkError> {
+    let file = source.file.clone();
+    progress.begin(&Stage::Reading { file });
+    let opened = record::record(source, files)?;
+    let file = source.file.clone();
+    progress.begin(&Stage::Identifying { file });
+    let options = options(source, opened.record.channels())?;
+    let analysis = modes_of(&opened.record, &options).within(|| source.file.clone())?;
+    progress.end();
+    let answer = RecordAnswer {
+        file: source.file.clone(),
+        channels: opened.channels,
+        samples: opened.samples,
+        sampling_rate_hz: opened.sampling_rate_hz,
+        unit: opened.unit,
+        remarks: opened.remarks,
+        faults: opened.faults,
+        analysis,
+    };
+    Ok((answer, opened.record))
+}
+
+/// How modes are sought, as the file says.
+fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, WorkError> {
+    let defaults = Identify::default();
+    Ok(Identify {
+        method: source.modal.method.unwrap_or(defaults.method),
+        references: references(&source.modal.references, channels).within(|| source.file.clone())?,
+        pick_hz: source.modal.pick_hz.clone(),
+        harmonics: source.modal.harmonics.unwrap_or(defaults.harmonics),
+        frequency_low_hz: source.modal.frequency_low_hz,
+        frequency_high_hz: source.modal.frequency_high_hz,
+        block_rows: source.modal.block_rows,
+        order_most: source.modal.order_most,
+        modes_wanted: source.modal.modes_wanted,
+        ..defaults
+    })
+}
+
+/// Indices of the channels of these names.
+fn references(names: &[String], channels: &[Channel]) -> Result<Vec<usize>, WorkError> {
+    let place = |name: &String| {
+        let at = channels.iter().position(|channel| channel.name == *name);
+        at.ok_or_else(|| {
+            let known: Vec<&str> = channels.iter().map(|channel| channel.name.as_str()).collect();
+            WorkError::NoSuchReference {
+                name: name.clone(),
+                known: known.join(", "),
+            }
+        })
+    };
+    names.iter().map(place).collect()
+}
+
+/// Stiffness from the modes of a record that move in one direction; none if no sensor measures it.
+fn from_record(
+    project: &Project,
+    modes: &Modes,
+    doubtful_hz: &[f64],
+    (direction, vector): (&str, [f64; 3]),
+) -> Result<Vec<StiffnessAnswer>, WorkError> {
+    let mut found = directional_modes(modes, vector);
+    found.end_before(doubtful_hz);
+    let parts = match &project.structure {
+        Structure::Chain(part) => part.links.len(),
+        Structure::Frame(part) => part.storeys.len(),
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => return Ok(Vec::new()),
+    };
+    found.modes.truncate(parts); // a model of n parts has n modes: the lowest ones
+    if found.modes.is_empty() {
+        return Ok(Vec::new());
+    }
+    let mut notes: Vec<StiffnessNote> = found.left_out.into_iter().map(StiffnessNote::LeftOut).collect();
+    notes.push(StiffnessNote::TakenAsLowest {
+        modes: found.modes.len(),
+        direction: direction.to_owned(),
+    });
+    kinds::stiffness(project, direction, &found.modes, &notes)
+}

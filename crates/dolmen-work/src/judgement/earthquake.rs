@@ -1,0 +1,253 @@
+//! Earthquake: does it meet what the code or the given motion asks?
+
+use super::colour::Colour;
+use crate::building::RowStroke;
+use crate::building::StandingBuilding;
+use crate::state::{Check, State};
+use dolmen::assess::DamageState;
+use dolmen::stability::stack::DemandVerdict;
+use dolmen_project::{BuiltDamper, strokes_of};
+use dolmen_words::Language;
+
+/// The fixed words, from the best to the worst.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Earthquake {
+    /// The file has no site, and no motion was given.
+    NotAsked,
+    /// It has at least [`DemandVerdict::NEAR_BELOW`] times what is asked.
+    Above,
+    /// It has what is asked, and little more.
+    Near,
+    /// Something is asked that was not compared, or the run has no verdict.
+    NotDecided,
+    /// It has less than is asked.
+    BelowDemand,
+}
+
+/// What decided a word.
+#[derive(Clone, Debug, PartialEq)]
+pub enum DecidedBy {
+    /// Capacity against the demand of a code at the site.
+    CodeDemand,
+    /// Whether it fell.
+    Fall,
+    /// The state of damage, 0 to 4.
+    DamageState(u8),
+    /// The drift of a storey over that up to which its model holds.
+    Drift,
+    /// A tie that broke.
+    Strength,
+    /// The stroke of a damper over its room.
+    Room {
+        /// The damper, or "NAME liquid".
+        part: String,
+    },
+    /// Nothing: there is no limit to hold the answer against, or it could not be compared.
+    NoLimit,
+    /// Nothing: the run was stopped, or ended before it could tell.
+    Unfinished,
+}
+
+/// A word, what decided it, and under what.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EarthquakeFinding {
+    /// The word.
+    pub word: Earthquake,
+    /// What decided it.
+    pub decided_by: DecidedBy,
+    /// The motion; `None`: the site, or no motion at all.
+    pub motion: Option<String>,
+}
+
+impl Earthquake {
+    /// The word for several findings: the worst; not asked for none.
+    pub fn worst(findings: &[EarthquakeFinding]) -> Earthquake {
+        let words = findings.iter().map(|finding| finding.word);
+        words.max().unwrap_or(Earthquake::NotAsked)
+    }
+
+    /// The word for capacity over demand; NaN decides nothing.
+    pub fn of_ratio(ratio: f64) -> Earthquake {
+        Earthquake::of_demand(DemandVerdict::of_ratio(ratio))
+    }
+
+    /// The word for a verdict on a demand.
+    pub fn of_demand(verdict: DemandVerdict) -> Earthquake {
+        match verdict {
+            DemandVerdict::Above => Earthquake::Above,
+            DemandVerdict::Near => Earthquake::Near,
+            DemandVerdict::Below => Earthquake::BelowDemand,
+            DemandVerdict::Unknown => Earthquake::NotDecided,
+        }
+    }
+
+    /// The word for a state of damage: DS3 and worse is below what the motion asks, DS2 near it.
+    pub fn of_damage(state: DamageState) -> Earthquake {
+        match state {
+            DamageState::None | DamageState::Begun => Earthquake::Above,
+            DamageState::Offset => Earthquake::Near,
+            DamageState::Severe | DamageState::Fallen => Earthquake::BelowDemand,
+        }
+    }
+
+    /// Its colour.
+    pub fn colour(self) -> Colour {
+        match self {
+            Earthquake::NotAsked | Earthquake::Above => Colour::Green,
+            Earthquake::Near | Earthquake::NotDecided => Colour::Amber,
+            Earthquake::BelowDemand => Colour::Red,
+        }
+    }
+
+    /// The fixed word.
+    pub fn word(self, language: Language) -> &'static str {
+        match self {
+            Earthquake::NotAsked => language.pick("not asked", "검토 대상 아님"),
+            Earthquake::Above => language.pick("above demand", "기준 만족"),
+            Earthquake::Near => language.pick("near demand", "기준에 근접"),
+            Earthquake::NotDecided => language.pick("not decided", "판정 보류"),
+            Earthquake::BelowDemand => language.pick("below demand", "기준 불만족"),
+        }
+    }
+}
+
+impl DecidedBy {
+    /// Its key in JSON.
+    pub fn key(&self) -> &'static str {
+        match self {
+            DecidedBy::CodeDemand => "code_demand",
+            DecidedBy::Fall => "fall",
+            DecidedBy::DamageState(_) => "damage_state",
+            DecidedBy::Drift => "drift",
+            DecidedBy::Strength => "strength",
+            DecidedBy::Room { .. } => "room",
+            DecidedBy::NoLimit => "no_limit",
+            DecidedBy::Unfinished => "unfinished",
+        }
+    }
+}
+
+/// What the site asks of one version of a structure; empty without a site.
+pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
+    let Some(demand) = &state.demand else {
+        return Vec::new();
+    };
+    let at_site = |word, decided_by| EarthquakeFinding {
+        word,
+        decided_by,
+        motion: None,
+    };
+    if let Some(stack) = &demand.stack {
+        return vec![at_site(
+            Earthquake::of_demand(stack.verdict),
+            DecidedBy::CodeDemand,
+        )];
+    }
+    let rooms = match &state.check {
+        Check::Building(answer) => answer.stands.as_deref().map(rooms_at_site),
+        _ => None,
+    };
+    match rooms {
+        Some(rooms) if !rooms.is_empty() => rooms,
+        _ => vec![at_site(Earthquake::NotDecided, DecidedBy::NoLimit)],
+    }
+}
+
+/// Dampers against their rooms under the spectrum of the site.
+fn rooms_at_site(standing: &StandingBuilding) -> Vec<EarthquakeFinding> {
+    let strokes = standing.damped.iter().flat_map(|damped| &damped.strokes_m);
+    of_rooms(&standing.dampers, strokes.copied(), None)
+}
+
+/// Dampers against their rooms, m, in the order of [`strokes_of`]; those without a room are left out.
+pub(super) fn of_rooms(
+    dampers: &[BuiltDamper],
+    strokes_m: impl Iterator<Item = f64>,
+    motion: Option<&str>,
+) -> Vec<EarthquakeFinding> {
+    let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
+    let each =
+        pairs.filter_map(|(stroke, stroke_m)| Some(of_room(stroke.name, stroke_m, stroke.room_m?, motion)));
+    each.collect()
+}
+
+/// The stroke of a damper of a comparison against its room.
+pub(super) fn of_row(row: &RowStroke) -> EarthquakeFinding {
+    of_room(
+        row.damper.clone(),
+        row.stroke_m,
+        row.room_m,
+        row.motion.as_deref(),
+    )
+}
+
+fn of_room(part: String, stroke_m: f64, room_m: f64, motion: Option<&str>) -> EarthquakeFinding {
+    EarthquakeFinding {
+        word: Earthquake::of_ratio(room_m / stroke_m.abs()),
+        decided_by: DecidedBy::Room { part },
+        motion: motion.map(str::to_owned),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_words_and_colours_follow_capacity_over_demand_and_damage() {
+        for (ratio, words, colour) in [
+            (0.999, "below demand", Colour::Red),
+            (1.0, "near demand", Colour::Amber),
+            (1.249, "near demand", Colour::Amber),
+            (1.25, "above demand", Colour::Green),
+            (f64::INFINITY, "above demand", Colour::Green),
+            (f64::NAN, "not decided", Colour::Amber),
+        ] {
+            let found = Earthquake::of_ratio(ratio);
+            assert_eq!(found.word(Language::English), words, "{ratio}");
+            assert_eq!(found.colour(), colour, "{ratio}");
+        }
+        for (state, colour) in [
+            (DamageState::None, Colour::Green),
+            (DamageState::Begun, Colour::Green),
+            (DamageState::Offset, Colour::Amber),
+            (DamageState::Severe, Colour::Red),
+            (DamageState::Fallen, Colour::Red),
+        ] {
+            assert_eq!(Earthquake::of_damage(state).colour(), colour, "{state:?}");
+        }
+    }
+
+    #[test]
+    fn holds_a_stroke_is_held_against_its_room_as_capacity_against_demand() {
+        for (stroke_m, word) in [
+            (0.1, Earthquake::Above),
+            (-0.09, Earthquake::Near),
+            (0.1001, Earthquake::BelowDemand),
+            (f64::NAN, Earthquake::NotDecided),
+        ] {
+            let room_m = if stroke_m == 0.1 { 0.125 } else { 0.1 };
+            let found = of_room("tank".into(), stroke_m, room_m, Some("el-centro"));
+            assert_eq!(found.word, word, "{stroke_m}");
+        }
+    }
+
+    #[test]
+    fn holds_the_worst_finding_decides() {
+        let of = |word| EarthquakeFinding {
+            word,
+            decided_by: DecidedBy::Fall,
+            motion: None,
+        };
+        use Earthquake::{Above, BelowDemand, Near, NotAsked, NotDecided};
+        for (words, worst) in [
+            (vec![], NotAsked),
+            (vec![Above, Near], Near),
+            (vec![NotDecided, Near, Above], NotDecided),
+            (vec![NotDecided, BelowDemand, Above], BelowDemand),
+        ] {
+            let findings: Vec<_> = words.into_iter().map(of).collect();
+            assert_eq!(Earthquake::worst(&findings), worst, "{findings:?}");
+        }
+    }
+}

@@ -1,0 +1,364 @@
+//! The judgement of an answer: the three questions for the structure as it is and for each variant.
+
+use super::colour::Colour;
+use super::earthquake::{Earthquake, EarthquakeFinding, of_row, of_site};
+use super::evidence::Evidence;
+use super::exit::{Verb, exit_status};
+use super::runs::{of_building, of_chain, of_frame, of_simulation, of_stack};
+use super::weight::Weight;
+use crate::answer::{Answer, CheckAnswer};
+use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAnswer};
+use crate::chain::ChainSimulation;
+use crate::frame::FrameSimulation;
+use crate::simulation::SimulateAnswer;
+use crate::stack::StackSimulation;
+use crate::state::State;
+use dolmen::damper::Choice;
+use dolmen_words::Language;
+
+/// The three questions for one version of a structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct VersionJudgement {
+    /// The variant; `None`: the structure as it is.
+    pub variant: Option<String>,
+    /// Does it stand; `None` where no model was checked.
+    pub weight: Option<Weight>,
+    /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
+    pub earthquake: Vec<EarthquakeFinding>,
+    /// Is the model the structure.
+    pub evidence: Evidence,
+}
+
+/// The judgement of one project.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judgement {
+    /// The structure as it is first, then its variants in the order of the file.
+    pub versions: Vec<VersionJudgement>,
+    /// Whether every run that was asked for came to its end.
+    pub is_done: bool,
+}
+
+impl VersionJudgement {
+    fn new(variant: Option<&str>, weight: Option<Weight>, evidence: Evidence) -> Self {
+        VersionJudgement {
+            variant: variant.map(str::to_owned),
+            weight,
+            earthquake: Vec::new(),
+            evidence,
+        }
+    }
+
+    /// The word on the earthquake.
+    pub fn earthquake_word(&self) -> Earthquake {
+        Earthquake::worst(&self.earthquake)
+    }
+
+    /// The worst colour of the three questions.
+    pub fn colour(&self) -> Colour {
+        let weight = self.weight.map(Weight::colour);
+        let others = [self.earthquake_word().colour(), self.evidence.colour()];
+        Colour::worst(weight.into_iter().chain(others))
+    }
+
+    /// The headline: the fixed words, the worst first, of equals in the order of the questions. Nothing is said of an earthquake
+    /// that was not asked for, nor of evidence that does not contradict.
+    pub fn words(&self, language: Language) -> Vec<String> {
+        let earthquake = self.earthquake_word();
+        let mut words = Vec::new();
+        if let Some(weight) = self.weight {
+            words.push((weight.colour(), weight.words(language)));
+        }
+        if earthquake != Earthquake::NotAsked {
+            words.push((earthquake.colour(), earthquake.word(language).to_owned()));
+        }
+        if self.evidence.is_contradicted() {
+            words.push((self.evidence.colour(), self.evidence.words(language)));
+        }
+        words.sort_by_key(|(colour, _)| std::cmp::Reverse(*colour));
+        words.into_iter().map(|(_, words)| words).collect()
+    }
+}
+
+impl Judgement {
+    fn of_run(variant: Option<&str>, found: Vec<EarthquakeFinding>, is_done: bool) -> Self {
+        let mut judgement = Judgement {
+            versions: Vec::new(),
+            is_done,
+        };
+        judgement.add(variant, found);
+        judgement
+    }
+
+    /// Runs of one version each; a structure that does not stand without any shaking is unstable.
+    fn add_runs(&mut self, simulated: &SimulateAnswer) {
+        for run in &simulated.simulations {
+            let (found, is_done) = of_simulation(run);
+            self.add(run.variant(), found);
+            self.is_done &= is_done;
+        }
+        if simulated.does_not_stand.is_some() {
+            let variant = simulated.variant.as_deref();
+            self.versions.push(VersionJudgement::new(
+                variant,
+                Some(Weight::Unstable),
+                Evidence::none(),
+            ));
+        }
+    }
+
+    /// The worst colour of all versions: that of banner, index and exit.
+    pub fn colour(&self) -> Colour {
+        Colour::worst(self.versions.iter().map(VersionJudgement::colour))
+    }
+
+    /// The version that the headline judges: the structure as it is, else the first that was judged.
+    pub fn headline(&self) -> Option<&VersionJudgement> {
+        let mut versions = self.versions.iter();
+        let as_it_is = versions.find(|version| version.variant.is_none());
+        as_it_is.or(self.versions.first())
+    }
+
+    /// The variants that are worse than the headline.
+    pub fn worse(&self) -> impl Iterator<Item = &VersionJudgement> {
+        let headline = self.headline().map(VersionJudgement::colour);
+        let variants = self.versions.iter().filter(|version| version.variant.is_some());
+        variants.filter(move |version| Some(version.colour()) > headline)
+    }
+
+    /// The exit status of a verb that answered so.
+    pub fn exit_status(&self, verb: Verb) -> u8 {
+        exit_status(verb, self.colour(), self.is_done)
+    }
+
+    /// Adds what was found of a version, if it is one of those judged.
+    fn add(&mut self, variant: Option<&str>, found: Vec<EarthquakeFinding>) {
+        let version = self
+            .versions
+            .iter_mut()
+            .find(|version| version.variant.as_deref() == variant);
+        match version {
+            Some(version) => version.earthquake.extend(found),
+            None => {
+                let mut version = VersionJudgement::new(variant, None, Evidence::none());
+                version.earthquake = found;
+                self.versions.push(version);
+            }
+        }
+    }
+}
+
+/// The judgement of everything that was answered about one project.
+///
+/// A survey belongs to the structure as it is, so that variants have no evidence of their own. The file cannot say today
+/// which survey a stiffness was identified from; once it can, that name goes into [`Evidence::of`].
+pub fn judge(answers: &[Answer]) -> Judgement {
+    let mut judgement = Judgement {
+        versions: Vec::new(),
+        is_done: true,
+    };
+    for answer in answers {
+        if let Answer::Check(checked) = answer {
+            judgement.versions.extend(of_check(checked));
+        }
+    }
+    for answer in answers {
+        match answer {
+            Answer::Simulate(simulated) => judgement.add_runs(simulated),
+            Answer::Tune(tuned) => {
+                for of in &tuned.tunings {
+                    judgement.add(of.variant.as_deref(), of_tuned(of));
+                }
+                for of in &tuned.together {
+                    judgement.add(of.variant.as_deref(), of_together(of));
+                }
+            }
+            // judged above, or no verdict on a structure
+            Answer::Check(_)
+            | Answer::Identify(_)
+            | Answer::Compare(_)
+            | Answer::Study(_)
+            | Answer::Score(_)
+            | Answer::Rank(_)
+            | Answer::Motion(_) => {}
+        }
+    }
+    judgement
+}
+
+/// The versions of a check, each with its weight and what its site asks.
+fn of_check(checked: &CheckAnswer) -> Vec<VersionJudgement> {
+    let as_it_is = checked.state.as_ref().map(|state| {
+        let calibrated_to = None;
+        let evidence = Evidence::of(&checked.project.surveys, &state.check, calibrated_to);
+        version(None, state, evidence)
+    });
+    let variants = checked.variants.iter();
+    let variants = variants.map(|variant| version(Some(&variant.name), &variant.state, Evidence::none()));
+    as_it_is.into_iter().chain(variants).collect()
+}
+
+/// The judgement of a check alone.
+pub fn judge_check(checked: &CheckAnswer) -> Judgement {
+    Judgement {
+        versions: of_check(checked),
+        is_done: true,
+    }
+}
+
+/// The judgement of simulations alone.
+pub fn judge_simulation(simulated: &SimulateAnswer) -> Judgement {
+    let mut judgement = Judgement {
+        versions: Vec::new(),
+        is_done: true,
+    };
+    judgement.add_runs(simulated);
+    judgement
+}
+
+/// The judgement of one simulated stack.
+pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
+    let is_done = run.falls() || run.is_whole();
+    Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
+}
+
+/// The judgement of one simulated frame, in one direction.
+pub fn judge_frame_run(run: &FrameSimulation) -> Judgement {
+    let is_done = run.falls() || run.is_whole();
+    Judgement::of_run(run.variant.as_deref(), of_frame(run), is_done)
+}
+
+/// The judgement of one simulated chain.
+pub fn judge_chain_run(run: &ChainSimulation) -> Judgement {
+    let is_done = run.falls() || run.is_whole();
+    Judgement::of_run(run.variant.as_deref(), of_chain(run), is_done)
+}
+
+/// The judgement of one simulated building.
+pub fn judge_building_run(run: &BuildingSimulation) -> Judgement {
+    let is_done = run.ended_before_the_motion_s().is_none();
+    Judgement::of_run(run.variant.as_deref(), of_building(run), is_done)
+}
+
+fn version(variant: Option<&str>, state: &State, evidence: Evidence) -> VersionJudgement {
+    let weight = Weight::of(state, evidence.is_contradicted());
+    let mut version = VersionJudgement::new(variant, Some(weight), evidence);
+    version.earthquake = of_site(state);
+    version
+}
+
+/// The damper as in the file against its room under the motions of the file and its site.
+fn of_tuned(tuned: &TuneAnswer) -> Vec<EarthquakeFinding> {
+    let row = |row: usize| tuned.comparison.rows.get(row).map(|row| row.choice);
+    let given = tuned
+        .room
+        .strokes
+        .iter()
+        .filter(|of| row(of.row) == Some(Choice::Given));
+    given.map(of_row).collect()
+}
+
+/// The same of all dampers at once.
+fn of_together(tuned: &TogetherAnswer) -> Vec<EarthquakeFinding> {
+    let row = |row: usize| tuned.rows.get(row).map(|row| &row.choice);
+    let given = tuned
+        .room
+        .strokes
+        .iter()
+        .filter(|of| row(of.row) == Some(&TogetherChoice::Given));
+    given.map(of_row).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::judgement::DecidedBy;
+
+    fn version(variant: Option<&str>, weight: Weight, word: Earthquake) -> VersionJudgement {
+        let mut version = VersionJudgement::new(variant, Some(weight), Evidence::none());
+        version.earthquake = vec![EarthquakeFinding {
+            word,
+            decided_by: DecidedBy::CodeDemand,
+            motion: None,
+        }];
+        version
+    }
+
+    #[test]
+    fn holds_words_stand_worst_first_and_the_worst_colour_decides_the_exit() {
+        use Earthquake::{Above, BelowDemand, Near, NotAsked, NotDecided};
+        let unknown = Weight::Unknown {
+            load_factor_if_right: None,
+        };
+        for (weight, word, words, colour, exit) in [
+            (Weight::Stable, NotAsked, "stable", Colour::Green, 0),
+            (Weight::Stable, Above, "stable; above demand", Colour::Green, 0),
+            (Weight::Stable, Near, "near demand; stable", Colour::Amber, 0),
+            (
+                Weight::Stable,
+                BelowDemand,
+                "below demand; stable",
+                Colour::Red,
+                1,
+            ),
+            (unknown, NotDecided, "unknown; not decided", Colour::Amber, 0),
+            (
+                Weight::Unstable,
+                NotDecided,
+                "unstable; not decided",
+                Colour::Red,
+                1,
+            ),
+            (
+                Weight::Marginal,
+                Above,
+                "marginal; above demand",
+                Colour::Amber,
+                0,
+            ),
+        ] {
+            let judgement = Judgement {
+                versions: vec![version(None, weight, word)],
+                is_done: true,
+            };
+            let headline = judgement.headline().map(|of| of.words(Language::English));
+            assert_eq!(headline.unwrap_or_default().join("; "), words);
+            assert_eq!(judgement.colour(), colour, "{words}");
+            assert_eq!(judgement.exit_status(Verb::Check), exit, "{words}");
+            assert_eq!(judgement.exit_status(Verb::Tune), 0, "{words}");
+        }
+    }
+
+    #[test]
+    fn holds_a_worse_variant_is_named_and_its_colour_is_that_of_the_whole() {
+        let stable = |variant| version(variant, Weight::Stable, Earthquake::NotAsked);
+        let falls = version(Some("loose"), Weight::Unstable, Earthquake::NotAsked);
+        let judgement = Judgement {
+            versions: vec![stable(None), stable(Some("wedged")), falls],
+            is_done: true,
+        };
+        let worse: Vec<_> = judgement.worse().map(|of| of.variant.clone()).collect();
+        assert_eq!(worse, [Some("loose".to_owned())]);
+        assert_eq!(judgement.colour(), Colour::Red);
+        assert_eq!(judgement.headline().map(|of| of.colour()), Some(Colour::Green));
+        assert_eq!(judgement.exit_status(Verb::Report), 1);
+    }
+
+    #[test]
+    fn holds_an_unfinished_run_is_3_unless_something_is_red() {
+        for (word, exit) in [(Earthquake::NotDecided, 3), (Earthquake::BelowDemand, 1)] {
+            let judgement = Judgement {
+                versions: vec![version(None, Weight::Stable, word)],
+                is_done: false,
+            };
+            assert_eq!(judgement.exit_status(Verb::Simulate), exit);
+        }
+        let nothing = Judgement {
+            versions: Vec::new(),
+            is_done: true,
+        };
+        assert_eq!(
+            (nothing.colour(), nothing.exit_status(Verb::Check)),
+            (Colour::Green, 0)
+        );
+    }
+}

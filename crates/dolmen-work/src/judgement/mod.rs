@@ -1,0 +1,19 @@
+//! One judgement: the fixed words and colours of every verdict, and the exit status, in one place.
+
+mod colour;
+mod earthquake;
+mod evidence;
+mod exit;
+mod judge;
+mod runs;
+mod weight;
+
+pub use colour::Colour;
+pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
+pub use evidence::{Evidence, MeasuredFrequency, first_sway, lowest_measured, measured_frequencies};
+pub use exit::{Verb, exit_status, first_status};
+pub use judge::{
+    Judgement, VersionJudgement, judge, judge_building_run, judge_chain_run, judge_check, judge_frame_run,
+    judge_simulation, judge_stack_run,
+};
+pub use weight::Weight;

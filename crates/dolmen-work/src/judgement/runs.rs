@@ -1,0 +1,231 @@
+//! What simulated motions say of an earthquake, by kind of structure.
+
+use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_rooms};
+use crate::building::BuildingSimulation;
+use crate::chain::ChainSimulation;
+use crate::frame::FrameSimulation;
+use crate::simulation::Simulation;
+use crate::stack::StackSimulation;
+use dolmen::assess::{DamageState, JointDamage};
+use dolmen::blocks::Outcome;
+
+/// How a run came to its end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Ending {
+    /// It fell, or leaned beyond its model.
+    Fell,
+    /// It was stopped, cut short or ended undecided.
+    Open,
+    /// Nothing of the run can be used.
+    Lost,
+    /// It came to its end.
+    Whole,
+}
+
+/// A simulation of any kind, and whether it came to its end or to a fall.
+pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) {
+    match run {
+        Simulation::Stack(run) => (of_stack(run), run.falls() || run.is_whole()),
+        Simulation::Frame(run) => (of_frame(run), run.falls() || run.is_whole()),
+        Simulation::Chain(run) => (of_chain(run), run.falls() || run.is_whole()),
+        Simulation::Building(run) => (of_building(run), run.ended_before_the_motion_s().is_none()),
+    }
+}
+
+/// A stack: whether a stone fell, its damage, its ties.
+pub(super) fn of_stack(run: &StackSimulation) -> Vec<EarthquakeFinding> {
+    let ending = match run.history.outcome {
+        _ if run.falls() => Ending::Fell,
+        Outcome::Diverged { .. } => Ending::Lost,
+        _ if run.is_whole() => Ending::Whole,
+        _ => Ending::Open,
+    };
+    let is_nan = run.damage.joints.iter().any(has_nan);
+    let broke = !run.history.broken_ties.is_empty();
+    let found = of_damage(ending, run.damage.state, is_nan, broke);
+    under(run.motion.motion.name(), found)
+}
+
+fn has_nan(joint: &JointDamage) -> bool {
+    [
+        joint.peak_uplift_m,
+        joint.peak_slip_m,
+        joint.residual_slip_m,
+        joint.residual_slip_ratio,
+        joint.peak_rocking_ratio,
+    ]
+    .iter()
+    .any(|number| number.is_nan())
+}
+
+/// Damage that a run shows counts although the run is open: what it shows has happened.
+fn of_damage(
+    ending: Ending,
+    state: DamageState,
+    is_nan: bool,
+    a_tie_broke: bool,
+) -> Vec<(Earthquake, DecidedBy)> {
+    let damage = DecidedBy::DamageState(state.number());
+    let mut found = match ending {
+        Ending::Fell => vec![(Earthquake::BelowDemand, DecidedBy::Fall)],
+        Ending::Lost => return vec![(Earthquake::NotDecided, DecidedBy::Unfinished)],
+        _ if Earthquake::of_damage(state) == Earthquake::BelowDemand => {
+            vec![(Earthquake::BelowDemand, damage)]
+        }
+        Ending::Open => vec![(Earthquake::NotDecided, DecidedBy::Unfinished)],
+        Ending::Whole if is_nan => vec![(Earthquake::NotDecided, damage)],
+        Ending::Whole => vec![(Earthquake::of_damage(state), damage)],
+    };
+    if a_tie_broke {
+        found.push((Earthquake::BelowDemand, DecidedBy::Strength));
+    }
+    found
+}
+
+/// A chain: whether a link fell.
+pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
+    let ending = match (run.falls(), run.is_whole()) {
+        (true, _) => Ending::Fell,
+        (false, true) => Ending::Whole,
+        (false, false) => Ending::Open,
+    };
+    let mut peaks = run.history.rotation_peaks.iter();
+    let is_nan = peaks.any(|peak| peak.rotation_rad.is_nan());
+    let found = vec![of_fall(ending, is_nan)];
+    match &run.motion {
+        Some((motion, _)) => under(motion.motion.name(), found),
+        // a push alone is no earthquake: that it stands says nothing of one
+        None => {
+            let counted = found.into_iter().filter(|(word, _)| *word != Earthquake::Above);
+            findings(None, counted.collect())
+        }
+    }
+}
+
+fn of_fall(ending: Ending, is_nan: bool) -> (Earthquake, DecidedBy) {
+    match ending {
+        Ending::Fell => (Earthquake::BelowDemand, DecidedBy::Fall),
+        Ending::Whole if !is_nan => (Earthquake::Above, DecidedBy::Fall),
+        _ => (Earthquake::NotDecided, DecidedBy::Unfinished),
+    }
+}
+
+/// A frame: the largest drift of a storey over that up to which its model holds.
+pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
+    let ending = match (run.falls(), run.is_whole()) {
+        (true, _) => Ending::Fell,
+        (false, true) => Ending::Whole,
+        (false, false) => Ending::Open,
+    };
+    let storeys = run.frame.frame().storeys().iter();
+    let ratios = storeys
+        .zip(&run.history.drift_peaks)
+        .map(|(storey, peak)| run.options.drift_ratio_most * storey.height_m / peak.value_m.abs());
+    under(run.motion.motion.name(), vec![of_drift(ending, ratios)])
+}
+
+/// `ratios`: limit over drift of each storey.
+fn of_drift(ending: Ending, ratios: impl Iterator<Item = f64>) -> (Earthquake, DecidedBy) {
+    match ending {
+        Ending::Fell => (Earthquake::BelowDemand, DecidedBy::Drift),
+        Ending::Whole => {
+            let words = ratios.map(Earthquake::of_ratio);
+            (words.max().unwrap_or(Earthquake::NotDecided), DecidedBy::Drift)
+        }
+        Ending::Open | Ending::Lost => (Earthquake::NotDecided, DecidedBy::Unfinished),
+    }
+}
+
+/// A building: the strokes of its dampers over their rooms. Its walls are linear and know no limit.
+pub(super) fn of_building(run: &BuildingSimulation) -> Vec<EarthquakeFinding> {
+    let motion = run.motion.motion.name();
+    let strokes = run.history.peaks.strokes_m.iter();
+    let rooms = of_rooms(&run.dampers, strokes.map(|stroke| stroke.value), Some(motion));
+    let is_open = run.ended_before_the_motion_s().is_some();
+    let mut found = rooms;
+    if is_open {
+        found.retain(|of| of.word == Earthquake::BelowDemand);
+        found.extend(under(
+            motion,
+            vec![(Earthquake::NotDecided, DecidedBy::Unfinished)],
+        ));
+    } else if found.is_empty() {
+        found.extend(under(motion, vec![(Earthquake::NotDecided, DecidedBy::NoLimit)]));
+    }
+    found
+}
+
+fn under(motion: &str, found: Vec<(Earthquake, DecidedBy)>) -> Vec<EarthquakeFinding> {
+    findings(Some(motion), found)
+}
+
+fn findings(motion: Option<&str>, found: Vec<(Earthquake, DecidedBy)>) -> Vec<EarthquakeFinding> {
+    let each = found.into_iter().map(|(word, decided_by)| EarthquakeFinding {
+        word,
+        decided_by,
+        motion: motion.map(str::to_owned),
+    });
+    each.collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::judgement::Colour;
+
+    /// The worst word of what was found.
+    fn word(found: &[(Earthquake, DecidedBy)]) -> Earthquake {
+        found
+            .iter()
+            .map(|(word, _)| *word)
+            .max()
+            .unwrap_or(Earthquake::NotAsked)
+    }
+
+    #[test]
+    fn holds_damage_and_endings_of_a_stack_have_their_words() {
+        use DamageState::{Begun, Fallen, None, Offset, Severe};
+        use Earthquake::{Above, BelowDemand, Near, NotDecided};
+        use Ending::{Fell, Lost, Open, Whole};
+        // ending, damage, NaN, a tie broke
+        for (ending, state, is_nan, broke, expected) in [
+            (Whole, None, false, false, Above),
+            (Whole, Begun, false, false, Above),
+            (Whole, Offset, false, false, Near),
+            (Whole, Severe, false, false, BelowDemand),
+            (Fell, Fallen, false, false, BelowDemand),
+            (Whole, None, true, false, NotDecided),
+            (Whole, None, false, true, BelowDemand),
+            (Open, None, false, false, NotDecided),
+            (Open, Offset, false, false, NotDecided),
+            (Open, Severe, false, false, BelowDemand),
+            (Open, None, false, true, BelowDemand),
+            (Lost, Severe, false, true, NotDecided),
+        ] {
+            let found = of_damage(ending, state, is_nan, broke);
+            assert_eq!(word(&found), expected, "{ending:?} {state:?} {is_nan} {broke}");
+        }
+    }
+
+    #[test]
+    fn holds_falls_and_drifts_have_their_words() {
+        for (ending, is_nan, expected) in [
+            (Ending::Fell, false, Earthquake::BelowDemand),
+            (Ending::Whole, false, Earthquake::Above),
+            (Ending::Whole, true, Earthquake::NotDecided),
+            (Ending::Open, false, Earthquake::NotDecided),
+        ] {
+            assert_eq!(of_fall(ending, is_nan).0, expected, "{ending:?} {is_nan}");
+        }
+        for (ending, ratios, colour) in [
+            (Ending::Whole, vec![3.0, 1.25], Colour::Green),
+            (Ending::Whole, vec![3.0, 1.2], Colour::Amber),
+            (Ending::Whole, vec![3.0, f64::NAN], Colour::Amber),
+            (Ending::Fell, vec![3.0, 1.2], Colour::Red),
+            (Ending::Open, vec![3.0], Colour::Amber),
+        ] {
+            let (word, _) = of_drift(ending, ratios.iter().copied());
+            assert_eq!(word.colour(), colour, "{ending:?} {ratios:?}");
+        }
+    }
+}

@@ -1,0 +1,146 @@
+//! Weight: does it stand as it is, under its own weight and the static loads in the file?
+
+use super::colour::Colour;
+use crate::state::{Check, State};
+use dolmen::stability::Verdict;
+use dolmen_words::Language;
+use dolmen_words::number::beside_one;
+
+/// Digits of a load factor in a headline.
+const DIGITS: usize = 3;
+
+/// The fixed words.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Weight {
+    /// It stands with enough in hand.
+    Stable,
+    /// It stands with little in hand.
+    Marginal,
+    /// It does not stand.
+    Unstable,
+    /// Something needed is not known, or a survey contradicts the model that the verdict rests on.
+    Unknown {
+        /// The load factor of the model, where a survey contradicts it.
+        load_factor_if_right: Option<f64>,
+    },
+}
+
+impl Weight {
+    /// The word for one version of a structure, beside the survey that contradicts it or none.
+    pub fn of(state: &State, is_contradicted: bool) -> Weight {
+        let stuck = state.load_factor();
+        let least = match state.slipping_load_factor() {
+            Some(slipping) => stuck.map(|stuck| stuck.min(slipping)),
+            None => stuck,
+        };
+        // limit / tilt is what the verdict on a tilt is taken from
+        let limits = state
+            .tilts
+            .iter()
+            .filter_map(|of| Some((of.uplift_tilt?, of.tilt)));
+        let is_nan =
+            limits.map(|(limit, tilt)| limit / tilt).any(f64::is_nan) || stuck.is_some_and(f64::is_nan);
+        match (&state.check, is_nan) {
+            (_, true) => Weight::of_verdict(Verdict::Unknown, least, false),
+            // a stack keeps its word: it rests on shapes and friction, and its springs alone are contradicted
+            (Check::Stack(_), false) => Weight::of_verdict(state.verdict(), None, false),
+            _ => Weight::of_verdict(state.verdict(), least, is_contradicted),
+        }
+    }
+
+    /// The word for a verdict that rests on stiffness. A contradicted model is not known to stand; one that falls stays
+    /// unstable: what speaks against a model never makes its judgement better.
+    fn of_verdict(verdict: Verdict, load_factor: Option<f64>, is_contradicted: bool) -> Weight {
+        let load_factor_if_right = load_factor.filter(|factor| is_contradicted && factor.is_finite());
+        match verdict {
+            Verdict::Unstable => Weight::Unstable,
+            Verdict::Stable if !is_contradicted => Weight::Stable,
+            Verdict::Marginal if !is_contradicted => Weight::Marginal,
+            _ => Weight::Unknown { load_factor_if_right },
+        }
+    }
+
+    /// Its colour.
+    pub fn colour(self) -> Colour {
+        match self {
+            Weight::Stable => Colour::Green,
+            Weight::Marginal | Weight::Unknown { .. } => Colour::Amber,
+            Weight::Unstable => Colour::Red,
+        }
+    }
+
+    /// The fixed word.
+    pub fn word(self, language: Language) -> &'static str {
+        match self {
+            Weight::Stable => language.pick("stable", "안정"),
+            Weight::Marginal => language.pick("marginal", "여유 부족"),
+            Weight::Unstable => language.pick("unstable", "불안정"),
+            Weight::Unknown { .. } => language.pick("unknown", "판정 불가"),
+        }
+    }
+
+    /// The word, with what it would rest on: "unknown (1.95 if this model were right)".
+    pub fn words(self, language: Language) -> String {
+        let word = self.word(language);
+        match self {
+            Weight::Unknown {
+                load_factor_if_right: Some(factor),
+            } => {
+                let factor = beside_one(factor, DIGITS);
+                language.pick(
+                    format!("{word} ({factor} if this model were right)"),
+                    format!("{word}(이 모델이 옳다면 {factor})"),
+                )
+            }
+            _ => word.to_owned(),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_words_and_colours_follow_the_verdict_and_what_contradicts_it() {
+        // verdict, λ, contradicted: word, colour
+        for (verdict, factor, is_contradicted, words, colour) in [
+            (Verdict::Stable, Some(1.95), false, "stable", Colour::Green),
+            (Verdict::Marginal, Some(1.2), false, "marginal", Colour::Amber),
+            (Verdict::Unstable, Some(0.9), false, "unstable", Colour::Red),
+            (Verdict::Unknown, None, false, "unknown", Colour::Amber),
+            (
+                Verdict::Unknown,
+                Some(f64::INFINITY),
+                true,
+                "unknown",
+                Colour::Amber,
+            ),
+            (Verdict::Unknown, Some(f64::NAN), true, "unknown", Colour::Amber),
+            (
+                Verdict::Stable,
+                Some(1.95),
+                true,
+                "unknown (1.95 if this model were right)",
+                Colour::Amber,
+            ),
+            (
+                Verdict::Marginal,
+                Some(1.2),
+                true,
+                "unknown (1.20 if this model were right)",
+                Colour::Amber,
+            ),
+            (Verdict::Unstable, Some(0.9), true, "unstable", Colour::Red),
+        ] {
+            let weight = Weight::of_verdict(verdict, factor, is_contradicted);
+            assert_eq!(weight.words(Language::English), words, "{verdict:?} {factor:?}");
+            assert_eq!(weight.colour(), colour, "{verdict:?} {factor:?}");
+        }
+        let contradicted = Weight::of_verdict(Verdict::Stable, Some(1.95), true);
+        assert_eq!(
+            contradicted.words(Language::Korean),
+            "판정 불가(이 모델이 옳다면 1.95)"
+        );
+    }
+}

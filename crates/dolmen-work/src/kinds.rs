@@ -1,0 +1,191 @@
+//! The kinds of structures: one `match` for each question that every kind answers in its own way.
+
+use crate::building::simulate::BuildingOptions;
+use crate::chain::simulate::ChainOptions;
+use crate::error::WorkError;
+use crate::frame::simulate::FrameOptions;
+use crate::motion::MotionAnswer;
+use crate::progress::Progress;
+use crate::simulation::Simulation;
+use crate::stack::Law;
+use crate::stack::simulate::{Shaken, StackOptions};
+use crate::state::{Check, SensitivityOf, SpringFit};
+use crate::stiffness::MeasuredDirection;
+use crate::surveyed::StiffnessAnswer;
+use crate::version::Version;
+use crate::{building, chain, frame, stack};
+use dolmen::blocks::ContactRule;
+use dolmen::dynamics::ChainRotations;
+use dolmen::structure::building::{StoreyFall, storey_falls};
+use dolmen::structure::{MeasuredMode, StiffnessNote};
+use dolmen_project::{Pick, Project, Structure, Survey};
+
+/// The check of a structure, each input with the value that `pick` chooses; `None` if nothing is modelled.
+pub(crate) fn check(project: &Project, pick: Pick<'_>) -> Result<Option<Check>, WorkError> {
+    Ok(match &project.structure {
+        Structure::Survey => None,
+        Structure::Chain(part) => Some(Check::Chain(Box::new(chain::check::check(part, pick)?))),
+        Structure::Frame(part) => Some(Check::Frame(frame::check::check(part, pick)?)),
+        Structure::Stack(part) => Some(Check::Stack(Box::new(stack::check::check(part, pick)?))),
+        Structure::Building(part) => Some(Check::Building(Box::new(building::check::check(
+            project, part, pick,
+        )?))),
+    })
+}
+
+/// The load factor, each input with the value that `pick` chooses: of a frame the smallest of its directions;
+/// `None` unless the stiffness is known in every direction, and of stacks.
+pub(crate) fn load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
+    Ok(match &project.structure {
+        Structure::Survey | Structure::Stack(_) => None,
+        Structure::Chain(part) => chain::check::load_factor(part, pick)?,
+        Structure::Frame(part) => frame::check::load_factor(part, pick)?,
+        Structure::Building(part) => {
+            let (floors, storeys) = part.floors_and_storeys(pick)?;
+            let falls = storey_falls(&floors, &storeys, part.gravity_m_s2)?;
+            StoreyFall::first(&falls).map(|first| first.load_factor)
+        }
+    })
+}
+
+/// The load factor that a verdict is taken from: of a frame whose joints slip the least of both states.
+pub(crate) fn least_load_factor(project: &Project, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
+    let Some(factor) = load_factor(project, pick)? else {
+        return Ok(None);
+    };
+    Ok(Some(match &project.structure {
+        Structure::Frame(part) => frame::check::least_load_factor(part, factor, pick)?,
+        Structure::Chain(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => factor,
+    }))
+}
+
+/// The result that sensitivities are of, each input with the value that `pick` chooses.
+pub(crate) fn sensitive(
+    project: &Project,
+    of: SensitivityOf,
+    pick: Pick<'_>,
+) -> Result<Option<f64>, WorkError> {
+    match (of, &project.structure) {
+        (SensitivityOf::LoadFactor, _) => load_factor(project, pick),
+        (SensitivityOf::EqualJoints, Structure::Chain(part)) => {
+            Ok(Some(chain::check::equal_joints_n_m_rad(part, pick)?))
+        }
+        (SensitivityOf::FirstMotion, Structure::Stack(part)) => stack::check::first_motion_m_s2(part, pick),
+        (SensitivityOf::EqualJoints | SensitivityOf::FirstMotion, _) => Ok(None),
+    }
+}
+
+/// The tilt at which a joint of a chain or stack reaches its uplift limit; of others it is not known.
+pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
+    match check {
+        Check::Chain(chain) => chain::check::uplift_tilt(chain),
+        // to lean by a slope is to be pulled sideways by that share of the weight
+        Check::Stack(stack) => stack
+            .check
+            .limits
+            .uplift
+            .map(|first| first.threshold.acceleration_g),
+        Check::Frame(_) | Check::Building(_) => None,
+    }
+}
+
+/// What the springs of a stack must be multiplied by to have the frequencies that surveys measured; of others nothing.
+pub(crate) fn spring_fits(check: &Check, surveys: &[Survey]) -> Result<Vec<SpringFit>, WorkError> {
+    match check {
+        Check::Stack(answer) => stack::frequencies::fits(answer, surveys),
+        Check::Chain(_) | Check::Frame(_) | Check::Building(_) => Ok(Vec::new()),
+    }
+}
+
+/// Every stiffness that explains measured modes: of chains and frames.
+pub(crate) fn stiffness(
+    project: &Project,
+    direction: &str,
+    modes: &[MeasuredMode],
+    notes: &[StiffnessNote],
+) -> Result<Vec<StiffnessAnswer>, WorkError> {
+    let measured = MeasuredDirection {
+        direction,
+        modes,
+        notes,
+    };
+    match &project.structure {
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Ok(Vec::new()),
+        Structure::Chain(part) => chain::stiffness::stiffness(part, &measured),
+        Structure::Frame(part) => frame::stiffness::stiffness(part, &measured),
+    }
+}
+
+/// Whether a version has what a simulation needs: a stiffness that is known.
+pub(crate) fn can_move(project: &Project) -> bool {
+    match &project.structure {
+        Structure::Chain(part) => part.joints.is_some(),
+        Structure::Frame(part) => part
+            .directions
+            .iter()
+            .any(|direction| direction.stiffness.is_some()),
+        Structure::Stack(_) | Structure::Building(_) => true,
+        Structure::Survey => false,
+    }
+}
+
+/// Time between the samples of histories in a report, s.
+const REPORT_STEP_S: f64 = 0.01;
+
+/// A version under a motion as a report shows it.
+pub(crate) fn simulated_for_report(
+    version: &Version<'_>,
+    motion: MotionAnswer,
+    progress: &dyn Progress,
+) -> Result<Vec<Simulation>, WorkError> {
+    Ok(match &version.project.structure {
+        Structure::Survey => Vec::new(),
+        Structure::Chain(part) => {
+            let how = ChainOptions {
+                push_rad: 0.0,
+                rotations: ChainRotations::Large,
+                duration_s: None,
+                output_step_s: REPORT_STEP_S,
+            };
+            let run = chain::simulate::simulate(version, part, Some(motion), &how, progress)?;
+            vec![Simulation::Chain(Box::new(run))]
+        }
+        Structure::Frame(part) => {
+            let how = FrameOptions {
+                direction: None,
+                duration_s: None,
+                output_step_s: REPORT_STEP_S,
+            };
+            let runs = frame::simulate::simulate(version, part, &motion, &how, progress)?;
+            runs.into_iter()
+                .map(|run| Simulation::Frame(Box::new(run)))
+                .collect()
+        }
+        Structure::Stack(part) => {
+            let how = StackOptions {
+                law: Law::Springs,
+                contact_rule: ContactRule::Four,
+                step_s: None,
+                duration_s: None,
+                output_step_s: REPORT_STEP_S,
+                to_the_end: false,
+            };
+            match stack::simulate::simulate(version, part, motion, &how, progress)? {
+                Shaken::Simulated(run) => vec![Simulation::Stack(run)],
+                Shaken::DoesNotStand(_) => Vec::new(),
+            }
+        }
+        Structure::Building(part) => {
+            let how = BuildingOptions {
+                duration_s: None,
+                step_s: REPORT_STEP_S,
+                compare: true,
+                keep: true,
+            };
+            let run = building::simulate::simulate(version, part, &motion, &how)?;
+            run.into_iter()
+                .map(|run| Simulation::Building(Box::new(run)))
+                .collect()
+        }
+    })
+}

@@ -1,0 +1,343 @@
+//! `dolmen motion`: ground motions read, measured, matched and made.
+
+use super::answer::{MatchAnswer, MotionReport, MotionSeries};
+use super::prepare::{acceleration_m_s2, changed_alone, motion_alone, motion_options};
+use super::request::MotionRequest;
+use crate::error::{Within as _, WorkError};
+use dolmen::assess::demand::{
+    DesignSpectrum, EurocodeGround, EurocodeType, KoreanSite, KoreanZone, eurocode_8, kds_17,
+    kds_17_effective_acceleration_g,
+};
+use dolmen::signal::{
+    Component, GroundMotion, Noise, PulseShape, SpectralOrdinate, SpectrumMatch, SpectrumMisfit,
+    intensity_measures, match_spectrum, noise_motion, pulse, response_spectrum,
+};
+use dolmen_records::motions::read_channels;
+
+/// Periods of a spectrum: so many, evenly spaced in their logarithm, s. Chosen here.
+const PERIODS: usize = 200;
+const PERIODS_S: [f64; 2] = [0.02, 4.0];
+/// Periods on each side of the matched ones at which the misfit is told.
+const OUTSIDE: usize = 40;
+
+/// What is to be measured, and of which motion.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionOptions {
+    /// The motion, unless one is made; what is to be done to it.
+    pub request: MotionRequest,
+    /// A motion to make instead; its peak is that of the request.
+    pub made: Option<MadeMotion>,
+    /// Whether the response spectrum is computed.
+    pub spectrum: bool,
+    /// Damping ratio of spectra.
+    pub damping_ratio: f64,
+    /// The demand spectrum that the first component is matched to.
+    pub matched: Option<Demand>,
+}
+
+/// A motion to make.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MadeMotion {
+    /// Its shape.
+    pub shape: MotionShape,
+    /// Period of a pulse, s.
+    pub period_s: f64,
+    /// Half cycles of a near-fault pulse, above 1.
+    pub gamma: f64,
+    /// Phase of a near-fault pulse, degrees.
+    pub phase_deg: f64,
+    /// Length of noise, s.
+    pub duration_s: f64,
+    /// Seed of noise.
+    pub seed: u64,
+}
+
+/// Shapes of motions that can be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MotionShape {
+    /// Half a sine: leaves a velocity.
+    HalfSine,
+    /// One sine: leaves a displacement.
+    Sine,
+    /// One cosine: leaves nothing.
+    Cosine,
+    /// Ricker's wavelet, even.
+    Ricker,
+    /// Ricker's wavelet, odd.
+    RickerOdd,
+    /// Mavroeidis and Papageorgiou's pulse of near faults.
+    NearFault,
+    /// Seeded noise of firm ground (Clough and Penzien) under an envelope.
+    Noise,
+}
+
+/// A demand spectrum: of Eurocode 8 where it has a ground acceleration, else of KDS 17 10 00.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Demand {
+    /// S1 to S5 (KDS), A to E (Eurocode 8), in any case.
+    pub site: String,
+    /// Seismic zone of KDS 17 10 00, 1 or 2.
+    pub zone: u8,
+    /// Return period of KDS 17 10 00, years.
+    pub years: u32,
+    /// Design ground acceleration on rock of Eurocode 8, g.
+    pub ground_acceleration_g: Option<f64>,
+    /// Type of the spectrum of Eurocode 8, 1 or 2.
+    pub spectrum_type: u8,
+}
+
+/// A series under its name.
+struct Named {
+    name: String,
+    motion: GroundMotion,
+    component: Component,
+}
+
+/// Measures, spectra and matches of the motions that are asked for.
+///
+/// # Errors
+/// [`WorkError`], where a file cannot be read, a step cannot be done, or the motion cannot be matched.
+pub fn motion(options: &MotionOptions) -> Result<MotionReport, WorkError> {
+    let mut report = MotionReport {
+        files: Vec::new(),
+        series: Vec::new(),
+        matched: None,
+    };
+    let mut motions: Vec<Named> = Vec::new();
+    if let Some(wanted) = &options.made {
+        let told = MotionRequest {
+            peak: None, // it is made with its peak
+            ..options.request.clone()
+        };
+        motions.push(Named {
+            name: Component::X.name().to_owned(),
+            motion: changed_alone(made(wanted, &options.request)?, &told)?,
+            component: Component::X,
+        });
+    } else {
+        read(&options.request, &mut report, &mut motions)?;
+    }
+    if let Some(wanted) = &options.matched {
+        matched(wanted, options.damping_ratio, &mut report, &mut motions)?;
+    }
+    for Named {
+        name,
+        motion,
+        component,
+    } in motions
+    {
+        let spectrum = match options.spectrum || options.matched.is_some() {
+            true => spectrum(&motion, component, options.damping_ratio)?,
+            false => Vec::new(),
+        };
+        let measures = intensity_measures(&motion, component).within(|| name.clone())?;
+        report.series.push(MotionSeries {
+            name,
+            motion,
+            component,
+            measures,
+            spectrum,
+        });
+    }
+    Ok(report)
+}
+
+/// The files with their channels, and the motions that they are: one of x, y, z, or each channel for itself.
+fn read(
+    request: &MotionRequest,
+    report: &mut MotionReport,
+    motions: &mut Vec<Named>,
+) -> Result<(), WorkError> {
+    let told = motion_options(request)?;
+    let mut channels = 0;
+    for file in &request.files {
+        let found = read_channels(&file.bytes, &told).within(|| file.name.clone())?;
+        channels = channels.max(found.len());
+        report.files.push((file.name.clone(), found));
+    }
+    if channels > 1 && request.channel.is_none() && request.x_azimuth_deg.is_none() {
+        for (_, found) in &report.files {
+            for (number, channel) in found.iter().enumerate() {
+                let name = match channel.name.is_empty() {
+                    true => format!("channel {}", number + 1),
+                    false => channel.name.clone(),
+                };
+                let series = vec![(Component::X, channel.acceleration_m_s2.clone())];
+                let alone = GroundMotion::new(name.clone(), channel.time_step_s, series)?;
+                motions.push(Named {
+                    name,
+                    motion: changed_alone(alone, request)?,
+                    component: Component::X,
+                });
+            }
+        }
+        return Ok(());
+    }
+    let motion = motion_alone(request)?.motion;
+    for component in Component::ALL
+        .into_iter()
+        .filter(|component| motion.has(*component))
+    {
+        motions.push(Named {
+            name: component.name().to_owned(),
+            motion: motion.clone(),
+            component,
+        });
+    }
+    Ok(())
+}
+
+fn made(wanted: &MadeMotion, request: &MotionRequest) -> Result<GroundMotion, WorkError> {
+    let peak = request.peak.as_deref().unwrap_or("1 m/s2");
+    let peak_acceleration_m_s2 = acceleration_m_s2(peak).within(|| "--peak".to_owned())?;
+    let time_step_s = request.sample_step_s.unwrap_or(0.01);
+    let form = match wanted.shape {
+        MotionShape::HalfSine => PulseShape::HalfSine,
+        MotionShape::Sine => PulseShape::OneSine,
+        MotionShape::Cosine => PulseShape::OneCosine,
+        MotionShape::Ricker => PulseShape::RickerEven,
+        MotionShape::RickerOdd => PulseShape::RickerOdd,
+        MotionShape::NearFault => PulseShape::MavroeidisPapageorgiou {
+            gamma: wanted.gamma,
+            phase_rad: wanted.phase_deg.to_radians(),
+        },
+        MotionShape::Noise => {
+            let noise = Noise {
+                duration_s: wanted.duration_s,
+                time_step_s,
+                peak_acceleration_m_s2,
+                ..Noise::default()
+            };
+            return Ok(noise_motion(&noise, wanted.seed)?);
+        }
+    };
+    Ok(pulse(form, wanted.period_s, peak_acceleration_m_s2, time_step_s)?)
+}
+
+/// The spectrum of a demand.
+fn demand(options: &Demand) -> Result<DesignSpectrum, WorkError> {
+    let site = options.site.to_uppercase();
+    if let Some(acceleration_g) = options.ground_acceleration_g {
+        let grounds = [
+            EurocodeGround::A,
+            EurocodeGround::B,
+            EurocodeGround::C,
+            EurocodeGround::D,
+            EurocodeGround::E,
+        ];
+        let Some(ground) = grounds.into_iter().find(|ground| format!("{ground:?}") == site) else {
+            return Err(WorkError::NoEurocodeGround {
+                given: options.site.clone(),
+            });
+        };
+        let kind = if options.spectrum_type == 2 {
+            EurocodeType::Two
+        } else {
+            EurocodeType::One
+        };
+        return Ok(eurocode_8(acceleration_g, kind, ground)?);
+    }
+    let sites = [
+        KoreanSite::S1,
+        KoreanSite::S2,
+        KoreanSite::S3,
+        KoreanSite::S4,
+        KoreanSite::S5,
+        KoreanSite::S6,
+    ];
+    let Some(site) = sites.into_iter().find(|known| format!("{known:?}") == site) else {
+        return Err(WorkError::NoKoreanSite {
+            given: options.site.clone(),
+        });
+    };
+    let zone = if options.zone == 2 {
+        KoreanZone::II
+    } else {
+        KoreanZone::I
+    };
+    Ok(kds_17(
+        kds_17_effective_acceleration_g(zone, options.years)?,
+        site,
+    )?)
+}
+
+fn matched(
+    wanted: &Demand,
+    damping_ratio: f64,
+    report: &mut MotionReport,
+    motions: &mut [Named],
+) -> Result<(), WorkError> {
+    let Some(Named {
+        motion, component, ..
+    }) = motions.first()
+    else {
+        return Err(WorkError::NothingToMatch);
+    };
+    if motions.iter().any(|other| other.motion.name() != motion.name()) {
+        return Err(WorkError::SeveralToMatch);
+    }
+    let (component, demand) = (*component, demand(wanted)?);
+    let told = SpectrumMatch {
+        damping_ratio,
+        ..SpectrumMatch::default()
+    };
+    demand.acceleration_m_s2(told.period_least_s, damping_ratio)?; // refuses the damping ratio
+    let target = |period_s: f64| {
+        demand
+            .acceleration_m_s2(period_s, damping_ratio)
+            .unwrap_or(f64::NAN)
+    };
+    let matched = match_spectrum(motion, component, &target, &told)?;
+    for one in motions.iter_mut() {
+        one.motion = matched.motion.clone();
+    }
+    let outside =
+        |periods_s: [f64; 2]| misfit(&matched.motion, component, &target, (periods_s, damping_ratio));
+    let outside = [
+        outside([PERIODS_S[0], told.period_least_s])?,
+        outside([told.period_most_s, PERIODS_S[1]])?,
+    ];
+    report.matched = Some(MatchAnswer {
+        outside,
+        demand: demand.source.clone(),
+        matched,
+        damping_ratio,
+        component,
+    });
+    Ok(())
+}
+
+/// How far a spectrum is from a demand, over some periods.
+fn misfit(
+    motion: &GroundMotion,
+    component: Component,
+    target: &dyn Fn(f64) -> f64,
+    (periods_s, damping_ratio): ([f64; 2], f64),
+) -> Result<SpectrumMisfit, WorkError> {
+    let ratio = periods_s[1] / periods_s[0];
+    let periods: Vec<f64> = (0..OUTSIDE)
+        .map(|k| periods_s[0] * ratio.powf(k as f64 / (OUTSIDE - 1) as f64))
+        .collect();
+    let found = response_spectrum(motion, component, &periods, damping_ratio)?;
+    let off: Vec<f64> = found
+        .iter()
+        .map(|o| o.pseudo_acceleration_m_s2() / target(o.period_s) - 1.0)
+        .collect();
+    Ok(SpectrumMisfit {
+        root_mean_square: (off.iter().map(|x| x * x).sum::<f64>() / OUTSIDE as f64).sqrt(),
+        lowest: off.iter().copied().fold(f64::INFINITY, f64::min),
+        highest: off.iter().copied().fold(f64::NEG_INFINITY, f64::max),
+    })
+}
+
+fn spectrum(
+    motion: &GroundMotion,
+    component: Component,
+    damping_ratio: f64,
+) -> Result<Vec<SpectralOrdinate>, WorkError> {
+    let ratio = PERIODS_S[1] / PERIODS_S[0];
+    let periods: Vec<f64> = (0..PERIODS)
+        .map(|k| PERIODS_S[0] * ratio.powf(k as f64 / (PERIODS - 1) as f64))
+        .collect();
+    Ok(response_spectrum(motion, component, &periods, damping_ratio)?)
+}

@@ -1,0 +1,417 @@
+//! Ground motions as they were asked for: carried along or read from files, then changed step by step.
+
+use super::acting::MotionAnswer;
+use super::request::{GivenFile, MotionRequest};
+use crate::error::{Within as _, WorkError};
+use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
+use dolmen_project::{MotionPart, MotionSize, MotionSource, Project, Structure};
+use dolmen_records::motions::{Lengths, MotionOptions, StatedPeak, read_motion, read_oriented};
+use dolmen_records::records::Unit;
+use dolmen_records::{FileError, Files, MOTION_BYTES_MOST};
+use std::borrow::Cow;
+use std::path::Path;
+
+/// The motions that the command carries with it: name, file as it is called in `data/`, and its bytes.
+const CARRIED: [(&str, &str, &[u8]); 1] = [(
+    "el-centro-1940-ns",
+    "el_centro_1940_ns.csv",
+    include_bytes!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv"),
+)];
+
+/// What is to be read and done: the file's words, with what was typed in their place.
+struct Wanted {
+    from: From,
+    unit: Option<String>,
+    sample_step_s: Option<f64>,
+    keep_first_s: Option<f64>,
+    taper_s: Option<f64>,
+    turn_rad: Option<f64>,
+    /// Scaled before it is turned, as studies do for what moves in plan: turning then leaves the strength of the shaking as it is.
+    is_sized_first: bool,
+    size: Option<MotionSize>,
+    /// What else is told of the files, and done to what they hold: typed only.
+    read: MotionOptions,
+    x_azimuth_deg: Option<f64>,
+    baseline: Option<usize>,
+    high_pass_hz: Option<f64>,
+    /// Where complaints about what the project file says belong.
+    part: Option<String>,
+}
+
+enum From {
+    Carried(String),
+    Files(Vec<WantedFile>),
+}
+
+/// A file of a motion.
+struct WantedFile {
+    component: Component,
+    /// As it was named.
+    name: String,
+    /// Its bytes if they are here already; else the project's files have them.
+    bytes: Option<Vec<u8>>,
+}
+
+/// The project that a motion is for, and the files that it names.
+type Of<'a> = (&'a Project, &'a dyn Files);
+
+/// The motion that was asked for, ready to act: of the project file, carried along, or from files. What is asked for goes before
+/// what the project file says.
+pub(crate) fn prepared(request: &MotionRequest, project: Of<'_>) -> Result<MotionAnswer, WorkError> {
+    ready(request, Some(project))
+}
+
+/// The same without a project file.
+pub(crate) fn motion_alone(request: &MotionRequest) -> Result<MotionAnswer, WorkError> {
+    ready(request, None)
+}
+
+/// A motion changed as it was typed, but for its size, which it was made with.
+pub(crate) fn changed_alone(
+    motion: GroundMotion,
+    request: &MotionRequest,
+) -> Result<GroundMotion, WorkError> {
+    let told = MotionRequest {
+        name: Some(CARRIED[0].0.to_owned()),
+        files: Vec::new(),
+        ..request.clone()
+    };
+    changed(motion, &wanted(&told, None)?)
+}
+
+fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswer, WorkError> {
+    let wanted = wanted(request, project)?;
+    let mut answer = match &wanted.from {
+        From::Carried(name) => carried(name)?,
+        From::Files(named) => from_files(named, &wanted, project)?,
+    };
+    answer.motion = changed(answer.motion, &wanted)?;
+    Ok(answer)
+}
+
+fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, WorkError> {
+    let own = project.map_or(&[][..], |(project, _)| &project.motions[..]);
+    let part = match &options.name {
+        Some(name) => own.iter().find(|part| part.name == *name),
+        None => None,
+    };
+    let from = match (&options.name, part) {
+        (_, Some(part)) => match &part.from {
+            MotionSource::BuiltIn(name) => From::Carried(name.clone()),
+            MotionSource::Files(files) => {
+                let each = files.iter().map(|(component, name)| WantedFile {
+                    component: *component,
+                    name: name.clone(),
+                    bytes: None,
+                });
+                From::Files(each.collect())
+            }
+        },
+        (Some(name), None) if is_carried(name) => From::Carried(name.clone()),
+        (Some(name), None) => {
+            return Err(WorkError::NoSuchMotion {
+                name: name.clone(),
+                known: names(own),
+            });
+        }
+        (None, _) if options.files.is_empty() => return Err(WorkError::NoMotion { known: names(own) }),
+        (None, _) => From::Files(given_files(&options.files)?),
+    };
+    let typed_size = match (options.scale, &options.peak) {
+        (Some(factor), _) => Some(MotionSize::Scale(factor)),
+        (None, Some(peak)) => Some(MotionSize::Peak(
+            acceleration_m_s2(peak).within(|| "--peak".to_owned())?,
+        )),
+        (None, None) => None,
+    };
+    let of = |read: fn(&MotionPart) -> Option<f64>| part.and_then(read);
+    Ok(Wanted {
+        from,
+        unit: options.unit.clone().or_else(|| part?.unit.clone()),
+        sample_step_s: options.sample_step_s.or_else(|| of(|part| part.sample_step_s)),
+        keep_first_s: options.keep_first_s.or_else(|| of(|part| part.keep_first_s)),
+        taper_s: options.taper_s.or_else(|| of(|part| part.taper_s)),
+        turn_rad: options
+            .turn_deg
+            .map(f64::to_radians)
+            .or_else(|| of(|part| part.turn_rad)),
+        is_sized_first: project.is_some_and(|(project, _)| {
+            matches!(project.structure, Structure::Stack(_) | Structure::Building(_))
+        }),
+        size: typed_size.or_else(|| part?.size),
+        read: motion_options(options)?,
+        x_azimuth_deg: options.x_azimuth_deg,
+        baseline: options.baseline_degree,
+        high_pass_hz: options.high_pass_hz,
+        part: part.map(|part| format!("motion.{}", part.name)),
+    })
+}
+
+/// The motions there are: those of the project file, then those carried along.
+fn names(own: &[MotionPart]) -> String {
+    let own = own.iter().map(|part| part.name.as_str());
+    own.chain(CARRIED.map(|(name, ..)| name))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn find(name: &str) -> Option<(&'static str, &'static str, &'static [u8])> {
+    let same = |known: &str| known == name || known.replace('-', "_") == name;
+    CARRIED.into_iter().find(|(known, ..)| same(known))
+}
+
+fn is_carried(name: &str) -> bool {
+    find(name).is_some()
+}
+
+fn carried(name: &str) -> Result<MotionAnswer, WorkError> {
+    let Some((name, file, bytes)) = find(name) else {
+        return Err(WorkError::NoBuiltInMotion {
+            name: name.to_owned(),
+            known: CARRIED.map(|(known, ..)| known).join(", "),
+        });
+    };
+    let motion = read_motion(name, &[(Component::X, bytes)], &MotionOptions::default())?;
+    Ok(of_files(motion, vec![(Component::X, file.to_owned())]))
+}
+
+fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnswer {
+    let peaks = files
+        .iter()
+        .map(|(component, _)| (*component, motion.component_peak_m_s2(*component)));
+    MotionAnswer {
+        peaks_read_m_s2: peaks.collect(),
+        motion,
+        files,
+    }
+}
+
+/// What is told of the files.
+pub(crate) fn motion_options(options: &MotionRequest) -> Result<MotionOptions, WorkError> {
+    Ok(MotionOptions {
+        unit: match &options.unit {
+            Some(unit) => Some(Unit::parse(unit)?),
+            None => None,
+        },
+        time_step_s: options.sample_step_s,
+        channel: options.channel.clone(),
+        factor: options.factor,
+        stated_peak: if options.ignore_stated_peak {
+            StatedPeak::Ignore
+        } else {
+            StatedPeak::Check
+        },
+        lengths: if options.shortest {
+            Lengths::Shortest
+        } else {
+            Lengths::Same
+        },
+        ..MotionOptions::default()
+    })
+}
+
+/// The files that were given, each with its component.
+fn given_files(given: &[GivenFile]) -> Result<Vec<WantedFile>, WorkError> {
+    let mut named: Vec<WantedFile> = Vec::new();
+    for (position, file) in given.iter().enumerate() {
+        let component = file.component.unwrap_or(Component::ALL[position.min(2)]);
+        if named.iter().any(|other| other.component == component) {
+            return Err(WorkError::ComponentTwice { component });
+        }
+        named.push(WantedFile {
+            component,
+            name: file.name.clone(),
+            bytes: Some(file.bytes.clone()),
+        });
+    }
+    Ok(named)
+}
+
+fn from_files(
+    named: &[WantedFile],
+    wanted: &Wanted,
+    project: Option<Of<'_>>,
+) -> Result<MotionAnswer, WorkError> {
+    let read = MotionOptions {
+        unit: match &wanted.unit {
+            Some(unit) => Some(Unit::parse(unit)?),
+            None => None,
+        },
+        time_step_s: wanted.sample_step_s,
+        ..wanted.read.clone()
+    };
+    let place = |file: &str| match &wanted.part {
+        Some(part) => format!("{part}.files: {file}"),
+        None => file.to_owned(),
+    };
+    let mut parts: Vec<(Component, Cow<'_, [u8]>)> = Vec::new();
+    for file in named {
+        let bytes = match (&file.bytes, project) {
+            (Some(bytes), _) => Cow::Borrowed(bytes.as_slice()),
+            (None, Some((_, files))) => {
+                let read = files.read(&file.name, MOTION_BYTES_MOST);
+                Cow::Owned(read.within(|| place(&file.name))?)
+            }
+            (None, None) => return Err(FileError::TextAlone.into()),
+        };
+        parts.push((file.component, bytes));
+    }
+    let parts: Vec<(Component, &[u8])> = parts.iter().map(|(c, b)| (*c, b.as_ref())).collect();
+    let stem = |name: &str| {
+        Path::new(name)
+            .file_stem()
+            .map(|s| s.to_string_lossy().into_owned())
+    };
+    let stems: Vec<String> = named
+        .iter()
+        .map(|file| stem(&file.name).unwrap_or_default())
+        .collect();
+    let files: Vec<&str> = named.iter().map(|file| file.name.as_str()).collect();
+    let name = stems.join(" + ");
+    let motion = match wanted.x_azimuth_deg {
+        None => read_motion(&name, &parts, &read),
+        Some(azimuth_deg) => {
+            let parts: Vec<&[u8]> = parts.iter().map(|(_, bytes)| *bytes).collect();
+            read_oriented(&name, &parts, azimuth_deg, &read)
+        }
+    };
+    let motion = motion.within(|| place(&files.join(", ")))?;
+    let of_each: Vec<(Component, String)> = match wanted.x_azimuth_deg {
+        None => named
+            .iter()
+            .map(|file| (file.component, file.name.clone()))
+            .collect(),
+        // turned: every direction comes from all files
+        Some(_) => {
+            let given = Component::ALL
+                .into_iter()
+                .filter(|component| motion.has(*component));
+            given.map(|component| (component, files.join(" + "))).collect()
+        }
+    };
+    Ok(of_files(motion, of_each))
+}
+
+/// Cut, base line taken off, filtered, tapered, scaled and turned, in this order: for what moves in one plane turned, then scaled to what acts there.
+fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion, WorkError> {
+    let place = |flag: &'static str, key: &str| match &wanted.part {
+        Some(part) => format!("{flag}, {part}.{key}"),
+        None => flag.to_owned(),
+    };
+    if let Some(seconds) = wanted.keep_first_s {
+        motion = motion
+            .keep_first(seconds)
+            .within(|| place("--keep-first", "keep_first_s"))?;
+    }
+    if let Some(degree) = wanted.baseline {
+        motion = motion
+            .baseline_corrected(Baseline::Polynomial { degree })
+            .within(|| "--baseline".to_owned())?;
+    }
+    if let Some(corner_hz) = wanted.high_pass_hz {
+        let filter = Baseline::HighPass { corner_hz, order: 4 };
+        motion = motion
+            .baseline_corrected(filter)
+            .within(|| "--high-pass".to_owned())?;
+    }
+    if let Some(seconds) = wanted.taper_s {
+        motion = motion.tapered(seconds).within(|| place("--taper", "taper_s"))?;
+    }
+    let turned = |motion: GroundMotion| -> Result<GroundMotion, WorkError> {
+        match wanted.turn_rad {
+            Some(angle_rad) => motion.rotated(angle_rad).within(|| place("--turn", "turn")),
+            None => Ok(motion),
+        }
+    };
+    let sized = |motion: GroundMotion| -> Result<GroundMotion, WorkError> {
+        match wanted.size {
+            Some(MotionSize::Scale(factor)) => motion.scaled(factor).within(|| place("--scale", "scale")),
+            Some(MotionSize::Peak(wanted_m_s2)) => {
+                let largest = largest_component(&motion);
+                motion
+                    .scaled_to_peak(largest, wanted_m_s2)
+                    .within(|| place("--peak", "peak"))
+            }
+            None => Ok(motion),
+        }
+    };
+    match wanted.is_sized_first {
+        true => turned(sized(motion)?),
+        false => sized(turned(motion)?),
+    }
+}
+
+/// The horizontal component of the larger peak; the vertical one if there is no other.
+fn largest_component(motion: &GroundMotion) -> Component {
+    let horizontal = [Component::X, Component::Y];
+    let largest = horizontal.into_iter().max_by(|a, b| {
+        let of = |c: &Component| motion.component_peak_m_s2(*c);
+        of(a).total_cmp(&of(b)).then(b.name().cmp(a.name()))
+    });
+    largest
+        .filter(|c| motion.component_peak_m_s2(*c) > 0.0)
+        .unwrap_or(Component::Z)
+}
+
+/// "0.3 g", "2.94 m/s2", "294 gal" as m/s².
+pub(crate) fn acceleration_m_s2(text: &str) -> Result<f64, WorkError> {
+    let text = text.trim();
+    let end = text
+        .char_indices()
+        .find(|(at, c)| {
+            let exponent = matches!(c, 'e' | 'E')
+                && text[at + 1..].starts_with(|n: char| n.is_ascii_digit() || n == '-');
+            !(c.is_ascii_digit() || matches!(c, '.' | '-' | '+') || exponent)
+        })
+        .map_or(text.len(), |(at, _)| at);
+    let (number, unit) = text.split_at(end);
+    let Ok(value) = number.parse::<f64>() else {
+        return Err(WorkError::NoAcceleration {
+            given: text.to_owned(),
+        });
+    };
+    let unit = unit.trim();
+    if unit.is_empty() {
+        return Err(WorkError::AccelerationWithoutUnit {
+            given: text.to_owned(),
+            value,
+        });
+    }
+    let unit = Unit::parse(unit)?;
+    if unit.quantity() != Quantity::Acceleration {
+        return Err(WorkError::NoAcceleration {
+            given: text.to_owned(),
+        });
+    }
+    Ok(value * unit.si())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_accelerations_with_their_unit() {
+        for (text, exact) in [
+            ("0.3 g", 0.3 * 9.80665),
+            ("0.3g", 0.3 * 9.80665),
+            ("2.5e0 m/s2", 2.5),
+            ("250 gal", 2.5),
+        ] {
+            assert!((acceleration_m_s2(text).unwrap() - exact).abs() < 1e-14, "{text}");
+        }
+    }
+
+    #[test]
+    fn refuses_accelerations_without_unit_or_of_another_quantity() {
+        for (text, said) in [
+            ("0.3", "has no unit"),
+            ("0.3 m", "no acceleration"),
+            ("g", "no acceleration"),
+            ("3 kg", "kg"),
+        ] {
+            let message = acceleration_m_s2(text).unwrap_err().line();
+            assert!(message.contains(said), "{message}");
+        }
+    }
+}

@@ -1,0 +1,97 @@
+//! Which motion is asked for, and what is to be done to it.
+
+use dolmen::signal::Component;
+
+/// A motion that is asked for: of the project file, one that Dolmen carries with it, or files; what is given here goes before
+/// what the project file says. The default asks for none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MotionRequest {
+    /// A motion of the project file, or one that Dolmen carries with it.
+    pub name: Option<String>,
+    /// Files instead of a name, at most one a component.
+    pub files: Vec<GivenFile>,
+    /// Unit of the numbers in the files where they do not say it.
+    pub unit: Option<String>,
+    /// Time between the samples of the files where they do not say it, s.
+    pub sample_step_s: Option<f64>,
+    /// The channel to read of a file of several, by name or number.
+    pub channel: Option<String>,
+    /// What the numbers are multiplied by to be in the unit.
+    pub factor: f64,
+    /// Cut components that begin at one time to the shortest.
+    pub shortest: bool,
+    /// Pass over the peak that a header states where it is not that of the samples.
+    pub ignore_stated_peak: bool,
+    /// Turn channels that say which way they point so that x points this way, degrees from north, clockwise.
+    pub x_azimuth_deg: Option<f64>,
+    /// Degree of the polynomial that is taken off.
+    pub baseline_degree: Option<usize>,
+    /// What lies below this frequency is taken off, Hz.
+    pub high_pass_hz: Option<f64>,
+    /// Only the first seconds are kept.
+    pub keep_first_s: Option<f64>,
+    /// Brought to zero within so many seconds at both ends.
+    pub taper_s: Option<f64>,
+    /// Turned by so many degrees from x towards y.
+    pub turn_deg: Option<f64>,
+    /// Factor on all components.
+    pub scale: Option<f64>,
+    /// Largest horizontal peak that all components are scaled to: "0.3 g".
+    pub peak: Option<String>,
+}
+
+/// A file that was given, with its bytes.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct GivenFile {
+    /// The component that it holds; by its place among the files if it is not said.
+    pub component: Option<Component>,
+    /// The file as it was named.
+    pub name: String,
+    /// Its bytes.
+    pub bytes: Vec<u8>,
+}
+
+impl Default for MotionRequest {
+    fn default() -> Self {
+        MotionRequest {
+            name: None,
+            files: Vec::new(),
+            unit: None,
+            sample_step_s: None,
+            channel: None,
+            factor: 1.0,
+            shortest: false,
+            ignore_stated_peak: false,
+            x_azimuth_deg: None,
+            baseline_degree: None,
+            high_pass_hz: None,
+            keep_first_s: None,
+            taper_s: None,
+            turn_deg: None,
+            scale: None,
+            peak: None,
+        }
+    }
+}
+
+impl MotionRequest {
+    /// A motion by its name, nothing done to it.
+    pub fn named(name: &str) -> Self {
+        MotionRequest {
+            name: Some(name.to_owned()),
+            ..MotionRequest::default()
+        }
+    }
+
+    /// Whether a motion is asked for.
+    pub fn is_given(&self) -> bool {
+        self.name.is_some() || !self.files.is_empty()
+    }
+
+    /// Whether something is to be done to it.
+    pub fn is_changed(&self) -> bool {
+        let numbers = [self.keep_first_s, self.taper_s, self.turn_deg, self.scale];
+        let base_line = self.baseline_degree.is_some() || self.high_pass_hz.is_some();
+        numbers.iter().any(Option::is_some) || self.peak.is_some() || base_line
+    }
+}

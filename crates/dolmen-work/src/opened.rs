@@ -1,0 +1,27 @@
+//! A project with the text it was read from.
+
+use crate::error::WorkError;
+use dolmen_project::{Project, parse_project_with};
+use dolmen_records::Files;
+
+/// A project, its text, and what its file is called.
+#[derive(Clone, Debug)]
+pub struct Opened {
+    /// What the file says.
+    pub project: Project,
+    /// The text of the file: the cases of a study are read from it.
+    pub text: String,
+    /// The file as a user would look for it.
+    pub file: String,
+}
+
+impl Opened {
+    /// Reads the text of a project file; `files` gives what it names.
+    ///
+    /// # Errors
+    /// [`WorkError::Project`], which holds every fault with its line.
+    pub fn read(text: String, file: String, files: &dyn Files) -> Result<Self, WorkError> {
+        let project = parse_project_with(&text, &file, files)?;
+        Ok(Opened { project, text, file })
+    }
+}

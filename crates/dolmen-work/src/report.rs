@@ -1,0 +1,113 @@
+//! `dolmen report`: everything that can be said of one project.
+
+use crate::answer::{Answer, CheckAnswer, CompareAnswer, ProjectReport};
+use crate::building::tune;
+use crate::check::{CheckOptions, Sampling, check};
+use crate::compare::{change_of, surveys_to_compare};
+use crate::error::WorkError;
+use crate::identify::{IdentifyOptions, identify};
+use crate::kinds;
+use crate::motion::{MotionRequest, prepared};
+use crate::opened::Opened;
+use crate::progress::Progress;
+use crate::simulation::SimulateAnswer;
+use crate::study::{StudyJournals, studies_run};
+use crate::version::Version;
+use dolmen::stability::Verdict;
+use dolmen_project::Structure;
+use dolmen_records::Files;
+
+/// What a report is made of.
+#[derive(Debug, Default)]
+pub struct ReportOptions {
+    /// Draw the inputs that carry a scatter; nothing is drawn for a stack, whose verdict is without shaking.
+    pub sampling: Option<Sampling>,
+    /// The motion that the structure is simulated under; none if it asks for none.
+    pub motion: MotionRequest,
+    /// The journals of the studies that were run before.
+    pub journals: Vec<StudyJournals>,
+}
+
+/// The check, the surveys, the change between them, simulations, dampers, and studies of a project.
+///
+/// # Errors
+/// [`WorkError`] of any of them, but for studies, which are left out and named.
+pub fn report(
+    opened: &Opened,
+    options: ReportOptions,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<ProjectReport, WorkError> {
+    let project = &opened.project;
+    let is_shaken = options.motion.is_given();
+    let is_stack = matches!(project.structure, Structure::Stack(_));
+    let identified = identify(opened, &IdentifyOptions::default(), files, progress)?;
+    let how = CheckOptions {
+        sampling: options.sampling.filter(|_| !is_stack),
+        sensitivity: true,
+    };
+    let checked = check(opened, &how)?;
+    let mut answers = Vec::new();
+    if let Ok(compared) = surveys_to_compare(project, None, None) {
+        answers.push(Answer::Compare(CompareAnswer {
+            file: opened.file.clone(),
+            project: project.clone(),
+            change: change_of(project, &compared, &identified.surveys)?,
+        }));
+    }
+    if is_shaken {
+        let simulated = simulated(opened, &checked, &options.motion, files, progress)?;
+        answers.push(Answer::Simulate(simulated));
+    }
+    answers.push(Answer::Tune(tune::of_report(opened, files)?));
+    let (studies, left_out) = studies_run(opened, options.journals, files, progress);
+    answers.extend(studies.into_iter().map(|study| Answer::Study(Box::new(study))));
+    answers.splice(0..0, [Answer::Check(checked), Answer::Identify(identified)]);
+    Ok(ProjectReport {
+        file: opened.file.clone(),
+        project: project.clone(),
+        answers,
+        left_out,
+    })
+}
+
+/// Every version that can be simulated, as it is and in its variants; where a stack does not stand as it is, none of its versions.
+fn simulated(
+    opened: &Opened,
+    checked: &CheckAnswer,
+    request: &MotionRequest,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<SimulateAnswer, WorkError> {
+    let mut simulations = Vec::new();
+    for version in Version::all(&opened.project, &opened.file) {
+        if let Structure::Stack(_) = version.project.structure {
+            let states = checked.variants.iter();
+            let state = match version.variant {
+                None => checked.state.as_ref(),
+                Some(name) => states
+                    .clone()
+                    .find(|variant| variant.name == name)
+                    .map(|variant| &variant.state),
+            };
+            let stands = state.is_some_and(|state| state.verdict() != Verdict::Unstable);
+            if !stands {
+                match version.variant {
+                    None => break,
+                    Some(_) => continue,
+                }
+            }
+        }
+        if !kinds::can_move(version.project) {
+            continue;
+        }
+        let motion = prepared(request, (version.project, files))?;
+        simulations.extend(kinds::simulated_for_report(&version, motion, progress)?);
+    }
+    Ok(SimulateAnswer {
+        file: opened.file.clone(),
+        simulations,
+        variant: None,
+        does_not_stand: None,
+    })
+}

@@ -1,0 +1,79 @@
+//! `dolmen score`: the six-factor score of a pagoda, what it is worth, and designs to train it on.
+
+use super::answer::{ScoreAnswer, ScoreQuality, unlike_words};
+use super::designs::ScoreDesigns;
+use crate::error::WorkError;
+use crate::opened::Opened;
+use dolmen::assess::{SixFactors, Unlike, unlike_trained};
+use dolmen_project::{Project, Quantity, Structure};
+use rayon::prelude::*;
+
+/// Refuses a pagoda that is unlike those that the score was trained on, unless `outside_too`.
+pub(crate) fn check_alike(project: &Project, outside_too: bool) -> Result<Vec<Unlike>, WorkError> {
+    let Structure::Stack(part) = &project.structure else {
+        return Ok(Vec::new());
+    };
+    let unlike = unlike_trained(&part.build(&mut Quantity::nominal)?);
+    if !unlike.is_empty() && !outside_too {
+        return Err(WorkError::PagodaUnlike {
+            how: unlike_words(&unlike),
+        });
+    }
+    Ok(unlike)
+}
+
+/// The six factors of the pagoda of a project; `None` if it has another structure, or blocks.
+pub(crate) fn factors(project: &Project) -> Result<Option<SixFactors>, WorkError> {
+    let Structure::Stack(part) = &project.structure else {
+        return Ok(None);
+    };
+    let Some(pagoda) = &part.pagoda else {
+        return Ok(None);
+    };
+    Ok(Some(SixFactors::of_pagoda(
+        &pagoda.factors(&mut Quantity::nominal),
+    )?))
+}
+
+/// The score of a pagoda; `extrapolate` also for factors outside the range trained.
+///
+/// # Errors
+/// A project without a pagoda of six factors, a pagoda unlike those trained on, designs too few.
+pub fn score(opened: &Opened, designs: &ScoreDesigns, extrapolate: bool) -> Result<ScoreAnswer, WorkError> {
+    let project = &opened.project;
+    let Some(factors) = factors(project)? else {
+        return Err(WorkError::NoPagoda {
+            file: opened.file.clone(),
+        });
+    };
+    let unlike = check_alike(project, extrapolate)?;
+    let (trained, states) = ScoreAnswer::states_of(designs, &factors, extrapolate)?;
+    Ok(ScoreAnswer {
+        file: opened.file.clone(),
+        name: project.name.clone(),
+        factors,
+        trained,
+        unlike,
+        designs: designs.designs.len(),
+        states,
+        gravity_m_s2: project.gravity_m_s2,
+    })
+}
+
+/// What the score is worth, state by state.
+///
+/// # Errors
+/// Too few designs.
+pub fn score_quality(designs: &ScoreDesigns) -> Result<Vec<ScoreQuality>, WorkError> {
+    let found: Vec<Option<ScoreQuality>> = (0..4)
+        .into_par_iter()
+        .map(|state| ScoreQuality::of(designs, state).ok())
+        .collect();
+    let found: Vec<ScoreQuality> = found.into_iter().flatten().collect();
+    match found.is_empty() {
+        true => Err(WorkError::TooFewDesigns {
+            designs: designs.designs.len(),
+        }),
+        false => Ok(found),
+    }
+}

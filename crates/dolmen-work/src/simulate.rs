@@ -1,0 +1,185 @@
+//! `dolmen simulate`: a structure under a ground motion, or pushed.
+
+use crate::building::simulate::BuildingOptions;
+use crate::chain::simulate::ChainOptions;
+use crate::error::{Within as _, WorkError};
+use crate::frame::simulate::FrameOptions;
+use crate::motion::{MotionAnswer, MotionRequest, prepared};
+use crate::opened::Opened;
+use crate::progress::Progress;
+use crate::simulation::{SimulateAnswer, Simulation};
+use crate::stack::Law;
+use crate::stack::simulate::{Shaken, StackOptions};
+use crate::version::Version;
+use crate::{building, chain, frame, stack};
+use dolmen::blocks::ContactRule;
+use dolmen::dynamics::ChainRotations;
+use dolmen_project::{Project, Structure, parse_angle_rad};
+use dolmen_records::Files;
+
+/// What is simulated, and how. What a kind does not use is without effect: [`refuse_foreign`](crate::flags) refuses it before.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimulateOptions {
+    /// The motion.
+    pub motion: MotionRequest,
+    /// This variant instead of the structure as it is.
+    pub variant: Option<String>,
+    /// Direction of a frame; each whose stiffness is known without it.
+    pub direction: Option<String>,
+    /// Angle by which a chain leans at the start, "1e-4 rad" or "0.5 deg".
+    pub push: Option<String>,
+    /// How far the equations of a chain go.
+    pub rotations: ChainRotations,
+    /// What acts between the stones of a stack.
+    pub law: Law,
+    /// Contact points of a joint of a stack.
+    pub contact_rule: ContactRule,
+    /// Time step, s; the usual one of the kind without it.
+    pub step_s: Option<f64>,
+    /// Length of the run, s; the usual one of the kind without it.
+    pub duration_s: Option<f64>,
+    /// Time between samples of the histories, s.
+    pub output_step_s: f64,
+    /// Whether to go on when a stone has fallen.
+    pub to_the_end: bool,
+    /// Whether a building is also run without its dampers.
+    pub compare: bool,
+    /// Whether every history of a building is kept.
+    pub keep: bool,
+}
+
+impl Default for SimulateOptions {
+    fn default() -> Self {
+        SimulateOptions {
+            motion: MotionRequest::default(),
+            variant: None,
+            direction: None,
+            push: None,
+            rotations: ChainRotations::Large,
+            law: Law::Springs,
+            contact_rule: ContactRule::Four,
+            step_s: None,
+            duration_s: None,
+            output_step_s: 0.01,
+            to_the_end: false,
+            compare: true,
+            keep: true,
+        }
+    }
+}
+
+/// What is to be simulated, its inputs known: a run can be announced before it begins.
+#[derive(Debug)]
+pub struct PreparedSimulation<'a> {
+    version: Version<'a>,
+    motion: Option<MotionAnswer>,
+    options: &'a SimulateOptions,
+}
+
+/// Finds the version and its motion.
+///
+/// # Errors
+/// An unknown variant, a kind that cannot be simulated, a push of what is no chain, a motion that is missing or refused.
+pub fn prepare<'a>(
+    opened: &'a Opened,
+    options: &'a SimulateOptions,
+    files: &dyn Files,
+) -> Result<PreparedSimulation<'a>, WorkError> {
+    let version = Version::named(opened, options.variant.as_deref())?;
+    let is_chain = matches!(version.project.structure, Structure::Chain(_));
+    if options.push.is_some() && !is_chain {
+        return Err(WorkError::PushOfOther);
+    }
+    let motion = match is_chain && !options.motion.is_given() {
+        true => None,
+        false => Some(prepared(&options.motion, (version.project, files))?),
+    };
+    Ok(PreparedSimulation {
+        version,
+        motion,
+        options,
+    })
+}
+
+impl PreparedSimulation<'_> {
+    /// The project, or its variant.
+    pub fn project(&self) -> &Project {
+        self.version.project
+    }
+
+    /// The motion that acts; `None` for a chain that is pushed.
+    pub fn motion(&self) -> Option<&MotionAnswer> {
+        self.motion.as_ref()
+    }
+
+    /// The run.
+    ///
+    /// # Errors
+    /// [`WorkError`], where the structure cannot be built or its stiffness is unknown, or the run is refused.
+    pub fn run(self, progress: &dyn Progress) -> Result<SimulateAnswer, WorkError> {
+        let PreparedSimulation {
+            version,
+            motion,
+            options,
+        } = self;
+        let mut answer = SimulateAnswer {
+            file: version.file.to_owned(),
+            simulations: Vec::new(),
+            variant: version.variant.map(str::to_owned),
+            does_not_stand: None,
+        };
+        match (&version.project.structure, motion) {
+            (Structure::Survey, _) => return Err(WorkError::SurveySimulated),
+            (Structure::Chain(part), motion) => {
+                let how = ChainOptions {
+                    push_rad: match &options.push {
+                        None => 0.0,
+                        Some(text) => parse_angle_rad(text).within(|| "--push".to_owned())?,
+                    },
+                    rotations: options.rotations,
+                    duration_s: options.duration_s,
+                    output_step_s: options.output_step_s,
+                };
+                let run = chain::simulate::simulate(&version, part, motion, &how, progress)?;
+                answer.simulations.push(Simulation::Chain(Box::new(run)));
+            }
+            (_, None) => return Err(WorkError::NoMotionPrepared),
+            (Structure::Frame(part), Some(motion)) => {
+                let how = FrameOptions {
+                    direction: options.direction.as_deref(),
+                    duration_s: options.duration_s,
+                    output_step_s: options.output_step_s,
+                };
+                let runs = frame::simulate::simulate(&version, part, &motion, &how, progress)?;
+                let runs = runs.into_iter().map(|run| Simulation::Frame(Box::new(run)));
+                answer.simulations.extend(runs);
+            }
+            (Structure::Stack(part), Some(motion)) => {
+                let how = StackOptions {
+                    law: options.law,
+                    contact_rule: options.contact_rule,
+                    step_s: options.step_s,
+                    duration_s: options.duration_s,
+                    output_step_s: options.output_step_s,
+                    to_the_end: options.to_the_end,
+                };
+                match stack::simulate::simulate(&version, part, motion, &how, progress)? {
+                    Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),
+                    Shaken::DoesNotStand(why) => answer.does_not_stand = Some(why),
+                }
+            }
+            (Structure::Building(part), Some(motion)) => {
+                let how = BuildingOptions {
+                    duration_s: options.duration_s,
+                    step_s: options.step_s.unwrap_or(options.output_step_s),
+                    compare: options.compare,
+                    keep: options.keep,
+                };
+                let run = building::simulate::simulate(&version, part, &motion, &how)?;
+                let run = run.ok_or(WorkError::BuildingFalls)?;
+                answer.simulations.push(Simulation::Building(Box::new(run)));
+            }
+        }
+        Ok(answer)
+    }
+}

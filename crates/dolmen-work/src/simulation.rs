@@ -1,0 +1,45 @@
+//! What `dolmen simulate` found, of any kind.
+
+use crate::building::BuildingSimulation;
+use crate::chain::ChainSimulation;
+use crate::frame::FrameSimulation;
+use crate::stack::StackSimulation;
+use dolmen::stability::stack::Standing;
+
+/// A simulation of a structure of any kind, with what went in.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Simulation {
+    /// Of a chain.
+    Chain(Box<ChainSimulation>),
+    /// Of a frame in one direction.
+    Frame(Box<FrameSimulation>),
+    /// Of a stack.
+    Stack(Box<StackSimulation>),
+    /// Of a building.
+    Building(Box<BuildingSimulation>),
+}
+
+impl Simulation {
+    /// The variant of the file that was simulated; `None` for the structure as it is.
+    pub fn variant(&self) -> Option<&str> {
+        match self {
+            Simulation::Chain(of) => of.variant.as_deref(),
+            Simulation::Frame(of) => of.variant.as_deref(),
+            Simulation::Stack(of) => of.variant.as_deref(),
+            Simulation::Building(of) => of.variant.as_deref(),
+        }
+    }
+}
+
+/// What came of `dolmen simulate`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SimulateAnswer {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Each run: of a frame one a direction.
+    pub simulations: Vec<Simulation>,
+    /// The variant of the file that was asked for; `None` for the structure as it is.
+    pub variant: Option<String>,
+    /// Why nothing was simulated of a stack that does not stand without any shaking.
+    pub does_not_stand: Option<Standing>,
+}

@@ -1,0 +1,25 @@
+//! The check of a stack.
+
+use super::frequencies;
+use crate::error::WorkError;
+use crate::state::StackAnswer;
+use dolmen::assess::{StackCheckOptions, check_stack};
+use dolmen_project::{Pick, StackPart};
+
+/// What is known of a stack, each input with the value that `pick` chooses.
+pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, WorkError> {
+    let stack = part.build(pick)?;
+    let check = check_stack(&stack, &StackCheckOptions::default())?;
+    let frequencies = frequencies::of(&stack, &check);
+    Ok(StackAnswer {
+        stack,
+        check,
+        frequencies,
+    })
+}
+
+/// Horizontal acceleration at which it begins to move, m/s²; `None` where no direction has one.
+pub(crate) fn first_motion_m_s2(part: &StackPart, pick: Pick<'_>) -> Result<Option<f64>, WorkError> {
+    let check = check_stack(&part.build(pick)?, &StackCheckOptions::default())?;
+    Ok(check.capacity.map(|first| first.acceleration_m_s2))
+}

@@ -1,0 +1,71 @@
+//! Natural frequencies of a stack beside those that surveys measured.
+
+use crate::error::WorkError;
+use crate::judgement::lowest_measured;
+use crate::state::{SpringFit, StackAnswer, StackFrequencies};
+use dolmen::assess::StackCheck;
+use dolmen::blocks::{ContactRule, calibrate_springs, first_sway, stack_modes};
+use dolmen::stability::Verdict;
+use dolmen::structure::stack::Stack;
+use dolmen_project::Survey;
+
+/// How a joint is made of springs: exact for small motion of faces that stay closed.
+const RULE: ContactRule = ContactRule::Four;
+
+/// Frequencies of a stack that stands.
+pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> {
+    if check.verdict == Verdict::Unstable {
+        return None;
+    }
+    Some(match stack_modes(stack, RULE) {
+        Ok(modes) => {
+            let sways =
+                [0, 1].map(|axis| first_sway(&modes, axis).map(|mode| (mode, modes[mode].frequency_hz)));
+            StackFrequencies::Known { modes, sways }
+        }
+        Err(why) => StackFrequencies::Refused(why.to_string()),
+    })
+}
+
+/// Survey by survey the factor on the springs with which the first modes along x and y have the frequencies measured.
+pub(crate) fn fits(answer: &StackAnswer, surveys: &[Survey]) -> Result<Vec<SpringFit>, WorkError> {
+    let Some(known) = &answer.frequencies else {
+        return Ok(Vec::new());
+    };
+    let drawn = match known {
+        StackFrequencies::Known { modes, .. } => Some(modes.as_slice()),
+        StackFrequencies::Refused(_) => None,
+    };
+    let mut fits = Vec::new();
+    for survey in surveys {
+        let (mut directions, mut measured, mut not_compared) = (Vec::new(), Vec::new(), Vec::new());
+        for (direction, modes) in &survey.modes {
+            match (lowest_measured(modes), known.sway(direction)) {
+                (Some(lowest), Some((mode, _))) => {
+                    directions.push(direction.clone());
+                    measured.push((mode, lowest.frequency.value));
+                }
+                (Some(_), None) => not_compared.push(direction.clone()),
+                (None, _) => {}
+            }
+        }
+        let (factor, frequencies) = if measured.is_empty() {
+            (None, Vec::new())
+        } else {
+            let found = calibrate_springs(&answer.stack, RULE, &measured, drawn)?;
+            (
+                Some(found.factor),
+                directions.into_iter().zip(found.frequencies).collect(),
+            )
+        };
+        if factor.is_some() || !not_compared.is_empty() {
+            fits.push(SpringFit {
+                survey: survey.name.clone(),
+                factor,
+                frequencies,
+                not_compared,
+            });
+        }
+    }
+    Ok(fits)
+}

@@ -1,0 +1,135 @@
+//! What `dolmen simulate` found of a stack, with what went in.
+
+use crate::motion::MotionAnswer;
+use dolmen::assess::{DamageThresholds, JointDamage, StackDamage};
+use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
+use dolmen::signal::Component;
+use dolmen::stability::stack::StackLimitStates;
+use dolmen::structure::stack::{Body, Stack};
+use dolmen_project::Names;
+
+/// A simulation of a stack and its inputs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackSimulation {
+    /// The project file, as it was named.
+    pub file: String,
+    /// Name of the structure.
+    pub name: Names,
+    /// The variant of the file; `None` for the structure as given.
+    pub variant: Option<String>,
+    /// The stack.
+    pub stack: Stack,
+    /// The motion of its base.
+    pub motion: MotionAnswer,
+    /// The law of contact, with the options of the run.
+    pub law: ContactLaw,
+    /// What happened.
+    pub history: StackHistory,
+    /// At what it begins to move.
+    pub limits: StackLimitStates,
+    /// How far it is damaged, by the usual thresholds.
+    pub damage: StackDamage,
+}
+
+impl StackSimulation {
+    /// When the run ended, s, if that is before the motion did and no stone had fallen: there is no verdict.
+    pub fn ended_before_the_motion_s(&self) -> Option<f64> {
+        let motion_s = self.motion.motion.duration_s();
+        let end_s = self.law.run_length_s(motion_s);
+        let is_open = matches!(
+            self.history.outcome,
+            Outcome::Stood | Outcome::Uplifted { .. } | Outcome::Slid { .. }
+        );
+        self.motion.cut_at_s(end_s).filter(|_| is_open)
+    }
+
+    /// The joint with the largest slip left over its width, if that is at least the offset of DS2.
+    pub fn shifted(&self) -> Option<(usize, &JointDamage)> {
+        let DamageThresholds {
+            offset_ratio,
+            offset_m,
+            ..
+        } = DamageThresholds::default();
+        let each = self.damage.joints.iter().enumerate();
+        let shifted =
+            each.filter(|(_, of)| of.residual_slip_ratio >= offset_ratio || of.residual_slip_m >= offset_m);
+        shifted.max_by(|(_, a), (_, b)| a.residual_slip_ratio.total_cmp(&b.residual_slip_ratio))
+    }
+
+    /// The joint that slipped farthest, if sliding began.
+    pub fn slipped(&self) -> Option<(usize, &JointDamage)> {
+        let begun = DamageThresholds::default().slip_begun_m;
+        let each = self.damage.joints.iter().enumerate();
+        let slipped = each.filter(|(_, of)| of.peak_slip_m >= begun);
+        slipped.max_by(|(_, a), (_, b)| a.peak_slip_m.total_cmp(&b.peak_slip_m))
+    }
+
+    /// Largest horizontal acceleration of the ground, of x and y taken together, in g of the stack.
+    pub fn peak_horizontal_g(&self) -> f64 {
+        let motion = &self.motion.motion;
+        let [x, y] = [Component::X, Component::Y].map(|component| motion.acceleration_m_s2(component));
+        let both = x.iter().zip(y).map(|(x, y)| x.hypot(*y));
+        both.fold(0.0, f64::max) / self.stack.gravity_m_s2()
+    }
+
+    /// Whether a stone fell.
+    pub fn falls(&self) -> bool {
+        matches!(self.history.outcome, Outcome::Fell { .. })
+    }
+
+    /// Whether the run came to its end, at rest or by falling.
+    pub fn is_whole(&self) -> bool {
+        let is_cut = self.ended_before_the_motion_s().is_some();
+        !is_cut
+            && !matches!(
+                self.history.outcome,
+                Outcome::Stopped { .. }
+                    | Outcome::Diverged { .. }
+                    | Outcome::NotConverged { .. }
+                    | Outcome::StillMoving { .. }
+            )
+    }
+
+    /// Names of the two bodies of a joint, the upper first.
+    pub fn joint_names(&self, joint: usize) -> [&str; 2] {
+        match self.stack.joints().get(joint) {
+            Some(joint) => [
+                self.stack.name(Body::Block(joint.upper)),
+                self.stack.name(joint.lower),
+            ],
+            None => ["", ""],
+        }
+    }
+
+    /// Number of samples of the history.
+    pub fn samples(&self) -> usize {
+        self.history.time_s.len()
+    }
+
+    /// Poses of all blocks at a sample; the first sample is the stack at rest. Empty beyond the last.
+    pub fn poses(&self, sample: usize) -> &[Pose] {
+        let blocks = self.history.blocks;
+        let poses = &self.history.poses;
+        poses.get(sample * blocks..(sample + 1) * blocks).unwrap_or(&[])
+    }
+
+    /// The block whose centroid is drawn highest.
+    pub fn highest_block(&self) -> usize {
+        let heights = self
+            .stack
+            .blocks()
+            .iter()
+            .map(|block| block.solid.centroid_m()[2]);
+        let highest = heights.enumerate().max_by(|a, b| a.1.total_cmp(&b.1));
+        highest.map_or(0, |(block, _)| block)
+    }
+
+    /// Displacement of a block's centroid from the stack at rest, in the frame of the ground, m: one a sample.
+    pub fn displacement_m(&self, block: usize) -> Vec<[f64; 3]> {
+        let at = |sample: usize| self.poses(sample).get(block).map_or([0.0; 3], |p| p.centroid_m);
+        let rest = at(0);
+        let each = (0..self.samples()).map(at);
+        each.map(|now| std::array::from_fn(|axis| now[axis] - rest[axis]))
+            .collect()
+    }
+}

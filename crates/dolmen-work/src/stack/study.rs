@@ -1,0 +1,137 @@
+//! Runs of stacks, in batches.
+
+use crate::progress::Progress;
+use crate::study::{Run, RunOutcome};
+use dolmen::assess::{DamageState, stack_damage};
+use dolmen::blocks::{
+    BlocksError, ContactRule, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_rigid,
+    simulate_springs_many,
+};
+use dolmen::stability::stack::StackLimitStates;
+use dolmen::structure::stack::{Body, Joint, Stack};
+use dolmen_project::{LawPart, StudyPart};
+
+/// Runs a batch; `each` gets the place of a run in it and its history, in the order in which they end. Each is the same
+/// in any batch. Ctrl-C stops those that are under way. On springs they go side by side; under the rigid law, which takes its points and
+/// its rest from the same options, one after another.
+pub(crate) fn run_stacks(
+    law: LawPart,
+    batch: &[StackRun<'_>],
+    progress: &dyn Progress,
+    each: &mut dyn FnMut(usize, Result<StackHistory, BlocksError>),
+) {
+    if law == LawPart::Springs {
+        return simulate_springs_many(batch, &mut |_, _| !progress.is_cancelled(), each);
+    }
+    for (place, run) in batch.iter().enumerate() {
+        let rigid = Rigid {
+            contact_rule: run.options.contact_rule,
+            rest_s: run.options.rest_s,
+            time_step_s: Rigid::usual_step_s(run.stack),
+            ..Rigid::default()
+        };
+        let history = simulate_rigid(run.stack, run.motion, &rigid, &mut |_| !progress.is_cancelled());
+        each(place, history);
+    }
+}
+
+/// How a study runs its stacks.
+pub(crate) fn springs(study: &StudyPart) -> Springs {
+    let usual = Springs::default();
+    Springs {
+        contact_rule: match study.points {
+            4 => ContactRule::Corners,
+            9 => ContactRule::Three,
+            36 => ContactRule::Six,
+            _ => ContactRule::Four,
+        },
+        rest_s: study.rest_s.unwrap_or(usual.rest_s),
+        ..usual
+    }
+}
+
+/// What lies on what.
+pub(crate) fn joint_words(stack: &Stack, joint: &Joint) -> String {
+    format!(
+        "{} on {}",
+        stack.name(Body::Block(joint.upper)),
+        stack.name(joint.lower)
+    )
+}
+
+/// The row of a run; `None` if it was stopped.
+pub(crate) fn row(
+    study: &StudyPart,
+    mut run: Run,
+    (stack, limits): (&Stack, &StackLimitStates),
+    history: Result<StackHistory, BlocksError>,
+) -> Option<Run> {
+    let history = match history {
+        Ok(history) => history,
+        Err(why) => {
+            run.outcome = RunOutcome::Refused;
+            run.why = why.to_string();
+            return Some(run);
+        }
+    };
+    let block = |index: usize| stack.name(Body::Block(index)).to_owned();
+    (run.outcome, run.part) = match &history.outcome {
+        Outcome::Stood => (RunOutcome::Stood, String::new()),
+        Outcome::Uplifted { .. } => (RunOutcome::Uplifted, String::new()),
+        Outcome::Slid { block: index, .. } => (RunOutcome::Slid, block(*index)),
+        Outcome::Fell {
+            block: index,
+            joint,
+            at_s,
+        } => {
+            run.at_s = *at_s;
+            if let Some(joint) = stack.joints().get(*joint) {
+                run.gave_way = joint_words(stack, joint);
+            }
+            (RunOutcome::Fell, block(*index))
+        }
+        Outcome::StillMoving {
+            block: index, at_s, ..
+        } => {
+            run.at_s = *at_s;
+            run.why = format!(
+                "it had not come to rest {:.0} s after the time to rest",
+                StackHistory::LONGER_MOST_S
+            );
+            (RunOutcome::StillMoving, block(*index))
+        }
+        Outcome::Diverged { at_s } => {
+            run.at_s = *at_s;
+            (RunOutcome::Diverged, String::new())
+        }
+        Outcome::NotConverged { at_s, residual_m_s } => {
+            run.at_s = *at_s;
+            run.why = format!("no solution of the contact law was found: {residual_m_s:.1e} m/s are left");
+            (RunOutcome::Diverged, String::new())
+        }
+        _ => return None,
+    };
+    let damage = stack_damage(stack, limits, &history, &study.damage);
+    let state = if run.outcome == RunOutcome::Diverged {
+        DamageState::None
+    } else {
+        damage.state
+    };
+    run.damage_state = state.number();
+    if run.outcome != RunOutcome::Diverged {
+        run.joint_states = damage.joints.iter().map(|joint| joint.state.number()).collect();
+    }
+    run.measures = vec![
+        damage.largest(|joint| joint.peak_uplift_m),
+        damage.largest(|joint| joint.peak_slip_m),
+        damage.largest(|joint| joint.residual_slip_m),
+        damage.largest(|joint| joint.residual_slip_ratio),
+        damage.largest(|joint| joint.peak_rocking_ratio),
+        damage.peak_tilt_rad,
+        damage.residual_tilt_rad,
+        damage.largest(|joint| joint.peak_yaw_rad),
+        history.energy_made_ratio(),
+        history.time_step_s,
+    ];
+    Some(run)
+}

@@ -1,0 +1,321 @@
+//! Whether a version of a structure stands, and everything that speaks for or against it.
+
+use crate::building::BuildingAnswer;
+use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
+use dolmen::assess::{ChainCheck, FrameCheck, Probability, StackCheck};
+use dolmen::blocks::{MatchedFrequency, StackMode};
+use dolmen::stability::Verdict;
+use dolmen::stability::stack::DemandVerdict;
+use dolmen::structure::stack::Stack;
+use dolmen_project::{Names, Quantity};
+
+/// The result whose sensitivities are given.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SensitivityOf {
+    /// λ: the structure's stiffness is known.
+    #[default]
+    LoadFactor,
+    /// Stiffness that equal joints of a chain need: its own is not known.
+    EqualJoints,
+    /// Horizontal acceleration at which a stack begins to move.
+    FirstMotion,
+}
+
+/// Whether one version of a structure stands.
+#[derive(Clone, Debug)]
+pub struct State {
+    /// The check of the structure.
+    pub check: Check,
+    /// Measured tilt against the tilt at which a joint reaches its uplift limit, of the last survey that states one.
+    pub tilts: Vec<TiltCheck>,
+    /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
+    pub contradictions: Vec<FrequencyContradiction>,
+    /// What the springs of a stack must be multiplied by to have the frequencies that surveys measured.
+    pub spring_fits: Vec<SpringFit>,
+    /// What an earthquake asks for at its site; `None` if the file has none.
+    pub demand: Option<DemandAnswer>,
+    /// Its scatter under the inputs that carry a cov; `None` if not asked for or no stiffness is known.
+    pub sampled: Option<Sampled>,
+}
+
+/// What an earthquake asks of a structure.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DemandAnswer {
+    /// The site with every number on the way.
+    pub site: SiteDemand,
+    /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
+    pub stack: Option<StackDemandCheck>,
+    /// The spectrum at the first period of each direction that is known.
+    pub spectral: Vec<SpectralAt>,
+    /// Why nothing was compared, or a value is missing.
+    pub refused: Option<String>,
+}
+
+/// The spectrum at a first period.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpectralAt {
+    /// "x", "weak"; "all" for a structure that is the same in all.
+    pub direction: String,
+    /// T₁, s.
+    pub period_s: f64,
+    /// ζ at which the spectrum is read: that of the mode of a building, else that of the site.
+    pub damping_ratio: f64,
+    /// S_a(T₁, ζ), m/s².
+    pub acceleration_m_s2: f64,
+}
+
+/// Ratio of a measured first frequency to the model's (or the other way round) from which the stiffness of the model is
+/// not that of the structure measured: 10 %, a fifth in stiffness. Chosen here.
+pub const FREQUENCY_RATIO_MOST: f64 = 1.1;
+
+/// A measured tilt against overturning, which a load factor does not see: a linear joint does not open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TiltCheck {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the tilt, "x".
+    pub direction: String,
+    /// Horizontal / vertical.
+    pub tilt: f64,
+    /// Least tilt of all joints at which one reaches its uplift limit N b/2; `None` without bed widths or stiffness.
+    pub uplift_tilt: Option<f64>,
+}
+
+impl TiltCheck {
+    /// Unstable if the tilt has reached the uplift limit, marginal within [`Verdict::MARGINAL_BELOW`] of it.
+    pub fn verdict(&self) -> Verdict {
+        self.uplift_tilt.map_or(Verdict::Unknown, |limit| {
+            Verdict::of_load_factor(limit / self.tilt.abs())
+        })
+    }
+}
+
+/// A measured frequency that the model does not have.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrequencyContradiction {
+    /// The survey.
+    pub survey: String,
+    /// Direction of the mode.
+    pub direction: String,
+    /// Lowest measured frequency of translation, Hz.
+    pub measured_hz: f64,
+    /// Lowest frequency of the model, Hz.
+    pub computed_hz: f64,
+}
+
+/// The check, by kind of structure.
+#[derive(Clone, Debug)]
+pub enum Check {
+    /// A chain.
+    Chain(Box<ChainCheck>),
+    /// A frame, one check a direction.
+    Frame(Vec<DirectionCheck>),
+    /// A stack of blocks.
+    Stack(Box<StackAnswer>),
+    /// A building.
+    Building(Box<BuildingAnswer>),
+}
+
+/// A stack and its check.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackAnswer {
+    /// The stack as the file gives it.
+    pub stack: Stack,
+    /// Does it stand, and at what horizontal acceleration does it begin to move.
+    pub check: StackCheck,
+    /// Natural frequencies on the springs of its joints; `None` if it does not stand.
+    pub frequencies: Option<StackFrequencies>,
+}
+
+/// Natural frequencies of a stack: those of the springs that the file gives or Dolmen assumes.
+#[derive(Clone, Debug, PartialEq)]
+pub enum StackFrequencies {
+    /// They are known.
+    Known {
+        /// All of them, lowest first; [`MODES_SHOWN`] are shown.
+        modes: Vec<StackMode>,
+        /// Which of all its modes is the first of swaying along x and along y, and its frequency, Hz.
+        sways: [Option<(usize, f64)>; 2],
+    },
+    /// Why they are not.
+    Refused(String),
+}
+
+/// How many natural frequencies of a stack are shown. Chosen here: swaying along both axes, and one more.
+pub const MODES_SHOWN: usize = 3;
+
+impl StackFrequencies {
+    /// The first mode of swaying along "x" or "y": its number among all modes, from 0, and its frequency, Hz.
+    pub fn sway(&self, direction: &str) -> Option<(usize, f64)> {
+        let StackFrequencies::Known { sways, .. } = self else {
+            return None;
+        };
+        match direction {
+            "x" => sways[0],
+            "y" => sways[1],
+            _ => None,
+        }
+    }
+
+    /// All modes, lowest first.
+    pub fn modes(&self) -> Option<&[StackMode]> {
+        match self {
+            StackFrequencies::Known { modes, .. } => Some(modes),
+            StackFrequencies::Refused(_) => None,
+        }
+    }
+}
+
+/// One factor on all springs of a stack, from one survey.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SpringFit {
+    /// The survey.
+    pub survey: String,
+    /// What the stiffness of every joint must be multiplied by; `None` if nothing can be compared.
+    pub factor: Option<f64>,
+    /// By direction the lowest frequency measured, and that of the stack with the factor.
+    pub frequencies: Vec<(String, MatchedFrequency)>,
+    /// Directions with a measured frequency that are neither x nor y: not compared.
+    pub not_compared: Vec<String>,
+}
+
+/// A frame in one direction.
+#[derive(Clone, Debug)]
+pub struct DirectionCheck {
+    /// "weak", "strong", "x".
+    pub direction: String,
+    /// Its check, with every joint stuck.
+    pub check: FrameCheck,
+    /// The same while every joint slips; `None` where slipping takes no stiffness away, or it is not known.
+    pub slipping: Option<FrameCheck>,
+}
+
+/// A variant and whether it stands.
+#[derive(Clone, Debug)]
+pub struct VariantAnswer {
+    /// The table's name.
+    pub name: String,
+    /// A longer name, if given.
+    pub title: Option<Names>,
+    /// Inputs that the project as given does not have, or not so.
+    pub own_inputs: Vec<Quantity>,
+    /// Does it stand.
+    pub state: State,
+}
+
+/// The load factor under inputs drawn from their distributions.
+#[derive(Clone, Debug)]
+pub struct Sampled {
+    /// Probability that the structure falls (λ ≤ 1).
+    pub unstable: Probability,
+    /// λ of each sample, ascending. For a frame the smallest of its directions.
+    pub load_factors: Vec<f64>,
+    /// Paths of the inputs that were drawn.
+    pub inputs: Vec<String>,
+}
+
+impl State {
+    /// Whether a damper of a building needs more room under the spectrum of its site than it has.
+    pub fn is_beyond_room(&self) -> bool {
+        match &self.check {
+            Check::Building(answer) => {
+                let mut standing = answer.stands.iter();
+                standing.any(|standing| !standing.beyond_room().is_empty())
+            }
+            _ => false,
+        }
+    }
+
+    /// Load factor λ: of a frame the smallest of its directions; `None` if no stiffness is known, and of a stack.
+    pub fn load_factor(&self) -> Option<f64> {
+        match &self.check {
+            Check::Chain(check) => check.stability.as_ref().map(|s| s.load_factor),
+            Check::Frame(directions) => {
+                let known = directions.iter().filter_map(|d| d.check.stability.as_ref());
+                known.map(|s| s.load_factor).min_by(f64::total_cmp)
+            }
+            Check::Building(building) => Some(building.load_factor()),
+            Check::Stack(_) => None,
+        }
+    }
+
+    /// Least load factor of a frame whose joints slip; `None` if none can.
+    pub fn slipping_load_factor(&self) -> Option<f64> {
+        let Check::Frame(directions) = &self.check else {
+            return None;
+        };
+        let slipping = directions
+            .iter()
+            .filter_map(|direction| direction.slipping.as_ref());
+        let known = slipping.filter_map(|check| check.stability.as_ref());
+        known
+            .map(|stability| stability.load_factor)
+            .min_by(f64::total_cmp)
+    }
+
+    /// The worst verdict of the structure.
+    pub fn verdict(&self) -> Verdict {
+        // a tilt that cannot be checked is said beside the verdict, and does not change it
+        let tilts = self
+            .tilts
+            .iter()
+            .map(TiltCheck::verdict)
+            .filter(|verdict| *verdict != Verdict::Unknown);
+        worst(tilts.chain([self.stability_verdict()]))
+    }
+
+    /// Against the demand of its site; `None` if that is not compared.
+    pub fn demand_verdict(&self) -> Option<DemandVerdict> {
+        Some(self.demand.as_ref()?.stack.as_ref()?.verdict)
+    }
+
+    /// The verdict on the load factor alone, of a stack on its least margin without shaking.
+    pub fn stability_verdict(&self) -> Verdict {
+        match &self.check {
+            Check::Chain(chain) => chain.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict),
+            Check::Frame(directions) => {
+                let of =
+                    |check: &FrameCheck| check.stability.as_ref().map_or(Verdict::Unknown, |s| s.verdict);
+                let checks = directions
+                    .iter()
+                    .flat_map(|d| [&d.check].into_iter().chain(&d.slipping));
+                worst(checks.map(of))
+            }
+            Check::Building(building) => Verdict::of_load_factor(building.load_factor()),
+            Check::Stack(answer) => answer.check.verdict,
+        }
+    }
+}
+
+/// Unstable if any is; else unknown if any is; else the worse of the rest.
+fn worst(verdicts: impl Iterator<Item = Verdict>) -> Verdict {
+    let severity = |verdict: &Verdict| match verdict {
+        Verdict::Unstable => 3,
+        Verdict::Unknown => 2,
+        Verdict::Marginal => 1,
+        Verdict::Stable => 0,
+    };
+    verdicts.max_by_key(severity).unwrap_or(Verdict::Unknown)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_an_unknown_direction_never_hides_behind_a_stable_one() {
+        assert_eq!(
+            worst([Verdict::Stable, Verdict::Unknown].into_iter()),
+            Verdict::Unknown
+        );
+        assert_eq!(
+            worst([Verdict::Unknown, Verdict::Unstable].into_iter()),
+            Verdict::Unstable
+        );
+        assert_eq!(
+            worst([Verdict::Marginal, Verdict::Stable].into_iter()),
+            Verdict::Marginal
+        );
+        assert_eq!(worst([].into_iter()), Verdict::Unknown);
+    }
+}

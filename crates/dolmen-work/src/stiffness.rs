@@ -1,0 +1,39 @@
+//! Stiffness that explains measured modes, with the load factor that it gives.
+
+use crate::error::WorkError;
+use crate::surveyed::StiffnessAnswer;
+use dolmen::structure::{Convention, MeasuredMode, StiffnessNote, StiffnessSolution, StiffnessSolutions};
+
+/// What stiffness is sought from.
+pub(crate) struct MeasuredDirection<'a> {
+    pub(crate) direction: &'a str,
+    pub(crate) modes: &'a [MeasuredMode],
+    pub(crate) notes: &'a [StiffnessNote],
+}
+
+impl MeasuredDirection<'_> {
+    /// The answer with the solutions that were found; `load_factor` gives that of a stiffness.
+    pub(crate) fn answer(
+        &self,
+        convention: Option<Convention>,
+        mut solutions: StiffnessSolutions,
+        load_factor: impl Fn(&[f64]) -> Result<f64, WorkError>,
+    ) -> Result<StiffnessAnswer, WorkError> {
+        // with the least stiffness that the data allow
+        let least = solutions.solutions.iter().map(StiffnessSolution::stiffness_least);
+        let load_factors: Result<Vec<Option<f64>>, WorkError> = least
+            .map(|least| least.map(|k| load_factor(&k)).transpose())
+            .collect();
+        let load_factors = load_factors?;
+        solutions.notes.extend(self.notes.iter().cloned());
+        Ok(StiffnessAnswer {
+            direction: self.direction.to_owned(),
+            convention,
+            frequencies_hz: self.modes.iter().map(|mode| mode.frequency_hz).collect(),
+            with_shapes: self.modes.iter().any(|mode| !mode.shape.is_empty()),
+            solutions,
+            load_factors,
+            peaks_below_hz: Vec::new(),
+        })
+    }
+}

@@ -1,0 +1,155 @@
+//! Inputs of the cases: values that are varied, values that are drawn, and the columns they are listed in.
+
+use super::answer::{CaseInputs, InputColumn};
+use crate::error::WorkError;
+use dolmen::numeric::Random;
+use dolmen_project::{Override, Project, Quantity, StudyPart};
+use std::collections::BTreeMap;
+
+/// Values drawn for one sample, by path.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Drawn {
+    values: Vec<(String, &'static str, f64)>,
+    by_path: BTreeMap<String, f64>,
+}
+
+impl Drawn {
+    /// The value of an input: drawn, or its own.
+    pub(super) fn pick(&self, quantity: &Quantity) -> f64 {
+        self.by_path
+            .get(&quantity.path)
+            .copied()
+            .unwrap_or(quantity.value)
+    }
+}
+
+/// Draws the inputs that carry a scatter, in the order of the file: what is drawn depends on the seed and the number of the sample
+/// alone.
+pub(super) fn drawn(project: &Project, seed: u64, sample: u64) -> Result<Drawn, WorkError> {
+    let mut random = Random::new(seed, sample);
+    let mut drawn = Drawn::default();
+    for quantity in project.structure_inputs() {
+        if let Some(cov) = quantity.cov.filter(|cov| *cov > 0.0) {
+            let value = random.lognormal(quantity.value, cov)?;
+            drawn.values.push((quantity.path.clone(), quantity.unit, value));
+            drawn.by_path.insert(quantity.path.clone(), value);
+        }
+    }
+    Ok(drawn)
+}
+
+/// What is kept of reading a combination.
+pub(super) struct ReadCombination {
+    /// The samples drawn.
+    pub(super) samples: Vec<Drawn>,
+    /// Value and SI unit of each varied input that is a quantity.
+    pub(super) values: Vec<Option<(f64, &'static str)>>,
+}
+
+/// Value and SI unit of a quantity at a path.
+pub(super) fn value_at(project: Option<&Project>, path: &str) -> Option<(f64, &'static str)> {
+    let quantity = project?.input(path)?;
+    Some((quantity.value, quantity.unit))
+}
+
+/// The columns of the inputs: what is varied, then what is drawn.
+pub(super) fn input_columns(study: &StudyPart, read: &[ReadCombination]) -> Vec<InputColumn> {
+    let mut columns = Vec::new();
+    for (index, axis) in study.vary.iter().enumerate() {
+        let unit = read
+            .iter()
+            .find_map(|read| Some(read.values.get(index).copied()??.1));
+        let is_number = unit.is_some() || axis.values.iter().all(|value| bare_number(&value.text).is_some());
+        columns.push(column(&axis.path, unit.unwrap_or_default(), is_number, false));
+    }
+    let mut drawn: Vec<&str> = Vec::new();
+    for (path, unit, _) in read
+        .iter()
+        .flat_map(|read| read.samples.iter().flat_map(|s| &s.values))
+    {
+        if !drawn.contains(&path.as_str()) {
+            drawn.push(path);
+            columns.push(column(path, unit, true, true));
+        }
+    }
+    columns
+}
+
+fn column(path: &str, unit: &str, is_number: bool, is_drawn: bool) -> InputColumn {
+    let clean = |text: &str| -> String {
+        let letters = text
+            .chars()
+            .map(|c| if c.is_ascii_alphanumeric() { c } else { '_' });
+        let mut out: String = letters.collect();
+        while out.contains("__") {
+            out = out.replace("__", "_");
+        }
+        out.trim_matches('_').to_lowercase()
+    };
+    let drawn = if is_drawn { "drawn_" } else { "" };
+    let unit_text = clean(unit);
+    let name = clean(path);
+    InputColumn {
+        path: path.to_owned(),
+        column: if unit_text.is_empty() {
+            format!("{drawn}{name}")
+        } else {
+            format!("{drawn}{name}_{unit_text}")
+        },
+        unit: unit.to_owned(),
+        is_number,
+        is_drawn,
+    }
+}
+
+fn bare_number(text: &str) -> Option<f64> {
+    text.trim().replace('_', "").parse().ok()
+}
+
+/// The inputs of one case in the order of the columns.
+pub(super) fn case_inputs(
+    (variant, values): (Option<&str>, &[&Override]),
+    read: &ReadCombination,
+    sample: &Drawn,
+    columns: &[InputColumn],
+) -> CaseInputs {
+    let of = |(index, input): (usize, &InputColumn)| {
+        if input.is_drawn {
+            let value = sample.by_path.get(&input.path).copied();
+            return (value, value.map_or(String::new(), |value| value.to_string()));
+        }
+        let text = values.get(index).map_or("", |value| &value.text);
+        let value = match read.values.get(index).copied().flatten() {
+            Some((value, _)) => Some(value),
+            None => bare_number(text),
+        };
+        (value, text.trim_matches('"').to_owned())
+    };
+    let (values, texts) = columns.iter().enumerate().map(of).unzip();
+    CaseInputs {
+        variant: variant.map(str::to_owned),
+        values,
+        texts,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_columns_carry_their_unit() {
+        for (path, unit, name) in [
+            ("pagoda.body_height", "m", "pagoda_body_height_m"),
+            ("joint.normal_stiffness", "Pa/m", "joint_normal_stiffness_pa_m"),
+            ("links[2].weight", "N", "links_2_weight_n"),
+            ("pagoda.storeys", "", "pagoda_storeys"),
+        ] {
+            assert_eq!(column(path, unit, true, false).column, name);
+        }
+        assert_eq!(
+            column("density", "kg/m3", true, true).column,
+            "drawn_density_kg_m3"
+        );
+    }
+}

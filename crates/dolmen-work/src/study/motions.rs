@@ -1,0 +1,149 @@
+//! Motions of a study: of the file, carried by the command, or made from a seed.
+
+use super::journal::fingerprint;
+use crate::error::WorkError;
+use crate::motion::{self, MotionRequest};
+use dolmen::signal::{
+    Component, GroundMotion, Noise, SignalError, SpectralOrdinate, noise_motion, peak_velocity_m_s,
+    response_spectrum,
+};
+use dolmen_project::{Project, StudyPart};
+use dolmen_records::Files;
+
+/// What motions that are made are called, before their number.
+const MADE: &str = "noise";
+/// Length of a sample of motions that are made, s.
+const MADE_STEP_S: f64 = 0.01;
+
+/// A motion as the file has it, with what its size is measured by.
+#[derive(Clone, Debug)]
+pub(super) struct PreparedMotion {
+    pub(super) motion: GroundMotion,
+    /// Largest horizontal component, m/s²; in a plane that of the plane.
+    pub(super) peak_m_s2: f64,
+    /// Largest velocity of that component, m/s.
+    pub(super) velocity_m_s: f64,
+    component: Component,
+}
+
+impl PreparedMotion {
+    /// As it acts on what moves in one plane: turned, with its size measured along that plane.
+    pub(super) fn in_plane(&self, turn_rad: f64) -> Result<Self, WorkError> {
+        let motion = self.acting(1.0, turn_rad)?;
+        let component = acting_component(&motion);
+        measured(motion, component)
+    }
+
+    /// The axis that it shakes along if it is turned; `None` if it shakes along more than one.
+    pub(super) fn axis(&self, turn_rad: f64) -> Option<[f64; 2]> {
+        let (sin, cos) = turn_rad.sin_cos();
+        match [Component::X, Component::Y].map(|component| self.motion.has(component)) {
+            [true, false] => Some([cos, sin]),
+            [false, true] => Some([-sin, cos]),
+            _ => None,
+        }
+    }
+
+    /// Of every sample.
+    pub(super) fn fingerprint(&self) -> String {
+        let mut bytes = self.motion.time_step_s().to_le_bytes().to_vec();
+        for component in Component::ALL {
+            if self.motion.has(component) {
+                bytes.extend(component.name().bytes());
+                let samples = self.motion.acceleration_m_s2(component).iter();
+                bytes.extend(samples.flat_map(|sample| sample.to_le_bytes()));
+            }
+        }
+        fingerprint(&bytes)
+    }
+
+    /// Pseudo-spectral accelerations of that component over its peak.
+    pub(super) fn spectral_over_peak(
+        &self,
+        periods_s: &[f64],
+        damping_ratio: f64,
+    ) -> Result<Vec<f64>, SignalError> {
+        let found = response_spectrum(&self.motion, self.component, periods_s, damping_ratio)?;
+        let each = found.iter().map(SpectralOrdinate::pseudo_acceleration_m_s2);
+        Ok(each.map(|acceleration| acceleration / self.peak_m_s2).collect())
+    }
+
+    /// The motion times a factor, turned.
+    pub(super) fn acting(&self, scale: f64, turn_rad: f64) -> Result<GroundMotion, WorkError> {
+        let scaled = self.motion.clone().scaled(scale)?;
+        Ok(if turn_rad == 0.0 {
+            scaled
+        } else {
+            scaled.rotated(turn_rad)?
+        })
+    }
+}
+
+/// The component that acts on what moves in one plane: x, or y if there is no other.
+pub(crate) fn acting_component(motion: &GroundMotion) -> Component {
+    match (motion.has(Component::X), motion.has(Component::Y)) {
+        (false, true) => Component::Y,
+        _ => Component::X,
+    }
+}
+
+/// Names of the motions in their order.
+pub(super) fn motion_names(study: &StudyPart) -> Result<Vec<String>, WorkError> {
+    let mut names = study.motions.clone();
+    if let Some(made) = &study.artificial {
+        names.extend((1..=made.count).map(|number| format!("{MADE} {number}")));
+    }
+    if names.is_empty() {
+        return Err(WorkError::StudyWithoutMotion);
+    }
+    Ok(names)
+}
+
+/// A motion by its name.
+pub(super) fn prepared(
+    project: &Project,
+    files: &dyn Files,
+    study: &StudyPart,
+    name: &str,
+) -> Result<PreparedMotion, WorkError> {
+    let number = name
+        .strip_prefix(MADE)
+        .and_then(|rest| rest.trim().parse::<u64>().ok());
+    let motion = match (&study.artificial, number) {
+        (Some(made), Some(number)) if !study.motions.iter().any(|own| own == name) => {
+            let options = Noise {
+                duration_s: made.duration_s,
+                rise_s: made.rise_s,
+                strong_s: made.strong_s,
+                time_step_s: MADE_STEP_S,
+                ..Noise::default()
+            };
+            noise_motion(&options, made.seed.wrapping_add(number - 1))?
+        }
+        _ => motion::prepared(&MotionRequest::named(name), (project, files))?.motion,
+    };
+    let horizontal = [Component::X, Component::Y];
+    let largest = horizontal
+        .into_iter()
+        .filter(|component| motion.has(*component))
+        .max_by(|a, b| {
+            motion
+                .component_peak_m_s2(*a)
+                .total_cmp(&motion.component_peak_m_s2(*b))
+        });
+    let largest = largest.ok_or_else(|| WorkError::NoHorizontalOf {
+        name: name.to_owned(),
+    })?;
+    measured(motion, largest)
+}
+
+/// A motion with the size of one of its components.
+fn measured(motion: GroundMotion, component: Component) -> Result<PreparedMotion, WorkError> {
+    let velocity_m_s = peak_velocity_m_s(&motion, component)?;
+    Ok(PreparedMotion {
+        peak_m_s2: motion.component_peak_m_s2(component),
+        velocity_m_s,
+        component,
+        motion,
+    })
+}

@@ -1,0 +1,379 @@
+//! What a study will run: its cases with their inputs, its motions, and the fingerprint of everything that decides the results.
+
+use super::answer::{CaseInputs, InputColumn, StudyAnswer};
+use super::fitted::Fitted;
+use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
+use super::journal::{JournalHeader, fingerprint};
+use super::motions::{PreparedMotion, motion_names, prepared};
+use super::run::{Run, StudyKind};
+use super::shaking::ShakingScales;
+use crate::error::WorkError;
+use crate::opened::Opened;
+use crate::stack;
+use dolmen::assess::{RockingScale, rocking_scale};
+use dolmen::stability::stack::{StackLimits, stack_limits};
+use dolmen_project::{
+    Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
+};
+use dolmen_records::Files;
+use rayon::prelude::*;
+
+/// Most scans of a study: more do not fit into memory with their results. Chosen here.
+const SCANS_MOST: usize = 10_000_000;
+
+/// A study ready to run.
+pub struct Plan<'o> {
+    opened: &'o Opened,
+    files: &'o dyn Files,
+    /// The study.
+    pub study: &'o StudyPart,
+    /// The kind of structure.
+    pub kind: StudyKind,
+    /// Motions by name, as the file has them without a case's changes.
+    pub(super) motions: Vec<(String, PreparedMotion)>,
+    inputs: Vec<InputColumn>,
+    cases: Vec<CaseInputs>,
+    fingerprints: Vec<(String, String)>,
+}
+
+impl<'o> Plan<'o> {
+    /// Reads every combination once, and its motions.
+    ///
+    /// # Errors
+    /// A kind that cannot be studied, motions that cannot be read, a study without shaking, with too many scans, or with samples of
+    /// nothing.
+    pub fn of(opened: &'o Opened, study: &'o StudyPart, files: &'o dyn Files) -> Result<Self, WorkError> {
+        let kind = match &opened.project.structure {
+            Structure::Stack(_) => StudyKind::Stack,
+            Structure::Frame(_) => StudyKind::Frame,
+            Structure::Chain(_) => StudyKind::Chain,
+            Structure::Building(_) => StudyKind::Building,
+            Structure::Survey => return Err(WorkError::SurveyStudied),
+        };
+        let mut motions = Vec::new();
+        if study.scan.is_some() {
+            for name in motion_names(study)? {
+                let motion = prepared(&opened.project, files, study, &name)?;
+                motions.push((name, motion));
+            }
+        } else if matches!(kind, StudyKind::Stack | StudyKind::Building)
+            || (study.harmonic.is_none() && study.release_m.is_none())
+        {
+            return Err(WorkError::StudyWithoutScan);
+        }
+        let samples = study.samples.unwrap_or(1);
+        let scans = study
+            .combinations()
+            .saturating_mul(samples)
+            .saturating_mul(motions.len().max(1));
+        if scans.saturating_mul(study.turns_rad.len()) > SCANS_MOST {
+            return Err(WorkError::StudyTooLarge { most: SCANS_MOST });
+        }
+        let mut plan = Plan {
+            opened,
+            files,
+            study,
+            kind,
+            motions,
+            inputs: Vec::new(),
+            cases: Vec::new(),
+            fingerprints: Vec::new(),
+        };
+        plan.read_inputs()?;
+        if study.samples.is_some_and(|samples| samples > 1) && !plan.inputs.iter().any(|input| input.is_drawn)
+        {
+            return Err(WorkError::StudySamplesNothing {
+                samples: study.samples.unwrap_or(1),
+            });
+        }
+        plan.fingerprints = plan.fingerprints()?;
+        Ok(plan)
+    }
+
+    /// Reads every combination once: what its inputs are, and whether it can be.
+    fn read_inputs(&mut self) -> Result<(), WorkError> {
+        let samples = self.study.samples.unwrap_or(1);
+        let read: Vec<ReadCombination> = (0..self.study.combinations())
+            .into_par_iter()
+            .map(|combination| {
+                let project = self.project(combination).ok();
+                let draw = |sample| match (&project, self.study.samples) {
+                    (Some(project), Some(_)) => drawn(project, self.study.seed, sample as u64),
+                    _ => Ok(Drawn::default()),
+                };
+                let paths = self.study.vary.iter().map(|axis| axis.path.as_str());
+                Ok(ReadCombination {
+                    samples: (0..samples).map(draw).collect::<Result<_, WorkError>>()?,
+                    values: paths.map(|path| value_at(project.as_ref(), path)).collect(),
+                })
+            })
+            .collect::<Result<_, WorkError>>()?;
+        self.inputs = input_columns(self.study, &read);
+        for (combination, read) in read.iter().enumerate() {
+            let (variant, values) = self.study.combination(combination);
+            let cases = read
+                .samples
+                .iter()
+                .map(|sample| case_inputs((variant, &values), read, sample, &self.inputs));
+            self.cases.extend(cases);
+        }
+        Ok(())
+    }
+
+    fn fingerprints(&self) -> Result<Vec<(String, String)>, WorkError> {
+        let file = &self.opened.file;
+        let text = canonical_text(&self.opened.text, file, &self.study.name)?;
+        let mut all = vec![("the project file".to_owned(), fingerprint(text.as_bytes()))];
+        for (name, motion) in &self.motions {
+            all.push((format!("motion {name}"), motion.fingerprint()));
+        }
+        let cases = format!("{:?}{:?}", self.inputs, self.cases); // files that the project names act here
+        all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
+        if let Structure::Stack(part) = &self.opened.project.structure {
+            all.push(("stones".to_owned(), fingerprint(format!("{part:?}").as_bytes())));
+        }
+        Ok(all)
+    }
+
+    /// The project of a combination, or why it cannot be, in one line.
+    pub(super) fn project(&self, combination: usize) -> Result<Project, String> {
+        let (variant, values) = self.study.combination(combination);
+        let laid: Vec<&Override> = self.study.set.iter().chain(values.iter().copied()).collect();
+        let file = &self.opened.file;
+        parse_combination(&self.opened.text, file, self.files, variant, &laid).map_err(|error| {
+            let first = error.problems.first();
+            first.map_or_else(String::new, |problem| {
+                let allowed = problem
+                    .allowed
+                    .as_ref()
+                    .map_or(String::new(), |allowed| format!(", {allowed}"));
+                let help = problem
+                    .help
+                    .as_ref()
+                    .map_or(String::new(), |help| format!("; {help}"));
+                format!(
+                    "{}{allowed}{help} (line {} of {file})",
+                    problem.message, problem.line
+                )
+            })
+        })
+    }
+
+    /// The motion of a case by its index: that of the file unless the case changes it; with the turn that is left to be done. A frame or a chain moves
+    /// in one plane: its motion comes turned, with the size of what acts.
+    pub(super) fn motion(
+        &self,
+        project: &Project,
+        index: usize,
+        turn_rad: f64,
+    ) -> Result<(PreparedMotion, f64), WorkError> {
+        let (name, own) = self.motions.get(index).ok_or(WorkError::StudyWithoutMotion)?;
+        let part = |project: &Project| project.motions.iter().find(|part| part.name == *name).cloned();
+        let motion = match part(project) == part(&self.opened.project) {
+            true => own.clone(),
+            false => prepared(project, self.files, self.study, name)?,
+        };
+        Ok(match self.kind {
+            StudyKind::Frame | StudyKind::Chain => (motion.in_plane(turn_rad)?, 0.0),
+            _ => (motion, turn_rad),
+        })
+    }
+
+    /// Factors on a motion, rising.
+    pub(super) fn scales(&self, motion: &PreparedMotion) -> Vec<f64> {
+        match &self.study.scan {
+            Some(Scan::Scales(scales)) => scales.clone(),
+            Some(Scan::Peaks(peaks)) => peaks.iter().map(|peak| peak / motion.peak_m_s2).collect(),
+            None => Vec::new(),
+        }
+    }
+
+    /// Peak of the ground at a factor, m/s²: where the study gives peaks the one that is given, to the last digit.
+    pub(super) fn peak_at(&self, grid: &[f64], scale: f64, motion: &PreparedMotion) -> f64 {
+        let given = match &self.study.scan {
+            Some(Scan::Peaks(peaks)) => grid
+                .iter()
+                .position(|on| *on == scale)
+                .and_then(|at| peaks.get(at)),
+            _ => None,
+        };
+        given.copied().unwrap_or(scale * motion.peak_m_s2)
+    }
+
+    /// The factors of a scan, without preparing the rest of it; `None` if its inputs are refused.
+    pub(super) fn grid_of(&self, job: usize) -> Option<Vec<f64>> {
+        let turns = self.study.turns_rad.len();
+        let (case, motion) = (
+            job / (self.motions.len() * turns),
+            job / turns % self.motions.len(),
+        );
+        let turn_rad = self.study.turns_rad[job % turns];
+        let found = match self.varies_motions() {
+            false => self.motion(&self.opened.project, motion, turn_rad),
+            true => self.motion(&self.project(case / self.samples()).ok()?, motion, turn_rad),
+        };
+        Some(self.scales(&found.ok()?.0))
+    }
+
+    /// Whether a case may have another motion than the file.
+    fn varies_motions(&self) -> bool {
+        let paths = self.study.set.iter().map(|set| &set.path);
+        let mut paths = paths.chain(self.study.vary.iter().map(|axis| &axis.path));
+        !self.study.variants.is_empty() || paths.any(|path| path.starts_with("motion"))
+    }
+
+    /// What measures of the shaking rest on, and names of the joints, by combination.
+    fn scales_and_joints(&self) -> (ShakingScales, Vec<Vec<String>>) {
+        let (periods_s, damping) = (&self.study.spectral_periods_s, self.study.spectral_damping_ratio);
+        let turns = &self.study.turns_rad;
+        let motions = (0..self.motions.len()).filter(|_| !self.varies_motions());
+        let each = motions.flat_map(|index| turns.iter().map(move |turn| (index, *turn)));
+        let each = each.map(|(index, turn)| {
+            let (motion, _) = self.motion(&self.opened.project, index, turn)?;
+            Ok(motion.spectral_over_peak(periods_s, damping)?)
+        });
+        let spectral: Result<Vec<Vec<f64>>, WorkError> = each.collect();
+        let mut shaking = ShakingScales {
+            spectral_over_peak: spectral.unwrap_or_default(), // a period that a record is too coarse for
+            rocking: Vec::new(),
+        };
+        if self.kind != StudyKind::Stack {
+            return (shaking, Vec::new());
+        }
+        let each = (0..self.study.combinations()).into_par_iter();
+        let each = each.map(|combination| self.of_stack(combination).unwrap_or_default());
+        let (rocking, joints) = each.unzip();
+        shaking.rocking = rocking;
+        (shaking, joints)
+    }
+
+    /// The rocking scale and the joints of the stack of a combination, with its mean inputs.
+    fn of_stack(&self, combination: usize) -> Option<(Option<RockingScale>, Vec<String>)> {
+        let project = self.project(combination).ok()?;
+        let Structure::Stack(part) = &project.structure else {
+            return None;
+        };
+        let stack = part.build(&mut Quantity::nominal).ok()?;
+        let limits = stack_limits(&stack, &StackLimits::default()).ok()?;
+        let names = stack.joints().iter();
+        let names = names.map(|joint| stack::study::joint_words(&stack, joint));
+        let scale = rocking_scale(&stack, &limits, self.axis()).ok().flatten();
+        Some((scale, names.collect()))
+    }
+
+    /// The one axis along which every motion shakes; `None` if there are several.
+    fn axis(&self) -> Option<[f64; 2]> {
+        self.axis_of_file().filter(|_| !self.varies_motions())
+    }
+
+    /// The same of the motions as the file has them, whatever variants change.
+    fn axis_of_file(&self) -> Option<[f64; 2]> {
+        let [turn] = self.study.turns_rad.as_slice() else {
+            return None;
+        };
+        let mut along = self.motions.iter().map(|(_, motion)| motion.axis(*turn));
+        let first = along.next()??;
+        along.all(|other| other == Some(first)).then_some(first)
+    }
+
+    /// Scans in all.
+    pub fn jobs(&self) -> usize {
+        self.cases.len() * self.motions.len() * self.study.turns_rad.len()
+    }
+
+    pub(super) fn samples(&self) -> usize {
+        self.study.samples.unwrap_or(1)
+    }
+
+    /// What the journal of a shard begins with: everything that decides its results.
+    pub fn header(&self, shard: (usize, usize)) -> JournalHeader {
+        JournalHeader {
+            study: self.study.name.clone(),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            jobs: self.jobs(),
+            shard,
+            inputs: self.fingerprints.clone(),
+        }
+    }
+
+    pub(super) fn answer(&self, mut runs: Vec<Run>, missing: Vec<usize>) -> StudyAnswer {
+        runs.sort_by(|a, b| a.job.cmp(&b.job).then(a.scale.total_cmp(&b.scale)));
+        let (shaking, joints) = match self.study.scan {
+            Some(_) => self.scales_and_joints(),
+            None => Default::default(),
+        };
+        StudyAnswer {
+            shaking,
+            joints,
+            file: self.opened.file.clone(),
+            name: self.opened.project.name.clone(),
+            study: self.study.clone(),
+            kind: self.kind,
+            gravity_m_s2: self.opened.project.gravity_m_s2,
+            hazard: self
+                .opened
+                .project
+                .site
+                .as_ref()
+                .and_then(|site| site.hazard.clone()),
+            version: env!("CARGO_PKG_VERSION").to_owned(),
+            notes: self.notes(),
+            inputs: self.inputs.clone(),
+            cases: self.cases.clone(),
+            motions: self.motions.iter().map(|(name, _)| name.clone()).collect(),
+            runs,
+            missing,
+            maps: Vec::new(),
+            fitted: Fitted::default(),
+        }
+    }
+
+    /// Warnings of the file, each with its line.
+    fn notes(&self) -> Vec<String> {
+        let warnings = self.opened.project.warnings.iter();
+        let warnings = warnings.map(|warning| format!("line {}: {}", warning.line, warning.message));
+        let mut notes: Vec<String> = warnings.collect();
+        if let (StudyKind::Building, Some([x, y])) = (self.kind, self.axis_of_file()) {
+            notes.push(format!(
+                "every motion shakes along one axis, {:.0} deg from x, and across it nothing is studied: give directions, or motions of two components",
+                y.atan2(x).to_degrees() + 0.0
+            ));
+        }
+        notes
+    }
+
+    pub(super) fn cases(&self) -> usize {
+        self.cases.len()
+    }
+
+    /// A case in words: its variant and inputs; empty if there is only one.
+    pub(super) fn case_words(&self, case: usize) -> String {
+        let Some(inputs) = self.cases.get(case).filter(|_| self.cases.len() > 1) else {
+            return String::new();
+        };
+        let mut words: Vec<String> = inputs.variant.iter().cloned().collect();
+        let each = self.inputs.iter().zip(&inputs.texts);
+        words.extend(each.map(|(input, text)| format!("{} = {text}", input.path)));
+        words.join(", ")
+    }
+
+    /// A scan in words: what its inputs are.
+    pub fn scan_words(&self, job: usize) -> String {
+        let turns = self.study.turns_rad.len();
+        let case = self.case_words(job / (self.motions.len() * turns));
+        let mut words = vec![format!(
+            "motion {}",
+            self.motions[job / turns % self.motions.len()].0
+        )];
+        if !case.is_empty() {
+            words.insert(0, case);
+        }
+        if turns > 1 {
+            words.push(format!(
+                "turned by {}°",
+                self.study.turns_rad[job % turns].to_degrees()
+            ));
+        }
+        words.join(", ")
+    }
+}

@@ -1,0 +1,166 @@
+//! What was identified from one survey.
+
+use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note};
+use dolmen::signal::ChannelFault;
+use dolmen::structure::{Convention, StiffnessSolutions};
+
+/// What the sensors lack.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WithoutStiffness {
+    /// No channel has both a position and a direction.
+    NoPlace,
+    /// No sensor points within 15° of x or y.
+    OffTheAxes {
+        /// Names of those that have a position and a direction.
+        channels: Vec<String>,
+    },
+}
+
+impl std::fmt::Display for WithoutStiffness {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            WithoutStiffness::NoPlace => write!(
+                f,
+                "no stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure"
+            ),
+            WithoutStiffness::OffTheAxes { channels } => write!(
+                f,
+                "no stiffness is sought: no sensor points within 15° of x or y ({} do not); turn the axes of the project with the sensors, or give the \
+                 direction in which each measures",
+                channels.join(", ")
+            ),
+        }
+    }
+}
+
+/// What was identified from one survey.
+#[derive(Clone, Debug)]
+pub struct SurveyAnswer {
+    /// The survey's name.
+    pub name: String,
+    /// Modes from its records; `None` if it has none.
+    pub records: Option<RecordAnswer>,
+    /// Its setups, one by one and put together; `None` if it has none.
+    pub setups: Option<SetupsAnswer>,
+    /// Stiffness from its modes, one entry a direction and convention.
+    pub stiffness: Vec<StiffnessAnswer>,
+    /// Why its modes lead to no stiffness of a chain or frame, where they do not.
+    pub without_stiffness: Option<WithoutStiffness>,
+}
+
+/// What several setups gave.
+#[derive(Clone, Debug)]
+pub struct SetupsAnswer {
+    /// Each by itself.
+    pub records: Vec<RecordAnswer>,
+    /// Put together after each was identified.
+    pub merged: MergedSetups,
+    /// Identified as one, where the file asks for that: then these are the modes of the survey.
+    pub joint: Option<JointSetups>,
+}
+
+/// Shapes of one mode at its references are rarely less alike; chosen here.
+pub const REFERENCES_ALIKE: f64 = 0.9;
+
+impl SetupsAnswer {
+    /// Frequencies, Hz, at which setups put together may not show one mode: another pairing was nearly as good, or the shapes at the
+    /// references are not alike. All where a reference is not the same in all setups; else none where they were identified as one.
+    pub fn doubtful_hz(&self) -> Vec<f64> {
+        if !self.merged.reference_faults.is_empty() {
+            return self.modes().modes.iter().map(|mode| mode.frequency_hz).collect();
+        }
+        if self.joint.is_some() {
+            return Vec::new();
+        }
+        let unlike = |m: &MergedMode| {
+            m.reference_assurance
+                .iter()
+                .flatten()
+                .any(|mac| *mac < REFERENCES_ALIKE)
+        };
+        let both = self.merged.modes.modes.iter().zip(&self.merged.merged);
+        both.filter(|(_, of)| of.doubtful || unlike(of))
+            .map(|(mode, _)| mode.frequency_hz)
+            .collect()
+    }
+
+    /// The modes of all setups.
+    pub fn modes(&self) -> &Modes {
+        self.joint
+            .as_ref()
+            .map_or(&self.merged.modes, |joint| &joint.modes)
+    }
+}
+
+impl SurveyAnswer {
+    /// Peaks of its record that are none of its modes, and modes that were not picked, Hz, ascending. Empty of several setups.
+    pub fn unexplained_hz(&self) -> Vec<f64> {
+        let notes = self.records.iter().flat_map(|record| &record.analysis.notes);
+        let frequencies = notes.filter_map(|note| match note {
+            Note::PeaksWithoutMode { frequency_hz } | Note::NotPicked { frequency_hz } => Some(frequency_hz),
+            _ => None,
+        });
+        let mut all: Vec<f64> = frequencies.flatten().copied().collect();
+        all.sort_by(f64::total_cmp);
+        all
+    }
+
+    /// The modes that its records show, of several setups those put together, and the equally strong blocks of time behind their deviations.
+    pub fn modes(&self) -> Option<(&Modes, usize)> {
+        match (&self.setups, &self.records) {
+            (Some(setups), _) => {
+                let blocks = setups
+                    .records
+                    .iter()
+                    .map(|r| r.analysis.settings.time_blocks_effective);
+                Some((setups.modes(), blocks.min().unwrap_or(0)))
+            }
+            (None, Some(record)) => Some((
+                &record.analysis.modes,
+                record.analysis.settings.time_blocks_effective,
+            )),
+            (None, None) => None,
+        }
+    }
+}
+
+/// What a record gave.
+#[derive(Clone, Debug)]
+pub struct RecordAnswer {
+    /// Path of the record file as the project names it.
+    pub file: String,
+    /// Channels read, before any was left out.
+    pub channels: usize,
+    /// Samples a channel, as read.
+    pub samples: usize,
+    /// Sampling rate, as read, Hz.
+    pub sampling_rate_hz: f64,
+    /// Unit of the numbers; "" if not known.
+    pub unit: String,
+    /// What its files say beside the samples, sentences.
+    pub remarks: Vec<String>,
+    /// What looked wrong with channels.
+    pub faults: Vec<ChannelFault>,
+    /// Spectrum, stabilisation and modes.
+    pub analysis: ModalAnalysis,
+}
+
+/// Stiffness from modes, in one direction and convention.
+#[derive(Clone, Debug)]
+pub struct StiffnessAnswer {
+    /// "x", "weak".
+    pub direction: String,
+    /// What the springs of a frame act on; `None` for a chain.
+    pub convention: Option<Convention>,
+    /// Frequencies that went in, Hz.
+    pub frequencies_hz: Vec<f64>,
+    /// Whether any of them carried a measured shape.
+    pub with_shapes: bool,
+    /// Every solution.
+    pub solutions: StiffnessSolutions,
+    /// Load factor λ with each solution, in the same order.
+    pub load_factors: Vec<Option<f64>>,
+    /// Peaks of the record below the highest mode used that are none of the modes, Hz: one of them may be a mode of this direction, and every
+    /// stiffness then is wrong.
+    pub peaks_below_hz: Vec<f64>,
+}
