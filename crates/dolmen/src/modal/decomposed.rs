@@ -3,7 +3,7 @@
 use super::ModalError;
 use super::correlations::Correlations;
 use super::hankel::{future_past, past_past};
-use super::ssi::Ssi;
+use super::ssi_options::Ssi;
 use crate::signal::Record;
 use dolmen_linalg::{
     LinalgError, Matrix, Operator, Svd, cholesky_in_its_place, leading_svd, qr, solve_lower,

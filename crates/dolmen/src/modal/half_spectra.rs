@@ -9,7 +9,7 @@
 //! | t_d | `square` | Re Σ e^(iωd) S⁺* S⁺ | r × r |
 
 use super::correlations::Correlations;
-use super::plscf::Plscf;
+use super::plscf_options::Plscf;
 use dolmen_linalg::{Complex64, Matrix};
 use realfft::RealFftPlanner;
 use std::f64::consts::PI;

@@ -11,6 +11,9 @@
 use super::correlations::{Correlations, Ends};
 use dolmen_linalg::Matrix;
 
+/// Hankel matrices of more rows take many seconds.
+pub(super) const HANKEL_ROWS_MOST: usize = 2400;
+
 /// Y⁺ Y⁻ᵀ / S: block (i, j) is G(br + i, br - 1 - j), or R_(i+j+1) where no ends are known.
 ///
 /// ```text

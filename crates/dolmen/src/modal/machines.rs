@@ -2,7 +2,7 @@
 
 use super::fdd::FddResult;
 use super::harmonics::{Kurtosis, band_kurtosis};
-use super::identify::{Harmonics, Identify};
+use super::options::{Harmonics, Identify};
 use super::{ModalError, Mode, Modes, Note, Tone};
 use crate::signal::Record;
 

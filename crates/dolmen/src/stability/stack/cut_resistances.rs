@@ -54,7 +54,7 @@ pub fn cut_resistances(stack: &Stack, options: &StackLimits) -> Result<Vec<CutRe
 #[cfg(test)]
 mod tests {
     use super::super::towers::shifted;
-    use super::super::{StackLoads, stack_limits};
+    use super::super::{LimitKind, StackLoads, stack_limits};
     use super::*;
     use glam::DVec3;
 

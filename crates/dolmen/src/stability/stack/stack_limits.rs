@@ -197,7 +197,7 @@ fn sooner(uplift: Option<Governing>, sliding: Option<Governing>) -> Option<Gover
 mod tests {
     use super::super::toe::toe;
     use super::super::towers::{P10, leaning, p20, shifted, tower};
-    use super::super::{PointForce, Wind};
+    use super::super::{PointForce, StackLoads, Wind};
     use super::*;
     use crate::structure::stack::Body;
     use crate::structure::stack::{JointMaterial, Tie};
