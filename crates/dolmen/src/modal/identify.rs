@@ -1,28 +1,28 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
-use super::bayoma::refined;
-use super::clocks::leave_out_other_clocks;
-use super::clusters::{Cluster, Clustering, Fate, group_poles};
 use super::decay::{SHORT, of_decay, short_spectrum};
-use super::efdd::{Efdd, efdd};
 use super::error::refused;
-use super::fdd::{Fdd, FddResult, fdd};
-use super::fraction_deviation::FractionScatter;
-use super::gusts::{unequal, widen};
-use super::hidden_pairs::note_hidden_pairs;
-use super::late_clocks::leave_out_late_clocks;
-use super::machines::{split_tones, test_for_machines};
+use super::likelihood::refined;
 use super::modal_analysis::{ModalAnalysis, of_peaks};
 use super::options::Identify;
-use super::plscf::plscf;
-use super::plscf_options::Plscf;
-use super::reference_channels::keeping_most;
-use super::remarks::remark;
+use super::quality::leave_out_late_clocks;
+use super::quality::leave_out_other_clocks;
+use super::quality::note_hidden_pairs;
+use super::quality::remark;
+use super::quality::{doubt_channels, to_one_quantity};
+use super::quality::{split_tones, test_for_machines};
+use super::quality::{unequal, widen};
 use super::settings::{choose, passed_hz};
-use super::shape_checks::{doubt_channels, to_one_quantity};
-use super::ssi::{ssi_cov, ssi_data};
-use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
-use super::uncertainty::Deviations;
+use super::spectrum::FractionScatter;
+use super::spectrum::Plscf;
+use super::spectrum::keeping_most;
+use super::spectrum::plscf;
+use super::spectrum::{Efdd, efdd};
+use super::spectrum::{Fdd, FddResult, fdd};
+use super::subspace::Deviations;
+use super::subspace::{AllOrders, Criteria, Stabilization, judge_poles};
+use super::subspace::{Cluster, Clustering, Fate, group_poles};
+use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation};
 use crate::signal::{ChannelFault, Record, inspect, leave_out};
 

@@ -1,12 +1,12 @@
 //! The modes of a record, and what they came from.
 
-use super::clusters::Cluster;
-use super::fdd::{FddResult, SingularSpectrum};
-use super::mode_decay::Decay;
+use super::decay::Decay;
 use super::notes::Note;
 use super::options::Identify;
 use super::settings::{Settings, passed_hz};
-use super::stabilization::Stabilization;
+use super::spectrum::{FddResult, SingularSpectrum};
+use super::subspace::Cluster;
+use super::subspace::Stabilization;
 use super::{Mode, Modes};
 use crate::signal::Record;
 

@@ -1,9 +1,9 @@
 //! How the modes of a record are found.
 
-use super::clusters::Clustering;
-use super::fdd::Fdd;
 use super::modes::Method;
-use super::stabilization::Criteria;
+use super::spectrum::Fdd;
+use super::subspace::Clustering;
+use super::subspace::Criteria;
 
 /// What becomes of a mode that looks like a machine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

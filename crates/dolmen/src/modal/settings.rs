@@ -2,9 +2,9 @@
 
 use super::correlations::{CLEAN_SHARE, lags_before};
 use super::error::{references_of, refused};
-use super::hankel::HANKEL_ROWS_MOST;
 use super::options::Identify;
-use super::ssi_options::Ssi;
+use super::subspace::HANKEL_ROWS_MOST;
+use super::subspace::Ssi;
 use super::{Method, ModalError, Mode, Modes, Note};
 use crate::signal::{CORNER_OF_NYQUIST, Processing, Record};
 
