@@ -14,7 +14,7 @@ pub enum Harmonics {
     Remove,
 }
 
-/// Options of [`identify`](super::identify). The defaults serve every record this chapter was measured on.
+/// Options of [`identify`](super::identify()). The defaults serve every record this chapter was measured on.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Identify {
     /// How modes are found; default `SsiCov`: `Bayoma` and `SsiData` scatter less on made records, but on real ones the second had a damping a half
