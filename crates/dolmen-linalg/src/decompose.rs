@@ -1,7 +1,7 @@
+use crate::product::view;
 use crate::{ComplexMatrix, LinalgError, Matrix};
-use faer::linalg::matmul::matmul;
 use faer::linalg::solvers::{Solve as _, SolveLstsq as _};
-use faer::{Accum, Mat, MatMut, MatRef, Par, Side};
+use faer::{Mat, MatRef, Side};
 use num_complex::Complex64;
 
 /// Eigenvalues (ascending) and orthonormal eigenvectors (columns) of a symmetric matrix.
@@ -49,10 +49,6 @@ pub struct Qr {
     pub q: Matrix,
     /// `k × columns`, upper triangular.
     pub r: Matrix,
-}
-
-pub(crate) fn view(a: &Matrix) -> MatRef<'_, f64> {
-    MatRef::from_column_major_slice(a.as_slice(), a.rows(), a.columns())
 }
 
 fn owned(a: MatRef<'_, f64>) -> Matrix {
@@ -103,25 +99,6 @@ pub(crate) fn square(what: &'static str, a: &Matrix) -> Result<(), LinalgError> 
         "square and not empty",
     )?;
     finite(what, a)
-}
-
-pub(crate) fn multiply(a: &Matrix, b: &Matrix) -> Matrix {
-    let mut c = Matrix::zeros(a.rows(), b.columns());
-    let target = MatMut::from_column_major_slice_mut(c.as_mut_slice(), a.rows(), b.columns());
-    matmul(target, Accum::Replace, view(a), view(b), 1.0, Par::Seq);
-    c
-}
-
-pub(crate) fn multiply_transposed(a: &Matrix, b: &Matrix, c: &mut Matrix) {
-    let target = MatMut::from_column_major_slice_mut(c.as_mut_slice(), a.columns(), b.columns());
-    matmul(
-        target,
-        Accum::Replace,
-        view(a).transpose(),
-        view(b),
-        1.0,
-        Par::Seq,
-    );
 }
 
 /// Eigenvalues and vectors of a symmetric matrix (its lower triangle is read).

@@ -1,4 +1,5 @@
-use crate::decompose::{finite, view};
+use crate::decompose::finite;
+use crate::product::view;
 use crate::{LinalgError, Matrix, Svd, qr, svd};
 use faer::linalg::matmul::matmul;
 use faer::{Accum, MatMut, MatRef, Par};

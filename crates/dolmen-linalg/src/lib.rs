@@ -8,6 +8,7 @@ mod decompose;
 mod error;
 mod leading;
 mod matrix;
+mod product;
 mod triangular;
 
 pub use decompose::{

@@ -135,27 +135,6 @@ impl Matrix {
     pub fn form(&self, x: &[f64], y: &[f64]) -> f64 {
         x.iter().zip(self.times(y)).map(|(a, b)| a * b).sum()
     }
-
-    /// Selfᵀ times `other`, without forming the transpose.
-    pub fn transpose_times(&self, other: &Matrix) -> Matrix {
-        let mut product = Matrix::zeros(self.columns, other.columns);
-        self.transpose_times_into(other, &mut product);
-        product
-    }
-
-    /// Selfᵀ times `other` in place of what `product` held: for a product that is formed again and again.
-    ///
-    /// # Panics
-    /// Unless `product` has as many rows as `self` has columns, and as many columns as `other`.
-    pub fn transpose_times_into(&self, other: &Matrix, product: &mut Matrix) {
-        assert_eq!(self.rows, other.rows, "Aᵀ B needs as many rows in A as in B");
-        assert_eq!(
-            (product.rows, product.columns),
-            (self.columns, other.columns),
-            "Aᵀ B has the columns of A as rows and those of B as columns"
-        );
-        crate::decompose::multiply_transposed(self, other, product);
-    }
 }
 
 impl Index<(usize, usize)> for Matrix {
@@ -170,17 +149,6 @@ impl IndexMut<(usize, usize)> for Matrix {
     fn index_mut(&mut self, (i, j): (usize, usize)) -> &mut f64 {
         assert!(i < self.rows, "row {i} of {}", self.rows);
         &mut self.data[j * self.rows + i]
-    }
-}
-
-impl std::ops::Mul for &Matrix {
-    type Output = Matrix;
-    fn mul(self, other: &Matrix) -> Matrix {
-        assert_eq!(
-            self.columns, other.rows,
-            "A B needs as many columns in A as rows in B"
-        );
-        crate::decompose::multiply(self, other)
     }
 }
 

@@ -1,4 +1,5 @@
-use crate::decompose::{finite, shaped, square, view};
+use crate::decompose::{finite, shaped, square};
+use crate::product::view;
 use crate::{LinalgError, Matrix};
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::{cholesky_in_place, cholesky_in_place_scratch};

@@ -55,11 +55,11 @@ const CRATES: [(&str, &[&str]); 8] = [
 /// Lines a file may have before its `#[cfg(test)]` module: one sitting.
 const LINES_MOST: usize = 550;
 
-fn root() -> PathBuf {
+pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-fn rust_files(folder: &Path) -> Vec<PathBuf> {
+pub(crate) fn rust_files(folder: &Path) -> Vec<PathBuf> {
     let mut found = Vec::new();
     for entry in fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();

@@ -10,6 +10,8 @@ mod decisions;
 mod demands;
 mod docs;
 mod frames;
+mod import_circles;
+mod imports;
 mod judgements;
 mod layout;
 mod safety;

@@ -3,15 +3,15 @@
 //! A pair of bodies is looked at again only when it has moved far enough to matter: one with a patch when S has shifted or
 //! turned on P, one without when its bodies have together gone its *slack*, the way to their first possible contact.
 
-use super::bodies::{RigidBody, bodies_of};
+use super::bodies::{RigidBody, bodies_of, index_of};
 use super::contact_points::ContactRule;
 use super::faces::{patch_along, patch_of_joint};
+use super::forces::Forces;
 use super::hulls::{Hull, Side, separation};
 use super::links::{Link, Prop};
 use super::outline::{Outline, take_over};
 use super::patch::{Law, Motion, Patch, Stored, Wrench};
-use crate::structure::stack::{Body, JointMaterial, Stack};
-use glam::DVec3;
+use crate::structure::stack::{JointMaterial, Stack};
 
 /// Shift of a face on its bed after which the patch is clipped again, in parts of the smaller body's radius. Chosen here:
 /// the edge about which a block rocks is as exact.
@@ -41,14 +41,6 @@ impl Default for Watchfulness {
             near: 2e-3,
             far: 2e-2,
         }
-    }
-}
-
-/// Index of a body in [`Assembly::bodies`].
-pub(super) fn index_of(body: Body) -> usize {
-    match body {
-        Body::Ground => 0,
-        Body::Block(block) => block + 1,
     }
 }
 
@@ -86,25 +78,6 @@ pub(super) struct Assembly {
     looked: Vec<usize>,
     /// Energy that clipping again took from the springs, J.
     clip_loss: f64,
-}
-
-/// Forces on bodies at one time, and what was lost in the step.
-#[derive(Clone, Debug, Default)]
-pub(super) struct Forces {
-    pub(super) force: Vec<DVec3>,
-    pub(super) torque: Vec<DVec3>,
-    pub(super) friction_loss: f64,
-}
-
-impl Forces {
-    /// None on any of `count` bodies.
-    pub(super) fn clear(&mut self, count: usize) {
-        self.force.clear();
-        self.force.resize(count, DVec3::ZERO);
-        self.torque.clear();
-        self.torque.resize(count, DVec3::ZERO);
-        self.friction_loss = 0.0;
-    }
 }
 
 impl Assembly {

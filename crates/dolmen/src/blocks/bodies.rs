@@ -8,11 +8,19 @@
 //! | L | `momentum` | angular momentum about the centroid | kg m²/s |
 //! | J | `inertia` | about the centroid, in the axes as drawn | kg m² |
 
-use crate::structure::stack::Stack;
+use crate::structure::stack::{Body, Stack};
 use glam::{DMat3, DQuat, DVec3};
 
 /// Square of a turn a step up to which the series of its quaternion serves, rad²: 0.05 rad, where its error is below 1e-16.
 pub(super) const SERIES_MOST: f64 = 2.5e-3;
+
+/// Index of a body in the bodies of a stack.
+pub(super) fn index_of(body: Body) -> usize {
+    match body {
+        Body::Ground => 0,
+        Body::Block(block) => block + 1,
+    }
+}
 
 /// One rigid body.
 #[derive(Clone, Debug)]

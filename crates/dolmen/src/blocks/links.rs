@@ -1,7 +1,7 @@
 //! Dowels, clamps and side supports.
 
-use super::assembly::{Forces, index_of};
-use super::bodies::RigidBody;
+use super::bodies::{RigidBody, index_of};
+use super::forces::Forces;
 use crate::structure::stack::{SideSupport, Tie};
 use glam::DVec3;
 

@@ -1,5 +1,6 @@
 //! Stacks in motion: blocks that rock, slide, twist and jump on contact springs.
 
+mod after_fall;
 mod assembly;
 mod block_skyline;
 mod bodies;
@@ -9,6 +10,7 @@ mod contact_points;
 mod ensemble;
 mod error;
 mod faces;
+mod forces;
 mod frequencies;
 mod history;
 mod hulls;
@@ -23,21 +25,25 @@ mod rigid_bed;
 mod rigid_cone;
 mod rigid_faces;
 mod rigid_impact;
+mod rigid_point;
 mod rigid_rest;
 mod rigid_run;
 mod rigid_solve;
+mod run_length;
 mod sliding;
 mod sliding_bed;
 mod sliding_chain;
 mod sliding_history;
 mod sliding_record;
 mod sliding_solve;
+mod sliding_state;
 mod springs;
 mod standing;
 mod stillness;
 mod support;
 mod watch;
 
+pub use after_fall::AfterFall;
 pub use calibrate::{MatchedFrequency, SpringCalibration, calibrate_springs};
 pub use contact_law::{ContactLaw, simulate_stack};
 pub use contact_points::{ContactPoint, ContactRule, contact_points};
@@ -48,4 +54,4 @@ pub use history::{Energy, JointHistory, Outcome, Pose, RigidEvidence, StackHisto
 pub use rigid::{Rigid, simulate_rigid};
 pub use sliding::{Sliding, simulate_sliding};
 pub use sliding_history::{SlidingHistory, SlidingOutcome, SlidingSpell};
-pub use springs::{AfterFall, Springs, Start, simulate_springs};
+pub use springs::{Springs, Start, simulate_springs};

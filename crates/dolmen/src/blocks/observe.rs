@@ -1,10 +1,11 @@
 //! Looks at a run now and then: samples, peaks, energies, falls.
 
-use super::assembly::{Assembly, Forces};
+use super::after_fall::AfterFall;
+use super::assembly::Assembly;
 use super::bodies::RigidBody;
+use super::forces::Forces;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
-use super::springs::AfterFall;
 use super::stillness::{EDGE, Stillness, Swings};
 use super::support::plumb_margin;
 use super::watch::{Seen, Watch, length};

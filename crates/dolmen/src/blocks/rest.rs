@@ -1,7 +1,8 @@
 //! Settlement: the stack at rest under its own weight, found by Newton steps instead of waiting.
 
-use super::assembly::{Assembly, Forces};
+use super::assembly::Assembly;
 use super::error::BlocksError;
+use super::forces::Forces;
 use super::matrices::{Closed, Part, contact_matrix, longest_step};
 use super::standing::check_standing;
 use crate::structure::stack::{Body, Stack};

@@ -3,14 +3,15 @@
 //! Stages of a step at time t: look again at pairs that have moved far → velocities of t + h/2 that obey every contact
 //! ([`super::rigid_solve`]) → places of t + h, or of the first impact before it → velocities after the impact → the rest of the step.
 
+use super::after_fall::AfterFall;
 use super::assembly::{Assembly, Watchfulness};
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
 use super::history::StackHistory;
 use super::observe::Observer;
 use super::rigid_run::Run;
-use super::springs::{AfterFall, Start, push};
-use super::stillness::RunLength;
+use super::run_length::RunLength;
+use super::springs::{Start, push};
 use crate::signal::GroundMotion;
 use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;

@@ -1,6 +1,6 @@
 //! How a normal force spreads over the points of a face: as on an even bed that cannot pull.
 
-use super::rigid_faces::{Part, Point, Six};
+use super::rigid_point::{Part, Point, Six};
 
 /// Newton steps for the pressure of a bed.
 const BED_STEPS: usize = 30;

@@ -13,7 +13,8 @@
 //! optimization. ZAMM 91(2), 155-175; de Saxcé, G. & Feng, Z. Q. (1991) for the law.
 
 use super::block_skyline::SIX;
-use super::rigid_faces::{Face, Part, Six, Stiffness, add_wrench, velocity};
+use super::rigid_faces::{Face, Stiffness, add_wrench, velocity};
+use super::rigid_point::{Part, Six};
 use super::rigid_solve::{
     Found, LEFT_MOST_M_S, Momentum, OFF_MOST_M_S, Pressing, Solved, Solver, ahead, held_of, hold_impulses,
 };
@@ -234,7 +235,7 @@ fn add_stiffness(k: &mut Stiffness, [x, y]: [f64; 2], [a, b, c]: [f64; 3], [d, e
 
 #[cfg(test)]
 mod tests {
-    use super::super::rigid_faces::Point;
+    use super::super::rigid_point::Point;
     use super::*;
     use glam::{DMat3, DVec3};
 

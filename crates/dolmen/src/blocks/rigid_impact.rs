@@ -1,7 +1,8 @@
 //! Impacts of the rigid law: found in time, then carried through.
 
 use super::patch::LANES;
-use super::rigid_faces::{Face, Part, Point, Six, velocity};
+use super::rigid_faces::{Face, velocity};
+use super::rigid_point::{Part, Point, Six};
 use super::rigid_run::{FOUND_M, Ground, IMPACT_FROM, Run, Unsolved, halves, six};
 use super::rigid_solve::Inertia;
 use glam::DVec3;

@@ -3,7 +3,8 @@
 
 use super::assembly::Assembly;
 use super::rigid_bed::{fit_bed, on_bed};
-use super::rigid_faces::{Face, Part, Six};
+use super::rigid_faces::Face;
+use super::rigid_point::{Part, Six};
 use glam::{DMat3, DVec3};
 
 /// Force that may be left over, in parts of it: rounding. Chosen here.

@@ -6,11 +6,13 @@
 //! | κ | `kick_s` | over which forces change the velocities: from where these lag behind places to the middle of the next drift | s |
 //! | – | `lag_s` | by which velocities lag behind places | s |
 
-use super::assembly::{Assembly, Forces};
+use super::assembly::Assembly;
 use super::bodies::RigidBody;
+use super::forces::Forces;
 use super::history::RigidEvidence;
 use super::patch::{LANES, Motion};
-use super::rigid_faces::{Face, MassAbove, Part, Point, Six, velocity};
+use super::rigid_faces::{Face, MassAbove, velocity};
+use super::rigid_point::{Part, Point, Six};
 use super::rigid_rest::AtRest;
 use super::rigid_solve::{Inertia, LOOSE_FROM_M_S, Momentum, Solver};
 use glam::DVec3;

@@ -10,7 +10,8 @@
 //! that leaves points too far from their law, by convex problems ([`super::rigid_cone`]).
 
 use super::block_skyline::{Block, BlockSkyline, SIX};
-use super::rigid_faces::{Face, Six, Stiffness};
+use super::rigid_faces::{Face, Stiffness};
+use super::rigid_point::Six;
 use glam::{DMat3, DVec3};
 
 /// Momentum left over, over the mass, at which a Newton step is the last, m/s. Chosen here: far below any way that is seen.

@@ -10,6 +10,7 @@ use super::sliding_chain::{Chain, Place, Shaking};
 use super::sliding_history::{SlidingHistory, SlidingOutcome};
 use super::sliding_record::Recorder;
 use super::sliding_solve::{Slide, Stage, Trouble};
+use super::sliding_state::{State, add};
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::{DVec2, DVec3};
@@ -159,15 +160,6 @@ pub fn simulate_sliding(
     };
     let outcome = run.go(progress)?;
     Ok(run.record.finish(outcome, &run.state, run.time_s))
-}
-
-/// What changes in time.
-#[derive(Clone, Debug)]
-pub(super) struct State {
-    pub(super) places: Vec<Place>,
-    pub(super) twists: Vec<Twist>,
-    pub(super) input: f64,
-    pub(super) friction: f64,
 }
 
 /// A step that was tried.
@@ -507,16 +499,4 @@ impl Run<'_> {
             gauge,
         })
     }
-}
-
-fn add(state: &mut State, h: f64, places: &[Place], twists: &[Twist], energies: [f64; 2]) {
-    for (place, rate) in state.places.iter_mut().zip(places) {
-        place.shift += h * rate.shift;
-        place.yaw += h * rate.yaw;
-    }
-    for (twist, k) in state.twists.iter_mut().zip(twists) {
-        *twist += h * *k;
-    }
-    state.input += h * energies[0];
-    state.friction += h * energies[1];
 }

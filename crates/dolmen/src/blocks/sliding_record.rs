@@ -1,10 +1,10 @@
 //! What is kept of a sliding pile: samples between the ends of steps, peaks at them, spells of sliding, the balance of energy.
 
 use super::history::{JointHistory, Pose};
-use super::sliding::State;
 use super::sliding_chain::{Chain, Place};
 use super::sliding_history::{SlidingHistory, SlidingOutcome, SlidingSpell};
 use super::sliding_solve::Slide;
+use super::sliding_state::State;
 use crate::structure::stack::Stack;
 use glam::{DVec2, DVec3};
 

@@ -3,14 +3,16 @@
 //! Stages of a step at time t: look again at pairs that have moved far → forces at the places of t with the velocities of
 //! t − h/2 → velocities of t + h/2 → places of t + h.
 
-use super::assembly::{Assembly, Forces};
+use super::after_fall::AfterFall;
+use super::assembly::Assembly;
 use super::contact_points::ContactRule;
 use super::error::{BlocksError, check_times};
+use super::forces::Forces;
 use super::history::{Outcome, StackHistory};
 use super::matrices::longest_step;
 use super::observe::{Observer, whole_at_least};
 use super::rest::settle;
-use super::stillness::RunLength;
+use super::run_length::RunLength;
 use crate::signal::GroundMotion;
 use crate::structure::stack::Stack;
 use glam::DVec3;
@@ -55,15 +57,6 @@ impl Start {
             spin_rad_s: [0.0; 3],
         }
     }
-}
-
-/// What to do when a stone has fallen.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum AfterFall {
-    /// End there: what a study needs.
-    Stop,
-    /// Go on to the end: what a film needs.
-    Continue,
 }
 
 /// Options of [`simulate_springs`].

@@ -189,7 +189,7 @@ mod tests {
                 axis @ 0..3 => body.position += DVec3::AXES[axis] * by,
                 axis => body.turn_by(DVec3::AXES[axis - 3] * by),
             }
-            let mut forces = super::super::assembly::Forces::default();
+            let mut forces = super::super::forces::Forces::default();
             moved.forces(0.0, &mut forces);
             let each = (1..moved.bodies.len()).flat_map(|index| {
                 let of = [forces.force[index], forces.torque[index]];

@@ -1,11 +1,9 @@
-//! Whether a stack has come to rest: a run that ends while stones move has no verdict, so that it goes on for a while.
+//! Whether a stack has come to rest.
 //!
 //! At rest, no joint moves and no plumb line lies at the edge. After the shaking contacts only take energy: a stack that rocks on with
 //! less and less swing, every stone far from its edge for ten seconds, will not fall either.
 
-use super::assembly::Assembly;
 use super::history::StackHistory;
-use super::observe::{Observer, whole_at_least};
 
 /// Time over which joints must not move for a stack to rest, s, in parts; up to a part more is looked at. Chosen here: rocking of a tenth
 /// of a millimetre in half a second is seen but within a thousandth of a radian of the unstable place, which [`EDGE`] catches.
@@ -16,8 +14,6 @@ const PARTS: usize = 5;
 const STILL_M: f64 = StackHistory::UPLIFT_LEAST_M;
 /// Part of a stone's way from its plumb line to the edge that must be left for it to rest. Chosen here.
 pub(super) const EDGE: f64 = 0.01;
-/// Time between looks at whether a run may end, s. Chosen here: swings that matter take several times as long.
-const AGAIN_S: f64 = 0.1;
 /// Time over which swings are compared, s: a swing of a stone of 6 m. Chosen here.
 const SWING_S: f64 = 5.0;
 /// Part of every stone's way from its plumb line to the edge that is left in swings that die down. Chosen here: a stone that leans by half
@@ -135,57 +131,6 @@ impl Swings {
     /// Whether it swings less and less, far from falling.
     pub(super) fn die_down(&self) -> bool {
         self.dies_down
-    }
-}
-
-/// How long a run is, in steps.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct RunLength {
-    /// After which it is judged next.
-    due: usize,
-    least: usize,
-    most: usize,
-    again: usize,
-    h: f64,
-}
-
-impl RunLength {
-    /// `given_s`; or the shaking, the time to rest, and as much more, up to [`StackHistory::LONGER_MOST_S`], as the stack needs.
-    pub(super) fn of(given_s: Option<f64>, [shaken_s, rest_s]: [f64; 2], h: f64) -> Self {
-        let least = whole_at_least(given_s.unwrap_or(shaken_s + rest_s) / h);
-        let longer = match given_s {
-            Some(_) => 0,
-            None => whole_at_least(StackHistory::LONGER_MOST_S / h),
-        };
-        RunLength {
-            due: whole_at_least(shaken_s / h).min(least),
-            least,
-            most: least + longer,
-            again: whole_at_least(AGAIN_S / h),
-            h,
-        }
-    }
-
-    /// The steps after which it is to be judged next.
-    pub(super) fn due(&self) -> usize {
-        self.due
-    }
-
-    /// Whether the run is over after so many steps; one that is not goes on.
-    pub(super) fn is_over(&mut self, step: usize, observer: &mut Observer, assembly: &Assembly) -> bool {
-        if step <= self.due {
-            return false;
-        }
-        let may_end = observer.may_end(assembly, step as f64 * self.h);
-        if self.due >= self.most || (self.due >= self.least && may_end) {
-            return true;
-        }
-        let next = self.due + self.again;
-        self.due = match self.due < self.least {
-            true => next.min(self.least),
-            false => next.min(self.most),
-        };
-        false
     }
 }
 

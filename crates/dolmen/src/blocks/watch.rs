@@ -1,7 +1,6 @@
 //! How the two sides of a joint lie on each other: what is watched of it in a run.
 
-use super::assembly::index_of;
-use super::bodies::RigidBody;
+use super::bodies::{RigidBody, index_of};
 use crate::structure::stack::Joint;
 use glam::{DMat3, DVec3};
 

@@ -3,21 +3,17 @@
 //! A step: find which joints stick → expand from the state → shorten to what is exact → find the first event in it → record up to
 //! there → change the joint.
 
-use super::chain_friction::{Change, Friction};
-use super::chain_history::{ChainEnergy, ChainHistory, ChainOutcome, ChainPeak, ChainUplift};
-use super::chain_model::{ChainModel, ChainRotations};
+use super::chain_friction_state::Change;
+use super::chain_history::{ChainHistory, ChainOutcome};
+use super::chain_model::ChainModel;
+use super::chain_moving::{Run, TOGETHER_S};
 use super::chain_run::ChainRun;
-use super::chain_series::{ChainSeries, ChainState, DEGREE, JointState, Series, rate};
-use super::frame_model::Slider;
+use super::chain_series::{JointState, Series};
 use super::{DynamicsError, TimeFunction};
-use crate::numeric::{first_descent, polynomial};
+use crate::numeric::first_descent;
 
-/// Times closer than this are one, s.
-const TOGETHER_S: f64 = 1e-12;
 /// What a step may grow over the one before it.
 const GROWTH: f64 = 1.5;
-/// Part of a step beside a turn in which the next one is not sought: what is reached there differs by the square of it.
-const BESIDE: f64 = 1e-7;
 /// Steps between calls of `progress`.
 const STEPS_A_CALL: usize = 256;
 
@@ -101,104 +97,7 @@ enum Event {
     Fall(usize),
 }
 
-pub(super) struct Run<'a> {
-    pub(super) series: ChainSeries<'a>,
-    pub(super) state: ChainState,
-    pub(super) friction: Friction,
-    /// Moment of each joint's friction where the run is, N m.
-    friction_n_m: Vec<f64>,
-    pub(super) at_s: f64,
-    output_step_s: f64,
-    fall_rad: f64,
-    /// Joints that changed at the start of this step: they are at their limit, and rounding does not say on which side.
-    changed: Vec<usize>,
-    energy: ChainEnergy,
-    kinetic_most_j: f64,
-    left_over_most_j: f64,
-    opened_s: Vec<f64>,
-    /// When the load is over, s; 0 for one that never is.
-    load_end_s: f64,
-    history: ChainHistory,
-}
-
-impl<'a> Run<'a> {
-    fn start(model: &'a ChainModel, load: &TimeFunction, options: &ChainRun, duration_s: f64) -> Self {
-        let n = model.chain.links().len();
-        let given = |values: &[f64]| {
-            if values.is_empty() {
-                vec![0.0; n]
-            } else {
-                values.to_vec()
-            }
-        };
-        let theta = given(&options.start_rotation_rad);
-        let joints = (0..n).map(|i| {
-            let elastic = model.joints[i].stiffness_n_m_rad * across(&theta, i);
-            if elastic.abs() > model.moment_most_n_m[i] {
-                JointState::Open(elastic.signum())
-            } else {
-                JointState::Closed
-            }
-        });
-        let joints: Vec<JointState> = joints.collect();
-        let omega = given(&options.start_velocity_rad_s);
-        let sliders: Vec<Slider> = (0..n)
-            .map(|i| match model.joints[i].friction.moments_n_m() {
-                None => Slider::Absent,
-                Some(_) if across(&omega, i) != 0.0 => Slider::Slipping(across(&omega, i).signum()),
-                Some(_) => Slider::Stuck,
-            })
-            .collect();
-        let samples = (duration_s / options.output_step_s) as usize + 2;
-        let mut run = Run {
-            series: ChainSeries::new(model),
-            state: ChainState {
-                omega,
-                theta,
-                joints,
-                sliders: sliders.clone(),
-            },
-            friction: Friction::start(&sliders),
-            friction_n_m: vec![0.0; n],
-            at_s: 0.0,
-            output_step_s: options.output_step_s,
-            fall_rad: options.fall_rad,
-            changed: Vec::new(),
-            energy: ChainEnergy::default(),
-            kinetic_most_j: 0.0,
-            left_over_most_j: 0.0,
-            opened_s: vec![0.0; n],
-            load_end_s: load.duration_s(),
-            history: ChainHistory {
-                outcome: ChainOutcome::Stood,
-                times_s: Vec::with_capacity(samples),
-                rotation_rad: vec![Vec::with_capacity(samples); n],
-                velocity_rad_s: vec![Vec::with_capacity(samples); n],
-                joint_moment_n_m: vec![Vec::with_capacity(samples); n],
-                friction_moment_n_m: vec![Vec::with_capacity(samples); n],
-                energy: Vec::with_capacity(samples),
-                rotation_peaks: vec![ChainPeak::default(); n],
-                joint_peaks: vec![ChainPeak::default(); n],
-                joint_moment_peaks_n_m: vec![0.0; n],
-                top_peak_m: 0.0,
-                top_peak_at_s: 0.0,
-                uplifts: Vec::new(),
-                slips: Vec::new(),
-                friction_events: 0,
-                energy_left_over_ratio: 0.0,
-                steps: 0,
-                at_rest: false,
-                assumes_thin_rods: model.chain.assumes_thin_rods(),
-            },
-        };
-        if let Some(joint) = run.state.joints.iter().position(|j| *j != JointState::Closed) {
-            run.history.outcome = ChainOutcome::Uplifted { joint, at_s: 0.0 };
-        }
-        run.weigh();
-        run.energy.input_j = run.energy.kinetic_j + run.energy.gravity_j + run.energy.springs_j;
-        run
-    }
-
+impl Run<'_> {
     /// Takes the step of `h` s that was expanded, up to the first event in it; whether the run is over.
     fn step(&mut self, h: f64, end_s: f64) -> Result<bool, DynamicsError> {
         let mut first = (1.0, None);
@@ -283,161 +182,6 @@ impl<'a> Run<'a> {
         }
     }
 
-    fn close(&mut self, joint: usize) {
-        self.history.uplifts.push(ChainUplift {
-            joint,
-            from_s: self.opened_s[joint],
-            to_s: self.at_s,
-        });
-    }
-
-    /// Peaks, samples, energy and the new state of a step of `h` s.
-    fn record(&mut self, h: f64, whole_to_s: Option<f64>) {
-        let n = self.state.theta.len();
-        for i in 0..n {
-            look(
-                &self.series.theta[i],
-                self.at_s,
-                h,
-                &mut self.history.rotation_peaks[i],
-            );
-            look(
-                &self.series.across[i],
-                self.at_s,
-                h,
-                &mut self.history.joint_peaks[i],
-            );
-        }
-        let mut top: Series = [0.0; DEGREE + 1];
-        for (link, sin) in self.series.model.chain.links().iter().zip(&self.series.sin) {
-            for (top, sin) in top.iter_mut().zip(sin) {
-                *top += link.length_m * sin;
-            }
-        }
-        let mut peak = ChainPeak {
-            rotation_rad: self.history.top_peak_m,
-            at_s: self.history.top_peak_at_s,
-        };
-        look(&top, self.at_s, h, &mut peak);
-        (self.history.top_peak_m, self.history.top_peak_at_s) = (peak.rotation_rad, peak.at_s);
-
-        let (ground, damping) = (self.series.ground_work_j(), self.series.damping_work_j(h));
-        let (from_s, before) = (self.at_s, self.energy);
-        let turned: Vec<f64> = (0..n).map(|i| across(&self.state.theta, i)).collect();
-        let mut to_s = from_s + h;
-        if let Some(end_s) = whole_to_s.filter(|end| (end - to_s).abs() <= TOGETHER_S) {
-            to_s = end_s;
-        }
-        loop {
-            let next_s = self.history.times_s.len() as f64 * self.output_step_s;
-            let within = next_s < to_s;
-            let (time_s, sigma) = if within {
-                (next_s, (next_s - from_s) / h)
-            } else {
-                (to_s, 1.0)
-            };
-            self.at_s = time_s;
-            for i in 0..n {
-                [self.state.theta[i], self.state.omega[i]] = self.series.at(i, sigma, h);
-            }
-            self.energy.input_j = before.input_j + polynomial(&ground, sigma);
-            self.energy.damping_j = before.damping_j + polynomial(&damping, sigma);
-            self.energy.friction_j = before.friction_j + self.friction_work_j(&turned);
-            self.friction_now(sigma);
-            self.weigh();
-            if !within {
-                break;
-            }
-            self.sample();
-        }
-        self.left_over_most_j = self.left_over_most_j.max(self.energy.left_over_j().abs());
-    }
-
-    /// What friction has taken since the joints were turned by so much, J: none of them turns back within a step.
-    fn friction_work_j(&self, from_rad: &[f64]) -> f64 {
-        let of_joint = |(i, from): (usize, &f64)| match (
-            self.state.sliders[i],
-            self.series.model.joints[i].friction.moments_n_m(),
-        ) {
-            (Slider::Slipping(_), Some([_, kinetic])) => kinetic * (self.across_now(i) - from).abs(),
-            _ => 0.0,
-        };
-        from_rad.iter().enumerate().map(of_joint).sum()
-    }
-
-    /// Rotation across a joint where the run is, rad.
-    pub(super) fn across_now(&self, joint: usize) -> f64 {
-        across(&self.state.theta, joint)
-    }
-
-    /// Moments of friction at σ of the step.
-    fn friction_now(&mut self, sigma: f64) {
-        for i in 0..self.friction_n_m.len() {
-            self.friction_n_m[i] = match (
-                self.state.sliders[i],
-                self.series.model.joints[i].friction.moments_n_m(),
-            ) {
-                (Slider::Slipping(sign), Some([_, kinetic])) => sign * kinetic,
-                (Slider::Stuck, _) => polynomial(&self.series.held[i], sigma),
-                _ => 0.0,
-            };
-        }
-    }
-
-    fn sample(&mut self) {
-        self.history.times_s.push(self.at_s);
-        for i in 0..self.state.theta.len() {
-            let spring = self.series.model.moment_n_m(i, self.across_now(i));
-            self.history.joint_moment_n_m[i].push(spring + self.friction_n_m[i]);
-            self.history.friction_moment_n_m[i].push(self.friction_n_m[i]);
-            self.history.rotation_rad[i].push(self.state.theta[i]);
-            self.history.velocity_rad_s[i].push(self.state.omega[i]);
-        }
-        self.history.energy.push(self.energy);
-    }
-
-    /// Kinetic energy and what gravity and springs hold.
-    fn weigh(&mut self) {
-        let (theta, omega) = (&self.state.theta, &self.state.omega);
-        let large = self.series.model.rotations == ChainRotations::Large;
-        let n = theta.len();
-        let (mut kinetic, mut gravity, mut springs) = (0.0, 0.0, 0.0);
-        for i in 0..n {
-            for j in 0..n {
-                let turned = if large { (theta[i] - theta[j]).cos() } else { 1.0 };
-                kinetic += 0.5 * self.series.mass[(i, j)] * turned * omega[i] * omega[j];
-            }
-            // 1 − cos θ = 2 sin²(θ/2)
-            let half = if large {
-                (0.5 * theta[i]).sin()
-            } else {
-                0.5 * theta[i]
-            };
-            gravity -= 2.0 * self.series.gravity[i] * half * half;
-            springs += self.series.model.spring_energy_j(i, across(theta, i));
-        }
-        self.energy.kinetic_j = kinetic;
-        self.energy.gravity_j = gravity;
-        self.energy.springs_j = springs;
-        self.kinetic_most_j = self.kinetic_most_j.max(kinetic);
-    }
-
-    /// Says so if the run ended while a link went over. Looks back to the end of the load, and over half of the run at least: a swing
-    /// that dies out has leaned further in that time.
-    fn end_undecided(&mut self) {
-        let is_over = matches!(
-            self.history.outcome,
-            ChainOutcome::Stood | ChainOutcome::Uplifted { .. }
-        );
-        let from_s = self.load_end_s.min(0.5 * self.at_s);
-        if is_over && let Some(link) = self.history.leaning_out(from_s) {
-            self.history.outcome = ChainOutcome::StillLeaning {
-                link,
-                at_s: self.at_s,
-            };
-        }
-    }
-
     fn finish(mut self) -> ChainHistory {
         for joint in 0..self.state.joints.len() {
             if self.state.joints[joint] != JointState::Closed {
@@ -460,44 +204,5 @@ impl<'a> Run<'a> {
             self.history.energy_left_over_ratio = self.left_over_most_j / self.kinetic_most_j;
         }
         self.history
-    }
-}
-
-/// φ of joint i.
-fn across(theta: &[f64], i: usize) -> f64 {
-    theta[i] - i.checked_sub(1).map_or(0.0, |below| theta[below])
-}
-
-/// Raises `peak` to the largest size that `c` reaches on the step.
-fn look(c: &Series, at_s: f64, h: f64, peak: &mut ChainPeak) {
-    if c.iter().map(|c| c.abs()).sum::<f64>() <= peak.rotation_rad.abs() {
-        return;
-    }
-    let mut take = |sigma: f64| {
-        let value = polynomial(c, sigma);
-        if value.abs() > peak.rotation_rad.abs() {
-            *peak = ChainPeak {
-                rotation_rad: value,
-                at_s: at_s + sigma * h,
-            };
-        }
-    };
-    take(0.0);
-    take(1.0);
-    // turns: where the rate goes through zero, from above and from below in turn
-    let rising = rate(c);
-    let falling = rising.map(|c| -c);
-    let mut sigma = 0.0;
-    let mut sign = rising.iter().find(|c| **c != 0.0).is_some_and(|c| *c > 0.0);
-    for _ in 0..DEGREE {
-        let Some(turn) = first_descent(if sign { &rising } else { &falling }, sigma) else {
-            break;
-        };
-        take(turn);
-        // past the turn, where rounding no longer tells the sign of the rate
-        (sigma, sign) = (turn + BESIDE, !sign);
-        if sigma >= 1.0 {
-            break;
-        }
     }
 }

@@ -1,7 +1,7 @@
 //! How a chain is moved: what a run begins with, how long it takes, what counts as a fall.
 
 use super::chain_model::ChainModel;
-use super::frame_motion::SAMPLES_MOST;
+use super::frame_run::SAMPLES_MOST;
 use super::{DynamicsError, TimeFunction};
 
 /// Options of [`simulate_chain`](super::simulate_chain).

@@ -4,8 +4,8 @@ use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::{FrictionFrame, StoreyFriction};
 use super::frame_model::{Model, Slider, State};
-use super::frame_motion::FrameRun;
 use super::frame_record::Recorder;
+use super::frame_run::FrameRun;
 use super::frame_series::Series;
 use crate::numeric::{COEFFICIENTS_MOST, first_descent, polynomial_most};
 

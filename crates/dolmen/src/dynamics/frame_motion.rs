@@ -9,37 +9,7 @@ use super::frame_events::{Motion, TOGETHER_S};
 use super::frame_friction::FrictionFrame;
 use super::frame_history::{FrameHistory, FrameOutcome};
 use super::frame_record::Recorder;
-
-/// Samples of a history: above, it is a mistaken unit rather than a wish, and memory ends. Chosen here.
-pub(super) const SAMPLES_MOST: f64 = 1e7;
-
-/// Options of [`simulate_frame`].
-#[derive(Clone, Debug, PartialEq)]
-pub struct FrameRun {
-    /// Length of the run, s. `None`, the default, for that of the load.
-    pub duration_s: Option<f64>,
-    /// Time between samples of the history, s. Default 0.005.
-    pub output_step_s: f64,
-    /// Displacements at the start, m; empty, the default, for none.
-    pub start_displacement_m: Vec<f64>,
-    /// Velocities at the start, m/s; empty, the default, for none.
-    pub start_velocity_m_s: Vec<f64>,
-    /// Drift of a storey over its height at which the run ends: the model knows small drifts only. Default 0.1 (our choice):
-    /// sin and tan of it differ from it by .2 and .3 %.
-    pub drift_ratio_most: f64,
-}
-
-impl Default for FrameRun {
-    fn default() -> Self {
-        FrameRun {
-            duration_s: None,
-            output_step_s: 0.005,
-            start_displacement_m: Vec::new(),
-            start_velocity_m_s: Vec::new(),
-            drift_ratio_most: 0.1,
-        }
-    }
-}
+use super::frame_run::FrameRun;
 
 /// Motion of a frame with dry friction.
 ///
@@ -98,67 +68,6 @@ pub fn simulate_frame(
         }
     }
     Ok(recorder.finish(&motion.model, &motion.state, motion.at_s, outcome))
-}
-
-impl FrameRun {
-    fn check(&self, frame: &FrictionFrame, load: &FrameLoad) -> Result<f64, DynamicsError> {
-        let n = frame.frame.storeys().len();
-        let refuse = |argument, given, allowed| {
-            Err(DynamicsError::Argument {
-                argument,
-                given,
-                allowed,
-            })
-        };
-        load.ground_acceleration_m_s2.check("ground_acceleration_m_s2")?;
-        for force in &load.forces_n {
-            force.check("forces_n")?;
-        }
-        for (argument, given) in [
-            ("forces_n", load.forces_n.len()),
-            ("start_displacement_m", self.start_displacement_m.len()),
-            ("start_velocity_m_s", self.start_velocity_m_s.len()),
-        ] {
-            if given != 0 && given != n {
-                return Err(DynamicsError::Count {
-                    argument,
-                    given,
-                    needed: n,
-                });
-            }
-        }
-        for (argument, values) in [
-            ("start_displacement_m", &self.start_displacement_m),
-            ("start_velocity_m_s", &self.start_velocity_m_s),
-        ] {
-            if let Some(&given) = values.iter().find(|x| !x.is_finite()) {
-                return refuse(argument, given, "a number");
-            }
-        }
-        let positive = |x: f64| x > 0.0 && x.is_finite();
-        if !positive(self.output_step_s) {
-            return refuse("output_step_s", self.output_step_s, "a positive number");
-        }
-        if !positive(self.drift_ratio_most) {
-            return refuse("drift_ratio_most", self.drift_ratio_most, "a positive number");
-        }
-        let duration_s = self.duration_s.unwrap_or(load.duration_s());
-        if !positive(duration_s) {
-            return refuse(
-                "duration_s",
-                duration_s,
-                "a positive number: give it where no sampled load does",
-            );
-        }
-        if duration_s / self.output_step_s > SAMPLES_MOST {
-            return refuse(
-                "output_step_s",
-                self.output_step_s,
-                "long enough for ten million samples at most in the run",
-            );
-        }
-        Ok(duration_s)
-    }
 }
 
 fn load_step_most_s(load: &FrameLoad) -> f64 {

@@ -3,7 +3,8 @@
 
 use super::excitation::FrameLoad;
 use super::frame_friction::{FrictionFrame, Sliders};
-use super::frame_motion::{FrameRun, simulate_frame};
+use super::frame_motion::simulate_frame;
+use super::frame_run::FrameRun;
 use super::harmonic_map::{HarmonicPoint, harmonic_ground};
 use super::{DynamicsError, FrameOutcome};
 use dolmen_linalg::generalized_symmetric_eigen;

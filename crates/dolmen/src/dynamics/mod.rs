@@ -2,10 +2,12 @@
 
 mod building;
 mod chain_friction;
+mod chain_friction_state;
 mod chain_growth;
 mod chain_history;
 mod chain_model;
 mod chain_motion;
+mod chain_moving;
 mod chain_run;
 mod chain_series;
 mod chain_studies;
@@ -19,6 +21,7 @@ mod frame_model;
 mod frame_motion;
 mod frame_record;
 mod frame_rest;
+mod frame_run;
 mod frame_series;
 mod frame_studies;
 mod frame_work;
@@ -48,7 +51,8 @@ pub use frame_friction::{
     FrictionActsOn, FrictionFrame, Sliders, StoreyFriction, ViscousDamping, slip_forces_n,
 };
 pub use frame_history::{FrameEnergy, FrameHistory, FrameOutcome, FramePeak, Slip, Turn};
-pub use frame_motion::{FrameRun, simulate_frame};
+pub use frame_motion::simulate_frame;
+pub use frame_run::FrameRun;
 pub use frame_studies::{AtAmplitude, amplitude_dependence, harmonic_map};
 pub use harmonic_map::HarmonicPoint;
 pub use linear_system::{LinearSystem, Pole, SystemModes};
@@ -57,5 +61,6 @@ pub use random_vibration::{
     FrequencyIntegral, Motion, ResponseRow, rms_by_integral, rms_by_lyapunov, rms_by_spectral_matrix,
 };
 pub use rocking_block::{
-    Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome, rock_block,
+    Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome,
 };
+pub use rocking_run::rock_block;

@@ -3,7 +3,7 @@
 use super::DynamicsError;
 use super::excitation::TimeFunction;
 use super::rocking_block::{
-    Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome,
+    Rocking, RockingBlock, RockingEquation, RockingHistory, RockingImpact, RockingOutcome, positive,
 };
 use crate::numeric::{first_descent, polynomial};
 use std::f64::consts::FRAC_PI_2;
@@ -19,6 +19,65 @@ const REST_RATIO: f64 = 1e-10;
 const STEP_LEAST: f64 = 1e-9;
 /// Impacts after which a run is given up.
 const IMPACTS_MOST: usize = 1_000_000;
+
+/// Motion of one block that rocks on the edges of its base.
+///
+/// Between events the rotation is a power series, of as many terms as rounding asks for, on steps that end at the samples of the
+/// ground motion; lift-off, impact and fall are roots of it.
+///
+/// # Errors
+/// [`DynamicsError::Argument`] for a block, motion or option out of range, and more than 90° of rotation at the start;
+/// [`DynamicsError::TooManyEvents`] after a million impacts.
+///
+/// # Limits
+/// The edge does not slip and the block does not jump, whatever the motion: see `friction_needed` and `least_pressure_ratio`.
+/// Every impact is that of `velocity_ratio`, at the edge. A block that has passed its edge is not stopped by the ground before
+/// 90°. Rotations to 1e-13 of a radian until the motion becomes chaotic.
+///
+/// # Source
+/// Housner (1963); Zhang, J. & Makris, N. (2001) J. Eng. Mech. 127(5):473-483 for the exact equation.
+///
+/// # Example
+/// ```
+/// use dolmen::dynamics::{Rocking, RockingBlock, TimeFunction, rock_block};
+/// let block = RockingBlock::rectangle(0.4, 2.0, 9.81)?;
+/// let let_go = Rocking { start_rad: 0.5 * block.slenderness_rad, duration_s: Some(1.0), ..Rocking::default() };
+/// let history = rock_block(&block, &TimeFunction::Zero, &TimeFunction::Zero, &let_go)?;
+/// assert!((history.impacts[0].at_s - 0.490864).abs() < 5e-7); // a quarter of the period
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn rock_block(
+    block: &RockingBlock,
+    horizontal_m_s2: &TimeFunction,
+    vertical_m_s2: &TimeFunction,
+    options: &Rocking,
+) -> Result<RockingHistory, DynamicsError> {
+    block.check()?;
+    horizontal_m_s2.check("horizontal_m_s2")?;
+    vertical_m_s2.check("vertical_m_s2")?;
+    positive("output_step_s", options.output_step_s)?;
+    let shaken_s = horizontal_m_s2.duration_s().max(vertical_m_s2.duration_s());
+    let duration_s = options.duration_s.unwrap_or(shaken_s + options.rest_s);
+    if !(duration_s >= 0.0 && duration_s.is_finite()) {
+        return Err(DynamicsError::Argument {
+            argument: "duration_s",
+            given: duration_s,
+            allowed: "0 or a positive number",
+        });
+    }
+    if options.start_rad.is_nan() || options.start_rad.abs() >= FRAC_PI_2 {
+        return Err(DynamicsError::Argument {
+            argument: "start_rad",
+            given: options.start_rad,
+            allowed: "less than π/2 to either side",
+        });
+    }
+    let mut run = Run::of(block, [horizontal_m_s2, vertical_m_s2], options, duration_s);
+    while run.time_s < duration_s && !run.over {
+        run.step()?;
+    }
+    Ok(run.history())
+}
 
 /// A run on its way.
 pub(super) struct Run<'a> {

@@ -1,119 +1,30 @@
 //! From a record to its modes: spectrum, machines told from modes, subspace method, clusters, and every choice told.
 
-use super::bayoma::refined;
-use super::clocks::leave_out_other_clocks;
-use super::clusters::{Cluster, Clustering, Fate, group_poles};
-use super::decay::{Decay, SHORT, of_decay, short_spectrum};
-use super::efdd::{Efdd, efdd};
+use super::decay::{SHORT, of_decay, short_spectrum};
 use super::error::refused;
-use super::fdd::{Fdd, FddResult, SingularSpectrum, fdd};
-use super::fraction_deviation::FractionScatter;
-use super::gusts::{unequal, widen};
-use super::hidden_pairs::note_hidden_pairs;
-use super::late_clocks::leave_out_late_clocks;
-use super::machines::{split_tones, test_for_machines};
-use super::plscf::{Plscf, plscf};
-use super::reference_channels::keeping_most;
-use super::remarks::remark;
-use super::settings::{Settings, choose, passed_hz};
-use super::shape_checks::{doubt_channels, to_one_quantity};
-use super::ssi::{ssi_cov, ssi_data};
-use super::stabilization::{AllOrders, Criteria, Stabilization, judge_poles};
-use super::uncertainty::Deviations;
+use super::likelihood::refined;
+use super::modal_analysis::{ModalAnalysis, of_peaks};
+use super::options::Identify;
+use super::quality::leave_out_late_clocks;
+use super::quality::leave_out_other_clocks;
+use super::quality::note_hidden_pairs;
+use super::quality::remark;
+use super::quality::{doubt_channels, to_one_quantity};
+use super::quality::{split_tones, test_for_machines};
+use super::quality::{unequal, widen};
+use super::settings::{choose, passed_hz};
+use super::spectrum::FractionScatter;
+use super::spectrum::Plscf;
+use super::spectrum::keeping_most;
+use super::spectrum::plscf;
+use super::spectrum::{Efdd, efdd};
+use super::spectrum::{Fdd, FddResult, fdd};
+use super::subspace::Deviations;
+use super::subspace::{AllOrders, Criteria, Stabilization, judge_poles};
+use super::subspace::{Cluster, Clustering, Fate, group_poles};
+use super::subspace::{ssi_cov, ssi_data};
 use super::{Method, ModalError, Mode, Modes, Note, PoleDeviation, Propagation};
 use crate::signal::{ChannelFault, Record, inspect, leave_out};
-
-/// What becomes of a mode that looks like a machine.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Harmonics {
-    /// It stays and is named in a note.
-    Flag,
-    /// It is left out and named in a note.
-    Remove,
-}
-
-/// Options of [`identify`]. The defaults serve every record this chapter was measured on.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Identify {
-    /// How modes are found; default `SsiCov`: `Bayoma` and `SsiData` scatter less on made records, but on real ones the second had a damping a half
-    /// larger in ten minutes, and the first tells modes within each other's half-power band apart less well.
-    pub method: Method,
-    /// Reference channels of the subspace methods, by index; empty (default): all.
-    pub references: Vec<usize>,
-    /// Lowest frequency of interest, Hz; `None` (default): the lowest peak of the spectrum decides.
-    pub frequency_low_hz: Option<f64>,
-    /// Highest frequency of interest, Hz; `None` (default): the highest peak of the spectrum decides.
-    pub frequency_high_hz: Option<f64>,
-    /// Block rows; `None` (default): from the lowest frequency.
-    pub block_rows: Option<usize>,
-    /// Decimation of the correlations; `None` (default): from the highest frequency; `Some(1)`: none.
-    pub decimation: Option<usize>,
-    /// Highest model order; `None` (default): six times the peaks of the spectrum or the channels, whichever are more,
-    /// between 24 and 60.
-    pub order_most: Option<usize>,
-    /// Blocks of time for the standard deviations; default 30.
-    pub time_blocks: usize,
-    /// Modes that must be found; `None` (default): as many as there are.
-    pub modes_wanted: Option<usize>,
-    /// Frequencies at which modes are picked by hand, Hz; empty (default): every mode is taken. Where none lies there the
-    /// answer is an error, not another mode.
-    pub pick_hz: Vec<f64>,
-    /// How far from a picked frequency its mode may lie, relative; default 0.02.
-    pub pick_within: f64,
-    /// What becomes of a mode whose motion is too steady for random forces; default `Flag`.
-    pub harmonics: Harmonics,
-    /// The spectrum that is looked at first.
-    pub fdd: Fdd,
-    /// What a pole must fulfil; its frequency range is narrowed to the one chosen.
-    pub criteria: Criteria,
-    /// How poles become modes.
-    pub clustering: Clustering,
-}
-
-impl Default for Identify {
-    fn default() -> Self {
-        Identify {
-            method: Method::SsiCov,
-            references: Vec::new(),
-            frequency_low_hz: None,
-            frequency_high_hz: None,
-            block_rows: None,
-            decimation: None,
-            order_most: None,
-            time_blocks: 30,
-            modes_wanted: None,
-            pick_hz: Vec::new(),
-            pick_within: 0.02,
-            harmonics: Harmonics::Flag,
-            fdd: Fdd::default(),
-            criteria: Criteria::default(),
-            clustering: Clustering::default(),
-        }
-    }
-}
-
-/// The modes of a record and everything needed to draw, to doubt and to repeat them.
-#[derive(Clone, Debug)]
-pub struct ModalAnalysis {
-    /// The modes, by frequency; their shapes hold the channels of one clock alone.
-    pub modes: Modes,
-    /// Singular values of the spectral matrix over frequency.
-    pub spectrum: SingularSpectrum,
-    /// Peaks of the spectrum as modes: a second opinion on frequency and shape.
-    pub fdd_modes: Modes,
-    /// Every pole with its verdict.
-    pub stabilization: Stabilization,
-    /// Every cluster of poles with its fate; those with `Fate::Mode` are the modes, in order.
-    pub clusters: Vec<Cluster>,
-    /// Singular values of the Hankel matrix, descending.
-    pub hankel_singular_values: Vec<f64>,
-    /// What was chosen from the data.
-    pub settings: Settings,
-    /// Of a free decay: how well it is one, and what follows its amplitude.
-    pub decay: Option<Decay>,
-    /// What must be known beside the modes.
-    pub notes: Vec<Note>,
-}
 
 /// Modes of an ambient record, found without a hand on it: spectrum, a subspace method at all orders, clusters; or the peaks
 /// of the spectrum alone, as `method` says.
@@ -230,50 +141,6 @@ pub(super) fn spectrum(record: &Record, options: &Identify) -> Result<FddResult,
         ),
         Method::Era if record.length() < SHORT => short_spectrum(record, &fdd_options),
         _ => fdd(record, &fdd_options),
-    }
-}
-
-/// The peaks are the modes.
-pub(super) fn of_peaks(peaks: FddResult, record: &Record, options: &Identify) -> ModalAnalysis {
-    let lines = peaks.spectrum.frequency_hz.len() - 1;
-    let nyquist_hz = peaks.spectrum.frequency_hz.last().copied().unwrap_or(0.0);
-    let first = |modes: &[Mode]| modes.first().map_or(0.0, |m| m.frequency_hz);
-    let last = |modes: &[Mode]| modes.last().map_or(nyquist_hz, |m| m.frequency_hz);
-    let modes = &peaks.modes.modes;
-    let settings = Settings {
-        lowest_hz: options.frequency_low_hz.unwrap_or(first(modes)),
-        highest_hz: options.frequency_high_hz.unwrap_or(last(modes)),
-        decimation: 1,
-        sampling_rate_hz: 2.0 * nyquist_hz,
-        lines,
-        block_rows: 0,
-        block_rows_least: 0,
-        order_most: 0,
-        time_blocks: 0,
-        time_blocks_effective: 0,
-        references: Vec::new(),
-        references_keep: None,
-        range_hz: [
-            options.frequency_low_hz.unwrap_or(0.0),
-            options
-                .frequency_high_hz
-                .unwrap_or(nyquist_hz)
-                .min(passed_hz(record).unwrap_or(nyquist_hz)),
-        ],
-    };
-    ModalAnalysis {
-        modes: peaks.modes.clone(),
-        spectrum: peaks.spectrum,
-        fdd_modes: peaks.modes,
-        stabilization: Stabilization {
-            poles: Vec::new(),
-            criteria: options.criteria.clone(),
-        },
-        clusters: Vec::new(),
-        hankel_singular_values: Vec::new(),
-        settings,
-        decay: None,
-        notes: Vec::new(),
     }
 }
 

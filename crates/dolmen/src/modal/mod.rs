@@ -1,79 +1,42 @@
 //! Modes from ambient vibration: frequency, damping ratio and shape, each with its standard deviation.
 
-mod agreement;
-mod band;
-mod band_fit;
-mod band_lines;
-mod band_motion;
-mod bayoma;
-mod blows;
-mod clocks;
-mod clusters;
 mod correlations;
 mod decay;
-mod decay_fit;
-mod decay_left;
-mod decomposed;
-mod decrement;
-mod efdd;
-mod era;
 mod error;
-mod fdd;
-mod fraction_deviation;
-mod fraction_fit;
-mod gusts;
-mod half_spectra;
-mod hankel;
-mod harmonics;
-mod hermitian;
-mod hidden_pairs;
 mod identify;
 mod indicators;
-mod joint;
-mod late_clocks;
-mod machines;
-mod merged_mode;
+mod likelihood;
+mod modal_analysis;
 mod modes;
 mod notes;
-mod one_shaking;
-mod pairing;
+mod options;
 mod pass;
-mod places;
-mod plscf;
 mod products;
-mod reference_channels;
-mod reference_gains;
-mod remarks;
+mod quality;
 mod settings;
 mod setups;
-mod shape_checks;
-mod ssi;
-mod stabilization;
+mod spectrum;
+mod subspace;
 mod synthetic;
-mod uncertainty;
 
-pub use agreement::Agreement;
-pub use clusters::{Cluster, Clustering, Fate, clusters};
-pub use decay::{Decay, ModeDecay};
-pub use decrement::{AtAmplitude, Decrement, decrement};
-pub use efdd::{Efdd, efdd};
-pub use era::{Era, FreeDecay, era};
+pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, decrement, era};
 pub use error::ModalError;
-pub use fdd::{Fdd, FddResult, SingularSpectrum, fdd};
-pub use harmonics::{Kurtosis, band_kurtosis};
-pub use identify::{Harmonics, Identify, ModalAnalysis, identify};
+pub use identify::identify;
 pub use indicators::{assurance, phase_collinearity, phase_deviation};
-pub use joint::{JointSetups, joint_setups};
-pub use merged_mode::MergedMode;
+pub use modal_analysis::ModalAnalysis;
 pub use modes::{Method, Mode, Modes};
 pub use notes::{LateClock, Note, Tone};
-pub(crate) use pairing::shared;
-pub use pairing::{ModePair, MovedFurther, ObservedMode, ObservedPoint, PairedModes, Pairing, pair_modes};
-pub use plscf::{MatrixFraction, Plscf, plscf};
-pub use reference_gains::ReferenceFault;
+pub use options::{Harmonics, Identify};
+pub use quality::{Kurtosis, band_kurtosis};
 pub use settings::Settings;
-pub use setups::{MergeSetups, MergedSetups, PartialMode, merge_setups};
-pub use ssi::{Pole, Ssi, Subspace, ssi_cov, ssi_data};
-pub use stabilization::{Criteria, JudgedPole, Stability, Stabilization, stabilize};
+pub(crate) use setups::shared;
+pub use setups::{
+    Agreement, JointSetups, MergeSetups, MergedMode, MergedSetups, ModePair, MovedFurther, ObservedMode,
+    ObservedPoint, PairedModes, Pairing, PartialMode, ReferenceFault, joint_setups, merge_setups, pair_modes,
+};
+pub use spectrum::{Efdd, Fdd, FddResult, MatrixFraction, Plscf, SingularSpectrum, efdd, fdd, plscf};
+pub use subspace::{
+    Cluster, Clustering, Criteria, Fate, JudgedPole, Pole, PoleDeviation, Propagation, Ssi, Stability,
+    Stabilization, Subspace, clusters, ssi_cov, ssi_data, stabilize,
+};
 pub use synthetic::{MadeMode, MadeRecord, ReferenceCase};
-pub use uncertainty::{PoleDeviation, Propagation};

@@ -1,7 +1,7 @@
 //! What must be known beside the modes, as sentences.
 
 use super::Kurtosis;
-use super::settings::HANKEL_ROWS_MOST;
+use super::subspace::HANKEL_ROWS_MOST;
 use crate::signal::ChannelFault;
 
 /// A peak of the spectrum that a machine makes.

@@ -2,8 +2,10 @@
 
 use super::correlations::{CLEAN_SHARE, lags_before};
 use super::error::{references_of, refused};
-use super::ssi::Ssi;
-use super::{Identify, Method, ModalError, Mode, Modes, Note};
+use super::options::Identify;
+use super::subspace::HANKEL_ROWS_MOST;
+use super::subspace::Ssi;
+use super::{Method, ModalError, Mode, Modes, Note};
 use crate::signal::{CORNER_OF_NYQUIST, Processing, Record};
 
 /// Periods of the lowest mode that the lags reach over, 2 br of them: one is the least of theory. Over 200 records of two floors
@@ -23,8 +25,6 @@ const PERIODS_IN_DEGREES: f64 = 1.5;
 const ORDER_BY_DEGREES: usize = 160;
 /// Range above the highest peak that lines reach over: what is decimated further spreads the lowest modes over more of the circle.
 const RANGE_ABOVE_PEAK_BY_LINES: f64 = 1.4;
-/// Hankel matrices of more rows take many seconds.
-pub(super) const HANKEL_ROWS_MOST: usize = 2400;
 /// Range above the highest peak that is kept free of aliases: a mode near its end is known less well.
 const RANGE_ABOVE_PEAK: f64 = 1.6;
 /// Without a wish the highest model order is this many times the peaks and tones, or the channels, whichever are more: two

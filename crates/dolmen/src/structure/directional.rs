@@ -6,81 +6,17 @@
 //! | d | `direction` | unit vector of the structure's direction | |
 //! | s_c | `direction` of a channel | unit vector of the sensor | |
 
-use super::{MeasuredMode, ShapePoint};
+use super::left_out::SHARE_LEAST;
+use super::{LeftOut, MeasuredMode, ShapePoint};
 use crate::modal::{Mode, Modes};
 use dolmen_linalg::Complex64;
 
 /// A sensor within 15° of the direction (cosine of it) measures it. Chosen here: the error of the cosine is 3 %.
 const ALONG_LEAST: f64 = 0.966;
-/// Share of a mode's squared components that must lie along the direction for the mode to be one of it. Chosen here: a
-/// mode at 45° has .5 in both.
-const SHARE_LEAST: f64 = 0.6;
 /// Sensors of one level may differ by this much of the shape's largest component; more is twisting. Chosen here.
 const TWIST_MOST: f64 = 0.3;
 /// Heights closer than this are one level, m. Chosen here: less than any storey or stone.
 const LEVEL_M: f64 = 0.05;
-
-/// Why a mode was kept out of the fit.
-#[derive(Clone, Debug, PartialEq)]
-pub enum LeftOut {
-    /// It moves mostly in another direction.
-    OtherDirection {
-        /// Its frequency, Hz.
-        frequency_hz: f64,
-        /// Share of its squared components along the direction.
-        share: f64,
-    },
-    /// Sensors at one height move differently: the plan twists, or the structure is not rigid there.
-    Twists {
-        /// Its frequency, Hz.
-        frequency_hz: f64,
-        /// Height at which they differ most, m.
-        height_m: f64,
-        /// Difference as a share of the shape's largest component along the direction.
-        difference: f64,
-    },
-    /// Setups may not show one mode there, so that no mode from there on can be counted.
-    Doubtful {
-        /// Its frequency, Hz.
-        frequency_hz: f64,
-        /// Modes above it, left out with it.
-        above: usize,
-    },
-}
-
-impl LeftOut {
-    /// Share of a mode's squared components that must lie along the direction.
-    pub const SHARE_LEAST: f64 = SHARE_LEAST;
-}
-
-impl std::fmt::Display for LeftOut {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            LeftOut::OtherDirection { frequency_hz, share } => write!(
-                f,
-                "The mode at {frequency_hz:.3} Hz is left out: only {:.0} % of its motion is in this direction, {:.0} % \
-                 are needed.",
-                100.0 * share,
-                100.0 * SHARE_LEAST
-            ),
-            LeftOut::Twists {
-                frequency_hz,
-                height_m,
-                difference,
-            } => write!(
-                f,
-                "The mode at {frequency_hz:.3} Hz is left out: at {height_m:.2} m its sensors differ by {:.0} % of the \
-                 largest, so it twists.",
-                100.0 * difference
-            ),
-            LeftOut::Doubtful { frequency_hz, above } => write!(
-                f,
-                "The mode at {frequency_hz:.3} Hz is left out: the setups may not show one mode there. {above} above it are left out too, \
-                 since a fit counts modes from the lowest."
-            ),
-        }
-    }
-}
 
 /// Modes of one direction, and what was kept out.
 #[derive(Clone, Debug, Default, PartialEq)]

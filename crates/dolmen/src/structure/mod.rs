@@ -7,6 +7,7 @@ mod error;
 mod frame;
 mod identification;
 mod inverse;
+mod left_out;
 mod natural;
 pub mod stack;
 mod stiffness_note;
@@ -15,7 +16,7 @@ mod tapered_cantilever;
 
 pub use building::Building;
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};
-pub use directional::{DirectionalModes, LeftOut, directional_modes};
+pub use directional::{DirectionalModes, directional_modes};
 pub use error::StructureError;
 pub use frame::{
     Convention, Frame, FrameStiffness, Storey, Tie, frame_stiffness, stiffness_from_frequencies,
@@ -26,6 +27,7 @@ pub use identification::{
     Visibility,
 };
 pub use inverse::{FrequencyRoots, StiffnessSearch};
+pub use left_out::LeftOut;
 pub use natural::NaturalMode;
 pub use stiffness_note::StiffnessNote;
 pub use stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness};

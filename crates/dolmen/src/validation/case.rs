@@ -1,9 +1,3 @@
-use super::{
-    ValidationError, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction, fragility,
-    free_decay, hwang_min_hong, joined, kim_koo_hong_2018, owen_prieur_2017, park_min_2010, pyoma2,
-    rigid_blocks, second_methods, setups, survey_change,
-};
-
 /// One number of a source, or of a second method of this crate, beside ours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Case {
@@ -35,39 +29,4 @@ impl Case {
     pub fn agrees(&self) -> bool {
         self.difference().abs() <= self.tolerance
     }
-}
-
-/// All cases, source by source.
-///
-/// # Errors
-/// [`ValidationError`] if one cannot be computed: a fault of this crate.
-///
-/// # Example
-/// ```
-/// let cases = dolmen::validation::cases()?;
-/// assert!(cases.iter().all(|case| case.agrees()));
-/// # Ok::<(), dolmen::validation::ValidationError>(())
-/// ```
-pub fn cases() -> Result<Vec<Case>, ValidationError> {
-    let sources = [
-        choi_2021::cases()?,
-        columns::cases()?,
-        park_min_2010::cases()?,
-        kim_koo_hong_2018::cases()?,
-        rigid_blocks::cases(),
-        dry_friction::cases()?,
-        hwang_min_hong::cases()?,
-        chopra_2017::cases()?,
-        building_motion::cases()?,
-        dampers::cases()?,
-        fragility::cases()?,
-        owen_prieur_2017::cases()?,
-        free_decay::cases()?,
-        joined::cases()?,
-        pyoma2::cases()?,
-        setups::cases()?,
-        survey_change::cases()?,
-        second_methods::cases()?,
-    ];
-    Ok(sources.into_iter().flatten().collect())
 }

@@ -4,6 +4,7 @@
 mod building_motion;
 mod buildings;
 mod case;
+mod cases;
 mod choi_2021;
 mod chopra_2017;
 mod columns;
@@ -25,7 +26,8 @@ mod stacks;
 mod survey_change;
 
 pub use buildings::{twenty_storeys, twenty_storeys_mass, twisting_floor};
-pub use case::{Case, cases};
+pub use case::Case;
+pub use cases::cases;
 pub use choi_2021::naju_flagpole;
 pub use error::ValidationError;
 pub use park_min_2010::{heunginjimun_gate, heunginjimun_gate_as_printed};

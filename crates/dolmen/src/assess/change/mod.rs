@@ -1,15 +1,16 @@
 //! What changed between two surveys of one structure.
 
 mod difference;
+mod mode_change;
 mod notes;
+mod slips;
 mod surveys;
 mod swapped;
 mod temperature;
 
 pub use difference::{Difference, Evidence};
+pub use mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
 pub use notes::ChangeNote;
-pub use surveys::{
-    ModeChange, NotCompared, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureKnowledge, survey_change,
-};
+pub use surveys::{SurveyChangeOptions, Surveyed, survey_change};
 pub use swapped::{SwappedChannels, TurnedChannel};
 pub use temperature::{FittedTemperature, TEMPERATURE_SURVEYS_LEAST, TemperatureEffect};

@@ -1,21 +1,6 @@
-//! What must be known beside the numbers of a change: lines that could not be fitted, and what looks like a slip of the survey.
+//! What must be known beside the numbers of a change.
 
-use super::surveys::ModeChange;
 use super::swapped::{SwappedChannels, TurnedChannel};
-use crate::modal::ObservedMode;
-
-/// Relative difference of frequencies that count as one. Chosen here: a hundredth, above what surveys of an unchanged structure differ by.
-pub(super) const ONE_FREQUENCY: f64 = 0.01;
-/// Part by which ratios of frequencies may differ and be one ratio, and the least factor that is asked about. Chosen here: recorders have rates that
-/// differ by 1.25 and more.
-const ONE_RATIO: f64 = 0.01;
-const RATIO_LEAST: f64 = 1.2;
-
-/// Scatter about a line over temperature beyond this many times what surveys state is no chance. Chosen here: with two degrees of freedom one in a
-/// thousand goes beyond 2.6.
-pub(super) const SCATTER_BEYOND: f64 = 3.0;
-/// Correlation of temperature with the order of surveys from which weather and ageing are not told apart. Chosen here.
-pub(super) const WITH_TIME: f64 = 0.7;
 
 /// What must be known beside the numbers.
 #[derive(Clone, Debug, PartialEq)]
@@ -136,55 +121,12 @@ impl std::fmt::Display for ChangeNote {
     }
 }
 
-/// What looks like a slip of a survey: channels swapped, a wrong sampling rate.
-pub(super) fn slips(modes: &[ModeChange], lost: &[ObservedMode], new: &[ObservedMode]) -> Vec<ChangeNote> {
-    let mut notes = Vec::new();
-    let has_twin = |mode: &&ObservedMode| {
-        let mut twins = new.iter().filter(|other| {
-            !mode.shape.is_empty()
-                && !other.shape.is_empty()
-                && (other.frequency_hz / mode.frequency_hz - 1.0).abs() <= ONE_FREQUENCY
-        });
-        twins.next().is_some()
-    };
-    let twins: Vec<f64> = lost
-        .iter()
-        .filter(has_twin)
-        .map(|mode| mode.frequency_hz)
-        .collect();
-    if !twins.is_empty() {
-        notes.push(ChangeNote::OtherShapes {
-            frequencies_hz: twins,
-        });
-    }
-    if modes.is_empty() && lost.len() == new.len() && lost.len() >= 2 {
-        let rising = |modes: &[ObservedMode]| {
-            let mut all: Vec<f64> = modes.iter().map(|mode| mode.frequency_hz).collect();
-            all.sort_by(f64::total_cmp);
-            all
-        };
-        let ratios = rising(new).into_iter().zip(rising(lost));
-        let ratios: Vec<f64> = ratios.map(|(after, before)| after / before).collect();
-        let (least, most) = ratios.iter().fold((f64::INFINITY, 0.0_f64), |(low, high), &r| {
-            (low.min(r), high.max(r))
-        });
-        let factor = (least * most).sqrt();
-        if most <= least * (1.0 + ONE_RATIO) && factor.max(1.0 / factor) >= RATIO_LEAST {
-            notes.push(ChangeNote::OneFactor {
-                factor,
-                modes: ratios.len(),
-            });
-        }
-    }
-    notes
-}
-
 #[cfg(test)]
 mod tests {
     use super::super::surveys::{SurveyChangeOptions, Surveyed, survey_change};
     use super::super::temperature::TemperatureEffect;
     use super::*;
-    use crate::modal::ObservedPoint;
+    use crate::modal::{ObservedMode, ObservedPoint};
     use crate::signal::Channel;
 
     fn survey(modes: &[(f64, [f64; 3])]) -> Surveyed {

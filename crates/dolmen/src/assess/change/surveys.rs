@@ -7,12 +7,20 @@
 //! | ΔT | `step_c` | temperature after less before | °C |
 //! | r | `relative` | change that temperature does not explain | - |
 
-use super::difference::{Difference, Raw, tested, welch};
-use super::notes::{ChangeNote, SCATTER_BEYOND, WITH_TIME, slips};
+use super::difference::{Raw, tested, welch};
+use super::mode_change::{ModeChange, NotCompared, SurveyChange, TemperatureKnowledge};
+use super::notes::ChangeNote;
+use super::slips::slips;
 use super::swapped::{Slip, slip_of_channels};
 use super::temperature::{FitPoint, FittedTemperature, TemperatureEffect, line};
 use crate::assess::AssessError;
 use crate::modal::{ModePair, ObservedMode, Pairing, pair_modes};
+
+/// Scatter about a line over temperature beyond this many times what surveys state is no chance. Chosen here: with two degrees of freedom one in a
+/// thousand goes beyond 2.6.
+const SCATTER_BEYOND: f64 = 3.0;
+/// Correlation of temperature with the order of surveys from which weather and ageing are not told apart. Chosen here.
+const WITH_TIME: f64 = 0.7;
 
 /// One survey: its modes, and how warm it was.
 #[derive(Clone, Debug, PartialEq)]
@@ -46,142 +54,6 @@ impl Default for SurveyChangeOptions {
             significance: 0.05,
             power: 0.8,
         }
-    }
-}
-
-/// What is known of the temperatures of the two surveys.
-#[derive(Clone, Debug, PartialEq)]
-pub enum TemperatureKnowledge {
-    /// One of them, or both, are not known: a change may be the weather's.
-    NotMeasured,
-    /// They are the same.
-    Same,
-    /// They differ, and what that does is not known: a change may be the weather's.
-    Unexplained {
-        /// After less before, °C.
-        step_c: f64,
-    },
-    /// They differ, and what that does is taken out.
-    Corrected {
-        /// After less before, °C.
-        step_c: f64,
-    },
-}
-
-impl TemperatureKnowledge {
-    /// Whether a change may be the weather's.
-    pub fn leaves_doubt(&self) -> bool {
-        matches!(
-            self,
-            TemperatureKnowledge::NotMeasured | TemperatureKnowledge::Unexplained { .. }
-        )
-    }
-}
-
-/// One mode in both surveys.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ModeChange {
-    /// How sure it is that they are one mode.
-    pub pair: ModePair,
-    /// Before.
-    pub from: ObservedMode,
-    /// After.
-    pub to: ObservedMode,
-    /// Of the frequency, without what temperature explains, and relative to the one before.
-    pub frequency: Difference,
-    /// Of the damping ratio, relative to the one before; `None` where one is not known.
-    pub damping: Option<Difference>,
-    /// Relative change of the frequency that temperature explains; `None` where it is not known.
-    pub explained_by_temperature: Option<f64>,
-    /// The line over temperature, where one was fitted.
-    pub fitted: Option<FittedTemperature>,
-    /// The coefficient that would explain the whole change, relative per °C; `None` where temperatures do not differ.
-    pub explaining_per_c: Option<f64>,
-    /// Relative change of the stiffness, were it the same everywhere and the mass as it was: (1 + r)² - 1, near 2 r.
-    pub uniform_stiffness: f64,
-    /// Standard deviation of that.
-    pub uniform_stiffness_sd: Option<f64>,
-}
-
-/// What changed from one survey to another.
-#[derive(Clone, Debug, PartialEq)]
-pub struct SurveyChange {
-    /// Name of the survey before.
-    pub from: String,
-    /// Name of the survey after.
-    pub to: String,
-    /// What is known of their temperatures.
-    pub temperature: TemperatureKnowledge,
-    /// Modes in both, by their frequency before.
-    pub modes: Vec<ModeChange>,
-    /// Modes before without a partner.
-    pub lost: Vec<ObservedMode>,
-    /// Modes after without a partner.
-    pub new: Vec<ObservedMode>,
-    /// Probability of finding any change where there is none.
-    pub significance: f64,
-    /// Power of the least detectable changes.
-    pub power: f64,
-    /// Modes before without a partner, and what each may be after, however far it moved.
-    pub not_compared: Vec<NotCompared>,
-    /// Frequencies before and after of a pairing that has more pairs than this one; empty if there is none.
-    pub other_pairing_hz: Vec<[f64; 2]>,
-    /// What must be known beside.
-    pub notes: Vec<ChangeNote>,
-}
-
-/// A mode before without a partner.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NotCompared {
-    /// The mode before.
-    pub from: ObservedMode,
-    /// Whether it is the lowest of its survey.
-    pub is_lowest: bool,
-    /// What it may be after; `None` if nothing is like it.
-    pub may_be: Option<ObservedMode>,
-    /// Their MAC, where shapes are known.
-    pub assurance: Option<f64>,
-}
-
-impl NotCompared {
-    /// Relative change of the frequency, and of a stiffness that is the same everywhere, if the two are one mode.
-    pub fn change(&self) -> Option<[f64; 2]> {
-        let r = self.may_be.as_ref()?.frequency_hz / self.from.frequency_hz - 1.0;
-        Some([r, r * (2.0 + r)])
-    }
-}
-
-impl SurveyChange {
-    /// Frequencies that were tested.
-    pub fn tested(&self) -> usize {
-        self.modes
-            .iter()
-            .filter(|m| m.frequency.evidence.is_some())
-            .count()
-    }
-
-    /// Modes whose frequency changed beyond chance.
-    pub fn changed(&self) -> impl Iterator<Item = &ModeChange> {
-        let significant = |d: &Difference| d.evidence.as_ref().is_some_and(|e| e.significant);
-        self.modes.iter().filter(move |m| significant(&m.frequency))
-    }
-
-    /// Damping ratios that were tested.
-    pub fn damping_tested(&self) -> usize {
-        let known = |m: &&ModeChange| m.damping.as_ref().is_some_and(|d| d.evidence.is_some());
-        self.modes.iter().filter(known).count()
-    }
-
-    /// Modes whose damping ratio changed beyond chance, with the change.
-    pub fn damping_changed(&self) -> impl Iterator<Item = (&ModeChange, &Difference)> {
-        let known = self.modes.iter().filter_map(|m| Some((m, m.damping.as_ref()?)));
-        known.filter(|(_, d)| d.evidence.as_ref().is_some_and(|e| e.significant))
-    }
-
-    /// Least relative change of frequency that would have been found in every mode tested; `None` if none was.
-    pub fn detectable(&self) -> Option<f64> {
-        let all = self.modes.iter().filter_map(|m| m.frequency.evidence.as_ref());
-        all.map(|e| e.detectable).max_by(f64::total_cmp)
     }
 }
 

@@ -5,7 +5,6 @@
 //! | φ, ψ | `phi`, `psi` | shapes of one frequency before and after, at the places that both show |
 //! | MAC | `mean` | mean assurance of all of them |
 
-use super::notes::ONE_FREQUENCY;
 use crate::modal::{ObservedMode, Pairing, assurance, shared};
 use dolmen_linalg::Complex64;
 
@@ -49,6 +48,8 @@ enum Change {
     Turned(usize),
 }
 
+/// Relative difference of frequencies that count as one. Chosen here: a hundredth, above what surveys of an unchanged structure differ by.
+pub(super) const ONE_FREQUENCY: f64 = 0.01;
 /// Fewest modes that may say so: one shape can be turned into another by chance. Chosen here.
 const MODES_LEAST: usize = 2;
 /// Fewest places: of two, every exchange is a change of the shape that damage or noise could make. Chosen here.

@@ -4,6 +4,7 @@ mod by_modes;
 mod eurocode;
 mod korea;
 mod of_stack;
+mod shaken_direction;
 mod site;
 mod spectrum;
 
@@ -13,6 +14,7 @@ pub use korea::{
     Kds41, KoreanSite, KoreanZone, RiskFactor, SoilAmplification, kds_17, kds_17_amplification,
     kds_17_effective_acceleration_g, kds_17_risk_factor, kds_41, kds_41_spectrum,
 };
-pub use of_stack::{ShakenDirection, StackDemandCheck, StackDemandRow, stack_against_site};
+pub use of_stack::{StackDemandCheck, StackDemandRow, stack_against_site};
+pub use shaken_direction::ShakenDirection;
 pub use site::{Site, SiteDemand, SiteParameters, site_demand};
 pub use spectrum::{DesignSpectrum, SpectrumBranches, Unverified, VerticalRatio};

@@ -1,7 +1,7 @@
 //! What a site asks of a stack: as rigid blocks against the peak of the ground, on elastic joints against the spectrum.
 
-use super::SiteDemand;
 use super::by_modes::{ModalDemand, ModalRatio};
+use super::{ShakenDirection, SiteDemand};
 use crate::assess::{AssessError, StackCheckOptions, check_stack};
 use crate::blocks::{StackMode, first_sway, sway_amplification};
 use crate::stability::stack::{
@@ -9,17 +9,6 @@ use crate::stability::stack::{
     StackDemand, Threshold, compare_with_demand, limit_analysis,
 };
 use crate::structure::stack::Stack;
-
-/// Where the shaking goes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum ShakenDirection {
-    /// Along x, to both sides.
-    X,
-    /// Along y, to both sides.
-    Y,
-    /// Anywhere in the plan.
-    Any,
-}
 
 /// One direction of a stack against a site.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,6 +1,7 @@
 //! From how structures ended under shaking of known size to the probability that one reaches a state: lognormal fragility curves.
 
 mod bootstrap;
+mod bound;
 mod curve;
 mod fit;
 mod fitted_curve;
@@ -10,9 +11,10 @@ mod observation;
 mod scatter;
 
 pub use bootstrap::{FragilityBand, bootstrap_fragility, bootstrap_fragility_of_motions};
+pub use bound::FragilityBound;
 pub use curve::{Crossing, Fragility, crossing};
 pub use fit::{fit_fragility, fit_fragility_of_motions};
 pub use fitted_curve::FragilityFit;
 pub use moments::{fit_fragility_by_moments, motions_needed};
-pub use observation::{FragilityBound, Observation};
+pub use observation::Observation;
 pub use scatter::{ScatterSplit, scatter_split};

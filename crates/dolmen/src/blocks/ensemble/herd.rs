@@ -1,11 +1,11 @@
 //! The runs that go side by side, step by step.
 
-use super::super::assembly::Forces;
+use super::super::forces::Forces;
 use super::bodies::{BodyLanes, Load, step_all};
 use super::joints::{JointLanes, Place};
 use super::lanes::{Mask, Real, Vector};
+use super::queue::{Queue, Ride};
 use super::watches::WatchLanes;
-use super::{Queue, Ride};
 use crate::signal::MotionCursor;
 use glam::{DMat3, DVec3};
 use pulp::Simd;

@@ -5,8 +5,8 @@
 //! | r | `row` | a value as a row of the state: r s |
 //! | p, v, w | | value, rate and second rate at a step: r s, r A s + r B a, r A² s + r A B a + r B a′ |
 
-use super::history::{Ground, Peak};
-use super::stepping::{Stepping, states_at};
+use super::building_peaks::Peak;
+use super::stepping::{Ground, Stepping, states_at};
 
 /// The states at chosen steps and beside them, and what lies between.
 pub(super) struct Between<'a, S> {

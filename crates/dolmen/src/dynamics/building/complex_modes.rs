@@ -9,9 +9,8 @@
 //! | f | | −Γ of the modes, −m e of the masses: load of a unit acceleration of the ground |
 //! | y_k | | y′ = λ_k y + p_k a,  p_k = φᵀ f/α_k;  displacements are Σ φ_k y_k + its conjugate |
 
-use super::history::Ground;
 use super::secular::{Root, Secular, null_vector};
-use super::stepping::Stepping;
+use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::{Complex64, Matrix};
 

@@ -1,7 +1,6 @@
 //! The same motion by the matrix exponential: where complex modes coincide or do not swing.
 
-use super::history::Ground;
-use super::stepping::Stepping;
+use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 

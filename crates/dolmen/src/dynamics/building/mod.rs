@@ -1,6 +1,7 @@
 //! Buildings that twist under moving ground: exact between the samples, with or without tuned masses; and by response spectra.
 
 mod between;
+mod building_peaks;
 mod complex_modes;
 mod exponential;
 mod history;
@@ -11,12 +12,10 @@ mod spectrum_analysis;
 mod stepping;
 mod vibrating;
 
+pub use building_peaks::{BuildingPeaks, FloorPeak, Peak, ResultantDrift, StoreyPeak};
 pub(crate) use exponential::{BaseDriven, ExponentialSteps};
 pub(crate) use history::shaken;
-pub use history::{
-    BuildingHistory, BuildingPeaks, BuildingRun, FloorPeak, Histories, HistoryMethod, Peak, ResultantDrift,
-    StoreyPeak, WatchedHistory, building_history,
-};
+pub use history::{BuildingHistory, BuildingRun, Histories, HistoryMethod, WatchedHistory, building_history};
 pub use spectrum_analysis::{
     DirectionalCombination, LeastFavourable, ModalCombination, SpectralAnalysis, SpectralMode,
     correlation_coefficient, spectral_analysis,

@@ -1,9 +1,9 @@
 //! What is looked at in a run, as rows of its state, and the largest values of all.
 
 use super::between::Between;
-use super::history::{BuildingPeaks, FloorPeak, Ground, Peak, ResultantDrift, StoreyPeak};
+use super::building_peaks::{BuildingPeaks, FloorPeak, Peak, ResultantDrift, StoreyPeak};
 use super::looking::{LOOKED_AT, Longest, Looker, Reach, factors, reaches};
-use super::stepping::Stepping;
+use super::stepping::{Ground, Stepping};
 use super::vibrating::VibratingBuilding;
 use dolmen_linalg::Matrix;
 

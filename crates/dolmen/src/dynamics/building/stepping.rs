@@ -6,9 +6,11 @@
 //! | O | `outputs` | what is wanted of it: x = O s | rows × states |
 //! | a | `ground` | acceleration of the ground, straight within a step | 2 |
 
-use super::history::Ground;
 use dolmen_linalg::Matrix;
 use pulp::Arch;
+
+/// Acceleration of the ground at both ends of a step, along x and along y, m/s².
+pub(crate) type Ground = [[f64; 2]; 2];
 
 /// Steps that are multiplied together: the block stays in the cache. Our choice; a multiple of 4.
 pub(super) const BLOCK: usize = 128;

@@ -1,6 +1,7 @@
 //! Stacks of stone: where and at what horizontal acceleration a joint opens or slides, thrust line, pressure.
 
 mod contact;
+mod cut_resistances;
 mod cuts;
 mod demand;
 mod half_plane;
@@ -16,12 +17,15 @@ mod pressure;
 mod resistance;
 mod rocking;
 mod stack_limits;
+mod stack_limits_options;
 mod standing;
+mod threshold;
 mod thrust_line;
 mod toe;
 #[cfg(test)]
 mod towers;
 
+pub use cut_resistances::{CutResistance, cut_resistances};
 pub(crate) use cuts::is_statically_determinate;
 pub use cuts::{Cut, Cuts, cuts};
 pub use demand::{
@@ -31,14 +35,16 @@ pub use limit_analysis::limit_analysis;
 pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
-pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates, Threshold};
+pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates};
 pub use loads::{PointForce, StackLoads, Wind};
 pub use pressure::{JointPressure, no_tension_pressure};
-pub use resistance::{CutResistance, Resistance, cut_resistances};
+pub use resistance::Resistance;
 pub use rocking::{
     PeriodCaveat, PeriodOfThumb, RockingBlock, period_of_thumb, published_critical_slenderness_2a,
     published_critical_slenderness_3, published_rocking_frequency_hz, rocking_blocks,
 };
-pub use stack_limits::{StackLimits, stack_limits};
+pub use stack_limits::stack_limits;
+pub use stack_limits_options::StackLimits;
 pub use standing::Standing;
+pub use threshold::Threshold;
 pub use thrust_line::{ThrustPlace, ThrustPoint, thrust_line};

@@ -14,20 +14,9 @@
 use super::cuts::cuts;
 use super::loads::{Load, together};
 use super::part::{Soil, limits_of};
-use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLoads, Standing, Threshold};
+use super::{CutLimits, Governing, LimitKind, StackLimitStates, StackLimits, Standing, Threshold};
 use crate::stability::{StabilityError, Verdict};
 use crate::structure::stack::Stack;
-
-/// What the limits depend on besides the stack.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct StackLimits {
-    /// What acts before any horizontal shaking. Default nothing.
-    pub loads: StackLoads,
-    /// Compressive strength of the stone, Pa: moves the line that a part turns about inwards. Default `None`: infinite.
-    pub compressive_strength_pa: Option<f64>,
-    /// Moment over rotation of the whole base on its soil, N m/rad, the same in all directions. Default `None`: rigid.
-    pub soil_rocking_stiffness_n_m_rad: Option<f64>,
-}
 
 /// At what horizontal acceleration each part of a stack begins to rock or slide, and which begins first.
 ///
@@ -208,7 +197,7 @@ fn sooner(uplift: Option<Governing>, sliding: Option<Governing>) -> Option<Gover
 mod tests {
     use super::super::toe::toe;
     use super::super::towers::{P10, leaning, p20, shifted, tower};
-    use super::super::{PointForce, Wind};
+    use super::super::{PointForce, StackLoads, Wind};
     use super::*;
     use crate::structure::stack::Body;
     use crate::structure::stack::{JointMaterial, Tie};

@@ -6,8 +6,8 @@
 //! | a_0, a_1 | | of mass and of stiffness: ζ = a_0/(2ω) + a_1 ω/2 | 1/s, s |
 //! | a_k | | of Caughey's series: ζ = ½ Σ a_k ω^(2k − 1) | |
 
+use super::building_of_floors::Building;
 use super::error::BuildingError;
-use super::floors::Building;
 use super::modes::BuildingModes;
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;

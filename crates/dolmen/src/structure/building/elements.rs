@@ -95,7 +95,7 @@ impl StoreyStiffness {
         let mut matrix = [[0.0; 3]; 3];
         let mut turning_scale = 0.0;
         for element in &elements {
-            let (sin, cos) = super::matrices::sin_cos_degrees(element.angle_degrees);
+            let (sin, cos) = super::plan_direction::sin_cos_degrees(element.angle_degrees);
             let (k1, k2) = (element.stiffness_x_n_m, element.stiffness_y_n_m);
             let own = [
                 [k1 * cos * cos + k2 * sin * sin, (k1 - k2) * sin * cos, 0.0],

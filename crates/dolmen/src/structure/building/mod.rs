@@ -1,5 +1,6 @@
 //! Buildings: rigid floors on storeys of walls and columns that sway and twist.
 
+mod building_of_floors;
 mod damping;
 mod elements;
 mod error;
@@ -7,14 +8,16 @@ mod floors;
 mod matrices;
 mod modes;
 mod outline;
+mod plan_direction;
 mod stability;
 
+pub use building_of_floors::{Building, PDelta};
 pub use damping::{BuildingDamping, DampingAnchor};
 pub use elements::{Element, StoreyStiffness};
 pub use error::BuildingError;
-pub use floors::{Building, Floor, PDelta, Storey};
-pub use matrices::PlanDirection;
+pub use floors::{Floor, Storey};
 pub use modes::{BuildingMode, BuildingModes, ModeCentre};
 pub use outline::Outline;
 pub(crate) use outline::{nearest_on_floor, nearest_on_side};
+pub use plan_direction::PlanDirection;
 pub use stability::{StoreyFall, storey_falls};

@@ -8,9 +8,9 @@
 //! | Γ | `participation` | φᵀ M ι: what shakes the mode | √kg, √kg m |
 //! | r_x, r_y | `r_x_m`, `r_y_m` | mode centre from the centre of mass of the floor | m |
 
+use super::building_of_floors::Building;
 use super::error::BuildingError;
-use super::floors::Building;
-use super::matrices::PlanDirection;
+use super::plan_direction::PlanDirection;
 use dolmen_linalg::{Matrix, symmetric_eigen};
 use std::f64::consts::TAU;
 

@@ -1,9 +1,11 @@
 //! Where two convex solids touch: the pair of faces with the largest common patch.
 
-use super::stack_of_blocks::BED_GAP_M;
 use super::{Body, Joint, JointMaterial, Polygon, Solid};
 use glam::DVec3;
 
+/// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Chosen here. What is left of a
+/// gap or wedge counts as bedded (mortar, shims): contact begins as drawn.
+pub const BED_GAP_M: f64 = 0.005;
 /// Cosine of the largest angle between faces that still count as bedded, 5°. Chosen here: a stone that leans more does
 /// not lie on its bed.
 const PARALLEL: f64 = 0.996_194_7;

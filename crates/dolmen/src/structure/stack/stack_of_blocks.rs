@@ -1,16 +1,12 @@
 //! The stack: blocks that touch in joints, checked once.
 
-use super::beds::bed;
+use super::beds::{BED_GAP_M, bed};
 use super::overlap::overlap_depth;
-use super::{JointMaterial, Polygon, Solid, StackError};
+use super::{Body, Joint, JointMaterial, Solid, StackError};
 use glam::DVec3;
 
 /// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
 const PIECE_REACH_M: f64 = 0.1;
-
-/// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Chosen here. What is left of a
-/// gap or wedge counts as bedded (mortar, shims): contact begins as drawn.
-pub const BED_GAP_M: f64 = 0.005;
 
 /// A joint carries weight if its normal rises at least this much, as sine: also the steep joints of an arch. Chosen here.
 const RISE_LEAST: f64 = 0.05;
@@ -31,32 +27,6 @@ impl Block {
     pub fn mass_kg(&self) -> f64 {
         self.density_kg_m3 * self.solid.volume_m3()
     }
-}
-
-/// What a joint or tie connects.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Body {
-    /// The ground: the plane z = 0 and all below.
-    Ground,
-    /// A block by its index.
-    Block(usize),
-}
-
-/// Where two bodies touch: a flat patch with a frame of its own.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Joint {
-    /// The lower body, which the patch's plane belongs to.
-    pub lower: Body,
-    /// The upper block.
-    pub upper: usize,
-    /// Centroid of the patch, m.
-    pub origin_m: [f64; 3],
-    /// Unit vectors of its frame: two in the plane, then the normal, from the lower to the upper body.
-    pub axes: [[f64; 3]; 3],
-    /// The patch in its own plane, about the origin, m.
-    pub patch: Polygon,
-    /// Friction, bond, springs, damping.
-    pub material: JointMaterial,
 }
 
 /// A dowel or clamp: a small spring between two bodies with a strength.

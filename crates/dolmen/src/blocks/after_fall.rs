@@ -1,0 +1,10 @@
+//! What a run does when a stone has fallen.
+
+/// What to do when a stone has fallen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AfterFall {
+    /// End there: what a study needs.
+    Stop,
+    /// Go on to the end: what a film needs.
+    Continue,
+}

@@ -1,0 +1,68 @@
+//! Largest motions of a building in a run.
+
+/// A largest value, and when.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Peak {
+    /// The value of largest size, with its sign.
+    pub value: f64,
+    /// When, s.
+    pub at_s: f64,
+}
+
+/// Largest motions of a floor, relative to the ground.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct FloorPeak {
+    /// Displacement of the centre of mass along x, m.
+    pub displacement_x_m: Peak,
+    /// Displacement of the centre of mass along y, m.
+    pub displacement_y_m: Peak,
+    /// Rotation, rad.
+    pub rotation_rad: Peak,
+}
+
+/// Largest drifts of a storey: of the floor above it relative to the floor below it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct StoreyPeak {
+    /// Drift at the centre of mass of the floor above along x, m.
+    pub drift_x_m: Peak,
+    /// Drift at the centre of mass of the floor above along y, m.
+    pub drift_y_m: Peak,
+    /// Largest drift along x anywhere on the floor above: at one of its edges. `None` if its outline is not known.
+    pub edge_drift_x_m: Option<Peak>,
+    /// Largest drift along y anywhere on the floor above.
+    pub edge_drift_y_m: Option<Peak>,
+    /// Twist of the storey, rad.
+    pub twist_rad: Peak,
+    /// Largest drift in any direction at a corner of the floor above, or at its centre of mass if its outline is not known.
+    pub resultant: ResultantDrift,
+}
+
+/// A largest drift as a vector: along x and y at one instant.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct ResultantDrift {
+    /// Its length, m.
+    pub size_m: f64,
+    /// When, s.
+    pub at_s: f64,
+    /// Where on the floor above, in plan, m.
+    pub place_m: [f64; 2],
+    /// Where it points, degrees from x toward y, −180 to 180.
+    pub direction_degrees: f64,
+}
+
+/// Largest values of a run, between its steps: where each is largest at a step, the top beside it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BuildingPeaks {
+    /// Floors, lowest first.
+    pub floors: Vec<FloorPeak>,
+    /// Storeys, lowest first.
+    pub storeys: Vec<StoreyPeak>,
+    /// Travel of each mass relative to its place, m.
+    pub strokes_m: Vec<Peak>,
+    /// The rate of each stroke, m/s: a linear dashpot gives its coefficient times this.
+    pub stroke_rates_m_s: Vec<Peak>,
+    /// What the walls of the lowest storey carry along x and y, N.
+    pub base_shear_n: [Peak; 2],
+    /// Their torque about the vertical through the centre of all mass, N·m.
+    pub base_torque_n_m: Peak,
+}

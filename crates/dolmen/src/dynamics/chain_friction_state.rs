@@ -1,0 +1,54 @@
+//! What is kept of the friction of a chain's joints from event to event.
+
+use super::ChainSlip;
+use super::frame_model::Slider;
+
+/// What a joint's friction does within a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Change {
+    /// Its moment has reached the static one, in this direction.
+    Goes(f64),
+    /// It has come to a stop.
+    Stops,
+}
+
+/// What is kept of the friction of a run.
+pub(super) struct Friction {
+    /// How many first coefficients of what each joint waits for are zero, after an event: there they hold rounding.
+    pub(super) zeros: Vec<usize>,
+    /// What the joints did before the event, if they may have to change before the next step.
+    pub(super) unsettled: Option<Vec<Slider>>,
+    /// Joints that go at any price: their static moment was reached and is above the kinetic one.
+    pub(super) gone: Vec<usize>,
+    /// Where and when the turn under way began.
+    pub(super) turning: Vec<Option<(f64, f64)>>,
+    pub(super) pile: usize,
+    pub(super) pile_at_s: f64,
+    pub(super) last_event_s: f64,
+    pub(super) slips: Vec<ChainSlip>,
+    pub(super) events: usize,
+}
+
+impl Friction {
+    /// As a run begins: joints that turn slip, the others stick until the law says otherwise.
+    pub(super) fn start(sliders: &[Slider]) -> Self {
+        let any = sliders.iter().any(|slider| *slider != Slider::Absent);
+        Friction {
+            zeros: vec![0; sliders.len()],
+            unsettled: any.then(|| vec![Slider::Absent; sliders.len()]),
+            gone: Vec::new(),
+            turning: vec![None; sliders.len()],
+            pile: 0,
+            pile_at_s: f64::NEG_INFINITY,
+            last_event_s: 0.0,
+            slips: Vec::new(),
+            events: 0,
+        }
+    }
+
+    /// Time has passed since the last event: nothing is just at its limit any more.
+    pub(super) fn moved_on(&mut self) {
+        self.zeros.fill(0);
+        self.gone.clear();
+    }
+}

@@ -1,0 +1,14 @@
+//! Free decays: from the record of a blow or a release to modes, and what follows the size of the swings.
+
+mod blows;
+mod decay_fit;
+mod decay_left;
+mod decrement;
+mod era;
+mod identify_decay;
+mod mode_decay;
+
+pub use decrement::{AtAmplitude, Decrement, decrement};
+pub use era::{Era, FreeDecay, era};
+pub(super) use identify_decay::{SHORT, of_decay, short_spectrum};
+pub use mode_decay::{Decay, ModeDecay};

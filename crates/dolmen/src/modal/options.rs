@@ -1,0 +1,75 @@
+//! How the modes of a record are found.
+
+use super::modes::Method;
+use super::spectrum::Fdd;
+use super::subspace::Clustering;
+use super::subspace::Criteria;
+
+/// What becomes of a mode that looks like a machine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Harmonics {
+    /// It stays and is named in a note.
+    Flag,
+    /// It is left out and named in a note.
+    Remove,
+}
+
+/// Options of [`identify`](super::identify()). The defaults serve every record this chapter was measured on.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Identify {
+    /// How modes are found; default `SsiCov`: `Bayoma` and `SsiData` scatter less on made records, but on real ones the second had a damping a half
+    /// larger in ten minutes, and the first tells modes within each other's half-power band apart less well.
+    pub method: Method,
+    /// Reference channels of the subspace methods, by index; empty (default): all.
+    pub references: Vec<usize>,
+    /// Lowest frequency of interest, Hz; `None` (default): the lowest peak of the spectrum decides.
+    pub frequency_low_hz: Option<f64>,
+    /// Highest frequency of interest, Hz; `None` (default): the highest peak of the spectrum decides.
+    pub frequency_high_hz: Option<f64>,
+    /// Block rows; `None` (default): from the lowest frequency.
+    pub block_rows: Option<usize>,
+    /// Decimation of the correlations; `None` (default): from the highest frequency; `Some(1)`: none.
+    pub decimation: Option<usize>,
+    /// Highest model order; `None` (default): six times the peaks of the spectrum or the channels, whichever are more,
+    /// between 24 and 60.
+    pub order_most: Option<usize>,
+    /// Blocks of time for the standard deviations; default 30.
+    pub time_blocks: usize,
+    /// Modes that must be found; `None` (default): as many as there are.
+    pub modes_wanted: Option<usize>,
+    /// Frequencies at which modes are picked by hand, Hz; empty (default): every mode is taken. Where none lies there the
+    /// answer is an error, not another mode.
+    pub pick_hz: Vec<f64>,
+    /// How far from a picked frequency its mode may lie, relative; default 0.02.
+    pub pick_within: f64,
+    /// What becomes of a mode whose motion is too steady for random forces; default `Flag`.
+    pub harmonics: Harmonics,
+    /// The spectrum that is looked at first.
+    pub fdd: Fdd,
+    /// What a pole must fulfil; its frequency range is narrowed to the one chosen.
+    pub criteria: Criteria,
+    /// How poles become modes.
+    pub clustering: Clustering,
+}
+
+impl Default for Identify {
+    fn default() -> Self {
+        Identify {
+            method: Method::SsiCov,
+            references: Vec::new(),
+            frequency_low_hz: None,
+            frequency_high_hz: None,
+            block_rows: None,
+            decimation: None,
+            order_most: None,
+            time_blocks: 30,
+            modes_wanted: None,
+            pick_hz: Vec::new(),
+            pick_within: 0.02,
+            harmonics: Harmonics::Flag,
+            fdd: Fdd::default(),
+            criteria: Criteria::default(),
+            clustering: Clustering::default(),
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! Clocks of recorders held against each other: a phase between two channels that turns along the record is no structure's.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | C_jq | `turns` | Σ z_c z_r* of part q at mode j: channel c with the reference r | – |
+//! | d | `ppm` | what the clock of c runs fast against that of r | 1e-6 |
+//! | ω_j, t_q | `omega`, `at_s` | circular frequency of the mode, middle of the part | rad/s, s |
+
+use crate::modal::{Mode, Modes, Note};
+use crate::signal::Record;
+use dolmen_linalg::Complex64;
+use std::f64::consts::{PI, TAU};
+
+/// Parts of the record, each with a phase of its own.
+const PARTS: usize = 12;
+/// Cycles of a Hann segment: narrow enough to part modes a tenth apart.
+const CYCLES: f64 = 24.0;
+/// Modes looked at: the best known ones.
+const MODES_MOST: usize = 4;
+/// Mean coherence below which a mode says nothing of a channel. Chosen here.
+const COHERENCE_LEAST: f64 = 0.5;
+/// Drifts looked for. Chosen here: quartz clocks of recorders stay within 100 ppm.
+const PPM_MOST: f64 = 300.0;
+/// Steps of the search turn the highest mode by so much, rad.
+const TURN_STEP: f64 = PI / 6.0;
+const STEPS_MOST: f64 = 4000.0;
+/// Deviations of a drift from none, and the turn of the highest mode's phase along the record, rad (10°), from which it counts.
+/// Chosen here.
+const DEVIATIONS: f64 = 5.0;
+const TURN_LEAST: f64 = PI / 18.0;
+
+/// How fast the clock of one channel runs against that of the reference.
+#[derive(Clone, Copy)]
+struct Drift {
+    ppm: f64,
+    sd: f64,
+}
+
+impl Drift {
+    /// Whether two clocks are not one; `turn_ppm` turns the phase by what counts.
+    fn differs(&self, other: &Drift, turn_ppm: f64) -> bool {
+        let apart = (self.ppm - other.ppm).abs();
+        apart > turn_ppm && apart > DEVIATIONS * self.sd.hypot(other.sd)
+    }
+}
+
+/// Leaves channels out of the shapes whose clock drifts against that of most, and names them. Frequencies and damping stay.
+pub(crate) fn leave_out_other_clocks(record: &Record, modes: &mut Modes, notes: &mut Vec<Note>) {
+    let l = record.channels().len();
+    if l < 2 || modes.channels.len() != l {
+        return;
+    }
+    let seen = best_known(&modes.modes);
+    let Some(highest_hz) = seen.iter().map(|m| m.frequency_hz).reduce(f64::max) else {
+        return;
+    };
+    let motion = |c: usize| seen.iter().map(|m| m.shape[c].norm_sqr()).sum::<f64>();
+    let Some(reference) = (0..l).max_by(|a, b| motion(*a).total_cmp(&motion(*b))) else {
+        return;
+    };
+    let drifts: Vec<Option<Drift>> = of_channels(record, &seen, reference);
+    let turn_ppm = 1e6 * TURN_LEAST / (TAU * highest_hz * record.duration_s());
+    let known = || drifts.iter().flatten();
+    let likes = |base: &Drift| known().filter(|d| !d.differs(base, turn_ppm)).count();
+    let Some(base) = known().rev().max_by_key(|d| likes(d)).copied() else {
+        return;
+    };
+    let is_off = |c: &usize| drifts[*c].is_some_and(|d| d.differs(&base, turn_ppm));
+    let off: Vec<usize> = (0..l).filter(is_off).collect();
+    if off.is_empty() {
+        return;
+    }
+    let each = off.iter().filter_map(|&c| {
+        let drift = drifts[c]?;
+        Some((
+            record.channels()[c].name.clone(),
+            [drift.ppm - base.ppm, drift.sd.hypot(base.sd)],
+        ))
+    });
+    let drifting: Vec<(String, [f64; 2])> = each.collect();
+    let turn = drifting.iter().map(|(_, [ppm, _])| ppm.abs()).fold(0.0, f64::max)
+        * 1e-6
+        * TAU
+        * highest_hz
+        * record.duration_s();
+    let kept: Vec<usize> = (0..l).filter(|c| !off.contains(c)).collect();
+    modes.channels = kept.iter().map(|&c| modes.channels[c].clone()).collect();
+    for mode in &mut modes.modes {
+        mode.keep_channels(&kept);
+    }
+    notes.push(Note::ClockDrift {
+        drifting,
+        turn_degrees: turn.to_degrees(),
+        frequency_hz: highest_hz,
+        sampling_rate_hz: record.sampling_rate_hz(),
+    });
+}
+
+/// Real modes that no other overlaps, those of the best known frequencies.
+fn best_known(modes: &[Mode]) -> Vec<Mode> {
+    const REAL: f64 = 0.5; // of 1; a drift turns shapes
+    let alone = |i: usize| {
+        let after = modes.get(i + 1).is_none_or(|next| !modes[i].overlaps(next));
+        let before = i == 0 || !modes[i - 1].overlaps(&modes[i]);
+        after && before && modes[i].phase_collinearity > REAL
+    };
+    let mut seen: Vec<Mode> = (0..modes.len())
+        .filter(|i| alone(*i))
+        .map(|i| modes[i].clone())
+        .collect();
+    let known = |m: &Mode| m.frequency_sd_hz.unwrap_or(f64::INFINITY) / m.frequency_hz;
+    seen.sort_by(|a, b| known(a).total_cmp(&known(b)));
+    seen.truncate(MODES_MOST);
+    seen
+}
+
+/// C_jq of one mode: for each part the phase of every channel against the reference, and its coherence.
+struct Turns {
+    omega: f64,
+    /// Parts of channels.
+    cross: Vec<Vec<Complex64>>,
+}
+
+fn of_channels(record: &Record, modes: &[Mode], reference: usize) -> Vec<Option<Drift>> {
+    let turns: Vec<Turns> = modes
+        .iter()
+        .filter_map(|mode| turns(record, mode.frequency_hz, reference))
+        .collect();
+    let l = record.channels().len();
+    let duration_s = record.duration_s();
+    (0..l)
+        .map(|c| {
+            if c == reference {
+                return (!turns.is_empty()).then_some(Drift { ppm: 0.0, sd: 0.0 });
+            }
+            let seen: Vec<(f64, Vec<Complex64>)> = turns
+                .iter()
+                .map(|t| (t.omega, t.cross.iter().map(|part| part[c]).collect::<Vec<_>>()))
+                .filter(|(_, parts)| {
+                    parts.iter().map(|z| z.norm()).sum::<f64>() > COHERENCE_LEAST * parts.len() as f64
+                })
+                .collect();
+            drift(&seen, duration_s)
+        })
+        .collect()
+}
+
+/// Coherence of each channel with the reference in each part, with its phase; `None` where parts are too short.
+fn turns(record: &Record, frequency_hz: f64, reference: usize) -> Option<Turns> {
+    let rate_hz = record.sampling_rate_hz();
+    let length = (CYCLES * rate_hz / frequency_hz).round() as usize;
+    let part = record.length() / PARTS;
+    let segments = (2 * part / length).saturating_sub(1); // half overlapping
+    if length < 8 || segments < 3 {
+        return None;
+    }
+    let omega = TAU * frequency_hz;
+    let wave: Vec<Complex64> = (0..length)
+        .map(|t| {
+            let hann = (PI * (t as f64 + 0.5) / length as f64).sin().powi(2);
+            Complex64::from_polar(hann, -omega * t as f64 / rate_hz)
+        })
+        .collect();
+    let l = record.channels().len();
+    let cross = (0..PARTS).map(|q| {
+        let (mut cross, mut power) = (vec![Complex64::ZERO; l], vec![0.0; l]);
+        for s in 0..segments {
+            let from = q * part + s * length / 2;
+            let z: Vec<Complex64> = (0..l)
+                .map(|c| {
+                    let samples = &record.samples(c)[from..from + length];
+                    samples.iter().zip(&wave).map(|(y, w)| w * *y).sum()
+                })
+                .collect();
+            for c in 0..l {
+                cross[c] += z[c] * z[reference].conj();
+                power[c] += z[c].norm_sqr();
+            }
+        }
+        let over = |c: usize| (power[c] * power[reference]).sqrt().max(f64::MIN_POSITIVE);
+        (0..l).map(|c| cross[c] / over(c)).collect()
+    });
+    Some(Turns {
+        omega,
+        cross: cross.collect(),
+    })
+}
+
+/// The drift that turns the phases of all modes back to one each: the largest Σ_j |Σ_q C_jq e^(iω_j d t_q)|, then least squares about it.
+fn drift(seen: &[(f64, Vec<Complex64>)], duration_s: f64) -> Option<Drift> {
+    let highest = seen.iter().map(|(omega, _)| *omega).reduce(f64::max)?;
+    let at_s = |q: usize| ((q as f64 + 0.5) / PARTS as f64 - 0.5) * duration_s;
+    let turned = |omega: f64, parts: &[Complex64], ppm: f64| -> Vec<Complex64> {
+        let back = |q: usize| Complex64::from_polar(1.0, 1e-6 * ppm * omega * at_s(q));
+        parts.iter().enumerate().map(|(q, z)| z * back(q)).collect()
+    };
+    let gathered = |ppm: f64| -> f64 {
+        seen.iter()
+            .map(|(omega, parts)| turned(*omega, parts, ppm).iter().sum::<Complex64>().norm())
+            .sum()
+    };
+    let steps = (PPM_MOST * 1e-6 * highest * duration_s / TURN_STEP).clamp(1.0, STEPS_MOST) as i64;
+    let ppm_of = |i: i64| PPM_MOST * i as f64 / steps as f64;
+    // from none outwards, so that none is taken where all are alike
+    let order = (0..=steps).flat_map(|i| [i, -i]);
+    let best = order.map(|i| (ppm_of(i), gathered(ppm_of(i))));
+    let (ppm, _) = best.reduce(|a, b| if b.1 > a.1 * (1.0 + 1e-9) { b } else { a })?;
+    let (mut slope, mut square, mut power, mut count) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+    let mut residuals: Vec<(f64, f64, f64)> = Vec::new();
+    for (omega, parts) in seen {
+        let back = turned(*omega, parts, ppm);
+        let middle: Complex64 = back.iter().sum();
+        for (q, z) in back.iter().enumerate() {
+            let lever = 1e-6 * omega * at_s(q); // rad a ppm
+            let angle = (z * middle.conj()).arg();
+            residuals.push((angle, lever, z.norm_sqr()));
+            slope += z.norm_sqr() * lever * angle;
+            power += z.norm_sqr() * lever * lever;
+        }
+        count -= 1.0;
+    }
+    let more = slope / power;
+    for (angle, lever, weight) in &residuals {
+        square += weight * (angle - more * lever).powi(2);
+        count += 1.0;
+    }
+    let sd = (square / (count - 1.0).max(1.0) / power).sqrt();
+    Some(Drift { ppm: ppm - more, sd }).filter(|d| d.ppm.is_finite() && d.sd.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modal::{Identify, MadeMode, MadeRecord, identify};
+    use crate::signal::{Join, Piece, Starts, join};
+
+    const SHAPES: [[f64; 4]; 3] = [
+        [1.0, 0.8, 0.5, 0.25],
+        [1.0, -0.2, -0.9, -0.7],
+        [0.6, -1.0, 0.3, 0.9],
+    ];
+
+    /// Four floors for twenty minutes, each channel sampled by a clock that runs fast by so many ppm and taken for one of 100 Hz.
+    fn measured(ppm: [f64; 4], seed: u64) -> Record {
+        let mode = |(frequency_hz, shape): (f64, [f64; 4])| MadeMode {
+            frequency_hz,
+            damping_ratio: 0.01,
+            shape: shape.to_vec(),
+        };
+        let made = MadeRecord {
+            modes: [1.4, 4.1, 6.6].into_iter().zip(SHAPES).map(mode).collect(),
+            duration_s: 1200.0,
+            seed,
+            ..MadeRecord::default()
+        };
+        let record = made.make().unwrap();
+        // join reads a clock of 100 (1 − ppm) Hz onto one of 100 Hz: what one that is fast by ppm shows
+        let piece = |(c, hz): (usize, f64)| Piece {
+            channel: record.channels()[c].clone(),
+            samples: record.samples(c).to_vec(),
+            sampling_rate_hz: hz,
+            begins_s: Some(0.0),
+        };
+        let together = |rates: [f64; 4]| {
+            let pieces = rates.into_iter().enumerate().map(piece).collect();
+            let options = Join {
+                starts: Starts::Together,
+                ..Join::default()
+            };
+            join(pieces, &options).unwrap().record
+        };
+        together(ppm.map(|ppm| 100.0 * (1.0 - 1e-6 * ppm)))
+    }
+
+    #[test]
+    fn holds_a_clock_that_drifts_is_named_with_its_drift_and_is_in_no_shape() {
+        for ppm in [50.0, -30.0] {
+            let found = identify(&measured([0.0, 0.0, ppm, 0.0], 7), &Identify::default()).unwrap();
+            let note = found.notes.iter().find_map(|note| match note {
+                Note::ClockDrift { drifting, .. } => Some(drifting),
+                _ => None,
+            });
+            let [(channel, [found_ppm, sd])] = &note.unwrap()[..] else {
+                panic!("{:?}", found.notes)
+            };
+            assert_eq!(channel, "made 3");
+            assert!(
+                (found_ppm - ppm).abs() < 4.0 * sd && *sd < 2.0,
+                "{found_ppm} ± {sd}"
+            );
+            assert_eq!(found.modes.channels.len(), 3);
+            for true_hz in [1.4, 4.1, 6.6] {
+                found.modes.nearest(true_hz, 0.02 * true_hz).unwrap();
+            }
+            assert!(found.modes.modes.iter().all(|mode| mode.shape.len() == 3));
+        }
+    }
+
+    #[test]
+    fn holds_clocks_that_agree_are_left_alone() {
+        for seed in 0..4 {
+            let found = identify(&measured([0.0; 4], seed), &Identify::default()).unwrap();
+            assert_eq!(found.modes.channels.len(), 4);
+            let drifts = |note: &Note| matches!(note, Note::ClockDrift { .. });
+            assert!(!found.notes.iter().any(drifts), "{:?}", found.notes);
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! What a record and its modes leave in doubt: machines, clocks, sensors, gusts, pairs under one peak.
+
+mod clocks;
+mod gusts;
+mod harmonics;
+mod hidden_pairs;
+mod late_clocks;
+mod machines;
+mod remarks;
+mod shape_checks;
+
+pub(super) use clocks::leave_out_other_clocks;
+pub(super) use gusts::{unequal, widen};
+pub use harmonics::{Kurtosis, band_kurtosis};
+pub(super) use hidden_pairs::note_hidden_pairs;
+pub(super) use late_clocks::leave_out_late_clocks;
+pub(super) use machines::{split_tones, test_for_machines};
+pub(super) use remarks::{explained, remark};
+pub(super) use shape_checks::{doubt_channels, to_one_quantity};

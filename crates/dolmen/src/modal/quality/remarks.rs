@@ -1,0 +1,60 @@
+//! What the modes of a record leave open: peaks without a mode, pairs, few cycles.
+
+use crate::modal::{Method, Mode, Modes, Note};
+
+pub(crate) fn remark(modes: &Modes, peaks: &Modes, not_picked_hz: Vec<f64>, notes: &mut Vec<Note>) {
+    const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
+    let picked_away = |peak: &Mode| not_picked_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
+    let frequency_hz: Vec<f64> = peaks
+        .modes
+        .iter()
+        .filter(|peak| !explained(peak, &modes.modes) && !picked_away(peak))
+        .map(|peak| peak.frequency_hz)
+        .collect();
+    if !frequency_hz.is_empty() {
+        notes.push(Note::PeaksWithoutMode { frequency_hz });
+    }
+    if !not_picked_hz.is_empty() {
+        notes.push(Note::NotPicked {
+            frequency_hz: not_picked_hz,
+        });
+    }
+    if matches!(modes.method, Method::Efdd | Method::Fsdd) {
+        let without = modes.modes.iter().filter(|m| m.damping_ratio.is_none());
+        let frequency_hz: Vec<f64> = without.map(|m| m.frequency_hz).collect();
+        if !frequency_hz.is_empty() {
+            notes.push(Note::NoDamping { frequency_hz });
+        }
+    }
+    let pairs: Vec<[f64; 2]> = modes
+        .modes
+        .windows(2)
+        .filter(|pair| pair[0].overlaps(&pair[1]))
+        .map(|pair| [pair[0].frequency_hz, pair[1].frequency_hz])
+        .collect();
+    if !pairs.is_empty() {
+        notes.push(Note::ClosePairs { pairs });
+    }
+    for mode in &modes.modes {
+        let damping_floor = mode.damping_floor();
+        if modes.method != Method::Era && mode.damping_ratio.is_some() && damping_floor > DAMPING_FLOOR {
+            notes.push(Note::FewCycles {
+                frequency_hz: mode.frequency_hz,
+                damping_floor,
+            });
+        }
+    }
+}
+
+/// Whether one of the modes lies where the spectrum has this peak.
+pub(crate) fn explained(peak: &Mode, modes: &[Mode]) -> bool {
+    modes
+        .iter()
+        .any(|mode| near(mode.frequency_hz, peak.frequency_hz))
+}
+
+/// A line of the spectrum lies so near its mode.
+fn near(frequency_hz: f64, peak_hz: f64) -> bool {
+    const NEAR: f64 = 0.03;
+    (frequency_hz / peak_hz - 1.0).abs() <= NEAR
+}

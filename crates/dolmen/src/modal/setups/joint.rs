@@ -1,0 +1,270 @@
+//! Several setups as one identification: their correlations brought to one shaking and stacked (PreGER).
+
+use super::merge_setups::{MergeSetups, MergedSetups};
+use super::one_shaking::{Setup, stacked};
+use super::pairing::{ObservedMode, pair_modes};
+use super::places::{Places, Seat};
+use crate::modal::identify::{
+    check, judge_channels, judged, modes_of, note_blends, note_filter, pick, spectrum, wanted,
+};
+use crate::modal::quality::doubt_channels;
+use crate::modal::quality::remark;
+use crate::modal::quality::{split_tones, test_for_machines};
+use crate::modal::settings::{Settings, choose};
+use crate::modal::subspace::check_ssi;
+use crate::modal::subspace::{AllOrders, Stabilization};
+use crate::modal::subspace::{Cluster, Clustering};
+use crate::modal::{Identify, Method, ModalError, Mode, Modes, Note, Propagation};
+use crate::signal::Record;
+
+/// Peaks of two setups so near, relative, are one.
+const ONE_PEAK: f64 = 0.03;
+
+/// Frequencies of one mode in several setups lie so near, relative. Chosen here.
+const ONE_MODE: f64 = 0.01;
+
+/// Several setups identified as one.
+#[derive(Clone, Debug)]
+pub struct JointSetups {
+    /// The modes at all sensors.
+    pub modes: Modes,
+    /// Indices, in `modes.channels`, of the sensors that every setup has.
+    pub references: Vec<usize>,
+    /// Every pole with its verdict.
+    pub stabilization: Stabilization,
+    /// Every group of poles with its fate.
+    pub clusters: Vec<Cluster>,
+    /// What was chosen from the data.
+    pub settings: Settings,
+    /// Strength of the motion of the sensors that stay in each setup over that of the first: root of their mean squares.
+    pub strength: Vec<f64>,
+    /// What must be known beside the modes.
+    pub notes: Vec<Note>,
+}
+
+impl JointSetups {
+    /// Frequencies, Hz, of the modes of `merged` that no mode of this identification is, those that single setups show too.
+    ///
+    /// # Errors
+    /// As [`pair_modes`].
+    pub fn not_shown_hz(&self, merged: &MergedSetups) -> Result<Vec<f64>, ModalError> {
+        let own = ObservedMode::all(&self.modes, 0);
+        let together = ObservedMode::all(&merged.modes, 0);
+        let options = MergeSetups::default().pairing;
+        let paired = pair_modes(&together, &own, &options)?;
+        let lost = paired.only_first.iter().map(|&i| together[i].frequency_hz);
+        let mut frequency_hz: Vec<f64> = lost.collect();
+        // a mode of some setups has no shape at all sensors: by frequency, beside those that are taken
+        let mut free: Vec<f64> = paired.only_second.iter().map(|&j| own[j].frequency_hz).collect();
+        for mode in &merged.partial {
+            let near = |hz: &f64| (hz / mode.frequency_hz - 1.0).abs() <= ONE_PEAK;
+            match free.iter().position(near) {
+                Some(at) if mode.unlike_in.is_empty() => drop(free.remove(at)),
+                Some(_) => {} // its counterparts in other setups are the same
+                None => frequency_hz.push(mode.frequency_hz),
+            }
+        }
+        frequency_hz.sort_by(f64::total_cmp);
+        frequency_hz.dedup_by(|a, b| (*a / *b - 1.0).abs() <= ONE_MODE);
+        Ok(frequency_hz)
+    }
+}
+
+/// Modes of several setups from one identification (pre-identification global estimation re-scaling).
+///
+/// ```text
+/// [H_1^ref … H_S^ref] = U S Vᵀ,   Z_s = Uᵀ H_s^ref                         first n columns of U
+/// H = [U Z_1; H_1^mov Z_1⁺ Z_1; H_2^mov Z_2⁺ Z_1; … H_S^mov Z_S⁺ Z_1]             shape: l br × r br, l all sensors, r those that stay
+/// ```
+/// then as [`ssi_cov`](crate::modal::ssi_cov()). The sensors that stay see U in every setup and only Z_s differs with the shaking, so that
+/// Z_s⁺ Z_1 turns what the moved sensors saw into what they had seen in the first setup. The settings are chosen from the
+/// peaks of all setups. Standard deviations: first order, the blocks of time of each setup by themselves.
+///
+/// # Errors
+/// [`ModalError::Setups`] with fewer than two; [`ModalError::NoCommonReference`], [`ModalError::SetupRate`]; else as
+/// [`identify`](crate::modal::identify()).
+///
+/// # Limits
+/// The setups are one structure: frequencies that moved between them (weather, moved mass) do not show, each mode is smeared over them; putting
+/// them together after identification (`merge_setups`) tells. A mode that none of the sensors that stay sees is lost. Machines are told by
+/// the spectrum of each setup and by the least kurtosis of all. A sensor that several setups have, but not all, counts as the last of them shows it.
+///
+/// # Source
+/// Mevel, Basseville, Benveniste & Goursat (2002) Mech. Syst. Signal Process. 16:759-783; Döhler, Andersen & Mevel (2010) Proc. IMAC
+/// XXVIII, the strategy called PreGER there. Differs from the sources: Z_s⁺ from a QR; in the deviations of the
+/// moved sensors U is held (its change cancels to first order).
+pub fn joint_setups(
+    records: &[Record],
+    options: &Identify,
+    place_within_m: f64,
+) -> Result<JointSetups, ModalError> {
+    let [first, others @ ..] = records else {
+        return Err(ModalError::Setups { given: 0 });
+    };
+    if others.is_empty() {
+        return Err(ModalError::Setups { given: 1 });
+    }
+    let mut places = Places::of(first.channels());
+    let own = (0..first.channels().len()).map(|place| Seat {
+        place,
+        sign: 1.0,
+        known: false,
+    });
+    let mut seats: Vec<Vec<Seat>> = vec![own.collect()];
+    for (i, record) in others.iter().enumerate() {
+        let (given_hz, first_hz) = (record.sampling_rate_hz(), first.sampling_rate_hz());
+        if (given_hz / first_hz - 1.0).abs() > 1e-9 {
+            return Err(ModalError::SetupRate {
+                setup: i + 2,
+                given_hz,
+                first_hz,
+            });
+        }
+        seats.push(places.seats(record.channels(), i + 1, place_within_m)?);
+    }
+    let references = places.seen_by(records.len());
+    if references.is_empty() {
+        return Err(ModalError::NoCommonReference {
+            setups: records.len(),
+        });
+    }
+    let options = Identify {
+        method: Method::SsiCov,
+        references: (0..references.len()).collect(),
+        ..options.clone()
+    };
+    let mut notes = Vec::new();
+    let (peaks, tones_hz) = peaks_of_all(records, &options, &mut notes)?;
+    let shortest = records.iter().min_by_key(|r| r.length()).unwrap_or(first);
+    let mut settings = choose(shortest, &options, (&peaks, &tones_hz), &mut notes)?;
+    let ssi = check_ssi(&settings.ssi(), places.channels.len())?;
+    // counted among all sensors, not among those that stay
+    settings.references.clone_from(&references);
+    let duration_s: f64 = records.iter().map(Record::duration_s).sum();
+    let mut setups = Vec::with_capacity(records.len());
+    for (record, seats) in records.iter().zip(&seats) {
+        setups.push(Setup::new(record, seats, &references, &ssi)?);
+    }
+    let strength: Vec<f64> = setups
+        .iter()
+        .map(|s| (s.power / setups[0].power).sqrt())
+        .collect();
+    // each setup alone must explain how well a pole is known: the floor is that of the mean setup
+    let found = stacked(
+        &setups,
+        places.channels.len(),
+        &ssi,
+        duration_s / records.len() as f64,
+    )?;
+    let channels = records.iter().map(|r| r.channels().len()).sum::<usize>() as f64 / records.len() as f64;
+    let past = channels / references.len() as f64;
+    let (stabilization, clusters) = judged(
+        &AllOrders::of(&found),
+        &mut Propagation::new(&found),
+        &options.criteria.within(settings.range_hz),
+        &Clustering {
+            // the past of those that stay alone: where it is a third of all, deviations are up to three times as large
+            deviation_over_floor_most: past.sqrt() * options.clustering.deviation_over_floor_most,
+            ..options.clustering.clone()
+        },
+    )?;
+    note_blends(&clusters, &mut notes);
+    let mut modes = Modes {
+        modes: modes_of(&clusters, duration_s),
+        channels: places.channels,
+        method: Method::SsiCov,
+        duration_s,
+        history: first.history().to_vec(),
+    };
+    let places_of = |seats: &Vec<Seat>| seats.iter().map(|s| s.place).collect();
+    let seen: Vec<(&Record, Vec<usize>)> = records.iter().zip(seats.iter().map(places_of)).collect();
+    test_for_machines(&seen, &options, &mut modes, &mut notes)?;
+    let not_picked_hz = pick(&options, &mut modes)?;
+    wanted(&options, &modes)?;
+    remark(&modes, &peaks, not_picked_hz, &mut notes);
+    doubt_channels(&modes, &mut notes);
+    Ok(JointSetups {
+        modes,
+        references,
+        stabilization,
+        clusters,
+        settings,
+        strength,
+        notes,
+    })
+}
+
+/// Peaks of the spectra of all setups that are no machines, each once, and the machines' frequencies, Hz.
+fn peaks_of_all(
+    records: &[Record],
+    options: &Identify,
+    notes: &mut Vec<Note>,
+) -> Result<(Modes, Vec<f64>), ModalError> {
+    let mut all: Option<Modes> = None;
+    let mut tones_hz = Vec::new();
+    for record in records {
+        // references are counted among the sensors that stay, and the spectrum takes all
+        check(record, options)?;
+        notes.extend(judge_channels(record)?);
+        note_filter(record, options, notes);
+        let mut peaks = spectrum(record, options)?;
+        let least = options.criteria.damping_ratio_least;
+        tones_hz.extend(split_tones(record, &mut peaks, least, notes)?);
+        match &mut all {
+            None => all = Some(peaks.modes),
+            Some(all) => {
+                for mode in peaks.modes.modes {
+                    let same = |m: &Mode| (m.frequency_hz / mode.frequency_hz - 1.0).abs() < ONE_PEAK;
+                    if !all.modes.iter().any(same) {
+                        all.modes.push(mode);
+                    }
+                }
+            }
+        }
+    }
+    let mut all = all.ok_or(ModalError::Setups { given: 0 })?;
+    all.modes
+        .sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    tones_hz.sort_by(f64::total_cmp);
+    tones_hz.dedup_by(|a, b| (*a / *b - 1.0).abs() < ONE_PEAK);
+    Ok((all, tones_hz))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+    use crate::signal::Channel;
+
+    #[test]
+    fn refuses_setups_without_a_common_sensor_or_of_other_rates() {
+        let record = |names: &[&str], rate_hz: f64| {
+            let mut random = Random::new(1, 0);
+            let samples = names.iter().map(|_| (0..4000).map(|_| random.normal()).collect());
+            Record::new(
+                names.iter().map(|n| Channel::named(*n)).collect(),
+                samples.collect(),
+                rate_hz,
+            )
+            .unwrap()
+        };
+        let refusal = |records: &[Record]| {
+            joint_setups(records, &Identify::default(), 0.1)
+                .unwrap_err()
+                .to_string()
+        };
+        let (ab, bc, ca) = (
+            record(&["a", "b"], 100.0),
+            record(&["b", "c"], 100.0),
+            record(&["c", "a"], 100.0),
+        );
+        let fault = refusal(&[ab.clone(), bc, ca]);
+        assert!(fault.starts_with("no sensor is in all 3 setups"), "{fault}");
+        let fault = refusal(&[ab.clone(), record(&["a", "d"], 50.0)]);
+        assert!(
+            fault.starts_with("setup 2 has 50 samples a second, the first 100"),
+            "{fault}"
+        );
+        assert!(refusal(&[ab]).starts_with("1 setups are given"));
+    }
+}

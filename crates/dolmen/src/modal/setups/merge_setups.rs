@@ -1,0 +1,376 @@
+//! Several setups of one survey, each identified by itself, put together by the sensors that stayed.
+//!
+//! φ_s, r and α_s: see merged_mode.rs; f_s, σ_s: frequency (or damping ratio) in setup s and its deviation.
+
+use super::merged_mode::{Growing, MergedMode};
+use super::pairing::{ObservedMode, Pairing, pair_modes};
+use super::places::Places;
+use super::reference_gains::{ReferenceFault, reference_faults};
+use crate::modal::{ModalError, Modes};
+
+/// Options of [`merge_setups`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct MergeSetups {
+    /// How modes of two setups are paired; default 5 % of frequency, else as [`Pairing`].
+    pub pairing: Pairing,
+}
+
+impl Default for MergeSetups {
+    fn default() -> Self {
+        MergeSetups {
+            pairing: Pairing {
+                frequency_within: 0.05,
+                ..Pairing::default()
+            },
+        }
+    }
+}
+
+/// A mode that not every setup shows.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartialMode {
+    /// Its frequency, Hz, in the first setup that shows it.
+    pub frequency_hz: f64,
+    /// Setups that show it, from 0.
+    pub setups: Vec<usize>,
+    /// Setups that show a mode of that frequency (2 %) whose shape at the references is another, or that had another partner.
+    pub unlike_in: Vec<usize>,
+}
+
+/// Several setups as one.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MergedSetups {
+    /// The modes that every setup shows, at all sensors.
+    pub modes: Modes,
+    /// How each came together, in the same order.
+    pub merged: Vec<MergedMode>,
+    /// Modes that some setups do not show: left out.
+    pub partial: Vec<PartialMode>,
+    /// Indices, in `modes.channels`, of the sensors that more than one setup has.
+    pub references: Vec<usize>,
+    /// References whose gain or sense is not the same in all setups.
+    pub reference_faults: Vec<ReferenceFault>,
+}
+
+/// Frequencies of two setups so near, relative, may be one mode whatever the shapes. Chosen here.
+const ONE_FREQUENCY: f64 = 0.02;
+
+/// Modes of several setups put together (post-separate estimation re-scaling).
+///
+/// ```text
+/// α_s = φ_s* r / φ_s* φ_s                     least squares of α φ_s = r at the places that setups before s show
+/// mean f = Σ f_s/σ_s² / Σ 1/σ_s²,   χ² = Σ (f_s - mean)²/σ_s²,   sd = √(1/Σ 1/σ_s²) √max(1, χ²/(S - 1))
+/// ```
+/// Setup after setup: its modes are paired with those of the setups before by frequency and by their shapes at the places that both
+/// show, scaled, and laid beside; where several setups show a place, their mean stands. Where setups disagree on a number the
+/// deviation of the mean is widened by √(χ²/(S - 1)).
+///
+/// # Errors
+/// [`ModalError::Setups`] with fewer than two setups; [`ModalError::NoReference`] for a setup that shares no sensor with those before it.
+///
+/// # Limits
+/// A reference near a node of a mode scales it badly: the deviation of the shape holds that, and `reference_assurance` shows it. With one
+/// reference there is no such check.
+///
+/// # Source
+/// Reynders, Magalhães, De Roeck & Cunha (2009) Proc. IMAC XXVII; Döhler, Andersen & Mevel (2010) Proc. IMAC XXVIII, the strategy called
+/// PoSER there. Widened deviation: Birge (1932) Phys. Rev. 40:207. Differs from the sources: each setup is scaled to the mean of those
+/// before it, and not to the first alone, so that references may change from setup to setup.
+pub fn merge_setups(setups: &[Modes], options: &MergeSetups) -> Result<MergedSetups, ModalError> {
+    let [first, others @ ..] = setups else {
+        return Err(ModalError::Setups { given: 0 });
+    };
+    if others.is_empty() {
+        return Err(ModalError::Setups { given: 1 });
+    }
+    let mut places = Places::of(&first.channels);
+    let mut growing: Vec<Growing> = first.modes.iter().map(Growing::of).collect();
+    let mut partial = Vec::new();
+    for (index, setup) in others.iter().enumerate() {
+        let number = index + 1;
+        let seats = places.seats(&setup.channels, number, options.pairing.place_within_m)?;
+        let known: Vec<ObservedMode> = growing.iter().map(|g| g.observed(&places)).collect();
+        let paired = pair_modes(&known, &ObservedMode::all(setup, 0), &options.pairing)?;
+        for &alone in &paired.only_first {
+            partial.push(PartialMode {
+                frequency_hz: growing[alone].members[0].frequency_hz,
+                setups: (0..number).collect(),
+                unlike_in: Vec::new(),
+            });
+        }
+        partial.extend(paired.only_second.iter().map(|&alone| PartialMode {
+            frequency_hz: setup.modes[alone].frequency_hz,
+            setups: vec![number],
+            unlike_in: Vec::new(),
+        }));
+        let mut next = Vec::with_capacity(paired.pairs.len());
+        for pair in &paired.pairs {
+            let mut mode = growing[pair.first].clone();
+            mode.doubtful |= pair.doubtful();
+            mode.add(&setup.modes[pair.second], &seats, places.channels.len());
+            next.push(mode);
+        }
+        growing = next;
+    }
+    partial.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    let all = partial.clone();
+    for mode in &mut partial {
+        let is_near = |other: &&PartialMode| {
+            (other.frequency_hz / mode.frequency_hz - 1.0).abs() <= ONE_FREQUENCY
+                && other.setups.iter().all(|s| !mode.setups.contains(s))
+        };
+        mode.unlike_in = all
+            .iter()
+            .filter(is_near)
+            .flat_map(|o| o.setups.clone())
+            .collect();
+        mode.unlike_in.sort_unstable();
+        mode.unlike_in.dedup();
+    }
+    let mut found = Vec::with_capacity(growing.len());
+    for mode in &growing {
+        found.push(mode.finished()?);
+    }
+    found.sort_by(|a, b| a.0.frequency_hz.total_cmp(&b.0.frequency_hz));
+    let (modes, merged) = found.into_iter().unzip();
+    let references = places.seen_by(2);
+    Ok(MergedSetups {
+        modes: Modes {
+            modes,
+            channels: places.channels,
+            method: first.method,
+            duration_s: setups.iter().map(|s| s.duration_s).sum(),
+            history: first.history.clone(),
+        },
+        merged,
+        partial,
+        references,
+        reference_faults: reference_faults(setups, &options.pairing)?,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::modal::{Method, Mode, ReferenceCase, assurance};
+    use crate::signal::Channel;
+    use dolmen_linalg::Complex64;
+
+    #[test]
+    fn exact_changes_of_a_mean_sum_to_its_variance_widened_where_the_setups_differ() {
+        for factor in [1.0, 1.003] {
+            let mut setups = [
+                setup(&[0, 1, 2], Complex64::ONE, 1.0),
+                setup(&[0, 1, 3], Complex64::ONE, factor),
+            ];
+            for (s, setup) in setups.iter_mut().enumerate() {
+                for (i, mode) in setup.modes.iter_mut().enumerate() {
+                    // modes of one setup move alike in its first block, apart in its second
+                    let apart = if i % 2 == 0 { 0.6 } else { -0.6 };
+                    mode.frequency_sd_hz = Some(0.002 * (s + 1) as f64);
+                    mode.frequency_changes_hz = [0.8, apart].map(|c| c * 0.002 * (s + 1) as f64).to_vec();
+                }
+            }
+            let found = merge_setups(&setups, &MergeSetups::default())
+                .unwrap()
+                .modes
+                .modes;
+            for mode in &found {
+                let square: f64 = mode.frequency_changes_hz.iter().map(|d| d * d).sum();
+                assert_eq!(mode.frequency_changes_hz.len(), 4);
+                assert!(
+                    (square.sqrt() / mode.frequency_sd_hz.unwrap() - 1.0).abs() < 1e-12,
+                    "{mode:?}"
+                );
+            }
+            // .8² − .6² of the variances
+            let pairs = found[0]
+                .frequency_changes_hz
+                .iter()
+                .zip(&found[1].frequency_changes_hz);
+            let product: f64 = pairs.map(|(a, b)| a * b).sum();
+            let sds = found[0].frequency_sd_hz.unwrap() * found[1].frequency_sd_hz.unwrap();
+            assert!((product / sds - 0.28).abs() < 1e-12, "{product} {sds}");
+        }
+    }
+
+    /// Exact modes of four floors, seen at the channels named, each shape scaled by itself.
+    fn setup(channels: &[usize], scale: Complex64, factor: f64) -> Modes {
+        let made = ReferenceCase::ClosePairs.made(0).unwrap();
+        let mode = |m: &crate::modal::MadeMode| Mode {
+            frequency_hz: factor * m.frequency_hz,
+            frequency_sd_hz: Some(0.002),
+            frequency_changes_hz: Vec::new(),
+            damping_ratio: Some(m.damping_ratio),
+            damping_ratio_sd: Some(0.001),
+            shape: channels.iter().map(|c| scale * m.shape[*c]).collect(),
+            shape_sd: Some(vec![0.01; channels.len()]),
+            phase_collinearity: 1.0,
+            cycles: 600.0 * m.frequency_hz,
+            orders: vec![8],
+            kurtosis: None,
+            window_bias: None,
+        };
+        Modes {
+            modes: made.modes.iter().map(mode).collect(),
+            channels: channels.iter().map(|c| Channel::named(format!("s{c}"))).collect(),
+            method: Method::SsiCov,
+            duration_s: 600.0,
+            history: Vec::new(),
+        }
+    }
+
+    #[test]
+    fn exact_shapes_come_back_whole_whatever_the_scale_of_each_setup() {
+        let setups = [
+            setup(&[6, 7, 0, 1], Complex64::ONE, 1.0),
+            setup(&[2, 6, 3, 7], Complex64::new(-0.3, 0.2), 1.0),
+            setup(&[4, 5, 3, 2], Complex64::new(0.0, 2.0), 1.0), // references of the second setup alone
+        ];
+        let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+        assert_eq!((found.modes.modes.len(), found.partial.len()), (8, 0));
+        let names: Vec<&str> = found.modes.channels.iter().map(|c| c.name.as_str()).collect();
+        assert_eq!(names, ["s6", "s7", "s0", "s1", "s2", "s3", "s4", "s5"]);
+        assert_eq!(found.references, [0, 1, 4, 5]);
+        let truth = ReferenceCase::ClosePairs.made(0).unwrap().modes;
+        for (mode, truth) in found.modes.modes.iter().zip(&truth) {
+            let whole: Vec<Complex64> = [6, 7, 0, 1, 2, 3, 4, 5]
+                .map(|c: usize| Complex64::new(truth.shape[c], 0.0))
+                .to_vec();
+            assert!(assurance(&mode.shape, &whole) > 1.0 - 1e-12, "{mode:?}");
+            assert!((mode.frequency_hz - truth.frequency_hz).abs() < 1e-12);
+            assert!((mode.frequency_sd_hz.unwrap() - 0.002 / 3.0_f64.sqrt()).abs() < 1e-15);
+        }
+        for merged in &found.merged {
+            assert!(
+                merged.reference_assurance[1..]
+                    .iter()
+                    .all(|mac| mac.is_some_and(|mac| mac > 1.0 - 1e-12))
+            );
+            assert!(!merged.frequency.differs());
+        }
+    }
+
+    #[test]
+    fn holds_setups_that_disagree_are_said_and_the_deviation_is_widened() {
+        let setups = [
+            setup(&[6, 7, 0], Complex64::ONE, 1.0),
+            setup(&[6, 7, 1], Complex64::ONE, 1.01),
+        ];
+        let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+        for (mode, merged) in found.modes.modes.iter().zip(&found.merged) {
+            let half = 0.005 * merged.frequency_hz[0]; // of the difference: sd of the mean, by the parts alone
+            assert!(merged.frequency.differs() && (mode.frequency_sd_hz.unwrap() / half - 1.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn holds_a_mode_that_one_setup_does_not_show_is_left_out_and_named() {
+        let mut second = setup(&[6, 7, 1], Complex64::ONE, 1.0);
+        let lost = second.modes.remove(2);
+        let found = merge_setups(
+            &[setup(&[6, 7, 0], Complex64::ONE, 1.0), second],
+            &MergeSetups::default(),
+        )
+        .unwrap();
+        assert_eq!(found.modes.modes.len(), 7);
+        assert_eq!(
+            found.partial,
+            [PartialMode {
+                frequency_hz: lost.frequency_hz,
+                setups: vec![0],
+                unlike_in: Vec::new(),
+            }]
+        );
+    }
+
+    #[test]
+    fn exact_factor_of_a_reference_of_another_gain_or_turned_round() {
+        for (factor, words) in [
+            (
+                2.0,
+                "has another gain in setup 2: against the other references it moves 2.00",
+            ),
+            (
+                -1.0,
+                "looks turned round in setup 2: against the other references it moves -1.00",
+            ),
+        ] {
+            let mut setups = [
+                setup(&[6, 7, 4, 0], Complex64::ONE, 1.0),
+                setup(&[6, 7, 4, 1], Complex64::ONE, 1.0),
+                setup(&[6, 7, 4, 2], Complex64::ONE, 1.0),
+            ];
+            for mode in &mut setups[1].modes {
+                mode.shape[1] *= factor;
+            }
+            let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+            let [fault] = &found.reference_faults[..] else {
+                panic!("{:?}", found.reference_faults)
+            };
+            assert_eq!(
+                (fault.setups[0], &fault.channels[..]),
+                (1, &["s7".to_owned()][..])
+            );
+            assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
+            assert!(fault.to_string().contains(words), "{fault}");
+            // the first of the setups at fault, seen in the two others
+            setups.swap(0, 1);
+            let found = merge_setups(&setups, &MergeSetups::default()).unwrap();
+            let [fault] = &found.reference_faults[..] else {
+                panic!("{:?}", found.reference_faults)
+            };
+            assert_eq!(fault.setups[0], 0);
+            assert!((fault.factor / factor - 1.0).abs() < 1e-6, "{fault:?}");
+        }
+    }
+
+    #[test]
+    fn holds_a_mode_that_a_turned_sensor_hides_is_said_to_be_in_both_setups() {
+        let first = setup(&[6, 7, 0], Complex64::ONE, 1.0);
+        let mut second = setup(&[6, 7, 1], Complex64::ONE, 1.0);
+        for mode in &mut second.modes {
+            mode.shape[1] *= -1.0;
+        }
+        let found = merge_setups(&[first, second], &MergeSetups::default()).unwrap();
+        let [fault] = &found.reference_faults[..] else {
+            panic!("{:?}", found.reference_faults)
+        };
+        assert_eq!(fault.channels.len(), 2); // of two references either may be turned
+        assert!((fault.factor + 1.0).abs() < 1e-6, "{fault:?}");
+        assert!(
+            found.partial.iter().all(|p| !p.unlike_in.is_empty()),
+            "{:?}",
+            found.partial
+        );
+    }
+
+    #[test]
+    fn holds_references_that_agree_are_no_fault() {
+        // a component off by twice its deviation, and one setup scaled by -0.4
+        let first = setup(&[6, 7, 4, 0], Complex64::ONE, 1.0);
+        let mut second = setup(&[6, 7, 4, 1], Complex64::new(-0.4, 0.0), 1.002);
+        for (i, mode) in second.modes.iter_mut().enumerate() {
+            mode.shape[i % 3] *= 1.02;
+        }
+        let found = merge_setups(&[first, second], &MergeSetups::default()).unwrap();
+        assert_eq!(found.reference_faults, []);
+    }
+
+    #[test]
+    fn refuses_one_setup_and_setups_without_a_reference() {
+        let one = setup(&[0, 1], Complex64::ONE, 1.0);
+        let message = merge_setups(std::slice::from_ref(&one), &MergeSetups::default())
+            .unwrap_err()
+            .to_string();
+        assert!(message.starts_with("1 setups are given"), "{message}");
+        let other = setup(&[2, 3], Complex64::ONE, 1.0);
+        let message = merge_setups(&[one, other], &MergeSetups::default())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            message.starts_with("setup 2 has no sensor in common"),
+            "{message}"
+        );
+    }
+}

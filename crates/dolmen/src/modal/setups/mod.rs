@@ -1,0 +1,18 @@
+//! Several setups of one survey: which sensors and modes are one, and what they show together.
+
+mod agreement;
+mod joint;
+mod merge_setups;
+mod merged_mode;
+mod one_shaking;
+mod pairing;
+mod places;
+mod reference_gains;
+
+pub use agreement::Agreement;
+pub use joint::{JointSetups, joint_setups};
+pub use merge_setups::{MergeSetups, MergedSetups, PartialMode, merge_setups};
+pub use merged_mode::MergedMode;
+pub(crate) use pairing::shared;
+pub use pairing::{ModePair, MovedFurther, ObservedMode, ObservedPoint, PairedModes, Pairing, pair_modes};
+pub use reference_gains::ReferenceFault;

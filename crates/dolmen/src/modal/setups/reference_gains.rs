@@ -1,0 +1,260 @@
+//! Sensors that stay through several setups, held against themselves: one whose gain or sense is another in one setup.
+//!
+//! | symbol | code | meaning | shape |
+//! |:--|:--|:--|:--|
+//! | a, b | `a`, `b` | shape of a mode at the shared sensors in the setup before, in this one | references × 1 |
+//! | α | `scale` | what the shape of this setup is multiplied by | - |
+//! | g | `factor` | what one sensor is multiplied by besides, in all modes | - |
+//! | v | `variance` | of αb − a | references × 1 |
+
+use super::pairing::{ObservedMode, Pairing, pair_modes, same_place};
+use crate::modal::{ModalError, Mode, Modes};
+use dolmen_linalg::Complex64;
+
+/// Deviation of a component beside that stated, of the largest of its mode: weather and modes that lie close. Chosen here.
+const BESIDE: f64 = 0.03;
+/// Deviation where none is stated. Chosen here.
+const NOT_STATED: f64 = 0.05;
+/// Least change of a factor that is named, beside four of its deviations. Chosen here: well above what sensors of one kind differ by.
+const CHANGE_LEAST: f64 = 0.15;
+const DEVIATIONS: f64 = 4.0;
+/// One factor must leave so many times less unexplained than none, and than a factor of any other sensor.
+const EXPLAINS: f64 = 4.0;
+const TOLD_APART: f64 = 2.0;
+/// Modes that must show it.
+const MODES_LEAST: usize = 2;
+/// Rounds of least squares over α and g in turn.
+const ROUNDS: usize = 30;
+
+/// A sensor that stays and is not the same in two setups.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReferenceFault {
+    /// The setup at fault and the one that it is held against, from 0; of two setups alone either may be at fault.
+    pub setups: [usize; 2],
+    /// The sensors that explain it: one, or those that cannot be told apart.
+    pub channels: Vec<String>,
+    /// What the first of them shows in the first of the setups over what it should; negative: turned round.
+    pub factor: f64,
+    /// Its standard deviation.
+    pub factor_sd: f64,
+    /// Modes that show it.
+    pub modes: usize,
+}
+
+impl std::fmt::Display for ReferenceFault {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let names: Vec<String> = self.channels.iter().map(|name| format!("\"{name}\"")).collect();
+        let [at, before] = self.setups.map(|s| s + 1);
+        let names = names.join(" or ");
+        let seen = format!(
+            "{:.2} ± {:.2} times (standard deviation) what it is in setup {before}, alike in {} modes",
+            self.factor, self.factor_sd, self.modes
+        );
+        if self.factor < 0.0 {
+            write!(
+                f,
+                "reference {names} looks turned round in setup {at}: against the other references it moves {seen}; correct its direction or \
+                 its scale, no shape put together over it is right"
+            )
+        } else {
+            write!(
+                f,
+                "reference {names} has another gain in setup {at}: against the other references it moves {seen}; correct its scale, no shape \
+                 put together over it is right"
+            )
+        }
+    }
+}
+
+/// A mode of two setups at the sensors that both have.
+struct Shared {
+    a: Vec<Complex64>,
+    b: Vec<Complex64>,
+    variance: Vec<f64>,
+}
+
+/// Sensors that are not the same in all setups, one a pair of setups at most.
+///
+/// ```text
+/// minimise Σ_modes Σ_c |α g_c b_c − a_c|²/v_c      g = 1 but of one sensor; v = |α|² sd(b)² + sd(a)² + (0.03 max|a|)²
+/// ```
+/// Modes are paired by frequency alone, for a sensor turned round makes every shape unlike.
+///
+/// # Errors
+/// As [`pair_modes`].
+pub(super) fn reference_faults(
+    setups: &[Modes],
+    pairing: &Pairing,
+) -> Result<Vec<ReferenceFault>, ModalError> {
+    let mut found: Vec<ReferenceFault> = Vec::new();
+    for later in 1..setups.len() {
+        for before in 0..later {
+            found.extend(of_two(setups, [later, before], pairing)?);
+        }
+    }
+    // the setup that most of a sensor's faults have in common is the one at fault
+    let mut named: Vec<ReferenceFault> = Vec::new();
+    let alike = |a: &ReferenceFault, b: &ReferenceFault| {
+        a.channels.len() == b.channels.len() && a.channels.iter().all(|name| b.channels.contains(name))
+    };
+    for fault in &found {
+        let same: Vec<&ReferenceFault> = found.iter().filter(|o| alike(o, fault)).collect();
+        let count = |setup: usize| same.iter().filter(|o| o.setups.contains(&setup)).count();
+        let [later, before] = fault.setups;
+        let told = if count(before) > count(later) {
+            ReferenceFault {
+                setups: [before, later],
+                factor: fault.factor.recip(),
+                factor_sd: fault.factor_sd / fault.factor.powi(2),
+                ..fault.clone()
+            }
+        } else {
+            fault.clone()
+        };
+        if !named
+            .iter()
+            .any(|o| alike(o, &told) && o.setups[0] == told.setups[0])
+        {
+            named.push(told);
+        }
+    }
+    Ok(named)
+}
+
+fn of_two(
+    setups: &[Modes],
+    [later, before]: [usize; 2],
+    pairing: &Pairing,
+) -> Result<Option<ReferenceFault>, ModalError> {
+    let (of_b, of_a) = (&setups[later], &setups[before]);
+    let shared: Vec<(usize, usize, f64)> = of_a
+        .channels
+        .iter()
+        .enumerate()
+        .filter_map(|(i, a)| {
+            let at = |(j, b)| same_place(a, b, pairing.place_within_m).map(|sign| (i, j, sign));
+            of_b.channels.iter().enumerate().find_map(at)
+        })
+        .collect();
+    if shared.len() < 2 {
+        return Ok(None);
+    }
+    let bare = |modes: &Modes| -> Vec<ObservedMode> {
+        modes
+            .modes
+            .iter()
+            .map(|mode| ObservedMode::of(mode, &[], 0))
+            .collect()
+    };
+    let pairs = pair_modes(&bare(of_a), &bare(of_b), pairing)?.pairs;
+    let modes: Vec<Shared> = pairs
+        .iter()
+        .map(|pair| Shared::of(&of_a.modes[pair.first], &of_b.modes[pair.second], &shared))
+        .collect();
+    if modes.len() < MODES_LEAST {
+        return Ok(None);
+    }
+    let unexplained = left(&modes, &vec![1.0; shared.len()]);
+    let mut fits: Vec<(usize, Fit)> = (0..shared.len()).map(|c| (c, fit(&modes, c))).collect();
+    fits.sort_by(|a, b| a.1.left.total_cmp(&b.1.left));
+    let (_, best) = &fits[0];
+    let freedom = (modes.len() * (shared.len() - 1)) as f64 - 1.0;
+    let widened = (best.left / freedom.max(1.0)).max(1.0).sqrt();
+    let sd = best.sd * widened;
+    let is_fault = best.factor.is_finite()
+        && (best.factor - 1.0).abs() > CHANGE_LEAST.max(DEVIATIONS * sd)
+        && unexplained > EXPLAINS * best.left.max(freedom.max(1.0));
+    if !is_fault {
+        return Ok(None);
+    }
+    let alike = fits
+        .iter()
+        .filter(|(_, fit)| fit.left < TOLD_APART * best.left.max(freedom.max(1.0)));
+    let channels = alike.map(|(c, _)| of_b.channels[shared[*c].1].name.clone());
+    Ok(Some(ReferenceFault {
+        setups: [later, before],
+        channels: channels.collect(),
+        factor: best.factor.recip(), // what it shows over what it should
+        factor_sd: sd / best.factor.powi(2),
+        modes: modes.len(),
+    }))
+}
+
+impl Shared {
+    fn of(before: &Mode, later: &Mode, shared: &[(usize, usize, f64)]) -> Self {
+        let sd = |mode: &Mode, c: usize| {
+            let stated = mode.shape_sd.as_ref().and_then(|sd| sd.get(c)).copied();
+            stated.filter(|sd| sd.is_finite()).unwrap_or(NOT_STATED)
+        };
+        let a: Vec<Complex64> = shared.iter().map(|(i, ..)| before.shape[*i]).collect();
+        let b: Vec<Complex64> = shared
+            .iter()
+            .map(|(_, j, sign)| later.shape[*j] * *sign)
+            .collect();
+        let size = |z: &[Complex64]| z.iter().map(|z| z.norm_sqr()).sum::<f64>();
+        let ratio = size(&a) / size(&b).max(f64::MIN_POSITIVE);
+        let most = a.iter().map(|z| z.norm()).fold(0.0, f64::max);
+        let variance = shared
+            .iter()
+            .map(|(i, j, _)| sd(before, *i).powi(2) + ratio * sd(later, *j).powi(2) + (BESIDE * most).powi(2))
+            .collect();
+        Shared { a, b, variance }
+    }
+
+    /// α by least squares, of the sensors but `without`, with the variance that it has.
+    fn scale(&self, factors: &[f64], without: Option<usize>) -> (Complex64, f64) {
+        let (mut inner, mut power) = (Complex64::ZERO, f64::MIN_POSITIVE);
+        for c in (0..self.a.len()).filter(|c| Some(*c) != without) {
+            let b = factors[c] * self.b[c];
+            inner += b.conj() * self.a[c] / self.variance[c];
+            power += b.norm_sqr() / self.variance[c];
+        }
+        (inner / power, 1.0 / power)
+    }
+}
+
+/// What the factors of the sensors leave unexplained, over its variance.
+fn left(modes: &[Shared], factors: &[f64]) -> f64 {
+    let of = |mode: &Shared| -> f64 {
+        let (scale, _) = mode.scale(factors, None);
+        let each = (0..mode.a.len()).map(|c| {
+            let apart = scale * factors[c] * mode.b[c] - mode.a[c];
+            apart.norm_sqr() / mode.variance[c]
+        });
+        each.sum()
+    };
+    modes.iter().map(of).sum()
+}
+
+/// The factor of one sensor that explains most.
+struct Fit {
+    factor: f64,
+    sd: f64,
+    left: f64,
+}
+
+fn fit(modes: &[Shared], channel: usize) -> Fit {
+    let mut factors = vec![1.0; modes[0].a.len()];
+    let mut sd = f64::INFINITY;
+    for round in 0..ROUNDS {
+        let without = (round == 0).then_some(channel);
+        let (mut inner, mut power, mut known) = (0.0, f64::MIN_POSITIVE, 0.0);
+        for mode in modes {
+            let (scale, _) = mode.scale(&factors, without);
+            let b = scale * mode.b[channel];
+            inner += (b.conj() * mode.a[channel]).re / mode.variance[channel];
+            power += b.norm_sqr() / mode.variance[channel];
+            let (scale, scale_variance) = mode.scale(&factors, Some(channel));
+            let b = factors[channel] * mode.b[channel];
+            let variance = mode.variance[channel] + scale_variance * b.norm_sqr();
+            known += (scale * mode.b[channel]).norm_sqr() / variance;
+        }
+        factors[channel] = inner / power;
+        sd = known.max(f64::MIN_POSITIVE).sqrt().recip();
+    }
+    Fit {
+        factor: factors[channel],
+        sd,
+        left: left(modes, &factors),
+    }
+}

@@ -1,0 +1,318 @@
+//! Frequency domain decomposition: singular values of the spectral matrix over frequency, and its peaks.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | S(f) | `spectral_matrix` | one-sided spectral density, channels × channels | unit²/Hz |
+//! | R_k | `Correlations::lag` | correlations | unit² |
+//! | M | `lags` | largest lag of the window | - |
+
+use crate::modal::correlations::{Correlations, correlate};
+use crate::modal::error::refused;
+use crate::modal::indicators::{normalized, phase_collinearity};
+use crate::modal::{Method, ModalError, Mode, Modes};
+use crate::signal::Record;
+use dolmen_linalg::{Complex64, ComplexMatrix, Matrix, hermitian_eigen};
+use realfft::RealFftPlanner;
+use std::ops::Range;
+
+/// Spectral lines never exceed this: finer ones cost memory and show nothing more.
+const LINES_MOST: usize = 16_384;
+/// Fewest lines that still show a peak.
+const LINES_LEAST: usize = 64;
+/// Samples over lines: fewer parts to average, and the peaks of noise pass for modes.
+const PARTS_LEAST: usize = 16;
+/// Lines from zero frequency that the removed mean and the lag window spoil.
+const LINES_SPOILT: usize = 4;
+
+/// Options of [`fdd`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Fdd {
+    /// Lines of the spectrum from 0 to half the sampling rate; `None` (default): the power of two nearest below
+    /// 1/16 of the samples, at least 64 and at most 16384, so that about 30 independent parts are averaged.
+    pub lines: Option<usize>,
+    /// Height of a peak over the higher of the two saddles beside it, dB; default 8: five standard deviations of a
+    /// line that averages 30 parts, on either side (ours).
+    pub prominence_db: f64,
+    /// Lowest frequency looked at, Hz; default 0.
+    pub frequency_low_hz: f64,
+    /// Highest frequency looked at, Hz; `None` (default): half the sampling rate.
+    pub frequency_high_hz: Option<f64>,
+}
+
+impl Default for Fdd {
+    fn default() -> Self {
+        Fdd {
+            lines: None,
+            prominence_db: 8.0,
+            frequency_low_hz: 0.0,
+            frequency_high_hz: None,
+        }
+    }
+}
+
+/// Singular values of the spectral matrix, line by line.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SingularSpectrum {
+    /// Frequencies, Hz.
+    pub frequency_hz: Vec<f64>,
+    /// For each frequency all singular values, descending, unit²/Hz: as many as channels.
+    pub singular_values: Vec<Vec<f64>>,
+    /// Height of each peak over the higher saddle beside it, dB, in the order of the modes.
+    pub prominence_db: Vec<f64>,
+    /// Width of each peak 3 dB below its top, Hz, in the order of the modes: 2ζf, but no less than the window's 1.3/(M dt).
+    pub half_power_width_hz: Vec<f64>,
+}
+
+/// Peaks of the spectrum as modes, with the singular values they were picked from.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FddResult {
+    /// Modes without damping: frequency at the line (refined by a parabola through three), first singular vector.
+    pub modes: Modes,
+    /// What was looked at.
+    pub spectrum: SingularSpectrum,
+    /// Re S over its trace at each peak, with its frequency, Hz.
+    pub(super) at_peaks: Vec<(f64, Matrix)>,
+}
+
+impl FddResult {
+    /// Σ Re S/tr S over the peaks that are still modes.
+    pub(crate) fn seen_at_peaks(&self) -> Matrix {
+        let l = self.modes.channels.len();
+        let mode = |f: f64| self.modes.modes.iter().any(|m| m.frequency_hz == f);
+        let mut seen = Matrix::zeros(l, l);
+        for (_, of_peak) in self.at_peaks.iter().filter(|(f, _)| mode(*f)) {
+            for (sum, x) in seen.as_mut_slice().iter_mut().zip(of_peak.as_slice()) {
+                *sum += x;
+            }
+        }
+        seen
+    }
+}
+
+/// Modes at the peaks of the first singular value of the spectral matrix.
+///
+/// ```text
+/// S(f) = 2 dt Σ w_k R_k e^(-2πi f k dt),  k = -M … M      shape: channels × channels, Hermitian
+/// S(f) = U diag(s1 ≥ s2 ≥ …) U*                           a peak of s1: frequency; first column of U: shape
+/// ```
+/// w is Parzen's window: its transform is positive, so no singular value is negative.
+///
+/// # Errors
+/// [`ModalError::TooShort`], [`ModalError::Option`], [`ModalError::Linalg`]. No peak is no error: `modes` is empty.
+///
+/// # Limits
+/// Of two modes closer than about 2/(M dt) only one peak is seen; damping is not estimated: `efdd` and the subspace methods
+/// do that.
+///
+/// # Source
+/// Brincker, Zhang & Andersen (2001) Smart Mater. Struct. 10:441-445. Differs from the source: spectra come from
+/// windowed correlations (Blackman & Tukey), which are shared with SSI, not from averaged periodograms.
+pub fn fdd(record: &Record, options: &Fdd) -> Result<FddResult, ModalError> {
+    let lines = options.lines_of(record)?;
+    let correlations = correlate(record, lines, 1)?;
+    peaks_of(record, &SpectralMatrices::new(&correlations), options)
+}
+
+impl Fdd {
+    /// Lines of the spectrum of this record, all options checked.
+    pub(super) fn lines_of(&self, record: &Record) -> Result<usize, ModalError> {
+        if !(self.prominence_db > 0.0 && self.prominence_db.is_finite()) {
+            return refused("prominence_db", self.prominence_db, "a positive number");
+        }
+        if record.length() < PARTS_LEAST * LINES_LEAST {
+            return Err(ModalError::TooShort {
+                samples: record.length(),
+                lags: LINES_LEAST,
+                blocks: PARTS_LEAST,
+                needed: PARTS_LEAST * LINES_LEAST,
+            });
+        }
+        let automatic = (record.length() / PARTS_LEAST + 1).next_power_of_two() / 2;
+        Ok(self.lines.unwrap_or(automatic.clamp(LINES_LEAST, LINES_MOST)))
+    }
+}
+
+/// Singular values of every line, and the modes at their peaks.
+pub(crate) fn peaks_of(
+    record: &Record,
+    matrices: &SpectralMatrices,
+    options: &Fdd,
+) -> Result<FddResult, ModalError> {
+    let (l, lines) = (matrices.channels, matrices.lines);
+    let step_hz = 0.5 * record.sampling_rate_hz() / lines as f64;
+    let mut singular_values = Vec::with_capacity(lines + 1);
+    for line in 0..=lines {
+        let mut s = hermitian_eigen(&matrices.at(line))?.values;
+        s.reverse();
+        s.iter_mut().for_each(|s| *s = s.max(0.0));
+        singular_values.push(s);
+    }
+    let last = options
+        .frequency_high_hz
+        .map_or(lines, |f| (f / step_hz) as usize);
+    let first = ((options.frequency_low_hz / step_hz).ceil() as usize).max(LINES_SPOILT);
+    let level: Vec<f64> = singular_values.iter().map(|s| decibel(s[0])).collect();
+    let peaks = peaks(&level, first..last.min(lines), options.prominence_db);
+    let mut modes = Vec::with_capacity(peaks.len());
+    let mut at_peaks = Vec::with_capacity(peaks.len());
+    for peak in &peaks {
+        let s = matrices.at(peak.line);
+        let e = hermitian_eigen(&s)?;
+        let shape = normalized(e.vectors.column(l - 1));
+        let frequency_hz = (peak.line as f64 + peak.offset) * step_hz;
+        let share = 1.0 / (0..l).map(|c| s[(c, c)].re).sum::<f64>();
+        at_peaks.push((frequency_hz, Matrix::from_fn(l, l, |i, j| share * s[(i, j)].re)));
+        modes.push(Mode {
+            frequency_hz,
+            frequency_sd_hz: None,
+            frequency_changes_hz: Vec::new(),
+            damping_ratio: None,
+            damping_ratio_sd: None,
+            phase_collinearity: phase_collinearity(&shape),
+            shape,
+            shape_sd: None,
+            cycles: frequency_hz * record.duration_s(),
+            orders: Vec::new(),
+            kurtosis: None,
+            window_bias: None,
+        });
+    }
+    Ok(FddResult {
+        modes: Modes {
+            modes,
+            channels: record.channels().to_vec(),
+            method: Method::Fdd,
+            duration_s: record.duration_s(),
+            history: record.history().to_vec(),
+        },
+        spectrum: SingularSpectrum {
+            frequency_hz: (0..=lines).map(|i| i as f64 * step_hz).collect(),
+            singular_values,
+            prominence_db: peaks.iter().map(|p| p.prominence_db).collect(),
+            half_power_width_hz: peaks
+                .iter()
+                .map(|p| half_power_width(&level, p.line) * step_hz)
+                .collect(),
+        },
+        at_peaks,
+    })
+}
+
+/// Lower triangle of S at every line, one pair of channels after the other.
+pub(crate) struct SpectralMatrices {
+    pub(super) channels: usize,
+    pub(super) lines: usize,
+    pairs: Vec<realfft::num_complex::Complex<f64>>,
+}
+
+impl SpectralMatrices {
+    pub(crate) fn new(r: &Correlations) -> Self {
+        let (l, m) = (r.channels, r.lags);
+        let plan = RealFftPlanner::new().plan_fft_forward(2 * m);
+        let (mut time, mut bins) = (plan.make_input_vec(), plan.make_output_vec());
+        let mut pairs = Vec::with_capacity(l * (l + 1) / 2 * (m + 1));
+        for a in 0..l {
+            for b in 0..=a {
+                time[m] = 0.0;
+                for k in 0..m {
+                    let weight = 2.0 * r.step_s * parzen(k as f64 / m as f64);
+                    time[k] = weight * r.lag(k)[a * l + b];
+                    if k > 0 {
+                        time[2 * m - k] = weight * r.lag(k)[b * l + a];
+                    }
+                }
+                let _ = plan.process(&mut time, &mut bins); // lengths are the plan's own
+                pairs.extend_from_slice(&bins);
+            }
+        }
+        SpectralMatrices {
+            channels: l,
+            lines: m,
+            pairs,
+        }
+    }
+
+    pub(super) fn at(&self, line: usize) -> ComplexMatrix {
+        ComplexMatrix::from_fn(self.channels, self.channels, |i, j| {
+            let (a, b) = (i.max(j), i.min(j));
+            let z = self.pairs[(a * (a + 1) / 2 + b) * (self.lines + 1) + line];
+            let im = if a == b { 0.0 } else { z.im };
+            Complex64::new(z.re, if i >= j { im } else { -im })
+        })
+    }
+}
+
+/// Parzen's lag window at x = lag over the longest lag, 0 to 1.
+pub(super) fn parzen(x: f64) -> f64 {
+    if x <= 0.5 {
+        1.0 - 6.0 * x * x * (1.0 - x)
+    } else {
+        2.0 * (1.0 - x).powi(3)
+    }
+}
+
+pub(crate) fn decibel(power: f64) -> f64 {
+    10.0 * power.max(f64::MIN_POSITIVE).log10()
+}
+
+/// Distance in lines between the points 3 dB below the top at `line`, on straight lines through the spectrum.
+fn half_power_width(level: &[f64], line: usize) -> f64 {
+    const HALF_POWER_DB: f64 = 3.0103; // 10 log10 2
+    let target = level[line] - HALF_POWER_DB;
+    let reach = |next: &dyn Fn(usize) -> Option<usize>| {
+        let (mut at, mut steps) = (line, 0.0);
+        while let Some(beyond) = next(at) {
+            if level[beyond] < target {
+                return steps + (level[at] - target) / (level[at] - level[beyond]);
+            }
+            (at, steps) = (beyond, steps + 1.0);
+        }
+        steps
+    };
+    let right = |i: usize| (i + 1 < level.len()).then_some(i + 1);
+    reach(&|i| i.checked_sub(1)) + reach(&right)
+}
+
+pub(crate) struct Peak {
+    pub(crate) line: usize,
+    /// Place of the top between the lines, -0.5 to 0.5.
+    offset: f64,
+    prominence_db: f64,
+}
+
+/// Local maxima that rise by `prominence_db` over the higher of the two lowest points between them and a higher line.
+pub(crate) fn peaks(level: &[f64], range: Range<usize>, prominence_db: f64) -> Vec<Peak> {
+    let mut found = Vec::new();
+    for i in range.start.max(1)..range.end.min(level.len() - 1) {
+        if level[i] <= level[i - 1] || level[i] < level[i + 1] {
+            continue;
+        }
+        let saddle = |side: &mut dyn Iterator<Item = usize>| {
+            let mut least = level[i];
+            for j in side {
+                if level[j] > level[i] {
+                    break;
+                }
+                least = least.min(level[j]);
+            }
+            least
+        };
+        let left = saddle(&mut (range.start..i).rev());
+        let right = saddle(&mut (i + 1..range.end));
+        let prominence = level[i] - left.max(right);
+        if prominence >= prominence_db {
+            let (a, b, c) = (level[i - 1], level[i], level[i + 1]);
+            let bend = a - 2.0 * b + c;
+            found.push(Peak {
+                line: i,
+                offset: if bend < 0.0 {
+                    (0.5 * (a - c) / bend).clamp(-0.5, 0.5)
+                } else {
+                    0.0
+                },
+                prominence_db: prominence,
+            });
+        }
+    }
+    found
+}

@@ -1,0 +1,18 @@
+//! Modes from the spectrum: its peaks, their bells, and matrix fractions fitted to half spectra.
+
+mod efdd;
+mod fdd;
+mod fraction_deviation;
+mod fraction_fit;
+mod half_spectra;
+mod plscf;
+mod plscf_options;
+mod reference_channels;
+
+pub use efdd::{Efdd, efdd};
+pub use fdd::{Fdd, FddResult, SingularSpectrum, fdd};
+pub(super) use fdd::{SpectralMatrices, decibel, peaks, peaks_of};
+pub(super) use fraction_deviation::FractionScatter;
+pub use plscf::{MatrixFraction, plscf};
+pub use plscf_options::Plscf;
+pub(super) use reference_channels::keeping_most;

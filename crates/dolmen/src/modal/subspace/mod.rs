@@ -1,0 +1,21 @@
+//! Modes from stochastic subspaces: decompositions, poles of all orders, their deviations and clusters.
+
+mod clusters;
+mod decomposed;
+mod hankel;
+mod ssi;
+mod ssi_options;
+mod stabilization;
+mod uncertainty;
+
+pub(super) use clusters::group_poles;
+pub use clusters::{Cluster, Clustering, Fate, clusters};
+pub(super) use decomposed::of_matrix;
+pub(super) use hankel::{HANKEL_ROWS_MOST, future_past, side_by_side};
+pub use ssi::{Pole, Subspace, ssi_cov, ssi_data};
+pub(super) use ssi::{RANK_LEAST, check_ssi, subspace};
+pub use ssi_options::Ssi;
+pub(super) use stabilization::{AllOrders, judge_poles};
+pub use stabilization::{Criteria, JudgedPole, Stability, Stabilization, stabilize};
+pub(super) use uncertainty::{Deviations, correction, frequency_and_damping};
+pub use uncertainty::{PoleDeviation, Propagation};

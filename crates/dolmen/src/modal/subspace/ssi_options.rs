@@ -1,0 +1,31 @@
+//! Options of stochastic subspace identification.
+
+/// Options of [`ssi_cov`](crate::modal::ssi_cov) and [`ssi_data`](crate::modal::ssi_data).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ssi {
+    /// Block rows br, at the rate after decimation: at least half a period of the lowest mode; at least 2.
+    pub block_rows: usize,
+    /// Highest model order, even, at most channels × (block_rows - 1) and reference channels × block_rows; twice the
+    /// modes looked for and more.
+    pub order_most: usize,
+    /// Samples before over samples after a low-pass filter of the correlations; 1 (default): none.
+    pub decimation: usize,
+    /// Consecutive blocks of time whose scatter gives the standard deviations; default 30 (the standard deviation
+    /// is then itself known to 13 %); at least 2.
+    pub time_blocks: usize,
+    /// Channels whose past is correlated with the future of all, by index; empty (default): all. Few make the work
+    /// smaller; a mode that none of them sees is lost.
+    pub references: Vec<usize>,
+}
+
+impl Default for Ssi {
+    fn default() -> Self {
+        Ssi {
+            block_rows: 30,
+            order_most: 60,
+            decimation: 1,
+            time_blocks: 30,
+            references: Vec::new(),
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! Which poles can be modes at all, and which come back from one model order to the next.
+
+use super::uncertainty::Deviations;
+use crate::modal::indicators::assurance;
+use crate::modal::{ModalError, Pole, Propagation, Subspace};
+
+/// Criteria of [`stabilize`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Criteria {
+    /// Lowest frequency, Hz; default 0.
+    pub frequency_low_hz: f64,
+    /// Highest frequency, Hz; default none (infinite).
+    pub frequency_high_hz: f64,
+    /// Least damping ratio; default 0.002: stone, timber and concrete lie above 0.003, the tones of machines below
+    /// 0.002 (the four in the Palisaden record: 0.0001 to 0.0019).
+    pub damping_ratio_least: f64,
+    /// Largest damping ratio; default 0.15: above any structure in ambient motion without dampers (ours).
+    pub damping_ratio_most: f64,
+    /// Least modal phase collinearity, 0 to 1; default 0.4 (ours: of two modes 2 % apart, 10 minutes show shapes
+    /// that are not quite real).
+    pub phase_collinearity_least: f64,
+    /// Largest mean phase deviation over a right angle, 0 to 1; default 0.45 (ours).
+    pub phase_deviation_most: f64,
+    /// Largest standard deviation of the frequency over its floor √(ζ/2πN_c); default 8 (ours: modes of the made
+    /// records reach 1 to 2, entangled with a noise pole 5 to 8; poles that fit noise 10 to 100).
+    pub deviation_over_floor_most: f64,
+    /// Largest change of frequency to the order below, relative; default 0.01 (Peeters & De Roeck 1999).
+    pub frequency_change_most: f64,
+    /// Largest change of damping ratio to the order below, relative; default 0.3 (ours: its scatter is that wide in
+    /// 10 minutes).
+    pub damping_change_most: f64,
+    /// Least assurance of the shape with the order below; default 0.95 (ours; Peeters & De Roeck take 0.98).
+    pub assurance_least: f64,
+}
+
+impl Default for Criteria {
+    fn default() -> Self {
+        Criteria {
+            frequency_low_hz: 0.0,
+            frequency_high_hz: f64::INFINITY,
+            damping_ratio_least: 0.002,
+            damping_ratio_most: 0.15,
+            phase_collinearity_least: 0.4,
+            phase_deviation_most: 0.45,
+            deviation_over_floor_most: 8.0,
+            frequency_change_most: 0.01,
+            damping_change_most: 0.3,
+            assurance_least: 0.95,
+        }
+    }
+}
+
+impl Criteria {
+    /// With no pole outside this range either, Hz.
+    pub(crate) fn within(&self, [low_hz, high_hz]: [f64; 2]) -> Self {
+        Criteria {
+            frequency_low_hz: self.frequency_low_hz.max(low_hz),
+            frequency_high_hz: self.frequency_high_hz.min(high_hz),
+            ..self.clone()
+        }
+    }
+}
+
+/// What the criteria say of one pole: the first that it fails, in this order.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stability {
+    /// Passes all.
+    Stable,
+    /// Outside the frequency range: cannot be a mode looked for.
+    OutOfRange,
+    /// Damping ratio below the least or above the largest allowed: a machine's tone, or noise.
+    Damping,
+    /// Shape too far from a real one (collinearity or phase deviation): taken as noise.
+    Complex,
+    /// Standard deviation far above what the record's length explains: fits noise, or is entangled with a pole that does.
+    Scattered,
+    /// No pole of like frequency at the order below.
+    FrequencyMoved,
+    /// Frequency came back, damping did not.
+    DampingMoved,
+    /// Frequency and damping came back, the shape did not.
+    ShapeMoved,
+}
+
+impl Stability {
+    /// Whether the pole passes what a mode must have by itself, whatever the order below holds.
+    pub fn possible(self) -> bool {
+        use Stability::{Complex, Damping, OutOfRange, Scattered};
+        !matches!(self, OutOfRange | Damping | Complex | Scattered)
+    }
+}
+
+/// One pole and what the criteria say of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedPole {
+    /// The pole.
+    pub pole: Pole,
+    /// The verdict.
+    pub stability: Stability,
+    /// Standard deviation of the frequency, Hz; `None` for a pole that fails a criterion before it.
+    pub frequency_sd_hz: Option<f64>,
+}
+
+/// The stabilisation diagram: every pole of every order with its verdict.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stabilization {
+    /// By order, then by frequency.
+    pub poles: Vec<JudgedPole>,
+    /// What they were judged by.
+    pub criteria: Criteria,
+}
+
+/// Judges each pole: hard criteria by itself, soft ones against the possible poles of the order below.
+///
+/// # Errors
+/// [`ModalError::Linalg`].
+///
+/// # Source
+/// Floor of the deviation: Au (2014) Mech. Syst. Signal Process. 48:15-33. Differs from the practice of judging poles by
+/// the diagram alone: the deviation tells a mode from a pole that fits noise where both come back at every order.
+pub fn stabilize(subspace: &Subspace, criteria: &Criteria) -> Result<Stabilization, ModalError> {
+    judge_poles(
+        &AllOrders::of(subspace),
+        &mut Propagation::new(subspace),
+        criteria,
+    )
+}
+
+/// The poles of every order of an analysis, and from which record.
+pub(crate) struct AllOrders<'a> {
+    pub(crate) poles: &'a [Pole],
+    pub(crate) duration_s: f64,
+    pub(crate) order_most: usize,
+    /// From one order to the next.
+    pub(crate) order_step: usize,
+}
+
+impl<'a> AllOrders<'a> {
+    pub(crate) fn of(subspace: &'a Subspace) -> Self {
+        AllOrders {
+            poles: &subspace.poles,
+            duration_s: subspace.duration_s,
+            order_most: subspace.order_most,
+            order_step: 2,
+        }
+    }
+}
+
+/// As [`stabilize`], of any poles.
+pub(crate) fn judge_poles(
+    all: &AllOrders<'_>,
+    deviations: &mut dyn Deviations,
+    criteria: &Criteria,
+) -> Result<Stabilization, ModalError> {
+    let mut judged: Vec<JudgedPole> = Vec::with_capacity(all.poles.len());
+    let (mut below, mut start) = (0..0, 0);
+    for pole in all.poles {
+        if judged.last().is_some_and(|last| last.pole.order != pole.order) {
+            (below, start) = (start..judged.len(), judged.len());
+        }
+        let mut frequency_sd_hz = None;
+        let mut stability = hard(pole, criteria);
+        if stability.is_none() {
+            let sd_hz = deviations.frequency_sd_hz(pole)?;
+            frequency_sd_hz = Some(sd_hz);
+            let settled = sd_hz <= criteria.deviation_over_floor_most * pole.floor_hz(all.duration_s);
+            stability = if settled { None } else { Some(Stability::Scattered) };
+        }
+        let possible_below = judged[below.clone()].iter().filter(|j| j.stability.possible());
+        judged.push(JudgedPole {
+            pole: pole.clone(),
+            stability: stability.unwrap_or_else(|| soft(pole, possible_below.map(|j| &j.pole), criteria)),
+            frequency_sd_hz,
+        });
+    }
+    Ok(Stabilization {
+        poles: judged,
+        criteria: criteria.clone(),
+    })
+}
+
+fn hard(pole: &Pole, c: &Criteria) -> Option<Stability> {
+    let in_range = (c.frequency_low_hz..=c.frequency_high_hz).contains(&pole.frequency_hz);
+    let damped = (c.damping_ratio_least..=c.damping_ratio_most).contains(&pole.damping_ratio);
+    let real = pole.phase_collinearity >= c.phase_collinearity_least
+        && pole.phase_deviation <= c.phase_deviation_most;
+    match (in_range, damped, real) {
+        (false, ..) => Some(Stability::OutOfRange),
+        (_, false, _) => Some(Stability::Damping),
+        (.., false) => Some(Stability::Complex),
+        _ => None,
+    }
+}
+
+fn soft<'a>(pole: &Pole, below: impl Iterator<Item = &'a Pole>, c: &Criteria) -> Stability {
+    let rank = |s: &Stability| match s {
+        Stability::Stable => 3,
+        Stability::ShapeMoved => 2,
+        Stability::DampingMoved => 1,
+        _ => 0,
+    };
+    below
+        .map(|other| {
+            let frequency = (pole.frequency_hz / other.frequency_hz - 1.0).abs();
+            let damping = (pole.damping_ratio / other.damping_ratio - 1.0).abs();
+            if frequency > c.frequency_change_most {
+                Stability::FrequencyMoved
+            } else if damping > c.damping_change_most {
+                Stability::DampingMoved
+            } else if assurance(&pole.shape, &other.shape) < c.assurance_least {
+                Stability::ShapeMoved
+            } else {
+                Stability::Stable
+            }
+        })
+        .max_by_key(rank)
+        .unwrap_or(Stability::FrequencyMoved)
+}
