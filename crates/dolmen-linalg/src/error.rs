@@ -1,6 +1,5 @@
 /// Why a decomposition cannot be computed. Each variant carries what was refused.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum LinalgError {
     /// An entry is NaN or infinite.
     #[error(

@@ -7,7 +7,6 @@ use crate::structure::stack::StackError;
 
 /// Why a structure cannot be assessed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum AssessError {
     /// The structure or its stiffness is refused.
     #[error(transparent)]

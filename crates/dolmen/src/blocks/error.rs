@@ -5,7 +5,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why a simulation cannot start. How one that ran ended is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum BlocksError {
     /// An option out of its range.
     #[error("{option} is {given}, but must be {allowed}")]

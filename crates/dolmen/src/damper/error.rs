@@ -5,7 +5,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why a damper cannot be designed. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum DamperError {
     /// The mass ratio lies outside the range in which dampers are designed.
     #[error(

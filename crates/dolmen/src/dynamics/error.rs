@@ -5,7 +5,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why a simulation cannot start or cannot go on. How one that ran ended is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum DynamicsError {
     /// A value out of its range.
     #[error("{argument} is {given}, but must be {allowed}")]

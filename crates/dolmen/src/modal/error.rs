@@ -4,7 +4,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why modes cannot be identified. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum ModalError {
     /// The highest model order asked needs more block rows than there are.
     #[error(

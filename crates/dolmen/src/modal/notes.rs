@@ -70,7 +70,6 @@ impl std::fmt::Display for LateClock {
 
 /// What must be known beside the modes.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Note {
     /// A channel that is faint or clipped: it was used all the same.
     Channel(ChannelFault),

@@ -2,7 +2,6 @@ use crate::numeric::NumericError;
 
 /// Why a record cannot be made or conditioned. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum SignalError {
     /// No channel, or channels without a sample.
     #[error("the record has {channels} channels of {samples} samples, but must have at least 1 of 2")]

@@ -20,7 +20,6 @@ const SAME: f64 = 1e-6;
 
 /// Why a channel should not be used as it is. Printed, it is a sentence that says what to do.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum ChannelFault {
     /// Every sample is the same.
     Constant {

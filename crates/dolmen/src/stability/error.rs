@@ -3,7 +3,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why stability cannot be assessed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum StabilityError {
     /// The stiffnesses do not fit the structure.
     #[error(transparent)]

@@ -1,6 +1,5 @@
 /// Why a structure cannot exist or its stiffness cannot be found. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum StructureError {
     /// A chain without links or a frame without storeys.
     #[error("the {kind} has no {parts}, but needs at least 1")]

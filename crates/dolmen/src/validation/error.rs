@@ -9,7 +9,6 @@ use crate::structure::stack::StackError;
 
 /// Why a case could not be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum ValidationError {
     /// A structure of a source was refused.
     #[error(transparent)]

@@ -19,7 +19,6 @@ pub(super) const WITH_TIME: f64 = 0.7;
 
 /// What must be known beside the numbers.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum ChangeNote {
     /// No line over temperature could be fitted for a mode: its change is not corrected.
     NotFitted {

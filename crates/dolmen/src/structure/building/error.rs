@@ -2,7 +2,6 @@
 
 /// Why a floor, a storey or a building cannot be. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum BuildingError {
     /// No floors.
     #[error("the building has no floors, but needs at least 1")]
