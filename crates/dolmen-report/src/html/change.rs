@@ -420,7 +420,6 @@ fn note_words(note: &ChangeNote, language: Language) -> String {
                 "낮아진다"
             }
         ),
-        other => format!("[영문] {other}"),
     };
     let end = if note.to_string().ends_with('?') { "" } else { "." };
     language.pick(format!("Note: {note}{end}"), korean)

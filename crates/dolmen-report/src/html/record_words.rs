@@ -185,7 +185,6 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
                 all.join(", ")
             )
         }
-        other => format!("[영문] {other}"),
     };
     language.pick(sentence(&note.to_string()), korean)
 }
@@ -259,7 +258,6 @@ pub(super) fn fault_words(fault: &ChannelFault, language: Language) -> String {
         } => format!(
             "채널 \"{channel}\"과(와) \"{other}\"의 신호가 같다(배율 {factor:.6}). 한 케이블이 두 입력에 연결되었거나 같은 열이 중복되었으므로 하나를 제외해야 한다."
         ),
-        other => other.to_string(),
     };
     language.pick(sentence(&fault.to_string()), korean)
 }
@@ -422,6 +420,10 @@ fn step_words(step: &Processing, language: Language) -> String {
                 n(*after_s)
             ),
         ),
-        other => format!("{other:?}"),
+        // a record comes through none of these; no sentence yet
+        Processing::HighPass { .. }
+        | Processing::Matched { .. }
+        | Processing::Tapered { .. }
+        | Processing::Rotated { .. } => format!("{step:?}"),
     }
 }

@@ -106,7 +106,6 @@ fn ending(simulation: &Simulation) -> Value {
             json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })
         }
         Outcome::Diverged { at_s } => json!({ "kind": "diverged", "at_s": at_s }),
-        _ => json!({ "kind": "unknown" }),
     }
 }
 
