@@ -46,3 +46,16 @@ pub enum LinalgError {
         what: &'static str,
     },
 }
+
+impl LinalgError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::NoConvergence { .. } => true,
+            Self::NotFinite { .. }
+            | Self::Shape { .. }
+            | Self::NotPositiveDefinite { .. }
+            | Self::Singular { .. } => false,
+        }
+    }
+}

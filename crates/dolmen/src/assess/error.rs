@@ -191,6 +191,39 @@ pub enum AssessError {
     },
 }
 
+impl AssessError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Stability(why) => why.did_not_converge(),
+            Self::Modal(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Stack(_)
+            | Self::Numeric(_)
+            | Self::NothingToCompare { .. }
+            | Self::TemperatureFit { .. }
+            | Self::Factor { .. }
+            | Self::OutsideTraining { .. }
+            | Self::NothingToRank { .. }
+            | Self::TooFewDesigns { .. }
+            | Self::SiteSpecific
+            | Self::ReturnPeriod { .. }
+            | Self::SpectrumTable { .. }
+            | Self::OutsideTable { .. }
+            | Self::TableDamping { .. }
+            | Self::Scale { .. }
+            | Self::Trend { .. }
+            | Self::FragilityParameter { .. }
+            | Self::Observation { .. }
+            | Self::TooFewMotions { .. }
+            | Self::NoFragility(_)
+            | Self::FragilityFalls
+            | Self::Hazard { .. } => false,
+        }
+    }
+}
+
 fn no_fragility(bound: &FragilityBound) -> String {
     match bound {
         FragilityBound::NoneReached {

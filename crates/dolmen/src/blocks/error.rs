@@ -84,6 +84,23 @@ pub enum BlocksError {
     Linalg(#[from] LinalgError),
 }
 
+impl BlocksError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::NoRest { .. } => true,
+            Self::Option { .. }
+            | Self::StepTooLarge { .. }
+            | Self::Topples { .. }
+            | Self::NotAPile { .. }
+            | Self::NoSliding { .. }
+            | Self::SpringsOnly { .. }
+            | Self::Stack(_) => false,
+        }
+    }
+}
+
 /// The times that both laws take.
 pub(super) fn check_times(
     time_step_s: Option<f64>,

@@ -111,3 +111,25 @@ pub enum DamperError {
     #[error(transparent)]
     Linalg(#[from] LinalgError),
 }
+
+impl DamperError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Dynamics(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::MassRatio { .. }
+            | Self::Argument { .. }
+            | Self::Row { .. }
+            | Self::NoSite { .. }
+            | Self::Unmoved { .. }
+            | Self::OutsideFloor { .. }
+            | Self::ModeStill { .. }
+            | Self::NoPoints
+            | Self::Still { .. }
+            | Self::TooManyFrequencies { .. }
+            | Self::NoMap
+            | Self::NoOptimum { .. } => false,
+        }
+    }
+}

@@ -188,3 +188,33 @@ pub enum DynamicsError {
     #[error(transparent)]
     Linalg(#[from] LinalgError),
 }
+
+impl DynamicsError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Building(why) => why.did_not_converge(),
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Argument { .. }
+            | Self::Storey { .. }
+            | Self::Count { .. }
+            | Self::NoState { .. }
+            | Self::TooManyEvents { .. }
+            | Self::NoSwing { .. }
+            | Self::SwingFalls { .. }
+            | Self::ChainPart { .. }
+            | Self::ChainCount { .. }
+            | Self::NoBedWidth { .. }
+            | Self::SideSupport { .. }
+            | Self::NoJointState { .. }
+            | Self::StepTooShort { .. }
+            | Self::Matrix { .. }
+            | Self::Entries { .. }
+            | Self::Unbounded { .. }
+            | Self::NotRational
+            | Self::Unstable
+            | Self::Integral { .. } => false,
+        }
+    }
+}

@@ -274,6 +274,40 @@ pub enum ModalError {
     Linalg(#[from] LinalgError),
 }
 
+impl ModalError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Order { .. }
+            | Self::Rank { .. }
+            | Self::Dependent { .. }
+            | Self::ModesWanted { .. }
+            | Self::ModesMissing { .. }
+            | Self::NoModeAt { .. }
+            | Self::BlockRows { .. }
+            | Self::TooShort { .. }
+            | Self::Option { .. }
+            | Self::NoPeak { .. }
+            | Self::Channel(_)
+            | Self::PickedTwice { .. }
+            | Self::MadeMode { .. }
+            | Self::Compared { .. }
+            | Self::DecayTooShort { .. }
+            | Self::NoDecay { .. }
+            | Self::SeveralBlows { .. }
+            | Self::ClippedDecay { .. }
+            | Self::FewSwings { .. }
+            | Self::Setups { .. }
+            | Self::NoReference { .. }
+            | Self::NoCommonReference { .. }
+            | Self::SetupRate { .. }
+            | Self::Numeric(_)
+            | Self::Record(_) => false,
+        }
+    }
+}
+
 fn listed_s(times_s: &[f64]) -> String {
     let all: Vec<String> = times_s.iter().map(|t| format!("{t:.2}")).collect();
     all.join(", ")

@@ -69,3 +69,20 @@ pub enum StabilityError {
     )]
     Indeterminate,
 }
+
+impl StabilityError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Option { .. }
+            | Self::VerticalAcceleration { .. }
+            | Self::Direction { .. }
+            | Self::Block { .. }
+            | Self::Pressure { .. }
+            | Self::ConicProgramme { .. }
+            | Self::Indeterminate => false,
+        }
+    }
+}

@@ -198,3 +198,30 @@ pub enum StructureError {
     #[error(transparent)]
     Linalg(#[from] dolmen_linalg::LinalgError),
 }
+
+impl StructureError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Empty { .. }
+            | Self::NotPositive { .. }
+            | Self::Centroid { .. }
+            | Self::Count { .. }
+            | Self::Gravity { .. }
+            | Self::Negative { .. }
+            | Self::Part { .. }
+            | Self::Height { .. }
+            | Self::AxialOrder { .. }
+            | Self::Tie { .. }
+            | Self::ModesMissing
+            | Self::ModesMost { .. }
+            | Self::FrequencyOrder { .. }
+            | Self::Option { .. }
+            | Self::Mode { .. }
+            | Self::Frequencies { .. }
+            | Self::Storeys { .. }
+            | Self::Invisible { .. } => false,
+        }
+    }
+}

@@ -41,3 +41,20 @@ pub enum ValidationError {
     #[error(transparent)]
     Assess(#[from] AssessError),
 }
+
+impl ValidationError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Building(why) => why.did_not_converge(),
+            Self::Stability(why) => why.did_not_converge(),
+            Self::Blocks(why) => why.did_not_converge(),
+            Self::Dynamics(why) => why.did_not_converge(),
+            Self::Modal(why) => why.did_not_converge(),
+            Self::Damper(why) => why.did_not_converge(),
+            Self::Assess(why) => why.did_not_converge(),
+            Self::Stack(_) | Self::Signal(_) => false,
+        }
+    }
+}

@@ -156,3 +156,25 @@ pub enum BuildingError {
     #[error(transparent)]
     Linalg(#[from] dolmen_linalg::LinalgError),
 }
+
+impl BuildingError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Empty
+            | Self::Count { .. }
+            | Self::Value { .. }
+            | Self::Element { .. }
+            | Self::Asymmetric { .. }
+            | Self::Sways { .. }
+            | Self::Twists { .. }
+            | Self::Falls { .. }
+            | Self::Outline { .. }
+            | Self::Outside { .. }
+            | Self::Part { .. }
+            | Self::Argument { .. }
+            | Self::Damping { .. } => false,
+        }
+    }
+}
