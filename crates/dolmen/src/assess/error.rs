@@ -24,9 +24,7 @@ pub enum AssessError {
     #[error(transparent)]
     Modal(#[from] ModalError),
     /// A survey has no modes to compare.
-    #[error(
-        "survey {survey} has no modes, so that nothing can be compared: give it frequencies, modes or records"
-    )]
+    #[error("survey {survey} has no modes, so that nothing can be compared")]
     NothingToCompare {
         /// Which.
         survey: String,
@@ -61,8 +59,8 @@ pub enum AssessError {
     },
     /// A factor of the score lies outside what was trained.
     #[error(
-        "{factor} is {}, but the score was trained from {} to {}: simulate this pagoda (dolmen study), or allow extrapolation, \
-         which is marked",
+        "{factor} is {}, but the score was trained from {} to {}: simulate this pagoda, or allow extrapolation, which is \
+         marked",
         digits(*given), digits(*least), digits(*most)
     )]
     OutsideTraining {

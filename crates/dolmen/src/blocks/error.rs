@@ -28,7 +28,7 @@ pub enum BlocksError {
     },
     /// The stack finds no rest under its own weight.
     #[error(
-        "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'. `dolmen check` says which joint cannot carry it"
+        "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'"
     )]
     NoRest {
         /// Newton iterations done.

@@ -194,7 +194,7 @@ pub enum ModalError {
     /// A force acts within a decay.
     #[error(
         "the swings grow at once at {} s from the first sample: a blow, or a release. A decay holds none: cut the record into parts that each begin \
-         after one and end before the next (conditioning = {{ cut = {{ from_s = …, to_s = … }} }}), a part a record",
+         after one and end before the next",
         listed_s(times_s)
     )]
     SeveralBlows {
@@ -203,8 +203,8 @@ pub enum ModalError {
     },
     /// A channel of a decay is clipped.
     #[error(
-        "channel \"{channel}\" is clipped until {until_s:.3} s from the first sample, and a clipped decay has another shape: begin at {whole_from_s:.3} s \
-         (conditioning = {{ cut = {{ from_s = … }} }}), or leave the channel out"
+        "channel \"{channel}\" is clipped until {until_s:.3} s from the first sample, and a clipped decay has another shape: leave the channel out, or \
+         begin at {whole_from_s:.3} s"
     )]
     ClippedDecay {
         /// Its name.
@@ -225,9 +225,7 @@ pub enum ModalError {
         needed: usize,
     },
     /// Too few setups.
-    #[error(
-        "{given} setups are given, but putting setups together needs 2 or more: write one record as records"
-    )]
+    #[error("{given} setups are given, but putting setups together needs 2 or more")]
     Setups {
         /// Setups given.
         given: usize,
@@ -243,8 +241,7 @@ pub enum ModalError {
     },
     /// No sensor is in every setup.
     #[error(
-        "no sensor is in all {setups} setups, but setups identified as one need one that stays throughout, better three: merge = \
-         \"poser\" needs one with the setups before"
+        "no sensor is in all {setups} setups, but setups identified as one need one that stays throughout, better three"
     )]
     NoCommonReference {
         /// Setups given.
@@ -252,8 +249,7 @@ pub enum ModalError {
     },
     /// A setup was sampled at another rate.
     #[error(
-        "setup {setup} has {given_hz} samples a second, the first {first_hz}: setups identified as one need one rate; decimate_factor \
-         in conditioning gives it, or take merge = \"poser\""
+        "setup {setup} has {given_hz} samples a second, the first {first_hz}: setups identified as one need one rate"
     )]
     SetupRate {
         /// Which, from 1.

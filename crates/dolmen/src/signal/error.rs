@@ -99,9 +99,7 @@ pub enum SignalError {
         channels: usize,
     },
     /// One of several channels does not say when it begins.
-    #[error(
-        "channel \"{channel}\" does not say when it begins: give its begins, or starts = \"together\" if all began at one instant"
-    )]
+    #[error("channel \"{channel}\" does not say when it begins")]
     NoStart {
         /// The channel.
         channel: String,

@@ -153,8 +153,8 @@ impl fmt::Display for ChannelFault {
             ),
             Self::Drifts { channel, rise } => write!(
                 f,
-                "channel \"{channel}\" drifts by {rise:.0} times its motion over the record: take the line off first (detrend_degree = 1), or \
-                 low modes and dampings come out wrong"
+                "channel \"{channel}\" drifts by {rise:.0} times its motion over the record, and low modes and dampings come out wrong: \
+                 take the line off first"
             ),
             Self::Spikes {
                 channel,

@@ -117,14 +117,13 @@ impl std::fmt::Display for ChangeNote {
                 write!(
                     f,
                     "channels \"{a}\" and \"{b}\" look swapped in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with the two \
-                     exchanged; if they were, exchange their names in the project file and compare again",
+                     exchanged",
                     swapped.modes, swapped.assurance, swapped.exchanged
                 )
             }
             ChangeNote::Turned(turned) => write!(
                 f,
-                "channel \"{}\" looks turned round in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with its sign changed; if it \
-                 was, turn its direction round in the project file and compare again",
+                "channel \"{}\" looks turned round in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with its sign changed",
                 turned.channel, turned.modes, turned.assurance, turned.turned
             ),
             ChangeNote::OneFactor { factor, modes } => write!(
