@@ -10,12 +10,12 @@ use dolmen_report::figures::ranking;
 use dolmen_report::html::{Imprint, ranking_html};
 use dolmen_report::json::rank_json;
 use dolmen_report::text::rank_text;
-use dolmen_work::WorkError;
 use dolmen_work::portfolio::{
     FoundProject, PortfolioAnswer, PortfolioRow, PortfolioTable, Projects, RankOptions, RowSource, rank,
     ranking_columns, read_portfolio,
 };
 use dolmen_work::study::table_csv;
+use dolmen_work::{WorkError, told};
 use std::path::{Path, PathBuf};
 
 /// Projects below a folder.
@@ -24,7 +24,7 @@ struct Below(PathBuf);
 impl Projects for Below {
     fn open(&self, path: &str) -> Result<FoundProject, WorkError> {
         let found = open::project(&self.0.join(path)).map_err(|why| WorkError::Outside {
-            why: format!("{why:#}"),
+            why: told(why.as_ref()),
         })?;
         Ok(FoundProject {
             journals: journals_beside(&found),

@@ -14,7 +14,7 @@ use dolmen_report::text::project_line;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{Verb, first_status, judge};
 use dolmen_work::motion::MotionRequest;
-use dolmen_work::{FlagVerb, ReportOptions, Sampling, report};
+use dolmen_work::{FlagVerb, ReportOptions, Sampling, report, told};
 use std::path::{Path, PathBuf};
 
 /// Samples of the demo: enough for a figure, few enough for a blink.
@@ -87,7 +87,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, quiet: bool) -> Result<Outcom
                 tools::complain(&fault);
                 others.push(NotReported {
                     file: path.display().to_string(),
-                    why: format!("{fault:#}"),
+                    why: told(fault.as_ref()),
                 });
                 faults.push(fault);
             }

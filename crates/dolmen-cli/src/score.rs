@@ -7,9 +7,9 @@ use crate::{files, open};
 use anyhow::{Context as _, Result};
 use dolmen_report::json::{score_json, score_quality_json};
 use dolmen_report::text::{score_quality_text, score_text};
-use dolmen_work::WorkError;
 use dolmen_work::score::{ScoreDesigns, score, score_quality};
 use dolmen_work::study::{study_designs, trained};
+use dolmen_work::{WorkError, told};
 use std::path::Path;
 
 pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
@@ -56,7 +56,7 @@ fn train(options: &Options, project: &Path, name: &str, output: &Path, quiet: bo
     let journals = || {
         let journals = folder.journals(name, &[]);
         journals.map_err(|why| WorkError::Outside {
-            why: format!("{why:#}"),
+            why: told(why.as_ref()),
         })
     };
     let designs = trained(study_designs(&found.opened, name, journals, &found.files)?);

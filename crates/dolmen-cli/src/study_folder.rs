@@ -7,12 +7,12 @@ use dolmen_report::figures::study_figures;
 use dolmen_report::json::study_json;
 use dolmen_report::tables::parquet;
 use dolmen_words::Language;
-use dolmen_work::WorkError;
 use dolmen_work::study::{
     Column, Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind,
     capacity_columns, fragility_columns, harmonic_columns, header_line, joint_columns, release_columns,
     resumed, run_columns, run_line, table_csv,
 };
+use dolmen_work::{WorkError, told};
 use std::fs::{self, File, OpenOptions};
 use std::io::{Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
@@ -206,7 +206,7 @@ pub(crate) fn journals_beside(found: &Found) -> Vec<StudyJournals> {
         Some(StudyJournals {
             study: study.name.clone(),
             journals: journals.map_err(|why| WorkError::Outside {
-                why: format!("{why:#}"),
+                why: told(why.as_ref()),
             }),
         })
     });

@@ -5,9 +5,9 @@ use crate::files;
 use crate::outcome::Outcome;
 use anyhow::{Context as _, Result, bail};
 use clap::CommandFactory as _;
-use dolmen::blocks::BlocksError;
 use dolmen_project::json_schema;
 use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
+use dolmen_work::{did_not_converge, told};
 use serde_json::json;
 use std::io::Write as _;
 use std::path::Path;
@@ -19,7 +19,7 @@ const BAD_INPUT: u8 = 2;
 
 /// Prints an error with its causes, to standard error.
 pub(crate) fn complain(fault: &anyhow::Error) {
-    let mut text = format!("{fault:#}");
+    let mut text = told(fault.as_ref());
     if !text.starts_with("error") {
         text.insert_str(0, "error: ");
     }
@@ -28,11 +28,7 @@ pub(crate) fn complain(fault: &anyhow::Error) {
 
 /// The exit status that an error stands for.
 pub(crate) fn exit_status(fault: &anyhow::Error) -> u8 {
-    let diverged = |cause: &(dyn std::error::Error + 'static)| {
-        let no_rest = matches!(cause.downcast_ref(), Some(BlocksError::NoRest { .. }));
-        no_rest || cause.to_string().contains("did not converge")
-    };
-    if fault.chain().any(diverged) {
+    if did_not_converge(fault.as_ref()) {
         NO_CONVERGENCE
     } else {
         BAD_INPUT
@@ -93,4 +89,31 @@ pub(crate) fn man(directory: Option<&Path>) -> Result<Outcome> {
         }
     }
     Ok(Outcome::Done)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen::signal::SignalError;
+
+    #[test]
+    fn holds_advice_and_exit_status_see_through_the_layers_above() {
+        let no_start = SignalError::NoStart {
+            channel: "a x".into(),
+        };
+        let fault = anyhow::Error::new(RecordError::Signal(no_start)).context("survey one");
+        assert_eq!(
+            told(&fault),
+            "survey one: channel \"a x\" does not say when it begins: give its begins, or starts = \"together\" if all began at one instant"
+        );
+        assert_eq!(exit_status(&fault), BAD_INPUT);
+        let no_rest = BlocksError::NoRest {
+            iterations: 9,
+            residual: 0.1,
+            block: "a".into(),
+        };
+        assert_eq!(exit_status(&no_rest.into()), NO_CONVERGENCE);
+        let bad = AssessError::Scale { given: 0.0 };
+        assert_eq!(exit_status(&ChangeFault::Assess(bad).into()), BAD_INPUT);
+    }
 }

@@ -1,6 +1,5 @@
 /// Why a decomposition cannot be computed. Each variant carries what was refused.
 #[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum LinalgError {
     /// An entry is NaN or infinite.
     #[error(
@@ -46,4 +45,17 @@ pub enum LinalgError {
         /// Which operation failed.
         what: &'static str,
     },
+}
+
+impl LinalgError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::NoConvergence { .. } => true,
+            Self::NotFinite { .. }
+            | Self::Shape { .. }
+            | Self::NotPositiveDefinite { .. }
+            | Self::Singular { .. } => false,
+        }
+    }
 }

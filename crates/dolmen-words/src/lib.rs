@@ -1,5 +1,6 @@
-//! How numbers and names are printed, in English and Korean.
+//! How numbers and names are printed, in English and Korean, and what to do about what the science says.
 
+pub mod advice;
 mod language;
 pub mod number;
 

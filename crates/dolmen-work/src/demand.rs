@@ -3,6 +3,7 @@
 use crate::error::WorkError;
 use crate::judgement::first_sway;
 use crate::state::{Check, DemandAnswer, SpectralAt};
+use crate::told::told;
 use dolmen::assess::StackCheckOptions;
 use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
@@ -35,7 +36,7 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
                 damping_ratio,
                 acceleration_m_s2,
             }),
-            Err(why) => answer.refused = Some(why.to_string()),
+            Err(why) => answer.refused = Some(told(&why)),
         }
     }
     if let Check::Stack(stack) = check {

@@ -20,11 +20,10 @@ use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
 use dolmen_records::FileError;
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
-use std::error::Error as _;
-use thiserror::Error;
+use std::error::Error;
 
 /// Why a verb cannot answer: what the science, the readers or the project file refuse, each with its place, or what was asked for.
-#[derive(Debug, Error)]
+#[derive(Debug, thiserror::Error)]
 pub enum WorkError {
     /// Where the cause lies: a file, a survey, an option.
     #[error("{place}")]
@@ -505,15 +504,34 @@ pub enum WorkError {
 }
 
 impl WorkError {
-    /// The error and its causes in one line.
-    pub fn line(&self) -> String {
-        let mut line = self.to_string();
-        let mut cause = self.source();
-        while let Some(below) = cause {
-            line = format!("{line}: {below}");
-            cause = below.source();
-        }
-        line
+    /// The error that is handed on as it is; `None` of one of its own.
+    pub(crate) fn handed_on(&self) -> Option<&(dyn Error + 'static)> {
+        Some(match self {
+            WorkError::File(why) => why,
+            WorkError::Project(why) => why,
+            WorkError::Record(why) => why,
+            WorkError::Motion(why) => why,
+            WorkError::Angle(why) => why,
+            WorkError::StackPart(why) => why,
+            WorkError::DamperPart(why) => why,
+            WorkError::Change(why) => why,
+            WorkError::Portfolio(why) => why,
+            WorkError::Designs(why) => why,
+            WorkError::Journal(why) => why,
+            WorkError::Assess(why) => why,
+            WorkError::Blocks(why) => why,
+            WorkError::Building(why) => why,
+            WorkError::Damper(why) => why,
+            WorkError::Dynamics(why) => why,
+            WorkError::Modal(why) => why,
+            WorkError::Numeric(why) => why,
+            WorkError::Signal(why) => why,
+            WorkError::Stability(why) => why,
+            WorkError::Stack(why) => why,
+            WorkError::Structure(why) => why,
+            WorkError::Validation(why) => why,
+            _ => return None,
+        })
     }
 }
 

@@ -34,6 +34,7 @@ mod stiffness;
 pub mod study;
 mod survey_dates;
 pub mod surveyed;
+mod told;
 mod validate;
 mod version;
 
@@ -45,4 +46,5 @@ pub use opened::Opened;
 pub use progress::{Progress, Silent, Stage};
 pub use report::{ReportOptions, report};
 pub use simulate::{PreparedSimulation, SimulateOptions, prepare};
+pub use told::{did_not_converge, told};
 pub use validate::validate;

@@ -158,3 +158,83 @@ fn refuses_an_upward_import_in_a_sample() {
     assert_eq!(imports("use crate::assess::Probability;\n"), ["assess"]);
     assert_eq!(imports("// use crate::assess::Probability;\n"), [""; 0]);
 }
+
+/// The string literals of `text`, each with its line, without comments.
+fn literals(text: &str) -> Vec<(usize, String)> {
+    let bytes = text.as_bytes();
+    let (mut found, mut at, mut line) = (Vec::new(), 0, 1);
+    while at < bytes.len() {
+        let rest = &text[at..];
+        let hashes = rest
+            .strip_prefix('r')
+            .map_or(0, |r| r.len() - r.trim_start_matches('#').len());
+        let raw = rest.starts_with('r') && rest[1 + hashes..].starts_with('"');
+        let named = at > 0 && (bytes[at - 1].is_ascii_alphanumeric() || bytes[at - 1] == b'_');
+        let length = if rest.starts_with("//") {
+            rest.find('\n').unwrap_or(rest.len())
+        } else if raw && !named {
+            let end = format!("\"{}", "#".repeat(hashes));
+            let from = 2 + hashes;
+            let inside = rest[from..].find(&end).unwrap();
+            found.push((line, rest[from..from + inside].to_owned()));
+            from + inside + end.len()
+        } else if rest.starts_with('"') {
+            let mut end = 1;
+            while bytes[at + end] != b'"' {
+                end += if bytes[at + end] == b'\\' { 2 } else { 1 };
+            }
+            found.push((line, rest[1..end].replace("\\\"", "\"")));
+            end + 1
+        } else if rest.starts_with("'\"'") {
+            3
+        } else if rest.starts_with("'\\\"'") {
+            4
+        } else {
+            rest.chars().next().map_or(1, char::len_utf8)
+        };
+        line += rest[..length].matches('\n').count();
+        at += length;
+    }
+    found
+}
+
+/// A flag of the command: "--" with a letter after it.
+fn names_a_flag(text: &str) -> bool {
+    let mut parts = text.split("--").skip(1);
+    parts.any(|rest| rest.starts_with(|c: char| c.is_ascii_lowercase()))
+}
+
+#[test]
+fn holds_the_science_names_no_key_of_a_project_and_no_command() {
+    const ABOVE: [&str; 17] = [
+        "`dolmen ",
+        "(dolmen ",
+        "project file",
+        "project.toml",
+        "conditioning",
+        "[survey",
+        "[site",
+        "[motion",
+        "[study",
+        "[variant",
+        "= { ",
+        "= {{",
+        "merge = ",
+        "starts = ",
+        "leave_out",
+        "decimate_factor",
+        "detrend_degree",
+    ];
+    for name in ["dolmen", "dolmen-linalg"] {
+        for file in rust_files(&root().join("crates").join(name).join("src")) {
+            for (line, text) in literals(&code(&file)) {
+                let named = ABOVE.iter().find(|word| text.contains(**word));
+                assert!(
+                    named.is_none() && !names_a_flag(&text),
+                    "{}:{line} names what stands above the science: {text}",
+                    file.display()
+                );
+            }
+        }
+    }
+}

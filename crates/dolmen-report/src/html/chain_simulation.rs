@@ -24,7 +24,7 @@ pub(super) fn findings(simulations: &[&ChainSimulation], language: Language) -> 
             ChainOutcome::Stood => Tone::Warn,
             ChainOutcome::Uplifted { .. } => Tone::Warn,
             ChainOutcome::Fell { .. } => Tone::Bad,
-            _ => Tone::Unknown,
+            ChainOutcome::StillLeaning { .. } | ChainOutcome::Stopped { .. } => Tone::Unknown,
         };
         let of = title(simulation, language);
         let lead = match &simulation.motion {
@@ -100,7 +100,7 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
                 format!("판정 불가: 해석이 끝난 {at_s:.2}초에 ‘{name}’의 회전각이 계속 커지고 있었다. 더 오래 해석해야 한다."),
             )
         }
-        _ => language.pick(
+        ChainOutcome::Stopped { .. } => language.pick(
             "the run was stopped: no verdict.".to_owned(),
             "해석이 중단되어 판정하지 않는다.".to_owned(),
         ),
@@ -300,7 +300,7 @@ fn compared(simulations: &[&ChainSimulation], language: Language) -> Markup {
                 ChainOutcome::Uplifted { .. } => language.pick("joints opened", "연결부 벌어짐"),
                 ChainOutcome::Fell { .. } => language.pick("fell", "전도"),
                 ChainOutcome::StillLeaning { .. } => language.pick("still leaning", "판정 불가"),
-                _ => language.pick("stopped", "중단"),
+                ChainOutcome::Stopped { .. } => language.pick("stopped", "중단"),
             };
             let lean = history.rotation_peaks.iter().map(|peak| peak.rotation_rad.abs());
             vec![

@@ -7,6 +7,7 @@ use crate::figures::survey_changes;
 use dolmen::assess::{ChangeNote, Difference, ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen::modal::ObservedMode;
 use dolmen_words::Language;
+use dolmen_words::advice::Advice as _;
 use dolmen_words::number::{significant, with_sd};
 use maud::{Markup, html};
 
@@ -420,8 +421,8 @@ fn note_words(note: &ChangeNote, language: Language) -> String {
                 "낮아진다"
             }
         ),
-        other => format!("[영문] {other}"),
     };
-    let end = if note.to_string().ends_with('?') { "" } else { "." };
-    language.pick(format!("Note: {note}{end}"), korean)
+    let english = note.advised();
+    let end = if english.ends_with('?') { "" } else { "." };
+    language.pick(format!("Note: {english}{end}"), korean)
 }

@@ -127,7 +127,6 @@ pub(super) fn unverified_words(what: &Unverified, language: Language) -> String 
             format!("1/T² 구간이 시작되는 주기 {displacement_s} s")
         }
         Unverified::Shape => "스펙트럼의 구간별 형상".to_owned(),
-        other => other.to_string(),
     };
     language.pick(what.to_string(), korean)
 }

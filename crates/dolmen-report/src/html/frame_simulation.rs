@@ -22,7 +22,7 @@ pub(super) fn findings(simulations: &[&FrameSimulation], language: Language) -> 
         let tone = match simulation.history.outcome {
             FrameOutcome::Finished => Tone::Plain,
             FrameOutcome::DriftLimit { .. } => Tone::Bad,
-            _ => Tone::Unknown,
+            FrameOutcome::Stopped { .. } => Tone::Unknown,
         };
         let peak = significant(
             simulation.peak_acceleration_m_s2() / STANDARD_GRAVITY_M_S2,
@@ -93,7 +93,7 @@ fn ending(simulation: &FrameSimulation, language: Language) -> String {
                 format!("‘{name}’의 층간변위가 {at_s:.2}초에 층고의 {most} %를 넘었다. 미소변형 모델의 범위를 벗어났으므로 붕괴로 본다."),
             )
         }
-        _ => language.pick(
+        FrameOutcome::Stopped { .. } => language.pick(
             "the run was stopped: no verdict.".to_owned(),
             "해석이 중단되어 판정하지 않는다.".to_owned(),
         ),

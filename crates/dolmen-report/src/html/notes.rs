@@ -13,7 +13,6 @@ pub(super) fn frame_note_words(note: &FrameNote, language: Language) -> String {
         FrameNote::LevelLoad { level, ratio } => format!(
             "제{level}층 바닥이 층에 더하는 하중이 그 질량에 의한 자중의 {ratio:.2}배이다. 기재한 축력에 상부 하중이 이미 누적되어 있다면 층별 하중이 아니라 층 축력(storey)으로 입력해야 한다. 두 번 누적하면 P-델타 효과가 과대평가된다."
         ),
-        other => other.to_string(),
     };
     language.pick(note.to_string(), korean)
 }
@@ -222,7 +221,6 @@ fn korean(note: &StiffnessNote) -> String {
         StiffnessNote::TakenAsLowest { modes, direction } => format!(
             "사용한 모드 {modes}개를 {direction} 방향의 최저차부터 빠짐없이 찾은 것으로 보았다. 누락된 모드가 있으면 모든 강성이 틀리게 된다."
         ),
-        other => other.to_string(),
     }
 }
 

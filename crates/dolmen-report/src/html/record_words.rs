@@ -4,6 +4,7 @@ use super::words::listed;
 use dolmen::modal::{Kurtosis, Note};
 use dolmen::signal::{ChannelFault, LostSpan, Processing};
 use dolmen_words::Language;
+use dolmen_words::advice::Advice as _;
 use dolmen_words::number;
 use maud::{Markup, html};
 
@@ -185,9 +186,8 @@ pub(super) fn note_words(note: &Note, language: Language) -> String {
                 all.join(", ")
             )
         }
-        other => format!("[영문] {other}"),
     };
-    language.pick(sentence(&note.to_string()), korean)
+    language.pick(sentence(&note.advised()), korean)
 }
 
 /// Which part of the record a machine runs in, where it is not all of it.
@@ -259,9 +259,8 @@ pub(super) fn fault_words(fault: &ChannelFault, language: Language) -> String {
         } => format!(
             "채널 \"{channel}\"과(와) \"{other}\"의 신호가 같다(배율 {factor:.6}). 한 케이블이 두 입력에 연결되었거나 같은 열이 중복되었으므로 하나를 제외해야 한다."
         ),
-        other => other.to_string(),
     };
-    language.pick(sentence(&fault.to_string()), korean)
+    language.pick(sentence(&fault.advised()), korean)
 }
 
 /// With a capital at the start and a full stop.
@@ -422,6 +421,10 @@ fn step_words(step: &Processing, language: Language) -> String {
                 n(*after_s)
             ),
         ),
-        other => format!("{other:?}"),
+        // a record comes through none of these; no sentence yet
+        Processing::HighPass { .. }
+        | Processing::Matched { .. }
+        | Processing::Tapered { .. }
+        | Processing::Rotated { .. } => format!("{step:?}"),
     }
 }

@@ -34,7 +34,10 @@ pub(super) fn findings(simulation: &StackSimulation, language: Language) -> Vec<
         Outcome::Stood => Tone::Good,
         Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
         Outcome::Fell { .. } => Tone::Bad,
-        _ => Tone::Unknown,
+        Outcome::StillMoving { .. }
+        | Outcome::Stopped { .. }
+        | Outcome::NotConverged { .. }
+        | Outcome::Diverged { .. } => Tone::Unknown,
     };
     vec![Finding::new(tone, lead + &ending(simulation, language))]
 }
@@ -106,7 +109,7 @@ fn korean(simulation: &StackSimulation) -> String {
         Outcome::NotConverged { at_s, .. } => {
             format!("{at_s:.2}초에 접촉 조건의 해를 찾지 못하여 해석이 중단되었고 판정하지 않는다.")
         }
-        _ => "해석이 발산하여 결과를 사용할 수 없다.".to_owned(),
+        Outcome::Diverged { .. } => "해석이 발산하여 결과를 사용할 수 없다.".to_owned(),
     }
 }
 
@@ -124,7 +127,7 @@ fn english(simulation: &StackSimulation) -> String {
         Outcome::StillMoving { .. } => "it still moved; ",
         Outcome::Stopped { .. } => "the run was stopped; ",
         Outcome::NotConverged { .. } => "the run found no solution; ",
-        _ => "the run diverged; ",
+        Outcome::Diverged { .. } => "the run diverged; ",
     };
     format!("{word}{rest}.")
 }

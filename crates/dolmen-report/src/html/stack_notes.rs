@@ -59,7 +59,6 @@ pub(super) fn stack_note_words(note: &StackNote, language: Language) -> String {
         StackNote::PeriodUnknown => {
             "1차 주기를 알 수 없어 탄성 접합면에 의한 증폭은 비교에 포함되지 않는다.".to_owned()
         }
-        other => other.to_string(),
     };
     language.pick(format!("{}.", capitalised(&note.to_string())), korean)
 }
@@ -123,7 +122,6 @@ pub(super) fn standing_words(standing: &Standing, language: Language) -> String 
             short(stiffness_n_m_rad / 1e6),
             short(least_n_m_rad / 1e6)
         ),
-        other => other.to_string(),
     };
     language.pick(standing.to_string(), korean)
 }
@@ -162,7 +160,15 @@ pub(super) fn processing_words(step: &Processing, language: Language) -> String 
             format!("x에서 y로 {}° 회전", short(angle_rad.to_degrees()))
         }
         Processing::Decimate { factor } => format!("1/{factor} 재표본화"),
-        other => other.to_string(),
+        // no Korean sentence yet
+        Processing::HighPass { .. }
+        | Processing::Matched { .. }
+        | Processing::ChannelScaled { .. }
+        | Processing::Interpolated { .. }
+        | Processing::Resampled { .. }
+        | Processing::OffsetsLeft { .. }
+        | Processing::LongestSpan { .. }
+        | Processing::CommonTime { .. } => step.to_string(),
     };
     language.pick(step.to_string(), korean)
 }

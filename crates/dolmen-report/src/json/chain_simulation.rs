@@ -93,6 +93,5 @@ fn ending(simulation: &ChainSimulation) -> Value {
             json!({ "kind": "still leaning", "link": simulation.links.get(link), "at_s": at_s })
         }
         ChainOutcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
-        _ => json!({ "kind": "unknown" }),
     }
 }

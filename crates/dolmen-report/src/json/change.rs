@@ -4,6 +4,7 @@ use super::check::project;
 use dolmen::assess::{Difference, FittedTemperature, ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen::modal::ObservedMode;
 use dolmen_project::Project;
+use dolmen_words::advice::Advice;
 use serde_json::{Value, json};
 
 /// What changed from one survey to another.
@@ -40,7 +41,7 @@ pub fn change_json(of: &Project, file: &str, change: &SurveyChange) -> Value {
             "uniform_stiffness": lost.change().map(|[_, stiffness]| stiffness),
         })).collect::<Vec<_>>(),
         "other_pairing_hz": change.other_pairing_hz,
-        "notes": change.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "notes": change.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
     })
 }
 

@@ -69,7 +69,6 @@ fn ending(simulation: &FrameSimulation) -> Value {
             json!({ "kind": "drift_limit", "storey": simulation.storeys.get(storey), "at_s": at_s })
         }
         FrameOutcome::Stopped { at_s } => json!({ "kind": "stopped", "at_s": at_s }),
-        _ => json!({ "kind": "unknown" }),
     }
 }
 

@@ -6,6 +6,7 @@ use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, Mod
 use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use dolmen_words::Language;
+use dolmen_words::advice::Advice;
 use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
@@ -65,7 +66,7 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "references": joint.references.iter().map(|&c| &joint.modes.channels[c].name).collect::<Vec<_>>(),
             "strength": joint.strength,
             "settings": settings(&joint.settings, &joint.modes),
-            "notes": joint.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+            "notes": joint.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
         })),
         "notes": setup_remarks(setups, Language::English),
     })
@@ -80,13 +81,13 @@ fn record(record: &RecordAnswer) -> Value {
         "sampling_rate_hz": record.sampling_rate_hz,
         "unit": record.unit,
         "remarks": record.remarks,
-        "faults": record.faults.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "faults": record.faults.iter().map(Advice::advised).collect::<Vec<_>>(),
         "history": analysis.modes.history.iter().map(ToString::to_string).collect::<Vec<_>>(),
         "settings": settings(&analysis.settings, &analysis.fdd_modes),
         "modes": identified(&analysis.modes),
         "fdd_modes": identified(&analysis.fdd_modes),
         "decay": analysis.decay.as_ref().map(decay),
-        "notes": analysis.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "notes": analysis.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
     })
 }
 

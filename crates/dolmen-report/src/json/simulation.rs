@@ -110,7 +110,6 @@ fn ending(simulation: &StackSimulation) -> Value {
             json!({ "kind": "not_converged", "at_s": at_s, "residual_m_s": residual_m_s })
         }
         Outcome::Diverged { at_s } => json!({ "kind": "diverged", "at_s": at_s }),
-        _ => json!({ "kind": "unknown" }),
     }
 }
 

@@ -100,7 +100,6 @@ fn ending(simulation: &ChainSimulation) -> String {
         ChainOutcome::Stopped { at_s } => format!(
             "STOPPED at {at_s:.2} s before its end: what follows is of the part that was done, and no verdict"
         ),
-        _ => "UNKNOWN end".to_owned(),
     }
 }
 

@@ -5,6 +5,7 @@ use super::project::{heading_text, warnings_text};
 use dolmen::assess::{Difference, ModeChange, SurveyChange, TemperatureKnowledge};
 use dolmen::modal::ObservedMode;
 use dolmen_project::Project;
+use dolmen_words::advice::Advice as _;
 use std::fmt::Write as _;
 
 /// What changed from one survey to another.
@@ -33,7 +34,7 @@ pub fn change_text(project: &Project, file: &str, change: &SurveyChange) -> Stri
         let _ = writeln!(out, "{sentence}");
     }
     for note in &change.notes {
-        let _ = writeln!(out, "  note: {note}");
+        let _ = writeln!(out, "  note: {}", note.advised());
     }
     out.push('\n');
     out + &warnings_text(project)

@@ -59,7 +59,6 @@ fn ending(simulation: &FrameSimulation) -> String {
         FrameOutcome::Stopped { at_s } => format!(
             "STOPPED at {at_s:.2} s before its end: what follows is of the part that was done, and no verdict"
         ),
-        _ => "UNKNOWN end".to_owned(),
     }
 }
 

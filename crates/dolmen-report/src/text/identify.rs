@@ -7,6 +7,7 @@ use super::setups::{joint_heading, merged_text};
 use super::stiffness::{data_text, masses_text, stiffness_text};
 use dolmen::modal::{Method, Modes, Settings};
 use dolmen::signal::{Channel, Processing};
+use dolmen_words::advice::Advice as _;
 use dolmen_words::number::{TWO_SIDED_95, counted};
 use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::surveyed::{RecordAnswer, SurveyAnswer};
@@ -44,7 +45,7 @@ fn survey_text(survey: &SurveyAnswer) -> String {
                 out += &joint_heading(joint);
                 out += &modes_text(&joint.modes);
                 for note in &joint.notes {
-                    let _ = writeln!(out, "  note: {note}");
+                    let _ = writeln!(out, "  note: {}", note.advised());
                 }
             }
         }
@@ -88,7 +89,7 @@ fn record_text(record: &RecordAnswer) -> String {
         };
     }
     for fault in &record.faults {
-        let _ = writeln!(out, "  warning: {fault} [channel-fault]");
+        let _ = writeln!(out, "  warning: {} [channel-fault]", fault.advised());
     }
     out += &chosen_text(
         modes.method,
@@ -100,7 +101,7 @@ fn record_text(record: &RecordAnswer) -> String {
         out += &decay_text(decay);
     }
     for note in &record.analysis.notes {
-        let _ = writeln!(out, "  note: {note}");
+        let _ = writeln!(out, "  note: {}", note.advised());
     }
     out
 }

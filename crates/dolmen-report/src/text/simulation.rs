@@ -116,25 +116,21 @@ fn ending(simulation: &StackSimulation) -> String {
         }
         _ => String::new(),
     };
-    match (&history.outcome, simulation.shifted()) {
-        (Outcome::Stood | Outcome::Uplifted { .. }, Some((joint, of))) => {
-            let [upper, lower] = simulation.joint_names(joint);
-            let mut out = format!(
-                "SHIFTED: no stone fell, but '{upper}' on '{lower}' slipped by up to {:.1} mm and lies {:.1} mm from its place, {:.1} % of the \
-                 width of the joint (DS{state})",
-                1e3 * of.peak_slip_m,
-                1e3 * of.residual_slip_m,
-                100.0 * of.residual_slip_ratio
-            );
-            if !opened.is_empty() {
-                let _ = write!(out, "; joints opened, {opened}");
-            }
-            return out;
+    if let (Outcome::Stood | Outcome::Uplifted { .. }, Some((joint, of))) =
+        (&history.outcome, simulation.shifted())
+    {
+        let [upper, lower] = simulation.joint_names(joint);
+        let mut out = format!(
+            "SHIFTED: no stone fell, but '{upper}' on '{lower}' slipped by up to {:.1} mm and lies {:.1} mm from its place, {:.1} % of the \
+             width of the joint (DS{state})",
+            1e3 * of.peak_slip_m,
+            1e3 * of.residual_slip_m,
+            100.0 * of.residual_slip_ratio
+        );
+        if !opened.is_empty() {
+            let _ = write!(out, "; joints opened, {opened}");
         }
-        (Outcome::Uplifted { .. }, None) => {
-            return format!("UPLIFTED: every stone stayed up, but joints opened, {opened} (DS{state})");
-        }
-        _ => {}
+        return out;
     }
     match history.outcome {
         Outcome::Stood => {
@@ -149,6 +145,9 @@ fn ending(simulation: &StackSimulation) -> String {
                 "STOOD: no joint opened by more than {least_mm} mm{}",
                 slipped.unwrap_or_default()
             )
+        }
+        Outcome::Uplifted { .. } => {
+            format!("UPLIFTED: every stone stayed up, but joints opened, {opened} (DS{state})")
         }
         Outcome::Slid {
             block,
@@ -198,7 +197,6 @@ fn ending(simulation: &StackSimulation) -> String {
                 "DIVERGED at {at_s:.4} s: nothing of this run can be used. Lower the step, and report the input"
             )
         }
-        _ => "UNKNOWN end".to_owned(),
     }
 }
 

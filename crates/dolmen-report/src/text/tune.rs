@@ -245,7 +245,9 @@ pub fn findings(answer: &TuneAnswer) -> Vec<String> {
                 "ended where its search is bounded, at {:.5} Hz and damping ratio {:.5}: there may be better beyond",
                 row.damper.frequency_hz, row.damper.damping_ratio
             ),
-            _ => "is the best that was seen, but its search did not settle to 1e-6".to_owned(),
+            None | Some(DesignEnd::Optimum | DesignEnd::Stalled) => {
+                "is the best that was seen, but its search did not settle to 1e-6".to_owned()
+            }
         };
         all.push(format!("'{}' {words}", choice_words(row.choice, answer.mode)));
     }

@@ -2,6 +2,7 @@
 
 use super::{BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding};
 use crate::error::{Within as _, WorkError};
+use crate::told::told;
 use dolmen::assess::demand::SiteDemand;
 use dolmen::damper::{AttachedDamper, DampedSpectralAnalysis, damped_spectral_analysis};
 use dolmen::dynamics::{
@@ -46,13 +47,13 @@ fn standing(project: &Project, part: &BuildingPart, pick: Pick<'_>) -> Result<St
             Ok(analysis) => {
                 spectral = Some(by_spectrum(part, vibrating.building(), &analysis, pick)?);
             }
-            Err(why) => spectral_refused = Some(why.line()),
+            Err(why) => spectral_refused = Some(told(&why)),
         }
         if !dampers.is_empty() {
             let attached: Vec<AttachedDamper> = dampers.iter().map(BuiltDamper::attached).collect();
             match damped_spectral_analysis(&vibrating, &attached, &read) {
                 Ok(analysis) => damped = Some(with_dampers(part, vibrating.building(), &analysis, pick)?),
-                Err(why) => damped_refused = Some(why.line()),
+                Err(why) => damped_refused = Some(told(&why)),
             }
         }
     }

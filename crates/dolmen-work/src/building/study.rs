@@ -2,6 +2,7 @@
 
 use super::simulate::steps_per_sample;
 use crate::study::{Run, RunOutcome};
+use crate::told::told;
 use dolmen::damper::{AttachedDamper, damped_building_history};
 use dolmen::dynamics::{
     BuildingHistory, BuildingRun, Histories, TunedMass, VibratingBuilding, building_history,
@@ -21,7 +22,7 @@ pub(crate) struct BuildingModel {
 
 /// The building of a study, or why it cannot be.
 pub(crate) fn model(part: &BuildingPart, pick: Pick<'_>) -> Result<BuildingModel, String> {
-    let words = |why: &dyn std::fmt::Display| why.to_string();
+    let words = |why: &(dyn std::error::Error + 'static)| told(why);
     let building = part.vibrating(pick).map_err(|why| words(&why))?;
     let dampers = part.dampers(&building, pick).map_err(|why| words(&why))?;
     let masses: Option<Vec<TunedMass>> = dampers.iter().map(BuiltDamper::tuned_mass).collect();
@@ -42,10 +43,10 @@ fn history(
     run: &BuildingRun,
 ) -> Result<BuildingHistory, String> {
     if model.building.tuned_masses().len() == model.dampers.len() {
-        return building_history(&model.building, motion, run).map_err(|why| why.to_string());
+        return building_history(&model.building, motion, run).map_err(|why| told(&why));
     }
     let attached: Vec<AttachedDamper> = model.dampers.iter().map(BuiltDamper::attached).collect();
-    damped_building_history(&model.building, &attached, motion, run).map_err(|why| why.to_string())
+    damped_building_history(&model.building, &attached, motion, run).map_err(|why| told(&why))
 }
 
 /// Runs a building.

@@ -2,6 +2,7 @@
 
 use crate::progress::Progress;
 use crate::study::{Run, RunOutcome, SWING_REST_S, acting_component};
+use crate::told::told;
 use dolmen::dynamics::{ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain};
 use dolmen::signal::GroundMotion;
 use dolmen_project::{ChainPart, Pick, StudyPart};
@@ -19,7 +20,7 @@ pub(crate) struct MovingChain {
 pub(crate) fn model(part: &ChainPart, pick: Pick<'_>) -> Result<MovingChain, String> {
     let chain = part
         .moving(ChainRotations::Large, pick)
-        .map_err(|why| why.to_string())?;
+        .map_err(|why| told(&why))?;
     let Some(chain) = chain else {
         return Err(
             "the joints are unknown: `dolmen identify` finds stiffness that measured modes allow; write it into joints, or into a variant \
@@ -52,7 +53,7 @@ pub(crate) fn row(
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Diverged;
-            run.why = why.to_string();
+            run.why = told(&why);
             return Some(run);
         }
     };

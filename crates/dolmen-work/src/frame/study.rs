@@ -2,6 +2,7 @@
 
 use crate::progress::Progress;
 use crate::study::{Run, RunOutcome, SWING_REST_S, acting_component};
+use crate::told::told;
 use dolmen::dynamics::{FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, simulate_frame};
 use dolmen::signal::GroundMotion;
 use dolmen_project::{FramePart, Pick, StudyPart};
@@ -34,9 +35,7 @@ pub(crate) fn model(study: &StudyPart, part: &FramePart, pick: Pick<'_>) -> Resu
             ));
         }
     };
-    let frame = part
-        .with_friction(direction, pick)
-        .map_err(|why| why.to_string())?;
+    let frame = part.with_friction(direction, pick).map_err(|why| told(&why))?;
     let Some(frame) = frame else {
         return Err(format!(
             "the stiffness of direction \"{direction}\" is unknown, or there is none of this name"
@@ -74,7 +73,7 @@ pub(crate) fn row(
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Refused;
-            run.why = why.to_string();
+            run.why = told(&why);
             return Some(run);
         }
     };

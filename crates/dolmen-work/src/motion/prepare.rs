@@ -389,6 +389,7 @@ pub(crate) fn acceleration_m_s2(text: &str) -> Result<f64, WorkError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::told::told;
 
     #[test]
     fn exact_accelerations_with_their_unit() {
@@ -410,7 +411,7 @@ mod tests {
             ("g", "no acceleration"),
             ("3 kg", "kg"),
         ] {
-            let message = acceleration_m_s2(text).unwrap_err().line();
+            let message = told(&acceleration_m_s2(text).unwrap_err());
             assert!(message.contains(said), "{message}");
         }
     }

@@ -7,6 +7,7 @@ use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::score::{ScoreDesigns, check_alike, factors};
 use crate::study::{StudyJournals, studies_run};
+use crate::told::told;
 use dolmen::assess::{Hazard, ScoreModel, Unlike};
 use dolmen_records::Files;
 use rayon::prelude::*;
@@ -71,7 +72,7 @@ pub fn rank(
         .map(|row| {
             entry(row, projects, &scores).map_err(|why| LeftOut {
                 name: row.name.clone(),
-                why: why.line(),
+                why: told(&why),
             })
         })
         .collect();

@@ -3,6 +3,7 @@
 use dolmen::assess::demand::KoreanSite;
 use dolmen::assess::{AssessError, Hazard, SixFactors};
 use dolmen::structure::stack::{PagodaFactors, PagodaSlenderness};
+use dolmen_words::advice::Advice as _;
 
 /// Every column; all but `name` may be missing.
 const COLUMNS: [&str; 11] = [
@@ -66,7 +67,7 @@ pub enum PortfolioError {
         allowed: &'static str,
     },
     /// Factors that no pagoda has, or a site that the code does not have.
-    #[error("line {line} ({name}): {why}")]
+    #[error("line {line} ({name}): {}", why.advised())]
     Refused {
         /// Line in the file, from 1.
         line: usize,

@@ -3,6 +3,7 @@
 use crate::error::WorkError;
 use crate::judgement::lowest_measured;
 use crate::state::{SpringFit, StackAnswer, StackFrequencies};
+use crate::told::told;
 use dolmen::assess::StackCheck;
 use dolmen::blocks::{ContactRule, calibrate_springs, first_sway, stack_modes};
 use dolmen::stability::Verdict;
@@ -23,7 +24,7 @@ pub(crate) fn of(stack: &Stack, check: &StackCheck) -> Option<StackFrequencies> 
                 [0, 1].map(|axis| first_sway(&modes, axis).map(|mode| (mode, modes[mode].frequency_hz)));
             StackFrequencies::Known { modes, sways }
         }
-        Err(why) => StackFrequencies::Refused(why.to_string()),
+        Err(why) => StackFrequencies::Refused(told(&why)),
     })
 }
 

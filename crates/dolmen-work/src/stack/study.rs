@@ -2,6 +2,7 @@
 
 use crate::progress::Progress;
 use crate::study::{Run, RunOutcome};
+use crate::told::told;
 use dolmen::assess::{DamageState, stack_damage};
 use dolmen::blocks::{
     BlocksError, ContactRule, Outcome, Rigid, Springs, StackHistory, StackRun, simulate_rigid,
@@ -70,7 +71,7 @@ pub(crate) fn row(
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Refused;
-            run.why = why.to_string();
+            run.why = told(&why);
             return Some(run);
         }
     };

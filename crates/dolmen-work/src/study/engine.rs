@@ -9,6 +9,7 @@ use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
 use crate::progress::{Progress, Stage};
 use crate::stack::study::run_stacks;
+use crate::told::told;
 use crate::{building, chain, frame, stack};
 use dolmen::assess::{ScaleTrial, next_in_bracket};
 use dolmen::blocks::StackRun;
@@ -206,7 +207,7 @@ pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn)
     match structure {
         Structure::Stack(part) => match part.build(pick) {
             Ok(stack) => stack_model(stack),
-            Err(why) => Err(why.to_string()),
+            Err(why) => Err(told(&why)),
         },
         Structure::Frame(part) => {
             frame::study::model(study, part, pick).map(|model| Model::Frame(Box::new(model)))
@@ -220,7 +221,7 @@ pub(super) fn model_of(study: &StudyPart, structure: &Structure, sample: &Drawn)
 }
 
 fn stack_model(stack: Stack) -> Result<Model, String> {
-    let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| why.to_string())?;
+    let limits = stack_limits(&stack, &StackLimits::default()).map_err(|why| told(&why))?;
     if !limits.standing.stands() {
         return Err(format!("it does not stand without shaking: {}", limits.standing));
     }

@@ -10,6 +10,7 @@ use crate::check::falls_by_itself;
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
 use crate::progress::Progress;
+use crate::told::told;
 use dolmen_project::StudyPart;
 use dolmen_records::Files;
 use std::collections::BTreeMap;
@@ -173,7 +174,7 @@ pub fn studies_run(
             Ok(answer) => found.push(answer),
             Err(why) => left_out.push(LeftOutStudy {
                 study,
-                why: why.line(),
+                why: told(&why),
             }),
         }
     }

@@ -7,7 +7,6 @@ use crate::structure::stack::StackError;
 
 /// Why a structure cannot be assessed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum AssessError {
     /// The structure or its stiffness is refused.
     #[error(transparent)]
@@ -25,9 +24,7 @@ pub enum AssessError {
     #[error(transparent)]
     Modal(#[from] ModalError),
     /// A survey has no modes to compare.
-    #[error(
-        "survey {survey} has no modes, so that nothing can be compared: give it frequencies, modes or records"
-    )]
+    #[error("survey {survey} has no modes, so that nothing can be compared")]
     NothingToCompare {
         /// Which.
         survey: String,
@@ -62,8 +59,8 @@ pub enum AssessError {
     },
     /// A factor of the score lies outside what was trained.
     #[error(
-        "{factor} is {}, but the score was trained from {} to {}: simulate this pagoda (dolmen study), or allow extrapolation, \
-         which is marked",
+        "{factor} is {}, but the score was trained from {} to {}: simulate this pagoda, or allow extrapolation, which is \
+         marked",
         digits(*given), digits(*least), digits(*most)
     )]
     OutsideTraining {
@@ -190,6 +187,39 @@ pub enum AssessError {
         /// What is allowed.
         allowed: &'static str,
     },
+}
+
+impl AssessError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Stability(why) => why.did_not_converge(),
+            Self::Modal(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Stack(_)
+            | Self::Numeric(_)
+            | Self::NothingToCompare { .. }
+            | Self::TemperatureFit { .. }
+            | Self::Factor { .. }
+            | Self::OutsideTraining { .. }
+            | Self::NothingToRank { .. }
+            | Self::TooFewDesigns { .. }
+            | Self::SiteSpecific
+            | Self::ReturnPeriod { .. }
+            | Self::SpectrumTable { .. }
+            | Self::OutsideTable { .. }
+            | Self::TableDamping { .. }
+            | Self::Scale { .. }
+            | Self::Trend { .. }
+            | Self::FragilityParameter { .. }
+            | Self::Observation { .. }
+            | Self::TooFewMotions { .. }
+            | Self::NoFragility(_)
+            | Self::FragilityFalls
+            | Self::Hazard { .. } => false,
+        }
+    }
 }
 
 fn no_fragility(bound: &FragilityBound) -> String {

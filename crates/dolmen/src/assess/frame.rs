@@ -12,7 +12,6 @@ const LOAD_RATIO_PLAUSIBLE: std::ops::RangeInclusive<f64> = 0.8..=1.25;
 
 /// What looks like a slip in the loads of a frame. Printed, it is an English sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum FrameNote {
     /// No storey carries an axial force.
     NoAxialForce,

@@ -43,7 +43,6 @@ pub struct StackCheck {
 
 /// What to know of a check of a stack. `Display` says it as a sentence.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum StackNote {
     /// Stones share their load: the joints alone give an upper bound, the limit analysis decides.
     SharedLoad,

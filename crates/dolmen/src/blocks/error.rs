@@ -5,7 +5,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why a simulation cannot start. How one that ran ended is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum BlocksError {
     /// An option out of its range.
     #[error("{option} is {given}, but must be {allowed}")]
@@ -29,7 +28,7 @@ pub enum BlocksError {
     },
     /// The stack finds no rest under its own weight.
     #[error(
-        "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'. `dolmen check` says which joint cannot carry it"
+        "the stack finds no equilibrium under its own weight: after {iterations} iterations forces of {residual:.2e} of the weight are left, largest at '{block}'"
     )]
     NoRest {
         /// Newton iterations done.
@@ -83,6 +82,23 @@ pub enum BlocksError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+}
+
+impl BlocksError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::NoRest { .. } => true,
+            Self::Option { .. }
+            | Self::StepTooLarge { .. }
+            | Self::Topples { .. }
+            | Self::NotAPile { .. }
+            | Self::NoSliding { .. }
+            | Self::SpringsOnly { .. }
+            | Self::Stack(_) => false,
+        }
+    }
 }
 
 /// The times that both laws take.

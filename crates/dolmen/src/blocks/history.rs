@@ -5,7 +5,6 @@ const MADE_OF_NOTHING_J: f64 = 1e-6;
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Outcome {
     /// No joint opened by more than [`StackHistory::UPLIFT_LEAST_M`], and no stone fell.
     Stood,

@@ -4,7 +4,6 @@ use super::history::{JointHistory, Pose};
 
 /// How a run of [`super::simulate_sliding`] ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum SlidingOutcome {
     /// No joint was let go: all blocks moved with the ground.
     Stuck,

@@ -150,7 +150,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
             argument: "the number of modes that swing with the dampers",
             given: order.len() as f64,
             allowed: "all of them: something is damped so much that a spectrum has no oscillator like it; lower its damping, or use a time \
-                      history (`dolmen simulate`)",
+                      history",
         });
     }
     // the first push of the ground, −e in the velocities, as Σ 2 Re (v p): columns Re v, Im v
@@ -176,8 +176,7 @@ fn coupled(building: &VibratingBuilding, damped: &DampedSystem) -> Result<Couple
         return Err(DamperError::Argument {
             argument: "the factor by which complex modes cancel",
             given: cancel,
-            allowed: "at most a million: two of them have become one; change a damper's frequency or damping a little, or use a time history \
-                      (`dolmen simulate`)",
+            allowed: "at most a million: two of them have become one; change a damper's frequency or damping a little, or use a time history",
         });
     }
     Ok(Coupled {

@@ -5,7 +5,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why a damper cannot be designed. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum DamperError {
     /// The mass ratio lies outside the range in which dampers are designed.
     #[error(
@@ -111,4 +110,26 @@ pub enum DamperError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+}
+
+impl DamperError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Dynamics(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::MassRatio { .. }
+            | Self::Argument { .. }
+            | Self::Row { .. }
+            | Self::NoSite { .. }
+            | Self::Unmoved { .. }
+            | Self::OutsideFloor { .. }
+            | Self::ModeStill { .. }
+            | Self::NoPoints
+            | Self::Still { .. }
+            | Self::TooManyFrequencies { .. }
+            | Self::NoMap
+            | Self::NoOptimum { .. } => false,
+        }
+    }
 }

@@ -2,7 +2,6 @@
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum ChainOutcome {
     /// It stood to the end, and no joint opened.
     Stood,

@@ -5,7 +5,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why a simulation cannot start or cannot go on. How one that ran ended is a status in its result.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum DynamicsError {
     /// A value out of its range.
     #[error("{argument} is {given}, but must be {allowed}")]
@@ -188,4 +187,34 @@ pub enum DynamicsError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+}
+
+impl DynamicsError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Building(why) => why.did_not_converge(),
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Argument { .. }
+            | Self::Storey { .. }
+            | Self::Count { .. }
+            | Self::NoState { .. }
+            | Self::TooManyEvents { .. }
+            | Self::NoSwing { .. }
+            | Self::SwingFalls { .. }
+            | Self::ChainPart { .. }
+            | Self::ChainCount { .. }
+            | Self::NoBedWidth { .. }
+            | Self::SideSupport { .. }
+            | Self::NoJointState { .. }
+            | Self::StepTooShort { .. }
+            | Self::Matrix { .. }
+            | Self::Entries { .. }
+            | Self::Unbounded { .. }
+            | Self::NotRational
+            | Self::Unstable
+            | Self::Integral { .. } => false,
+        }
+    }
 }

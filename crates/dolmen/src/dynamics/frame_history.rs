@@ -2,7 +2,6 @@
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum FrameOutcome {
     /// It ran to its end.
     Finished,

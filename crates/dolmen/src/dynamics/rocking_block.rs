@@ -132,7 +132,6 @@ impl Default for Rocking {
 
 /// How a run of [`rock_block`] ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum RockingOutcome {
     /// It never lifted off.
     Stood,

@@ -4,7 +4,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why modes cannot be identified. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum ModalError {
     /// The highest model order asked needs more block rows than there are.
     #[error(
@@ -195,7 +194,7 @@ pub enum ModalError {
     /// A force acts within a decay.
     #[error(
         "the swings grow at once at {} s from the first sample: a blow, or a release. A decay holds none: cut the record into parts that each begin \
-         after one and end before the next (conditioning = {{ cut = {{ from_s = …, to_s = … }} }}), a part a record",
+         after one and end before the next",
         listed_s(times_s)
     )]
     SeveralBlows {
@@ -204,8 +203,8 @@ pub enum ModalError {
     },
     /// A channel of a decay is clipped.
     #[error(
-        "channel \"{channel}\" is clipped until {until_s:.3} s from the first sample, and a clipped decay has another shape: begin at {whole_from_s:.3} s \
-         (conditioning = {{ cut = {{ from_s = … }} }}), or leave the channel out"
+        "channel \"{channel}\" is clipped until {until_s:.3} s from the first sample, and a clipped decay has another shape: leave the channel out, or \
+         begin at {whole_from_s:.3} s"
     )]
     ClippedDecay {
         /// Its name.
@@ -226,9 +225,7 @@ pub enum ModalError {
         needed: usize,
     },
     /// Too few setups.
-    #[error(
-        "{given} setups are given, but putting setups together needs 2 or more: write one record as records"
-    )]
+    #[error("{given} setups are given, but putting setups together needs 2 or more")]
     Setups {
         /// Setups given.
         given: usize,
@@ -244,8 +241,7 @@ pub enum ModalError {
     },
     /// No sensor is in every setup.
     #[error(
-        "no sensor is in all {setups} setups, but setups identified as one need one that stays throughout, better three: merge = \
-         \"poser\" needs one with the setups before"
+        "no sensor is in all {setups} setups, but setups identified as one need one that stays throughout, better three"
     )]
     NoCommonReference {
         /// Setups given.
@@ -253,8 +249,7 @@ pub enum ModalError {
     },
     /// A setup was sampled at another rate.
     #[error(
-        "setup {setup} has {given_hz} samples a second, the first {first_hz}: setups identified as one need one rate; decimate_factor \
-         in conditioning gives it, or take merge = \"poser\""
+        "setup {setup} has {given_hz} samples a second, the first {first_hz}: setups identified as one need one rate"
     )]
     SetupRate {
         /// Which, from 1.
@@ -273,6 +268,40 @@ pub enum ModalError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+}
+
+impl ModalError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Order { .. }
+            | Self::Rank { .. }
+            | Self::Dependent { .. }
+            | Self::ModesWanted { .. }
+            | Self::ModesMissing { .. }
+            | Self::NoModeAt { .. }
+            | Self::BlockRows { .. }
+            | Self::TooShort { .. }
+            | Self::Option { .. }
+            | Self::NoPeak { .. }
+            | Self::Channel(_)
+            | Self::PickedTwice { .. }
+            | Self::MadeMode { .. }
+            | Self::Compared { .. }
+            | Self::DecayTooShort { .. }
+            | Self::NoDecay { .. }
+            | Self::SeveralBlows { .. }
+            | Self::ClippedDecay { .. }
+            | Self::FewSwings { .. }
+            | Self::Setups { .. }
+            | Self::NoReference { .. }
+            | Self::NoCommonReference { .. }
+            | Self::SetupRate { .. }
+            | Self::Numeric(_)
+            | Self::Record(_) => false,
+        }
+    }
 }
 
 fn listed_s(times_s: &[f64]) -> String {

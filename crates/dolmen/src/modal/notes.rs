@@ -70,7 +70,6 @@ impl std::fmt::Display for LateClock {
 
 /// What must be known beside the modes.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Note {
     /// A channel that is faint or clipped: it was used all the same.
     Channel(ChannelFault),
@@ -250,7 +249,7 @@ impl std::fmt::Display for Note {
             Note::FilteredAbove { asked_hz, passed_hz } => write!(
                 f,
                 "modes are sought up to {passed_hz:.3} Hz, not to frequency_high_hz = {asked_hz:.3} Hz: above it the filter cuts with which the \
-                 record was brought to its rate; lower decimate_factor to see more"
+                 record was brought to its rate"
             ),
             Note::Blends { blends } => {
                 let all: Vec<String> = blends
@@ -333,14 +332,13 @@ impl std::fmt::Display for Note {
                     .iter()
                     .map(|(channel, [ppm, sd])| {
                         let rate_hz = sampling_rate_hz * (1.0 + 1e-6 * ppm);
-                        format!("\"{channel}\" {ppm:+.1} ± {sd:.1} ppm (sampling_rate = \"{rate_hz:.5} Hz\")")
+                        format!("\"{channel}\" {ppm:+.1} ± {sd:.1} ppm ({rate_hz:.5} Hz)")
                     })
                     .collect();
                 write!(
                     f,
                     "clocks run apart: {} against the other channels, standard deviations beside, which turns the phase at {frequency_hz:.3} Hz \
-                     by {turn_degrees:.0}° along the record; frequencies and damping stay, and these channels are left out of the shapes; give \
-                     the station of each the rate in brackets, and they are in them",
+                     by {turn_degrees:.0}° along the record; frequencies and damping stay, and these channels are left out of the shapes",
                     each.join(", ")
                 )
             }
@@ -349,9 +347,7 @@ impl std::fmt::Display for Note {
                 write!(
                     f,
                     "clocks are late (- is early): {}, against the other channels, standard deviations beside: their phases grow with the \
-                     frequency of the mode as a delay's do; frequencies and damping stay, and these channels are left out of the shapes; \
-                     add the delay to the begins of the station of each (a channel among others of one file: as a station of its own), and \
-                     they are in them",
+                     frequency of the mode as a delay's do; frequencies and damping stay, and these channels are left out of the shapes",
                     each.join("; ")
                 )
             }

@@ -2,7 +2,6 @@ use crate::numeric::NumericError;
 
 /// Why a record cannot be made or conditioned. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum SignalError {
     /// No channel, or channels without a sample.
     #[error("the record has {channels} channels of {samples} samples, but must have at least 1 of 2")]
@@ -100,9 +99,7 @@ pub enum SignalError {
         channels: usize,
     },
     /// One of several channels does not say when it begins.
-    #[error(
-        "channel \"{channel}\" does not say when it begins: give its begins, or starts = \"together\" if all began at one instant"
-    )]
+    #[error("channel \"{channel}\" does not say when it begins")]
     NoStart {
         /// The channel.
         channel: String,

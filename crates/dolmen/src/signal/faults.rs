@@ -20,7 +20,6 @@ const SAME: f64 = 1e-6;
 
 /// Why a channel should not be used as it is. Printed, it is a sentence that says what to do.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum ChannelFault {
     /// Every sample is the same.
     Constant {
@@ -154,8 +153,8 @@ impl fmt::Display for ChannelFault {
             ),
             Self::Drifts { channel, rise } => write!(
                 f,
-                "channel \"{channel}\" drifts by {rise:.0} times its motion over the record: take the line off first (detrend_degree = 1), or \
-                 low modes and dampings come out wrong"
+                "channel \"{channel}\" drifts by {rise:.0} times its motion over the record, and low modes and dampings come out wrong: \
+                 take the line off first"
             ),
             Self::Spikes {
                 channel,

@@ -45,7 +45,6 @@ impl Channel {
 
 /// One thing that was done to a record, in order: its history.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Processing {
     /// Read from bytes.
     Read {

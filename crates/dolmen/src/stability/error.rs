@@ -3,7 +3,6 @@ use dolmen_linalg::LinalgError;
 
 /// Why stability cannot be assessed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum StabilityError {
     /// The stiffnesses do not fit the structure.
     #[error(transparent)]
@@ -69,4 +68,21 @@ pub enum StabilityError {
         "the forces in the joints do not follow from equilibrium alone: a block rests on several joints, or stands beside          another; give a stack in which each block rests on one"
     )]
     Indeterminate,
+}
+
+impl StabilityError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Option { .. }
+            | Self::VerticalAcceleration { .. }
+            | Self::Direction { .. }
+            | Self::Block { .. }
+            | Self::Pressure { .. }
+            | Self::ConicProgramme { .. }
+            | Self::Indeterminate => false,
+        }
+    }
 }

@@ -1,6 +1,5 @@
 /// Why a structure cannot exist or its stiffness cannot be found. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum StructureError {
     /// A chain without links or a frame without storeys.
     #[error("the {kind} has no {parts}, but needs at least 1")]
@@ -198,4 +197,31 @@ pub enum StructureError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] dolmen_linalg::LinalgError),
+}
+
+impl StructureError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Empty { .. }
+            | Self::NotPositive { .. }
+            | Self::Centroid { .. }
+            | Self::Count { .. }
+            | Self::Gravity { .. }
+            | Self::Negative { .. }
+            | Self::Part { .. }
+            | Self::Height { .. }
+            | Self::AxialOrder { .. }
+            | Self::Tie { .. }
+            | Self::ModesMissing
+            | Self::ModesMost { .. }
+            | Self::FrequencyOrder { .. }
+            | Self::Option { .. }
+            | Self::Mode { .. }
+            | Self::Frequencies { .. }
+            | Self::Storeys { .. }
+            | Self::Invisible { .. } => false,
+        }
+    }
 }

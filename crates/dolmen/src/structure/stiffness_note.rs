@@ -6,7 +6,6 @@ use std::fmt;
 
 /// One thing to know beside the stiffnesses found. Printed, it is an English sentence.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum StiffnessNote {
     /// Two storeys on springs between them cannot have frequencies this close.
     RatioBelowLeast {

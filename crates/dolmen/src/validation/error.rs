@@ -9,7 +9,6 @@ use crate::structure::stack::StackError;
 
 /// Why a case could not be computed.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum ValidationError {
     /// A structure of a source was refused.
     #[error(transparent)]
@@ -41,4 +40,21 @@ pub enum ValidationError {
     /// It could not be assessed.
     #[error(transparent)]
     Assess(#[from] AssessError),
+}
+
+impl ValidationError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Building(why) => why.did_not_converge(),
+            Self::Stability(why) => why.did_not_converge(),
+            Self::Blocks(why) => why.did_not_converge(),
+            Self::Dynamics(why) => why.did_not_converge(),
+            Self::Modal(why) => why.did_not_converge(),
+            Self::Damper(why) => why.did_not_converge(),
+            Self::Assess(why) => why.did_not_converge(),
+            Self::Stack(_) | Self::Signal(_) => false,
+        }
+    }
 }

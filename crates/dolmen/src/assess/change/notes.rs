@@ -4,7 +4,6 @@ use super::swapped::{SwappedChannels, TurnedChannel};
 
 /// What must be known beside the numbers.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum ChangeNote {
     /// No line over temperature could be fitted for a mode: its change is not corrected.
     NotFitted {
@@ -103,14 +102,13 @@ impl std::fmt::Display for ChangeNote {
                 write!(
                     f,
                     "channels \"{a}\" and \"{b}\" look swapped in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with the two \
-                     exchanged; if they were, exchange their names in the project file and compare again",
+                     exchanged",
                     swapped.modes, swapped.assurance, swapped.exchanged
                 )
             }
             ChangeNote::Turned(turned) => write!(
                 f,
-                "channel \"{}\" looks turned round in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with its sign changed; if it \
-                 was, turn its direction round in the project file and compare again",
+                "channel \"{}\" looks turned round in one of the surveys: mean MAC of {} modes {:.2} as they are, {:.2} with its sign changed",
                 turned.channel, turned.modes, turned.assurance, turned.turned
             ),
             ChangeNote::OneFactor { factor, modes } => write!(

@@ -28,7 +28,6 @@ pub struct VerticalRatio {
 /// What of a code's numbers has not been held against its text. Results that rest on it must say so. `Display` says it in a few
 /// words.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Unverified {
     /// The year of the edition whose tables these are.
     Edition {

@@ -5,7 +5,6 @@ use std::fmt;
 
 /// Whether what is above a joint stands without shaking. `Display` says it as a sentence.
 #[derive(Clone, Debug, PartialEq)]
-#[non_exhaustive]
 pub enum Standing {
     /// It stands.
     Stands,

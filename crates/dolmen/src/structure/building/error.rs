@@ -2,7 +2,6 @@
 
 /// Why a floor, a storey or a building cannot be. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum BuildingError {
     /// No floors.
     #[error("the building has no floors, but needs at least 1")]
@@ -156,4 +155,26 @@ pub enum BuildingError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] dolmen_linalg::LinalgError),
+}
+
+impl BuildingError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Empty
+            | Self::Count { .. }
+            | Self::Value { .. }
+            | Self::Element { .. }
+            | Self::Asymmetric { .. }
+            | Self::Sways { .. }
+            | Self::Twists { .. }
+            | Self::Falls { .. }
+            | Self::Outline { .. }
+            | Self::Outside { .. }
+            | Self::Part { .. }
+            | Self::Argument { .. }
+            | Self::Damping { .. } => false,
+        }
+    }
 }

@@ -13,7 +13,6 @@ use crate::structure::StructureError;
 /// Choi (2021) Fig. 7 and Choi & Cho (2021). Differs from the source: the body keeps its moment of inertia (Fig. 7
 /// takes a point: `inertia_kg_m2` = m h²), and gravity acts.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[non_exhaustive]
 pub struct SingleMass {
     /// m, kg.
     pub mass_kg: f64,

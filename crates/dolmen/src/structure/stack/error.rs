@@ -2,7 +2,6 @@
 
 /// Why a stack, a block or a joint cannot be. Each variant carries the value that was refused.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
-#[non_exhaustive]
 pub enum StackError {
     /// No blocks.
     #[error("the stack has no blocks, but needs at least 1")]

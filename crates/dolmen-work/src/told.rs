@@ -1,0 +1,86 @@
+//! What is said of an error: its causes, each with what can be done in the project file or with the command.
+
+use crate::compare::ChangeFault;
+use crate::error::WorkError;
+use crate::portfolio::PortfolioError;
+use dolmen::assess::AssessError;
+use dolmen::blocks::BlocksError;
+use dolmen::damper::DamperError;
+use dolmen::dynamics::DynamicsError;
+use dolmen::modal::ModalError;
+use dolmen::stability::StabilityError;
+use dolmen::structure::StructureError;
+use dolmen::structure::building::BuildingError;
+use dolmen::validation::ValidationError;
+use dolmen_project::DamperFault;
+use dolmen_records::motions::MotionError;
+use dolmen_records::records::RecordError;
+use dolmen_words::advice::advice;
+use std::error::Error;
+
+/// The error of the science within one of a layer above that hands it on as it is.
+fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) {
+    if let Some(work) = cause.downcast_ref::<WorkError>() {
+        return work.handed_on().map_or(cause, handed_on);
+    }
+    match cause.downcast_ref() {
+        Some(RecordError::Signal(why)) => return why,
+        Some(RecordError::Seismic(why)) => return handed_on(why.as_ref()),
+        _ => {}
+    }
+    match cause.downcast_ref() {
+        Some(MotionError::Signal(why)) => return why,
+        Some(MotionError::Record(why)) => return handed_on(why),
+        _ => {}
+    }
+    match cause.downcast_ref() {
+        Some(DamperFault::Tuning(why)) => return why,
+        Some(DamperFault::Place { why, .. }) => return why,
+        _ => {}
+    }
+    match cause.downcast_ref() {
+        Some(ChangeFault::Assess(why)) => why,
+        _ => cause,
+    }
+}
+
+/// An error and its causes.
+fn chain<'e>(fault: &'e (dyn Error + 'static)) -> impl Iterator<Item = &'e (dyn Error + 'static)> {
+    let mut next = Some(fault);
+    std::iter::from_fn(move || {
+        let cause = next?;
+        next = cause.source();
+        Some(cause)
+    })
+}
+
+/// An error with its causes in one line, each with what can be done in the project file or with the command.
+pub fn told(fault: &(dyn Error + 'static)) -> String {
+    let each = chain(fault).map(|cause| {
+        let advice = advice(handed_on(cause)).unwrap_or_default();
+        format!("{cause}{advice}")
+    });
+    each.collect::<Vec<_>>().join(": ")
+}
+
+/// Whether an error, or one of its causes, is a computation that did not converge or come to its end.
+pub fn did_not_converge(fault: &(dyn Error + 'static)) -> bool {
+    chain(fault).any(|cause| is_of_no_convergence(handed_on(cause)))
+}
+
+fn is_of_no_convergence(cause: &(dyn Error + 'static)) -> bool {
+    fn is<E: Error + 'static>(cause: &(dyn Error + 'static), ask: fn(&E) -> bool) -> bool {
+        cause.downcast_ref().is_some_and(ask)
+    }
+    let in_a_row = |fault: &PortfolioError| matches!(fault, PortfolioError::Refused { why, .. } if why.did_not_converge());
+    is(cause, StructureError::did_not_converge)
+        || is(cause, BuildingError::did_not_converge)
+        || is(cause, StabilityError::did_not_converge)
+        || is(cause, DynamicsError::did_not_converge)
+        || is(cause, BlocksError::did_not_converge)
+        || is(cause, DamperError::did_not_converge)
+        || is(cause, ModalError::did_not_converge)
+        || is(cause, AssessError::did_not_converge)
+        || is(cause, ValidationError::did_not_converge)
+        || is(cause, in_a_row)
+}
