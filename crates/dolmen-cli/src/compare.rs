@@ -1,6 +1,7 @@
 //! `dolmen compare`: what changed from one survey to another.
 
 use crate::cli::Compare;
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::{files, open};

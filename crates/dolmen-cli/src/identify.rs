@@ -1,6 +1,7 @@
 //! `dolmen identify`: records → modes → stiffness.
 
 use crate::cli::Identify as Options;
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::{files, open};

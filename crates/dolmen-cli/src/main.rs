@@ -1,13 +1,5 @@
 //! The command `dolmen`: opens the files, calls the science, prints the answer.
 
-/// Prints a line to standard error; a reader that has gone (`2>&1 | head`) is no fault.
-macro_rules! note {
-    ($($said:tt)*) => {{
-        use std::io::Write as _;
-        let _ = writeln!(std::io::stderr(), $($said)*);
-    }};
-}
-
 mod check;
 mod cli;
 mod cli_language;
@@ -19,6 +11,7 @@ mod export;
 mod files;
 mod identify;
 mod motion;
+mod note;
 mod open;
 mod outcome;
 mod progress;

@@ -1,6 +1,7 @@
 //! `dolmen motion`: ground motions read, measured, matched, made and written.
 
 use crate::cli::{GroundMotionVerb as Options, Shape};
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::{files, request};
 use anyhow::{Result, bail};

@@ -1,6 +1,7 @@
 //! `dolmen rank`: many structures in the order in which they should be looked at.
 
 use crate::cli_portfolio::{Rank as Options, State};
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::request::language;
 use crate::study_folder::journals_beside;

@@ -1,6 +1,7 @@
 //! `dolmen report` and `dolmen demo`: projects to one page.
 
 use crate::cli::{Demo, Report};
+use crate::note::note;
 use crate::open::Found;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;

@@ -1,6 +1,7 @@
 //! `dolmen score`: the six-factor score of a pagoda, what it is worth, and designs to train it on.
 
 use crate::cli_portfolio::Score as Options;
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::study_folder::StudyFolder;
 use crate::{files, open};

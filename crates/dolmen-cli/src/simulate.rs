@@ -1,6 +1,7 @@
 //! `dolmen simulate`: a structure under a ground motion, or pushed.
 
 use crate::cli::Simulate as Options;
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::typed::Typed;

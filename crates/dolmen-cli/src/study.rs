@@ -1,6 +1,7 @@
 //! `dolmen study`: runs over grids of inputs, samples, motions and growing shaking; kept, resumed, shared out and put together.
 
 use crate::cli::{Study as Options, StudyAction, StudyWhere};
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::{self, Terminal};
 use crate::study_folder::{self, StudyFolder};

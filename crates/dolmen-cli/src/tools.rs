@@ -2,6 +2,7 @@
 
 use crate::cli::Cli;
 use crate::files;
+use crate::note::note;
 use crate::outcome::Outcome;
 use anyhow::{Context as _, Result, bail};
 use clap::CommandFactory as _;

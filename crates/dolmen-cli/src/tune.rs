@@ -1,6 +1,7 @@
 //! `dolmen tune`: the dampers of a building beside the rule and the best, where and how tuned.
 
 use crate::cli_tune::{Tune as Options, TuneGoal, TuneLoad as Load};
+use crate::note::note;
 use crate::outcome::Outcome;
 use crate::typed::Typed;
 use crate::{files, open, request};

@@ -1,50 +1,18 @@
 //! Which two surveys of a project are compared, and their modes as the comparison takes them.
 
 use crate::answer::CompareAnswer;
+use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
 use crate::identify;
 use crate::opened::Opened;
 use crate::progress::Progress;
 use crate::survey_dates::date;
 use crate::surveyed::SurveyAnswer;
-use dolmen::assess::{
-    AssessError, SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change,
-};
+use dolmen::assess::{SurveyChange, SurveyChangeOptions, Surveyed, TemperatureEffect, survey_change};
 use dolmen::modal::{ObservedMode, ObservedPoint, Pairing};
 use dolmen::signal::Channel;
 use dolmen_project::{ModeKind, Project, Survey, SurveyMode, TemperaturePart};
 use dolmen_records::Files;
-
-/// Why surveys cannot be compared.
-#[derive(Debug, thiserror::Error)]
-pub enum ChangeFault {
-    /// There is no survey of that name.
-    #[error("there is no survey \"{given}\" with frequencies, modes or records: the file has {known}")]
-    NoSurvey {
-        /// The name given.
-        given: String,
-        /// Those that can be compared.
-        known: String,
-    },
-    /// It is not clear which two.
-    #[error(
-        "the file has no two surveys whose names begin with a date (2019, 2019-04 or 2019-04-02), so that it is not clear which came \
-         first: name them with --from and --to (it has {known})"
-    )]
-    Unclear {
-        /// Surveys that can be compared.
-        known: String,
-    },
-    /// Twice the same.
-    #[error("survey \"{given}\" cannot be compared with itself")]
-    Same {
-        /// Its name.
-        given: String,
-    },
-    /// The comparison is refused.
-    #[error(transparent)]
-    Assess(#[from] AssessError),
-}
 
 /// Which surveys are compared.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]

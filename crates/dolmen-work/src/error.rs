@@ -1,6 +1,6 @@
 //! Why a verb cannot answer.
 
-use crate::compare::ChangeFault;
+use crate::change_fault::ChangeFault;
 use crate::portfolio::PortfolioError;
 use crate::score::ScoreDesignsError;
 use crate::study::JournalError;

@@ -10,10 +10,12 @@
 pub mod answer;
 pub mod building;
 pub mod chain;
+mod change_fault;
 mod check;
 pub mod compare;
 mod demand;
 mod error;
+mod fingerprint;
 pub mod flags;
 pub mod frame;
 mod identify;
@@ -38,6 +40,7 @@ mod told;
 mod validate;
 mod version;
 
+pub use change_fault::ChangeFault;
 pub use check::{CheckOptions, Sampling, check};
 pub use error::{Within, WorkError};
 pub use flags::{FlagVerb, ForeignFlag, Kind};

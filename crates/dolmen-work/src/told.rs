@@ -1,6 +1,6 @@
 //! What is said of an error: its causes, each with what can be done in the project file or with the command.
 
-use crate::compare::ChangeFault;
+use crate::change_fault::ChangeFault;
 use crate::error::WorkError;
 use crate::portfolio::PortfolioError;
 use dolmen::assess::AssessError;

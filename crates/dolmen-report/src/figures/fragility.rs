@@ -4,7 +4,7 @@ use super::Figure;
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
-use super::study::SIZE_PX;
+use super::study_size::SIZE_PX;
 use dolmen::assess::Observation;
 use dolmen_words::Language;
 use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};

@@ -26,6 +26,7 @@ mod stack_limits;
 mod stack_view;
 mod study;
 mod study_growth;
+mod study_size;
 mod tune;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};

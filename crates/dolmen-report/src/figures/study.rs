@@ -6,13 +6,12 @@ use super::fragility::fragility_figures;
 use super::ink::{BLUE, GREY, Line, ORANGE, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::study_growth::growth_figures;
+use super::study_size::SIZE_PX;
 use dolmen::assess::{Reached, Trial};
 use dolmen_words::Language;
 use dolmen_work::study::{LevelRow, RunOutcome, StudyAnswer, StudyKind, input_words};
 use std::collections::BTreeMap;
 
-/// Size of a figure, px.
-pub(super) const SIZE_PX: [f64; 2] = [640.0, 380.0];
 /// Room left for the texts of a level on its axis, px.
 const LEVEL_PX: f64 = 110.0;
 /// Part of the way to the next level that dots of one level spread over.

@@ -4,7 +4,7 @@ use super::Figure;
 use super::axis::Axis;
 use super::ink::{Anchor, BLUE, GREY, Label, Line, SERIES, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
-use super::study::SIZE_PX;
+use super::study_size::SIZE_PX;
 use dolmen_words::Language;
 use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind};
 
@@ -72,8 +72,7 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
 /// Whether a number is anything but 0 in some run.
 fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
     const NOTHING: f64 = 1e-6;
-    let place = answer.kind.measures().iter().position(|known| *known == measure);
-    let of = |run: &Run| place.and_then(|place| run.measures.get(place).copied());
+    let of = |run: &Run| run.measures.named(measure);
     answer
         .runs
         .iter()
@@ -246,14 +245,13 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
 /// One number of the runs that did not end in a fall against the peak of the ground, a line a scan; falls stand on the upper edge.
 fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), language: Language) -> String {
     const NAMED_MOST: usize = SERIES.len();
-    let place = answer.kind.measures().iter().position(|known| *known == measure);
     let scans: Vec<(usize, Vec<[f64; 2]>)> = answer
         .runs
         .chunk_by(|a, b| a.job == b.job)
         .filter_map(|runs| {
             let stood = runs.iter().filter(|run| !falls(answer.kind, run));
             let points = stood.filter_map(|run| {
-                let value = run.measures.get(place?)?;
+                let value = run.measures.named(measure)?;
                 Some([
                     run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2,
                     factor * value,
@@ -266,7 +264,7 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
         .iter()
         .flat_map(|(_, points)| points.iter().copied())
         .collect();
-    let peaks = answer.runs.iter().filter(|run| !run.measures.is_empty());
+    let peaks = answer.runs.iter().filter(|run| !run.measures.is_none());
     let peaks: Vec<f64> = peaks
         .map(|run| run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2)
         .collect();
@@ -308,8 +306,8 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
             );
         }
     }
-    if !few && let Some(place) = place {
-        fractiles(&mut plot, answer, (place, factor), 1.04 * most, language);
+    if !few {
+        fractiles(&mut plot, answer, (measure, factor), 1.04 * most, language);
     }
     if answer.runs.iter().any(|run| falls(answer.kind, run)) {
         plot.key(Key::Dot(Shape::Cross, GREY), language.pick("fell", "전도"));
@@ -321,12 +319,12 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
 fn fractiles(
     plot: &mut Plot,
     answer: &StudyAnswer,
-    (place, factor): (usize, f64),
+    (measure, factor): (&str, f64),
     most: f64,
     language: Language,
 ) {
     let scans = answer.runs.chunk_by(|a, b| a.job == b.job).count();
-    let usable = |run: &&Run| falls(answer.kind, run) || !run.measures.is_empty();
+    let usable = |run: &&Run| falls(answer.kind, run) || !run.measures.is_none();
     let mut runs: Vec<&Run> = answer.runs.iter().filter(usable).collect();
     runs.sort_by(|a, b| {
         let [a, b] = [a, b].map(|run| run.peak_ground_acceleration_m_s2);
@@ -340,7 +338,7 @@ fn fractiles(
     for at_peak in runs.chunk_by(same).filter(|runs| runs.len() == scans) {
         let value = |run: &&Run| match falls(answer.kind, run) {
             true => f64::INFINITY,
-            false => factor * run.measures.get(place).copied().unwrap_or(f64::NAN),
+            false => factor * run.measures.named(measure).unwrap_or(f64::NAN),
         };
         let mut values: Vec<f64> = at_peak.iter().map(value).collect();
         values.sort_by(f64::total_cmp);

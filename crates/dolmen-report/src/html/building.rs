@@ -1,7 +1,7 @@
 //! A building in the report: verdict, plan, storeys, modes, dampers, spectrum.
 
 use super::chain_findings::load_factor_words;
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use crate::figures::building_plan;
 use crate::text::GROWN;

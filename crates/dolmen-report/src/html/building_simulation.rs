@@ -1,7 +1,7 @@
 //! Simulated motions of a building in the report.
 
 use super::building::{dampers, floor_words};
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::frame_simulation::variant_words;
 use super::simulation::motion_table;
 use super::stack_notes::capitalised;

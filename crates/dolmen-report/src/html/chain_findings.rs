@@ -1,6 +1,6 @@
 //! What a chain's check says in plain words.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use dolmen::assess::{CentroidEffect, ChainCheck};
 use dolmen::stability::{ChainLimits, ChainStability, Verdict};
 use dolmen_words::Language;

@@ -1,6 +1,6 @@
 //! Simulated motions of a chain in the report: what went in, how they ended, link by link, in time; variants side by side.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::frame_simulation::variant_words;
 use super::simulation::motion_table;
 use super::table::{Cell, figure, table};

@@ -1,6 +1,6 @@
 //! What changed between two surveys, in the report.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use super::words::listed;
 use crate::figures::survey_changes;

@@ -1,6 +1,6 @@
 //! What an earthquake asks for, in the report: the site's numbers, the spectrum, the comparison.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::stack_notes::capitalised;
 use super::table::{Cell, figure, table};
 use crate::figures::design_spectrum;

@@ -1,53 +1,16 @@
 //! The findings in plain words, made from the values: what was not computed is called unknown.
 
+use super::finding::{Finding, Tone};
 use super::given::{assumptions, assumptions_of_variant};
 use super::{
     building, building_simulation, chain_findings, chain_simulation, change, demand, frame, frame_simulation,
     identification, measured, modal, samples, setups, simulation, stack, tune, variants,
 };
-use dolmen::stability::Verdict;
 use dolmen_project::{Cap, Structure};
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::Check;
 use maud::{Markup, html};
-
-/// How a finding is marked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tone {
-    Good,
-    Warn,
-    Bad,
-    Plain,
-    Unknown,
-}
-
-/// One finding.
-#[derive(Clone, Debug, PartialEq)]
-pub(super) struct Finding {
-    pub(super) tone: Tone,
-    pub(super) text: String,
-}
-
-impl Finding {
-    pub(super) fn new(tone: Tone, text: impl Into<String>) -> Self {
-        Finding {
-            tone,
-            text: text.into(),
-        }
-    }
-
-    /// Marked as the verdict is.
-    pub(super) fn of(verdict: Verdict, text: impl Into<String>) -> Self {
-        let tone = match verdict {
-            Verdict::Stable => Tone::Good,
-            Verdict::Marginal => Tone::Warn,
-            Verdict::Unstable => Tone::Bad,
-            Verdict::Unknown => Tone::Unknown,
-        };
-        Self::new(tone, text)
-    }
-}
 
 /// The list of all findings.
 pub(super) fn list(answer: &ProjectReport, language: Language) -> Markup {

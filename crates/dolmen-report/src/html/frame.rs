@@ -1,7 +1,7 @@
 //! A frame in the report: verdict, storeys, modes, one direction after the other.
 
 use super::chain_findings::load_factor_words;
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::notes::frame_note_words;
 use super::table::{Cell, figure, table};
 use super::words::convention_word;

@@ -1,6 +1,6 @@
 //! Simulated motions of a frame in the report: what went in, how they ended, storey by storey, in time.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::simulation::motion_table;
 use super::table::{Cell, figure, table};
 use crate::figures::frame_histories;

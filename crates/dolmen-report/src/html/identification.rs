@@ -1,6 +1,6 @@
 //! What was found from measured vibration: stiffness with all its solutions, and what the sensors cannot see.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::notes::stiffness_note_words;
 use super::record_words::sentence;
 use super::table::{Cell, figure, table};

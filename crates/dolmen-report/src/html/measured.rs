@@ -1,6 +1,6 @@
 //! What surveys say against the model: a tilt that overturns, a frequency that the model does not have.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use dolmen::stability::Verdict;
 use dolmen_words::Language;
 use dolmen_words::number::significant;

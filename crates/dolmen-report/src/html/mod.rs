@@ -9,6 +9,7 @@ mod chain_simulation;
 mod change;
 mod decay;
 mod demand;
+mod finding;
 mod findings;
 mod fragility;
 mod frame;

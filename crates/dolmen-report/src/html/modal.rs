@@ -1,7 +1,7 @@
 //! Modes from ambient vibration in the report: what was done, figures, table, what to doubt.
 
 use super::decay;
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::record_words::{fault_words, history, note_words};
 use super::table::{Cell, figure, table};
 use super::words::listed;

@@ -1,6 +1,6 @@
 //! The load factor under uncertain inputs, and which input it answers to.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use super::words::{listed, path_words};
 use crate::figures::load_factor_distribution;

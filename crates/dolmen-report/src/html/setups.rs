@@ -1,6 +1,6 @@
 //! Several setups of one survey in the report.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::modal;
 use super::record_words::note_words;
 use super::table::{Cell, figure, table};

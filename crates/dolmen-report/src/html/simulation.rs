@@ -1,6 +1,6 @@
 //! A simulated motion in the report: what went in, how it ended, joint by joint, in time.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::stack_notes::{capitalised, processing_words};
 use super::table::{Cell, figure, table};
 use crate::figures::{stack_after, stack_histories};

@@ -1,6 +1,6 @@
 //! A stack in the report: the view, the limits of each joint, what moves first, variants.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::stack_notes::{stack_note_words, standing_words};
 use super::table::{Cell, figure, table};
 use super::words::verdict_word;

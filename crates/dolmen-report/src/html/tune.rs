@@ -1,6 +1,6 @@
 //! Dampers in the report: what each choice of place and tuning does, the map, tunings with their names, robustness.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use crate::figures::tune_figures;
 use crate::text::{choice_words, findings as sentences, room_words, together_words};

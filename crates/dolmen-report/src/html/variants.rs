@@ -1,6 +1,6 @@
 //! The project as given beside its variants, before and after a repair.
 
-use super::findings::{Finding, Tone};
+use super::finding::{Finding, Tone};
 use super::samples::lambda_text;
 use super::table::{Cell, figure, table};
 use super::words::verdict_word;

@@ -2,6 +2,7 @@
 
 use super::Table;
 use super::building::dampers_text;
+use super::grown::GROWN;
 use dolmen::dynamics::HistoryMethod;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_project::strokes_of;
@@ -86,9 +87,6 @@ pub fn building_simulation_text(simulation: &BuildingSimulation) -> String {
     }
     out
 }
-
-/// From this ratio on a value counts as grown: what is printed with four digits.
-pub(crate) const GROWN: f64 = 1.0005;
 
 /// How it moved, in one sentence that begins with a fixed word; and what dampers make more, a line each.
 pub fn building_outcome_text(simulation: &BuildingSimulation) -> String {

@@ -327,16 +327,11 @@ fn growth(answer: &StudyAnswer) -> String {
         ),
     };
     let mut scans: Vec<&[Run]> = answer.runs.chunk_by(|a, b| a.job == b.job).collect();
-    scans.retain(|runs| runs.iter().any(|run| !run.measures.is_empty()));
+    scans.retain(|runs| runs.iter().any(|run| !run.measures.is_none()));
     if scans.is_empty() || scans.len() > SCANS_MOST {
         return String::new();
     }
-    let at = |run: &Run, name: &str| {
-        let place = answer.kind.measures().iter().position(|known| *known == name);
-        place
-            .and_then(|place| run.measures.get(place).copied())
-            .unwrap_or(f64::NAN)
-    };
+    let at = |run: &Run, name: &str| run.measures.named(name).unwrap_or(f64::NAN);
     let mut out = format!("\nAs the shaking grows: largest over the {over}\n");
     let mut heads = vec!["scan", "peak, g"];
     heads.extend(columns.iter().map(|column| column.0));

@@ -1,7 +1,7 @@
 //! Runs of buildings.
 
 use super::simulate::steps_per_sample;
-use crate::study::{Run, RunOutcome};
+use crate::study::{BuildingMeasures, Run, RunMeasures, RunOutcome};
 use crate::told::told;
 use dolmen::damper::{AttachedDamper, damped_building_history};
 use dolmen::dynamics::{
@@ -81,22 +81,24 @@ pub(crate) fn row(study: &StudyPart, mut run: Run, model: &BuildingModel, motion
     let pairs = strokes_of(&model.dampers).into_iter().zip(&peaks.strokes_m);
     let mut over_room = pairs.filter_map(|(of, stroke)| Some(stroke.value.abs() / of.room_m?));
     let strokes = peaks.strokes_m.iter().take(model.dampers.len());
-    run.measures = vec![
-        largest(&mut [top.displacement_x_m.value, top.displacement_y_m.value].into_iter()),
-        largest(
+    run.measures = RunMeasures::Building(BuildingMeasures {
+        peak_top_displacement_m: largest(
+            &mut [top.displacement_x_m.value, top.displacement_y_m.value].into_iter(),
+        ),
+        peak_drift_m: largest(
             &mut peaks
                 .storeys
                 .iter()
                 .flat_map(|s| [s.drift_x_m.value, s.drift_y_m.value]),
         ),
-        drift.size_m,
-        drift_ratio,
-        peaks.base_shear_n[0].value.abs(),
-        peaks.base_shear_n[1].value.abs(),
-        peaks.base_torque_n_m.value.abs(),
-        largest(&mut strokes.map(|stroke| stroke.value)),
-        largest(&mut over_room),
-    ];
+        peak_corner_drift_m: drift.size_m,
+        peak_corner_drift_ratio: drift_ratio,
+        base_shear_x_n: peaks.base_shear_n[0].value.abs(),
+        base_shear_y_n: peaks.base_shear_n[1].value.abs(),
+        base_torque_n_m: peaks.base_torque_n_m.value.abs(),
+        peak_stroke_m: largest(&mut strokes.map(|stroke| stroke.value)),
+        stroke_over_room: largest(&mut over_room),
+    });
     run.damage_state = study
         .drift_limits
         .iter()

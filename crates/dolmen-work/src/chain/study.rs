@@ -1,7 +1,7 @@
 //! Runs of chains.
 
 use crate::progress::Progress;
-use crate::study::{Run, RunOutcome, SWING_REST_S, acting_component};
+use crate::study::{ChainMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::told;
 use dolmen::dynamics::{ChainModel, ChainOutcome, ChainRotations, ChainRun, TimeFunction, simulate_chain};
 use dolmen::signal::GroundMotion;
@@ -73,15 +73,15 @@ pub(crate) fn row(
     let links = 0..model.links.len();
     let most = |of: &dyn Fn(usize) -> f64| links.clone().map(of).fold(0.0, f64::max);
     let took_s = history.times_s.last().copied().unwrap_or(run_s);
-    run.measures = vec![
-        history.top_peak_m.abs(),
-        most(&|link| history.rotation_peaks[link].rotation_rad.abs()),
-        most(&|joint| history.joint_peaks[joint].rotation_rad.abs()),
-        most(&|joint| history.open_s(joint) / took_s),
-        most(&|joint| history.slipped_rad(joint)),
-        most(&|link| history.rotation_rad[link].last().map_or(0.0, |end| end.abs())),
-        history.energy_left_over_ratio,
-    ];
+    run.measures = RunMeasures::Chain(ChainMeasures {
+        peak_top_displacement_m: history.top_peak_m.abs(),
+        peak_rotation_rad: most(&|link| history.rotation_peaks[link].rotation_rad.abs()),
+        peak_joint_rotation_rad: most(&|joint| history.joint_peaks[joint].rotation_rad.abs()),
+        open_share: most(&|joint| history.open_s(joint) / took_s),
+        slipped_rad: most(&|joint| history.slipped_rad(joint)),
+        residual_rotation_rad: most(&|link| history.rotation_rad[link].last().map_or(0.0, |end| end.abs())),
+        energy_left_over_ratio: history.energy_left_over_ratio,
+    });
     run.damage_state = match run.outcome {
         RunOutcome::Fell => 4,
         _ => u8::from(!history.uplifts.is_empty() || !history.slips.is_empty()),

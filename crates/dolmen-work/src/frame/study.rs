@@ -1,7 +1,7 @@
 //! Runs of frames.
 
 use crate::progress::Progress;
-use crate::study::{Run, RunOutcome, SWING_REST_S, acting_component};
+use crate::study::{FrameMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::told;
 use dolmen::dynamics::{FrameLoad, FrameOutcome, FrameRun, FrictionFrame, TimeFunction, simulate_frame};
 use dolmen::signal::GroundMotion;
@@ -91,16 +91,16 @@ pub(crate) fn row(
     let residual = |level: usize| history.rest_m.get(level).copied().unwrap_or(0.0);
     let below = |level: usize| level.checked_sub(1).map_or(0.0, residual);
     let top = model.heights_m.len() - 1;
-    run.measures = vec![
-        history.displacement_peaks[top].value_m.abs(),
-        most(&|storey| history.drift_peaks[storey].value_m.abs()),
-        most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]),
-        residual(top).abs(),
-        most(&|storey| (residual(storey) - below(storey)).abs()),
-        most(&|storey| history.slipping_share(storey)),
-        most(&|storey| history.slipped_way_m(storey)),
-        history.energy_left_over_ratio(),
-    ];
+    run.measures = RunMeasures::Frame(FrameMeasures {
+        peak_displacement_m: history.displacement_peaks[top].value_m.abs(),
+        peak_drift_m: most(&|storey| history.drift_peaks[storey].value_m.abs()),
+        peak_drift_ratio: most(&|storey| history.drift_peaks[storey].value_m.abs() / model.heights_m[storey]),
+        residual_displacement_m: residual(top).abs(),
+        residual_drift_m: most(&|storey| (residual(storey) - below(storey)).abs()),
+        slipping_share: most(&|storey| history.slipping_share(storey)),
+        slipped_way_m: most(&|storey| history.slipped_way_m(storey)),
+        energy_left_over_ratio: history.energy_left_over_ratio(),
+    });
     run.damage_state = match run.outcome {
         RunOutcome::Fell => 4,
         _ if history.slips.is_empty() => 0,

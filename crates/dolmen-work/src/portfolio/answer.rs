@@ -1,6 +1,6 @@
 //! A ranked portfolio: what is known of each structure, its place, and why it stands there.
 
-use super::words::state_words;
+use super::state_words::state_words;
 use crate::study::{CombinationFragility, StudyAnswer};
 use dolmen::assess::{
     AssessError, Candidate, Factor, Fragility, FragilityBound, Hazard, Known, KnownCapacity, Place, Ranked,

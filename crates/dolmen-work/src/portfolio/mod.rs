@@ -3,14 +3,16 @@
 mod answer;
 mod columns;
 mod rank;
+mod state_words;
 mod table;
 mod words;
 
 pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
 pub use columns::ranking_columns;
 pub use rank::{FoundProject, Projects, RankOptions, rank};
+pub use state_words::state_words;
 pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
 pub use words::{
     basis_words, capacity_words, count_words, factor_words, falls_first, hazards_replaced, known_word,
-    misjudged, probability_in_years, reason_words, state_words, without_hazard,
+    misjudged, probability_in_years, reason_words, without_hazard,
 };

@@ -1,6 +1,7 @@
 //! What stands in the cells of a ranking, in English and Korean.
 
 use super::answer::{Basis, PortfolioAnswer, PortfolioEntry};
+use super::state_words::state_words;
 use crate::study::YEARS;
 use dolmen::assess::{Factor, Known, KnownCapacity, Unlike};
 use dolmen_words::Language;
@@ -18,16 +19,6 @@ pub fn factor_words(factor: Factor, language: Language) -> &'static str {
         Factor::BodySlenderness => language.pick("body slenderness λ", "탑신 세장비 λ"),
         Factor::Taper => language.pick("taper φ, deg", "체감도 φ (°)"),
         Factor::BodyBaseHeightRatio => language.pick("body/base height", "탑신/기단 높이비"),
-    }
-}
-
-/// What a damage state is called, 0 to 3.
-pub fn state_words(state: usize, language: Language) -> &'static str {
-    match state {
-        0 => "DS1",
-        1 => "DS2",
-        2 => "DS3",
-        _ => language.pick("falls", "낙하·전도"),
     }
 }
 

@@ -1,6 +1,7 @@
 //! Simulated designs that a score is trained on, as a table (CSV).
 
-use crate::study::fingerprint;
+use super::designs_error::ScoreDesignsError;
+use crate::fingerprint::fingerprint;
 use dolmen::assess::{
     AssessError, Factor, Fragility, ScoreModel, SixFactors, SurfaceSettings, TrainedDesign,
 };
@@ -11,35 +12,6 @@ pub const SCORE_STATES: [&str; 4] = ["ds1", "ds2", "ds3", "falls"];
 
 /// The designs that come with the program: data/pagoda_score says how they were made.
 const SHIPPED: &str = include_str!("../../../../data/pagoda_score/designs.csv");
-
-/// Why a table of designs is refused.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum ScoreDesignsError {
-    /// A column is missing.
-    #[error("the table of designs has no column \"{column}\": write it with `dolmen score --train`")]
-    Column {
-        /// Which.
-        column: String,
-    },
-    /// A value cannot be read.
-    #[error("line {line}, {column}: \"{given}\" is no {wanted}")]
-    Value {
-        /// Line in the file, from 1.
-        line: usize,
-        /// Column.
-        column: String,
-        /// What is there.
-        given: String,
-        /// What should be.
-        wanted: &'static str,
-    },
-    /// The text is no table.
-    #[error("the table of designs cannot be read: {why}")]
-    Table {
-        /// What the reader says.
-        why: String,
-    },
-}
 
 /// A simulated pagoda with what was found for each state.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,9 +2,11 @@
 
 mod answer;
 mod designs;
+mod designs_error;
 mod verb;
 
 pub use answer::{ScoreAnswer, ScoreQuality, StateScore, unlike_words};
-pub use designs::{SCORE_STATES, ScoreDesign, ScoreDesigns, ScoreDesignsError};
+pub use designs::{SCORE_STATES, ScoreDesign, ScoreDesigns};
+pub use designs_error::ScoreDesignsError;
 pub(crate) use verb::{check_alike, factors};
 pub use verb::{score, score_quality};

@@ -1,7 +1,7 @@
 //! Runs of stacks, in batches.
 
 use crate::progress::Progress;
-use crate::study::{Run, RunOutcome};
+use crate::study::{Run, RunMeasures, RunOutcome, StackMeasures};
 use crate::told::told;
 use dolmen::assess::{DamageState, stack_damage};
 use dolmen::blocks::{
@@ -122,17 +122,17 @@ pub(crate) fn row(
     if run.outcome != RunOutcome::Diverged {
         run.joint_states = damage.joints.iter().map(|joint| joint.state.number()).collect();
     }
-    run.measures = vec![
-        damage.largest(|joint| joint.peak_uplift_m),
-        damage.largest(|joint| joint.peak_slip_m),
-        damage.largest(|joint| joint.residual_slip_m),
-        damage.largest(|joint| joint.residual_slip_ratio),
-        damage.largest(|joint| joint.peak_rocking_ratio),
-        damage.peak_tilt_rad,
-        damage.residual_tilt_rad,
-        damage.largest(|joint| joint.peak_yaw_rad),
-        history.energy_made_ratio(),
-        history.time_step_s,
-    ];
+    run.measures = RunMeasures::Stack(StackMeasures {
+        peak_uplift_m: damage.largest(|joint| joint.peak_uplift_m),
+        peak_slip_m: damage.largest(|joint| joint.peak_slip_m),
+        residual_slip_m: damage.largest(|joint| joint.residual_slip_m),
+        residual_slip_ratio: damage.largest(|joint| joint.residual_slip_ratio),
+        peak_rocking_ratio: damage.largest(|joint| joint.peak_rocking_ratio),
+        peak_tilt_rad: damage.peak_tilt_rad,
+        residual_tilt_rad: damage.residual_tilt_rad,
+        peak_yaw_rad: damage.largest(|joint| joint.peak_yaw_rad),
+        energy_made_ratio: history.energy_made_ratio(),
+        time_step_s: history.time_step_s,
+    });
     Some(run)
 }

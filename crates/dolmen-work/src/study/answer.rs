@@ -1,10 +1,11 @@
 //! A study as it is answered: inputs, runs, levels and trends.
 
 use super::fitted::Fitted;
+use super::kind::StudyKind;
 use super::maps::ResponseMaps;
-use super::run::{Run, RunOutcome, StudyKind};
+use super::run::{Run, RunOutcome};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
-use super::shaking::ShakingScales;
+use super::shaking_measure::ShakingScales;
 use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
 use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
 use std::collections::BTreeMap;
@@ -186,19 +187,14 @@ impl StudyAnswer {
     /// What each scan shows, by job; also those that cannot be used.
     pub fn capacities(&self) -> Vec<CapacityOf> {
         let mut scans = self.runs.chunk_by(|a, b| a.job == b.job).peekable();
-        let drift_ratio = self
-            .kind
-            .measures()
-            .iter()
-            .position(|name| self.kind == StudyKind::Building && *name == "peak_corner_drift_ratio");
         let each = (0..self.jobs()).map(|job| {
             let runs = scans.next_if(|runs| runs.first().is_some_and(|run| run.job == job));
             let is_whole = self.missing.binary_search(&job).is_err();
             let runs = runs.unwrap_or_default();
             let found = capacity_of(job, runs, is_whole);
-            match drift_ratio {
-                Some(place) => found.in_proportion(runs, &self.study.drift_limits, place),
-                None => found,
+            match self.kind {
+                StudyKind::Building => found.in_proportion(runs, &self.study.drift_limits),
+                StudyKind::Stack | StudyKind::Frame | StudyKind::Chain => found,
             }
         });
         each.collect()

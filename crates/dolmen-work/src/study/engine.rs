@@ -3,6 +3,7 @@
 
 use super::inputs::{Drawn, drawn};
 use super::journal::Journal;
+use super::measures::RunMeasures;
 use super::motions::PreparedMotion;
 use super::plan::Plan;
 use super::run::{Run, RunOutcome};
@@ -166,7 +167,7 @@ fn empty_run(job: usize) -> Run {
         at_s: f64::NAN,
         part: String::new(),
         gave_way: String::new(),
-        measures: Vec::new(),
+        measures: RunMeasures::None,
         why: String::new(),
     }
 }

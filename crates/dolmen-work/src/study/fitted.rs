@@ -1,38 +1,14 @@
 //! What is fitted to a study, once: tables, text, figures and the report tell of the same curves.
 
-use super::answer::StudyAnswer;
-use super::fragility::CombinationFragility;
-use super::joints::JointFragility;
-use super::shaking::MeasureComparison;
+use super::combination_fragility::CombinationFragility;
+use super::joint_fragility::JointFragility;
+use super::shaking_measure::MeasureComparison;
 use std::sync::OnceLock;
 
 /// What was fitted to the runs of a study so far.
 #[derive(Clone, Debug, Default)]
 pub struct Fitted {
-    combinations: OnceLock<Vec<CombinationFragility>>,
-    joints: OnceLock<Vec<JointFragility>>,
-    measures: OnceLock<Vec<MeasureComparison>>,
-}
-
-impl StudyAnswer {
-    /// Fragility of each combination of inputs that has a scan which can be used; nothing for a study without a scan. Fitted when it is first asked
-    /// for: runs that are changed afterwards do not change it.
-    pub fn fragilities(&self) -> &[CombinationFragility] {
-        self.fitted.combinations.get_or_init(|| self.fit_combinations())
-    }
-
-    /// Every joint of every combination that has a scan which can be used; nothing for what is not a stack.
-    pub fn joint_fragilities(&self) -> &[JointFragility] {
-        self.fitted
-            .joints
-            .get_or_init(|| self.fit_joints(self.fragilities()))
-    }
-
-    /// Which measure of shaking tells most of each state: the one by which capacities scatter least. States that have a curve by no measure are left
-    /// out. `within` is of the combinations that have a curve by every measure; of a single combination each measure stands for itself.
-    pub fn compare_measures(&self) -> &[MeasureComparison] {
-        self.fitted
-            .measures
-            .get_or_init(|| self.fit_measures(self.fragilities()))
-    }
+    pub(super) combinations: OnceLock<Vec<CombinationFragility>>,
+    pub(super) joints: OnceLock<Vec<JointFragility>>,
+    pub(super) measures: OnceLock<Vec<MeasureComparison>>,
 }

@@ -1,50 +1,20 @@
 //! Which joint of a stack reaches a damage state at what size of shaking.
 
 use super::answer::StudyAnswer;
-use super::fragility::{CombinationFragility, combination_columns};
+use super::column::{Column, ColumnValues};
+use super::combination_fragility::CombinationFragility;
+use super::fragility::combination_columns;
+use super::joint_fragility::{JointFragility, JointState};
 use super::run::{Run, RunOutcome};
 use super::scans::{Seen, first_seen};
-use super::table::{Column, ColumnValues};
 use dolmen::assess::{FragilityFit, Observation, fit_fragility_of_motions};
 use std::collections::BTreeMap;
 
 /// States that joints have curves for: DS1 to DS3. A joint that gave way is counted.
 const STATES: u8 = 3;
 
-/// One state of one joint of one combination of inputs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JointState {
-    /// The state, 0 to 2: DS1 to DS3.
-    pub state: usize,
-    /// What was seen, intensities as peak accelerations of the ground, m/s².
-    pub observations: Vec<Observation>,
-    /// Half of the scans reach it between these peaks, m/s²: medians of what each is known to have been without it up to, and to have reached it
-    /// by; `None` where that is not known.
-    pub median_between: [Option<f64>; 2],
-    /// The curve over peak acceleration, m/s²; `None` where there is none, and where a stone fell elsewhere first in more than a tenth of the scans: what
-    /// would have come of the joint is not independent of that, and a curve would be too far right.
-    pub fit: Option<FragilityFit>,
-}
-
 /// Share of scans that may be cut short by a fall elsewhere. Chosen here: of more, medians of curves were off by a tenth and more.
 const CUT_SHORT_MOST: f64 = 0.1;
-
-/// One joint of one combination of inputs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct JointFragility {
-    /// The combination, from 0.
-    pub combination: usize,
-    /// One of its jobs, to read its inputs from.
-    pub job: usize,
-    /// The joint, from 0.
-    pub joint: usize,
-    /// What lies on what.
-    pub name: String,
-    /// Its states, the mildest first.
-    pub states: Vec<JointState>,
-    /// Scans in which it was the joint that gave way at the first fall.
-    pub gave_way: usize,
-}
 
 impl StudyAnswer {
     pub(super) fn fit_joints(&self, found: &[CombinationFragility]) -> Vec<JointFragility> {

@@ -1,8 +1,12 @@
 //! The journal of a study: a header, then one line a finished run, only ever appended to. A process that is killed leaves at most
 //! one torn line, the last.
 
-use super::run::{Run, RunOutcome, StudyKind};
+use super::journal_error::JournalError;
+use super::kind::StudyKind;
+use super::measures::RunMeasures;
+use super::run::{Run, RunOutcome};
 use crate::error::WorkError;
+use crate::fingerprint::fingerprint;
 
 /// First word of a journal, with the version of its layout.
 const MAGIC: &str = "dolmen-study-journal-4";
@@ -67,42 +71,6 @@ pub struct ReadJournal {
     pub whole_bytes: usize,
 }
 
-/// Why a journal cannot be used.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum JournalError {
-    /// It has no header, or another program's.
-    #[error(
-        "it is no journal of a study of this program: its first line is another's, or of an older one that judged runs otherwise; --restart throws \
-         it away"
-    )]
-    Header,
-    /// A line that is not the last is damaged.
-    #[error("line {line} is damaged: restore the file, or start anew with --restart")]
-    Line {
-        /// Which, from 1.
-        line: usize,
-    },
-}
-
-/// FNV-1a over 128 bits, as 32 hexadecimal digits: tells inputs apart, keeps no secret.
-///
-/// # Source
-/// Fowler, G., Noll, L. C., Vo, K.-P. and Eastlake, D., The FNV non-cryptographic hash algorithm, IETF draft-eastlake-fnv.
-///
-/// # Example
-/// ```
-/// assert_eq!(dolmen_work::study::fingerprint(b""), "6c62272e07bb014262b821756295c58d");
-/// assert_eq!(dolmen_work::study::fingerprint(b"a"), "d228cb696f1a8caf78912b704e4a8964");
-/// ```
-pub fn fingerprint(bytes: &[u8]) -> String {
-    const PRIME: u128 = 0x0000_0000_0100_0000_0000_0000_0000_013b;
-    const BASIS: u128 = 0x6c62_272e_07bb_0142_62b8_2175_6295_c58d;
-    let hash = bytes
-        .iter()
-        .fold(BASIS, |hash, &byte| (hash ^ u128::from(byte)).wrapping_mul(PRIME));
-    format!("{hash:032x}")
-}
-
 /// The first line of a journal, with its end.
 pub fn header_line(header: &JournalHeader) -> String {
     let (part, of) = header.shard;
@@ -121,7 +89,7 @@ pub fn header_line(header: &JournalHeader) -> String {
 
 /// The line of a run, with its end.
 pub fn run_line(run: &Run) -> String {
-    let numbers: Vec<String> = run.measures.iter().map(f64::to_string).collect();
+    let numbers: Vec<String> = run.measures.values().iter().map(f64::to_string).collect();
     closed(&[
         run.job.to_string(),
         run.scale.to_string(),
@@ -211,8 +179,7 @@ fn run_of(cells: &[String], kind: StudyKind) -> Option<Run> {
         "" => Some(Vec::new()),
         numbers => numbers.split(',').map(number).collect(),
     };
-    let measures = measures?;
-    (measures.is_empty() || measures.len() == kind.measures().len()).then_some(())?;
+    let measures = RunMeasures::of_values(kind, &measures?)?;
     Some(Run {
         job: job.parse().ok()?,
         scale: number(scale)?,
@@ -294,7 +261,10 @@ mod tests {
             at_s: f64::NAN,
             part: "stone\t\"1\"\\n".to_owned(),
             gave_way: "a\nb\\".to_owned(),
-            measures: (0..10).map(|n| f64::from(n).exp() * 1e-7).collect(),
+            measures: {
+                let values: Vec<f64> = (0..10).map(|n| f64::from(n).exp() * 1e-7).collect();
+                RunMeasures::of_values(StudyKind::Stack, &values).unwrap()
+            },
             why: String::new(),
         }
     }

@@ -1,7 +1,7 @@
 //! What a study adds: maps of sticking and slipping under harmonic motions, of frames and chains; releases of frames.
 
-use super::run::StudyKind;
-use super::table::{Column, ColumnValues};
+use super::column::{Column, ColumnValues};
+use super::kind::StudyKind;
 use dolmen::dynamics::{AtAmplitude, HarmonicPoint};
 
 /// The map and the release of one case.

@@ -1,7 +1,8 @@
 //! How a study was computed, in words: every result says it.
 
 use super::answer::StudyAnswer;
-use super::run::StudyKind;
+use super::kind::StudyKind;
+use super::measures::RunMeasures;
 use dolmen::assess::DamageThresholds;
 use dolmen::blocks::Springs;
 use dolmen_project::LawPart;
@@ -21,14 +22,11 @@ impl StudyAnswer {
     /// Of a building whose dampers have a room: runs in which one needs more than it has, of how many, and the least peak of the ground at which,
     /// m/s²; `None` if there is no such run. The runs do not know the stops.
     pub fn beyond_room(&self) -> Option<(usize, usize, f64)> {
-        let place = self
-            .kind
-            .measures()
-            .iter()
-            .position(|name| *name == "stroke_over_room")?;
-        let known = self.runs.iter().filter_map(|run| {
-            let share = run.measures.get(place).copied().filter(|share| !share.is_nan())?;
-            Some((share, run.peak_ground_acceleration_m_s2))
+        let known = self.runs.iter().filter_map(|run| match run.measures {
+            RunMeasures::Building(of) if !of.stroke_over_room.is_nan() => {
+                Some((of.stroke_over_room, run.peak_ground_acceleration_m_s2))
+            }
+            _ => None,
         });
         let known: Vec<(f64, f64)> = known.collect();
         let beyond: Vec<f64> = known

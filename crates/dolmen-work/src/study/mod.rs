@@ -1,15 +1,23 @@
 //! Studies: their runs, the journal that keeps them, and what they say together.
 
 mod answer;
+mod column;
+mod combination_fragility;
+mod curves;
 mod designs;
 mod engine;
 mod fitted;
 mod fragility;
 mod harmonic;
 mod inputs;
+mod joint_fragility;
 mod joints;
 mod journal;
+mod journal_error;
+mod kind;
+mod left_out;
 mod maps;
+mod measures;
 mod method;
 mod motions;
 mod plan;
@@ -17,23 +25,30 @@ mod results;
 mod run;
 mod scans;
 mod shaking;
+mod shaking_measure;
 mod table;
 
+pub use crate::fingerprint::fingerprint;
 pub use answer::{CaseInputs, InputColumn, StudyAnswer, TrendAnswer, TrendVerdict};
+pub use column::{Column, ColumnValues};
+pub use combination_fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS};
 pub use designs::{StudyDesigns, study_designs, trained};
 pub use engine::{missing, run};
 pub use fitted::Fitted;
-pub use fragility::{CombinationFragility, MeasureFit, StateFragility, YEARS, fragility_columns};
-pub use joints::{JointFragility, JointState, joint_columns};
-pub use journal::{
-    Journal, JournalError, JournalHeader, ReadJournal, fingerprint, header_line, read_journal, run_line,
-};
+pub use fragility::fragility_columns;
+pub use joint_fragility::{JointFragility, JointState};
+pub use joints::joint_columns;
+pub use journal::{Journal, JournalHeader, ReadJournal, header_line, read_journal, run_line};
+pub use journal_error::JournalError;
+pub use kind::StudyKind;
+pub use left_out::LeftOutStudy;
 pub use maps::{ResponseMaps, harmonic_columns, release_columns};
+pub use measures::{BuildingMeasures, ChainMeasures, FrameMeasures, RunMeasures, StackMeasures};
 pub use method::{SWING_REST_S, input_words, part_of_step};
 pub(crate) use motions::acting_component;
 pub use plan::Plan;
-pub use results::{JournalText, LeftOutStudy, StudyJournals, finish, merged, resumed, studies, studies_run};
-pub use run::{Run, RunOutcome, StudyKind};
+pub use results::{JournalText, StudyJournals, finish, merged, resumed, studies, studies_run};
+pub use run::{Run, RunOutcome};
 pub use scans::{CapacityOf, LevelRow, SCANS_OF_TAILS, ScanVerdict};
-pub use shaking::{MeasureComparison, ShakingMeasure, ShakingScales};
-pub use table::{Column, ColumnValues, capacity_columns, run_columns, table_csv};
+pub use shaking_measure::{MeasureComparison, ShakingMeasure, ShakingScales};
+pub use table::{capacity_columns, run_columns, table_csv};

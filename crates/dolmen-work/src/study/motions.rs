@@ -1,7 +1,7 @@
 //! Motions of a study: of the file, carried by the command, or made from a seed.
 
-use super::journal::fingerprint;
 use crate::error::WorkError;
+use crate::fingerprint::fingerprint;
 use crate::motion::{self, MotionRequest};
 use dolmen::signal::{
     Component, GroundMotion, Noise, SignalError, SpectralOrdinate, noise_motion, peak_velocity_m_s,

@@ -3,11 +3,13 @@
 use super::answer::{CaseInputs, InputColumn, StudyAnswer};
 use super::fitted::Fitted;
 use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
-use super::journal::{JournalHeader, fingerprint};
+use super::journal::JournalHeader;
+use super::kind::StudyKind;
 use super::motions::{PreparedMotion, motion_names, prepared};
-use super::run::{Run, StudyKind};
-use super::shaking::ShakingScales;
+use super::run::Run;
+use super::shaking_measure::ShakingScales;
 use crate::error::WorkError;
+use crate::fingerprint::fingerprint;
 use crate::opened::Opened;
 use crate::stack;
 use dolmen::assess::{RockingScale, rocking_scale};

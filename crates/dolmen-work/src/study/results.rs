@@ -4,8 +4,10 @@ use super::answer::StudyAnswer;
 use super::engine::missing;
 use super::harmonic::maps;
 use super::journal::{JournalHeader, ReadJournal, read_journal};
+use super::kind::StudyKind;
+use super::left_out::LeftOutStudy;
 use super::plan::Plan;
-use super::run::{Run, StudyKind};
+use super::run::Run;
 use crate::check::falls_by_itself;
 use crate::error::{Within as _, WorkError};
 use crate::opened::Opened;
@@ -31,15 +33,6 @@ pub struct StudyJournals {
     pub study: String,
     /// Its journals, or why they cannot be read.
     pub journals: Result<Vec<JournalText>, WorkError>,
-}
-
-/// A study whose results cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct LeftOutStudy {
-    /// The study.
-    pub study: String,
-    /// Why.
-    pub why: String,
 }
 
 /// The studies of a project that are meant: those named, or all.

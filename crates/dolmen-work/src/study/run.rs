@@ -1,87 +1,6 @@
 //! One run of a study: what it was and how it ended.
 
-/// What is studied.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum StudyKind {
-    /// A stack of stones.
-    Stack,
-    /// A frame with dry friction.
-    Frame,
-    /// A chain of links.
-    Chain,
-    /// A building of rigid floors.
-    Building,
-}
-
-impl StudyKind {
-    /// Names of the numbers of a run, units last.
-    pub fn measures(self) -> &'static [&'static str] {
-        match self {
-            StudyKind::Stack => &[
-                "peak_uplift_m",
-                "peak_slip_m",
-                "residual_slip_m",
-                "residual_slip_ratio",
-                "peak_rocking_ratio",
-                "peak_tilt_rad",
-                "residual_tilt_rad",
-                "peak_yaw_rad",
-                "energy_made_ratio",
-                "time_step_s",
-            ],
-            StudyKind::Frame => &[
-                "peak_displacement_m",
-                "peak_drift_m",
-                "peak_drift_ratio",
-                "residual_displacement_m",
-                "residual_drift_m",
-                "slipping_share",
-                "slipped_way_m",
-                "energy_left_over_ratio",
-            ],
-            StudyKind::Chain => &[
-                "peak_top_displacement_m",
-                "peak_rotation_rad",
-                "peak_joint_rotation_rad",
-                "open_share",
-                "slipped_rad",
-                "residual_rotation_rad",
-                "energy_left_over_ratio",
-            ],
-            StudyKind::Building => &[
-                "peak_top_displacement_m",
-                "peak_drift_m",
-                "peak_corner_drift_m",
-                "peak_corner_drift_ratio",
-                "base_shear_x_n",
-                "base_shear_y_n",
-                "base_torque_n_m",
-                "peak_stroke_m",
-                "stroke_over_room",
-            ],
-        }
-    }
-
-    /// "stack", "frame", "chain" or "building".
-    pub fn word(self) -> &'static str {
-        match self {
-            StudyKind::Stack => "stack",
-            StudyKind::Frame => "frame",
-            StudyKind::Chain => "chain",
-            StudyKind::Building => "building",
-        }
-    }
-
-    /// What the damage states of a run are called, the first state first.
-    pub fn states(self) -> [&'static str; 4] {
-        match self {
-            StudyKind::Stack => ["DS1", "DS2", "DS3", "falls"],
-            StudyKind::Frame => ["slips", "–", "–", "drift limit"],
-            StudyKind::Chain => ["opens", "–", "–", "falls"],
-            StudyKind::Building => ["limit 1", "limit 2", "limit 3", "limit 4"],
-        }
-    }
-}
+use super::measures::RunMeasures;
 
 /// How a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -148,8 +67,8 @@ pub struct Run {
     pub part: String,
     /// The joint that gave way.
     pub gave_way: String,
-    /// The numbers that [`StudyKind::measures`] names; empty if nothing was run.
-    pub measures: Vec<f64>,
+    /// Its numbers.
+    pub measures: RunMeasures,
     /// Why its inputs were refused.
     pub why: String,
 }
@@ -165,7 +84,7 @@ impl Run {
                 run.at_s,
             ];
             own.iter()
-                .chain(&run.measures)
+                .chain(&run.measures.values())
                 .map(|value| value.to_bits())
                 .collect()
         };

@@ -1,5 +1,6 @@
 //! What scans show: first falls, what is open because runs cannot be used, and capacities at one value of an input.
 
+use super::measures::RunMeasures;
 use super::run::{Run, RunOutcome};
 use dolmen::assess::{
     Capacity, Observation, Reached, Reading, ScaleTrial, Trial, capacity, reached_quantile,
@@ -93,9 +94,12 @@ impl CapacityOf {
     }
 
     /// The same of a linear building, in which everything is in proportion: the largest of its runs tells exactly when each drift limit is reached, up
-    /// to the largest size that was tried. `place` is that of the drift ratio among the numbers of a run.
-    pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4], place: usize) -> Self {
-        let ratio = |run: &Run| run.measures.get(place).copied().filter(|ratio| *ratio > 0.0);
+    /// to the largest size that was tried.
+    pub(super) fn in_proportion(mut self, runs: &[Run], limits: &[f64; 4]) -> Self {
+        let ratio = |run: &Run| match run.measures {
+            RunMeasures::Building(of) => Some(of.peak_corner_drift_ratio).filter(|ratio| *ratio > 0.0),
+            _ => None,
+        };
         let usable = runs.iter().filter(|run| run.scale > 0.0);
         let known = usable.filter_map(|run| Some((run.peak_ground_acceleration_m_s2, ratio(run)?)));
         let Some((largest, ratio)) = known.reduce(|most, own| if own.0 > most.0 { own } else { most }) else {
@@ -324,7 +328,7 @@ mod tests {
             at_s: f64::NAN,
             part: String::new(),
             gave_way: String::new(),
-            measures: Vec::new(),
+            measures: RunMeasures::None,
             why: String::new(),
         })
         .collect()

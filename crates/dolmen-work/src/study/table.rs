@@ -1,31 +1,14 @@
 //! Runs and capacities as columns, for CSV and Parquet: inputs first, units in the names.
 
 use super::answer::StudyAnswer;
+use super::column::{Column, ColumnValues};
 use super::journal::joint_words;
+use super::kind::StudyKind;
+use super::measures::RunMeasures;
 use super::method::direction_deg;
-use super::run::{Run, StudyKind};
+use super::run::Run;
 use super::scans::CapacityOf;
-use super::shaking::ShakingMeasure;
-
-/// The values of a column.
-#[derive(Clone, Debug, PartialEq)]
-pub enum ColumnValues {
-    /// Numbers; none where there is none.
-    Numbers(Vec<Option<f64>>),
-    /// Whole numbers.
-    Counts(Vec<i64>),
-    /// Words; empty where there are none.
-    Words(Vec<String>),
-}
-
-/// A named column of a table.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Column {
-    /// Its name, the unit last.
-    pub name: String,
-    /// One value a row.
-    pub values: ColumnValues,
-}
+use super::shaking_measure::ShakingMeasure;
 
 fn number(value: f64) -> Option<f64> {
     value.is_finite().then_some(value)
@@ -120,8 +103,8 @@ pub fn run_columns(answer: &StudyAnswer) -> Vec<Column> {
     columns.numbers("at_s", |run| number(run.at_s));
     columns.words("part", |run| run.part.clone());
     columns.words("gave_way", |run| run.gave_way.clone());
-    for (index, name) in answer.kind.measures().iter().enumerate() {
-        columns.numbers(name, |run| run.measures.get(index).copied().and_then(number));
+    for name in RunMeasures::names(answer.kind) {
+        columns.numbers(name, |run| run.measures.named(name).and_then(number));
     }
     columns.words("why", |run| run.why.clone());
     columns.found

@@ -1,0 +1,10 @@
+//! Studies whose results cannot be used.
+
+/// A study whose results cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct LeftOutStudy {
+    /// The study.
+    pub study: String,
+    /// Why.
+    pub why: String,
+}
