@@ -1,5 +1,11 @@
 //! The command `dolmen`: opens the files, calls the science, prints the answer.
 
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    reason = "the command prints: it is what prints"
+)]
+
 mod check;
 mod cli;
 mod cli_language;

@@ -95,7 +95,11 @@ pub(crate) fn man(directory: Option<&Path>) -> Result<Outcome> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dolmen::assess::AssessError;
+    use dolmen::blocks::BlocksError;
     use dolmen::signal::SignalError;
+    use dolmen_records::records::RecordError;
+    use dolmen_work::{ChangeFault, WorkError};
 
     #[test]
     fn holds_advice_and_exit_status_see_through_the_layers_above() {
@@ -104,7 +108,7 @@ mod tests {
         };
         let fault = anyhow::Error::new(RecordError::Signal(no_start)).context("survey one");
         assert_eq!(
-            told(&fault),
+            told(fault.as_ref()),
             "survey one: channel \"a x\" does not say when it begins: give its begins, or starts = \"together\" if all began at one instant"
         );
         assert_eq!(exit_status(&fault), BAD_INPUT);
@@ -113,8 +117,11 @@ mod tests {
             residual: 0.1,
             block: "a".into(),
         };
-        assert_eq!(exit_status(&no_rest.into()), NO_CONVERGENCE);
+        assert_eq!(exit_status(&WorkError::from(no_rest).into()), NO_CONVERGENCE);
         let bad = AssessError::Scale { given: 0.0 };
-        assert_eq!(exit_status(&ChangeFault::Assess(bad).into()), BAD_INPUT);
+        assert_eq!(
+            exit_status(&WorkError::from(ChangeFault::Assess(bad)).into()),
+            BAD_INPUT
+        );
     }
 }

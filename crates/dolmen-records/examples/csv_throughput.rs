@@ -4,6 +4,7 @@
 //!
 //! One thread, so on a quiet machine the time on the wall is that of the processor; the median of the runs is printed, and
 //! the fastest, which other work disturbs least.
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
 
 use dolmen_records::records::{RecordOptions, read_csv, read_npy};
 use std::fmt::Write;

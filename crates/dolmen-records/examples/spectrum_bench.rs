@@ -1,5 +1,6 @@
 //! CPU time of the response spectrum of a motion, for bench/spectrum: `spectrum_bench FILE LOOPS`.
 #![allow(
+    clippy::print_stdout,
     clippy::unwrap_used,
     missing_docs,
     reason = "a program for measuring, not a part of the product"

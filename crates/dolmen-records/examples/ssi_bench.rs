@@ -6,6 +6,7 @@
 //! ssi_bench cov-sd|dat-sd FILE RATE BLOCK_ROWS ORDER_MOST           the same with the standard deviations of each pole
 //! ssi_bench fdd FILE RATE LINES -                                   prints the frequency of each peak
 //! ```
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
 
 use dolmen::modal::{Fdd, Propagation, ReferenceCase, Ssi, fdd, ssi_cov, ssi_data};
 use dolmen::signal::Record;

@@ -18,11 +18,11 @@ use dolmen_project::Project;
 #[derive(Clone, Debug)]
 pub enum Answer {
     /// Does it stand.
-    Check(CheckAnswer),
+    Check(Box<CheckAnswer>),
     /// Modes and stiffness of the surveys.
-    Identify(IdentifyAnswer),
+    Identify(Box<IdentifyAnswer>),
     /// What changed from one survey to another.
-    Compare(CompareAnswer),
+    Compare(Box<CompareAnswer>),
     /// The structure under a ground motion.
     Simulate(SimulateAnswer),
     /// A study.
@@ -34,7 +34,7 @@ pub enum Answer {
     /// Many structures in order.
     Rank(Box<PortfolioAnswer>),
     /// Ground motions.
-    Motion(MotionReport),
+    Motion(Box<MotionReport>),
 }
 
 /// Whether a structure and its variants stand.
@@ -102,7 +102,7 @@ impl ProjectReport {
     /// The check.
     pub fn check(&self) -> Option<&CheckAnswer> {
         self.answers.iter().find_map(|answer| match answer {
-            Answer::Check(check) => Some(check),
+            Answer::Check(check) => Some(&**check),
             _ => None,
         })
     }

@@ -36,73 +36,73 @@ pub enum WorkError {
     },
     /// A file cannot be had.
     #[error(transparent)]
-    File(#[from] FileError),
+    File(Box<FileError>),
     /// The project file is refused.
     #[error(transparent)]
-    Project(#[from] ProjectError),
+    Project(Box<ProjectError>),
     /// A record is refused.
     #[error(transparent)]
-    Record(#[from] RecordError),
+    Record(Box<RecordError>),
     /// A file of a ground motion is refused.
     #[error(transparent)]
-    Motion(#[from] MotionError),
+    Motion(Box<MotionError>),
     /// An angle is refused.
     #[error(transparent)]
-    Angle(#[from] AngleError),
+    Angle(Box<AngleError>),
     /// A stack cannot be built.
     #[error(transparent)]
-    StackPart(#[from] StackFault),
+    StackPart(Box<StackFault>),
     /// A damper cannot be built.
     #[error(transparent)]
-    DamperPart(#[from] DamperFault),
+    DamperPart(Box<DamperFault>),
     /// Surveys cannot be compared.
     #[error(transparent)]
-    Change(#[from] ChangeFault),
+    Change(Box<ChangeFault>),
     /// A table of structures is refused.
     #[error(transparent)]
-    Portfolio(#[from] PortfolioError),
+    Portfolio(Box<PortfolioError>),
     /// A table of designs is refused.
     #[error(transparent)]
-    Designs(#[from] ScoreDesignsError),
+    Designs(Box<ScoreDesignsError>),
     /// A journal cannot be read.
     #[error(transparent)]
-    Journal(#[from] JournalError),
+    Journal(Box<JournalError>),
     /// From the science.
     #[error(transparent)]
-    Assess(#[from] AssessError),
+    Assess(Box<AssessError>),
     /// From the science.
     #[error(transparent)]
-    Blocks(#[from] BlocksError),
+    Blocks(Box<BlocksError>),
     /// From the science.
     #[error(transparent)]
-    Building(#[from] BuildingError),
+    Building(Box<BuildingError>),
     /// From the science.
     #[error(transparent)]
-    Damper(#[from] DamperError),
+    Damper(Box<DamperError>),
     /// From the science.
     #[error(transparent)]
-    Dynamics(#[from] DynamicsError),
+    Dynamics(Box<DynamicsError>),
     /// From the science.
     #[error(transparent)]
-    Modal(#[from] ModalError),
+    Modal(Box<ModalError>),
     /// From the science.
     #[error(transparent)]
-    Numeric(#[from] NumericError),
+    Numeric(Box<NumericError>),
     /// From the science.
     #[error(transparent)]
-    Signal(#[from] SignalError),
+    Signal(Box<SignalError>),
     /// From the science.
     #[error(transparent)]
-    Stability(#[from] StabilityError),
+    Stability(Box<StabilityError>),
     /// From the science.
     #[error(transparent)]
-    Stack(#[from] StackError),
+    Stack(Box<StackError>),
     /// From the science.
     #[error(transparent)]
-    Structure(#[from] StructureError),
+    Structure(Box<StructureError>),
     /// From the science.
     #[error(transparent)]
-    Validation(#[from] ValidationError),
+    Validation(Box<ValidationError>),
     /// The caller could not open, read or keep what was asked of it.
     #[error("{why}")]
     Outside {
@@ -503,33 +503,70 @@ pub enum WorkError {
     PalisadenWithoutRecord,
 }
 
+/// Lets an error of another crate be handed on as it is.
+macro_rules! handed_on {
+    ($($variant:ident: $error:ty),+ $(,)?) => {
+        $(impl From<$error> for WorkError {
+            fn from(why: $error) -> Self {
+                WorkError::$variant(Box::new(why))
+            }
+        })+
+    };
+}
+
+handed_on! {
+    File: FileError,
+    Project: ProjectError,
+    Record: RecordError,
+    Motion: MotionError,
+    Angle: AngleError,
+    StackPart: StackFault,
+    DamperPart: DamperFault,
+    Change: ChangeFault,
+    Portfolio: PortfolioError,
+    Designs: ScoreDesignsError,
+    Journal: JournalError,
+    Assess: AssessError,
+    Blocks: BlocksError,
+    Building: BuildingError,
+    Damper: DamperError,
+    Dynamics: DynamicsError,
+    Modal: ModalError,
+    Numeric: NumericError,
+    Signal: SignalError,
+    Stability: StabilityError,
+    Stack: StackError,
+    Structure: StructureError,
+    Validation: ValidationError,
+}
+
 impl WorkError {
     /// The error that is handed on as it is; `None` of one of its own.
     pub(crate) fn handed_on(&self) -> Option<&(dyn Error + 'static)> {
         Some(match self {
-            WorkError::File(why) => why,
-            WorkError::Project(why) => why,
-            WorkError::Record(why) => why,
-            WorkError::Motion(why) => why,
-            WorkError::Angle(why) => why,
-            WorkError::StackPart(why) => why,
-            WorkError::DamperPart(why) => why,
-            WorkError::Change(why) => why,
-            WorkError::Portfolio(why) => why,
-            WorkError::Designs(why) => why,
-            WorkError::Journal(why) => why,
-            WorkError::Assess(why) => why,
-            WorkError::Blocks(why) => why,
-            WorkError::Building(why) => why,
-            WorkError::Damper(why) => why,
-            WorkError::Dynamics(why) => why,
-            WorkError::Modal(why) => why,
-            WorkError::Numeric(why) => why,
-            WorkError::Signal(why) => why,
-            WorkError::Stability(why) => why,
-            WorkError::Stack(why) => why,
-            WorkError::Structure(why) => why,
-            WorkError::Validation(why) => why,
+            WorkError::File(why) => why.as_ref(),
+            WorkError::Project(why) => why.as_ref(),
+            WorkError::Record(why) => why.as_ref(),
+            WorkError::Motion(why) => why.as_ref(),
+            WorkError::Angle(why) => why.as_ref(),
+            WorkError::StackPart(why) => why.as_ref(),
+            WorkError::DamperPart(why) => why.as_ref(),
+            WorkError::Change(why) => why.as_ref(),
+            WorkError::Portfolio(why) => why.as_ref(),
+            WorkError::Designs(why) => why.as_ref(),
+            WorkError::Journal(why) => why.as_ref(),
+            WorkError::Assess(why) => why.as_ref(),
+            WorkError::Blocks(why) => why.as_ref(),
+            WorkError::Building(why) => why.as_ref(),
+            WorkError::Damper(why) => why.as_ref(),
+            WorkError::Dynamics(why) => why.as_ref(),
+            WorkError::Modal(why) => why.as_ref(),
+            WorkError::Numeric(why) => why.as_ref(),
+            WorkError::Signal(why) => why.as_ref(),
+            WorkError::Stability(why) => why.as_ref(),
+            WorkError::Stack(why) => why.as_ref(),
+            WorkError::Structure(why) => why.as_ref(),
+            WorkError::Validation(why) => why.as_ref(),
             _ => return None,
         })
     }

@@ -49,11 +49,11 @@ pub fn report(
     let checked = check(opened, &how)?;
     let mut answers = Vec::new();
     if let Ok(compared) = surveys_to_compare(project, None, None) {
-        answers.push(Answer::Compare(CompareAnswer {
+        answers.push(Answer::Compare(Box::new(CompareAnswer {
             file: opened.file.clone(),
             project: project.clone(),
             change: change_of(project, &compared, &identified.surveys)?,
-        }));
+        })));
     }
     if is_shaken {
         let simulated = simulated(opened, &checked, &options.motion, files, progress)?;
@@ -62,7 +62,13 @@ pub fn report(
     answers.push(Answer::Tune(tune::of_report(opened, files)?));
     let (studies, left_out) = studies_run(opened, options.journals, files, progress);
     answers.extend(studies.into_iter().map(|study| Answer::Study(Box::new(study))));
-    answers.splice(0..0, [Answer::Check(checked), Answer::Identify(identified)]);
+    answers.splice(
+        0..0,
+        [
+            Answer::Check(Box::new(checked)),
+            Answer::Identify(Box::new(identified)),
+        ],
+    );
     Ok(ProjectReport {
         file: opened.file.clone(),
         project: project.clone(),

@@ -104,10 +104,11 @@ fn summary(answer: &ProjectReport, language: Language) -> String {
     let mut all = Vec::new();
     if let Some(headline) = judgement.headline() {
         all.push(headline.words(language).join(" · "));
-        all.extend(shaken(headline, &answer.project.structure, language));
+        let word = headline.earthquake_word().word(language);
+        let reasons = shaken(headline, &answer.project.structure, language);
+        all.extend(reasons.into_iter().filter(|reason| reason != word));
     }
     all.extend(worse(answer, &judgement, language));
-    all.dedup();
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
 }
 
@@ -180,8 +181,12 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Mar
 fn shaken(judged: &VersionJudgement, structure: &Structure, language: Language) -> Vec<String> {
     let findings = judged.earthquake.iter();
     let worse = findings.filter(|of| of.word.colour() != Colour::Green);
-    let mut words: Vec<String> = worse.map(|of| reason(of, structure, language)).collect();
-    words.dedup();
+    let mut words = Vec::new();
+    for said in worse.map(|of| reason(of, structure, language)) {
+        if !words.contains(&said) {
+            words.push(said);
+        }
+    }
     words
 }
 

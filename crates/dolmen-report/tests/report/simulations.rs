@@ -40,6 +40,7 @@ fn simulation() -> StackSimulation {
     let limits = stack_limits(&stack, &StackLimits::default()).unwrap();
     StackSimulation {
         damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
+        limits,
         file: "project.toml".into(),
         name: Names {
             en: Some("Two blocks".into()),
