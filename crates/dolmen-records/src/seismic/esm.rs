@@ -10,9 +10,10 @@
 //! ```
 
 use super::lines::{Lines, all_numbers, number};
-use super::read::{MotionFormat, Raw};
+use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
-use super::{MotionError, Orientation, start};
+use super::{Orientation, SeismicError};
+use crate::start;
 
 /// The header ends within so many lines; DYNA 1.2 has 64.
 const HEADER_LINES_MOST: usize = 200;
@@ -33,7 +34,7 @@ pub(super) fn is_esm(bytes: &[u8]) -> bool {
     keys.any(|(key, _)| key == "SAMPLING_INTERVAL_S")
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut lines = Lines::new(bytes);
     let mut header = Vec::new();
     while let Some(line) = lines.peek()
@@ -48,7 +49,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
         found.map(|(line, _, value)| (*line, value.as_str()))
     };
     let want = |label: &'static str| {
-        find(label).ok_or(MotionError::Missing {
+        find(label).ok_or(SeismicError::Missing {
             label,
             lines: header.len(),
         })
@@ -56,7 +57,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     let positive = |label: &'static str, wanted: &'static str| {
         let (line, text) = want(label)?;
         let value = number(line, text.as_bytes())?;
-        let bad = || MotionError::Line {
+        let bad = || SeismicError::Line {
             line,
             text: text.to_owned(),
             wanted,
@@ -73,20 +74,20 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     {
         None | Some((_, _, "ACCELERATION")) => {}
         Some((line, _, "VELOCITY")) => {
-            return Err(MotionError::Quantity {
+            return Err(SeismicError::Quantity {
                 line,
                 what: "velocities",
             });
         }
         Some((line, _, "DISPLACEMENT")) => {
-            return Err(MotionError::Quantity {
+            return Err(SeismicError::Quantity {
                 line,
                 what: "displacements",
             });
         }
         Some((line, other, _)) => {
             let wanted = "\"ACCELERATION\" as the data type";
-            return Err(MotionError::Line {
+            return Err(SeismicError::Line {
                 line,
                 text: other.to_owned(),
                 wanted,
@@ -96,7 +97,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     let unit = match find("UNITS") {
         None | Some((_, "")) => None,
         Some((line, text)) => {
-            let unknown = || MotionError::At2Unit {
+            let unknown = || SeismicError::At2Unit {
                 line,
                 text: text.to_owned(),
             };
@@ -105,7 +106,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     };
     let samples = all_numbers(lines)?;
     if stated != samples.len() as f64 {
-        return Err(MotionError::Count {
+        return Err(SeismicError::Count {
             stated: stated as u64,
             found: samples.len(),
         });
@@ -127,7 +128,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
         orientation: Orientation::of_channel_code(stream),
         begins_s: start::start_of_text(value("DATE_TIME_FIRST_SAMPLE_YYYYMMDD_HHMMSS")),
         stated_peak: peak
-            .filter(|_| unit == Some(crate::records::Unit::Gal))
+            .filter(|_| unit == Some(crate::unit::Unit::Gal))
             .map(f64::abs),
         ..Raw::new(MotionFormat::Esm, time_step_s)
     }])

@@ -1,6 +1,6 @@
 //! How headers of motion files spell units of acceleration.
 
-use crate::records::Unit;
+use crate::unit::Unit;
 
 /// Each spelling, in capitals.
 const SPELLINGS: [(&str, Unit); 18] = [

@@ -19,13 +19,13 @@ const CELL_MOST: usize = 64;
 
 /// A number at the beginning of a text.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Number {
+pub(crate) struct Number {
     /// Its value.
-    pub(super) value: f64,
+    pub(crate) value: f64,
     /// Index of the first byte after it.
-    pub(super) end: usize,
+    pub(crate) end: usize,
     /// Place of the last of them after the decimal sign; negative where an exponent moved it left of it.
-    pub(super) decimals: i32,
+    pub(crate) decimals: i32,
 }
 
 /// The number that a text is, as `str::parse::<f64>` reads it, or `None`.
@@ -45,7 +45,7 @@ pub fn parse_number(text: &[u8]) -> Option<f64> {
 
 /// The finite number that begins at `at`, if it is plainly written. What follows it is not looked at.
 #[inline]
-pub(super) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
+pub(crate) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
     let sign = *text.get(at)?;
     let mut mantissa = 0;
     let first = if matches!(sign, b'-' | b'+') { at + 1 } else { at };
@@ -96,7 +96,7 @@ pub(super) fn scan(text: &[u8], at: usize, decimal_sign: u8) -> Option<Number> {
 
 /// The number that a whole cell is: no blanks, the decimal sign as given. Reads everything that `str::parse` reads, such as
 /// NaN.
-pub(super) fn parse_cell(cell: &[u8], decimal_sign: u8) -> Option<Number> {
+pub(crate) fn parse_cell(cell: &[u8], decimal_sign: u8) -> Option<Number> {
     if let Some(number) = scan(cell, 0, decimal_sign)
         && number.end == cell.len()
     {

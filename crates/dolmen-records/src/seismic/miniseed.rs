@@ -13,10 +13,11 @@
 //!
 //! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, chapters 8 and appendix B.
 
-use super::read::{MotionFormat, Raw};
+use super::raw::{MotionFormat, Raw};
 use super::steim::{self, Steim};
-use super::{MotionError, Orientation, start};
-use crate::records::Break;
+use super::{Orientation, SeismicError};
+use crate::breaks::Break;
+use crate::start;
 
 const HEADER_BYTES: usize = 48;
 /// Lengths of records, 2ⁿ, that SEED allows.
@@ -45,9 +46,9 @@ struct Bytes<'a> {
 }
 
 impl Bytes<'_> {
-    fn array<const N: usize>(&self, at: usize) -> Result<[u8; N], MotionError> {
+    fn array<const N: usize>(&self, at: usize) -> Result<[u8; N], SeismicError> {
         let chunk = self.record.get(at..).and_then(|rest| rest.first_chunk::<N>());
-        let mut bytes = *chunk.ok_or(MotionError::Damaged {
+        let mut bytes = *chunk.ok_or(SeismicError::Damaged {
             at: self.at,
             what: "a field lies outside of the record",
         })?;
@@ -57,15 +58,15 @@ impl Bytes<'_> {
         Ok(bytes)
     }
 
-    fn u16(&self, at: usize) -> Result<u16, MotionError> {
+    fn u16(&self, at: usize) -> Result<u16, SeismicError> {
         self.array(at).map(u16::from_le_bytes)
     }
 
-    fn i16(&self, at: usize) -> Result<i16, MotionError> {
+    fn i16(&self, at: usize) -> Result<i16, SeismicError> {
         self.array(at).map(i16::from_le_bytes)
     }
 
-    fn i32(&self, at: usize) -> Result<i32, MotionError> {
+    fn i32(&self, at: usize) -> Result<i32, SeismicError> {
         self.array(at).map(i32::from_le_bytes)
     }
 }
@@ -83,13 +84,13 @@ struct Record {
     length: usize,
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut channels: Vec<Raw> = Vec::new();
     let mut at = 0;
     while at < bytes.len() {
         let rest = &bytes[at..];
         if rest.len() < HEADER_BYTES || !is_header(rest) {
-            return Err(MotionError::Damaged {
+            return Err(SeismicError::Damaged {
                 at: at as u64,
                 what: "no header of a data record begins here",
             });
@@ -97,7 +98,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
         let record = header(rest, at as u64)?;
         if rest.len() < record.length {
             let stated = (at + record.length) as u64;
-            return Err(MotionError::Bytes {
+            return Err(SeismicError::Bytes {
                 format: "miniseed",
                 stated,
                 found: bytes.len(),
@@ -110,7 +111,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
         at += record.length;
     }
     match channels.is_empty() {
-        true => Err(MotionError::Damaged {
+        true => Err(SeismicError::Damaged {
             at: 0,
             what: "no record holds samples",
         }),
@@ -128,7 +129,7 @@ fn record_of(record: &Record) -> Raw {
 }
 
 /// Appends the samples of a record to its channel; says where there is a gap, and refuses an overlap.
-fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result<(), MotionError> {
+fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result<(), SeismicError> {
     let Some(known) = channels.iter_mut().find(|known| known.name == record.name) else {
         record.samples = samples;
         channels.push(record);
@@ -144,7 +145,7 @@ fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result
     let found_s = record.begins_s.unwrap_or(0.0) - first;
     let other_rate = (record.time_step_s / step - 1.0).abs() > 1e-4;
     if other_rate || found_s < expected_s - GAP_STEPS * step {
-        return Err(MotionError::Gap {
+        return Err(SeismicError::Gap {
             channel: record.name,
             expected_s,
             found_s,
@@ -161,10 +162,10 @@ fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result
 }
 
 /// The same channels; refuses a gap.
-pub(super) fn whole(channels: Vec<Raw>) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn whole(channels: Vec<Raw>) -> Result<Vec<Raw>, SeismicError> {
     for channel in &channels {
         if let Some(first) = channel.breaks.first() {
-            return Err(MotionError::Gap {
+            return Err(SeismicError::Gap {
                 channel: channel.name.clone(),
                 expected_s: first.at as f64 * channel.time_step_s,
                 found_s: first.begins_s,
@@ -174,15 +175,15 @@ pub(super) fn whole(channels: Vec<Raw>) -> Result<Vec<Raw>, MotionError> {
     Ok(channels)
 }
 
-fn header(record: &[u8], at: u64) -> Result<Record, MotionError> {
-    let refuse = |what: &'static str| MotionError::Damaged { at, what };
+fn header(record: &[u8], at: u64) -> Result<Record, SeismicError> {
+    let refuse = |what: &'static str| SeismicError::Damaged { at, what };
     let big = Bytes {
         record,
         little: false,
         at,
     };
     // a byte order that gives a year of instruments and a day of a year
-    let dated = |bytes: &Bytes| -> Result<bool, MotionError> {
+    let dated = |bytes: &Bytes| -> Result<bool, SeismicError> {
         Ok((1900..=2500).contains(&bytes.u16(20)?) && (1..=366).contains(&bytes.u16(22)?))
     };
     let little = Bytes { little: true, ..big };
@@ -279,8 +280,8 @@ fn rate(factor: i16, multiplier: i16) -> f64 {
     part(factor) * part(multiplier)
 }
 
-fn samples(record: &[u8], told: &Record, at: u64) -> Result<Vec<f64>, MotionError> {
-    let refuse = |what: &'static str| MotionError::Damaged { at, what };
+fn samples(record: &[u8], told: &Record, at: u64) -> Result<Vec<f64>, SeismicError> {
+    let refuse = |what: &'static str| SeismicError::Damaged { at, what };
     let outside = refuse("the samples begin outside of the record");
     let data = record
         .get(told.data..)
@@ -291,7 +292,7 @@ fn samples(record: &[u8], told: &Record, at: u64) -> Result<Vec<f64>, MotionErro
         little: told.data_is_little,
         at,
     };
-    let plain = |width: usize, value: &dyn Fn(usize) -> Result<f64, MotionError>| {
+    let plain = |width: usize, value: &dyn Fn(usize) -> Result<f64, SeismicError>| {
         if told.samples * width > data.len() {
             return Err(refuse("the record is too short for its samples"));
         }
@@ -304,6 +305,6 @@ fn samples(record: &[u8], told: &Record, at: u64) -> Result<Vec<f64>, MotionErro
         5 => plain(8, &|at| bytes.array(at).map(f64::from_le_bytes)),
         10 => steim::unpacked(data, told.samples, Steim::One, told.data_is_little, at),
         11 => steim::unpacked(data, told.samples, Steim::Two, told.data_is_little, at),
-        encoding => Err(MotionError::Encoding { at, encoding }),
+        encoding => Err(SeismicError::Encoding { at, encoding }),
     }
 }

@@ -14,8 +14,9 @@
 //! Source: Goldstein, Snoke (2005) *SAC Availability for the IRIS Community*; the SAC data file format of its manual.
 
 use super::lines::{Lines, all_numbers, number, refused, text};
-use super::read::{MotionFormat, Raw};
-use super::{MotionError, Orientation, start};
+use super::raw::{MotionFormat, Raw};
+use super::{Orientation, SeismicError};
+use crate::start;
 use dolmen::signal::Quantity;
 
 const FLOATS: usize = 70;
@@ -77,8 +78,8 @@ impl Header {
     }
 
     /// Everything but the samples, if they are a time series of accelerations, and how many there must be.
-    fn raw(&self, format: MotionFormat) -> Result<(Raw, usize), MotionError> {
-        let refuse = |what: &'static str, found: f64| MotionError::Sac { what, found };
+    fn raw(&self, format: MotionFormat) -> Result<(Raw, usize), SeismicError> {
+        let refuse = |what: &'static str, found: f64| SeismicError::Sac { what, found };
         if self.integers[15] != TIME_SERIES {
             return Err(refuse(
                 "IFTYPE must be 1, a time series",
@@ -138,9 +139,9 @@ pub(super) fn is_binary(bytes: &[u8]) -> bool {
     bytes.len() >= HEADER_BYTES && is_little(bytes).is_some()
 }
 
-pub(super) fn read_binary(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read_binary(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let (Some(little), true) = (is_little(bytes), bytes.len() >= HEADER_BYTES) else {
-        return Err(MotionError::Bytes {
+        return Err(SeismicError::Bytes {
             format: "sac",
             stated: HEADER_BYTES as u64,
             found: bytes.len(),
@@ -167,7 +168,7 @@ pub(super) fn read_binary(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     let footer = if is_seventh { FOOTER_BYTES } else { 0 };
     let stated = HEADER_BYTES as u64 + 4 * count as u64 + footer as u64;
     if stated != bytes.len() as u64 {
-        return Err(MotionError::Bytes {
+        return Err(SeismicError::Bytes {
             format: "sac",
             stated,
             found: bytes.len(),
@@ -206,7 +207,7 @@ pub(super) fn is_alphanumeric(bytes: &[u8]) -> bool {
     VERSIONS.contains(&header.1[6])
 }
 
-fn alphanumeric_numbers(lines: &mut Lines) -> Result<(Vec<f64>, Vec<i64>), MotionError> {
+fn alphanumeric_numbers(lines: &mut Lines) -> Result<(Vec<f64>, Vec<i64>), SeismicError> {
     const WANTED: &str = "a line of 5 numbers of a SAC header";
     let mut part = |rows: usize| {
         let mut values = Vec::new();
@@ -231,7 +232,7 @@ fn alphanumeric_numbers(lines: &mut Lines) -> Result<(Vec<f64>, Vec<i64>), Motio
     Ok((floats, integers.into_iter().map(|value| value as i64).collect()))
 }
 
-pub(super) fn read_alphanumeric(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read_alphanumeric(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut lines = Lines::new(bytes);
     let (floats, integers) = alphanumeric_numbers(&mut lines)?;
     let mut texts = Vec::new();
@@ -248,7 +249,7 @@ pub(super) fn read_alphanumeric(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     .raw(MotionFormat::SacText)?;
     raw.samples = all_numbers(lines)?;
     if raw.samples.len() != count {
-        return Err(MotionError::Count {
+        return Err(SeismicError::Count {
             stated: count as u64,
             found: raw.samples.len(),
         });

@@ -7,7 +7,7 @@ const DAY_S: f64 = 86_400.0;
 ///
 /// # Source
 /// Hinnant (2021) *chrono-Compatible Low-Level Date Algorithms*, days_from_civil.
-pub(super) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
+pub(crate) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
     if !(1..=9999).contains(&year) || !(1..=12).contains(&month) || !(1..=31).contains(&day) {
         return None;
     }
@@ -21,7 +21,7 @@ pub(super) fn days(year: i64, month: i64, day: i64) -> Option<i64> {
 }
 
 /// Seconds from 1 January 1970 to a time of the day.
-pub(super) fn seconds(day: i64, hour: i64, minute: i64, second: f64) -> f64 {
+pub(crate) fn seconds(day: i64, hour: i64, minute: i64, second: f64) -> f64 {
     day as f64 * DAY_S + (hour * 3600 + minute * 60) as f64 + second
 }
 

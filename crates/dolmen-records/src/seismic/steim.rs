@@ -5,7 +5,7 @@
 //!
 //! Source: FDSN (2012) *SEED Reference Manual*, version 2.4, appendix B.
 
-use super::MotionError;
+use super::SeismicError;
 
 /// Which of the two.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -24,8 +24,8 @@ pub(super) fn unpacked(
     steim: Steim,
     little: bool,
     at: u64,
-) -> Result<Vec<f64>, MotionError> {
-    let refuse = |what: &'static str| MotionError::Damaged { at, what };
+) -> Result<Vec<f64>, SeismicError> {
+    let refuse = |what: &'static str| SeismicError::Damaged { at, what };
     let mut differences: Vec<i64> = Vec::with_capacity(samples.min(data.len()));
     let (mut first, mut last) = (0, 0);
     for (number, frame) in data.chunks_exact(FRAME_BYTES).enumerate() {

@@ -9,9 +9,9 @@
 //! V2 goes on with velocities and displacements, which are passed over.
 
 use super::lines::{Columns, Line, Lines, refused, text};
-use super::read::{MotionFormat, Raw};
+use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
-use super::{MotionError, Orientation};
+use super::{Orientation, SeismicError};
 
 /// The first line begins with one of these, small or capital.
 const FIRST: [&str; 3] = [
@@ -39,7 +39,7 @@ struct Series {
 }
 
 /// The line before a series, of either version; `None` for any other line.
-fn series(line: Line) -> Result<Option<Series>, MotionError> {
+fn series(line: Line) -> Result<Option<Series>, SeismicError> {
     let told = text(line).to_lowercase();
     let first = told.contains("accelerogram points at");
     let second = told.contains("data equally spaced at");
@@ -89,7 +89,7 @@ fn direction(line: &str) -> Option<(String, Option<Orientation>)> {
     Some((format!("Chan {}", channel.trim()), Orientation::of_word(word)))
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut channels: Vec<Raw> = Vec::new();
     let mut named: Option<(String, Option<Orientation>)> = None;
     let mut title = String::new();
@@ -108,7 +108,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
         if !series.is_acceleration {
             continue;
         }
-        let unknown = || MotionError::At2Unit {
+        let unknown = || SeismicError::At2Unit {
             line: line.0,
             text: series.unit.clone(),
         };
@@ -126,7 +126,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
         });
     }
     if channels.is_empty() {
-        return Err(MotionError::Missing {
+        return Err(SeismicError::Missing {
             label: "\"… points of accel data equally spaced at …\"",
             lines: 0,
         });

@@ -1,8 +1,7 @@
 //! Lines of a text file with their numbers, and numbers in columns of fixed width as FORTRAN prints them.
 
-use super::MotionError;
-use super::error::excerpt;
-use crate::records::parse_number;
+use super::SeismicError;
+use crate::number::parse_number;
 
 /// A line: its number from 1 and its bytes without the line end.
 pub(super) type Line<'a> = (usize, &'a [u8]);
@@ -19,9 +18,9 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line, or a refusal that says what it should have been.
-    pub(super) fn want(&mut self, wanted: &'static str) -> Result<Line<'a>, MotionError> {
+    pub(super) fn want(&mut self, wanted: &'static str) -> Result<Line<'a>, SeismicError> {
         let line = self.read + 1;
-        self.next().ok_or(MotionError::EndsEarly { line, wanted })
+        self.next().ok_or(SeismicError::EndsEarly { line, wanted })
     }
 
     /// The next line, which stays.
@@ -49,14 +48,24 @@ impl<'a> Iterator for Lines<'a> {
     }
 }
 
+/// As much of a text of the file as fits into a message.
+pub(super) fn excerpt(text: &[u8]) -> String {
+    const CHARACTERS: usize = 80;
+    String::from_utf8_lossy(text)
+        .trim()
+        .chars()
+        .take(CHARACTERS)
+        .collect()
+}
+
 /// A line as text; bytes that are no UTF-8 become marks.
 pub(super) fn text((_, line): Line) -> String {
     String::from_utf8_lossy(line).into_owned()
 }
 
 /// "the line is not what it should be".
-pub(super) fn refused((line, text): Line, wanted: &'static str) -> MotionError {
-    MotionError::Line {
+pub(super) fn refused((line, text): Line, wanted: &'static str) -> SeismicError {
+    SeismicError::Line {
         line,
         text: excerpt(text),
         wanted,
@@ -64,10 +73,10 @@ pub(super) fn refused((line, text): Line, wanted: &'static str) -> MotionError {
 }
 
 /// A finite number, white space around it allowed.
-pub(super) fn number(line: usize, cell: &[u8]) -> Result<f64, MotionError> {
+pub(super) fn number(line: usize, cell: &[u8]) -> Result<f64, SeismicError> {
     match parse_number(cell.trim_ascii()) {
         Some(value) if value.is_finite() => Ok(value),
-        _ => Err(MotionError::NotANumber {
+        _ => Err(SeismicError::NotANumber {
             line,
             text: excerpt(cell),
         }),
@@ -107,7 +116,7 @@ impl Columns {
     }
 
     /// The numbers of one line, cut at the columns: numbers may touch.
-    pub(super) fn numbers(self, (number_of_line, line): Line) -> Result<Vec<f64>, MotionError> {
+    pub(super) fn numbers(self, (number_of_line, line): Line) -> Result<Vec<f64>, SeismicError> {
         let line = line.trim_ascii_end();
         if line.len() > self.on_a_line * self.width {
             return Err(refused(
@@ -121,13 +130,13 @@ impl Columns {
     }
 
     /// So many numbers from the next lines.
-    pub(super) fn read(self, lines: &mut Lines, count: usize) -> Result<Vec<f64>, MotionError> {
+    pub(super) fn read(self, lines: &mut Lines, count: usize) -> Result<Vec<f64>, SeismicError> {
         let mut values = Vec::new();
         while values.len() < count {
             let line = match lines.peek() {
                 Some(line) if !line.1.trim_ascii().is_empty() => line,
                 _ => {
-                    return Err(MotionError::Count {
+                    return Err(SeismicError::Count {
                         stated: count as u64,
                         found: values.len(),
                     });
@@ -137,7 +146,7 @@ impl Columns {
             let short = on_the_line.len() < self.on_a_line.min(missing);
             if short || on_the_line.len() > missing {
                 let found = values.len() + on_the_line.len();
-                return Err(MotionError::Count {
+                return Err(SeismicError::Count {
                     stated: count as u64,
                     found,
                 });
@@ -150,7 +159,7 @@ impl Columns {
 }
 
 /// Numbers between white space on all lines that are left.
-pub(super) fn all_numbers(lines: Lines) -> Result<Vec<f64>, MotionError> {
+pub(super) fn all_numbers(lines: Lines) -> Result<Vec<f64>, SeismicError> {
     let mut values = Vec::new();
     for (line, bytes) in lines {
         for cell in bytes

@@ -10,9 +10,10 @@
 //! ```
 
 use super::lines::{Lines, all_numbers, refused, text};
-use super::read::{MotionFormat, Raw};
-use super::{MotionError, Orientation, start};
-use crate::records::Unit;
+use super::raw::{MotionFormat, Raw};
+use super::{Orientation, SeismicError};
+use crate::start;
+use crate::unit::Unit;
 
 const FIRST: &[u8] = b"Origin Time";
 const HEADER_LINES: usize = 17;
@@ -42,9 +43,9 @@ pub(super) fn is_knet(bytes: &[u8]) -> bool {
 struct Header<'a>(Vec<(usize, &'a [u8])>);
 
 impl Header<'_> {
-    fn after(&self, label: &'static str) -> Result<(usize, String), MotionError> {
+    fn after(&self, label: &'static str) -> Result<(usize, String), SeismicError> {
         let found = self.0.iter().find(|(_, line)| line.starts_with(label.as_bytes()));
-        let line = found.ok_or(MotionError::Missing {
+        let line = found.ok_or(SeismicError::Missing {
             label,
             lines: HEADER_LINES,
         })?;
@@ -52,16 +53,16 @@ impl Header<'_> {
         Ok((line.0, rest.trim().to_owned()))
     }
 
-    fn number(&self, label: &'static str, suffix: &str, wanted: &'static str) -> Result<f64, MotionError> {
+    fn number(&self, label: &'static str, suffix: &str, wanted: &'static str) -> Result<f64, SeismicError> {
         let (line, text) = self.after(label)?;
         let number = text.trim_end_matches(suffix).trim().parse::<f64>().ok();
         number
             .filter(|value| value.is_finite() && *value > 0.0)
-            .ok_or(MotionError::Line { line, text, wanted })
+            .ok_or(SeismicError::Line { line, text, wanted })
     }
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut lines = Lines::new(bytes);
     let mut header = Header(Vec::new());
     for _ in 0..HEADER_LINES {
@@ -102,7 +103,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
     let counts = all_numbers(lines)?;
     let stated = (rate_hz * duration_s).round();
     if stated != counts.len() as f64 {
-        return Err(MotionError::Count {
+        return Err(SeismicError::Count {
             stated: stated as u64,
             found: counts.len(),
         });

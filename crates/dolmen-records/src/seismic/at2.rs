@@ -9,11 +9,12 @@
 //!    .9984852E-03   .9991426E-03   .9997266E-03   .1000268E-02   .1000757E-02
 //! ```
 
-use super::error::excerpt;
-use super::read::{MotionFormat, Raw};
+use super::lines::excerpt;
+use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
-use super::{MotionError, Orientation};
-use crate::records::{Unit, parse_number};
+use super::{Orientation, SeismicError};
+use crate::number::parse_number;
+use crate::unit::Unit;
 
 /// NPTS stands within so many lines; the databases put it into the fourth.
 const HEADER_LINES_MOST: usize = 10;
@@ -29,8 +30,8 @@ fn header_length(bytes: &[u8]) -> Option<usize> {
 }
 
 /// The samples as the file prints them.
-pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, MotionError> {
-    let at = header_length(bytes).ok_or_else(|| MotionError::At2Header {
+pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, SeismicError> {
+    let at = header_length(bytes).ok_or_else(|| SeismicError::At2Header {
         line: 1,
         text: excerpt(bytes.split(|b| *b == b'\n').next().unwrap_or_default()),
     })?;
@@ -39,7 +40,7 @@ pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, Motion
     for (i, line) in lines.iter().enumerate() {
         unit = unit.or(unit_of(line, i + 1, unit_is_given)?);
     }
-    let (stated, time_step_s) = counts(lines[at]).ok_or_else(|| MotionError::At2Header {
+    let (stated, time_step_s) = counts(lines[at]).ok_or_else(|| SeismicError::At2Header {
         line: at + 1,
         text: excerpt(lines[at]),
     })?;
@@ -49,7 +50,7 @@ pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, Motion
             match parse_number(text) {
                 Some(value) if value.is_finite() => samples.push(value),
                 _ => {
-                    return Err(MotionError::NotANumber {
+                    return Err(SeismicError::NotANumber {
                         line: i + 1,
                         text: excerpt(text),
                     });
@@ -58,7 +59,7 @@ pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, Motion
         }
     }
     if stated != samples.len() as u64 {
-        return Err(MotionError::Count {
+        return Err(SeismicError::Count {
             stated,
             found: samples.len(),
         });
@@ -75,21 +76,21 @@ pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, Motion
 }
 
 /// Unit of acceleration that a line of the header names; a line about velocities or displacements is refused.
-fn unit_of(line: &[u8], number: usize, unit_is_given: bool) -> Result<Option<Unit>, MotionError> {
+fn unit_of(line: &[u8], number: usize, unit_is_given: bool) -> Result<Option<Unit>, SeismicError> {
     let upper = String::from_utf8_lossy(line).to_uppercase();
     let Some((what, unit)) = upper.split_once("UNITS OF") else {
         return Ok(None);
     };
     let other = [("VELOCITY", "velocities"), ("DISPLACEMENT", "displacements")];
     if let Some((_, what)) = other.iter().find(|(word, _)| what.contains(word)) {
-        return Err(MotionError::Quantity { line: number, what });
+        return Err(SeismicError::Quantity { line: number, what });
     }
     let word = unit.split_whitespace().next().unwrap_or_default();
     let word = word.trim_end_matches(['.', ',']);
     match acceleration_unit(word) {
         Some(unit) => Ok(Some(unit)),
         None if unit_is_given => Ok(None),
-        None => Err(MotionError::At2Unit {
+        None => Err(SeismicError::At2Unit {
             line: number,
             text: excerpt(word.as_bytes()),
         }),

@@ -12,10 +12,10 @@
 //! Source: COSMOS (2001) *Strong Motion Data Format*, version 1.20.
 
 use super::lines::{Columns, Line, Lines, refused, text};
-use super::read::{MotionFormat, Raw};
+use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
-use super::{MotionError, Orientation};
-use crate::records::Unit;
+use super::{Orientation, SeismicError};
+use crate::unit::Unit;
 
 /// How a value that is not known is written.
 const UNKNOWN: f64 = -999.0;
@@ -36,7 +36,7 @@ fn is_first(line: &str) -> bool {
     line.contains("(Format v") && line.contains("text lines)")
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
+pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut lines = Lines::new(bytes);
     let mut channels = Vec::new();
     while let Some(line) = lines.peek() {
@@ -55,21 +55,21 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, MotionError> {
 }
 
 /// The first number of a line.
-fn leading(line: Line, wanted: &'static str) -> Result<usize, MotionError> {
+fn leading(line: Line, wanted: &'static str) -> Result<usize, SeismicError> {
     let text = text(line);
     let count = text.split_whitespace().next().and_then(|word| word.parse().ok());
     count.ok_or_else(|| refused(line, wanted))
 }
 
 /// The values of an integer or real header.
-fn values(lines: &mut Lines, wanted: &'static str) -> Result<Vec<f64>, MotionError> {
+fn values(lines: &mut Lines, wanted: &'static str) -> Result<Vec<f64>, SeismicError> {
     let line = lines.want(wanted)?;
     let count = leading(line, wanted)?;
     let columns = Columns::of_format(&text(line)).filter(|_| count <= HEADER_MOST);
     columns.ok_or_else(|| refused(line, wanted))?.read(lines, count)
 }
 
-fn channel(lines: &mut Lines, index: usize) -> Result<Raw, MotionError> {
+fn channel(lines: &mut Lines, index: usize) -> Result<Raw, SeismicError> {
     const FIRST: &str = "the first line of a COSMOS channel";
     const DATA: &str = "the line before the samples, \"42000 acceleration pts, approx 210 secs, units=cm/sec2(04),Format=(8F10.5)\"";
     let first = lines.want(FIRST)?;
@@ -106,14 +106,14 @@ fn channel(lines: &mut Lines, index: usize) -> Result<Raw, MotionError> {
         } else {
             "no accelerations"
         };
-        return Err(MotionError::Quantity { line: line.0, what });
+        return Err(SeismicError::Quantity { line: line.0, what });
     }
     let units = told.split("units=").nth(1).unwrap_or_default();
     let word = units.split(['(', ',']).next().unwrap_or_default().trim();
     if word == "counts" {
-        return Err(MotionError::Counts { line: line.0 });
+        return Err(SeismicError::Counts { line: line.0 });
     }
-    let unit: Unit = acceleration_unit(word).ok_or_else(|| MotionError::At2Unit {
+    let unit: Unit = acceleration_unit(word).ok_or_else(|| SeismicError::At2Unit {
         line: line.0,
         text: word.to_owned(),
     })?;
@@ -125,7 +125,7 @@ fn channel(lines: &mut Lines, index: usize) -> Result<Raw, MotionError> {
     passed_over(lines)?;
     let known = |values: &[f64], at: usize| values.get(at).copied().filter(|value| *value != UNKNOWN);
     let step_ms = known(&reals, TIME_STEP_MS).filter(|step| *step > 0.0);
-    let time_step_s = step_ms.ok_or(MotionError::Missing {
+    let time_step_s = step_ms.ok_or(SeismicError::Missing {
         label: "the time step (the 62nd real value)",
         lines: text_lines,
     })? / 1e3;
@@ -153,7 +153,7 @@ fn channel(lines: &mut Lines, index: usize) -> Result<Raw, MotionError> {
 }
 
 /// Velocities and displacements after the accelerations of a channel.
-fn passed_over(lines: &mut Lines) -> Result<(), MotionError> {
+fn passed_over(lines: &mut Lines) -> Result<(), SeismicError> {
     while let Some(line) = lines.peek() {
         let told = text(line).to_lowercase();
         let other = told.contains("velocity pts")
