@@ -4,6 +4,7 @@ use super::check::Node;
 use super::content::Project;
 use super::error::{Fault, ProjectError};
 use super::merge::merge;
+use super::paths::keys;
 use super::read::{of_toml, read_one, value_starts};
 use super::study::Override;
 use dolmen_records::Files;
@@ -135,28 +136,6 @@ fn patch<'i>(given: &'i Override) -> Option<DeTable<'i>> {
     Some(table)
 }
 
-/// The parts of `links[2].weight`: links, 2, weight; `None` if it is no path.
-pub(super) fn keys(path: &str) -> Option<Vec<&str>> {
-    let mut keys = Vec::new();
-    for part in path.split('.') {
-        let (name, mut rest) = part.split_at(part.find('[').unwrap_or(part.len()));
-        let is_word = |c: char| c.is_alphanumeric() || matches!(c, '_' | '-');
-        if name.is_empty() || !name.chars().all(is_word) {
-            return None;
-        }
-        keys.push(name);
-        while !rest.is_empty() {
-            let (number, behind) = rest.strip_prefix('[')?.split_once(']')?;
-            if number.is_empty() || !number.bytes().all(|b| b.is_ascii_digit()) {
-                return None;
-            }
-            keys.push(number);
-            rest = behind;
-        }
-    }
-    Some(keys)
-}
-
 fn place(node: &mut Node<'_>, span: &Range<usize>) {
     let mut value = std::mem::replace(node.get_mut(), DeValue::Boolean(false));
     match &mut value {
@@ -248,21 +227,4 @@ fn value_text(value: &DeValue<'_>, out: &mut String) {
             Ok(())
         }
     }; // into a String: cannot fail
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn exact_paths() {
-        assert_eq!(keys("links[2].weight").unwrap(), ["links", "2", "weight"]);
-        assert_eq!(
-            keys("direction.weak.stiffness[1]").unwrap(),
-            ["direction", "weak", "stiffness", "1"]
-        );
-        for wrong in ["", ".a", "a.", "a[", "a[x]", "a[]b", "a b", "a[1]b"] {
-            assert!(keys(wrong).is_none(), "{wrong}");
-        }
-    }
 }

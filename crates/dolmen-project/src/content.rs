@@ -3,6 +3,7 @@
 use super::building::BuildingPart;
 use super::chain::ChainPart;
 use super::frame::FramePart;
+use super::names::Names;
 use super::quantity::Quantity;
 use super::site::{MotionPart, SitePart};
 use super::stack::StackPart;
@@ -10,29 +11,6 @@ use super::study::StudyPart;
 use super::survey::{ChangePart, Survey};
 use std::collections::BTreeMap;
 use std::ops::Range;
-
-/// A name in one or both languages; at least one is given.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Names {
-    /// English.
-    pub en: Option<String>,
-    /// Korean.
-    pub ko: Option<String>,
-}
-
-impl Names {
-    /// The English name, or the Korean one if there is no other.
-    pub fn english(&self) -> &str {
-        let names = self.en.as_deref().or(self.ko.as_deref());
-        names.unwrap_or_default()
-    }
-
-    /// The Korean name, or the English one if there is no other.
-    pub fn korean(&self) -> &str {
-        let names = self.ko.as_deref().or(self.en.as_deref());
-        names.unwrap_or_default()
-    }
-}
 
 /// What the file models: its `kind`.
 #[derive(Clone, Debug, PartialEq)]

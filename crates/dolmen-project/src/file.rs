@@ -2,12 +2,15 @@
 //! that one problem does not hide the next; which keys are required stands in the schema, where the check against
 //! the schema finds it.
 
-use super::file_building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
+use super::building::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
+use super::chain::{CapRaw, JointRaw, LinkRaw};
+use super::file_names::NamesRaw;
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
-use super::file_site::{MotionRaw, SiteRaw};
-use super::file_stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
-use super::file_study::StudyRaw;
-use super::file_survey::{ChangeRaw, SurveyRaw};
+use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
+use super::site::{MotionRaw, SiteRaw};
+use super::stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
+use super::study::StudyRaw;
+use super::survey::{ChangeRaw, SurveyRaw};
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
 
@@ -109,23 +112,6 @@ pub(super) enum KindRaw {
     Survey,
 }
 
-#[derive(Clone, Debug, Default, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct NamesTable {
-    /// English.
-    pub(super) en: Option<String>,
-    /// Korean.
-    pub(super) ko: Option<String>,
-}
-
-/// A name in one or two languages.
-#[derive(Clone, Debug, serde::Deserialize, JsonSchema)]
-#[serde(untagged)]
-pub(super) enum NamesRaw {
-    One(String),
-    Table(NamesTable),
-}
-
 /// Units of bare numbers.
 #[derive(Debug, Default, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -153,157 +139,4 @@ pub(super) struct UnitsRaw {
     pub(super) density: Option<At<String>>,
     /// cohesion, tension; default "Pa".
     pub(super) stress: Option<At<String>>,
-}
-
-/// One rigid link.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct LinkRaw {
-    /// What people call it.
-    pub(super) name: Option<String>,
-    /// Weight, a force; or mass.
-    pub(super) weight: Option<At<QuantityRaw>>,
-    /// Mass; or weight.
-    pub(super) mass: Option<At<QuantityRaw>>,
-    /// Length from joint to joint.
-    #[schemars(required)]
-    pub(super) length: Option<At<QuantityRaw>>,
-    /// Height of the centre of mass above the link's lower joint.
-    #[schemars(required)]
-    pub(super) centroid: Option<At<QuantityRaw>>,
-    /// Moment of inertia about the centre of mass; that of a thin rod if neither it nor breadth is given.
-    pub(super) inertia: Option<At<QuantityRaw>>,
-    /// Breadth in the direction of motion: the inertia is then that of a box.
-    pub(super) breadth: Option<At<QuantityRaw>>,
-    /// Width of the bed below it in the direction of motion: for the uplift limit of its lower joint.
-    pub(super) bed_width: Option<At<QuantityRaw>>,
-}
-
-/// The joint below a link.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct JointRaw {
-    /// Rotational stiffness.
-    #[schemars(required)]
-    pub(super) stiffness: Option<At<QuantityRaw>>,
-    /// Rotational dashpot.
-    pub(super) damping: Option<At<QuantityRaw>>,
-    /// Width of the bed in the direction of motion; the same as bed_width of the link above it.
-    pub(super) bed_width: Option<At<QuantityRaw>>,
-    /// For `dolmen simulate`: "edge", at most half the width of its bed times the weight above it; "held", any moment. Without it "edge"
-    /// where bed_width is known.
-    pub(super) opening: Option<At<OpeningRaw>>,
-    /// Moment of dry friction beside the spring, while the joint turns: for `dolmen simulate`.
-    pub(super) friction_moment: Option<At<QuantityRaw>>,
-    /// The same before it turns; that of friction_moment without it.
-    pub(super) static_friction_moment: Option<At<QuantityRaw>>,
-}
-
-/// Whether a joint opens.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum OpeningRaw {
-    /// At the edge of its bed.
-    Edge,
-    /// Never.
-    Held,
-}
-
-/// Whether the part at the very top is among the links.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-pub(super) enum CapRaw {
-    /// There is none, or it is among the links.
-    #[serde(rename = "included")]
-    Included,
-    /// It is left out: unconservative, and every result says so.
-    #[serde(rename = "left out")]
-    LeftOut,
-}
-
-/// One storey.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct StoreyRaw {
-    /// What people call it.
-    pub(super) name: Option<String>,
-    /// Mass at its top; or weight.
-    pub(super) mass: Option<At<QuantityRaw>>,
-    /// Weight at its top, a force; or mass.
-    pub(super) weight: Option<At<QuantityRaw>>,
-    /// Column height.
-    #[schemars(required)]
-    pub(super) height: Option<At<QuantityRaw>>,
-    /// Axial force as axial says; from the masses if none is given; 0 leaves P-delta out.
-    pub(super) axial_force: Option<At<QuantityRaw>>,
-}
-
-/// What axial_force is.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum AxialRaw {
-    /// The force in the columns of the storey: its own level and all above.
-    Storey,
-    /// The load added at its top.
-    Level,
-}
-
-/// What the stiffness acts on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum ConventionRaw {
-    /// The storey drift.
-    Drift,
-    /// The displacement relative to the ground.
-    Grounded,
-}
-
-/// One horizontal direction of a frame.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct DirectionRaw {
-    /// Lateral stiffness of each storey, lowest first, or "unknown".
-    #[schemars(required)]
-    pub(super) stiffness: Option<At<OrUnknown<QuantityRaw>>>,
-    /// Viscous damping, as a ratio, in every mode: for `dolmen simulate`.
-    pub(super) damping_ratio: Option<At<QuantityRaw>>,
-    /// Dry friction of the storeys: for `dolmen simulate`.
-    pub(super) friction: Option<At<FrictionRaw>>,
-}
-
-/// Dry friction in a direction of a frame: a coefficient of the axial force, or a slip force for each storey.
-#[derive(Debug, serde::Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub(super) struct FrictionRaw {
-    /// "coulomb" (a slider beside the spring; the default) or "jenkins" (a slider in series with part of the spring).
-    pub(super) law: Option<At<FrictionLawRaw>>,
-    /// Slip force over the axial force of the storey while it slips.
-    pub(super) coefficient: Option<At<QuantityRaw>>,
-    /// The same before it slips; that of coefficient without it.
-    pub(super) static_coefficient: Option<At<QuantityRaw>>,
-    /// Slip force of each storey, lowest first, in place of a coefficient.
-    pub(super) force: Option<At<Vec<At<QuantityRaw>>>>,
-    /// law = "jenkins": what is left of the stiffness of each storey while its slider slips, lowest first.
-    pub(super) slipping_stiffness: Option<At<Vec<At<QuantityRaw>>>>,
-    /// "drift" (the default), or "displacement" as eq. 11 of Park and Min (2010) is printed.
-    pub(super) acts_on: Option<At<FrictionActsOnRaw>>,
-}
-
-/// The law of a slider.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum FrictionLawRaw {
-    /// Beside the storey's spring.
-    Coulomb,
-    /// In series with a spring of its own, beside the storey's.
-    Jenkins,
-}
-
-/// What a slider acts on.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub(super) enum FrictionActsOnRaw {
-    /// The storey drift.
-    Drift,
-    /// The displacement relative to the ground.
-    Displacement,
 }

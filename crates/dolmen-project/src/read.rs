@@ -1,25 +1,27 @@
 //! From the text of a project file to a [`Project`]: parse, check against the schema, read, judge, then the variants.
 
+use super::building::{buildable as building_buildable, building};
+use super::chain::chain;
 use super::check::SchemaCheck;
 use super::content::{Project, Structure, Variant, WarningKind};
 use super::error::{Fault, ProjectError};
-use super::file::{FileRaw, KindRaw, NamesRaw};
+use super::file::{FileRaw, KindRaw};
+use super::file_names::NamesRaw;
 use super::file_number::At;
 use super::foreign::foreign_keys;
+use super::frame::frame;
 use super::measure::{Bound, Measure};
 use super::merge::merge;
+use super::names::{Names, names};
 use super::quantity::Quantity;
-use super::read_building::{buildable as building_buildable, building};
-use super::read_motion::motions;
-use super::read_site::site;
-use super::read_stack::stack;
-use super::read_structure::{chain, frame};
-use super::read_study::studies;
-use super::read_survey::{change, surveys};
-use super::reader::{Reader, names};
+use super::reader::Reader;
 use super::schema::{SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
+use super::site::{motions, site};
 use super::slips;
+use super::stack::stack;
+use super::study::studies;
+use super::survey::{change, surveys};
 use super::units::STANDARD_GRAVITY_M_S2;
 use dolmen::structure::StructureError;
 use dolmen_records::{Files, NoFiles};
@@ -334,7 +336,7 @@ fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
     }
 }
 
-fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<super::content::Names> {
+fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<Names> {
     let names = names(raw.value);
     let is_empty = |name: &Option<String>| name.as_deref().is_none_or(|name| name.trim().is_empty());
     if is_empty(&names.en) && is_empty(&names.ko) {
@@ -453,7 +455,7 @@ fn title<'i>(
     written: Option<(Spanned<Cow<'i, str>>, Spanned<DeValue<'i>>)>,
     path: &str,
     faults: &mut Vec<Fault>,
-) -> Option<super::content::Names> {
+) -> Option<Names> {
     let (_, node) = written?;
     let span = node.span();
     let read = NamesRaw::deserialize(toml::de::ValueDeserializer::from(node));

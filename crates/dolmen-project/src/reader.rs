@@ -6,14 +6,11 @@ use super::file::{KindRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
-use super::read_survey::tilt_ratio;
-use super::units::{Dimension, Unit, UnitError, parse_unit, split_number};
-use super::written::with_unit;
+use super::units::{Dimension, Unit, UnitError, parse_unit, split_number, tilt_ratio};
+use super::written::{short, with_unit};
 use dolmen_records::Files;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-
-pub(super) use super::written::{names, short};
 
 /// The unit of bare numbers of one measure: as written, and what it is.
 #[derive(Clone, Debug)]

@@ -16,15 +16,16 @@
 //! | √(k/m)/2π of a storey | 0.3 to 30 Hz | 0.05 to 0.13, 50 to 130 Hz | 0.2 to 60 Hz |
 //! | measured frequency | 0.1 Hz (high tower) to 100 Hz (small stone) | 0.001, 1000 Hz | 0.05 to 200 Hz |
 
-use super::chain::Heaviness;
+use super::building::judge_building;
+use super::chain::judge_chain;
 use super::content::Structure;
+use super::frame::judge_frame;
 use super::quantity::Quantity;
-use super::reader::{Reader, short};
-use super::slips_building::judge_building;
-use super::slips_chain::judge_chain;
-use super::slips_frame::judge_frame;
-use super::slips_stack::judge_stack;
+use super::reader::Reader;
+use super::stack::judge_stack;
 use super::survey::Survey;
+use super::usual::within;
+use super::written::short;
 
 /// Measured frequency, Hz.
 const FREQUENCY_HZ: (f64, f64) = (0.05, 200.0);
@@ -63,63 +64,6 @@ pub(super) fn judge(
     for survey in surveys {
         judge_modes(reader, survey);
     }
-}
-
-pub(super) fn within(value: f64, range: (f64, f64)) -> bool {
-    (range.0..=range.1).contains(&value)
-}
-
-/// Units that are mistaken for each other, and how many of the first each is.
-const FAMILIES: [&[(&str, f64)]; 3] = [
-    &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
-    &[("mm", 1.0), ("cm", 10.0), ("m", 1e3)],
-    &[("kg", 1.0), ("t", 1e3)],
-];
-/// How near a unit must bring a value to what is usual before it is named.
-const NEAR: f64 = 6.0;
-
-/// The unit that would bring a value, `ratio` times what is usual, back.
-pub(super) fn guess(ratio: f64, unit: &str) -> String {
-    let family = FAMILIES
-        .iter()
-        .find(|family| family.iter().any(|(name, _)| *name == unit));
-    let own = family.and_then(|family| family.iter().find(|(name, _)| *name == unit));
-    if let (Some(family), Some((_, own))) = (family, own) {
-        let off = |factor: f64| (ratio * factor / own).ln().abs();
-        let others = family.iter().filter(|(name, _)| *name != unit);
-        let best = others.min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
-        if let Some((name, factor)) = best
-            && off(*factor) <= NEAR.ln()
-        {
-            return format!("did you mean {name}?");
-        }
-    }
-    format!("it is about {} × what is usual: check its unit", rounded(ratio))
-}
-
-/// A ratio for a message: three significant digits, below 1 as a fraction.
-pub(super) fn rounded(ratio: f64) -> String {
-    if ratio < 1.0 {
-        return format!("1/{}", rounded(1.0 / ratio));
-    }
-    let exponent = ratio.log10().floor() as i32;
-    let unit = 10f64.powi((exponent - 2).max(-2));
-    short((ratio / unit).round() * unit)
-}
-
-/// The unit a quantity was written in, for a guess.
-pub(super) fn unit_of(quantity: &Quantity) -> &str {
-    quantity.written.split_once(' ').map_or("", |(_, unit)| unit)
-}
-
-pub(super) fn mass_kg(heaviness: &Heaviness, gravity_m_s2: f64) -> f64 {
-    heaviness.mass_kg(gravity_m_s2, &mut Quantity::nominal)
-}
-
-pub(super) fn rounded_length(length_m: f64) -> String {
-    let exponent = length_m.log10().floor() as i32;
-    let unit = 10f64.powi(exponent - 2);
-    short((length_m / unit).round() * unit)
 }
 
 fn judge_modes(reader: &mut Reader, survey: &Survey) {

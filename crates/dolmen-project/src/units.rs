@@ -266,6 +266,26 @@ pub(super) fn split_number(text: &str) -> Option<(f64, &str)> {
     Some((value, text[end..].trim()))
 }
 
+pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
+    let (number, rest) = split_number(text)?;
+    let ratio = match rest.strip_prefix('/') {
+        Some(below) => match split_number(below)? {
+            (below, "") => number / below,
+            _ => return None,
+        },
+        None if rest.is_empty() => number,
+        None => {
+            let unit = parse_unit(rest)
+                .ok()
+                .filter(|unit| unit.dimension == Dimension::RATIO)?;
+            let is_angle = ["deg", "rad", "mrad", "°"].contains(&rest);
+            let value = number * unit.factor;
+            if is_angle { value.tan() } else { value }
+        }
+    };
+    ratio.is_finite().then_some(ratio)
+}
+
 /// "1e-4 rad", "0.5 deg", "2 mrad" as rad; the unit is required.
 ///
 /// # Errors

@@ -1,25 +1,4 @@
-//! Names, and numbers for messages, as people write them.
-
-use super::content::Names;
-use super::file::NamesRaw;
-
-/// Text alone is the English name, or the Korean one if it is written in Hangul.
-pub(super) fn names(raw: NamesRaw) -> Names {
-    match raw {
-        NamesRaw::One(name) if name.chars().any(|c| ('가'..='힣').contains(&c)) => Names {
-            en: None,
-            ko: Some(name),
-        },
-        NamesRaw::One(name) => Names {
-            en: Some(name),
-            ko: None,
-        },
-        NamesRaw::Table(table) => Names {
-            en: table.en,
-            ko: table.ko,
-        },
-    }
-}
+//! Numbers for messages, as people write them.
 
 /// A number for a message: at most six significant digits, without trailing zeros.
 pub(super) fn short(value: f64) -> String {

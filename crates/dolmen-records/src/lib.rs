@@ -1,9 +1,14 @@
 //! Bytes to vibration records, ground motions and meshes, and back. Opens no file.
 
+mod breaks;
 mod files;
 pub mod meshes;
 pub mod motions;
+mod number;
 pub mod records;
+mod seismic;
+mod start;
+mod unit;
 
 pub use files::{
     FileError, Files, MESH_BYTES_MOST, MOTION_BYTES_MOST, MemoryFiles, NoFiles, RECORD_BYTES_MOST,

@@ -1,6 +1,6 @@
 //! Wavefront OBJ: vertices and faces; all else (normals, textures, groups, lines) is passed over.
 
-use super::read::{number, words};
+use super::mesh::{number, words};
 use super::{Mesh, MeshError};
 
 /// A mesh from the bytes of an OBJ file; all its objects together.

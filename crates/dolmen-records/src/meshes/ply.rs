@@ -3,7 +3,7 @@
 //! The header names elements in the order of the body, each with its properties; what is neither place of a vertex nor list of
 //! a face is passed over.
 
-use super::read::{number, words};
+use super::mesh::{number, words};
 use super::{Mesh, MeshError};
 
 #[derive(Clone, Copy, PartialEq)]

@@ -1,16 +1,7 @@
 //! A mesh in whatever format it comes.
 
-use super::{MeshError, read_obj, read_ply, read_stl};
-use std::collections::BTreeMap;
-
-/// Triangles between vertices, in the unit of the file.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Mesh {
-    /// Corners, in the unit of the file: none of the formats says which.
-    pub vertices: Vec<[f64; 3]>,
-    /// Corners of each triangle, from 0; counterclockwise seen from outside, if the file keeps to the custom.
-    pub triangles: Vec<[usize; 3]>,
-}
+use super::stl::binary_length;
+use super::{Mesh, MeshError, read_obj, read_ply, read_stl};
 
 /// The format of a mesh file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,7 +22,7 @@ impl MeshFormat {
         if bytes.starts_with(b"ply") {
             return Some(MeshFormat::Ply);
         }
-        if super::stl::binary_length(bytes) == Some(bytes.len() as u64) {
+        if binary_length(bytes) == Some(bytes.len() as u64) {
             return Some(MeshFormat::StlBinary); // also where its comment begins with "solid"
         }
         let text = bytes.trim_ascii_start();
@@ -42,51 +33,6 @@ impl MeshFormat {
         lines
             .any(|line| line.trim_ascii_start().starts_with(b"v "))
             .then_some(MeshFormat::Obj)
-    }
-}
-
-impl Mesh {
-    /// The same mesh in metres.
-    pub fn scaled(mut self, metres_per_unit: f64) -> Self {
-        for vertex in &mut self.vertices {
-            *vertex = vertex.map(|value| value * metres_per_unit);
-        }
-        self
-    }
-
-    /// Vertices in exactly the same place made one, and triangles that had two of them taken out.
-    pub fn merged(self) -> Self {
-        let mut numbers: BTreeMap<[u64; 3], usize> = BTreeMap::new();
-        let mut vertices = Vec::new();
-        let mut places = Vec::with_capacity(self.vertices.len());
-        for vertex in self.vertices {
-            let key = vertex.map(|value| (value + 0.0).to_bits()); // −0 is 0
-            places.push(*numbers.entry(key).or_insert_with(|| {
-                vertices.push(vertex);
-                vertices.len() - 1
-            }));
-        }
-        let triangles = self.triangles.iter().map(|t| t.map(|corner| places[corner]));
-        Mesh {
-            vertices,
-            triangles: triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect(),
-        }
-    }
-
-    /// Adds a polygon as a fan of triangles from its first corner.
-    pub(super) fn push_polygon(&mut self, corners: &[usize]) {
-        for pair in corners.get(1..).unwrap_or_default().windows(2) {
-            self.triangles.push([corners[0], pair[0], pair[1]]);
-        }
-    }
-
-    pub(super) fn checked(self) -> Result<Self, MeshError> {
-        if self.triangles.is_empty() {
-            return Err(MeshError::NoFaces {
-                vertices: self.vertices.len(),
-            });
-        }
-        Ok(self)
     }
 }
 
@@ -112,22 +58,4 @@ pub fn read_mesh(bytes: &[u8]) -> Result<Mesh, MeshError> {
         Some(MeshFormat::Ply) => read_ply(bytes),
         None => Err(MeshError::Unknown),
     }
-}
-
-/// A finite number.
-pub(super) fn number(word: &[u8], line: usize) -> Result<f64, MeshError> {
-    let text = String::from_utf8_lossy(word);
-    match text.parse::<f64>() {
-        Ok(value) if value.is_finite() => Ok(value),
-        _ => Err(MeshError::Number {
-            line,
-            text: text.chars().take(40).collect(),
-        }),
-    }
-}
-
-/// Words of a line.
-pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
-    line.split(u8::is_ascii_whitespace)
-        .filter(|word| !word.is_empty())
 }

@@ -3,7 +3,7 @@
 //! Binary layout, little endian: 80 bytes of comment, number of triangles (u32), then 50 bytes each: normal and three
 //! corners (12 × f32), attribute (u16).
 
-use super::read::{number, words};
+use super::mesh::{number, words};
 use super::{Mesh, MeshError};
 
 const HEAD: usize = 84;

@@ -1,14 +1,16 @@
 //! The channels of a motion file: format found out from the content, unit and step settled, peaks checked.
 
 use super::plausible::refuse_implausible;
-use super::read::{MotionFormat, Raw, same_step};
-use super::{MotionError, MotionOptions, Orientation, StatedPeak};
-use super::{at2, cosmos, csmip, esm, knet, miniseed, sac, text};
-use crate::records::Unit;
+use super::{MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, StatedPeak, text};
+use crate::seismic::{Raw, motion_channels};
+use crate::unit::Unit;
 use dolmen::signal::Quantity;
 
 /// Share by which the peak of a channel may differ from the one its header states. Chosen here: headers print 3 digits or more.
 const PEAK_TOLERANCE: f64 = 0.01;
+
+/// Share by which two time steps may differ and still be one: printed digits, no more. Chosen here.
+const STEP_TOLERANCE: f64 = 1e-6;
 
 /// One channel as read.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,45 +69,11 @@ pub fn read_channels(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Compon
         .collect()
 }
 
-/// The numbers of each channel as the file prints them. What begins with a mark is told by it; alphanumeric SAC by its rows.
+/// The numbers of each channel as the file prints them; what no seismic format claims is text in columns.
 fn raw(bytes: &[u8], options: &MotionOptions) -> Result<Vec<Raw>, MotionError> {
-    if miniseed::is_miniseed(bytes) {
-        miniseed::read(bytes).and_then(miniseed::whole)
-    } else if sac::is_binary(bytes) {
-        sac::read_binary(bytes)
-    } else if knet::is_knet(bytes) {
-        knet::read(bytes)
-    } else if cosmos::is_cosmos(bytes) {
-        cosmos::read(bytes)
-    } else if csmip::is_csmip(bytes) {
-        csmip::read(bytes)
-    } else if esm::is_esm(bytes) {
-        esm::read(bytes)
-    } else if sac::is_alphanumeric(bytes) {
-        sac::read_alphanumeric(bytes)
-    } else if at2::is_at2(bytes) {
-        at2::read(bytes, options.unit.is_some())
-    } else {
-        text::read(bytes, options)
-    }
-}
-
-/// The numbers of each channel of a file that vibration records come in too; `None` if it is none.
-pub(crate) fn raw_channels(bytes: &[u8]) -> Option<Result<Vec<Raw>, MotionError>> {
-    if miniseed::is_miniseed(bytes) {
-        Some(miniseed::read(bytes))
-    } else if sac::is_binary(bytes) {
-        Some(sac::read_binary(bytes))
-    } else if knet::is_knet(bytes) {
-        Some(knet::read(bytes))
-    } else if cosmos::is_cosmos(bytes) {
-        Some(cosmos::read(bytes))
-    } else if csmip::is_csmip(bytes) {
-        Some(csmip::read(bytes))
-    } else if esm::is_esm(bytes) {
-        Some(esm::read(bytes))
-    } else {
-        None
+    match motion_channels(bytes, options.unit.is_some()) {
+        Some(read) => Ok(read?),
+        None => text::read(bytes, options),
     }
 }
 
@@ -152,7 +120,7 @@ fn finished(raw: Raw, options: &MotionOptions) -> Result<ComponentReading, Motio
         _ => None,
     };
     if let Some(what) = other {
-        return Err(MotionError::Quantity { line: 0, what });
+        return Err(SeismicError::Quantity { line: 0, what }.into());
     }
     let unit = match (options.unit, raw.unit) {
         (Some(given), Some(found)) if given != found => {
@@ -212,6 +180,10 @@ fn finished(raw: Raw, options: &MotionOptions) -> Result<ComponentReading, Motio
         begins_s: raw.begins_s,
         mean_subtracted_m_s2: raw.subtract_mean.then_some(mean * si),
     })
+}
+
+pub(super) fn same_step(a: f64, b: f64) -> bool {
+    (a - b).abs() <= STEP_TOLERANCE * a.abs()
 }
 
 fn largest(samples: &[f64]) -> f64 {

@@ -1,6 +1,7 @@
 //! What the reader of a motion is told about its files.
 
-use crate::records::{Column, Unit};
+use crate::records::Column;
+use crate::unit::Unit;
 pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
 use std::ops::RangeInclusive;
 

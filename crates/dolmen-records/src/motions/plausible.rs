@@ -2,7 +2,7 @@
 
 use super::MotionError;
 use super::options::STANDARD_GRAVITY_M_S2;
-use crate::records::Unit;
+use crate::unit::Unit;
 use std::ops::RangeInclusive;
 
 /// Peaks, in g, that make a unit worth suggesting: those of most records that anyone simulates. Chosen here.

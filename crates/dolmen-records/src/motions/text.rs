@@ -1,10 +1,11 @@
 //! Text in columns: time and acceleration, or acceleration alone with a step that is told.
 
-use super::read::{MotionFormat, Raw};
-use super::{MotionError, MotionOptions};
+use super::{MotionError, MotionFormat, MotionOptions};
 use crate::records::{
-    Column, Header, Layout, Pick, Reading, RecordError, RecordOptions, TimeColumn, Unit, read_csv,
+    Column, Header, Layout, Pick, Reading, RecordError, RecordOptions, TimeColumn, read_csv,
 };
+use crate::seismic::Raw;
+use crate::unit::Unit;
 use dolmen::signal::Channel;
 
 /// Names that the reader of records gives to columns without any.

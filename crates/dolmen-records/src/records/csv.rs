@@ -3,14 +3,15 @@
 //! Two ways through a line: numbers are scanned where they stand, and whatever is not plain (quotes, blanks, more digits than
 //! a double holds) has its cell cut out and read by the standard library, which also gives the errors.
 
+use super::csv_start::{Start, TimeName, time_name};
 use super::dates::{Dates, held_against};
-use super::layout::{Start, TimeName, holds_cells, line_at, time_name, unquoted};
+use super::dialect::{holds_cells, line_at, unquoted};
 use super::lost_samples::{Kept, Spans};
-use super::number::{Number, parse_cell, scan};
-use super::time_unit::unit_s;
+use super::time_unit::{Time, unit_s};
 use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
 };
+use crate::number::{Number, parse_cell, scan};
 use dolmen::signal::{Channel, Processing, Record, SignalError};
 
 /// Lines turned from row order into channel order at a time: few enough for a first-level cache, many enough that each
@@ -138,15 +139,6 @@ pub fn read_csv(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Record
             last_line_ended: bytes.ends_with(b"\n"),
         }),
     })
-}
-
-/// The time column, from 0, and its unit.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Time {
-    pub(super) column: usize,
-    pub(super) unit_s: f64,
-    /// Whether the name of the column says the unit.
-    pub(super) unit_named: bool,
 }
 
 fn find_time(columns: &[String], option: &TimeColumn) -> Result<Option<Time>, RecordError> {

@@ -1,8 +1,9 @@
 //! Dates beside samples: what rate do the first and the last of them say?
 
 use super::RecordError;
-use super::layout::{Start, holds_cells, unquoted};
-use crate::motions::time_of;
+use super::csv_start::Start;
+use super::dialect::{holds_cells, unquoted};
+use crate::start::time_of;
 
 /// Share by which a rate given may differ from that of dates, beside their last digit. As for stamps in seconds.
 const RATE_TOLERANCE: f64 = 1e-4;

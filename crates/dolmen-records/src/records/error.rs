@@ -1,6 +1,6 @@
 //! Why a record cannot be read.
 
-use crate::motions::MotionError;
+use crate::seismic::SeismicError;
 use dolmen::signal::SignalError;
 
 /// Why the bytes of a file are no record. Each variant says where in the file and what to do. Lines are counted from 1, as
@@ -499,7 +499,7 @@ pub enum RecordError {
     },
     /// A file of a seismic station is refused.
     #[error(transparent)]
-    Seismic(Box<MotionError>),
+    Seismic(Box<SeismicError>),
     /// The samples make no record.
     #[error(transparent)]
     Signal(#[from] SignalError),

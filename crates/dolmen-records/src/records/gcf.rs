@@ -13,11 +13,10 @@
 //!
 //! Source: Güralp (2021) *GCF reference*, SWA-RFC-GCFR issue F.
 
-use super::RecordError;
 use super::cursor::{Cursor, Number};
-use super::lost_samples::Break;
-use super::options::RecordFormat;
-use super::series::{FileUnit, Found, Series};
+use super::series::{Found, Series};
+use super::{FileUnit, RecordError, RecordFormat};
+use crate::breaks::Break;
 
 const FORMAT: &str = "gcf";
 const BLOCK: usize = 1024;

@@ -2,7 +2,7 @@
 //!
 //! | part | what |
 //! |:--|:--|
-//! | superblock | behind MATLAB's 512 bytes: where addresses count from, and the root group |
+//! | superblock | behind MATLAB's 512 bytes: where addresses count from, and the root group (hdf5_file.rs) |
 //! | object header | messages of a group or a variable (hdf5_objects.rs) |
 //! | symbol table | B-tree of nodes of names and addresses; the names stand in a heap |
 //! | link | the same of one member, in newer files |
@@ -14,48 +14,13 @@
 use super::RecordError;
 use super::cursor::Cursor;
 use super::hdf5_data::values;
+use super::hdf5_file::{FORMAT, File, NOWHERE, superblock};
 use super::hdf5_objects::{Message, Object, messages};
 use super::mat_elements::Matrix;
 
-pub(super) const FORMAT: &str = "mat";
-const SIGNATURE: &[u8] = b"\x89HDF\r\n\x1a\n";
-/// An address of nothing.
-pub(super) const NOWHERE: u64 = u64::MAX;
 const SYMBOL_TABLE: u16 = 0x11;
 const LINK: u16 = 0x06;
 const LINK_INFO: u16 = 0x02;
-
-/// The bytes of a file and where its addresses count from.
-#[derive(Clone, Copy)]
-pub(super) struct File<'a> {
-    bytes: &'a [u8],
-    base: u64,
-}
-
-impl<'a> File<'a> {
-    /// A cursor at an address.
-    pub(super) fn at(&self, address: u64) -> Result<Cursor<'a>, RecordError> {
-        let mut cursor = Cursor::new(self.bytes, FORMAT);
-        let place = address
-            .checked_add(self.base)
-            .and_then(|x| usize::try_from(x).ok());
-        match place {
-            Some(place) if address != NOWHERE => cursor.go(place)?,
-            _ => return Err(cursor.damaged(format!("an address is {address:#x}"))),
-        }
-        Ok(cursor)
-    }
-
-    /// Bytes of the whole file.
-    pub(super) fn length(&self) -> usize {
-        self.bytes.len()
-    }
-
-    /// More parts of `least` bytes than fit the file are visited twice.
-    pub(super) fn parts_most(&self, least: usize) -> usize {
-        self.bytes.len() / least
-    }
-}
 
 /// The real numeric matrices of two dimensions, and the names of everything else.
 pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), RecordError> {
@@ -78,52 +43,6 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
         }
     }
     Ok((found, passed))
-}
-
-/// The file, and the address of the header of its root group.
-fn superblock(bytes: &[u8]) -> Result<(File<'_>, u64), RecordError> {
-    let mut cursor = Cursor::new(bytes, FORMAT);
-    let mut place = 512;
-    // 512, 1024, 2048 …
-    while bytes.get(place..place + SIGNATURE.len()) != Some(SIGNATURE) {
-        cursor.go(place)?;
-        place *= 2;
-        if place > bytes.len() {
-            return Err(cursor.damaged("there is no HDF5 behind MATLAB's header"));
-        }
-    }
-    cursor.go(place + SIGNATURE.len())?;
-    let version = cursor.u8()?;
-    let sizes = match version {
-        0 | 1 => {
-            cursor.take(4)?;
-            let sizes = cursor.array::<2>()?;
-            cursor.take(if version == 0 { 9 } else { 13 })?;
-            sizes
-        }
-        2 | 3 => {
-            let sizes = cursor.array::<2>()?;
-            cursor.take(1)?;
-            sizes
-        }
-        _ => return Err(cursor.damaged(format!("version {version} of HDF5's first block is not known"))),
-    };
-    if sizes != [8, 8] {
-        return Err(cursor.damaged("addresses and lengths have other sizes than 8 bytes"));
-    }
-    let base = cursor.u64()?;
-    cursor.u64()?;
-    let end = cursor.u64()?;
-    // of the whole file, MATLAB's bytes with it: what is cut is found out before anything is read
-    let end = usize::try_from(end).unwrap_or(usize::MAX);
-    Cursor::new(bytes, FORMAT).go(end)?;
-    let root = if version < 2 {
-        cursor.take(16)?; // driver, and the name of the root
-        cursor.u64()?
-    } else {
-        cursor.u64()?
-    };
-    Ok((File { bytes, base }, root))
 }
 
 /// Names and addresses of the members of a group.

@@ -7,7 +7,7 @@
 
 use super::RecordError;
 use super::cursor::Cursor;
-use super::hdf5::{FORMAT, File, NOWHERE};
+use super::hdf5_file::{FORMAT, File, NOWHERE};
 use super::hdf5_objects::{Filter, Layout, Object, Stored};
 use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
 use std::collections::BTreeMap;

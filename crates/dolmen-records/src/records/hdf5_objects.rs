@@ -10,7 +10,7 @@
 
 use super::RecordError;
 use super::cursor::{Cursor, Number};
-use super::hdf5::{FORMAT, File};
+use super::hdf5_file::{FORMAT, File};
 
 const CONTINUATION: u16 = 0x10;
 /// Bit of a message that stands elsewhere.

@@ -1,33 +1,18 @@
-//! How a CSV file is laid out: found out from its first lines.
+//! How the files of records were laid out.
 
-use super::number::parse_cell;
-use super::{Header, RateSource, RecordError, RecordOptions};
+use super::{Decimal, Delimiter, FileUnit, RateSource, RecordFormat};
 
-/// Lines looked at to find the delimiter out.
-const LINES_LOOKED_AT: usize = 20;
-/// Lines that begin with this hold no samples.
-pub(super) const COMMENT: u8 = b'#';
-
-/// What stands between two cells.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Delimiter {
-    /// `;`
-    Semicolon,
-    /// A tab; two of them hold an empty cell.
-    Tab,
-    /// `,`
-    Comma,
-    /// Any number of blanks and tabs.
-    WhiteSpace,
-}
-
-/// What stands before the decimals.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Decimal {
-    /// `.`
-    Point,
-    /// `,`
-    Comma,
+/// How a file was laid out.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Layout {
+    /// Text in columns.
+    Csv(CsvLayout),
+    /// A NumPy array.
+    Npy(NpyLayout),
+    /// Channels, each with a header.
+    Channels(ChannelsLayout),
+    /// Several files.
+    Stations(Vec<Layout>),
 }
 
 /// How a CSV file was laid out.
@@ -57,336 +42,48 @@ pub struct CsvLayout {
     pub last_line_ended: bool,
 }
 
-impl Delimiter {
-    pub(super) fn byte(self) -> u8 {
-        match self {
-            Delimiter::Semicolon => b';',
-            Delimiter::Tab => b'\t',
-            Delimiter::Comma => b',',
-            Delimiter::WhiteSpace => b' ',
-        }
-    }
-
-    /// Whether cells can be parted by this byte.
-    pub(super) fn is(self, byte: u8) -> bool {
-        byte == self.byte() || (self == Delimiter::WhiteSpace && byte == b'\t')
-    }
-
-    /// The cells of one line, quotes kept, blanks around them taken off. A delimiter within quotes parts nothing.
-    pub(super) fn cells(self, line: &[u8]) -> Vec<&[u8]> {
-        let mut quoted = false;
-        let cells = line.split(|b| {
-            quoted ^= *b == b'"';
-            !quoted && self.is(*b)
-        });
-        let cells = cells.map(<[u8]>::trim_ascii);
-        if self == Delimiter::WhiteSpace {
-            cells.filter(|cell| !cell.is_empty()).collect()
-        } else {
-            cells.collect()
-        }
-    }
+/// Which axis of the array is time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axis {
+    /// Samples × channels (also taken if both axes are equally long, and for one axis).
+    First,
+    /// Channels × samples.
+    Second,
 }
 
-impl Decimal {
-    pub(super) fn byte(self) -> u8 {
-        match self {
-            Decimal::Point => b'.',
-            Decimal::Comma => b',',
-        }
-    }
+/// How an NPY file was laid out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NpyLayout {
+    /// Type of the values, as NumPy writes it: "<f8".
+    pub value_type: String,
+    /// Shape of the array.
+    pub shape: Vec<usize>,
+    /// The axis taken as time: the longer one.
+    pub time_axis: Axis,
 }
 
-/// A cell without the quotes around it.
-pub(super) fn unquoted(cell: &[u8]) -> &[u8] {
-    cell.strip_prefix(b"\"")
-        .and_then(|c| c.strip_suffix(b"\""))
-        .unwrap_or(cell)
-        .trim_ascii()
+/// How a file of channels was laid out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChannelsLayout {
+    /// Its format.
+    pub format: RecordFormat,
+    /// All its channels, in order.
+    pub channels: Vec<FoundChannel>,
+    /// What else the file says or holds, sentences.
+    pub notes: Vec<String>,
 }
 
-/// One line of a file, without its line end.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Line<'a> {
-    /// Counted from 1.
-    pub(super) number: usize,
-    pub(super) text: &'a [u8],
-    /// Where it begins.
-    pub(super) at: usize,
-    /// Where the next line begins.
-    pub(super) next: usize,
-    /// Whether it has a line end.
-    pub(super) ended: bool,
-}
-
-/// The line that begins at `at`; `None` at the end of the file.
-#[inline]
-pub(super) fn line_at(bytes: &[u8], at: usize, number: usize) -> Option<Line<'_>> {
-    let rest = bytes.get(at..).filter(|r| !r.is_empty())?;
-    let (text, next, ended) = match memchr::memchr(b'\n', rest) {
-        Some(end) => (&rest[..end], at + end + 1, true),
-        None => (rest, bytes.len(), false),
-    };
-    Some(Line {
-        number,
-        at,
-        text: text.strip_suffix(b"\r").unwrap_or(text),
-        next,
-        ended,
-    })
-}
-
-/// Whether a line holds cells: it is neither blank nor a comment.
-#[inline]
-pub(super) fn holds_cells(text: &[u8]) -> bool {
-    // the first byte decides for nearly every line
-    match text.trim_ascii_start().first() {
-        None => false,
-        Some(first) => *first != COMMENT,
-    }
-}
-
-/// What the first lines say.
-#[derive(Clone, Debug)]
-pub(super) struct Start {
-    pub(super) delimiter: Delimiter,
-    pub(super) decimal: Decimal,
-    pub(super) header_line: Option<usize>,
-    pub(super) columns: Vec<String>,
-    /// First and last line of text above the names.
-    pub(super) passed_over: Option<[usize; 2]>,
-    /// Whether names are not UTF-8.
-    pub(super) names_unread: bool,
-    /// Whether each line of samples ends with a delimiter that begins no cell.
-    pub(super) trailing_delimiter: bool,
-    /// Which cells of the first line of samples are numbers.
-    pub(super) numeric: Vec<bool>,
-    /// Where the samples begin, and the number of that line.
-    pub(super) samples_at: usize,
-    pub(super) samples_line: usize,
-}
-
-impl Start {
-    pub(super) fn find(bytes: &[u8], options: &RecordOptions) -> Result<Self, RecordError> {
-        let (mut at, mut number) = (0, 1);
-        let mut lines = Vec::with_capacity(LINES_LOOKED_AT);
-        while let Some(line) = line_at(bytes, at, number)
-            && lines.len() < LINES_LOOKED_AT
-        {
-            if number > options.skip_lines && holds_cells(line.text) {
-                lines.push(line);
-            }
-            (at, number) = (line.next, number + 1);
-        }
-        lines.first().ok_or(RecordError::Empty)?;
-        let (delimiter, decimal) = detect(&lines, options);
-        let passed_over = match options.header {
-            Header::Absent => 0,
-            Header::Present | Header::Detect => above_names(&lines, delimiter, decimal),
-        };
-        let first = lines[passed_over];
-        let is_number = |cell: &&[u8]| parse_cell(unquoted(cell), decimal.byte()).is_some();
-        let mut names = delimiter.cells(first.text);
-        let has_header = match options.header {
-            Header::Present => true,
-            Header::Absent => false,
-            Header::Detect => {
-                // an empty cell is a missing sample, not a name
-                let texts = names.iter().filter(|c| !c.is_empty());
-                let numbers = texts.clone().filter(|c| is_number(c)).count();
-                let has_time = texts
-                    .clone()
-                    .any(|c| matches!(time_name(unquoted(c)), TimeName::Seconds { .. }));
-                if numbers > 0 && numbers < texts.count() && !has_time {
-                    return Err(RecordError::UnclearHeader { line: first.number });
-                }
-                numbers == 0 || has_time
-            }
-        };
-        let samples = if has_header {
-            lines.get(passed_over + 1)
-        } else {
-            Some(&first)
-        };
-        let samples = samples.ok_or(RecordError::OnlyHeader { line: first.number })?;
-        let cells = delimiter.cells(samples.text);
-        let trailing_delimiter = cells.len() > 1 && cells.last().is_some_and(|c| c.is_empty());
-        let count = cells.len() - usize::from(trailing_delimiter);
-        if trailing_delimiter && names.len() == cells.len() && names.last().is_some_and(|c| c.is_empty()) {
-            names.pop();
-        }
-        if names.len() != count && has_header {
-            return Err(RecordError::Ragged {
-                line: samples.number,
-                found: count,
-                expected: names.len(),
-                last: !samples.ended,
-            });
-        }
-        let mut names_unread = false;
-        let columns = (1..=count).map(|n| match has_header {
-            true if !unquoted(names[n - 1]).is_empty() => match std::str::from_utf8(unquoted(names[n - 1])) {
-                Ok(name) => name.to_owned(),
-                Err(_) => {
-                    names_unread = true;
-                    of_euc_kr(unquoted(names[n - 1])).map_or_else(|| format!("ch{n}"), str::to_owned)
-                }
-            },
-            _ => format!("ch{n}"),
-        });
-        let columns: Vec<String> = columns.collect();
-        Ok(Start {
-            delimiter,
-            decimal,
-            header_line: has_header.then_some(first.number),
-            passed_over: match passed_over {
-                0 => None,
-                _ => Some([lines[0].number, lines[passed_over - 1].number]),
-            },
-            names_unread,
-            columns,
-            trailing_delimiter,
-            numeric: cells.iter().map(is_number).collect(),
-            samples_at: samples.at,
-            samples_line: samples.number,
-        })
-    }
-}
-
-/// Lines of text above the names of the columns, as recorders write them: those before the last line without a number that is as wide as the
-/// samples below it. None where any of them could be samples.
-fn above_names(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
-    let rows: Vec<Vec<&[u8]>> = lines.iter().map(|line| delimiter.cells(line.text)).collect();
-    let is_number = |c: &&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
-    let whole = |cells: &Vec<&[u8]>| cells.len() > 1 && cells.iter().all(is_number);
-    let Some(samples) = rows.iter().position(whole) else {
-        return 0;
-    };
-    let is_name = |c: &&[u8]| !c.is_empty() && !is_number(c);
-    match samples.checked_sub(1) {
-        Some(names)
-            if rows[names].len() == rows[samples].len()
-                && rows[names].iter().all(is_name)
-                && rows[..names]
-                    .iter()
-                    .all(|cells| cells.first().is_some_and(is_name)) =>
-        {
-            names
-        }
-        _ => 0,
-    }
-}
-
-/// Names of time columns as Korean programs save them, EUC-KR or CP949.
-fn of_euc_kr(name: &[u8]) -> Option<&'static str> {
-    let is = |text: &[u8]| name.starts_with(text);
-    (is(b"\xbd\xc3\xb0\xa3") || is(b"\xbd\xc3\xb0\xa2")).then_some("시간")
-}
-
-/// Delimiter and decimal sign under which the first lines make most sense; among equals, the first of `;`, tab, `,`, white
-/// space, and the point before the comma.
-fn detect(lines: &[Line<'_>], options: &RecordOptions) -> (Delimiter, Decimal) {
-    let mut best = (Delimiter::Semicolon, Decimal::Point);
-    let mut best_score = None;
-    for delimiter in [
-        Delimiter::Semicolon,
-        Delimiter::Tab,
-        Delimiter::Comma,
-        Delimiter::WhiteSpace,
-    ] {
-        for decimal in [Decimal::Point, Decimal::Comma] {
-            let given = options.delimiter.is_none_or(|d| d == delimiter)
-                && options.decimal.is_none_or(|d| d == decimal);
-            let both_commas = delimiter == Delimiter::Comma && decimal == Decimal::Comma;
-            if !given || (both_commas && options.decimal.is_none()) {
-                continue;
-            }
-            let score = score(lines, delimiter, decimal);
-            if best_score.is_none_or(|s| score > s) {
-                (best, best_score) = ((delimiter, decimal), Some(score));
-            }
-        }
-    }
-    best
-}
-
-/// How much sense the lines make: 4 for each that is as wide as most and numbers throughout, 2 if mostly; 4 if the first is
-/// as wide as most; 1 if that is more than one cell.
-fn score(lines: &[Line<'_>], delimiter: Delimiter, decimal: Decimal) -> usize {
-    let rows: Vec<Vec<&[u8]>> = lines
-        .iter()
-        .map(|line| {
-            let mut cells = delimiter.cells(line.text);
-            if cells.len() > 1 && cells.last().is_some_and(|c| c.is_empty()) {
-                cells.pop();
-            }
-            cells
-        })
-        .collect();
-    let mut widths: Vec<usize> = rows.iter().map(Vec::len).collect();
-    widths.sort_unstable();
-    let width = widths[widths.len() / 2];
-    let sense = |cells: &Vec<&[u8]>| {
-        let is_number = |c: &&&[u8]| parse_cell(unquoted(c), decimal.byte()).is_some();
-        let numbers = cells.iter().filter(is_number).count();
-        match cells.len() == width {
-            true if numbers == width => 4,
-            true if 2 * numbers > width => 2,
-            _ => 0,
-        }
-    };
-    let first = if rows[0].len() == width { 4 } else { 0 };
-    rows.iter().map(sense).sum::<usize>() + first + usize::from(width > 1)
-}
-
-/// What the name of a column says of time.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum TimeName {
-    /// Not a time column.
-    No,
-    /// Time stamps.
-    Seconds {
-        /// Seconds in one unit of them.
-        unit_s: f64,
-        /// Whether the name says the unit.
-        named: bool,
-    },
-    /// Time in some unit that is not known.
-    Unclear,
-}
-
-/// Reads names like "t", "Time (s)", "time_ms", "Zeit [s]", "seconds".
-pub(super) fn time_name(name: &[u8]) -> TimeName {
-    let lower = String::from_utf8_lossy(name).to_lowercase();
-    let mut words = lower
-        .split(|c: char| !c.is_alphanumeric() && c != 'µ' && c != 'μ')
-        .filter(|w| !w.is_empty());
-    let unit = |word: &str| match word {
-        "s" | "sec" | "secs" | "second" | "seconds" | "초" => Some(1.0),
-        "ms" | "msec" | "millisecond" | "milliseconds" => Some(1e-3),
-        "us" | "µs" | "μs" | "usec" | "microsecond" | "microseconds" => Some(1e-6),
-        _ => None,
-    };
-    let is_time = |word: &str| {
-        matches!(
-            word,
-            "t" | "time" | "times" | "zeit" | "timestamp" | "timestamps" | "시간" | "시각"
-        )
-    };
-    let (first, second, more) = (words.next(), words.next(), words.next());
-    match (first, second) {
-        (Some(first), None) if is_time(first) => TimeName::Seconds {
-            unit_s: 1.0,
-            named: false,
-        },
-        (Some("sec" | "second" | "seconds"), None) => TimeName::Seconds {
-            unit_s: 1.0,
-            named: true,
-        },
-        (Some(first), Some(word)) if is_time(first) => match unit(word) {
-            Some(unit_s) if more.is_none() => TimeName::Seconds { unit_s, named: true },
-            _ => TimeName::Unclear,
-        },
-        _ => TimeName::No,
-    }
+/// One channel of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FoundChannel {
+    /// As the file names it.
+    pub name: String,
+    /// Its samples.
+    pub samples: usize,
+    /// Samples a second, Hz; `None` if the file does not say it.
+    pub sampling_rate_hz: Option<f64>,
+    /// What the file says of the unit.
+    pub unit: FileUnit,
+    /// The first sample, s from 1 January 1970 in the clock of the file, if it says it.
+    pub begins_s: Option<f64>,
 }

@@ -2,10 +2,11 @@
 //!
 //! A step of one and a half steps or more is a gap; anything smaller is an uneven clock, which is refused, and so is a step back.
 
-use super::RecordError;
-use super::number::Number;
 use super::series::Series;
 use super::stamps::Stamps;
+use super::{LostSamples, RecordError};
+use crate::breaks::Break;
+use crate::number::Number;
 use dolmen::signal::{LostSpan, Processing};
 use std::ops::Range;
 
@@ -17,26 +18,6 @@ const ROUNDED_DIGITS: f64 = 1.5;
 const SHARE_LEAST: f64 = 0.1;
 /// Share of a step by which the ends of two channels may differ and be one time.
 const SAME_TIME_STEPS: f64 = 1e-3;
-
-/// What becomes of a record that lost samples.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
-#[serde(rename_all = "lowercase")]
-pub enum LostSamples {
-    /// Its longest span that is whole in all channels is used, and what was cut is said.
-    #[default]
-    Longest,
-    /// It is refused.
-    Refuse,
-}
-
-/// Where a channel goes on after a gap.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Break {
-    /// Index of the first sample after it.
-    pub(crate) at: usize,
-    /// Time of that sample from the first of the channel, s.
-    pub(crate) begins_s: f64,
-}
 
 /// Stamps line by line, span after span.
 #[derive(Debug)]

@@ -3,11 +3,10 @@
 //! The longest side of all numeric matrices is time. Each vector or matrix with that side is read, `acc` or `acc(:,1)`, `acc(:,2)`; a
 //! vector `t` or `time` is time stamps; a number `fs`, `sampling_rate` … is the rate, `dt` the step. The others are named in a note.
 
-use super::RecordError;
 use super::hdf5;
 use super::mat_elements::{Matrix, matrices};
-use super::options::RecordFormat;
 use super::series::{Found, Series, rate_of_step};
+use super::{RecordError, RecordFormat};
 
 const FORMAT: &str = "mat";
 /// Names of a number that is the sampling rate, Hz, in lower case without underscores.

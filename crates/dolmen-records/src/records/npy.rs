@@ -4,33 +4,13 @@
 //! `{'descr': '<f8', 'fortran_order': False, 'shape': (540000, 6), }`), values.
 //! Source: numpy documentation, `numpy.lib.format`, versions 1.0 to 3.0.
 
-use super::{Column, Layout, Reading, RecordError, RecordOptions};
+use super::{Axis, Column, Layout, NpyLayout, Reading, RecordError, RecordOptions};
 use dolmen::signal::{Channel, Processing, Record, SignalError};
 
 /// First bytes of each NPY file.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
 /// Rows turned from row order into channel order at a time: 512 rows of 32 doubles fit a second-level cache.
 const ROWS_AT_ONCE: usize = 512;
-
-/// Which axis of the array is time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Axis {
-    /// Samples × channels (also taken if both axes are equally long, and for one axis).
-    First,
-    /// Channels × samples.
-    Second,
-}
-
-/// How an NPY file was laid out.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NpyLayout {
-    /// Type of the values, as NumPy writes it: "<f8".
-    pub value_type: String,
-    /// Shape of the array.
-    pub shape: Vec<usize>,
-    /// The axis taken as time: the longer one.
-    pub time_axis: Axis,
-}
 
 /// A record from the bytes of an NPY file: one array of one axis (one channel) or two, of which the longer is time.
 ///

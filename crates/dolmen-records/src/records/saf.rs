@@ -17,13 +17,12 @@
 //! Source: SESAME (2004) *Guidelines for the implementation of the H/V spectral ratio technique*, deliverable D09.03, and the files
 //! of the project.
 
-use super::RecordError;
-use super::layout::line_at;
-use super::number::parse_number;
-use super::options::RecordFormat;
-use super::series::{FileUnit, Found, Series};
+use super::dialect::line_at;
+use super::series::{Found, Series};
 use super::unit::unit_of_label;
-use crate::motions::time_of;
+use super::{FileUnit, RecordError, RecordFormat};
+use crate::number::parse_number;
+use crate::start::time_of;
 
 const FORMAT: &str = "saf";
 const FIRST: &[u8] = b"SESAME ASCII data format";

@@ -1,9 +1,9 @@
 //! Files of seismic stations, which ground motions come in too: miniSEED, SAC, K-NET, ESM, COSMOS, CSMIP.
 
-use super::options::RecordFormat;
-use super::series::{FileUnit, Found, Series, rate_of_step};
-use super::{RecordError, Unit};
-use crate::motions::{MotionFormat, RawChannel, raw_channels};
+use super::series::{Found, Series, rate_of_step};
+use super::{FileUnit, RecordError, RecordFormat};
+use crate::seismic::{MotionFormat, Raw, raw_channels};
+use crate::unit::Unit;
 
 /// The channels of such a file; `None` if it is none.
 pub(super) fn read(bytes: &[u8]) -> Option<Result<Found, RecordError>> {
@@ -14,7 +14,7 @@ pub(super) fn read(bytes: &[u8]) -> Option<Result<Found, RecordError>> {
     )
 }
 
-fn found(channels: Vec<RawChannel>) -> Found {
+fn found(channels: Vec<Raw>) -> Found {
     let format = match channels.first().map(|channel| channel.format) {
         Some(MotionFormat::MiniSeed) | None => RecordFormat::MiniSeed,
         Some(MotionFormat::Sac | MotionFormat::SacText) => RecordFormat::Sac,
@@ -39,7 +39,7 @@ fn found(channels: Vec<RawChannel>) -> Found {
     }
 }
 
-fn series(channel: RawChannel, format: RecordFormat) -> Series {
+fn series(channel: Raw, format: RecordFormat) -> Series {
     let mut samples = channel.samples;
     if channel.subtract_mean {
         let mean = samples.iter().sum::<f64>() / samples.len().max(1) as f64;

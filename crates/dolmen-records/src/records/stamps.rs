@@ -6,7 +6,7 @@
 //! in the rounding: then all steps must be the same, as they are where Δ is a multiple of u, or the rate must be given.
 
 use super::RecordError;
-use super::number::Number;
+use crate::number::Number;
 
 /// Share of a step by which a clock may be off at any one sample: no more than noise far below that of a sensor. Chosen here.
 const CLOCK_JITTER: f64 = 0.01;

@@ -10,11 +10,10 @@
 //!
 //! Source: National Instruments (2023) *TDMS File Format Internal Structure*.
 
-use super::RecordError;
 use super::cursor::{Cursor, Number};
-use super::options::RecordFormat;
-use super::series::{FileUnit, Found, Series, rate_of_step};
+use super::series::{Found, Series, rate_of_step};
 use super::unit::unit_of_label;
+use super::{FileUnit, RecordError, RecordFormat};
 use std::collections::BTreeMap;
 
 const FORMAT: &str = "tdms";

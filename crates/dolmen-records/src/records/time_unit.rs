@@ -1,10 +1,10 @@
 //! What a column of time stamps counts, where its name does not say it: seconds, milliseconds, the days of a table.
 
 use super::RecordError;
-use super::csv::Time;
+use super::csv_start::Start;
 use super::dates::{DAY_S, SERIAL_DAYS};
-use super::layout::{Start, holds_cells, unquoted};
-use super::number::parse_cell;
+use super::dialect::{holds_cells, unquoted};
+use crate::number::parse_cell;
 
 /// Lines looked at for the first steps.
 const LINES: usize = 20;
@@ -17,6 +17,15 @@ const SLOW_FROM_S: f64 = 1.0;
 /// Share by which the first steps may differ from those of the rate given and be in that unit: a gap, or a coarse last digit.
 const NEAR: f64 = 0.05;
 const SMALLER_S: [f64; 2] = [1e-3, 1e-6];
+
+/// The time column, from 0, and its unit.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Time {
+    pub(super) column: usize,
+    pub(super) unit_s: f64,
+    /// Whether the name of the column says the unit.
+    pub(super) unit_named: bool,
+}
 
 /// Seconds in one unit of the column, by its first steps and by the rate given.
 ///

@@ -14,16 +14,15 @@
 //! Source: University of Cincinnati, Structural Dynamics Research Laboratory, *Universal File Formats for Modal Analysis Testing*.
 
 use super::cursor::{Cursor, Number};
-use super::number::parse_number;
-use super::options::RecordFormat;
-use super::series::{FileUnit, Found, Series, rate_of_step};
-use super::uff_text::{Lines, cell, decimal, whole};
+use super::series::{Found, Series, rate_of_step};
+use super::uff_text::{FORMAT, Lines, cell, decimal, whole};
 use super::unit::unit_of_label;
-use super::{RecordError, Unit};
+use super::{FileUnit, RecordError, RecordFormat};
+use crate::number::parse_number;
+use crate::unit::Unit;
 use dolmen::signal::Quantity;
 use std::collections::BTreeMap;
 
-pub(super) const FORMAT: &str = "uff";
 /// Codes of line 6 and line 8.
 const TIME_RESPONSE: [i64; 2] = [0, 1];
 const TIME: i64 = 17;

@@ -1,8 +1,9 @@
 //! Lines and columns of fixed width of a universal file.
 
 use super::RecordError;
-use super::number::parse_number;
-use super::uff::FORMAT;
+use crate::number::parse_number;
+
+pub(super) const FORMAT: &str = "uff";
 
 /// The lines of a file that may hold binary data between them.
 #[derive(Clone, Copy)]

@@ -10,9 +10,8 @@
 //! WAVEFORMATEXTENSIBLE.
 
 use super::cursor::{Cursor, Number};
-use super::options::RecordFormat;
-use super::series::{FileUnit, Found, Series};
-use super::{RecordError, RecordOptions};
+use super::series::{Found, Series};
+use super::{FileUnit, RecordError, RecordFormat, RecordOptions};
 
 const FORMAT: &str = "wav";
 const INTEGERS: u16 = 1;

@@ -6,8 +6,8 @@
 use super::motion_networks::{KNET, cosmos, csmip, esm, knet, tiny, written_cosmos};
 use dolmen::signal::{Component, Processing};
 use dolmen_records::motions::{
-    ComponentReading, MotionError, MotionFormat, MotionOptions, Orientation, read_channels, read_component,
-    read_motion, read_oriented,
+    ComponentReading, MotionError, MotionFormat, MotionOptions, Orientation, SeismicError, read_channels,
+    read_component, read_motion, read_oriented,
 };
 use dolmen_records::records::Unit;
 use std::path::{Path, PathBuf};
@@ -233,7 +233,7 @@ fn refuses_damaged_miniseed_and_sac() {
     coded[52] = 30;
     assert!(matches!(
         read_channels(&coded, &as_printed()),
-        Err(MotionError::Encoding { encoding: 30, .. })
+        Err(MotionError::Seismic(SeismicError::Encoding { encoding: 30, .. }))
     ));
     let sac = written("little.sac");
     assert!(

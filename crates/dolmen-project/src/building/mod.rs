@@ -1,0 +1,20 @@
+//! Buildings: rigid floors on walls that sway and twist, and their dampers.
+
+mod built_damper;
+mod damper;
+mod file;
+mod floor_number;
+mod part;
+mod read;
+mod read_damper;
+mod slips;
+mod slips_damper;
+
+pub use built_damper::{BuiltDamper, Stroke, TunedTo, strokes_of};
+pub use damper::{DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart};
+pub(crate) use file::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
+pub use part::{
+    BuildingPart, DampingPart, FloorPart, GyrationPart, StoreyStiffnessPart, WallPart, WatchedPart,
+};
+pub(crate) use read::{buildable, building};
+pub(crate) use slips::judge_building;

@@ -1,0 +1,542 @@
+//! Damping and dampers of a building, from what is written.
+
+use super::damper::{DamperBody, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart};
+use super::file::{DamperKindRaw, DamperRaw, DampingRaw, MassRaw, TuningRaw};
+use super::floor_number::floor_number;
+use super::part::DampingPart;
+use crate::error::Fault;
+use crate::file_number::{At, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::needed::lengths;
+use crate::quantity::Quantity;
+use crate::ratio::damping_ratio;
+use crate::reader::Reader;
+use crate::units::parse_angle_rad;
+use dolmen::damper::TuningRule;
+use dolmen::structure::building::PlanDirection;
+use std::collections::BTreeMap;
+
+pub(super) fn damping(reader: &mut Reader, raw: Option<&At<DampingRaw>>) -> Option<DampingPart> {
+    let raw = raw?;
+    reader.mark("damping", &raw.span);
+    let given = &raw.value;
+    let count = [
+        given.ratio.is_some(),
+        given.ratios.is_some(),
+        given.rayleigh.is_some(),
+        given.caughey.is_some(),
+    ];
+    if count.iter().filter(|given| **given).count() != 1 {
+        let message = "damping needs one of ratio, ratios, rayleigh and caughey";
+        let fault = Fault::new(raw.span.clone(), "damping", message);
+        reader.fault(fault.help("write damping = { ratio = 0.05 } for 5 % in every mode"));
+        return None;
+    }
+    if let Some(ratio) = &given.ratio {
+        return Some(DampingPart::Modal(vec![damping_ratio(
+            reader,
+            Some(ratio),
+            "damping.ratio",
+        )?]));
+    }
+    if let Some(list) = &given.ratios {
+        return Some(DampingPart::Modal(ratios(reader, list, "damping.ratios")?));
+    }
+    if let Some(list) = &given.caughey {
+        return Some(DampingPart::Caughey(ratios(reader, list, "damping.caughey")?));
+    }
+    let anchors = given.rayleigh.as_ref()?;
+    let mut all = Vec::with_capacity(2);
+    for (i, anchor) in anchors.value.iter().enumerate() {
+        let path = format!("damping.rayleigh[{}]", i + 1);
+        let frequency_path = format!("{path}.frequency");
+        let frequency = anchor.value.frequency.as_ref();
+        let frequency = reader.quantity(frequency, &frequency_path, Measure::Frequency, Bound::Positive);
+        let ratio = damping_ratio(reader, anchor.value.ratio.as_ref(), &format!("{path}.ratio"));
+        all.push([frequency?, ratio?]);
+    }
+    let found = all.len();
+    match <[[Quantity; 2]; 2]>::try_from(all) {
+        Ok(anchors) => Some(DampingPart::Rayleigh(Box::new(anchors))),
+        Err(_) => {
+            let message = format!("damping.rayleigh has {found} frequencies");
+            let fault = Fault::new(anchors.span.clone(), "damping.rayleigh", message);
+            reader.fault(fault.allowed("must be 2: mass and stiffness are two numbers"));
+            None
+        }
+    }
+}
+
+fn ratios(reader: &mut Reader, list: &At<Vec<At<QuantityRaw>>>, path: &str) -> Option<Vec<Quantity>> {
+    if list.value.is_empty() {
+        let fault = Fault::new(list.span.clone(), path, format!("{path} is empty"));
+        reader.fault(fault.allowed("needs a damping ratio"));
+        return None;
+    }
+    let each = list.value.iter().enumerate();
+    each.map(|(i, raw)| damping_ratio(reader, Some(raw), &format!("{path}[{}]", i + 1)))
+        .collect()
+}
+
+/// The dampers in the order of the file.
+pub(super) fn dampers(
+    reader: &mut Reader,
+    raw: Option<&BTreeMap<String, At<DamperRaw>>>,
+    floors: usize,
+) -> Vec<DamperPart> {
+    let mut listed: Vec<_> = raw.into_iter().flatten().collect();
+    listed.sort_by_key(|(_, raw)| raw.span.start);
+    let each = listed
+        .into_iter()
+        .filter_map(|(name, raw)| damper(reader, name, raw, floors));
+    each.collect()
+}
+
+fn damper(reader: &mut Reader, name: &str, raw: &At<DamperRaw>, floors: usize) -> Option<DamperPart> {
+    let path = format!("damper.{name}");
+    reader.mark(&path, &raw.span);
+    let before = reader.faults.len();
+    let given = &raw.value;
+    let kind = given.kind.as_ref()?.value;
+    only_its_keys(reader, kind, given, &path)?;
+    let floor = floor_number(reader, given.floor.as_ref(), &format!("{path}.floor"), floors);
+    let place = place(reader, given.place.as_ref(), &format!("{path}.place"));
+    let direction = direction(reader, given.direction.as_ref(), &format!("{path}.direction"));
+    let stroke = positive(
+        reader,
+        given.stroke.as_ref(),
+        &format!("{path}.stroke"),
+        Measure::Length,
+    );
+    let liquid_stroke = positive(
+        reader,
+        given.liquid_stroke.as_ref(),
+        &format!("{path}.liquid_stroke"),
+        Measure::Length,
+    );
+    let body = match kind {
+        DamperKindRaw::Link => link(reader, raw, &path, (floor, floors)),
+        _ => moving(reader, kind, raw, &path, floors),
+    };
+    (reader.faults.len() == before).then_some(())?;
+    Some(DamperPart {
+        name: name.to_owned(),
+        floor: floor?,
+        place: Box::new(place?),
+        direction: direction?,
+        body: body?,
+        stroke,
+        liquid_stroke,
+    })
+}
+
+fn positive(
+    reader: &mut Reader,
+    raw: Option<&At<QuantityRaw>>,
+    path: &str,
+    measure: Measure,
+) -> Option<Quantity> {
+    reader.quantity(raw, path, measure, Bound::Positive)
+}
+
+fn place(reader: &mut Reader, raw: Option<&At<Vec<At<QuantityRaw>>>>, path: &str) -> Option<[Quantity; 2]> {
+    lengths(reader, raw?, path, "[x, y]")
+}
+
+/// A damping ratio, 0 or more.
+fn ratio_of(reader: &mut Reader, raw: Option<&At<QuantityRaw>>, path: &str) -> Option<Quantity> {
+    let ratio = reader.quantity(raw, path, Measure::Ratio, Bound::NotNegative)?;
+    if ratio.value > 1.0 {
+        let message = format!("{path} = {}, but above 1 nothing swings any more", ratio.written);
+        let fault = Fault::new(reader.place(path), path, message);
+        reader.fault(
+            fault
+                .allowed("must be 0 to 1")
+                .help("write 12 % as 0.12 or \"12 %\""),
+        );
+        return None;
+    }
+    Some(ratio)
+}
+
+/// Refuses keys of other kinds, by name.
+fn only_its_keys(reader: &mut Reader, kind: DamperKindRaw, given: &DamperRaw, path: &str) -> Option<()> {
+    use DamperKindRaw::{Link, Tlcd, Tlcmd, Tmd};
+    let span = |raw: &Option<At<QuantityRaw>>| raw.as_ref().map(|raw| raw.span.clone());
+    let moving = [Tmd, Tlcd, Tlcmd].as_slice();
+    let keys = [
+        ("mass", span(&given.mass), moving),
+        ("mass_ratio", span(&given.mass_ratio), moving),
+        ("mode", given.mode.as_ref().map(|raw| raw.span.clone()), moving),
+        ("frequency", span(&given.frequency), moving),
+        ("frequency_ratio", span(&given.frequency_ratio), moving),
+        ("damping_ratio", span(&given.damping_ratio), moving),
+        (
+            "tuning",
+            given.tuning.as_ref().map(|raw| raw.span.clone()),
+            moving,
+        ),
+        (
+            "masses",
+            given.masses.as_ref().map(|raw| raw.span.clone()),
+            &[Tmd],
+        ),
+        ("length_ratio", span(&given.length_ratio), &[Tlcd, Tlcmd]),
+        ("length", span(&given.length), &[Tlcd, Tlcmd]),
+        ("liquid_share", span(&given.liquid_share), &[Tlcmd]),
+        ("liquid_frequency", span(&given.liquid_frequency), &[Tlcmd]),
+        ("liquid_stroke", span(&given.liquid_stroke), &[Tlcmd]),
+        (
+            "liquid_damping_ratio",
+            span(&given.liquid_damping_ratio),
+            &[Tlcmd],
+        ),
+        ("coefficient", span(&given.coefficient), &[Link]),
+        (
+            "to_floor",
+            given.to_floor.as_ref().map(|raw| raw.span.clone()),
+            &[Link],
+        ),
+        (
+            "to_place",
+            given.to_place.as_ref().map(|raw| raw.span.clone()),
+            &[Link],
+        ),
+    ];
+    let mut fits = true;
+    for (key, span, kinds) in keys {
+        let Some(span) = span.filter(|_| !kinds.contains(&kind)) else {
+            continue;
+        };
+        let words: Vec<String> = kinds.iter().map(|kind| format!("\"{}\"", word(*kind))).collect();
+        let path = format!("{path}.{key}");
+        let message = format!(
+            "{path} belongs to kind = {}, but this is a \"{}\"",
+            words.join(" or "),
+            word(kind)
+        );
+        reader.fault(Fault::new(span, &path, message).help("take it out, or change kind"));
+        fits = false;
+    }
+    fits.then_some(())
+}
+
+fn word(kind: DamperKindRaw) -> &'static str {
+    match kind {
+        DamperKindRaw::Tmd => "tmd",
+        DamperKindRaw::Tlcd => "tlcd",
+        DamperKindRaw::Tlcmd => "tlcmd",
+        DamperKindRaw::Link => "link",
+    }
+}
+
+fn link(
+    reader: &mut Reader,
+    raw: &At<DamperRaw>,
+    path: &str,
+    (floor, floors): (Option<usize>, usize),
+) -> Option<DamperBody> {
+    let given = &raw.value;
+    if given.coefficient.is_none() {
+        let key = format!("{path}.coefficient");
+        let fault = Fault::new(raw.span.clone(), &key, format!("{path} has no coefficient"));
+        reader.fault(fault.help("give force per velocity: coefficient = \"500 kN*s/m\""));
+        return None;
+    }
+    let coefficient = positive(
+        reader,
+        given.coefficient.as_ref(),
+        &format!("{path}.coefficient"),
+        Measure::Dashpot,
+    );
+    let to_place = match &given.to_place {
+        None => None,
+        Some(to) => Some(Box::new(place(reader, Some(to), &format!("{path}.to_place"))?)),
+    };
+    let to_floor = match &given.to_floor {
+        None => floor?.saturating_sub(1),
+        Some(to) if to.value == 0 => 0,
+        Some(to) => floor_number(reader, Some(to), &format!("{path}.to_floor"), floors)?,
+    };
+    let key = format!("{path}.to_floor");
+    if to_floor == floor? {
+        let fault = Fault::new(
+            raw.span.clone(),
+            &key,
+            format!("{path} ties floor {to_floor} to itself"),
+        );
+        reader.fault(fault.help("a floor is rigid: name another in to_floor, 0 for the ground"));
+        return None;
+    }
+    if to_floor == 0 && to_place.is_some() {
+        let fault = Fault::new(
+            raw.span.clone(),
+            &key,
+            format!("{path}.to_place is of the ground"),
+        );
+        reader.fault(fault.help("the ground moves alike everywhere: take to_place out"));
+        return None;
+    }
+    Some(DamperBody::Link {
+        coefficient: coefficient?,
+        to_floor,
+        to_place,
+    })
+}
+
+fn moving(
+    reader: &mut Reader,
+    kind: DamperKindRaw,
+    raw: &At<DamperRaw>,
+    path: &str,
+    floors: usize,
+) -> Option<DamperBody> {
+    let given = &raw.value;
+    let before = reader.faults.len();
+    let mode = match &given.mode {
+        None => Some(1),
+        Some(mode) => reader.count(Some(mode), &format!("{path}.mode"), 1, 3 * floors),
+    };
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, measure| {
+        positive(reader, raw.as_ref(), &format!("{path}.{key}"), measure)
+    };
+    let mass = of(&given.mass, "mass", Measure::Mass);
+    let mass_ratio = of(&given.mass_ratio, "mass_ratio", Measure::Ratio);
+    let frequency = of(&given.frequency, "frequency", Measure::Frequency);
+    let frequency_ratio = of(&given.frequency_ratio, "frequency_ratio", Measure::Ratio);
+    let length = of(&given.length, "length", Measure::Length);
+    let length_ratio = of(&given.length_ratio, "length_ratio", Measure::Ratio);
+    let liquid_share = of(&given.liquid_share, "liquid_share", Measure::Ratio);
+    let liquid_frequency = of(&given.liquid_frequency, "liquid_frequency", Measure::Frequency);
+    let ratio = ratio_of(
+        reader,
+        given.damping_ratio.as_ref(),
+        &format!("{path}.damping_ratio"),
+    );
+    let liquid_key = format!("{path}.liquid_damping_ratio");
+    let liquid_ratio = ratio_of(reader, given.liquid_damping_ratio.as_ref(), &liquid_key);
+    for (given, least) in [(&length_ratio, 1.0), (&liquid_share, 1.0)] {
+        if let Some(given) = given.as_ref().filter(|given| given.value >= least) {
+            let message = format!("{} = {} is not below 1", given.path, given.written);
+            let fault = Fault::new(reader.place(&given.path), &given.path, message);
+            reader.fault(
+                fault.help("it is a part of the whole: the vertical arms, the container, have the rest"),
+            );
+        }
+    }
+    let parts = masses(reader, given.masses.as_ref(), path);
+    let tuning = given.tuning.as_ref().map(|tuning| rule(tuning.value));
+    (reader.faults.len() == before).then_some(())?;
+    if let (None, Some(ratio)) = (&mass, mass_ratio.as_ref().filter(|ratio| ratio.value > 1.0)) {
+        let message = format!(
+            "{} = {}, but a damper is lighter than what it damps",
+            ratio.path, ratio.written
+        );
+        let fault = Fault::new(reader.place(&ratio.path), &ratio.path, message);
+        let fault = fault.allowed("must be above 0, at most 1");
+        reader.fault(fault.help("a mass ratio is 0.01 to 0.1, as a rule: write 5 % as 0.05 or \"5 %\""));
+        return None;
+    }
+    let mut refuse = |message: String, help: &str| -> Option<DamperBody> {
+        reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
+        None
+    };
+    let mass = match (mass, mass_ratio) {
+        (Some(mass), None) => DamperMass::Mass(mass),
+        (None, Some(ratio)) => DamperMass::Ratio(ratio),
+        (Some(_), Some(_)) => {
+            return refuse(format!("{path} has both mass and mass_ratio"), "keep one of them");
+        }
+        (None, None) => {
+            return refuse(
+                format!("{path} has neither mass nor mass_ratio"),
+                "give mass = …, or mass_ratio = … of the modal mass of its mode",
+            );
+        }
+    };
+    // of a tlcd the column's length is its own frequency, of a tlcmd the liquid's
+    let (own_length, liquid_length) = match kind {
+        DamperKindRaw::Tlcd => (length, None),
+        _ => (None, length),
+    };
+    let ways = [
+        frequency.is_some(),
+        frequency_ratio.is_some(),
+        own_length.is_some(),
+    ];
+    if ways.iter().filter(|given| **given).count() > 1 {
+        return refuse(
+            format!("{path} has its frequency twice: frequency, frequency_ratio and length are one number"),
+            "keep one of them",
+        );
+    }
+    let frequency = match (frequency, frequency_ratio, own_length, tuning) {
+        (Some(frequency), ..) => DamperFrequency::Frequency(frequency),
+        (_, Some(ratio), ..) => DamperFrequency::Ratio(ratio),
+        (_, _, Some(length), _) => DamperFrequency::Length(length),
+        (.., Some(_)) => DamperFrequency::Tuned,
+        (None, None, None, None) => {
+            return refuse(
+                format!("{path} has no frequency"),
+                "give frequency = …, frequency_ratio = … of its mode's, or tuning = \"den_hartog\"",
+            );
+        }
+    };
+    if ratio.is_none() && tuning.is_none() {
+        return refuse(
+            format!("{path} has no damping_ratio"),
+            "give damping_ratio = … on its own frequency, or tuning = \"den_hartog\"",
+        );
+    }
+    if tuning.is_some() && ratio.is_some() && !matches!(frequency, DamperFrequency::Tuned) {
+        return refuse(
+            format!("{path} names a tuning, but gives its frequency and damping_ratio"),
+            "take tuning out, or what it is to give",
+        );
+    }
+    let moving = match kind {
+        DamperKindRaw::Tlcd | DamperKindRaw::Tlcmd if length_ratio.is_none() => {
+            return refuse(
+                format!("{path} has no length_ratio"),
+                "give the horizontal length of the column over its total length: length_ratio = 0.7",
+            );
+        }
+        DamperKindRaw::Tlcd => MovingPart::Column {
+            length_ratio: length_ratio?,
+        },
+        DamperKindRaw::Tlcmd => {
+            let liquid_frequency = match (liquid_frequency, liquid_length) {
+                (Some(frequency), None) => DamperFrequency::Frequency(frequency),
+                (None, Some(length)) => DamperFrequency::Length(length),
+                _ => {
+                    return refuse(
+                        format!("{path} needs one of liquid_frequency and length"),
+                        "give the liquid's frequency, or the total length of its column",
+                    );
+                }
+            };
+            let (Some(liquid_share), Some(liquid_damping_ratio)) = (liquid_share, liquid_ratio) else {
+                return refuse(
+                    format!("{path} needs liquid_share and liquid_damping_ratio"),
+                    "give the liquid's part of the mass, and its damping ratio",
+                );
+            };
+            MovingPart::ColumnMass {
+                length_ratio: length_ratio?,
+                liquid_share,
+                liquid_frequency,
+                liquid_damping_ratio,
+            }
+        }
+        DamperKindRaw::Tmd | DamperKindRaw::Link => MovingPart::Masses(parts?),
+    };
+    Some(DamperBody::Moving {
+        moving: Box::new(moving),
+        mass,
+        mode: mode?,
+        frequency,
+        damping_ratio: ratio,
+        tuning,
+    })
+}
+
+/// Shares that differ from 1 by less add up to it: people round.
+const SHARES_ROUNDED: f64 = 1e-3;
+
+fn masses(reader: &mut Reader, raw: Option<&At<Vec<At<MassRaw>>>>, path: &str) -> Option<Vec<MassPart>> {
+    let Some(list) = raw else {
+        return Some(Vec::new());
+    };
+    let mut parts = Vec::with_capacity(list.value.len());
+    for (i, raw) in list.value.iter().enumerate() {
+        let path = format!("{path}.masses[{}]", i + 1);
+        reader.mark(&path, &raw.span);
+        let given = &raw.value;
+        let share = positive(
+            reader,
+            given.share.as_ref(),
+            &format!("{path}.share"),
+            Measure::Ratio,
+        );
+        let own_place = match &given.place {
+            None => None,
+            Some(at) => Some(Box::new(place(reader, Some(at), &format!("{path}.place"))?)),
+        };
+        let frequency = positive(
+            reader,
+            given.frequency.as_ref(),
+            &format!("{path}.frequency"),
+            Measure::Frequency,
+        );
+        let ratio = positive(
+            reader,
+            given.frequency_ratio.as_ref(),
+            &format!("{path}.frequency_ratio"),
+            Measure::Ratio,
+        );
+        let frequency = match (frequency, ratio) {
+            (Some(_), Some(ratio)) => {
+                let message = format!("{path} has both frequency and frequency_ratio");
+                reader.fault(Fault::new(reader.place(&ratio.path), &path, message).help("keep one of them"));
+                return None;
+            }
+            (Some(frequency), None) => Some(DamperFrequency::Frequency(frequency)),
+            (None, ratio) => ratio.map(DamperFrequency::Ratio),
+        };
+        parts.push(MassPart {
+            share: share?,
+            place: own_place,
+            frequency,
+            damping_ratio: ratio_of(
+                reader,
+                given.damping_ratio.as_ref(),
+                &format!("{path}.damping_ratio"),
+            ),
+        });
+    }
+    let sum: f64 = parts.iter().map(|part| part.share.value).sum();
+    if (sum - 1.0).abs() > SHARES_ROUNDED {
+        let key = format!("{path}.masses");
+        let fault = Fault::new(
+            list.span.clone(),
+            &key,
+            format!("the shares of {key} add up to {}", sum + 0.0), // −0 of none
+        );
+        reader.fault(fault.allowed("must add up to 1: they are parts of the damper's mass"));
+        return None;
+    }
+    Some(parts)
+}
+
+fn rule(raw: TuningRaw) -> TuningRule {
+    match raw {
+        TuningRaw::DenHartog => TuningRule::DenHartog,
+        TuningRaw::NishiharaAsami => TuningRule::NishiharaAsami,
+        TuningRaw::WarburtonForce => TuningRule::WarburtonForce,
+        TuningRaw::WarburtonBase => TuningRule::WarburtonBase,
+        TuningRaw::WarburtonBaseHarmonic => TuningRule::WarburtonBaseHarmonic,
+        TuningRaw::Sadek => TuningRule::Sadek,
+        TuningRaw::Villaverde => TuningRule::Villaverde,
+        TuningRaw::HwangMinHong => TuningRule::HwangMinHongLiteral,
+    }
+}
+
+fn direction(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<PlanDirection> {
+    let raw = raw?;
+    match raw.value.trim() {
+        "x" => return Some(PlanDirection::X),
+        "y" => return Some(PlanDirection::Y),
+        _ => {}
+    }
+    match parse_angle_rad(&raw.value) {
+        Ok(angle) => Some(PlanDirection::Degrees(angle.to_degrees())),
+        Err(_) => {
+            let message = format!("{path} = \"{}\" is no direction", raw.value);
+            let fault = Fault::new(raw.span.clone(), path, message);
+            reader.fault(
+                fault.allowed("must be \"x\", \"y\", or an angle from x, counterclockwise (\"30 deg\")"),
+            );
+            None
+        }
+    }
+}

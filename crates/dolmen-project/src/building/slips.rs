@@ -1,0 +1,129 @@
+//! Probable slips in a building.
+
+use super::part::{BuildingPart, FloorPart, StoreyStiffnessPart, WallPart};
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use crate::usual::{guess, mass_kg, rounded_length, unit_of, within};
+
+/// Mass of a floor, kg.
+const FLOOR_MASS_KG: (f64, f64) = (1e3, 2e7);
+/// Height of a storey, m.
+const STOREY_HEIGHT_M: (f64, f64) = (0.1, 50.0);
+/// What a slip of height is compared with, m.
+const STOREY_HEIGHT_USUAL_M: f64 = 3.5;
+/// √(k/m)/2π of a storey with its own floor alone, Hz. Our choice: the lowest of 100 storeys that sways at .1 Hz in all does so at 6 Hz,
+/// low walls of stone at 20.
+const STOREY_FREQUENCY_HZ: (f64, f64) = (0.1, 40.0);
+
+/// Longest side of a floor, m.
+const FLOOR_SIDE_MOST_M: f64 = 300.0;
+/// Walls stand on the floor, and a centre of rigidity lies on it, or not farther off than this part of its longer side.
+const OFF_FLOOR_MOST: f64 = 0.25;
+
+pub(crate) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
+    for floor in &building.floors {
+        judge_plan(reader, floor);
+        let height = &floor.height;
+        if !within(height.value, STOREY_HEIGHT_M) {
+            let (least, most) = STOREY_HEIGHT_M;
+            let message = format!(
+                "{} = {}, but storeys are {least} to {most} m high",
+                height.path, height.written
+            );
+            let help = guess(height.value / STOREY_HEIGHT_USUAL_M, unit_of(height));
+            reader.slip(&height.path, message, help);
+        }
+        let mass = mass_kg(&floor.heaviness, building.gravity_m_s2);
+        let given = floor.heaviness.quantity();
+        if !within(mass, FLOOR_MASS_KG) {
+            let message = format!(
+                "{} = {}, but floors have 1 t to 20 000 t",
+                given.path, given.written
+            );
+            let ratio = if mass > 1e5 { 1000.0 } else { 0.001 };
+            reader.slip(&given.path, message, guess(ratio, unit_of(given)));
+            continue; // stiffness is compared with masses
+        }
+        let each = match &floor.stiffness {
+            StoreyStiffnessPart::Walls(walls) => {
+                let sum = |of: fn(&WallPart) -> &Option<Quantity>| {
+                    let values = walls.iter().filter_map(|wall| of(wall).as_ref());
+                    values.map(|given| given.value).sum::<f64>()
+                };
+                let largest = walls
+                    .iter()
+                    .flat_map(|wall| [&wall.stiffness_x, &wall.stiffness_y])
+                    .flatten()
+                    .max_by(|a, b| a.value.total_cmp(&b.value));
+                let whole = sum(|wall| &wall.stiffness_x).max(sum(|wall| &wall.stiffness_y));
+                largest.map(|quantity| (quantity, whole))
+            }
+            StoreyStiffnessPart::Whole { x, .. } => Some((&**x, x.value)),
+            StoreyStiffnessPart::Matrix { .. } => None,
+        };
+        if let Some((quantity, stiffness)) = each {
+            let frequency_hz = (stiffness / mass).sqrt() / std::f64::consts::TAU;
+            if !within(frequency_hz, STOREY_FREQUENCY_HZ) {
+                let (least, most) = STOREY_FREQUENCY_HZ;
+                let message = format!(
+                    "{} = {}: the storey with its own floor alone would sway at {} Hz, but storeys sway at {least} to {most} Hz",
+                    quantity.path,
+                    quantity.written,
+                    rounded_length(frequency_hz)
+                );
+                reader.slip(
+                    &quantity.path,
+                    message,
+                    "is it in N/mm, kN/mm or kN/m?".to_owned(),
+                );
+            }
+        }
+    }
+}
+
+/// Places in plan: walls and centres of rigidity far off the floor, floors larger than any.
+fn judge_plan(reader: &mut Reader, floor: &FloorPart) {
+    let Some(outline) = &floor.outline else { return };
+    let extent = |axis: usize| {
+        let values = outline.corners_m().iter().map(|corner| corner[axis]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        high - low
+    };
+    let side_m = extent(0).max(extent(1));
+    if side_m > FLOOR_SIDE_MOST_M {
+        let path = floor.height.path.replace(".height", "");
+        let message = format!(
+            "{path} is {} m long, but floors are at most {FLOOR_SIDE_MOST_M} m",
+            rounded_length(side_m)
+        );
+        reader.slip(&path, message, "are its sides in mm?".to_owned());
+        return;
+    }
+    let mut places = Vec::new();
+    match &floor.stiffness {
+        StoreyStiffnessPart::Walls(walls) => places.extend(walls.iter().map(|wall| [&wall.x, &wall.y])),
+        StoreyStiffnessPart::Whole { centre, .. } => places.push([&centre[0], &centre[1]]),
+        // about any point
+        StoreyStiffnessPart::Matrix { .. } => {}
+    }
+    for [x, y] in places {
+        let beyond_m = outline.beyond_m([x.value, y.value]);
+        if beyond_m > OFF_FLOOR_MOST * side_m {
+            let given = if x.value.abs() > y.value.abs() { x } else { y };
+            let message = format!(
+                "{} = {} lies {} m off its floor, which is {} m long",
+                given.path,
+                given.written,
+                rounded_length(beyond_m),
+                rounded_length(side_m)
+            );
+            reader.slip(
+                &given.path,
+                message,
+                "is it in m, and from the same origin as the outline?".to_owned(),
+            );
+        }
+    }
+}

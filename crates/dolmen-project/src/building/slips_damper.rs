@@ -1,0 +1,147 @@
+//! Probable slips in the dampers of a building, and what the science refuses of them.
+
+use super::built_damper::BuiltDamper;
+use super::damper::{Around, DamperPart};
+use super::part::BuildingPart;
+use crate::error::Fault;
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use dolmen::damper::DamperKind;
+use dolmen::dynamics::VibratingBuilding;
+use dolmen::structure::Building;
+use dolmen::structure::building::{BuildingModes, Outline};
+
+/// A damper heavier than this part of the building. Our choice: built ones have a hundredth.
+const HEAVY: f64 = 0.25;
+/// A damper whose frequency is beyond this factor of its mode's is none for it. Our choice: 2π, rad/s for Hz, is beyond.
+const OUT_OF_TUNE: f64 = 5.0;
+/// A dashpot that alone would give one of the lowest modes more than this part of its critical damping is a strut. Our choice: built ones
+/// give .05 to .3.
+const STRUT: f64 = 1.0;
+/// Modes that are looked at for that: one along each side, one that twists.
+const LOWEST_MODES: usize = 3;
+/// Room of a damper, m: no less, and no more than half the longest side of its floor, or so much where that is not known.
+const ROOM_LEAST_M: f64 = 0.002;
+const ROOM_MOST_M: f64 = 5.0;
+
+/// Each damper alone on the building.
+pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating: &VibratingBuilding) {
+    let (building, modes) = (vibrating.building(), vibrating.modes());
+    let around = Around {
+        vibrating,
+        gravity_m_s2: part.gravity_m_s2,
+    };
+    for damper in &part.dampers {
+        let path = format!("damper.{}", damper.name);
+        judge_room(reader, damper, building);
+        let built = match damper.build(&around, &mut Quantity::nominal) {
+            Ok(built) => built,
+            Err(why) => {
+                reader.fault(Fault::new(reader.place(&path), &path, why.to_string()));
+                continue;
+            }
+        };
+        let mass_kg: f64 = built.iter().map(|own| own.kind.mass_kg()).sum();
+        if mass_kg > HEAVY * building.mass_kg() {
+            let message = format!(
+                "{path} weighs {:.1} t, {:.0} % of the building",
+                1e-3 * mass_kg,
+                100.0 * mass_kg / building.mass_kg()
+            );
+            let help = "does its mode hardly move at its place?".to_owned();
+            reader.slip(&path, message, help);
+        }
+        for own in &built {
+            judge_tune(reader, &path, own, modes);
+            judge_dashpot(reader, &path, own, modes);
+        }
+    }
+}
+
+/// Far out of tune: the damper with its mode, the liquid of a column on a spring with the container.
+fn judge_tune(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &BuildingModes) {
+    let mode = own.tuned_to.and_then(|to| modes.modes.get(to.mode - 1));
+    let (Some(mode), Some([hz, _])) = (mode, own.own()) else {
+        return;
+    };
+    let is_out = |ratio: f64| !(1.0 / OUT_OF_TUNE..=OUT_OF_TUNE).contains(&ratio);
+    let ratio = hz / mode.frequency_hz;
+    if is_out(ratio) {
+        let message = format!(
+            "{path}: its frequency is {hz:.4} Hz, {ratio:.2} of that of its mode, {:.4} Hz",
+            mode.frequency_hz
+        );
+        reader.slip(
+            path,
+            message,
+            "is its frequency in Hz, not rad/s, its length (of a column) in m, and its mode the one meant?"
+                .to_owned(),
+        );
+    }
+    if let DamperKind::LiquidColumnMass {
+        liquid_frequency_hz, ..
+    } = own.kind
+    {
+        let ratio = liquid_frequency_hz / mode.frequency_hz;
+        if is_out(ratio) {
+            let message = format!(
+                "{path}: its liquid swings at {liquid_frequency_hz:.4} Hz, {ratio:.2} of the frequency of its mode, {:.4} Hz",
+                mode.frequency_hz
+            );
+            let help = "is liquid_frequency in Hz, or length the whole length of the column?".to_owned();
+            reader.slip(path, message, help);
+        }
+    }
+}
+
+/// Damping that a dashpot alone gives a mode, to first order: c (row · φ)²/(2ω).
+fn judge_dashpot(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &BuildingModes) {
+    let DamperKind::Viscous { coefficient_n_s_m } = own.kind else {
+        return;
+    };
+    let given = |shape: &[f64], omega_rad_s: f64| {
+        let along: f64 = own.row.iter().zip(shape).map(|(r, phi)| r * phi).sum();
+        coefficient_n_s_m * along * along / (2.0 * omega_rad_s)
+    };
+    let lowest = modes.modes.iter().take(LOWEST_MODES).enumerate();
+    let most = lowest
+        .map(|(j, mode)| (j + 1, given(&mode.shape, mode.omega_rad_s)))
+        .max_by(|a, b| a.1.total_cmp(&b.1));
+    if let Some((mode, ratio)) = most.filter(|(_, ratio)| *ratio > STRUT) {
+        let message = format!(
+            "{path}: its coefficient would give mode {mode} a damping ratio of {ratio:.1} by itself: it is a strut, and no damper"
+        );
+        reader.slip(path, message, "is it in N*s/m, kN*s/m or MN*s/m?".to_owned());
+    }
+}
+
+fn judge_room(reader: &mut Reader, damper: &DamperPart, building: &Building) {
+    let floor = damper
+        .floor
+        .checked_sub(1)
+        .and_then(|index| building.floors().get(index));
+    let outline = floor.and_then(|floor| floor.outline.as_ref());
+    let most_m = outline.map_or(ROOM_MOST_M, |outline| 0.5 * longest_side_m(outline));
+    for room in damper.stroke.iter().chain(&damper.liquid_stroke) {
+        if !(ROOM_LEAST_M..=most_m).contains(&room.value) {
+            let message = format!(
+                "{} = {}, but dampers have {} mm to {most_m} m of room each way here",
+                room.path,
+                room.written,
+                1e3 * ROOM_LEAST_M
+            );
+            reader.slip(&room.path, message, "is it in m or mm?".to_owned());
+        }
+    }
+}
+
+fn longest_side_m(outline: &Outline) -> f64 {
+    let extent = |axis: usize| {
+        let values = outline.corners_m().iter().map(|corner| corner[axis]);
+        let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| {
+            (low.min(x), high.max(x))
+        });
+        high - low
+    };
+    extent(0).max(extent(1))
+}

@@ -1,0 +1,12 @@
+//! Chains: rigid links on rotational springs.
+
+mod file;
+mod friction;
+mod part;
+mod read;
+mod slips;
+
+pub(crate) use file::{CapRaw, JointRaw, LinkRaw};
+pub use part::{Cap, ChainPart, JointFrictionPart, JointPart, LinkPart};
+pub(crate) use read::chain;
+pub(crate) use slips::judge_chain;

@@ -1,0 +1,171 @@
+//! The chain of a project file, and the chain of the science it builds.
+
+use crate::heaviness::Heaviness;
+use crate::quantity::{Pick, Quantity};
+use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
+use dolmen::structure::{Chain, Inertia, Link, StructureError};
+
+/// One link as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LinkPart {
+    /// Name, if given.
+    pub name: Option<String>,
+    /// Weight or mass.
+    pub heaviness: Heaviness,
+    /// Length from joint to joint, m.
+    pub length: Quantity,
+    /// Height of the centre of mass above the link's lower joint, m.
+    pub centroid: Quantity,
+    /// Moment of inertia about the centre of mass, kg m².
+    pub inertia: Option<Quantity>,
+    /// Breadth in the direction of motion, m: the link's inertia is then that of a box.
+    pub breadth: Option<Quantity>,
+    /// Width of the bed below it in the direction of motion, m.
+    pub bed_width: Option<Quantity>,
+}
+
+/// The joint below a link.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointPart {
+    /// Rotational stiffness, N m/rad.
+    pub stiffness: Quantity,
+    /// Rotational dashpot, N m s/rad.
+    pub damping: Option<Quantity>,
+    /// Whether it opens, as the file says; `None`: at the edge of its bed where that is known.
+    pub opening: Option<JointOpening>,
+    /// Dry friction.
+    pub friction: Option<JointFrictionPart>,
+}
+
+/// Dry friction of a joint.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JointFrictionPart {
+    /// Moment while it turns, N m.
+    pub kinetic: Quantity,
+    /// Moment before it turns, N m; as the kinetic one if not given.
+    pub fixed: Option<Quantity>,
+}
+
+/// Whether the part at the very top (cap stone, finial) is among the links.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Cap {
+    /// There is none, or it is among the links.
+    Included,
+    /// It is left out: unconservative, and warned about.
+    LeftOut,
+}
+
+/// Links on joints, lowest first.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainPart {
+    /// The links.
+    pub links: Vec<LinkPart>,
+    /// The joint below each link; `None` if they are unknown.
+    pub joints: Option<Vec<JointPart>>,
+    /// Whether the part at the very top is among the links.
+    pub cap: Cap,
+    /// Damping ratio of the first mode, by dashpots in proportion to the springs.
+    pub damping_ratio: Option<Quantity>,
+    /// Acceleration of gravity, m/s², that turns weights into masses.
+    pub gravity_m_s2: f64,
+}
+
+impl ChainPart {
+    /// The chain, each input with the value that `pick` chooses (`&mut Quantity::nominal` for the file's own).
+    ///
+    /// # Errors
+    /// None with the file's own values, which are checked on reading. A picked value may be impossible, for
+    /// instance a centroid above the link's top: [`StructureError`].
+    pub fn build(&self, pick: Pick<'_>) -> Result<Chain, StructureError> {
+        let links = self.links.iter().map(|part| {
+            let length_m = pick(&part.length);
+            let inertia = match (&part.inertia, &part.breadth) {
+                (Some(given), _) => Inertia::Given(pick(given)),
+                (None, Some(breadth)) => Inertia::Box {
+                    breadth_m: pick(breadth),
+                },
+                (None, None) => Inertia::ThinRod,
+            };
+            Link {
+                mass_kg: part.heaviness.mass_kg(self.gravity_m_s2, pick),
+                length_m,
+                centroid_m: pick(&part.centroid),
+                inertia,
+                bed_width_m: part.bed_width.as_ref().map(&mut *pick),
+            }
+        });
+        Chain::new(links.collect(), self.gravity_m_s2)
+    }
+
+    /// Stiffness of each joint, N m/rad, lowest first; `None` if the joints are unknown.
+    pub fn stiffness_n_m_rad(&self, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let joints = self.joints.as_ref()?;
+        Some(joints.iter().map(|joint| pick(&joint.stiffness)).collect())
+    }
+
+    /// Dashpot of each joint, N m s/rad, lowest first, 0 where none is given; `None` if the joints are unknown.
+    pub fn damping_n_m_s_rad(&self, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let joints = self.joints.as_ref()?;
+        let damping = |joint: &JointPart| joint.damping.as_ref().map_or(0.0, &mut *pick);
+        Some(joints.iter().map(damping).collect())
+    }
+
+    /// The chain with its springs, dashpots, beds and friction, for time histories; `None` if the joints are unknown.
+    ///
+    /// # Errors
+    /// [`DynamicsError`] for a damping ratio of a chain that falls by itself; else none with the file's own values.
+    pub fn moving(
+        &self,
+        rotations: ChainRotations,
+        pick: Pick<'_>,
+    ) -> Result<Option<ChainModel>, DynamicsError> {
+        let Some(joints) = &self.joints else {
+            return Ok(None);
+        };
+        let chain = self.build(pick)?;
+        let mut built = Vec::with_capacity(joints.len());
+        for (part, link) in joints.iter().zip(chain.links()) {
+            let by_bed = match link.bed_width_m {
+                Some(_) => JointOpening::AtBedEdge,
+                None => JointOpening::Held,
+            };
+            let friction = match &part.friction {
+                None => JointFriction::None,
+                Some(friction) => {
+                    let kinetic_moment_n_m = pick(&friction.kinetic);
+                    JointFriction::Coulomb {
+                        static_moment_n_m: friction.fixed.as_ref().map_or(kinetic_moment_n_m, &mut *pick),
+                        kinetic_moment_n_m,
+                    }
+                }
+            };
+            built.push(ChainJoint {
+                stiffness_n_m_rad: pick(&part.stiffness),
+                damping_n_m_s_rad: part.damping.as_ref().map_or(0.0, &mut *pick),
+                opening: part.opening.unwrap_or(by_bed),
+                friction,
+            });
+        }
+        let model = ChainModel::new(chain, built, rotations)?;
+        Ok(Some(match &self.damping_ratio {
+            None => model,
+            Some(ratio) => model.with_first_mode_damping(pick(ratio))?,
+        }))
+    }
+
+    pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        for link in &self.links {
+            all.extend([link.heaviness.quantity(), &link.length, &link.centroid]);
+            all.extend(link.inertia.iter().chain(&link.breadth).chain(&link.bed_width));
+        }
+        for joint in self.joints.iter().flatten() {
+            all.push(&joint.stiffness);
+            all.extend(&joint.damping);
+            if let Some(friction) = &joint.friction {
+                all.push(&friction.kinetic);
+                all.extend(&friction.fixed);
+            }
+        }
+        all.extend(&self.damping_ratio);
+    }
+}

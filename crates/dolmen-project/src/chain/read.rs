@@ -1,0 +1,210 @@
+//! Chains from what is written.
+
+use super::file::{CapRaw, JointRaw, LinkRaw, OpeningRaw};
+use super::friction::{chain_damping, joint_friction};
+use super::part::{Cap, ChainPart, JointPart, LinkPart};
+use crate::content::WarningKind;
+use crate::error::Fault;
+use crate::file::FileRaw;
+use crate::file_number::{At, OrUnknown, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::needed::{countable, heaviness, missing, one_each};
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use dolmen::dynamics::JointOpening;
+
+fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> {
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, measure, bound| {
+        reader.quantity(raw.as_ref(), &format!("{path}.{key}"), measure, bound)
+    };
+    let link = &raw.value;
+    let length = of(&link.length, "length", Measure::Length, Bound::Positive);
+    let centroid = of(&link.centroid, "centroid", Measure::Length, Bound::NotNegative);
+    let inertia = of(&link.inertia, "inertia", Measure::Inertia, Bound::Positive);
+    let breadth = of(&link.breadth, "breadth", Measure::Length, Bound::Positive);
+    let bed_width = of(&link.bed_width, "bed_width", Measure::Length, Bound::Positive);
+    let heaviness = heaviness(reader, link.weight.as_ref(), link.mass.as_ref(), path, &raw.span);
+    if let (Some(_), Some(breadth)) = (&inertia, &breadth) {
+        let fault = Fault::new(
+            reader.place(&breadth.path),
+            path,
+            format!("{path} has both inertia and breadth"),
+        );
+        reader.fault(fault.help("keep one of them: breadth makes the inertia that of a box"));
+    }
+    let (length, centroid) = (length?, centroid?);
+    if centroid.value > length.value {
+        let path = &centroid.path;
+        let message = format!("{path} = {} lies above the link's top", centroid.written);
+        let top = reader.echo(length.value, Measure::Length);
+        let (number, unit) = top.split_once(' ').unwrap_or((&top, ""));
+        let fault = Fault::new(reader.place(path), path, message)
+            .allowed(format!("must be 0 to {number} {unit}, the link's own length"))
+            .help("centroid is measured from the link's lower joint, not from the ground");
+        reader.fault(fault);
+    }
+    Some(LinkPart {
+        name: link.name.clone(),
+        heaviness: heaviness?,
+        length,
+        centroid,
+        inertia,
+        breadth,
+        bed_width,
+    })
+}
+
+fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPart>, Option<Quantity>) {
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, measure, bound| {
+        reader.quantity(raw.as_ref(), &format!("{path}.{key}"), measure, bound)
+    };
+    let stiffness = of(
+        &raw.value.stiffness,
+        "stiffness",
+        Measure::JointStiffness,
+        Bound::Positive,
+    );
+    let damping = of(
+        &raw.value.damping,
+        "damping",
+        Measure::JointDamping,
+        Bound::NotNegative,
+    );
+    let bed_width = of(
+        &raw.value.bed_width,
+        "bed_width",
+        Measure::Length,
+        Bound::Positive,
+    );
+    let friction = joint_friction(reader, &raw.value, path);
+    let opening = raw.value.opening.as_ref().map(|opening| match opening.value {
+        OpeningRaw::Edge => JointOpening::AtBedEdge,
+        OpeningRaw::Held => JointOpening::Held,
+    });
+    let joint = stiffness.map(|stiffness| JointPart {
+        stiffness,
+        damping,
+        opening,
+        friction,
+    });
+    (joint, bed_width)
+}
+
+pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<ChainPart> {
+    let links_raw = raw.links.as_ref();
+    if links_raw.is_none() {
+        missing(
+            reader,
+            "links",
+            "a chain needs links",
+            "links = [ { weight = …, length = …, centroid = … }, … ]",
+        );
+    }
+    if raw.joints.is_none() {
+        missing(
+            reader,
+            "joints",
+            "a chain needs joints",
+            "write joints = \"unknown\" if nobody has measured them, or [ { stiffness = … }, … ]",
+        );
+    }
+    let links_raw = links_raw?;
+    if !countable(reader, links_raw, "links") {
+        return None;
+    }
+    let list = links_raw.value.iter().enumerate();
+    let links: Vec<Option<LinkPart>> = list
+        .map(|(i, raw)| link(reader, raw, &format!("links[{}]", i + 1)))
+        .collect();
+    let mut links: Option<Vec<LinkPart>> = links.into_iter().collect();
+    let count = links_raw.value.len();
+    let joints = match raw.joints.as_ref() {
+        None => None,
+        Some(joints) => match &joints.value {
+            OrUnknown::Unknown => Some(None),
+            OrUnknown::Known(list) => {
+                let as_many = one_each(reader, list, &joints.span, "joints", ("links", count));
+                let mut all = Vec::with_capacity(list.len());
+                for (i, raw) in list.iter().enumerate() {
+                    let (joint, bed_width) = joint(reader, raw, &format!("joints[{}]", i + 1));
+                    all.push(joint);
+                    if let (Some(width), Some(links)) = (bed_width, &mut links)
+                        && let Some(link) = links.get_mut(i)
+                    {
+                        give_bed_width(reader, link, width);
+                    }
+                }
+                let all: Option<Vec<JointPart>> = all.into_iter().collect();
+                all.filter(|_| as_many).map(Some)
+            }
+        },
+    };
+    let links = links?;
+    reader.mark("links", &links_raw.span);
+    warn_of_rods(reader, &links);
+    let cap = match raw.cap.as_ref() {
+        None => Cap::Included,
+        Some(cap) => {
+            reader.mark("cap", &cap.span);
+            match cap.value {
+                CapRaw::Included => Cap::Included,
+                CapRaw::LeftOut => Cap::LeftOut,
+            }
+        }
+    };
+    if cap == Cap::LeftOut {
+        let message = "the part at the very top (cap stone) is left out: its weight would lower the load factor and \
+                       every frequency, so what follows is on the unsafe side";
+        reader.warn(WarningKind::CapLeftOut, "cap", message.to_owned());
+    }
+    let joints = joints?;
+    edges_known(reader, &links, joints.as_deref());
+    let damping_ratio = chain_damping(reader, raw.damping_ratio.as_ref(), joints.as_deref());
+    Some(ChainPart {
+        links,
+        joints,
+        cap,
+        damping_ratio,
+        gravity_m_s2,
+    })
+}
+
+/// A joint that opens at the edge of its bed needs the width of it.
+fn edges_known(reader: &mut Reader, links: &[LinkPart], joints: Option<&[JointPart]>) {
+    for (i, (link, joint)) in links.iter().zip(joints.unwrap_or_default()).enumerate() {
+        if joint.opening == Some(JointOpening::AtBedEdge) && link.bed_width.is_none() {
+            let path = format!("joints[{}].opening", i + 1);
+            let message = format!("{path} = \"edge\", but the width of its bed is not given");
+            let fault = Fault::new(reader.place(&joint.stiffness.path), &path, message);
+            reader.fault(fault.help("give bed_width there, or write opening = \"held\""));
+        }
+    }
+}
+
+fn give_bed_width(reader: &mut Reader, link: &mut LinkPart, width: Quantity) {
+    if let Some(given) = &link.bed_width {
+        let message = format!("{} is the same bed as {}", width.path, given.path);
+        let fault = Fault::new(reader.place(&width.path), &width.path, message);
+        reader.fault(fault.allowed("given twice").help("keep one of them"));
+    } else {
+        link.bed_width = Some(width);
+    }
+}
+
+fn warn_of_rods(reader: &mut Reader, links: &[LinkPart]) {
+    let is_rod = |link: &LinkPart| link.inertia.is_none() && link.breadth.is_none();
+    let rods: Vec<String> = links
+        .iter()
+        .enumerate()
+        .filter(|(_, link)| is_rod(link))
+        .map(|(i, _)| (i + 1).to_string())
+        .collect();
+    if !rods.is_empty() {
+        let message = format!(
+            "no moment of inertia for link {}: taken as a thin rod, m L²/12; give breadth for that of a box. It \
+             touches frequencies, not stability",
+            rods.join(", ")
+        );
+        reader.warn(WarningKind::ThinRod, "links", message);
+    }
+}

@@ -1,0 +1,232 @@
+//! Probable slips in a chain.
+
+use super::part::{ChainPart, JointPart, LinkPart};
+use crate::measure::Measure;
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use crate::usual::{
+    beside_neighbour, guess, mass_kg, median_of_others, odd_ones, rounded, rounded_length, unit_of, within,
+};
+use crate::written::short;
+
+/// Density of stone that a link is compared with, kg/m³: granite 2600, marble 2700, sandstone 2300.
+const STONE_KG_M3: f64 = 2500.0;
+/// Mass per length of a stone shaft half a metre wide, kg/m: of two unlike links the one further from it is doubted.
+const SHAFT_KG_M: f64 = 600.0;
+/// Mass per length of a link over the median of the others, either way.
+const LINK_RATIO_MOST: f64 = 200.0;
+/// Side of a link, as a square block of stone, over the height of the whole.
+const LINK_SIDE_TO_HEIGHT: (f64, f64) = (0.004, 1.5);
+/// Length of a link, m.
+const LINK_LENGTH_M: (f64, f64) = (0.005, 100.0);
+/// Length of a link over the median of the others, either way.
+const LENGTH_RATIO_MOST: f64 = 100.0;
+/// A centre of mass nearer to the lower joint than this share of the length, but not 0.
+const CENTROID_SHARE_LEAST: f64 = 0.02;
+/// Density of a link with a breadth, taken as square in plan, kg/m³: hollow timber to solid iron, each with room.
+const BOX_DENSITY_KG_M3: (f64, f64) = (20.0, 50_000.0);
+/// Radius of gyration over the larger of length and side as a block of stone: 0.29 for rod and block.
+const GYRATION: (f64, f64) = (0.03, 3.0);
+/// Width of a bed over the side of its link as a block of stone.
+const BED_RATIO_MOST: f64 = 30.0;
+/// Moment of friction of a joint over weight × height above it.
+const FRICTION_SHARE: [f64; 2] = [1e-5, 1.0];
+/// Least stiffness of a joint over weight × height above it: 1 is about what keeps a chain upright.
+const JOINT_SHARE_LEAST: f64 = 0.01;
+/// That share over the median of the other joints', either way.
+const JOINT_RATIO_MOST: f64 = 300.0;
+
+pub(crate) fn judge_chain(reader: &mut Reader, chain: &ChainPart) {
+    let lengths: Vec<&Quantity> = chain.links.iter().map(|link| &link.length).collect();
+    if judge_lengths(reader, &lengths) {
+        // Everything below divides by lengths.
+        return;
+    }
+    let masses: Vec<f64> = chain
+        .links
+        .iter()
+        .map(|link| mass_kg(&link.heaviness, chain.gravity_m_s2))
+        .collect();
+    judge_link_masses(reader, chain, &masses);
+    for (link, mass_kg) in chain.links.iter().zip(&masses) {
+        judge_link(reader, link, *mass_kg);
+    }
+    judge_joints(reader, chain, &masses);
+}
+
+/// Whether a length of a link is a probable slip.
+fn judge_lengths(reader: &mut Reader, lengths: &[&Quantity]) -> bool {
+    let values: Vec<f64> = lengths.iter().map(|length| length.value).collect();
+    let odd = odd_ones(&values, LENGTH_RATIO_MOST, 1.0);
+    let before = reader.faults.len();
+    for (i, length) in lengths.iter().enumerate() {
+        let (least, most) = LINK_LENGTH_M;
+        if within(length.value, LINK_LENGTH_M) && !odd.contains(&i) {
+            continue;
+        }
+        let beside = match beside_neighbour(lengths, i, "link") {
+            beside if beside.is_empty() => format!("links are {least} to {most} m long"),
+            beside => beside,
+        };
+        let message = format!("{} = {}, {beside}", length.path, length.written);
+        let ratio = if length.value > 1.0 { 1000.0 } else { 0.001 };
+        reader.slip(&length.path, message, guess(ratio, unit_of(length)));
+    }
+    reader.faults.len() > before
+}
+
+fn judge_link_masses(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
+    let height_m: f64 = chain.links.iter().map(|link| link.length.value).sum();
+    let per_length: Vec<f64> = masses
+        .iter()
+        .zip(&chain.links)
+        .map(|(mass, link)| mass / link.length.value)
+        .collect();
+    let odd = odd_ones(&per_length, LINK_RATIO_MOST, SHAFT_KG_M);
+    let given: Vec<&Quantity> = chain.links.iter().map(|link| link.heaviness.quantity()).collect();
+    for (i, quantity) in given.iter().enumerate() {
+        let side_m = (per_length[i] / STONE_KG_M3).sqrt();
+        let share = side_m / height_m;
+        if odd.contains(&i) {
+            let median = median_of_others(&per_length, i).unwrap_or(SHAFT_KG_M);
+            let beside = beside_neighbour(&given, i, "link");
+            let message = format!("{} = {}, {beside}", quantity.path, quantity.written);
+            reader.slip(
+                &quantity.path,
+                message,
+                guess(per_length[i] / median, unit_of(quantity)),
+            );
+        } else if !within(share, LINK_SIDE_TO_HEIGHT) {
+            let message = format!(
+                "{} = {}: as stone the link would be {} m wide, and the whole is {} m high",
+                quantity.path,
+                quantity.written,
+                rounded_length(side_m),
+                rounded_length(height_m)
+            );
+            let ratio = if share > 1.0 { 1000.0 } else { 0.001 };
+            reader.slip(&quantity.path, message, guess(ratio, unit_of(quantity)));
+        }
+    }
+}
+
+fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
+    let length_m = link.length.value;
+    let side_m = (mass_kg / (STONE_KG_M3 * length_m)).sqrt();
+    let share = link.centroid.value / length_m;
+    if share > 0.0 && share < CENTROID_SHARE_LEAST {
+        let centroid = &link.centroid;
+        let message = format!(
+            "{} = {} is {} of the link's length: a block's centre of mass is near its middle",
+            centroid.path,
+            centroid.written,
+            rounded(share)
+        );
+        reader.slip(&centroid.path, message, guess(0.001, unit_of(centroid)));
+    }
+    if let Some(breadth) = &link.breadth {
+        let density = mass_kg / (length_m * breadth.value * breadth.value);
+        if !within(density, BOX_DENSITY_KG_M3) {
+            let message = format!(
+                "{} = {}: the link's density would be about {} kg/m3",
+                breadth.path,
+                breadth.written,
+                rounded(density)
+            );
+            reader.slip(
+                &breadth.path,
+                message,
+                guess((STONE_KG_M3 / density).sqrt(), unit_of(breadth)),
+            );
+        }
+    }
+    if let Some(inertia) = &link.inertia {
+        let gyration = (inertia.value / mass_kg).sqrt() / length_m.max(side_m);
+        if !within(gyration, GYRATION) {
+            let radius_m = (inertia.value / mass_kg).sqrt();
+            let message = format!(
+                "{} = {}: the link's radius of gyration would be {} m, and the link is {} m long",
+                inertia.path,
+                inertia.written,
+                rounded_length(radius_m),
+                short(length_m)
+            );
+            let help = format!("a thin rod of this mass and length has {}", {
+                let (unit, factor) = reader.bare_unit(Measure::Inertia);
+                format!(
+                    "{} {unit}",
+                    rounded_length(mass_kg * length_m * length_m / 12.0 / factor)
+                )
+            });
+            reader.slip(&inertia.path, message, help);
+        }
+    }
+    if let Some(bed) = &link.bed_width {
+        let ratio = bed.value / side_m;
+        if !within(ratio, (1.0 / BED_RATIO_MOST, BED_RATIO_MOST)) {
+            let message = format!(
+                "{} = {}: the link would be {} m wide as stone",
+                bed.path,
+                bed.written,
+                rounded_length(side_m)
+            );
+            reader.slip(&bed.path, message, guess(ratio, unit_of(bed)));
+        }
+    }
+}
+
+fn judge_joints(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
+    let Some(joints) = &chain.joints else {
+        return;
+    };
+    let above = |i: usize| {
+        let weight_n = masses[i..].iter().sum::<f64>() * chain.gravity_m_s2;
+        let height_m = chain.links[i..].iter().map(|link| link.length.value).sum::<f64>();
+        weight_n * height_m
+    };
+    let count = joints.len().min(masses.len());
+    judge_friction(reader, &joints[..count], &above);
+    let shares: Vec<f64> = (0..count).map(|i| joints[i].stiffness.value / above(i)).collect();
+    let odd = odd_ones(&shares, JOINT_RATIO_MOST, 1.0);
+    for i in 0..count {
+        let stiffness = &joints[i].stiffness;
+        if shares[i] >= JOINT_SHARE_LEAST && !odd.contains(&i) {
+            continue;
+        }
+        let product = reader.echo(above(i), Measure::JointStiffness);
+        let message = format!(
+            "{} = {} is {} × the weight times height above the joint, {product}",
+            stiffness.path,
+            stiffness.written,
+            rounded(shares[i])
+        );
+        let help = "a joint that keeps a chain upright has about 1 × that or more; is it in N m/rad, kN m/rad or kN m/deg?";
+        reader.slip(&stiffness.path, message, help.to_owned());
+    }
+}
+
+fn judge_friction(reader: &mut Reader, joints: &[JointPart], above: &dyn Fn(usize) -> f64) {
+    for (i, joint) in joints.iter().enumerate() {
+        let Some(friction) = &joint.friction else {
+            continue;
+        };
+        for moment in [Some(&friction.kinetic), friction.fixed.as_ref()]
+            .into_iter()
+            .flatten()
+        {
+            let share = moment.value / above(i);
+            if moment.value == 0.0 || (FRICTION_SHARE[0]..=FRICTION_SHARE[1]).contains(&share) {
+                continue;
+            }
+            let product = reader.echo(above(i), Measure::Moment);
+            let message = format!(
+                "{} = {} is {} × the weight times height above the joint, {product}",
+                moment.path,
+                moment.written,
+                rounded(share)
+            );
+            let help = "friction holds a small part of that; is it in N m or kN m? A bare number is in units.moment, N m without it";
+            reader.slip(&moment.path, message, help.to_owned());
+        }
+    }
+}

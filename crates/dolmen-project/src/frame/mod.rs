@@ -1,0 +1,12 @@
+//! Frames: rigid storeys on lateral springs.
+
+mod file;
+mod friction;
+mod part;
+mod read;
+mod slips;
+
+pub(crate) use file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
+pub use part::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
+pub(crate) use read::frame;
+pub(crate) use slips::judge_frame;

@@ -1,0 +1,235 @@
+//! The frame of a project file, and the frame of the science it builds.
+
+use crate::heaviness::Heaviness;
+use crate::quantity::{Pick, Quantity};
+use dolmen::dynamics::{
+    DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
+};
+use dolmen::structure::{Convention, Frame, Storey, StructureError};
+
+/// What `axial_force` of a storey is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Axial {
+    /// N_i, the force in the columns of the storey: its own level and all above.
+    Storey,
+    /// P_i, the load added at the top of the storey.
+    Level,
+    /// None is given: N_i is the weight of the masses at its top and above.
+    FromMasses,
+}
+
+/// One storey as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StoreyPart {
+    /// Name, if given.
+    pub name: Option<String>,
+    /// Mass or weight at its top.
+    pub heaviness: Heaviness,
+    /// Column height, m.
+    pub height: Quantity,
+    /// Axial force as [`FramePart::axial`] says, N; `None` with [`Axial::FromMasses`].
+    pub axial_force: Option<Quantity>,
+}
+
+/// One horizontal direction: each is a frame of its own with the same storeys.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DirectionPart {
+    /// "weak", "strong", "x".
+    pub name: String,
+    /// Lateral stiffness of each storey, N/m, lowest first; `None` if unknown.
+    pub stiffness: Option<Vec<Quantity>>,
+    /// Viscous damping ratio of every mode, if given.
+    pub damping_ratio: Option<Quantity>,
+    /// Dry friction, if given.
+    pub friction: Option<FrictionPart>,
+}
+
+/// Slip forces of the storeys.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SlipForces {
+    /// Coefficients of the axial force: while slipping, and before it if it is another.
+    Coefficient {
+        /// μ while slipping.
+        kinetic: Box<Quantity>,
+        /// μ before slipping; `None` for the same.
+        fixed: Option<Box<Quantity>>,
+    },
+    /// One force for each storey, N, lowest first.
+    Forces(Vec<Quantity>),
+}
+
+/// Dry friction in one direction.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FrictionPart {
+    /// Slip forces.
+    pub slip: SlipForces,
+    /// What is left of each storey's stiffness while its slider slips, N/m (Jenkins); `None` for Coulomb's law.
+    pub slipping_stiffness: Option<Vec<Quantity>>,
+    /// What the sliders act on.
+    pub acts_on: FrictionActsOn,
+}
+
+/// Storeys, lowest first, with the directions in which they move.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FramePart {
+    /// The storeys.
+    pub storeys: Vec<StoreyPart>,
+    /// What `axial_force` is.
+    pub axial: Axial,
+    /// What the stiffness acts on.
+    pub convention: Convention,
+    /// Directions in the order of the file; those that only a survey names follow, with unknown stiffness.
+    /// At least one.
+    pub directions: Vec<DirectionPart>,
+    /// Acceleration of gravity, m/s².
+    pub gravity_m_s2: f64,
+}
+
+impl FramePart {
+    /// The frame, the same in each direction, each input with the value that `pick` chooses.
+    ///
+    /// # Errors
+    /// None with the file's own values, which are checked on reading; [`StructureError`] if a picked one is
+    /// impossible.
+    pub fn build(&self, pick: Pick<'_>) -> Result<Frame, StructureError> {
+        let mut storeys = Vec::with_capacity(self.storeys.len());
+        for part in &self.storeys {
+            let mass_kg = part.heaviness.mass_kg(self.gravity_m_s2, pick);
+            storeys.push(Storey {
+                mass_kg,
+                height_m: pick(&part.height),
+                axial_n: match &part.axial_force {
+                    Some(force) => pick(force),
+                    None => mass_kg * self.gravity_m_s2,
+                },
+            });
+        }
+        if self.axial != Axial::Storey {
+            let mut above_n = 0.0;
+            for storey in storeys.iter_mut().rev() {
+                above_n += storey.axial_n;
+                storey.axial_n = above_n;
+            }
+        }
+        Frame::new(storeys, self.convention)
+    }
+
+    /// Stiffness of each storey in a direction, N/m, lowest first; `None` if it is unknown or there is no such
+    /// direction.
+    pub fn stiffness_n_m(&self, direction: &str, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let named = self.directions.iter().find(|d| d.name == direction)?;
+        Some(named.stiffness.as_ref()?.iter().map(pick).collect())
+    }
+
+    /// The frame with its friction and damping in a direction, for time histories; `None` if the stiffness is unknown or there is
+    /// no such direction.
+    ///
+    /// # Errors
+    /// None with the file's own values; [`DynamicsError`] if a picked one is impossible.
+    pub fn with_friction(
+        &self,
+        direction: &str,
+        pick: Pick<'_>,
+    ) -> Result<Option<FrictionFrame>, DynamicsError> {
+        let Some(part) = self.directions.iter().find(|d| d.name == direction) else {
+            return Ok(None);
+        };
+        let Some(stiffness) = &part.stiffness else {
+            return Ok(None);
+        };
+        let frame = self.build(pick)?;
+        let whole_n_m: Vec<f64> = stiffness.iter().map(&mut *pick).collect();
+        let Some(friction) = &part.friction else {
+            let none = vec![StoreyFriction::None; whole_n_m.len()];
+            return damped(FrictionFrame::new(frame, whole_n_m, none)?, part, pick);
+        };
+        let slipping_n_m: Option<Vec<f64>> = friction
+            .slipping_stiffness
+            .as_ref()
+            .map(|list| list.iter().map(&mut *pick).collect());
+        let sliders = friction.build(&frame, (&whole_n_m, slipping_n_m.as_deref()), pick)?;
+        let own = slipping_n_m.unwrap_or(whole_n_m);
+        let built = FrictionFrame::new(frame, own, sliders)?.acting_on(friction.acts_on);
+        damped(built, part, pick)
+    }
+
+    /// Stiffness of each storey while every slider slips, N/m; `None` where friction takes no stiffness with it.
+    pub fn slipping_stiffness_n_m(&self, direction: &str, pick: Pick<'_>) -> Option<Vec<f64>> {
+        let part = self.directions.iter().find(|d| d.name == direction)?;
+        part.stiffness.as_ref()?;
+        let slipping = part.friction.as_ref()?.slipping_stiffness.as_ref()?;
+        Some(slipping.iter().map(pick).collect())
+    }
+
+    pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        for storey in &self.storeys {
+            all.extend([storey.heaviness.quantity(), &storey.height]);
+            all.extend(&storey.axial_force);
+        }
+        for direction in &self.directions {
+            all.extend(direction.stiffness.iter().flatten());
+            all.extend(&direction.damping_ratio);
+            let Some(friction) = &direction.friction else {
+                continue;
+            };
+            match &friction.slip {
+                SlipForces::Coefficient { kinetic, fixed } => {
+                    all.push(kinetic);
+                    all.extend(fixed.as_deref());
+                }
+                SlipForces::Forces(forces) => all.extend(forces),
+            }
+            all.extend(friction.slipping_stiffness.iter().flatten());
+        }
+    }
+}
+
+/// A frame with the damping of its direction.
+fn damped(
+    frame: FrictionFrame,
+    part: &DirectionPart,
+    pick: Pick<'_>,
+) -> Result<Option<FrictionFrame>, DynamicsError> {
+    Ok(Some(match &part.damping_ratio {
+        None => frame,
+        Some(ratio) => frame.with_damping(ViscousDamping::Modal(pick(ratio)))?,
+    }))
+}
+
+impl FrictionPart {
+    /// Sliders of the storeys, from the stiffness while all stick and while all slip.
+    fn build(
+        &self,
+        frame: &Frame,
+        (whole_n_m, slipping_n_m): (&[f64], Option<&[f64]>),
+        pick: Pick<'_>,
+    ) -> Result<Vec<StoreyFriction>, DynamicsError> {
+        let (kinetic, fixed) = match &self.slip {
+            SlipForces::Coefficient { kinetic, fixed } => {
+                let kinetic = slip_forces_n(frame, pick(kinetic))?;
+                let fixed = match fixed {
+                    Some(fixed) => slip_forces_n(frame, pick(fixed))?,
+                    None => kinetic.clone(),
+                };
+                (kinetic, fixed)
+            }
+            SlipForces::Forces(forces) => {
+                let forces: Vec<f64> = forces.iter().map(&mut *pick).collect();
+                (forces.clone(), forces)
+            }
+        };
+        let each = kinetic.into_iter().zip(fixed).enumerate();
+        let built = each.map(|(i, (kinetic_force_n, static_force_n))| match slipping_n_m {
+            None => StoreyFriction::Coulomb {
+                static_force_n,
+                kinetic_force_n,
+            },
+            Some(slipping) => StoreyFriction::Jenkins {
+                stuck_stiffness_n_m: whole_n_m[i] - slipping[i],
+                static_force_n,
+                kinetic_force_n,
+            },
+        });
+        Ok(built.collect())
+    }
+}

@@ -1,0 +1,219 @@
+//! Frames from what is written.
+
+use super::file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
+use super::friction::friction;
+use super::part::{Axial, DirectionPart, FramePart, StoreyPart};
+use crate::content::WarningKind;
+use crate::error::Fault;
+use crate::file::FileRaw;
+use crate::file_number::{At, OrUnknown};
+use crate::measure::{Bound, Measure};
+use crate::needed::{countable, heaviness, missing, one_each};
+use crate::ratio::damping_ratio;
+use crate::reader::Reader;
+use dolmen::structure::Convention;
+use std::collections::BTreeMap;
+
+fn storey(reader: &mut Reader, raw: &At<StoreyRaw>, path: &str) -> Option<StoreyPart> {
+    let storey = &raw.value;
+    let height = reader.quantity(
+        storey.height.as_ref(),
+        &format!("{path}.height"),
+        Measure::Length,
+        Bound::Positive,
+    );
+    let force_path = format!("{path}.axial_force");
+    let axial_force = reader.quantity(
+        storey.axial_force.as_ref(),
+        &force_path,
+        Measure::Force,
+        Bound::NotNegative,
+    );
+    let heaviness = heaviness(
+        reader,
+        storey.weight.as_ref(),
+        storey.mass.as_ref(),
+        path,
+        &raw.span,
+    );
+    Some(StoreyPart {
+        name: storey.name.clone(),
+        heaviness: heaviness?,
+        height: height?,
+        axial_force,
+    })
+}
+
+pub(crate) fn frame(
+    reader: &mut Reader,
+    raw: &FileRaw,
+    gravity_m_s2: f64,
+    surveyed: &[String],
+) -> Option<FramePart> {
+    let Some(list) = raw.storeys.as_ref() else {
+        missing(
+            reader,
+            "storeys",
+            "a frame needs storeys",
+            "storeys = [ { mass = …, height = … }, … ]",
+        );
+        return None;
+    };
+    if !countable(reader, list, "storeys") {
+        return None;
+    }
+    reader.mark("storeys", &list.span);
+    let numbered = list.value.iter().enumerate();
+    let storeys: Vec<Option<StoreyPart>> = numbered
+        .map(|(i, raw)| storey(reader, raw, &format!("storeys[{}]", i + 1)))
+        .collect();
+    let axial = axial(reader, raw, list);
+    let directions = directions(reader, raw.direction.as_ref(), list.value.len(), surveyed);
+    let convention = match raw.convention.as_ref().map(|convention| convention.value) {
+        None | Some(ConventionRaw::Drift) => Convention::Drift,
+        Some(ConventionRaw::Grounded) => Convention::Grounded,
+    };
+    Some(FramePart {
+        storeys: storeys.into_iter().collect::<Option<_>>()?,
+        axial: axial?,
+        convention,
+        directions: directions?,
+        gravity_m_s2,
+    })
+}
+
+/// What the axial forces are: given for all storeys and named, or for none.
+fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -> Option<Axial> {
+    let given = |storey: &At<StoreyRaw>| storey.value.axial_force.is_some();
+    let count = storeys.value.iter().filter(|storey| given(storey)).count();
+    if let Some(axial) = raw.axial.as_ref() {
+        reader.mark("axial", &axial.span);
+    }
+    match (count, raw.axial.as_ref()) {
+        (0, None) => {
+            let message = "no axial_force: taken as the weight of the masses at the storey's top and above; \
+                           axial_force = 0 would leave P-delta out";
+            reader.warn(WarningKind::AxialFromMasses, "storeys", message.to_owned());
+            Some(Axial::FromMasses)
+        }
+        (0, Some(axial)) => {
+            let fault = Fault::new(
+                axial.span.clone(),
+                "axial",
+                "axial is given, but no storey has an axial_force",
+            );
+            reader.fault(
+                fault.help("give each storey its axial_force, or take axial out: it then follows the masses"),
+            );
+            None
+        }
+        (count, _) if count < storeys.value.len() => {
+            let first = storeys
+                .value
+                .iter()
+                .position(|storey| !given(storey))
+                .unwrap_or(0);
+            let path = format!("storeys[{}].axial_force", first + 1);
+            let span = storeys
+                .value
+                .get(first)
+                .map_or(0..0, |storey| storey.span.clone());
+            let message = format!(
+                "storeys[{}] has no axial_force, but another storey has",
+                first + 1
+            );
+            let fault = Fault::new(span, &path, message);
+            reader.fault(fault.help("give all of them, or none: they then follow from the masses"));
+            None
+        }
+        (_, None) => {
+            missing(
+                reader,
+                "axial",
+                "axial_force is given, but not what it is: \"axial\" is missing",
+                "write axial = \"storey\" if it is the force in the storey's columns (its own level and all above), \
+                 axial = \"level\" if it is the load added at its top",
+            );
+            None
+        }
+        (_, Some(axial)) => Some(match axial.value {
+            AxialRaw::Storey => Axial::Storey,
+            AxialRaw::Level => Axial::Level,
+        }),
+    }
+}
+
+fn directions(
+    reader: &mut Reader,
+    raw: Option<&BTreeMap<String, At<DirectionRaw>>>,
+    storeys: usize,
+    surveyed: &[String],
+) -> Option<Vec<DirectionPart>> {
+    let mut given: Vec<(&String, &At<DirectionRaw>)> = raw.into_iter().flatten().collect();
+    given.sort_by_key(|(_, direction)| direction.span.start);
+    let mut all = Vec::new();
+    let mut sound = true;
+    for (name, direction) in given {
+        let Some(stiffness) = direction.value.stiffness.as_ref() else {
+            sound = false;
+            continue;
+        };
+        let path = format!("direction.{name}.stiffness");
+        let stiffness = match &stiffness.value {
+            OrUnknown::Unknown => None,
+            OrUnknown::Known(list) => {
+                sound &= one_each(reader, list, &stiffness.span, &path, ("storeys", storeys));
+                let mut each = Vec::with_capacity(list.len());
+                for (i, raw) in list.iter().enumerate() {
+                    let path = format!("{path}[{}]", i + 1);
+                    match reader.quantity(Some(raw), &path, Measure::StoreyStiffness, Bound::Positive) {
+                        Some(quantity) => each.push(quantity),
+                        None => sound = false,
+                    }
+                }
+                Some(each)
+            }
+        };
+        let path = format!("direction.{name}");
+        let before = reader.faults.len();
+        let damping_ratio = damping_ratio(
+            reader,
+            direction.value.damping_ratio.as_ref(),
+            &format!("{path}.damping_ratio"),
+        );
+        let friction = direction.value.friction.as_ref().and_then(|raw| {
+            friction(
+                reader,
+                raw,
+                &format!("{path}.friction"),
+                (storeys, stiffness.as_deref()),
+            )
+        });
+        sound &= reader.faults.len() == before;
+        all.push(DirectionPart {
+            name: name.clone(),
+            stiffness,
+            damping_ratio,
+            friction,
+        });
+    }
+    for name in surveyed {
+        if !all.iter().any(|direction| &direction.name == name) {
+            all.push(DirectionPart {
+                name: name.clone(),
+                stiffness: None,
+                damping_ratio: None,
+                friction: None,
+            });
+        }
+    }
+    if all.is_empty() {
+        all.push(DirectionPart {
+            name: "x".to_owned(),
+            stiffness: None,
+            damping_ratio: None,
+            friction: None,
+        });
+    }
+    sound.then_some(all)
+}

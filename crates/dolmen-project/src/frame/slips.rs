@@ -1,0 +1,136 @@
+//! Probable slips in a frame.
+
+use super::part::{Axial, FramePart, StoreyPart};
+use crate::measure::Measure;
+use crate::reader::Reader;
+use crate::usual::{guess, mass_kg, rounded, rounded_length, unit_of, within};
+
+/// Mass of a storey, kg.
+const STOREY_MASS_KG: (f64, f64) = (1e3, 2e7);
+/// Height of a storey, m.
+const STOREY_HEIGHT_M: (f64, f64) = (0.1, 50.0);
+/// What a slip of height is compared with, m.
+const STOREY_HEIGHT_USUAL_M: f64 = 5.0;
+/// Axial force over the weight that the storey carries. 0 leaves P-delta out and is not judged.
+const AXIAL_SHARE: (f64, f64) = (0.2, 5.0);
+/// How near two readings of axial forces must come to the weights to be the better one.
+const AXIAL_MATCH: f64 = 0.25;
+/// √(k/m)/2π of a storey, Hz.
+const STOREY_FREQUENCY_HZ: (f64, f64) = (0.2, 60.0);
+
+pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
+    for storey in &frame.storeys {
+        let height = &storey.height;
+        if !within(height.value, STOREY_HEIGHT_M) {
+            let (least, most) = STOREY_HEIGHT_M;
+            let message = format!(
+                "{} = {}, but storeys are {least} to {most} m high",
+                height.path, height.written
+            );
+            reader.slip(
+                &height.path,
+                message,
+                guess(height.value / STOREY_HEIGHT_USUAL_M, unit_of(height)),
+            );
+        }
+    }
+    let masses: Vec<f64> = frame
+        .storeys
+        .iter()
+        .map(|part| mass_kg(&part.heaviness, frame.gravity_m_s2))
+        .collect();
+    let mut is_mass_odd = false;
+    for (storey, mass_kg) in frame.storeys.iter().zip(&masses) {
+        if !within(*mass_kg, STOREY_MASS_KG) {
+            is_mass_odd = true;
+            let given = storey.heaviness.quantity();
+            let message = format!(
+                "{} = {}, but storeys have 1 t to 20 000 t",
+                given.path, given.written
+            );
+            let ratio = if *mass_kg > 1e5 { 1000.0 } else { 0.001 };
+            reader.slip(&given.path, message, guess(ratio, unit_of(given)));
+        }
+    }
+    if is_mass_odd {
+        // Axial forces and stiffness are compared with masses.
+        return;
+    }
+    judge_axial(reader, frame, &masses);
+    for direction in &frame.directions {
+        for (stiffness, mass_kg) in direction.stiffness.iter().flatten().zip(&masses) {
+            let frequency_hz = (stiffness.value / mass_kg).sqrt() / std::f64::consts::TAU;
+            if !within(frequency_hz, STOREY_FREQUENCY_HZ) {
+                let (least, most) = STOREY_FREQUENCY_HZ;
+                let message = format!(
+                    "{} = {}: the storey alone would sway at {} Hz, but storeys sway at {least} to {most} Hz",
+                    stiffness.path,
+                    stiffness.written,
+                    rounded_length(frequency_hz)
+                );
+                reader.slip(
+                    &stiffness.path,
+                    message,
+                    "is it in N/mm, kN/mm or kN/m?".to_owned(),
+                );
+            }
+        }
+    }
+}
+
+/// N_i over the weight above for every storey, with the given numbers read as forces in storeys or loads of levels.
+fn axial_shares(storeys: &[StoreyPart], weights: &[f64], axial: Axial) -> Vec<f64> {
+    let given: Vec<f64> = storeys
+        .iter()
+        .map(|storey| storey.axial_force.as_ref().map_or(0.0, |force| force.value))
+        .collect();
+    let carried = |values: &[f64], i: usize| values[i..].iter().sum::<f64>();
+    let force = |i: usize| match axial {
+        Axial::Level => carried(&given, i),
+        Axial::Storey | Axial::FromMasses => given[i],
+    };
+    (0..storeys.len())
+        .map(|i| force(i) / carried(weights, i))
+        .collect()
+}
+
+fn judge_axial(reader: &mut Reader, frame: &FramePart, masses: &[f64]) {
+    let (axial, other, other_word) = match frame.axial {
+        Axial::FromMasses => return,
+        Axial::Storey => (Axial::Storey, Axial::Level, "level"),
+        Axial::Level => (Axial::Level, Axial::Storey, "storey"),
+    };
+    let weights: Vec<f64> = masses.iter().map(|mass| mass * frame.gravity_m_s2).collect();
+    let shares = axial_shares(&frame.storeys, &weights, axial);
+    if shares.iter().all(|share| *share == 0.0) {
+        return;
+    }
+    let matches = |shares: &[f64]| shares.iter().all(|share| (share - 1.0).abs() <= AXIAL_MATCH);
+    if !matches(&shares) && matches(&axial_shares(&frame.storeys, &weights, other)) {
+        let message = format!(
+            "axial = \"{}\", but the axial forces are the weights of the masses only if they are read as \"{other_word}\"",
+            if axial == Axial::Storey { "storey" } else { "level" },
+        );
+        reader.slip(
+            "axial",
+            message,
+            format!("did you mean axial = \"{other_word}\"?"),
+        );
+        return;
+    }
+    for (i, (storey, share)) in frame.storeys.iter().zip(&shares).enumerate() {
+        let Some(force) = &storey.axial_force else {
+            continue;
+        };
+        if *share != 0.0 && !within(*share, AXIAL_SHARE) {
+            let weight = reader.echo(weights[i..].iter().sum(), Measure::Force);
+            let message = format!(
+                "{} = {}: the storey's columns would carry {} × the weight of the masses above, {weight}",
+                force.path,
+                force.written,
+                rounded(*share)
+            );
+            reader.slip(&force.path, message, guess(*share, unit_of(force)));
+        }
+    }
+}

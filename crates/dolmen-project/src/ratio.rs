@@ -1,0 +1,43 @@
+//! Ratios that must not be above a bound.
+
+use super::error::Fault;
+use super::file_number::{At, QuantityRaw};
+use super::measure::{Bound, Measure};
+use super::quantity::Quantity;
+use super::reader::Reader;
+
+/// Largest damping ratio of a mode. Chosen here: above it a percentage was meant.
+const DAMPING_RATIO_MOST: f64 = 0.5;
+
+pub(super) fn damping_ratio(
+    reader: &mut Reader,
+    raw: Option<&At<QuantityRaw>>,
+    path: &str,
+) -> Option<Quantity> {
+    let ratio = reader.quantity(raw, path, Measure::Ratio, Bound::NotNegative)?;
+    below(
+        reader,
+        ratio,
+        raw,
+        DAMPING_RATIO_MOST,
+        "write 2 % as 0.02 or \"2 %\"",
+    )
+}
+
+/// A ratio that must not be above a bound.
+pub(super) fn below(
+    reader: &mut Reader,
+    ratio: Quantity,
+    raw: Option<&At<QuantityRaw>>,
+    most: f64,
+    help: &str,
+) -> Option<Quantity> {
+    if ratio.value <= most {
+        return Some(ratio);
+    }
+    let span = raw.map_or(0..0, |raw| raw.span.clone());
+    let message = format!("{} = {}", ratio.path, ratio.written);
+    let fault = Fault::new(span, &ratio.path, message);
+    reader.fault(fault.allowed(format!("must be 0 to {most}")).help(help));
+    None
+}

@@ -1,0 +1,11 @@
+//! Where a structure stands: its hazard and the motions of its ground.
+
+mod file;
+mod motion;
+mod part;
+mod read;
+
+pub(crate) use file::{MotionRaw, SiteRaw};
+pub(crate) use motion::motions;
+pub use part::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
+pub(crate) use read::site;

@@ -1,0 +1,152 @@
+//! Ground motions from what is written. Their files are opened when one is simulated.
+
+use super::file::{MotionFilesRaw, MotionRaw};
+use super::part::{MotionPart, MotionSize, MotionSource};
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::measure::{Bound, Measure};
+use crate::reader::Reader;
+use crate::written::short;
+use dolmen::signal::{Component, Quantity};
+use dolmen_records::records::Unit;
+use std::collections::BTreeMap;
+
+/// Shortest and longest time that a motion may name, s.
+const TIME_S: [f64; 2] = [1e-6, 1e5];
+
+/// The motions in the order of the file.
+pub(crate) fn motions(reader: &mut Reader, raw: Option<&BTreeMap<String, At<MotionRaw>>>) -> Vec<MotionPart> {
+    let mut listed: Vec<_> = raw.into_iter().flatten().collect();
+    listed.sort_by_key(|(_, raw)| raw.span.start);
+    let each = listed
+        .into_iter()
+        .filter_map(|(name, raw)| motion(reader, name, raw));
+    each.collect()
+}
+
+fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<MotionPart> {
+    let path = format!("motion.{name}");
+    reader.mark(&path, &raw.span);
+    let before = reader.faults.len();
+    let given = &raw.value;
+    let from = match (&given.files, &given.built_in) {
+        (Some(files), None) => files_of(reader, files, &format!("{path}.files")),
+        (None, Some(built_in)) => Some(MotionSource::BuiltIn(built_in.value.clone())),
+        (Some(files), Some(_)) => {
+            let fault = Fault::new(
+                files.span.clone(),
+                &path,
+                format!("{path} has both files and built_in"),
+            );
+            reader.fault(fault.help("keep one of them"));
+            None
+        }
+        (None, None) => {
+            let files_path = format!("{path}.files");
+            if !reader.is_reported(&files_path) && !reader.is_reported(&format!("{path}.built_in")) {
+                let fault = Fault::new(
+                    raw.span.clone(),
+                    &files_path,
+                    format!("{path} has neither files nor built_in"),
+                );
+                reader.fault(
+                    fault.help("write files = { x = \"record.at2\" }, or built_in = \"el-centro-1940-ns\""),
+                );
+            }
+            None
+        }
+    };
+    let unit = unit(reader, given.unit.as_ref(), &format!("{path}.unit"));
+    let mut seconds = |raw: &Option<At<f64>>, key: &str| {
+        let path = format!("{path}.{key}");
+        reader.within(raw.as_ref(), &path, TIME_S[0], TIME_S[1])
+    };
+    let sample_step_s = seconds(&given.sample_step_s, "sample_step_s");
+    let keep_first_s = seconds(&given.keep_first_s, "keep_first_s");
+    let taper_s = seconds(&given.taper_s, "taper_s");
+    let turn_rad = reader.plain(
+        given.turn.as_ref(),
+        &format!("{path}.turn"),
+        Measure::Angle,
+        Bound::Any,
+    );
+    let size = size(reader, given, &path);
+    (reader.faults.len() == before).then_some(())?;
+    Some(MotionPart {
+        name: name.to_owned(),
+        from: from?,
+        unit,
+        sample_step_s,
+        keep_first_s,
+        taper_s,
+        turn_rad,
+        size,
+        source: given.source.clone(),
+    })
+}
+
+fn files_of(reader: &mut Reader, raw: &At<MotionFilesRaw>, path: &str) -> Option<MotionSource> {
+    let files = &raw.value;
+    let each = [
+        (Component::X, &files.x),
+        (Component::Y, &files.y),
+        (Component::Z, &files.z),
+    ];
+    let named: Vec<(Component, String)> = each
+        .into_iter()
+        .filter_map(|(component, file)| Some((component, file.as_ref()?.value.clone())))
+        .collect();
+    if named.is_empty() {
+        if !reader.is_reported(path) {
+            let fault = Fault::new(raw.span.clone(), path, format!("{path} is empty"));
+            reader.fault(
+                fault
+                    .allowed("needs x, y or z")
+                    .help("write { x = \"record.at2\" }"),
+            );
+        }
+        return None;
+    }
+    Some(MotionSource::Files(named))
+}
+
+fn unit(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<String> {
+    let raw = raw?;
+    match Unit::parse(&raw.value) {
+        Ok(unit) if unit.quantity() == Quantity::Acceleration => Some(raw.value.clone()),
+        _ => {
+            let message = format!("{path} = \"{}\" is no unit of acceleration", raw.value);
+            let fault = Fault::new(raw.span.clone(), path, message);
+            reader.fault(fault.allowed("must be \"g\", \"gal\", \"m/s2\" or the like"));
+            None
+        }
+    }
+}
+
+fn size(reader: &mut Reader, given: &MotionRaw, path: &str) -> Option<MotionSize> {
+    let peak = reader.plain(
+        given.peak.as_ref(),
+        &format!("{path}.peak"),
+        Measure::GroundAcceleration,
+        Bound::Positive,
+    );
+    match (&given.scale, &given.peak) {
+        (Some(scale), Some(_)) => {
+            let fault = Fault::new(
+                scale.span.clone(),
+                path,
+                format!("{path} has both scale and peak"),
+            );
+            reader.fault(fault.help("keep one of them"));
+            None
+        }
+        (Some(scale), None) if scale.value == 0.0 || !scale.value.is_finite() => {
+            let message = format!("{path}.scale = {} cannot be", short(scale.value));
+            let fault = Fault::new(scale.span.clone(), path, message);
+            reader.fault(fault.allowed("must be a number other than 0"));
+            None
+        }
+        (Some(scale), None) => Some(MotionSize::Scale(scale.value)),
+        (None, _) => peak.map(MotionSize::Peak),
+    }
+}

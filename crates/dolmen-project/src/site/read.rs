@@ -1,0 +1,470 @@
+//! The site from what is written.
+
+use super::file::{CodeRaw, GroundRaw, HazardRaw, SiteRaw, SoilRaw, ZoneRaw};
+use super::part::{HazardPart, HazardSource, SitePart};
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::measure::{Bound, Measure};
+use crate::reader::Reader;
+use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, KoreanZone, Site};
+use dolmen::assess::{AssessError, Hazard};
+use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen::numeric::NumericError;
+use dolmen::signal::Quantity;
+use dolmen_records::TABLE_BYTES_MOST;
+use dolmen_records::records::Unit;
+
+/// Damping ratio that codes give their plateaus for.
+const DAMPING_RATIO: f64 = 0.05;
+
+/// Keys of a site, and the codes that have them.
+const KEYS_OF_CODE: [(&str, &[CodeRaw]); 12] = [
+    ("zone", &[CodeRaw::Kds17, CodeRaw::Kds41]),
+    ("zone_factor", &[CodeRaw::Kds17, CodeRaw::Kds41]),
+    ("return_period_years", &[CodeRaw::Kds17]),
+    ("soil", &[CodeRaw::Kds17, CodeRaw::Kds41]),
+    ("spectrum_type", &[CodeRaw::Eurocode8]),
+    ("ground", &[CodeRaw::Eurocode8]),
+    ("ground_acceleration", &[CodeRaw::Eurocode8]),
+    ("importance_factor", &[CodeRaw::Eurocode8]),
+    ("periods_s", &[CodeRaw::Table]),
+    ("accelerations", &[CodeRaw::Table]),
+    ("file", &[CodeRaw::Table]),
+    ("peak_ground_acceleration", &[CodeRaw::Table]),
+];
+
+fn code_word(code: CodeRaw) -> &'static str {
+    match code {
+        CodeRaw::Kds17 => "KDS 17 10 00",
+        CodeRaw::Kds41 => "KDS 41 17 00",
+        CodeRaw::Eurocode8 => "EN 1998-1",
+        CodeRaw::Table => "table",
+    }
+}
+
+/// Where a key stands, if it is given.
+fn span_of(raw: &SiteRaw, key: &str) -> Option<std::ops::Range<usize>> {
+    fn span<T>(key: &Option<At<T>>) -> Option<std::ops::Range<usize>> {
+        key.as_ref().map(|at| at.span.clone())
+    }
+    match key {
+        "zone" => span(&raw.zone),
+        "zone_factor" => span(&raw.zone_factor),
+        "return_period_years" => span(&raw.return_period_years),
+        "soil" => span(&raw.soil),
+        "spectrum_type" => span(&raw.spectrum_type),
+        "ground" => span(&raw.ground),
+        "ground_acceleration" => span(&raw.ground_acceleration),
+        "importance_factor" => span(&raw.importance_factor),
+        "periods_s" => span(&raw.periods_s),
+        "accelerations" => span(&raw.accelerations),
+        "file" => span(&raw.file),
+        "unit" => span(&raw.unit),
+        "peak_ground_acceleration" => span(&raw.peak_ground_acceleration),
+        "damping_ratio" => span(&raw.damping_ratio),
+        "vertical_ratio" => span(&raw.vertical_ratio),
+        _ => None,
+    }
+}
+
+/// The site, asked once for its demand, so that what the code has no numbers for is refused here.
+pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<SitePart> {
+    let raw = raw?;
+    reader.mark("site", &raw.span);
+    let code = raw.value.code.as_ref()?.value;
+    for (key, codes) in KEYS_OF_CODE {
+        if let (Some(span), false) = (span_of(&raw.value, key), codes.contains(&code)) {
+            let path = format!("site.{key}");
+            let message = format!("{path} has no meaning with code = \"{}\"", code_word(code));
+            let others: Vec<String> = codes
+                .iter()
+                .map(|c| format!("code = \"{}\"", code_word(*c)))
+                .collect();
+            reader.fault(
+                Fault::new(span, &path, message)
+                    .help(format!("take it out, or write {}", others.join(" or "))),
+            );
+        }
+    }
+    let before = reader.faults.len();
+    let site = match code {
+        CodeRaw::Kds17 | CodeRaw::Kds41 => korea(reader, raw, code),
+        CodeRaw::Eurocode8 => eurocode(reader, raw),
+        CodeRaw::Table => table(reader, raw),
+    };
+    let (ratio, zero) = (Measure::Ratio, Bound::NotNegative);
+    let damping = reader.plain(
+        raw.value.damping_ratio.as_ref(),
+        "site.damping_ratio",
+        ratio,
+        Bound::Positive,
+    );
+    let vertical_ratio = reader.plain(
+        raw.value.vertical_ratio.as_ref(),
+        "site.vertical_ratio",
+        ratio,
+        zero,
+    );
+    let hazard = raw.value.hazard.as_ref().and_then(|raw| hazard(reader, raw));
+    if reader.faults.len() > before {
+        return None;
+    }
+    let damping_ratio = damping.unwrap_or(DAMPING_RATIO);
+    let mut part = SitePart {
+        site: site?,
+        damping_ratio,
+        vertical_ratio,
+        hazard,
+    };
+    if part.hazard.is_none() {
+        part.hazard = code_hazard(&part.site);
+    }
+    if let Site::Table {
+        damping_ratio: of_table,
+        ..
+    } = &mut part.site
+    {
+        *of_table = damping_ratio;
+    }
+    if let Err(why) = part.demand() {
+        let key = key_of(&why, code);
+        let path = format!("site.{key}");
+        let span = span_of(&raw.value, key).unwrap_or_else(|| raw.span.clone());
+        reader.fault(Fault::new(span, &path, format!("{path}: {why}")));
+        return None;
+    }
+    Some(part)
+}
+
+/// The hazard of the Korean code, from its own return periods.
+fn code_hazard(site: &Site) -> Option<HazardPart> {
+    let (Site::Kds17 {
+        zone_factor_g, soil, ..
+    }
+    | Site::Kds41 { zone_factor_g, soil }) = site
+    else {
+        return None;
+    };
+    Some(HazardPart {
+        curve: Hazard::kds_17(*zone_factor_g, *soil).ok()?,
+        source: HazardSource::Kds17,
+    })
+}
+
+/// A hazard as it is written.
+fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
+    const PATH: &str = "site.hazard";
+    let given = &raw.value;
+    let (peaks, periods) = (given.peaks.as_ref()?, given.return_periods_years.as_ref()?);
+    let mut peaks_m_s2 = Vec::with_capacity(peaks.value.len());
+    for (i, peak) in peaks.value.iter().enumerate() {
+        let path = format!("{PATH}.peaks[{}]", i + 1);
+        peaks_m_s2.push(reader.plain(Some(peak), &path, Measure::GroundAcceleration, Bound::Positive)?);
+    }
+    let mut refuse = |message: String, help: &str| {
+        reader.fault(Fault::new(raw.span.clone(), PATH, format!("{PATH}: {message}")).help(help));
+    };
+    if peaks_m_s2.len() != periods.value.len() {
+        refuse(
+            format!(
+                "{} peaks, but {} return periods",
+                peaks_m_s2.len(),
+                periods.value.len()
+            ),
+            "give each peak its return period",
+        );
+        return None;
+    }
+    let curve = match (peaks_m_s2.as_slice(), &given.k) {
+        ([only], Some(k)) => Hazard::through(*only, periods.value[0], k.value),
+        ([_], None) => {
+            refuse(
+                "one peak alone tells no slope".to_owned(),
+                "give a second one, or k",
+            );
+            return None;
+        }
+        (_, Some(_)) => {
+            refuse(
+                "k goes with one peak alone".to_owned(),
+                "take it out: two peaks and more have slopes of their own",
+            );
+            return None;
+        }
+        (several, None) => {
+            let points: Vec<[f64; 2]> = several
+                .iter()
+                .zip(&periods.value)
+                .map(|(peak, years)| [*peak, 1.0 / years])
+                .collect();
+            Hazard::of_points(&points)
+        }
+    };
+    match curve {
+        Ok(curve) => Some(HazardPart {
+            curve,
+            source: HazardSource::File,
+        }),
+        Err(why) => {
+            refuse(why.to_string(), "peaks rise, and so do their return periods");
+            None
+        }
+    }
+}
+
+/// The key that a complaint is about.
+fn key_of(why: &AssessError, code: CodeRaw) -> &'static str {
+    match why {
+        AssessError::SiteSpecific => "soil",
+        AssessError::ReturnPeriod { .. } => "return_period_years",
+        AssessError::SpectrumTable { .. } => "periods_s",
+        AssessError::Numeric(NumericError::Range { quantity, .. }) => match *quantity {
+            "damping_ratio" => "damping_ratio",
+            "vertical_ratio" => "vertical_ratio",
+            "importance_factor" => "importance_factor",
+            "ground_acceleration_g" => "ground_acceleration",
+            "effective_acceleration_g" if code == CodeRaw::Kds17 => "zone_factor",
+            _ => "code",
+        },
+        _ => "code",
+    }
+}
+
+/// A key that a code needs.
+fn needs(reader: &mut Reader, raw: &At<SiteRaw>, key: &str, help: &str) {
+    let path = format!("site.{key}");
+    if span_of(&raw.value, key).is_none() && !reader.is_reported(&path) {
+        let code = raw.value.code.as_ref().map_or("", |code| code_word(code.value));
+        let message = format!("site has no \"{key}\", but code = \"{code}\" needs it");
+        reader.fault(Fault::new(raw.span.clone(), &path, message).help(help));
+    }
+}
+
+fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> {
+    let given = &raw.value;
+    let factor = reader.plain(
+        given.zone_factor.as_ref(),
+        "site.zone_factor",
+        Measure::GroundAcceleration,
+        Bound::Positive,
+    );
+    let zone_factor_g = match (&given.zone, &given.zone_factor) {
+        (Some(_), Some(factor)) => {
+            let message = "site has both zone and zone_factor";
+            let fault = Fault::new(factor.span.clone(), "site.zone_factor", message);
+            reader.fault(fault.help("keep one of them: zone I is 0.11 g, zone II 0.07 g"));
+            None
+        }
+        (Some(zone), None) => Some(
+            match zone.value {
+                ZoneRaw::I => KoreanZone::I,
+                ZoneRaw::Ii => KoreanZone::II,
+            }
+            .factor_g(),
+        ),
+        (None, Some(_)) => factor.map(|m_s2| m_s2 / STANDARD_GRAVITY_M_S2),
+        (None, None) => {
+            needs(
+                reader,
+                raw,
+                "zone",
+                "write zone = \"I\" (0.11 g), zone = \"II\" (0.07 g), or zone_factor = \"0.11 g\"",
+            );
+            None
+        }
+    };
+    needs(
+        reader,
+        raw,
+        "soil",
+        "write soil = \"S1\" (rock) to \"S5\" (deep and soft)",
+    );
+    let soil = given.soil.as_ref().map(|soil| match soil.value {
+        SoilRaw::S1 => KoreanSite::S1,
+        SoilRaw::S2 => KoreanSite::S2,
+        SoilRaw::S3 => KoreanSite::S3,
+        SoilRaw::S4 => KoreanSite::S4,
+        SoilRaw::S5 => KoreanSite::S5,
+        SoilRaw::S6 => KoreanSite::S6,
+    });
+    if code == CodeRaw::Kds41 {
+        return Some(Site::Kds41 {
+            zone_factor_g: zone_factor_g?,
+            soil: soil?,
+        });
+    }
+    let help = "write return_period_years = 50, 100, 200, 500, 1000, 2400 or 4800";
+    needs(reader, raw, "return_period_years", help);
+    let years = given.return_period_years.as_ref()?;
+    Some(Site::Kds17 {
+        zone_factor_g: zone_factor_g?,
+        return_period_years: u32::try_from(years.value).unwrap_or(0), // refused by the code
+        soil: soil?,
+    })
+}
+
+fn eurocode(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
+    let given = &raw.value;
+    needs(
+        reader,
+        raw,
+        "spectrum_type",
+        "write spectrum_type = 1 (surface-wave magnitudes above 5.5 govern) or 2",
+    );
+    needs(reader, raw, "ground", "write ground = \"A\" (rock) to \"E\"");
+    needs(
+        reader,
+        raw,
+        "ground_acceleration",
+        "write ground_acceleration = \"0.2 g\", a_gR on type A ground",
+    );
+    let ground_m_s2 = reader.plain(
+        given.ground_acceleration.as_ref(),
+        "site.ground_acceleration",
+        Measure::GroundAcceleration,
+        Bound::Positive,
+    );
+    let kind = reader.count(given.spectrum_type.as_ref(), "site.spectrum_type", 1, 2);
+    Some(Site::Eurocode8 {
+        ground_acceleration_g: ground_m_s2? / STANDARD_GRAVITY_M_S2,
+        importance_factor: given
+            .importance_factor
+            .as_ref()
+            .map_or(1.0, |factor| factor.value),
+        spectrum: if kind? == 1 {
+            EurocodeType::One
+        } else {
+            EurocodeType::Two
+        },
+        ground: match given.ground.as_ref()?.value {
+            GroundRaw::A => EurocodeGround::A,
+            GroundRaw::B => EurocodeGround::B,
+            GroundRaw::C => EurocodeGround::C,
+            GroundRaw::D => EurocodeGround::D,
+            GroundRaw::E => EurocodeGround::E,
+        },
+    })
+}
+
+fn table(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
+    let given = &raw.value;
+    needs(
+        reader,
+        raw,
+        "unit",
+        "write unit = \"g\" or unit = \"m/s2\", the unit of its accelerations",
+    );
+    let factor = given
+        .unit
+        .as_ref()
+        .and_then(|unit| acceleration_unit(reader, unit));
+    let peak = reader.plain(
+        given.peak_ground_acceleration.as_ref(),
+        "site.peak_ground_acceleration",
+        Measure::GroundAcceleration,
+        Bound::NotNegative,
+    );
+    let rows = match (&given.file, &given.periods_s, &given.accelerations) {
+        (Some(file), None, None) => rows_of_file(reader, file),
+        (None, Some(periods), Some(accelerations)) => {
+            let (all, other) = (&periods.value, &accelerations.value);
+            if all.len() != other.len() {
+                let message = format!(
+                    "site.accelerations has {} numbers, but site.periods_s {}",
+                    other.len(),
+                    all.len()
+                );
+                let fault = Fault::new(accelerations.span.clone(), "site.accelerations", message);
+                reader.fault(fault.allowed("must be one a period"));
+                return None;
+            }
+            Some(all.iter().zip(other).map(|(t, a)| [*t, *a]).collect())
+        }
+        (Some(file), ..) => {
+            let fault = Fault::new(file.span.clone(), "site.file", "site has both a file and lists");
+            reader.fault(fault.help("keep the file, or periods_s and accelerations"));
+            None
+        }
+        _ => {
+            needs(
+                reader,
+                raw,
+                "periods_s",
+                "write periods_s = [0, 0.1, …] and accelerations = [ … ], or file = \"spectrum.csv\"",
+            );
+            needs(
+                reader,
+                raw,
+                "accelerations",
+                "write accelerations = [ … ], one a period, in unit",
+            );
+            None
+        }
+    };
+    let factor = factor?;
+    let points: Vec<[f64; 2]> = rows?;
+    Some(Site::Table {
+        source: given.source.as_ref().map_or_else(
+            || match &given.file {
+                Some(file) => format!("table {}", file.value),
+                None => "table of the project file".to_owned(),
+            },
+            |source| source.value.clone(),
+        ),
+        points: points.into_iter().map(|[t, a]| [t, factor * a]).collect(),
+        damping_ratio: DAMPING_RATIO,
+        peak_ground_acceleration_m_s2: peak,
+    })
+}
+
+/// m/s² of a unit of acceleration.
+fn acceleration_unit(reader: &mut Reader, unit: &At<String>) -> Option<f64> {
+    match Unit::parse(&unit.value) {
+        Ok(unit) if unit.quantity() == Quantity::Acceleration => Some(unit.si()),
+        _ => {
+            let message = format!("site.unit = \"{}\" is no unit of acceleration", unit.value);
+            let fault = Fault::new(unit.span.clone(), "site.unit", message);
+            reader.fault(fault.allowed("must be \"g\", \"m/s2\" or \"gal\""));
+            None
+        }
+    }
+}
+
+/// Rows of two numbers; lines that begin with # and a first line of names are passed over.
+fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>> {
+    let refuse = |reader: &mut Reader, why: String| {
+        let message = format!("site.file = \"{}\": {why}", file.value);
+        reader.fault(Fault::new(file.span.clone(), "site.file", message));
+    };
+    let bytes = match reader.files.read(&file.value, TABLE_BYTES_MOST) {
+        Ok(bytes) => bytes,
+        Err(why) => {
+            refuse(reader, why.to_string());
+            return None;
+        }
+    };
+    let text = String::from_utf8_lossy(&bytes);
+    let mut rows = Vec::new();
+    let mut has_names = false;
+    for (i, line) in text.lines().enumerate() {
+        let line = line.trim_start_matches('\u{feff}').trim();
+        if line.is_empty() || line.starts_with('#') {
+            continue;
+        }
+        let cells = line.split([',', ';', '\t', ' ']).filter(|cell| !cell.is_empty());
+        let numbers: Vec<Option<f64>> = cells.map(|cell| cell.parse::<f64>().ok()).collect();
+        match numbers[..] {
+            [Some(period_s), Some(acceleration)] => rows.push([period_s, acceleration]),
+            _ if rows.is_empty() && !has_names => has_names = true,
+            _ => {
+                let why = format!(
+                    "line {} is not a period, s, and an acceleration: \"{line}\"",
+                    i + 1
+                );
+                refuse(reader, why);
+                return None;
+            }
+        }
+    }
+    Some(rows)
+}

@@ -1,0 +1,41 @@
+//! What acts in a joint of a stack, from what is written.
+
+use super::file::BedRaw;
+use super::part::BedPart;
+use crate::file_number::{At, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::reader::Reader;
+
+pub(super) fn bed(reader: &mut Reader, raw: Option<&At<BedRaw>>, path: &str) -> Option<BedPart> {
+    let Some(raw) = raw else {
+        return Some(BedPart::default());
+    };
+    reader.mark(path, &raw.span);
+    let before = reader.faults.len();
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, measure, bound| {
+        reader.quantity(raw.as_ref(), &format!("{path}.{key}"), measure, bound)
+    };
+    let (zero, above) = (Bound::NotNegative, Bound::Positive);
+    let bed = &raw.value;
+    let read = BedPart {
+        friction: of(&bed.friction, "friction", Measure::Ratio, zero),
+        friction_kinetic: of(&bed.friction_kinetic, "friction_kinetic", Measure::Ratio, zero),
+        cohesion: of(&bed.cohesion, "cohesion", Measure::Stress, zero),
+        tension: of(&bed.tension, "tension", Measure::Stress, zero),
+        normal_stiffness: of(
+            &bed.normal_stiffness,
+            "normal_stiffness",
+            Measure::BedStiffness,
+            above,
+        ),
+        shear_stiffness: of(
+            &bed.shear_stiffness,
+            "shear_stiffness",
+            Measure::BedStiffness,
+            above,
+        ),
+        damping_ratio: of(&bed.damping_ratio, "damping_ratio", Measure::Ratio, zero),
+        restitution: of(&bed.restitution, "restitution", Measure::Ratio, zero),
+    };
+    (reader.faults.len() == before).then_some(read)
+}

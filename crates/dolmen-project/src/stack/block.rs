@@ -1,0 +1,146 @@
+//! One block of a stack from what is written: its shape, and what it stands on.
+
+use super::bed::bed;
+use super::body::body;
+use super::file::{BlockRaw, OnRaw, OpeningRaw};
+use super::part::{BlockPart, OpeningPart};
+use super::shape::shape;
+use crate::error::Fault;
+use crate::file_number::{At, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::needed::{lengths, listed};
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use dolmen::structure::stack::Body;
+
+/// One block, with what it stands on.
+pub(super) fn block(
+    reader: &mut Reader,
+    raw: &At<BlockRaw>,
+    index: usize,
+    names: &[String],
+) -> Option<BlockPart> {
+    let path = format!("blocks[{}]", index + 1);
+    reader.mark(&path, &raw.span);
+    let block = &raw.value;
+    let shape = shape(reader, raw, &path, &names[index]);
+    let density_path = format!("{path}.density");
+    let density = reader.quantity(
+        block.density.as_ref(),
+        &density_path,
+        Measure::Density,
+        Bound::Positive,
+    );
+    let openings = listed(
+        reader,
+        block.openings.as_deref(),
+        &format!("{path}.openings"),
+        opening,
+    );
+    let on = on(reader, block, index, names);
+    let at = plan(reader, block.at.as_ref(), &format!("{path}.at"));
+    let offset = plan(reader, block.offset.as_ref(), &format!("{path}.offset"));
+    let rotation_path = format!("{path}.rotation");
+    let rotation = reader.quantity(
+        block.rotation.as_ref(),
+        &rotation_path,
+        Measure::Angle,
+        Bound::Any,
+    );
+    let lean = |key: &str| {
+        let lean = block.tilt.as_ref()?;
+        let raw = if key == "x" { &lean.value.x } else { &lean.value.y };
+        Some((raw.as_ref()?, format!("{path}.tilt.{key}")))
+    };
+    let tilt = ["x", "y"].map(|key| {
+        lean(key).and_then(|(raw, path)| reader.quantity(Some(raw), &path, Measure::Tilt, Bound::Any))
+    });
+    let joint = bed(reader, block.joint.as_ref(), &format!("{path}.joint"));
+    Some(BlockPart {
+        name: names[index].clone(),
+        shape: shape?,
+        openings: openings?,
+        density,
+        on: on?,
+        at: at?,
+        offset: offset?,
+        rotation,
+        tilt,
+        joint: joint?,
+    })
+}
+
+fn opening(reader: &mut Reader, raw: &At<OpeningRaw>, path: &str) -> Option<OpeningPart> {
+    let opening = &raw.value;
+    let before = reader.faults.len();
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str| {
+        let path = format!("{path}.{key}");
+        reader.quantity(raw.as_ref(), &path, Measure::Length, Bound::Positive)
+    };
+    let (width, depth, height) = (
+        of(&opening.width, "width"),
+        of(&opening.depth, "depth"),
+        of(&opening.height, "height"),
+    );
+    let position_path = format!("{path}.position");
+    let position = opening
+        .position
+        .as_ref()
+        .and_then(|raw| lengths(reader, raw, &position_path, "[x, y, z]"));
+    (reader.faults.len() == before).then_some(())?;
+    Some(OpeningPart {
+        width: width?,
+        depth,
+        height: height?,
+        position: position?,
+    })
+}
+
+/// What a block stands on: what it says, else the block before it, else the ground.
+fn on(reader: &mut Reader, block: &BlockRaw, index: usize, names: &[String]) -> Option<Vec<Body>> {
+    let Some(on) = &block.on else {
+        return Some(vec![index.checked_sub(1).map_or(Body::Ground, Body::Block)]);
+    };
+    let path = format!("blocks[{}].on", index + 1);
+    let given: Vec<&str> = match &on.value {
+        OnRaw::One(name) => vec![name],
+        OnRaw::Several(names) => names.iter().map(String::as_str).collect(),
+    };
+    if given.is_empty() {
+        let fault = Fault::new(on.span.clone(), &path, format!("{path} is empty"));
+        reader.fault(fault.allowed("needs the name of a block, or \"ground\""));
+        return None;
+    }
+    let mut bodies = Vec::with_capacity(given.len());
+    for name in given {
+        let later = names[index..].iter().any(|later| later == name);
+        if later && !names[..index].iter().any(|before| before == name) {
+            let message = format!("{path} = \"{name}\" does not stand before it in the list");
+            let fault = Fault::new(on.span.clone(), &path, message);
+            reader.fault(
+                fault
+                    .allowed("must be a block before it")
+                    .help("list the blocks lowest first"),
+            );
+            return None;
+        }
+        bodies.push(body(
+            reader,
+            name,
+            (&on.span, &path),
+            &names[..index],
+            "block before it",
+        )?);
+    }
+    Some(bodies)
+}
+
+/// Two lengths in plan; `None` if they are wrong, `Some(None)` if they are not given.
+fn plan(
+    reader: &mut Reader,
+    raw: Option<&At<Vec<At<QuantityRaw>>>>,
+    path: &str,
+) -> Option<Option<[Quantity; 2]>> {
+    let Some(raw) = raw else { return Some(None) };
+    lengths(reader, raw, path, "[x, y]").map(Some)
+}

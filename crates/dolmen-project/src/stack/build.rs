@@ -1,0 +1,507 @@
+//! From the stack of a project file to the stack of the science: where each block goes, and what acts in each joint.
+
+use super::part::{
+    BedPart, BlockPart, ContactPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
+    StackPart,
+};
+use crate::quantity::{Pick, Quantity};
+use dolmen::structure::stack::{
+    BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
+    SideSupport, Solid, Stack, StackError, Tie, pagoda,
+};
+
+/// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
+const TOP_RISE_LEAST: f64 = 0.7;
+
+/// Why a stack cannot be built, and where in the file.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum StackFault {
+    /// A stone, or where it stands.
+    #[error("{path}: {why}")]
+    Part {
+        /// Where in the file: `blocks[2]`.
+        path: String,
+        /// What the science says.
+        why: Box<StackError>,
+    },
+    /// Two blocks that the file puts on each other do not touch.
+    #[error(
+        "'{upper}' is said to stand on '{lower}', but they do not touch: a bed there must lie within {allowed_m} m of it and \
+         be level with it to 5°"
+    )]
+    Apart {
+        /// Where in the file: `blocks[2]`.
+        path: String,
+        /// The upper block.
+        upper: String,
+        /// What it should stand on.
+        lower: String,
+        /// What is allowed, m.
+        allowed_m: f64,
+    },
+    /// One joint is given twice.
+    #[error(
+        "{path} gives the joint of '{upper}' on '{lower}' a second time, after contacts[{first}]: keep one of them"
+    )]
+    Twice {
+        /// Where in the file: `contacts[2]`.
+        path: String,
+        /// The upper block.
+        upper: String,
+        /// What it stands on.
+        lower: String,
+        /// The contact that gave it first, from 1.
+        first: usize,
+    },
+}
+
+impl StackFault {
+    fn part(path: String, why: StackError) -> Self {
+        let why = Box::new(why);
+        StackFault::Part { path, why }
+    }
+
+    /// Where in the file.
+    pub fn path(&self) -> &str {
+        match self {
+            StackFault::Part { path, .. }
+            | StackFault::Apart { path, .. }
+            | StackFault::Twice { path, .. } => path,
+        }
+    }
+}
+
+impl PointsFrame {
+    /// A stone in its own coordinates, or as it is.
+    pub(super) fn of(self, solid: Solid) -> Solid {
+        if self == PointsFrame::Site {
+            return solid;
+        }
+        let [low, high] = solid.bounds_m();
+        let to_base = Placement {
+            position_m: [-0.5 * (low[0] + high[0]), -0.5 * (low[1] + high[1]), -low[2]],
+            ..Placement::default()
+        };
+        solid.placed(&to_base)
+    }
+}
+
+impl PagodaPart {
+    /// The pagoda, each factor with the value that `pick` chooses.
+    ///
+    /// # Errors
+    /// [`StackError`] for factors that cannot be together.
+    pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Pagoda, StackError> {
+        pagoda(&PagodaFactors {
+            density_kg_m3,
+            ..self.factors(pick)
+        })
+    }
+
+    /// Its factors, each with the value that `pick` chooses; the density is the usual one.
+    pub fn factors(&self, pick: Pick<'_>) -> PagodaFactors {
+        let usual = PagodaFactors::default();
+        PagodaFactors {
+            storeys: self.storeys,
+            body_height_m: pick(&self.body_height),
+            slenderness: match &self.slenderness {
+                Some(PagodaSlendernessPart::Body(given)) => PagodaSlenderness::Body(pick(given)),
+                Some(PagodaSlendernessPart::Angle(given)) => PagodaSlenderness::Angle(pick(given)),
+                None => usual.slenderness,
+            },
+            taper_rad: self.taper.as_ref().map_or(usual.taper_rad, &mut *pick),
+            body_base_height_ratio: self
+                .body_base_height_ratio
+                .as_ref()
+                .map_or(usual.body_base_height_ratio, &mut *pick),
+            ..usual
+        }
+    }
+}
+
+impl ShapePart {
+    pub(super) fn solid(&self, pick: Pick<'_>) -> Result<Solid, StackError> {
+        match self {
+            ShapePart::Box { width, depth, height } => {
+                let width_m = pick(width);
+                let depth_m = depth.as_ref().map_or(width_m, &mut *pick);
+                Solid::cuboid(width_m, depth_m, pick(height))
+            }
+            ShapePart::Frustum {
+                width,
+                depth,
+                top,
+                height,
+            } => {
+                let base = pick(width);
+                let base = [base, depth.as_ref().map_or(base, &mut *pick)];
+                let top_width = pick(&top.width);
+                let in_proportion = base[1] * top_width / base[0];
+                let top_depth = top.depth.as_ref().map_or(in_proportion, &mut *pick);
+                Solid::frustum(base, [top_width, top_depth], pick(height))
+            }
+            ShapePart::Prism {
+                sides,
+                width,
+                top_width,
+                height,
+            } => {
+                let base = pick(width);
+                let top = top_width.as_ref().map_or(base, &mut *pick);
+                Solid::prism_frustum(*sides, base, top, pick(height))
+            }
+            ShapePart::Drum {
+                diameter,
+                top_diameter,
+                height,
+            } => {
+                let base = pick(diameter);
+                let top = top_diameter.as_ref().map_or(base, &mut *pick);
+                Solid::tapered_drum(base, top, pick(height))
+            }
+            ShapePart::Points { points, frame } => {
+                let points_m: Vec<[f64; 3]> = points
+                    .iter()
+                    .map(|point| point.each_ref().map(&mut *pick))
+                    .collect();
+                Ok(frame.of(Solid::convex(&points_m)?))
+            }
+            ShapePart::Mesh(mesh) => Ok(mesh.solid.clone()),
+        }
+    }
+}
+
+impl OpeningPart {
+    fn solid(&self, pick: Pick<'_>) -> Result<Solid, StackError> {
+        let width_m = pick(&self.width);
+        let depth_m = self.depth.as_ref().map_or(width_m, &mut *pick);
+        let place = Placement {
+            position_m: self.position.each_ref().map(&mut *pick),
+            ..Placement::default()
+        };
+        Ok(Solid::cuboid(width_m, depth_m, pick(&self.height))?.placed(&place))
+    }
+}
+
+impl BedPart {
+    /// The material around it with what it says itself.
+    fn over(&self, around: JointMaterial, pick: Pick<'_>) -> JointMaterial {
+        let mut material = around;
+        let mut set = |slot: &mut f64, quantity: &Option<Quantity>| {
+            if let Some(quantity) = quantity {
+                *slot = pick(quantity);
+            }
+        };
+        if self.friction.is_some() {
+            set(&mut material.friction_static, &self.friction);
+            material.friction_kinetic = material.friction_static;
+        }
+        set(&mut material.friction_kinetic, &self.friction_kinetic);
+        set(&mut material.cohesion_pa, &self.cohesion);
+        set(&mut material.tension_pa, &self.tension);
+        set(&mut material.normal_stiffness_pa_m, &self.normal_stiffness);
+        set(&mut material.shear_stiffness_pa_m, &self.shear_stiffness);
+        set(&mut material.damping_ratio, &self.damping_ratio);
+        set(&mut material.restitution, &self.restitution);
+        material
+    }
+
+    fn says_something(&self) -> bool {
+        let mut all = Vec::new();
+        self.inputs(&mut all);
+        !all.is_empty()
+    }
+}
+
+/// The top of a solid: the centroid of its highest face that can be stood on, and that face's upward normal.
+struct Top {
+    centroid_m: [f64; 3],
+    normal: [f64; 3],
+}
+
+impl Top {
+    /// The ground.
+    const GROUND: Top = Top {
+        centroid_m: [0.0; 3],
+        normal: [0.0, 0.0, 1.0],
+    };
+
+    fn of(solid: &Solid) -> Option<Top> {
+        let tops = solid.faces().iter().filter_map(|face| {
+            let corners: Vec<[f64; 3]> = face.iter().map(|&vertex| solid.vertices_m()[vertex]).collect();
+            let normal = unit_normal(&corners);
+            (normal[2] >= TOP_RISE_LEAST).then(|| Top {
+                centroid_m: centroid(&corners),
+                normal,
+            })
+        });
+        tops.max_by(|a, b| a.centroid_m[2].total_cmp(&b.centroid_m[2]))
+    }
+
+    /// Height of its plane above a point of the plan, m.
+    fn height_m(&self, plan: [f64; 2]) -> f64 {
+        let [nx, ny, nz] = self.normal;
+        let [x, y, z] = self.centroid_m;
+        z - (nx * (plan[0] - x) + ny * (plan[1] - y)) / nz
+    }
+}
+
+fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
+}
+
+/// Twice the area of a triangle, along its normal.
+fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    let part = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
+    [part(1, 2), part(2, 0), part(0, 1)]
+}
+
+fn length(a: [f64; 3]) -> f64 {
+    a.iter().map(|part| part * part).sum::<f64>().sqrt()
+}
+
+/// The triangles that a convex polygon falls into.
+fn triangles(corners: &[[f64; 3]]) -> impl Iterator<Item = [[f64; 3]; 3]> {
+    let fan = corners.windows(2).skip(1);
+    fan.map(|pair| [corners[0], pair[0], pair[1]])
+}
+
+/// Unit normal of a convex polygon; counterclockwise about it.
+fn unit_normal(corners: &[[f64; 3]]) -> [f64; 3] {
+    let mut sum = [0.0; 3];
+    for [a, b, c] in triangles(corners) {
+        let area = cross(minus(b, a), minus(c, a));
+        sum = [sum[0] + area[0], sum[1] + area[1], sum[2] + area[2]];
+    }
+    let size = length(sum);
+    sum.map(|part| part / size)
+}
+
+/// Centroid of the area of a convex polygon, m.
+fn centroid(corners: &[[f64; 3]]) -> [f64; 3] {
+    let (mut area, mut first) = (0.0, [0.0; 3]);
+    for [a, b, c] in triangles(corners) {
+        let part = length(cross(minus(b, a), minus(c, a)));
+        area += part;
+        for axis in 0..3 {
+            first[axis] += part * (a[axis] + b[axis] + c[axis]) / 3.0;
+        }
+    }
+    first.map(|moment| moment / area)
+}
+
+impl StackPart {
+    /// The stack, each input with the value that `pick` chooses.
+    ///
+    /// Every block stands on the highest face of what it stands on; on several, on the highest of them.
+    ///
+    /// # Errors
+    /// None with the file's own values, which are checked on reading; [`StackFault`] if picked ones are impossible.
+    pub fn build(&self, pick: Pick<'_>) -> Result<Stack, StackFault> {
+        let mut blocks: Vec<Block> = Vec::with_capacity(self.blocks.len());
+        for (i, part) in self.blocks.iter().enumerate() {
+            let mut solid = part.shape.solid(pick).map_err(|why| at_block(i, why))?;
+            for (k, opening) in part.openings.iter().enumerate() {
+                let path = format!("blocks[{}].openings[{}]", i + 1, k + 1);
+                let cut = opening
+                    .solid(pick)
+                    .and_then(|opening| solid.with_opening(&opening));
+                solid = cut.map_err(|why| StackFault::part(path, why))?;
+            }
+            let placement = part.placement(&blocks, pick);
+            let density = part.density.as_ref().or(self.density.as_ref());
+            blocks.push(Block {
+                name: part.name.clone(),
+                solid: solid.placed(&placement),
+                density_kg_m3: density.map_or(f64::NAN, &mut *pick), // refused by the stack
+            });
+        }
+        if let Some(factors) = &self.pagoda {
+            let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
+            let made = factors.made(density, pick);
+            blocks = made
+                .map_err(|why| StackFault::part("pagoda".to_owned(), why))?
+                .blocks;
+        }
+        let around = self.joint.over(JointMaterial::default(), pick);
+        let stack = Stack::new(blocks, around, self.gravity_m_s2).map_err(|why| self.locate(why))?;
+        self.check_beds(&stack)?;
+        let stack = self.with_materials(stack, around, pick)?;
+        self.with_pieces(stack, pick)
+    }
+
+    /// Every block must touch what the file says it stands on.
+    fn check_beds(&self, stack: &Stack) -> Result<(), StackFault> {
+        for (upper, part) in self.blocks.iter().enumerate() {
+            for lower in &part.on {
+                let meets = |joint: &Joint| joint.lower == *lower && joint.upper == upper;
+                if !stack.joints().iter().any(meets) {
+                    return Err(StackFault::Apart {
+                        path: format!("blocks[{}]", upper + 1),
+                        upper: part.name.clone(),
+                        lower: stack.name(*lower).to_owned(),
+                        allowed_m: BED_GAP_M,
+                    });
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn with_materials(
+        &self,
+        mut stack: Stack,
+        around: JointMaterial,
+        pick: Pick<'_>,
+    ) -> Result<Stack, StackFault> {
+        let ends: Vec<(Body, usize)> = stack.joints().iter().map(|j| (j.lower, j.upper)).collect();
+        for (joint, (lower, upper)) in ends.iter().enumerate() {
+            let own = self.blocks.get(*upper).map(|block| &block.joint);
+            if let Some(own) = own.filter(|own| own.says_something()) {
+                let path = format!("blocks[{}].joint", upper + 1);
+                stack = stack
+                    .with_material(joint, own.over(around, pick))
+                    .map_err(|why| StackFault::part(path, why))?;
+            }
+            for (i, contact) in self.contacts.iter().enumerate() {
+                let one = (contact.lower, contact.upper) == (*lower, *upper);
+                let other = (Body::Block(contact.upper), contact.lower) == (*lower, Body::Block(*upper));
+                if one || other {
+                    let path = format!("contacts[{}].joint", i + 1);
+                    let material = contact.joint.over(stack.joints()[joint].material, pick);
+                    stack = stack
+                        .with_material(joint, material)
+                        .map_err(|why| StackFault::part(path, why))?;
+                }
+            }
+        }
+        for (i, contact) in self.contacts.iter().enumerate() {
+            let ends_of = |contact: &ContactPart| [contact.lower, Body::Block(contact.upper)];
+            let [lower, upper] = ends_of(contact);
+            let same = |other: &ContactPart| {
+                let [a, b] = ends_of(other);
+                (a, b) == (lower, upper) || (b, a) == (lower, upper)
+            };
+            if let Some(first) = self.contacts[..i].iter().position(same) {
+                return Err(StackFault::Twice {
+                    path: format!("contacts[{}]", i + 1),
+                    upper: stack.name(upper).to_owned(),
+                    lower: stack.name(lower).to_owned(),
+                    first: first + 1,
+                });
+            }
+            let meets = |(lower, upper): &(Body, usize)| {
+                (contact.lower, contact.upper) == (*lower, *upper)
+                    || (Body::Block(contact.upper), contact.lower) == (*lower, Body::Block(*upper))
+            };
+            if !ends.iter().any(meets) {
+                return Err(StackFault::Apart {
+                    path: format!("contacts[{}]", i + 1),
+                    upper: stack.name(Body::Block(contact.upper)).to_owned(),
+                    lower: stack.name(contact.lower).to_owned(),
+                    allowed_m: BED_GAP_M,
+                });
+            }
+        }
+        Ok(stack)
+    }
+
+    fn with_pieces(&self, mut stack: Stack, pick: Pick<'_>) -> Result<Stack, StackFault> {
+        for (i, part) in self.ties.iter().enumerate() {
+            let path = format!("ties[{}]", i + 1);
+            let tie = Tie {
+                lower: part.lower,
+                upper: part.upper,
+                position_m: part.position.each_ref().map(&mut *pick),
+                axis: part.axis,
+                axial_stiffness_n_m: part.axial_stiffness.as_ref().map_or(0.0, &mut *pick),
+                shear_stiffness_n_m: pick(&part.shear_stiffness),
+                tension_strength_n: part.tension_strength.as_ref().map_or(0.0, &mut *pick),
+                shear_strength_n: pick(&part.shear_strength),
+            };
+            stack = stack.with_tie(tie).map_err(|why| StackFault::part(path, why))?;
+        }
+        for (i, part) in self.side_supports.iter().enumerate() {
+            let path = format!("side_supports[{}]", i + 1);
+            let support = SideSupport {
+                block: part.block,
+                position_m: part.position.each_ref().map(&mut *pick),
+                direction: part.direction,
+                gap_m: part.gap.as_ref().map_or(0.0, &mut *pick),
+                stiffness_n_m: pick(&part.stiffness),
+            };
+            stack = stack
+                .with_side_support(support)
+                .map_err(|why| StackFault::part(path, why))?;
+        }
+        Ok(stack)
+    }
+
+    /// Where in the file the science's complaint belongs.
+    fn locate(&self, why: StackError) -> StackFault {
+        let index = |name: &str| self.blocks.iter().position(|block| block.name == name);
+        let path = match &why {
+            StackError::Overlap { first, second, .. } => {
+                let (first, second) = (index(first), index(second));
+                first.max(second).map(|i| format!("blocks[{}]", i + 1))
+            }
+            StackError::Floating { block: name, .. } | StackError::Name { name } => {
+                index(name).map(|i| format!("blocks[{}]", i + 1))
+            }
+            StackError::Material { .. } => Some("joint".to_owned()),
+            _ => None,
+        };
+        let all = if self.pagoda.is_some() { "pagoda" } else { "blocks" };
+        let path = path.unwrap_or_else(|| all.to_owned());
+        StackFault::part(path, why)
+    }
+}
+
+impl BlockPart {
+    /// Where it goes, the blocks before it standing where they stand.
+    fn placement(&self, before: &[Block], pick: Pick<'_>) -> Placement {
+        if self.shape.keeps_its_place() {
+            return Placement::default();
+        }
+        let tops: Vec<Top> = self
+            .on
+            .iter()
+            .map(|body| match body {
+                Body::Ground => Top::GROUND,
+                Body::Block(lower) => Top::of(&before[*lower].solid).unwrap_or(Top::GROUND),
+            })
+            .collect();
+        let mean =
+            |axis: usize| tops.iter().map(|top| top.centroid_m[axis]).sum::<f64>() / tops.len().max(1) as f64;
+        let mut plan = match &self.at {
+            Some(at) => at.each_ref().map(&mut *pick),
+            None => [mean(0), mean(1)],
+        };
+        if let Some(offset) = &self.offset {
+            for (place, shift) in plan.iter_mut().zip(offset) {
+                *place += pick(shift);
+            }
+        }
+        // on one stone its own plane, also where it leans; on several the highest of their tops
+        let height_m = match tops.as_slice() {
+            [one] => one.height_m(plan),
+            several => several
+                .iter()
+                .map(|top| top.centroid_m[2])
+                .fold(f64::NEG_INFINITY, f64::max),
+        };
+        Placement {
+            yaw_rad: self.rotation.as_ref().map_or(0.0, &mut *pick),
+            tilt: self
+                .tilt
+                .each_ref()
+                .map(|tilt| tilt.as_ref().map_or(0.0, &mut *pick)),
+            position_m: [plan[0], plan[1], height_m],
+        }
+    }
+}
+
+fn at_block(index: usize, why: StackError) -> StackFault {
+    let path = format!("blocks[{}]", index + 1);
+    StackFault::part(path, why)
+}

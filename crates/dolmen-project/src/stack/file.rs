@@ -1,0 +1,227 @@
+//! Stacks as they are written.
+
+use crate::file_number::{At, QuantityRaw};
+use crate::file_way::WayRaw;
+use schemars::JsonSchema;
+
+/// Coordinates of a point.
+pub(super) type PointRaw = At<Vec<At<QuantityRaw>>>;
+
+/// Shape of a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum ShapeRaw {
+    /// width × depth × height.
+    Box,
+    /// The same with top_width × top_depth at its top.
+    Frustum,
+    /// A regular polygon of so many sides in plan, width across its flats; one side faces along x.
+    Prism,
+    /// An upright cylinder.
+    Drum,
+    /// The convex hull of points.
+    Points,
+    /// A closed mesh of triangles from a file.
+    Mesh,
+}
+
+/// Where the coordinates of points or of a mesh count from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum CoordinatesRaw {
+    /// The stone's own: it is moved so that its lowest point is its base, in the middle of its bounds in plan.
+    Own,
+    /// Those of the site: it stays where they put it.
+    Site,
+}
+
+/// The six factors of a pagoda.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct PagodaRaw {
+    /// Storeys, 1 to 13.
+    #[schemars(required)]
+    pub(super) storeys: Option<At<i64>>,
+    /// Height of all storeys, without the base.
+    #[schemars(required)]
+    pub(super) body_height: Option<At<QuantityRaw>>,
+    /// Height of all storeys over the width of the first body; or slenderness_angle. 3.74 if neither is given.
+    pub(super) body_slenderness: Option<At<QuantityRaw>>,
+    /// Least half width over height of the centroid above it, a ratio or "21 deg"; or body_slenderness.
+    pub(super) slenderness_angle: Option<At<QuantityRaw>>,
+    /// How the body narrows, with its unit; "8 deg" if not given.
+    pub(super) taper: Option<At<QuantityRaw>>,
+    /// Height of all storeys over that of the base; 3 if not given.
+    pub(super) body_base_height_ratio: Option<At<QuantityRaw>>,
+}
+
+/// Names of one or several blocks.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(untagged)]
+#[schemars(extend("x-must-be" = "the name of a block, a list of names, or \"ground\""))]
+pub(super) enum OnRaw {
+    One(String),
+    Several(Vec<String>),
+}
+
+/// Leaning: horizontal / vertical in either direction.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct LeanRaw {
+    /// Towards x: "1/200", a ratio, or text with a unit ("0.3 deg", "5 mm/m").
+    pub(super) x: Option<At<QuantityRaw>>,
+    /// Towards y.
+    pub(super) y: Option<At<QuantityRaw>>,
+}
+
+/// What acts in a joint; what is not given is that of the joints around it.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct BedRaw {
+    /// Friction coefficient; 0.6 if not given.
+    pub(super) friction: Option<At<QuantityRaw>>,
+    /// Friction coefficient while it slips, if it is less than friction.
+    pub(super) friction_kinetic: Option<At<QuantityRaw>>,
+    /// Shear strength of the bond beyond friction, a stress; 0 if not given: dry.
+    pub(super) cohesion: Option<At<QuantityRaw>>,
+    /// Tensile strength of the bond, a stress; 0 if not given: dry.
+    pub(super) tension: Option<At<QuantityRaw>>,
+    /// Normal stiffness per area; 1e9 Pa/m if not given.
+    pub(super) normal_stiffness: Option<At<QuantityRaw>>,
+    /// Shear stiffness per area; 4e8 Pa/m if not given.
+    pub(super) shear_stiffness: Option<At<QuantityRaw>>,
+    /// Dashpots as a fraction of critical damping, 0 to 1; 0.3 if not given.
+    pub(super) damping_ratio: Option<At<QuantityRaw>>,
+    /// Velocity that stones keep in an impact, 0 to 1, of the rigid law; 0 if not given.
+    pub(super) restitution: Option<At<QuantityRaw>>,
+}
+
+/// One stone.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct BlockRaw {
+    /// What people call it; unique in the stack.
+    #[schemars(required)]
+    pub(super) name: Option<At<String>>,
+    /// "box" if not given.
+    pub(super) shape: Option<At<ShapeRaw>>,
+    /// Along x; of a frustum at its base; of a prism twice the distance from its axis to a side.
+    pub(super) width: Option<At<QuantityRaw>>,
+    /// Along y; the same as width if not given.
+    pub(super) depth: Option<At<QuantityRaw>>,
+    /// Upwards.
+    pub(super) height: Option<At<QuantityRaw>>,
+    /// Of a frustum, and of a prism that tapers: width at its top.
+    pub(super) top_width: Option<At<QuantityRaw>>,
+    /// Of a frustum: depth at its top; in proportion to depth if not given.
+    pub(super) top_depth: Option<At<QuantityRaw>>,
+    /// Of a prism: number of its sides, 3 to 64.
+    pub(super) sides: Option<At<i64>>,
+    /// Of a drum: diameter at its base.
+    pub(super) diameter: Option<At<QuantityRaw>>,
+    /// Of a drum that tapers: diameter at its top.
+    pub(super) top_diameter: Option<At<QuantityRaw>>,
+    /// Of points: four or more, [x, y, z].
+    pub(super) points: Option<At<Vec<PointRaw>>>,
+    /// Of a mesh: its file, OBJ, STL or PLY, relative to the project file.
+    pub(super) file: Option<At<String>>,
+    /// Of a mesh: unit of length of its file; units.length if not given.
+    pub(super) unit: Option<At<String>>,
+    /// Of points and meshes: where their coordinates count from; "own" if not given.
+    pub(super) coordinates: Option<At<CoordinatesRaw>>,
+    /// Niches and chambers: they take mass away and leave the joints as they are.
+    pub(super) openings: Option<Vec<At<OpeningRaw>>>,
+    /// Density; that of the stack if not given.
+    pub(super) density: Option<At<QuantityRaw>>,
+    /// What it stands on: a block above it in the list, several, or "ground"; the one before it if not given.
+    pub(super) on: Option<At<OnRaw>>,
+    /// Where the centre of its base stands in plan, [x, y]; the middle of what it stands on if not given.
+    pub(super) at: Option<At<Vec<At<QuantityRaw>>>>,
+    /// How far its base stands off the middle of what it stands on, [x, y].
+    pub(super) offset: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Turn about the vertical, counterclockwise seen from above, with its unit: "3 deg".
+    pub(super) rotation: Option<At<QuantityRaw>>,
+    /// How its vertical edges lean.
+    pub(super) tilt: Option<At<LeanRaw>>,
+    /// The joints below it, where they differ from the joints of the stack.
+    pub(super) joint: Option<At<BedRaw>>,
+}
+
+/// A box taken out of a block.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct OpeningRaw {
+    /// Along x.
+    #[schemars(required)]
+    pub(super) width: Option<At<QuantityRaw>>,
+    /// Along y; the same as width if not given.
+    pub(super) depth: Option<At<QuantityRaw>>,
+    /// Upwards.
+    #[schemars(required)]
+    pub(super) height: Option<At<QuantityRaw>>,
+    /// The centre of its floor, [x, y, z] from the centre of the block's base, along the block's own sides.
+    #[schemars(required)]
+    pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
+}
+
+/// A joint that differs, by the names of its two blocks.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ContactRaw {
+    /// One block, or "ground".
+    #[schemars(required)]
+    pub(super) lower: Option<At<String>>,
+    /// The other block.
+    #[schemars(required)]
+    pub(super) upper: Option<At<String>>,
+    /// What differs in it.
+    #[schemars(required)]
+    pub(super) joint: Option<At<BedRaw>>,
+}
+
+/// A dowel or clamp.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct TieRaw {
+    /// One block, or "ground".
+    #[schemars(required)]
+    pub(super) lower: Option<At<String>>,
+    /// The other block.
+    #[schemars(required)]
+    pub(super) upper: Option<At<String>>,
+    /// Where it crosses the joint: [x, y, z], z up from the ground.
+    #[schemars(required)]
+    pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Its axis; "z", a vertical dowel, if not given.
+    pub(super) axis: Option<At<WayRaw>>,
+    /// Stiffness along its axis, a force per length; 0, a dowel that can slip out, if not given.
+    pub(super) axial_stiffness: Option<At<QuantityRaw>>,
+    /// Stiffness across its axis, a force per length.
+    #[schemars(required)]
+    pub(super) shear_stiffness: Option<At<QuantityRaw>>,
+    /// Tension at which it breaks, a force; 0 if not given.
+    pub(super) tension_strength: Option<At<QuantityRaw>>,
+    /// Shear at which it breaks, a force.
+    #[schemars(required)]
+    pub(super) shear_strength: Option<At<QuantityRaw>>,
+}
+
+/// Something beside a block that it meets after a gap.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct SideSupportRaw {
+    /// The block.
+    #[schemars(required)]
+    pub(super) block: Option<At<String>>,
+    /// Point of the block that meets it: [x, y, z], z up from the ground.
+    #[schemars(required)]
+    pub(super) position: Option<At<Vec<At<QuantityRaw>>>>,
+    /// Direction in which the block must move to meet it.
+    #[schemars(required)]
+    pub(super) direction: Option<At<WayRaw>>,
+    /// How far it must move; 0 if not given.
+    pub(super) gap: Option<At<QuantityRaw>>,
+    /// Stiffness once met, a force per length.
+    #[schemars(required)]
+    pub(super) stiffness: Option<At<QuantityRaw>>,
+}

@@ -1,0 +1,363 @@
+//! The stack of a project file.
+
+use crate::quantity::Quantity;
+use dolmen::structure::stack::{Body, Solid};
+
+/// The shape of a block as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub enum ShapePart {
+    /// width × depth × height.
+    Box {
+        /// Along x, m.
+        width: Quantity,
+        /// Along y, m; `None` as wide.
+        depth: Option<Quantity>,
+        /// Upwards, m.
+        height: Quantity,
+    },
+    /// A box with another width and depth at its top.
+    Frustum {
+        /// Along x at its base, m.
+        width: Quantity,
+        /// Along y at its base, m; `None` as wide.
+        depth: Option<Quantity>,
+        /// At its top.
+        top: Box<TopPart>,
+        /// Upwards, m.
+        height: Quantity,
+    },
+    /// A regular polygon in plan.
+    Prism {
+        /// Number of its sides.
+        sides: u32,
+        /// Across flats at its base, m.
+        width: Quantity,
+        /// Across flats at its top, m; `None` as at its base.
+        top_width: Option<Quantity>,
+        /// Upwards, m.
+        height: Quantity,
+    },
+    /// An upright cylinder.
+    Drum {
+        /// At its base, m.
+        diameter: Quantity,
+        /// At its top, m; `None` as at its base.
+        top_diameter: Option<Quantity>,
+        /// Upwards, m.
+        height: Quantity,
+    },
+    /// The convex hull of points.
+    Points {
+        /// Their coordinates, m.
+        points: Vec<[Quantity; 3]>,
+        /// Where these count from.
+        frame: PointsFrame,
+    },
+    /// A closed mesh from a file.
+    Mesh(Box<MeshPart>),
+}
+
+/// Where the coordinates of points or of a mesh count from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PointsFrame {
+    /// The stone's own: it is moved so that its lowest point is its base, in the middle of its bounds in plan.
+    Own,
+    /// Those of the site: it stays where they put it.
+    Site,
+}
+
+/// A stone from a mesh.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MeshPart {
+    /// Its file, as the project names it.
+    pub file: String,
+    /// Triangles that were read.
+    pub triangles: usize,
+    /// The stone, m.
+    pub solid: Solid,
+    /// Where its coordinates count from.
+    pub frame: PointsFrame,
+}
+
+/// Which of the two slenderness factors of a pagoda is given.
+#[derive(Clone, Debug, PartialEq)]
+pub enum PagodaSlendernessPart {
+    /// Height of all storeys over the width of the first body.
+    Body(Quantity),
+    /// Least half width over height of the centroid above it.
+    Angle(Quantity),
+}
+
+/// A pagoda made from six factors; `None` as the science has it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PagodaPart {
+    /// Storeys.
+    pub storeys: u32,
+    /// Height of all storeys, without the base, m.
+    pub body_height: Quantity,
+    /// How slender it is.
+    pub slenderness: Option<PagodaSlendernessPart>,
+    /// How the body narrows, rad.
+    pub taper: Option<Quantity>,
+    /// Height of all storeys over that of the base.
+    pub body_base_height_ratio: Option<Quantity>,
+}
+
+/// The top of a frustum.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TopPart {
+    /// Along x, m.
+    pub width: Quantity,
+    /// Along y, m; `None` in proportion to the depth at its base.
+    pub depth: Option<Quantity>,
+}
+
+/// A box taken out of a block.
+#[derive(Clone, Debug, PartialEq)]
+pub struct OpeningPart {
+    /// Along x, m.
+    pub width: Quantity,
+    /// Along y, m; `None` as wide.
+    pub depth: Option<Quantity>,
+    /// Upwards, m.
+    pub height: Quantity,
+    /// Centre of its floor from the centre of the block's base, m.
+    pub position: [Quantity; 3],
+}
+
+/// What acts in a joint; `None` as in the joints around it.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BedPart {
+    /// Friction coefficient, static; kinetic too unless that is given.
+    pub friction: Option<Quantity>,
+    /// Kinetic friction coefficient.
+    pub friction_kinetic: Option<Quantity>,
+    /// Shear strength of the bond beyond friction, Pa.
+    pub cohesion: Option<Quantity>,
+    /// Tensile strength of the bond, Pa.
+    pub tension: Option<Quantity>,
+    /// Normal stiffness per area, Pa/m.
+    pub normal_stiffness: Option<Quantity>,
+    /// Shear stiffness per area, Pa/m.
+    pub shear_stiffness: Option<Quantity>,
+    /// Dashpots as a fraction of critical damping.
+    pub damping_ratio: Option<Quantity>,
+    /// Restitution of the rigid law.
+    pub restitution: Option<Quantity>,
+}
+
+/// One block as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BlockPart {
+    /// Its name, unique.
+    pub name: String,
+    /// Its shape.
+    pub shape: ShapePart,
+    /// What is taken out of it.
+    pub openings: Vec<OpeningPart>,
+    /// Density, kg/m³; `None` that of the stack.
+    pub density: Option<Quantity>,
+    /// What it stands on: blocks before it, or the ground.
+    pub on: Vec<Body>,
+    /// Plan position of the centre of its base, m; `None` the middle of what it stands on.
+    pub at: Option<[Quantity; 2]>,
+    /// Shift from there, m.
+    pub offset: Option<[Quantity; 2]>,
+    /// Turn about the vertical, rad.
+    pub rotation: Option<Quantity>,
+    /// Leaning towards x and y, horizontal / vertical.
+    pub tilt: [Option<Quantity>; 2],
+    /// The joints below it.
+    pub joint: BedPart,
+}
+
+/// A joint that differs.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ContactPart {
+    /// One body.
+    pub lower: Body,
+    /// The other, a block by its index.
+    pub upper: usize,
+    /// What differs in it.
+    pub joint: BedPart,
+}
+
+/// A dowel or clamp as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TiePart {
+    /// One body.
+    pub lower: Body,
+    /// The other, a block by its index.
+    pub upper: usize,
+    /// Where it crosses the joint, m.
+    pub position: [Quantity; 3],
+    /// Unit vector of its axis.
+    pub axis: [f64; 3],
+    /// Stiffness along it, N/m.
+    pub axial_stiffness: Option<Quantity>,
+    /// Stiffness across it, N/m.
+    pub shear_stiffness: Quantity,
+    /// Tension at which it breaks, N.
+    pub tension_strength: Option<Quantity>,
+    /// Shear at which it breaks, N.
+    pub shear_strength: Quantity,
+}
+
+/// Something beside a block as the file gives it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SideSupportPart {
+    /// The block, by its index.
+    pub block: usize,
+    /// Point of the block that meets it, m.
+    pub position: [Quantity; 3],
+    /// Unit vector in which the block must move to meet it.
+    pub direction: [f64; 3],
+    /// How far it must move, m.
+    pub gap: Option<Quantity>,
+    /// Stiffness once met, N/m.
+    pub stiffness: Quantity,
+}
+
+/// Blocks, lowest first, the joints between them, and what ties and holds them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StackPart {
+    /// The blocks in the order of the file; none if a pagoda makes them.
+    pub blocks: Vec<BlockPart>,
+    /// What makes the blocks, if the file does not list them.
+    pub pagoda: Option<PagodaPart>,
+    /// Density of the blocks that have none of their own, kg/m³.
+    pub density: Option<Quantity>,
+    /// What acts in every joint that does not say it itself.
+    pub joint: BedPart,
+    /// Joints that differ, by the blocks that meet in them.
+    pub contacts: Vec<ContactPart>,
+    /// Dowels and clamps.
+    pub ties: Vec<TiePart>,
+    /// What stands beside blocks.
+    pub side_supports: Vec<SideSupportPart>,
+    /// Acceleration of gravity, m/s².
+    pub gravity_m_s2: f64,
+}
+
+impl ShapePart {
+    /// Its dimensions: width, depth, height, and so on.
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        match self {
+            ShapePart::Box { width, depth, height } => {
+                all.push(width);
+                all.extend(depth);
+                all.push(height);
+            }
+            ShapePart::Frustum {
+                width,
+                depth,
+                top,
+                height,
+            } => {
+                all.push(width);
+                all.extend(depth);
+                all.push(&top.width);
+                all.extend(&top.depth);
+                all.push(height);
+            }
+            ShapePart::Prism {
+                width,
+                top_width,
+                height,
+                ..
+            } => {
+                all.push(width);
+                all.extend(top_width);
+                all.push(height);
+            }
+            ShapePart::Drum {
+                diameter,
+                top_diameter,
+                height,
+            } => {
+                all.push(diameter);
+                all.extend(top_diameter);
+                all.push(height);
+            }
+            ShapePart::Points { points, .. } => all.extend(points.iter().flatten()),
+            ShapePart::Mesh(_) => {}
+        }
+    }
+
+    /// Whether it stays where its coordinates put it.
+    pub(super) fn keeps_its_place(&self) -> bool {
+        match self {
+            ShapePart::Points { frame, .. } => *frame == PointsFrame::Site,
+            ShapePart::Mesh(mesh) => mesh.frame == PointsFrame::Site,
+            _ => false,
+        }
+    }
+}
+
+impl PagodaPart {
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.push(&self.body_height);
+        match &self.slenderness {
+            Some(PagodaSlendernessPart::Body(given) | PagodaSlendernessPart::Angle(given)) => all.push(given),
+            None => {}
+        }
+        all.extend(&self.taper);
+        all.extend(&self.body_base_height_ratio);
+    }
+}
+
+impl BedPart {
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        let each = [
+            &self.friction,
+            &self.friction_kinetic,
+            &self.cohesion,
+            &self.tension,
+            &self.normal_stiffness,
+            &self.shear_stiffness,
+            &self.damping_ratio,
+            &self.restitution,
+        ];
+        all.extend(each.into_iter().flatten());
+    }
+}
+
+impl StackPart {
+    pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.extend(&self.density);
+        self.joint.inputs(all);
+        if let Some(pagoda) = &self.pagoda {
+            pagoda.inputs(all);
+        }
+        for block in &self.blocks {
+            block.shape.inputs(all);
+            for opening in &block.openings {
+                all.push(&opening.width);
+                all.extend(&opening.depth);
+                all.push(&opening.height);
+                all.extend(&opening.position);
+            }
+            all.extend(&block.density);
+            all.extend(block.at.iter().flatten());
+            all.extend(block.offset.iter().flatten());
+            all.extend(&block.rotation);
+            all.extend(block.tilt.iter().flatten());
+            block.joint.inputs(all);
+        }
+        for contact in &self.contacts {
+            contact.joint.inputs(all);
+        }
+        for tie in &self.ties {
+            all.extend(&tie.position);
+            all.extend(&tie.axial_stiffness);
+            all.push(&tie.shear_stiffness);
+            all.extend(&tie.tension_strength);
+            all.push(&tie.shear_strength);
+        }
+        for support in &self.side_supports {
+            all.extend(&support.position);
+            all.extend(&support.gap);
+            all.push(&support.stiffness);
+        }
+    }
+}

@@ -1,0 +1,233 @@
+//! Stacks from what is written.
+
+use super::bed::bed;
+use super::block::block;
+use super::body::{block_index, body, names};
+use super::file::{BlockRaw, ContactRaw, SideSupportRaw, TieRaw};
+use super::pagoda::pagoda;
+use super::part::{BedPart, BlockPart, ContactPart, SideSupportPart, StackPart, TiePart};
+use crate::content::WarningKind;
+use crate::error::Fault;
+use crate::file::FileRaw;
+use crate::file_number::{At, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::needed::{countable, lengths, listed, missing};
+use crate::reader::Reader;
+use crate::way::way;
+
+pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
+    if let (Some(list), Some(_)) = (&raw.blocks, &raw.pagoda) {
+        let fault = Fault::new(
+            list.span.clone(),
+            "blocks",
+            "the file has both blocks and a pagoda",
+        );
+        reader.fault(fault.help("keep one of them: a pagoda makes its own blocks"));
+        return None;
+    }
+    let (list, made) = match (&raw.blocks, &raw.pagoda) {
+        (Some(list), _) => {
+            if !countable(reader, list, "blocks") {
+                return None;
+            }
+            reader.mark("blocks", &list.span);
+            (list.value.as_slice(), None)
+        }
+        (None, Some(factors)) => (&[] as &[At<BlockRaw>], Some(pagoda(reader, factors)?)),
+        (None, None) => {
+            let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first; or pagoda = { storeys = 3, … }";
+            missing(reader, "blocks", "a stack needs blocks", help);
+            return None;
+        }
+    };
+    let density = reader.quantity(raw.density.as_ref(), "density", Measure::Density, Bound::Positive);
+    let joint = bed(reader, raw.joint.as_ref(), "joint");
+    let (pagoda, names) = match made {
+        Some((part, names)) => (Some(part), names),
+        None => (None, names(reader, list)),
+    };
+    let numbered = list.iter().enumerate();
+    let blocks: Vec<Option<BlockPart>> = numbered.map(|(i, raw)| block(reader, raw, i, &names)).collect();
+    if density.is_none() && !reader.is_reported("density") {
+        without_density(reader, list);
+        if pagoda.is_some() {
+            let help = "write density = 2600 at the top level (granite, kg/m3)";
+            missing(reader, "density", "the stones of a pagoda need a density", help);
+        }
+    }
+    let contacts = listed(
+        reader,
+        raw.contacts.as_deref(),
+        "contacts",
+        |reader, raw, path| contact(reader, raw, path, &names),
+    );
+    let ties = listed(reader, raw.ties.as_deref(), "ties", |reader, raw, path| {
+        tie(reader, raw, path, &names)
+    });
+    let side_supports = listed(
+        reader,
+        raw.side_supports.as_deref(),
+        "side_supports",
+        |reader, raw, path| side_support(reader, raw, path, &names),
+    );
+    let stack = StackPart {
+        blocks: blocks.into_iter().collect::<Option<_>>()?,
+        pagoda,
+        density,
+        joint: joint?,
+        contacts: contacts?,
+        ties: ties?,
+        side_supports: side_supports?,
+        gravity_m_s2,
+    };
+    warn_of_defaults(reader, &stack);
+    Some(stack)
+}
+
+/// Reports blocks that have no density where the stack has none either.
+fn without_density(reader: &mut Reader, blocks: &[At<BlockRaw>]) {
+    let mut without = blocks
+        .iter()
+        .enumerate()
+        .filter(|(_, block)| block.value.density.is_none());
+    let Some((first, block)) = without.next() else {
+        return;
+    };
+    let path = format!("blocks[{}].density", first + 1);
+    let others = match without.count() {
+        0 => String::new(),
+        others => format!(", nor have {others} more blocks"),
+    };
+    let message = format!("blocks[{}] has no density{others}", first + 1);
+    let fault = Fault::new(block.span.clone(), &path, message);
+    reader.fault(fault.help(
+        "write density = 2600 at the top level for all blocks (granite, kg/m3), or density = … in the block",
+    ));
+}
+
+fn contact(reader: &mut Reader, raw: &At<ContactRaw>, path: &str, names: &[String]) -> Option<ContactPart> {
+    let lower = raw.value.lower.as_ref().and_then(|name| {
+        let path = format!("{path}.lower");
+        body(reader, &name.value, (&name.span, &path), names, "block")
+    });
+    let upper = block_index(reader, raw.value.upper.as_ref(), &format!("{path}.upper"), names);
+    let joint = bed(reader, raw.value.joint.as_ref(), &format!("{path}.joint"));
+    Some(ContactPart {
+        lower: lower?,
+        upper: upper?,
+        joint: joint?,
+    })
+}
+
+fn tie(reader: &mut Reader, raw: &At<TieRaw>, path: &str, names: &[String]) -> Option<TiePart> {
+    let tie = &raw.value;
+    let lower = tie.lower.as_ref().and_then(|name| {
+        let path = format!("{path}.lower");
+        body(reader, &name.value, (&name.span, &path), names, "block")
+    });
+    let upper = block_index(reader, tie.upper.as_ref(), &format!("{path}.upper"), names);
+    let position_path = format!("{path}.position");
+    let position = tie
+        .position
+        .as_ref()
+        .and_then(|raw| lengths(reader, raw, &position_path, "[x, y, z]"));
+    let axis = match &tie.axis {
+        Some(axis) => way(reader, axis, &format!("{path}.axis")),
+        None => Some([0.0, 0.0, 1.0]),
+    };
+    let before = reader.faults.len();
+    let mut of = |raw: &Option<At<QuantityRaw>>, key: &str, measure| {
+        let path = format!("{path}.{key}");
+        reader.quantity(raw.as_ref(), &path, measure, Bound::NotNegative)
+    };
+    let axial_stiffness = of(&tie.axial_stiffness, "axial_stiffness", Measure::StoreyStiffness);
+    let shear_stiffness = of(&tie.shear_stiffness, "shear_stiffness", Measure::StoreyStiffness);
+    let tension_strength = of(&tie.tension_strength, "tension_strength", Measure::Force);
+    let shear_strength = of(&tie.shear_strength, "shear_strength", Measure::Force);
+    (reader.faults.len() == before).then_some(())?;
+    Some(TiePart {
+        lower: lower?,
+        upper: upper?,
+        position: position?,
+        axis: axis?,
+        axial_stiffness,
+        shear_stiffness: shear_stiffness?,
+        tension_strength,
+        shear_strength: shear_strength?,
+    })
+}
+
+fn side_support(
+    reader: &mut Reader,
+    raw: &At<SideSupportRaw>,
+    path: &str,
+    names: &[String],
+) -> Option<SideSupportPart> {
+    let support = &raw.value;
+    let block = block_index(reader, support.block.as_ref(), &format!("{path}.block"), names);
+    let position_path = format!("{path}.position");
+    let position = support
+        .position
+        .as_ref()
+        .and_then(|raw| lengths(reader, raw, &position_path, "[x, y, z]"));
+    let direction = support
+        .direction
+        .as_ref()
+        .and_then(|raw| way(reader, raw, &format!("{path}.direction")));
+    let before = reader.faults.len();
+    let gap_path = format!("{path}.gap");
+    let gap = reader.quantity(
+        support.gap.as_ref(),
+        &gap_path,
+        Measure::Length,
+        Bound::NotNegative,
+    );
+    let stiffness = reader.quantity(
+        support.stiffness.as_ref(),
+        &format!("{path}.stiffness"),
+        Measure::StoreyStiffness,
+        Bound::NotNegative,
+    );
+    (reader.faults.len() == before).then_some(())?;
+    Some(SideSupportPart {
+        block: block?,
+        position: position?,
+        direction: direction?,
+        gap,
+        stiffness: stiffness?,
+    })
+}
+
+/// Says which values of the joints are Dolmen's own.
+fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
+    let joint = &stack.joint;
+    let each = [
+        (&joint.friction, "friction 0.6"),
+        (&joint.normal_stiffness, "normal_stiffness 1e9 Pa/m"),
+        (&joint.shear_stiffness, "shear_stiffness 4e8 Pa/m"),
+        (&joint.damping_ratio, "damping_ratio 0.3"),
+    ];
+    let taken: Vec<&str> = each
+        .iter()
+        .filter(|(given, _)| given.is_none())
+        .map(|(_, taken)| *taken)
+        .collect();
+    if !taken.is_empty() {
+        let message = format!(
+            "joint does not say everything: {} {} Dolmen's own, and assumed (friction acts in the limits; stiffness and \
+             damping only in motion)",
+            taken.join(", "),
+            if taken.len() == 1 { "is" } else { "are" }
+        );
+        let path = if joint == &BedPart::default() {
+            if stack.pagoda.is_some() {
+                "pagoda"
+            } else {
+                "blocks"
+            }
+        } else {
+            "joint"
+        };
+        reader.warn(WarningKind::JointDefaults, path, message);
+    }
+}

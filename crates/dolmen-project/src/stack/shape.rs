@@ -1,0 +1,289 @@
+//! The shape of a block from what is written.
+
+use super::file::{BlockRaw, CoordinatesRaw, ShapeRaw};
+use super::part::{MeshPart, PointsFrame, ShapePart, TopPart};
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::measure::{Bound, Measure};
+use crate::needed::lengths;
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use dolmen::structure::stack::Solid;
+use dolmen_records::MESH_BYTES_MOST;
+use dolmen_records::meshes::read_mesh;
+use std::ops::Range;
+
+/// Most sides of a prism: as the science allows; more are a drum.
+const SIDES_MOST: usize = 64;
+
+/// Keys of a block that give it its shape, and the shapes that have them.
+const KEYS_OF_SHAPE: [(&str, &[ShapeRaw]); 7] = [
+    ("width", &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism]),
+    (
+        "height",
+        &[ShapeRaw::Box, ShapeRaw::Frustum, ShapeRaw::Prism, ShapeRaw::Drum],
+    ),
+    ("depth", &[ShapeRaw::Box, ShapeRaw::Frustum]),
+    ("top_width", &[ShapeRaw::Frustum, ShapeRaw::Prism]),
+    ("top_depth", &[ShapeRaw::Frustum]),
+    ("diameter", &[ShapeRaw::Drum]),
+    ("top_diameter", &[ShapeRaw::Drum]),
+];
+
+fn shape_word(shape: ShapeRaw) -> &'static str {
+    match shape {
+        ShapeRaw::Box => "box",
+        ShapeRaw::Frustum => "frustum",
+        ShapeRaw::Prism => "prism",
+        ShapeRaw::Drum => "drum",
+        ShapeRaw::Points => "solid of points",
+        ShapeRaw::Mesh => "mesh",
+    }
+}
+
+/// The shape of a block; `name` is that of the block.
+pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Option<ShapePart> {
+    let block = &raw.value;
+    let shape = block.shape.as_ref().map_or(ShapeRaw::Box, |shape| shape.value);
+    let written = |key: &str| match key {
+        "width" => &block.width,
+        "depth" => &block.depth,
+        "height" => &block.height,
+        "top_width" => &block.top_width,
+        "top_depth" => &block.top_depth,
+        "diameter" => &block.diameter,
+        _ => &block.top_diameter,
+    };
+    for (key, shapes) in KEYS_OF_SHAPE {
+        if let Some(quantity) = written(key)
+            && !shapes.contains(&shape)
+        {
+            let key_path = format!("{path}.{key}");
+            let message = format!("{key_path} has no meaning in a {}", shape_word(shape));
+            let others: Vec<String> = shapes
+                .iter()
+                .map(|shape| format!("shape = \"{}\"", shape_word(*shape)))
+                .collect();
+            let fault = Fault::new(quantity.span.clone(), &key_path, message);
+            reader.fault(fault.help(format!("take it out, or write {}", others.join(" or "))));
+        }
+    }
+    for (key, span, shapes) in other_keys(block) {
+        if let (Some(span), false) = (span, shapes.contains(&shape)) {
+            let key_path = format!("{path}.{key}");
+            let message = format!("{key_path} has no meaning in a {}", shape_word(shape));
+            let others: Vec<&str> = shapes.iter().map(|shape| word_of(*shape)).collect();
+            let fault = Fault::new(span, &key_path, message);
+            reader.fault(fault.help(format!("take it out, or write {}", others.join(" or "))));
+        }
+    }
+    match shape {
+        ShapeRaw::Points => return points(reader, raw, path),
+        ShapeRaw::Mesh => return mesh(reader, raw, path, name),
+        ShapeRaw::Box | ShapeRaw::Frustum | ShapeRaw::Prism | ShapeRaw::Drum => {}
+    }
+    let needs = |reader: &mut Reader, key: &str| {
+        let key_path = format!("{path}.{key}");
+        if written(key).is_none() && !reader.is_reported(&key_path) {
+            let message = format!("{path} has no \"{key}\", but a {} needs it", shape_word(shape));
+            let fault = Fault::new(raw.span.clone(), &key_path, message);
+            reader.fault(fault.help(format!("write {key} = …")));
+        }
+        reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive)
+    };
+    let may = |reader: &mut Reader, key: &str| {
+        let key_path = format!("{path}.{key}");
+        let before = reader.faults.len();
+        let read = reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive);
+        (reader.faults.len() == before).then_some(read)
+    };
+    let height = needs(reader, "height");
+    match shape {
+        ShapeRaw::Box => {
+            let (width, depth) = (needs(reader, "width"), may(reader, "depth"));
+            Some(ShapePart::Box {
+                width: width?,
+                depth: depth?,
+                height: height?,
+            })
+        }
+        ShapeRaw::Frustum => {
+            let (width, depth) = (needs(reader, "width"), may(reader, "depth"));
+            let (top_width, top_depth) = (needs(reader, "top_width"), may(reader, "top_depth"));
+            Some(ShapePart::Frustum {
+                width: width?,
+                depth: depth?,
+                top: Box::new(TopPart {
+                    width: top_width?,
+                    depth: top_depth?,
+                }),
+                height: height?,
+            })
+        }
+        ShapeRaw::Prism => {
+            let sides_path = format!("{path}.sides");
+            if block.sides.is_none() {
+                let message = format!("{path} has no \"sides\", but a prism needs it");
+                let fault = Fault::new(raw.span.clone(), &sides_path, message);
+                reader.fault(fault.help("write sides = …"));
+            }
+            let sides = reader.count(block.sides.as_ref(), &sides_path, 3, SIDES_MOST);
+            let (width, top_width) = (needs(reader, "width"), may(reader, "top_width"));
+            Some(ShapePart::Prism {
+                sides: sides.and_then(|sides| u32::try_from(sides).ok())?,
+                width: width?,
+                top_width: top_width?,
+                height: height?,
+            })
+        }
+        ShapeRaw::Drum => {
+            let (diameter, top_diameter) = (needs(reader, "diameter"), may(reader, "top_diameter"));
+            Some(ShapePart::Drum {
+                diameter: diameter?,
+                top_diameter: top_diameter?,
+                height: height?,
+            })
+        }
+        ShapeRaw::Points | ShapeRaw::Mesh => None, // read above
+    }
+}
+
+/// `shape = "prism"`.
+fn word_of(shape: ShapeRaw) -> &'static str {
+    match shape {
+        ShapeRaw::Box => "shape = \"box\"",
+        ShapeRaw::Frustum => "shape = \"frustum\"",
+        ShapeRaw::Prism => "shape = \"prism\"",
+        ShapeRaw::Drum => "shape = \"drum\"",
+        ShapeRaw::Points => "shape = \"points\"",
+        ShapeRaw::Mesh => "shape = \"mesh\"",
+    }
+}
+
+type OtherKey = (&'static str, Option<Range<usize>>, &'static [ShapeRaw]);
+
+/// Keys that are no lengths: where they stand, and the shapes that have them. What `coordinates = "site"` rules out is among
+/// them: a stone that stays where it is has no other place.
+fn other_keys(block: &BlockRaw) -> [OtherKey; 5] {
+    fn span<T>(key: &Option<At<T>>) -> Option<Range<usize>> {
+        key.as_ref().map(|at| at.span.clone())
+    }
+    const PRISM: &[ShapeRaw] = &[ShapeRaw::Prism];
+    const POINTS: &[ShapeRaw] = &[ShapeRaw::Points];
+    const MESH: &[ShapeRaw] = &[ShapeRaw::Mesh];
+    const BOTH: &[ShapeRaw] = &[ShapeRaw::Points, ShapeRaw::Mesh];
+    [
+        ("sides", span(&block.sides), PRISM),
+        ("points", span(&block.points), POINTS),
+        ("file", span(&block.file), MESH),
+        ("unit", span(&block.unit), MESH),
+        ("coordinates", span(&block.coordinates), BOTH),
+    ]
+}
+
+/// Where coordinates count from; a stone that stays where they put it has no other place.
+fn frame(reader: &mut Reader, block: &BlockRaw, path: &str) -> PointsFrame {
+    let site = block
+        .coordinates
+        .as_ref()
+        .is_some_and(|given| given.value == CoordinatesRaw::Site);
+    if !site {
+        return PointsFrame::Own;
+    }
+    let given = [
+        ("at", block.at.as_ref().map(|at| &at.span)),
+        ("offset", block.offset.as_ref().map(|at| &at.span)),
+        ("rotation", block.rotation.as_ref().map(|at| &at.span)),
+        ("tilt", block.tilt.as_ref().map(|at| &at.span)),
+    ];
+    for (key, span) in given {
+        if let Some(span) = span {
+            let key_path = format!("{path}.{key}");
+            let message = format!("{key_path} has no meaning with coordinates = \"site\"");
+            let fault = Fault::new(span.clone(), &key_path, message);
+            reader.fault(fault.help("take it out, or write coordinates = \"own\""));
+        }
+    }
+    PointsFrame::Site
+}
+
+fn points(reader: &mut Reader, raw: &At<BlockRaw>, path: &str) -> Option<ShapePart> {
+    let frame = frame(reader, &raw.value, path);
+    let points_path = format!("{path}.points");
+    let Some(list) = &raw.value.points else {
+        if !reader.is_reported(&points_path) {
+            let message = format!("{path} has no \"points\", but a solid of points needs them");
+            let fault = Fault::new(raw.span.clone(), &points_path, message);
+            reader.fault(fault.help("write points = [[x, y, z], …], four or more"));
+        }
+        return None;
+    };
+    reader.mark(&points_path, &list.span);
+    let mut points = Vec::with_capacity(list.value.len());
+    for (i, point) in list.value.iter().enumerate() {
+        points.push(lengths(
+            reader,
+            point,
+            &format!("{points_path}[{}]", i + 1),
+            "[x, y, z]",
+        ));
+    }
+    let points: Vec<[Quantity; 3]> = points.into_iter().collect::<Option<_>>()?;
+    let part = ShapePart::Points { points, frame };
+    if let Err(why) = part.solid(&mut Quantity::nominal) {
+        let fault = Fault::new(list.span.clone(), &points_path, format!("{points_path}: {why}"));
+        reader.fault(fault);
+        return None;
+    }
+    Some(part)
+}
+
+fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Option<ShapePart> {
+    let frame = frame(reader, &raw.value, path);
+    let file_path = format!("{path}.file");
+    let Some(file) = &raw.value.file else {
+        if !reader.is_reported(&file_path) {
+            let message = format!("{path} has no \"file\", but a mesh needs it");
+            let fault = Fault::new(raw.span.clone(), &file_path, message);
+            reader.fault(fault.help("write file = \"stone.obj\" (OBJ, STL or PLY)"));
+        }
+        return None;
+    };
+    reader.mark(&file_path, &file.span);
+    let metres = match &raw.value.unit {
+        Some(unit) => {
+            let unit_path = format!("{path}.unit");
+            reader
+                .unit(&unit.value, &unit.span, &unit_path, Measure::Length, &unit_path)?
+                .factor
+        }
+        None => reader.bare_unit(Measure::Length).1,
+    };
+    let refuse = |reader: &mut Reader, why: String| {
+        let message = format!("{file_path} = \"{}\", the mesh of '{name}': {why}", file.value);
+        reader.fault(Fault::new(file.span.clone(), &file_path, message));
+    };
+    let read = reader.files.read(&file.value, MESH_BYTES_MOST);
+    let mesh = read
+        .map_err(|why| why.to_string())
+        .and_then(|bytes| read_mesh(&bytes).map_err(|why| why.to_string()));
+    let mesh = match mesh {
+        Ok(mesh) => mesh.merged().scaled(metres),
+        Err(why) => {
+            refuse(reader, why);
+            return None;
+        }
+    };
+    match Solid::mesh(&mesh.vertices, &mesh.triangles) {
+        Ok(solid) => Some(ShapePart::Mesh(Box::new(MeshPart {
+            file: file.value.clone(),
+            triangles: mesh.triangles.len(),
+            solid: frame.of(solid),
+            frame,
+        }))),
+        Err(why) => {
+            refuse(reader, why.to_string());
+            None
+        }
+    }
+}

@@ -1,0 +1,240 @@
+//! Probable slips in a stack.
+
+use super::part::{BedPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
+use crate::quantity::Quantity;
+use crate::reader::Reader;
+use crate::usual::{beside_neighbour, guess, median_of_others, odd_ones, unit_of, within};
+use crate::written::short;
+
+/// A dimension of a block over the median of the others', either way: a spire of 80 mm on slabs of 2 m has 1/25.
+const SIZE_RATIO_MOST: f64 = 30.0;
+/// Any dimension of a block, m: a shim of 5 mm to the longest monoliths with room.
+const SIZE_M: (f64, f64) = (0.005, 50.0);
+/// A block of usual size, m: of two unlike blocks the one further from it is doubted.
+const SIZE_USUAL_M: f64 = 1.0;
+/// Density of a block, kg/m³: cork to lead, with room.
+const DENSITY_KG_M3: (f64, f64) = (150.0, 15_000.0);
+/// Friction coefficient: a greased sliding bearing to interlocking rubble.
+const FRICTION: (f64, f64) = (0.03, 2.0);
+/// Stiffness of a joint per area, Pa/m: rubble in clay to ground beds of granite.
+const STIFFNESS_PA_M: (f64, f64) = (1e6, 1e13);
+/// What a stiffness per area usually is, Pa/m.
+const STIFFNESS_USUAL_PA_M: f64 = 1e9;
+/// Shear over normal stiffness: elastic contact has 0.3 to 1.
+const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
+/// Strength of a bond, Pa: lime mortar has 1e4 to 1e6.
+const STRENGTH_MOST_PA: f64 = 2e7;
+
+/// Height of all storeys of a pagoda, m: a model to the highest ever built.
+const PAGODA_HEIGHT_M: (f64, f64) = (0.3, 60.0);
+
+/// tan α of a pagoda: far outside what stands or was ever built.
+const SLENDERNESS_ANGLE: (f64, f64) = (0.05, 1.5);
+
+pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
+    judge_sizes(reader, stack);
+    judge_extents(reader, stack);
+    if let Some(pagoda) = &stack.pagoda {
+        judge_pagoda(reader, pagoda);
+    }
+    let densities = stack
+        .density
+        .iter()
+        .chain(stack.blocks.iter().filter_map(|block| block.density.as_ref()));
+    for density in densities {
+        judge_density(reader, density);
+    }
+    judge_bed(reader, &stack.joint);
+    for block in &stack.blocks {
+        judge_bed(reader, &block.joint);
+    }
+    for contact in &stack.contacts {
+        judge_bed(reader, &contact.joint);
+    }
+}
+
+fn judge_pagoda(reader: &mut Reader, pagoda: &PagodaPart) {
+    let height = &pagoda.body_height;
+    if !within(height.value, PAGODA_HEIGHT_M) {
+        let message = format!("{} = {}, but pagodas have 1 to 20 m", height.path, height.written);
+        reader.slip(&height.path, message, guess(height.value / 4.0, unit_of(height)));
+    }
+    if let Some(PagodaSlendernessPart::Angle(angle)) = &pagoda.slenderness
+        && !within(angle.value, SLENDERNESS_ANGLE)
+    {
+        let message = format!("{} = {}, but pagodas have 0.2 to 0.6", angle.path, angle.written);
+        let help = "it is half width over height of the centroid, or an angle with its unit: \"21 deg\"";
+        reader.slip(&angle.path, message, help.to_owned());
+    }
+}
+
+/// The numbers of one kind, "width", of all blocks that have it.
+fn judge_sizes(reader: &mut Reader, stack: &StackPart) {
+    let mut kinds: Vec<(String, Vec<&Quantity>)> = Vec::new();
+    for block in &stack.blocks {
+        let mut sizes = Vec::new();
+        if !matches!(block.shape, ShapePart::Points { .. }) {
+            block.shape.inputs(&mut sizes); // of points the extent is judged
+        }
+        for size in sizes {
+            let key = size.path.rsplit('.').next().unwrap_or_default().to_owned();
+            match kinds.iter_mut().find(|(kind, _)| *kind == key) {
+                Some((_, all)) => all.push(size),
+                None => kinds.push((key, vec![size])),
+            }
+        }
+    }
+    for (_, sizes) in &kinds {
+        let values: Vec<f64> = sizes.iter().map(|size| size.value).collect();
+        let odd = odd_sizes(&values);
+        for (i, size) in sizes.iter().enumerate() {
+            if within(size.value, SIZE_M) && !odd.contains(&i) {
+                continue;
+            }
+            let (least, most) = SIZE_M;
+            let usual = odd.contains(&i).then(|| median_of_others(&values, i)).flatten();
+            let beside = match usual {
+                Some(_) => beside_neighbour(sizes, i, "stone"),
+                None => format!("but stones are {least} to {most} m"),
+            };
+            let message = format!("{} = {}, {beside}", size.path, size.written);
+            let help = guess(size.value / usual.unwrap_or(SIZE_USUAL_M), unit_of(size));
+            reader.slip(&size.path, message, help);
+        }
+    }
+}
+
+/// Largest extent of stones of points and of meshes, whose single coordinates say nothing.
+fn judge_extents(reader: &mut Reader, stack: &StackPart) {
+    for (i, block) in stack.blocks.iter().enumerate() {
+        let key = match &block.shape {
+            ShapePart::Points { .. } => "points",
+            ShapePart::Mesh(_) => "file",
+            _ => continue,
+        };
+        let Ok(solid) = block.shape.solid(&mut Quantity::nominal) else {
+            continue;
+        };
+        let [low, high] = solid.bounds_m();
+        let extent = (0..3).map(|axis| high[axis] - low[axis]).fold(0.0, f64::max);
+        if !within(extent, SIZE_M) {
+            let path = format!("blocks[{}].{key}", i + 1);
+            let (least, most) = SIZE_M;
+            let message = format!(
+                "{path}: '{}' is {} m across, but stones are {least} to {most} m",
+                block.name,
+                short(extent)
+            );
+            reader.slip(&path, message, guess(extent / SIZE_USUAL_M, "m"));
+        }
+    }
+}
+
+/// The odd ones among sizes, the worst taken out before the rest is judged: of a few stones one slip would make its
+/// neighbours look odd too.
+fn odd_sizes(values: &[f64]) -> Vec<usize> {
+    let mut left: Vec<usize> = (0..values.len()).collect();
+    let mut odd = Vec::new();
+    loop {
+        let rest: Vec<f64> = left.iter().map(|&i| values[i]).collect();
+        let distance = |&place: &usize| {
+            let usual = if rest.len() == 2 {
+                Some(SIZE_USUAL_M)
+            } else {
+                median_of_others(&rest, place)
+            };
+            usual.map_or(0.0, |usual| (rest[place] / usual).ln().abs())
+        };
+        let odd_places = odd_ones(&rest, SIZE_RATIO_MOST, SIZE_USUAL_M);
+        let worst = odd_places
+            .into_iter()
+            .max_by(|a, b| distance(a).total_cmp(&distance(b)));
+        match worst {
+            Some(place) => odd.push(left.remove(place)),
+            None => return odd,
+        }
+    }
+}
+
+fn judge_density(reader: &mut Reader, density: &Quantity) {
+    if within(density.value, DENSITY_KG_M3) {
+        return;
+    }
+    let message = format!(
+        "{} = {}, but stone has 1500 to 3200 kg/m3",
+        density.path, density.written
+    );
+    let in_tonnes = within(density.value * 1e3, DENSITY_KG_M3);
+    let help = if in_tonnes {
+        format!("did you mean \"{} t/m3\"?", short(density.value))
+    } else {
+        "2600 kg/m3 and 2.6 t/m3 are the same".to_owned()
+    };
+    reader.slip(&density.path, message, help);
+}
+
+fn judge_bed(reader: &mut Reader, bed: &BedPart) {
+    for friction in bed.friction.iter().chain(&bed.friction_kinetic) {
+        if !within(friction.value, FRICTION) {
+            let message = format!(
+                "{} = {}, but stone on stone has 0.4 to 0.8",
+                friction.path, friction.written
+            );
+            let help = if friction.value > FRICTION.1 {
+                format!("did you mean \"{} %\"?", short(friction.value))
+            } else {
+                "it is the friction coefficient, not an angle".to_owned()
+            };
+            reader.slip(&friction.path, message, help);
+        }
+    }
+    for stiffness in bed.normal_stiffness.iter().chain(&bed.shear_stiffness) {
+        if !within(stiffness.value, STIFFNESS_PA_M) {
+            let message = format!(
+                "{} = {}, but joints have 1e6 to 1e13 Pa/m",
+                stiffness.path, stiffness.written
+            );
+            let ratio = stiffness.value / STIFFNESS_USUAL_PA_M;
+            let help = if ratio < 1.0 {
+                "did you mean MPa/m or GPa/m?"
+            } else {
+                "1 GPa/m is 1e9 Pa/m"
+            };
+            reader.slip(&stiffness.path, message, help.to_owned());
+        }
+    }
+    if let (Some(normal), Some(shear)) = (&bed.normal_stiffness, &bed.shear_stiffness) {
+        let ratio = shear.value / normal.value;
+        if within(normal.value, STIFFNESS_PA_M)
+            && within(shear.value, STIFFNESS_PA_M)
+            && !within(ratio, STIFFNESS_RATIO)
+        {
+            let message = format!(
+                "{} = {} is {} × the normal stiffness, but joints have 0.3 to 1",
+                shear.path,
+                shear.written,
+                short(ratio)
+            );
+            reader.slip(&shear.path, message, "are both in the same unit?".to_owned());
+        }
+    }
+    for strength in bed.cohesion.iter().chain(&bed.tension) {
+        if strength.value > STRENGTH_MOST_PA {
+            let message = format!(
+                "{} = {}, but mortar has 10 kPa to 1 MPa",
+                strength.path, strength.written
+            );
+            reader.slip(&strength.path, message, "did you mean Pa or kPa?".to_owned());
+        }
+    }
+    if let Some(damping) = &bed.damping_ratio
+        && damping.value > 1.0
+    {
+        let message = format!("{} = {}, but it is 0 to 1", damping.path, damping.written);
+        reader.slip(
+            &damping.path,
+            message,
+            format!("did you mean \"{} %\"?", short(damping.value)),
+        );
+    }
+}

@@ -1,0 +1,12 @@
+//! Studies: what is varied, and what is expected.
+
+mod file;
+mod part;
+mod read;
+mod values;
+
+pub(crate) use file::StudyRaw;
+pub use part::{
+    ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
+};
+pub(crate) use read::studies;

@@ -1,0 +1,289 @@
+//! Values of a study from what is written: lists and ranges of inputs, kept as text, and of numbers in SI.
+
+use super::file::{RangeRaw, SeriesRaw, SpacingRaw, TreeRaw};
+use super::part::{Axis, Override};
+use crate::error::Fault;
+use crate::file_number::{At, NumberRaw};
+use crate::measure::{Bound, Measure};
+use crate::paths::keys;
+use crate::reader::Reader;
+use crate::units::split_number;
+use crate::written::short;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use toml::de::DeValue;
+
+/// Most values of one list or range.
+pub(super) const VALUES_MOST: usize = 10_000;
+
+/// A value, list or range at the end of a path.
+pub(super) struct Leaf<'r> {
+    pub(super) path: String,
+    pub(super) tree: &'r TreeRaw,
+    pub(super) span: Range<usize>,
+}
+
+impl Leaf<'_> {
+    pub(super) fn value(&self, text: &str) -> Override {
+        Override {
+            path: self.path.clone(),
+            text: text.get(self.span.clone()).unwrap_or_default().to_owned(),
+            span: self.span.clone(),
+        }
+    }
+}
+
+/// The leaves of a tree in the order of the file.
+pub(super) fn leaves<'r>(reader: &mut Reader, tree: Option<&'r At<TreeRaw>>, place: &str) -> Vec<Leaf<'r>> {
+    let mut found = Vec::new();
+    if let Some(tree) = tree {
+        flatten(&tree.value, &tree.span, "", &mut found);
+    }
+    found.sort_by_key(|leaf| leaf.span.start);
+    for leaf in &found {
+        if keys(&leaf.path).is_none() {
+            let message = format!("{place}: \"{}\" is no path", leaf.path);
+            let fault = Fault::new(leaf.span.clone(), place, message);
+            reader.fault(fault.help("write it as \"joint.friction\" or \"links[2].weight\""));
+        }
+    }
+    found
+}
+
+/// Paths may be written as one key, "joint.friction", or as tables: both end in the same leaves.
+fn flatten<'r>(tree: &'r TreeRaw, span: &Range<usize>, path: &str, found: &mut Vec<Leaf<'r>>) {
+    match tree {
+        TreeRaw::Table(table)
+            if path.is_empty() || !["from", "value"].iter().any(|key| table.contains_key(*key)) =>
+        {
+            for (key, value) in table {
+                let below = if path.is_empty() {
+                    key.clone()
+                } else {
+                    format!("{path}.{key}")
+                };
+                flatten(&value.value, &value.span, &below, found);
+            }
+        }
+        tree => found.push(Leaf {
+            path: path.to_owned(),
+            tree,
+            span: span.clone(),
+        }),
+    }
+}
+
+pub(super) fn axis(reader: &mut Reader, text: &str, place: &str, leaf: &Leaf<'_>) -> Option<Axis> {
+    let path = format!("{place}.{}", leaf.path);
+    let at = |text: &str, span: &Range<usize>| Override {
+        path: leaf.path.clone(),
+        text: text.to_owned(),
+        span: span.clone(),
+    };
+    let values: Vec<Override> =
+        match leaf.tree {
+            TreeRaw::List(list) => {
+                let written = list.iter().map(|item| (text.get(item.span.clone()), &item.span));
+                written
+                    .map(|(text, span)| at(text.unwrap_or_default(), span))
+                    .collect()
+            }
+            TreeRaw::Table(table) => {
+                let range = written_range(reader, text, &path, &leaf.span, table)?;
+                range.iter().map(|text| at(text, &leaf.span)).collect()
+            }
+            TreeRaw::Leaf => {
+                let fault = Fault::new(leaf.span.clone(), &path, format!("{path} is one value"));
+                let fault = fault.allowed("must be a list or a range");
+                reader.fault(fault.help(
+                    "write [ … ] or { from = …, to = …, steps = … }; what all runs share stands in set",
+                ));
+                return None;
+            }
+        };
+    if values.is_empty() || values.len() > VALUES_MOST {
+        let message = format!("{path} has {} values", values.len());
+        let fault = Fault::new(leaf.span.clone(), &path, message);
+        reader.fault(fault.allowed(format!("must have 1 to {VALUES_MOST}")));
+        return None;
+    }
+    Some(Axis {
+        path: leaf.path.clone(),
+        values,
+    })
+}
+
+/// The values of { from, to, steps, spacing } as they would be written one by one.
+fn written_range(
+    reader: &mut Reader,
+    text: &str,
+    path: &str,
+    span: &Range<usize>,
+    table: &BTreeMap<String, At<TreeRaw>>,
+) -> Option<Vec<String>> {
+    let mut refuse = |message: String, help: &str| {
+        reader.fault(Fault::new(span.clone(), path, message).help(help));
+    };
+    let known = ["from", "to", "steps", "spacing"];
+    if let Some(other) = table.keys().find(|key| !known.contains(&key.as_str())) {
+        refuse(
+            format!("{path} has no key \"{other}\""),
+            "write { from = …, to = …, steps = … } and, if wanted, spacing = \"logarithmic\"",
+        );
+        return None;
+    }
+    let written = |key: &str| text.get(table.get(key)?.span.clone());
+    let number = |key: &str| end_of_range(written(key)?);
+    let steps = written("steps").and_then(|steps| steps.trim().parse::<usize>().ok());
+    let spacing = match written("spacing").map(|word| word.trim_matches(['"', '\''])) {
+        None | Some("linear") => Some(SpacingRaw::Linear),
+        Some("logarithmic") => Some(SpacingRaw::Logarithmic),
+        Some(_) => None,
+    };
+    let (Some(from), Some(to), Some(steps), Some(spacing)) = (number("from"), number("to"), steps, spacing)
+    else {
+        refuse(
+            format!("{path} is no range"),
+            "write { from = 3, to = 9, steps = 8 }, with units in quotes: from = \"0.1 g\"; spacing is \"linear\" or \"logarithmic\"",
+        );
+        return None;
+    };
+    if from.unit != to.unit {
+        refuse(
+            format!("{path} goes from {} to {}", written("from")?, written("to")?),
+            "write both ends in the same unit",
+        );
+        return None;
+    }
+    let Some(values) = spaced(from.value, to.value, steps, spacing) else {
+        refuse(
+            format!(
+                "{path} has {steps} steps from {} to {}",
+                short(from.value),
+                short(to.value)
+            ),
+            "take 2 to 10 000 steps between two different numbers, both above 0 if the spacing is logarithmic",
+        );
+        return None;
+    };
+    let whole = from.is_whole && to.is_whole && values.iter().all(|value| value.fract() == 0.0);
+    let each = values.into_iter().map(|value| match &from.unit {
+        Some(unit) => format!("\"{value} {unit}\""),
+        None if whole => format!("{value}"),
+        None => format!("{value:?}"),
+    });
+    Some(each.collect())
+}
+
+/// One end of a range as it is written.
+struct RangeEnd {
+    value: f64,
+    unit: Option<String>,
+    is_whole: bool,
+}
+
+fn end_of_range(text: &str) -> Option<RangeEnd> {
+    let of = |value: f64, unit, is_whole| RangeEnd {
+        value,
+        unit,
+        is_whole,
+    };
+    match DeValue::parse(text).ok()?.into_inner() {
+        DeValue::Integer(number) => Some(of(number.as_str().parse().ok()?, None, true)),
+        DeValue::Float(number) => Some(of(number.as_str().parse().ok()?, None, false)),
+        DeValue::String(text) => {
+            let (value, unit) = split_number(&text)?;
+            (!unit.is_empty()).then(|| of(value, Some(unit.to_owned()), false))
+        }
+        _ => None,
+    }
+}
+
+/// Numbers from one to another, both ends exact; `None` if that cannot be.
+fn spaced(from: f64, to: f64, steps: usize, spacing: SpacingRaw) -> Option<Vec<f64>> {
+    let is_log = spacing == SpacingRaw::Logarithmic;
+    let fits = from.is_finite() && to.is_finite() && from != to && (2..=VALUES_MOST).contains(&steps);
+    (fits && (!is_log || (from > 0.0 && to > 0.0))).then_some(())?;
+    let last = steps - 1;
+    let each = (0..steps).map(|i| {
+        let part = i as f64 / last as f64;
+        if i == 0 {
+            from
+        } else if i == last {
+            to
+        } else if is_log {
+            as_written(from * (to / from).powf(part))
+        } else {
+            as_written(from + (to - from) * part)
+        }
+    });
+    Some(each.collect())
+}
+
+/// The number of 12 digits nearest to it: 0.3 and not 0.30000000000000004, whatever the mathematics library makes of a power.
+fn as_written(value: f64) -> f64 {
+    format!("{value:.11e}").parse().unwrap_or(value)
+}
+
+/// Numbers in SI; `None` if there are none or one is wrong, which has then been reported.
+pub(super) fn series(
+    reader: &mut Reader,
+    raw: Option<&At<SeriesRaw>>,
+    path: &str,
+    measure: Measure,
+) -> Option<Vec<f64>> {
+    let raw = raw?;
+    let before = reader.faults.len();
+    let mut of =
+        |number: &At<NumberRaw>, path: &str| reader.plain(Some(number), path, measure, Bound::Positive);
+    let values: Option<Vec<f64>> = match &raw.value {
+        SeriesRaw::List(list) => {
+            let each = list.iter().enumerate();
+            each.map(|(i, number)| of(number, &format!("{path}[{}]", i + 1)))
+                .collect()
+        }
+        SeriesRaw::Range(range) => {
+            let from = range.from.as_ref().and_then(|n| of(n, &format!("{path}.from")));
+            let to = range.to.as_ref().and_then(|n| of(n, &format!("{path}.to")));
+            from.zip(to).and_then(|ends| of_range(range, ends))
+        }
+    };
+    (reader.faults.len() == before).then_some(())?;
+    let rising = values
+        .as_ref()
+        .is_some_and(|v| !v.is_empty() && v.len() <= VALUES_MOST && v.is_sorted_by(|a, b| a < b));
+    if !rising {
+        let fault = Fault::new(
+            raw.span.clone(),
+            path,
+            format!("{path} does not rise from value to value"),
+        );
+        let fault = fault.allowed("must be rising");
+        reader.fault(fault.help(
+            "give each value once, the least first; a range needs from below to, and 2 to 10 000 steps",
+        ));
+        return None;
+    }
+    values
+}
+
+fn of_range(range: &RangeRaw, (from, to): (f64, f64)) -> Option<Vec<f64>> {
+    let steps = usize::try_from(range.steps.as_ref()?.value).ok()?;
+    spaced(from, to, steps, range.spacing.unwrap_or_default())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_ranges_end_where_they_say_and_read_as_written() {
+        let linear = spaced(0.1, 2.0, 20, SpacingRaw::Linear).unwrap();
+        assert_eq!((linear[0], linear[2], linear[19]), (0.1, 0.3, 2.0));
+        let log = spaced(0.01, 1.0, 3, SpacingRaw::Logarithmic).unwrap();
+        assert_eq!(log, [0.01, 0.1, 1.0]);
+        assert!(spaced(1.0, 1.0, 3, SpacingRaw::Linear).is_none());
+        assert!(spaced(0.0, 1.0, 3, SpacingRaw::Logarithmic).is_none());
+        assert!(spaced(0.0, 1.0, 1, SpacingRaw::Linear).is_none());
+    }
+}

@@ -1,0 +1,126 @@
+//! What was measured on one occasion.
+
+use super::records::RecordSource;
+use crate::quantity::{Pick, Quantity};
+use dolmen::structure::{MeasuredMode, ShapePoint};
+use std::collections::BTreeMap;
+
+/// A ratio of horizontal to vertical, as surveys state tilt.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tilt {
+    /// Horizontal / vertical.
+    pub ratio: f64,
+    /// As written: "1/177".
+    pub written: String,
+}
+
+/// How the plan moves in a mode.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ModeKind {
+    /// Every point of a level moves the same way.
+    Translation,
+    /// The plan twists: reported, but kept out of fits of a frame or chain in one direction.
+    Torsion,
+}
+
+/// One mode that the file states.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SurveyMode {
+    /// Frequency, Hz.
+    pub frequency: Quantity,
+    /// Damping ratio.
+    pub damping_ratio: Option<Quantity>,
+    /// Measured points of the shape; empty if only the frequency is known.
+    pub shape: Vec<ShapePoint>,
+    /// Translation or torsion.
+    pub kind: ModeKind,
+}
+
+impl SurveyMode {
+    /// As the identification of stiffness takes it.
+    pub fn measured(&self, pick: Pick<'_>) -> MeasuredMode {
+        MeasuredMode {
+            frequency_hz: pick(&self.frequency),
+            frequency_sd_hz: self.frequency.standard_deviation(),
+            frequency_changes_hz: Vec::new(),
+            shape: self.shape.clone(),
+        }
+    }
+}
+
+/// How two surveys are compared: `[change]`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ChangePart {
+    /// What is known of temperature.
+    pub temperature: TemperaturePart,
+    /// Largest relative difference of two frequencies that are taken for one mode; `None` leaves the choice to the method.
+    pub frequency_within: Option<f64>,
+}
+
+/// What the file says of the effect of temperature on frequencies.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum TemperaturePart {
+    /// Nothing.
+    #[default]
+    Unknown,
+    /// One coefficient for all modes.
+    Coefficient {
+        /// Relative change of every frequency per °C.
+        per_c: f64,
+        /// Its standard deviation.
+        sd_per_c: f64,
+    },
+    /// A coefficient for each mode, from earlier surveys.
+    Fitted,
+}
+
+/// One survey: `[survey.NAME]`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Survey {
+    /// The table's name, often the date: "2010-05-12".
+    pub name: String,
+    /// Anything the author added.
+    pub note: Option<String>,
+    /// Where it was published or filed.
+    pub source: Option<String>,
+    /// Air temperature, °C.
+    pub temperature_c: Option<f64>,
+    /// The mark that levels and tilts refer to.
+    pub datum: Option<String>,
+    /// Tilt by direction.
+    pub tilt: BTreeMap<String, Tilt>,
+    /// Modes by direction ("x", "weak"), as the file lists them.
+    pub modes: BTreeMap<String, Vec<SurveyMode>>,
+    /// Vibration records to identify modes from.
+    pub records: Option<RecordSource>,
+    /// Several records with some sensors that stayed, to be put together; empty if there are none.
+    pub setups: Vec<RecordSource>,
+    /// How they are put together.
+    pub merge: Merge,
+}
+
+/// How several setups are put together.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Merge {
+    /// Each is identified by itself, then modes are paired and scaled.
+    #[default]
+    Poser,
+    /// All are identified as one as well, from correlations brought to one shaking.
+    Preger,
+}
+
+impl Survey {
+    /// Translation modes of one direction, for the identification of stiffness; torsion is left out.
+    pub fn measured_modes(&self, direction: &str, pick: Pick<'_>) -> Vec<MeasuredMode> {
+        let modes = self.modes.get(direction).into_iter().flatten();
+        let translation = modes.filter(|mode| mode.kind == ModeKind::Translation);
+        translation.map(|mode| mode.measured(pick)).collect()
+    }
+
+    pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        for mode in self.modes.values().flatten() {
+            all.push(&mode.frequency);
+            all.extend(&mode.damping_ratio);
+        }
+    }
+}

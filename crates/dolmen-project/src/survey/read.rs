@@ -1,0 +1,319 @@
+//! Surveys from what is written.
+
+use super::file::{ChangeRaw, ChannelRaw, MergeRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
+use super::part::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
+use super::read_records::records;
+use super::records::RecordSource;
+use crate::error::Fault;
+use crate::file_number::{At, NumberRaw};
+use crate::measure::{Bound, Measure};
+use crate::reader::Reader;
+use crate::units::tilt_ratio;
+use crate::written::short;
+use dolmen::structure::ShapePoint;
+use std::collections::BTreeMap;
+
+/// Air temperatures of surveys, °C, our choice: wider than any place where heritage stands.
+const TEMPERATURE_C: (f64, f64) = (-60.0, 60.0);
+
+/// Steepest tilt that a survey of a standing monument can hold, our choice: Pisa before its repair had 1/10.
+const TILT_MOST: f64 = 0.25;
+
+/// All surveys, in the order of the file.
+pub(crate) fn surveys(reader: &mut Reader, raw: Option<&BTreeMap<String, At<SurveyRaw>>>) -> Vec<Survey> {
+    let mut listed: Vec<(&String, &At<SurveyRaw>)> = raw.into_iter().flatten().collect();
+    listed.sort_by_key(|(_, survey)| survey.span.start);
+    listed
+        .into_iter()
+        .map(|(name, survey)| self::survey(reader, name, survey))
+        .collect()
+}
+
+fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
+    let path = format!("survey.{name}");
+    let raw = &raw.value;
+    let mut modes: BTreeMap<String, Vec<SurveyMode>> = BTreeMap::new();
+    for (direction, frequencies) in raw.frequencies.iter().flatten() {
+        let listed = modes.entry(direction.clone()).or_default();
+        for (i, frequency) in frequencies.iter().enumerate() {
+            let path = format!("{path}.frequencies.{direction}[{}]", i + 1);
+            if let Some(frequency) =
+                reader.quantity(Some(frequency), &path, Measure::Frequency, Bound::Positive)
+            {
+                listed.push(SurveyMode {
+                    frequency,
+                    damping_ratio: None,
+                    shape: Vec::new(),
+                    kind: ModeKind::Translation,
+                });
+            }
+        }
+    }
+    for (direction, given) in raw.modes.iter().flatten() {
+        if modes.get(direction).is_some_and(|listed| !listed.is_empty()) {
+            let span = given.first().map_or(0..0, |mode| mode.span.clone());
+            let path = format!("{path}.modes.{direction}");
+            let fault = Fault::new(
+                span,
+                &path,
+                format!("{path} and frequencies.{direction} are both given"),
+            );
+            reader.fault(fault.help("keep modes: each mode there has its own frequency"));
+            continue;
+        }
+        let listed = modes.entry(direction.clone()).or_default();
+        for (i, raw) in given.iter().enumerate() {
+            listed.extend(mode(reader, raw, &format!("{path}.modes.{direction}[{}]", i + 1)));
+        }
+    }
+    for listed in modes.values() {
+        ascending(reader, listed);
+    }
+    let mut tilt = BTreeMap::new();
+    for (direction, raw) in raw.tilt.iter().flatten() {
+        if let Some(read) = self::tilt(reader, raw, &format!("{path}.tilt.{direction}")) {
+            tilt.insert(direction.clone(), read);
+        }
+    }
+    let setups = setups(reader, raw, &path);
+    let (coldest, hottest) = TEMPERATURE_C;
+    Survey {
+        name: name.to_owned(),
+        note: raw.note.clone(),
+        source: raw.source.clone(),
+        temperature_c: reader.within(
+            raw.temperature_c.as_ref(),
+            &format!("{path}.temperature_c"),
+            coldest,
+            hottest,
+        ),
+        datum: raw.datum.clone(),
+        tilt,
+        modes,
+        records: raw
+            .records
+            .as_ref()
+            .and_then(|raw| records(reader, raw, &format!("{path}.records"))),
+        setups,
+        merge: merge(reader, raw, &path),
+    }
+}
+
+fn merge(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Merge {
+    let Some(given) = &raw.merge else {
+        return Merge::default();
+    };
+    if raw.setups.as_ref().is_none_or(Vec::is_empty) {
+        let path = format!("{path}.merge");
+        let fault = Fault::new(
+            given.span.clone(),
+            &path,
+            format!("{path} has no setups to put together"),
+        );
+        reader.fault(fault.help("leave merge out, or list the records as setups"));
+    }
+    match given.value {
+        MergeRaw::Poser => Merge::Poser,
+        MergeRaw::Preger => Merge::Preger,
+    }
+}
+
+/// Several records of one survey: two or more, each sensor with a name or a place that tells which stayed.
+fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource> {
+    let path = format!("{path}.setups");
+    let listed = raw.setups.as_deref().unwrap_or_default();
+    if let (Some(records), Some(_)) = (&raw.records, listed.first()) {
+        let message = format!("{path} and records are both given");
+        let fault = Fault::new(records.span.clone(), &path, message);
+        reader.fault(fault.help("keep setups for several records, records for one"));
+    }
+    if let [one] = listed {
+        let fault = Fault::new(one.span.clone(), &path, format!("{path} holds one record"));
+        reader.fault(
+            fault
+                .allowed("needs two or more")
+                .help("write one record as records"),
+        );
+    }
+    for (i, setup) in listed.iter().enumerate() {
+        let stations = setup.value.stations.iter().flatten();
+        let of_stations = stations.flat_map(|station| station.value.channels.iter().flatten());
+        let channels: Vec<&At<ChannelRaw>> =
+            setup.value.channels.iter().flatten().chain(of_stations).collect();
+        let known = |c: &ChannelRaw| c.name.is_some() || (c.position.is_some() && c.direction.is_some());
+        if channels.is_empty() || !channels.iter().all(|c| known(&c.value)) {
+            let path = format!("{path}[{}].channels", i + 1);
+            let message = format!("{path} do not tell which sensors stayed");
+            let fault = Fault::new(setup.span.clone(), &path, message);
+            reader.fault(fault.allowed("each needs a name, or position and direction").help(
+                "a sensor that stayed has the same name (or place and direction) in every setup, one that moved another",
+            ));
+        }
+    }
+    let numbered = listed.iter().enumerate();
+    numbered
+        .filter_map(|(i, raw)| records(reader, raw, &format!("{path}[{}]", i + 1)))
+        .collect()
+}
+
+/// How two surveys are compared.
+pub(crate) fn change(reader: &mut Reader, raw: Option<&At<ChangeRaw>>) -> ChangePart {
+    const COEFFICIENT_MOST: f64 = 0.05; // relative per °C, as the comparison allows
+    let Some(At { value: raw, .. }) = raw else {
+        return ChangePart::default();
+    };
+    let per_c = raw.temperature_coefficient_per_c.as_ref();
+    let sd_per_c = raw.temperature_coefficient_sd_per_c.as_ref();
+    let key = "change.temperature_coefficient_per_c";
+    let sd_key = "change.temperature_coefficient_sd_per_c";
+    let read_per_c = reader.within(per_c, key, -COEFFICIENT_MOST, COEFFICIENT_MOST);
+    let read_sd = reader.within(sd_per_c, sd_key, 0.0, COEFFICIENT_MOST);
+    if let (Some(given), Some(_)) = (per_c.or(sd_per_c), &raw.temperature) {
+        let message = "change.temperature = \"fitted\" and a coefficient are both given";
+        let fault = Fault::new(given.span.clone(), key, message);
+        reader.fault(fault.help("keep one of them"));
+    } else if let (Some(given), None) | (None, Some(given)) = (per_c, sd_per_c) {
+        let (has, lacks) = if per_c.is_some() {
+            (key, sd_key)
+        } else {
+            (sd_key, key)
+        };
+        let fault = Fault::new(given.span.clone(), lacks, format!("{has} stands without {lacks}"));
+        reader.fault(
+            fault.allowed("needs both").help(
+                "a coefficient of temperature is never exact: give its standard deviation, 0 if you must",
+            ),
+        );
+    }
+    ChangePart {
+        temperature: match (&raw.temperature, read_per_c, read_sd) {
+            (Some(_), ..) => TemperaturePart::Fitted,
+            (None, Some(per_c), Some(sd_per_c)) => TemperaturePart::Coefficient { per_c, sd_per_c },
+            _ => TemperaturePart::Unknown,
+        },
+        frequency_within: reader.within(
+            raw.frequency_within.as_ref(),
+            "change.frequency_within",
+            0.001,
+            0.6,
+        ),
+    }
+}
+
+/// Translation modes of a direction are numbered by their place: each must lie above the one before it.
+fn ascending(reader: &mut Reader, listed: &[SurveyMode]) {
+    let translation: Vec<&SurveyMode> = listed
+        .iter()
+        .filter(|mode| mode.kind == ModeKind::Translation)
+        .collect();
+    for pair in translation.windows(2) {
+        let [before, after] = pair else { continue };
+        if after.frequency.value <= before.frequency.value {
+            let path = &after.frequency.path;
+            let message = format!(
+                "{path} = {} does not lie above the mode before it",
+                after.frequency.written
+            );
+            let fault = Fault::new(reader.place(path), path, message);
+            reader.fault(
+                fault
+                    .allowed(format!("must be above {}", before.frequency.written))
+                    .help("list the modes of a direction in ascending order, each once"),
+            );
+        }
+    }
+}
+
+fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode> {
+    let raw = &raw.value;
+    let frequency_path = format!("{path}.frequency");
+    let frequency = reader.quantity(
+        raw.frequency.as_ref(),
+        &frequency_path,
+        Measure::Frequency,
+        Bound::Positive,
+    );
+    let damping_path = format!("{path}.damping_ratio");
+    let damping_ratio = reader.quantity(
+        raw.damping_ratio.as_ref(),
+        &damping_path,
+        Measure::Ratio,
+        Bound::NotNegative,
+    );
+    let points = raw.shape.iter().flatten().enumerate();
+    let shape: Vec<ShapePoint> = points
+        .filter_map(|(i, raw)| shape_point(reader, raw, &format!("{path}.shape[{}]", i + 1)))
+        .collect();
+    if !shape.is_empty() && shape.iter().all(|point| point.displacement == 0.0) {
+        let span = raw
+            .shape
+            .iter()
+            .flatten()
+            .next()
+            .map_or(0..0, |point| point.span.clone());
+        let path = format!("{path}.shape");
+        let fault = Fault::new(span, &path, format!("{path} does not move at any point"));
+        reader.fault(fault.allowed("at least one displacement must differ from 0"));
+    }
+    Some(SurveyMode {
+        frequency: frequency?,
+        damping_ratio,
+        shape,
+        kind: match raw.kind {
+            None | Some(ModeKindRaw::Translation) => ModeKind::Translation,
+            Some(ModeKindRaw::Torsion) => ModeKind::Torsion,
+        },
+    })
+}
+
+fn shape_point(reader: &mut Reader, raw: &At<ShapeRaw>, path: &str) -> Option<ShapePoint> {
+    let raw = &raw.value;
+    let height_path = format!("{path}.height");
+    let height = reader.quantity(
+        raw.height.as_ref(),
+        &height_path,
+        Measure::Length,
+        Bound::NotNegative,
+    );
+    let mut finite = |number: Option<&At<f64>>, key: &str, bound| {
+        let number = number?;
+        let path = format!("{path}.{key}");
+        reader.bounded(number.value, &short(number.value), &number.span, &path, bound)?;
+        Some(number.value)
+    };
+    let displacement = finite(raw.displacement.as_ref(), "displacement", Bound::Any);
+    let sd = finite(raw.sd.as_ref(), "sd", Bound::NotNegative);
+    Some(ShapePoint {
+        height_m: height?.value,
+        displacement: displacement?,
+        displacement_sd: sd.unwrap_or(0.0),
+    })
+}
+
+/// "1/177", 0.0056, "0.3 deg", "5 mm/m".
+fn tilt(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<Tilt> {
+    let (ratio, written) = match &raw.value {
+        NumberRaw::Number(ratio) => (Some(*ratio), short(*ratio)),
+        NumberRaw::Text(text) => (tilt_ratio(text), text.trim().to_owned()),
+    };
+    let fault = |message: String| Fault::new(raw.span.clone(), path, message);
+    match ratio {
+        Some(ratio) if ratio.abs() <= TILT_MOST => Some(Tilt { ratio, written }),
+        Some(_) => {
+            let fault = fault(format!("{path} = {written} would have fallen"));
+            reader.fault(
+                fault
+                    .allowed(format!("must be within ±{TILT_MOST}"))
+                    .help("tilt is horizontal / vertical: \"1/177\", 0.00565, \"0.32 deg\" or \"5.65 mm/m\""),
+            );
+            None
+        }
+        None => {
+            let fault = fault(format!("{path} = \"{written}\" is not a tilt"));
+            reader.fault(
+                fault.allowed("must be a ratio, or text such as \"1/177\", \"0.32 deg\", \"5.65 mm/m\""),
+            );
+            None
+        }
+    }
+}

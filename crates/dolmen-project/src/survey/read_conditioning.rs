@@ -1,0 +1,163 @@
+//! What is done to a record before it is used, and how modes are found in it, from what is written.
+
+use super::file::{ConditioningRaw, HarmonicsRaw, MethodRaw, ModalRaw};
+use super::records::{BandPass, Conditioning, Cut, LowPass, ModalChoice};
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::reader::Reader;
+use crate::written::short;
+use dolmen::modal::{Harmonics, Method};
+use std::ops::Range;
+
+/// Order of one filter pass if none is given, as is usual.
+const FILTER_ORDER: usize = 4;
+/// Largest order of one filter pass.
+const FILTER_ORDER_MOST: usize = 10;
+/// Largest factor of one decimation.
+const DECIMATE_MOST: usize = 1000;
+/// Largest count that a project may ask of the identification.
+const COUNT_MOST: usize = 10_000;
+/// Longest record and highest rate that a project may name, s and Hz.
+const TIME_MOST_S: f64 = 1e8;
+const RATE_MOST_HZ: f64 = 1e6;
+
+pub(super) fn conditioning(reader: &mut Reader, raw: &ConditioningRaw, path: &str) -> Conditioning {
+    let cut = raw.cut.as_ref().and_then(|raw| {
+        let from_s = reader.within(
+            raw.value.from_s.as_ref(),
+            &format!("{path}.cut.from_s"),
+            0.0,
+            TIME_MOST_S,
+        )?;
+        let to_s = reader.within(
+            raw.value.to_s.as_ref(),
+            &format!("{path}.cut.to_s"),
+            0.0,
+            TIME_MOST_S,
+        )?;
+        ordered(
+            reader,
+            (from_s, to_s),
+            &raw.span,
+            &format!("{path}.cut"),
+            ("from_s", "to_s"),
+        )?;
+        Some(Cut { from_s, to_s })
+    });
+    let order = |reader: &mut Reader, order: Option<&At<i64>>, path: String| match order {
+        None => Some(FILTER_ORDER),
+        given => reader.count(given, &path, 1, FILTER_ORDER_MOST),
+    };
+    let least_hz = f64::MIN_POSITIVE;
+    let band_pass = raw.band_pass.as_ref().and_then(|raw| {
+        let path = format!("{path}.band_pass");
+        let low_hz = reader.within(
+            raw.value.low_hz.as_ref(),
+            &format!("{path}.low_hz"),
+            least_hz,
+            RATE_MOST_HZ,
+        )?;
+        let high_hz = reader.within(
+            raw.value.high_hz.as_ref(),
+            &format!("{path}.high_hz"),
+            least_hz,
+            RATE_MOST_HZ,
+        )?;
+        ordered(reader, (low_hz, high_hz), &raw.span, &path, ("low_hz", "high_hz"))?;
+        Some(BandPass {
+            low_hz,
+            high_hz,
+            order: order(reader, raw.value.order.as_ref(), format!("{path}.order"))?,
+        })
+    });
+    let low_pass = raw.low_pass.as_ref().and_then(|raw| {
+        let path = format!("{path}.low_pass");
+        let corner = raw.value.corner_hz.as_ref();
+        Some(LowPass {
+            corner_hz: reader.within(corner, &format!("{path}.corner_hz"), least_hz, RATE_MOST_HZ)?,
+            order: order(reader, raw.value.order.as_ref(), format!("{path}.order"))?,
+        })
+    });
+    let mut count = |raw: &Option<At<i64>>, key: &str, least, most| {
+        reader.count(raw.as_ref(), &format!("{path}.{key}"), least, most)
+    };
+    Conditioning {
+        cut,
+        detrend_degree: count(&raw.detrend_degree, "detrend_degree", 0, 1),
+        band_pass,
+        low_pass,
+        decimate_factor: count(&raw.decimate_factor, "decimate_factor", 1, DECIMATE_MOST),
+    }
+}
+
+fn ordered(
+    reader: &mut Reader,
+    pair: (f64, f64),
+    span: &Range<usize>,
+    path: &str,
+    keys: (&str, &str),
+) -> Option<()> {
+    if pair.0 < pair.1 {
+        return Some(());
+    }
+    let message = format!(
+        "{path}: {} = {} is not below {} = {}",
+        keys.0,
+        short(pair.0),
+        keys.1,
+        short(pair.1)
+    );
+    reader.fault(Fault::new(span.clone(), path, message).allowed("nothing would be left"));
+    None
+}
+
+pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalChoice {
+    let low = raw.frequency_low_hz.as_ref();
+    let high = raw.frequency_high_hz.as_ref();
+    let frequency_low_hz = reader.within(low, &format!("{path}.frequency_low_hz"), 0.0, RATE_MOST_HZ);
+    let frequency_high_hz = reader.within(high, &format!("{path}.frequency_high_hz"), 0.0, RATE_MOST_HZ);
+    if let (Some(low), Some(high), Some(raw)) = (frequency_low_hz, frequency_high_hz, high) {
+        ordered(
+            reader,
+            (low, high),
+            &raw.span,
+            path,
+            ("frequency_low_hz", "frequency_high_hz"),
+        );
+    }
+    let picks = raw.pick_hz.iter().flatten().enumerate();
+    let pick_hz = picks
+        .filter_map(|(i, pick)| reader.within(Some(pick), &format!("{path}.pick_hz[{i}]"), 0.0, RATE_MOST_HZ))
+        .collect();
+    let mut count = |raw: &Option<At<i64>>, key: &str, least| {
+        reader.count(raw.as_ref(), &format!("{path}.{key}"), least, COUNT_MOST)
+    };
+    ModalChoice {
+        method: raw.method.map(|method| match method {
+            MethodRaw::Fdd => Method::Fdd,
+            MethodRaw::Efdd => Method::Efdd,
+            MethodRaw::Fsdd => Method::Fsdd,
+            MethodRaw::SsiCov => Method::SsiCov,
+            MethodRaw::SsiData => Method::SsiData,
+            MethodRaw::Bayoma => Method::Bayoma,
+            MethodRaw::Plscf => Method::Plscf,
+            MethodRaw::Era => Method::Era,
+        }),
+        references: raw
+            .references
+            .iter()
+            .flatten()
+            .map(|name| name.value.clone())
+            .collect(),
+        pick_hz,
+        harmonics: raw.harmonics.map(|harmonics| match harmonics {
+            HarmonicsRaw::Flag => Harmonics::Flag,
+            HarmonicsRaw::Remove => Harmonics::Remove,
+        }),
+        frequency_low_hz,
+        frequency_high_hz,
+        order_most: count(&raw.order_most, "order_most", 2),
+        block_rows: count(&raw.block_rows, "block_rows", 2),
+        modes_wanted: count(&raw.modes_wanted, "modes_wanted", 1),
+    }
+}

@@ -1,0 +1,378 @@
+//! Records of a survey from what is written.
+
+use super::file::{ChannelRaw, ColumnRaw, RecordsRaw, StartsRaw, StationRaw};
+use super::read_conditioning::{conditioning, modal};
+use super::records::{ChannelSource, Column, Conditioning, ModalChoice, RecordFormat, RecordSource};
+use crate::error::Fault;
+use crate::file_number::{At, NumberRaw, QuantityRaw};
+use crate::measure::{Bound, Measure};
+use crate::reader::Reader;
+use crate::way::way;
+use crate::written::short;
+use dolmen::signal::Starts;
+use dolmen_records::motions::start_of_text;
+use dolmen_records::records::{LostSamples, Unit};
+use std::collections::BTreeMap;
+use std::ops::Range;
+
+/// Largest number of a column that a project may name.
+const COLUMN_MOST: usize = 10_000;
+
+fn column(reader: &mut Reader, raw: &At<ColumnRaw>, path: &str) -> Option<Column> {
+    match &raw.value {
+        ColumnRaw::Name(name) => Some(Column::Name(name.clone())),
+        ColumnRaw::Number(number) => {
+            let number = At {
+                span: raw.span.clone(),
+                value: *number,
+            };
+            reader
+                .count(Some(&number), path, 1, COLUMN_MOST)
+                .map(Column::Number)
+        }
+    }
+}
+
+fn channel(reader: &mut Reader, raw: &At<ChannelRaw>, path: &str) -> Option<ChannelSource> {
+    let raw = &raw.value;
+    let column = raw
+        .column
+        .as_ref()
+        .and_then(|raw| column(reader, raw, &format!("{path}.column")));
+    let position_m = raw
+        .position
+        .as_ref()
+        .and_then(|raw| position(reader, raw, &format!("{path}.position")));
+    let direction = raw
+        .direction
+        .as_ref()
+        .and_then(|raw| way(reader, raw, &format!("{path}.direction")));
+    Some(ChannelSource {
+        column: column?,
+        name: raw.name.as_ref().map(|name| name.value.clone()),
+        position_m,
+        direction,
+        scale: factor(reader, raw.scale.as_ref(), &format!("{path}.scale")),
+        leave_out: raw.leave_out.unwrap_or(false),
+    })
+}
+
+fn position(reader: &mut Reader, raw: &At<Vec<At<QuantityRaw>>>, path: &str) -> Option<[f64; 3]> {
+    if raw.value.len() != 3 {
+        let fault = Fault::new(
+            raw.span.clone(),
+            path,
+            format!("{path} has {} numbers", raw.value.len()),
+        );
+        reader.fault(fault.allowed("must be 3: x right, y away, z up"));
+        return None;
+    }
+    let mut position_m = [0.0; 3];
+    for (i, (place, raw)) in position_m.iter_mut().zip(&raw.value).enumerate() {
+        let path = format!("{path}[{}]", i + 1);
+        *place = reader
+            .quantity(Some(raw), &path, Measure::Length, Bound::Any)?
+            .value;
+    }
+    Some(position_m)
+}
+
+/// The keys of one file, of a record or of a station.
+struct FileKeys<'a> {
+    file: Option<&'a At<String>>,
+    format: Option<&'a At<RecordFormat>>,
+    begins: Option<&'a At<NumberRaw>>,
+    sampling_rate: Option<&'a At<QuantityRaw>>,
+    unit: Option<&'a At<String>>,
+    scale: Option<&'a At<f64>>,
+    delimiter: Option<&'a At<String>>,
+    time_column: Option<&'a At<ColumnRaw>>,
+    lost_samples: Option<&'a At<LostSamples>>,
+    channels: &'a [At<ChannelRaw>],
+}
+
+pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> Option<RecordSource> {
+    let span = &raw.span;
+    let raw = &raw.value;
+    let conditioning = raw
+        .conditioning
+        .as_ref()
+        .map(|raw| conditioning(reader, raw, &format!("{path}.conditioning")))
+        .unwrap_or_default();
+    let modal = raw
+        .modal
+        .as_ref()
+        .map(|raw| modal(reader, raw, &format!("{path}.modal")))
+        .unwrap_or_default();
+    let keys = FileKeys {
+        file: raw.file.as_ref(),
+        format: raw.format.as_ref(),
+        begins: None,
+        sampling_rate: raw.sampling_rate.as_ref(),
+        unit: raw.unit.as_ref(),
+        scale: raw.scale.as_ref(),
+        delimiter: raw.delimiter.as_ref(),
+        time_column: raw.time_column.as_ref(),
+        lost_samples: raw.lost_samples.as_ref(),
+        channels: raw.channels.as_deref().unwrap_or_default(),
+    };
+    let listed = raw.stations.as_deref().unwrap_or_default();
+    if listed.is_empty() {
+        if raw.file.is_none() {
+            let fault = Fault::new(span.clone(), path, format!("{path} names no file"));
+            reader.fault(
+                fault
+                    .allowed("file is missing")
+                    .help("write file = \"record.csv\", or stations for several files"),
+            );
+        }
+        if let Some(starts) = &raw.starts {
+            let path = format!("{path}.starts");
+            let fault = Fault::new(
+                starts.span.clone(),
+                &path,
+                format!("{path} stands without stations"),
+            );
+            reader.fault(fault.help("one file has one start: leave it out"));
+        }
+        return one_file(reader, &keys, path).map(|source| RecordSource {
+            conditioning,
+            modal,
+            ..source
+        });
+    }
+    let own = [
+        ("file", keys.file.map(|k| &k.span)),
+        ("format", keys.format.map(|k| &k.span)),
+        ("sampling_rate", keys.sampling_rate.map(|k| &k.span)),
+        ("unit", keys.unit.map(|k| &k.span)),
+        ("scale", keys.scale.map(|k| &k.span)),
+        ("delimiter", keys.delimiter.map(|k| &k.span)),
+        ("time_column", keys.time_column.map(|k| &k.span)),
+        ("lost_samples", keys.lost_samples.map(|k| &k.span)),
+        ("channels", keys.channels.first().map(|k| &k.span)),
+    ];
+    for (key, span) in own {
+        if let Some(span) = span {
+            let message = format!("{path}.{key} stands beside {path}.stations");
+            let fault = Fault::new(span.clone(), &format!("{path}.{key}"), message);
+            reader.fault(fault.help("write it with each station: each file has its own"));
+        }
+    }
+    let stations: Vec<RecordSource> = listed
+        .iter()
+        .enumerate()
+        .filter_map(|(i, raw)| station(reader, &raw.value, &format!("{path}.stations[{}]", i + 1)))
+        .collect();
+    if stations.len() < listed.len() {
+        return None;
+    }
+    let files: Vec<&str> = stations.iter().map(|station| station.file.as_str()).collect();
+    Some(RecordSource {
+        file: files.join(", "),
+        format: None,
+        starts: match raw.starts.as_ref().map(|starts| starts.value) {
+            Some(StartsRaw::Together) => Starts::Together,
+            None | Some(StartsRaw::Stated) => Starts::Stated,
+        },
+        begins_s: None,
+        sampling_rate_hz: None,
+        unit: shared_unit(&stations),
+        scale: None,
+        delimiter: None,
+        time_column: None,
+        lost_samples: LostSamples::default(),
+        channels: Vec::new(),
+        conditioning,
+        modal,
+        stations,
+    })
+}
+
+/// The unit, where all stations have one.
+fn shared_unit(stations: &[RecordSource]) -> Option<String> {
+    let first = stations.first()?.unit.clone()?;
+    let all = stations
+        .iter()
+        .all(|station| station.unit.as_ref() == Some(&first));
+    all.then_some(first)
+}
+
+fn station(reader: &mut Reader, raw: &StationRaw, path: &str) -> Option<RecordSource> {
+    let keys = FileKeys {
+        file: raw.file.as_ref(),
+        format: raw.format.as_ref(),
+        begins: raw.begins.as_ref(),
+        sampling_rate: raw.sampling_rate.as_ref(),
+        unit: raw.unit.as_ref(),
+        scale: raw.scale.as_ref(),
+        delimiter: raw.delimiter.as_ref(),
+        time_column: raw.time_column.as_ref(),
+        lost_samples: raw.lost_samples.as_ref(),
+        channels: raw.channels.as_deref().unwrap_or_default(),
+    };
+    one_file(reader, &keys, path)
+}
+
+/// Seconds, or a date and time.
+fn begins(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<f64> {
+    let (found, written) = match &raw.value {
+        NumberRaw::Number(seconds) => (Some(*seconds).filter(|s| s.is_finite()), short(*seconds)),
+        NumberRaw::Text(text) => (start_of_text(text), text.clone()),
+    };
+    if found.is_none() {
+        let fault = Fault::new(raw.span.clone(), path, format!("{path} = {written:?} is no time"));
+        reader.fault(fault.allowed("must be a time such as \"2024-06-05T10:00:00.25\", or seconds"));
+    }
+    found
+}
+
+/// A factor: finite and not 0.
+fn factor(reader: &mut Reader, raw: Option<&At<f64>>, path: &str) -> Option<f64> {
+    let raw = raw?;
+    if raw.value.is_finite() && raw.value != 0.0 {
+        return Some(raw.value);
+    }
+    let fault = Fault::new(
+        raw.span.clone(),
+        path,
+        format!("{path} = {} is no scale", short(raw.value)),
+    );
+    reader.fault(fault.allowed("must be a finite number other than 0"));
+    None
+}
+
+fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<RecordSource> {
+    let rate_path = format!("{path}.sampling_rate");
+    let sampling_rate = reader.quantity(raw.sampling_rate, &rate_path, Measure::Frequency, Bound::Positive);
+    if let Some(unit) = raw.unit {
+        sample_unit(reader, unit, &format!("{path}.unit"));
+    }
+    let scale = factor(reader, raw.scale, &format!("{path}.scale"));
+    let begins_s = raw
+        .begins
+        .and_then(|raw| begins(reader, raw, &format!("{path}.begins")));
+    let delimiter = raw
+        .delimiter
+        .and_then(|raw| delimiter(reader, raw, &format!("{path}.delimiter")));
+    let time_column = raw
+        .time_column
+        .and_then(|raw| column(reader, raw, &format!("{path}.time_column")));
+    let listed = raw.channels.iter().enumerate();
+    let channels: Vec<ChannelSource> = listed
+        .filter_map(|(i, raw)| channel(reader, raw, &format!("{path}.channels[{}]", i + 1)))
+        .collect();
+    distinct(reader, raw.channels, path);
+    let file = raw.file?;
+    let format = format(reader, raw.format, file, path)?;
+    if format == Some(RecordFormat::Npy) && raw.sampling_rate.is_none() {
+        let fault = Fault::new(
+            file.span.clone(),
+            &rate_path,
+            format!("{} holds no time stamps", file.value),
+        );
+        reader.fault(
+            fault
+                .allowed("sampling_rate is missing")
+                .help("write sampling_rate = \"200 Hz\" beside it"),
+        );
+    }
+    Some(RecordSource {
+        file: file.value.clone(),
+        stations: Vec::new(),
+        starts: Starts::Stated,
+        begins_s,
+        format,
+        sampling_rate_hz: sampling_rate.map(|rate| rate.value),
+        unit: raw.unit.map(|unit| unit.value.trim().to_owned()),
+        scale,
+        delimiter,
+        time_column,
+        lost_samples: raw.lost_samples.map(|raw| raw.value).unwrap_or_default(),
+        channels,
+        conditioning: Conditioning::default(),
+        modal: ModalChoice::default(),
+    })
+}
+
+/// The format that is written, or that the ending means: texts are looked into, as many formats end in .txt.
+fn format(
+    reader: &mut Reader,
+    raw: Option<&At<RecordFormat>>,
+    file: &At<String>,
+    path: &str,
+) -> Option<Option<RecordFormat>> {
+    if let Some(raw) = raw {
+        return Some(Some(raw.value));
+    }
+    let ending = file.value.rsplit_once('.').map_or("", |(_, ending)| ending);
+    match RecordFormat::of_ending(ending) {
+        Some(RecordFormat::Csv) => Some(None),
+        Some(format) => Some(Some(format)),
+        None => {
+            let path = format!("{path}.file");
+            let message = format!("the format of {} is not clear", file.value);
+            let names: Vec<String> = RecordFormat::ALL
+                .iter()
+                .map(|format| format!("\"{}\"", format.name()))
+                .collect();
+            let fault = Fault::new(file.span.clone(), &path, message);
+            reader.fault(fault.help(format!("write format = one of {} beside it", names.join(", "))));
+            None
+        }
+    }
+}
+
+/// The unit of samples must be one that the readers of records know.
+fn sample_unit(reader: &mut Reader, unit: &At<String>, path: &str) {
+    if let Err(why) = Unit::parse(&unit.value) {
+        let message = format!("{path} = \"{}\" is no unit of vibration", unit.value.trim());
+        let fault = Fault::new(unit.span.clone(), path, message);
+        reader.fault(fault.allowed("unknown unit").help(why.to_string()));
+    }
+}
+
+fn delimiter(reader: &mut Reader, raw: &At<String>, path: &str) -> Option<char> {
+    let mut characters = raw.value.chars();
+    match (characters.next(), characters.next()) {
+        (Some(one), None) => Some(one),
+        _ => {
+            let fault = Fault::new(
+                raw.span.clone(),
+                path,
+                format!("{path} = {:?} is not one character", raw.value),
+            );
+            reader.fault(fault.allowed("must be one character, such as \",\", \";\" or \"\\t\""));
+            None
+        }
+    }
+}
+
+/// Channels must have names and columns of their own.
+fn distinct(reader: &mut Reader, channels: &[At<ChannelRaw>], path: &str) {
+    let mut seen: BTreeMap<String, usize> = BTreeMap::new();
+    for (i, channel) in channels.iter().enumerate() {
+        let mut twice = |what: &str, value: String, span: &Range<usize>| {
+            let first = *seen.entry(format!("{what} {value}")).or_insert(i);
+            if first != i {
+                let path = format!("{path}.channels[{}].{what}", i + 1);
+                let message = format!("{path} = {value} is that of channels[{}] too", first + 1);
+                reader.fault(Fault::new(span.clone(), &path, message).allowed("must differ"));
+            }
+        };
+        if let Some(name) = &channel.value.name {
+            twice("name", format!("\"{}\"", name.value), &name.span);
+        }
+        match &channel.value.column {
+            Some(At {
+                span,
+                value: ColumnRaw::Number(number),
+            }) => twice("column", number.to_string(), span),
+            Some(At {
+                span,
+                value: ColumnRaw::Name(name),
+            }) => twice("column", format!("\"{name}\""), span),
+            None => {}
+        }
+    }
+}

@@ -1,0 +1,108 @@
+//! What is usual: how far a value lies from it, and the unit that would bring it back.
+
+use super::heaviness::Heaviness;
+use super::quantity::Quantity;
+use super::written::short;
+
+pub(super) fn within(value: f64, range: (f64, f64)) -> bool {
+    (range.0..=range.1).contains(&value)
+}
+
+/// Units that are mistaken for each other, and how many of the first each is.
+const FAMILIES: [&[(&str, f64)]; 3] = [
+    &[("N", 1.0), ("kN", 1e3), ("MN", 1e6)],
+    &[("mm", 1.0), ("cm", 10.0), ("m", 1e3)],
+    &[("kg", 1.0), ("t", 1e3)],
+];
+/// How near a unit must bring a value to what is usual before it is named.
+const NEAR: f64 = 6.0;
+
+/// The unit that would bring a value, `ratio` times what is usual, back.
+pub(super) fn guess(ratio: f64, unit: &str) -> String {
+    let family = FAMILIES
+        .iter()
+        .find(|family| family.iter().any(|(name, _)| *name == unit));
+    let own = family.and_then(|family| family.iter().find(|(name, _)| *name == unit));
+    if let (Some(family), Some((_, own))) = (family, own) {
+        let off = |factor: f64| (ratio * factor / own).ln().abs();
+        let others = family.iter().filter(|(name, _)| *name != unit);
+        let best = others.min_by(|a, b| off(a.1).total_cmp(&off(b.1)));
+        if let Some((name, factor)) = best
+            && off(*factor) <= NEAR.ln()
+        {
+            return format!("did you mean {name}?");
+        }
+    }
+    format!("it is about {} × what is usual: check its unit", rounded(ratio))
+}
+
+/// A ratio for a message: three significant digits, below 1 as a fraction.
+pub(super) fn rounded(ratio: f64) -> String {
+    if ratio < 1.0 {
+        return format!("1/{}", rounded(1.0 / ratio));
+    }
+    let exponent = ratio.log10().floor() as i32;
+    let unit = 10f64.powi((exponent - 2).max(-2));
+    short((ratio / unit).round() * unit)
+}
+
+/// The unit a quantity was written in, for a guess.
+pub(super) fn unit_of(quantity: &Quantity) -> &str {
+    quantity.written.split_once(' ').map_or("", |(_, unit)| unit)
+}
+
+pub(super) fn mass_kg(heaviness: &Heaviness, gravity_m_s2: f64) -> f64 {
+    heaviness.mass_kg(gravity_m_s2, &mut Quantity::nominal)
+}
+
+pub(super) fn rounded_length(length_m: f64) -> String {
+    let exponent = length_m.log10().floor() as i32;
+    let unit = 10f64.powi(exponent - 2);
+    short((length_m / unit).round() * unit)
+}
+
+/// Median of all values but one; `None` if there is no other.
+pub(super) fn median_of_others(values: &[f64], but: usize) -> Option<f64> {
+    let others = values.iter().enumerate().filter(|(i, _)| *i != but);
+    let mut others: Vec<f64> = others.map(|(_, value)| *value).collect();
+    others.sort_by(f64::total_cmp);
+    let middle = others.len() / 2;
+    match others.len() % 2 {
+        1 => others.get(middle).copied(),
+        _ => Some((others.get(middle.checked_sub(1)?)? * others.get(middle)?).sqrt()),
+    }
+}
+
+/// Values that are `most` times above or below the median of the others. Of two values only one can be the odd one:
+/// that further from `usual`.
+pub(super) fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
+    let odd = |i: usize| {
+        median_of_others(values, i).is_some_and(|median| {
+            let ratio = values[i] / median;
+            ratio > most || ratio < 1.0 / most
+        })
+    };
+    let distance = |i: usize| (values[i] / usual).ln().abs();
+    match values.len() {
+        2 if odd(0) && distance(0) > distance(1) => vec![0],
+        2 if odd(1) => vec![1],
+        count => (0..count).filter(|i| odd(*i)).collect(),
+    }
+}
+
+/// "388 × the link below" or "1/388 of the link above".
+pub(super) fn beside_neighbour(parts: &[&Quantity], i: usize, part: &str) -> String {
+    let (other, place) = match i.checked_sub(1).and_then(|below| parts.get(below)) {
+        Some(below) => (*below, "below"),
+        None => match parts.get(i + 1) {
+            Some(above) => (*above, "above"),
+            None => return String::new(),
+        },
+    };
+    let ratio = parts[i].value / other.value;
+    if ratio >= 1.0 {
+        format!("{} × the {part} {place}", rounded(ratio))
+    } else {
+        format!("{} of the {part} {place}", rounded(ratio))
+    }
+}

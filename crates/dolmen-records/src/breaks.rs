@@ -1,0 +1,10 @@
+//! Where the samples of a channel break off and go on.
+
+/// Where a channel goes on after a gap.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Break {
+    /// Index of the first sample after it.
+    pub(crate) at: usize,
+    /// Time of that sample from the first of the channel, s.
+    pub(crate) begins_s: f64,
+}

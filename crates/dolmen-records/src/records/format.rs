@@ -1,0 +1,103 @@
+//! Formats of record files.
+
+/// Format of a record file.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum RecordFormat {
+    /// Text columns.
+    Csv,
+    /// NumPy array of two dimensions.
+    Npy,
+    /// Universal file, datasets 58 and 58b.
+    Uff,
+    /// Sound file; scale is what full scale is worth.
+    Wav,
+    /// MATLAB, version 5 ("-v7") or 7.3.
+    Mat,
+    /// Text of the SESAME project.
+    Saf,
+    /// Of Güralp recorders.
+    Gcf,
+    /// Of LabVIEW.
+    Tdms,
+    /// miniSEED 2.
+    MiniSeed,
+    /// SAC, binary.
+    Sac,
+    /// K-NET or KiK-net ASCII.
+    #[serde(rename = "k-net")]
+    KNet,
+    /// ESM ASCII.
+    Esm,
+    /// COSMOS, or CSMIP before it.
+    Cosmos,
+}
+
+impl RecordFormat {
+    /// All of them, as [`name`](Self::name) has them.
+    pub const ALL: [RecordFormat; 13] = [
+        RecordFormat::Csv,
+        RecordFormat::Npy,
+        RecordFormat::Uff,
+        RecordFormat::Wav,
+        RecordFormat::Mat,
+        RecordFormat::Saf,
+        RecordFormat::Gcf,
+        RecordFormat::Tdms,
+        RecordFormat::MiniSeed,
+        RecordFormat::Sac,
+        RecordFormat::KNet,
+        RecordFormat::Esm,
+        RecordFormat::Cosmos,
+    ];
+
+    /// "csv", "npy", "uff", "wav", "mat", "saf", "gcf", "tdms", "miniseed", "sac", "k-net", "esm", "cosmos".
+    pub fn name(self) -> &'static str {
+        match self {
+            RecordFormat::Csv => "csv",
+            RecordFormat::Npy => "npy",
+            RecordFormat::Uff => "uff",
+            RecordFormat::Wav => "wav",
+            RecordFormat::Mat => "mat",
+            RecordFormat::Saf => "saf",
+            RecordFormat::Gcf => "gcf",
+            RecordFormat::Tdms => "tdms",
+            RecordFormat::MiniSeed => "miniseed",
+            RecordFormat::Sac => "sac",
+            RecordFormat::KNet => "k-net",
+            RecordFormat::Esm => "esm",
+            RecordFormat::Cosmos => "cosmos",
+        }
+    }
+
+    /// Whether its times are universal, by the definition of the format; K-NET's are turned into it.
+    pub fn clock_is_utc(self) -> bool {
+        matches!(
+            self,
+            RecordFormat::MiniSeed
+                | RecordFormat::Sac
+                | RecordFormat::KNet
+                | RecordFormat::Esm
+                | RecordFormat::Gcf
+                | RecordFormat::Tdms
+        )
+    }
+
+    /// The format that an ending of a file name means, if it means one.
+    pub fn of_ending(ending: &str) -> Option<Self> {
+        Some(match ending.to_ascii_lowercase().as_str() {
+            "csv" | "txt" | "tsv" | "dat" | "asc" => RecordFormat::Csv,
+            "npy" => RecordFormat::Npy,
+            "uff" | "unv" | "uf" | "u58" => RecordFormat::Uff,
+            "wav" => RecordFormat::Wav,
+            "mat" => RecordFormat::Mat,
+            "saf" => RecordFormat::Saf,
+            "gcf" => RecordFormat::Gcf,
+            "tdms" => RecordFormat::Tdms,
+            "mseed" | "miniseed" | "msd" => RecordFormat::MiniSeed,
+            "sac" => RecordFormat::Sac,
+            "knet" | "kik" | "ns" | "ew" | "ud" => RecordFormat::KNet,
+            _ => return None,
+        })
+    }
+}
