@@ -6,7 +6,7 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::{files, open};
 use anyhow::Result;
-use dolmen_report::figures;
+use dolmen_report::files::change_files;
 use dolmen_report::json::change_json;
 use dolmen_report::text::change_text;
 use dolmen_words::Language;
@@ -19,16 +19,13 @@ pub(crate) fn run(options: &Compare, as_json: bool, quiet: bool) -> Result<Outco
         to: options.to.clone(),
     };
     let answer = compare(&found.opened, &how, &found.files, &Terminal::new(quiet))?;
-    let json = change_json(&answer.project, &answer.file, &answer.change);
     if as_json {
-        files::say_json(&json)?;
+        files::say_json(&change_json(&answer.project, &answer.file, &answer.change))?;
     } else {
         files::say(&change_text(&answer.project, &answer.file, &answer.change))?;
     }
     if let Some(folder) = &options.output {
-        files::write_json(&folder.join("change.json"), &json)?;
-        let svg = figures::survey_changes(&answer.change, Language::English);
-        files::write(&folder.join("change.svg"), svg.as_bytes())?;
+        files::write_all(folder, &change_files(&answer, Language::English))?;
         if !quiet {
             note!("change.svg and change.json are in {}", folder.display());
         }

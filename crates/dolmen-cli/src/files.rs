@@ -2,7 +2,7 @@
 
 use anyhow::{Context as _, Result, bail};
 use dolmen_records::FileError;
-use dolmen_report::figures::Figure;
+use dolmen_report::files::NamedFile;
 use std::fs;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
@@ -111,18 +111,10 @@ pub(crate) fn say_json(value: &serde_json::Value) -> Result<()> {
     say(&format!("{value:#}\n"))
 }
 
-/// Writes a value as JSON.
-pub(crate) fn write_json(path: &Path, value: &serde_json::Value) -> Result<()> {
-    write(path, format!("{value:#}\n").as_bytes())
-}
-
-/// Writes figures into a folder.
-pub(crate) fn write_figures(folder: &Path, figures: &[Figure]) -> Result<()> {
-    for figure in figures {
-        write(
-            &folder.join(format!("{}.svg", figure.name)),
-            figure.svg.as_bytes(),
-        )?;
+/// Writes files into a folder.
+pub(crate) fn write_all(folder: &Path, files: &[NamedFile]) -> Result<()> {
+    for file in files {
+        write(&folder.join(&file.name), &file.bytes)?;
     }
     Ok(())
 }

@@ -6,7 +6,7 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::{files, open};
 use anyhow::Result;
-use dolmen_report::figures;
+use dolmen_report::files::identification_files;
 use dolmen_report::json::identification_json;
 use dolmen_report::text::identification_text;
 use dolmen_words::Language;
@@ -18,15 +18,13 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         survey: options.survey.clone(),
     };
     let answer = identify(&found.opened, &how, &found.files, &Terminal::new(quiet))?;
-    let json = identification_json(&answer);
     if as_json {
-        files::say_json(&json)?;
+        files::say_json(&identification_json(&answer))?;
     } else {
         files::say(&identification_text(&answer))?;
     }
     if let Some(folder) = &options.output {
-        files::write_json(&folder.join("identification.json"), &json)?;
-        files::write_figures(folder, &figures::identification(&answer, Language::English))?;
+        files::write_all(folder, &identification_files(&answer, Language::English))?;
         if !quiet {
             note!("figures and identification.json are in {}", folder.display());
         }

@@ -13,7 +13,6 @@ mod cli_portfolio;
 mod cli_tune;
 mod compare;
 mod examples;
-mod export;
 mod files;
 mod identify;
 mod motion;

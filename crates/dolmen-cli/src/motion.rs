@@ -6,12 +6,13 @@ use crate::outcome::Outcome;
 use crate::{files, request};
 use anyhow::{Result, bail};
 use dolmen_records::motions::{motion_at2, motion_csv};
-use dolmen_report::figures::motion_figures;
+use dolmen_report::files::motion_files;
 use dolmen_report::json::motion_report_json;
 use dolmen_report::text::motion_report_text;
 use dolmen_work::motion::{
     Demand, MadeMotion, MatchAnswer, MotionOptions, MotionReport, MotionShape, motion,
 };
+use std::path::Path;
 
 fn options_of(options: &Options) -> Result<MotionOptions> {
     let files = match options.make {
@@ -64,40 +65,11 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
 fn written(options: &Options, report: &MotionReport, quiet: bool) -> Result<()> {
     let mut said = Vec::new();
     if let Some(file) = &options.convert {
-        let Some(first) = report.series.first() else {
-            bail!("no motion is given to write")
-        };
-        if report.series.iter().any(|other| other.motion != first.motion) {
-            bail!(
-                "the channels are no motion of x, y and z: name one with --channel, or turn them with --x-azimuth"
-            );
-        }
-        let ending = file
-            .extension()
-            .map(|e| e.to_string_lossy().to_lowercase())
-            .unwrap_or_default();
-        match (ending.as_str(), report.series.len()) {
-            ("csv", _) => files::write(file, motion_csv(&first.motion).as_bytes())?,
-            ("at2", 1) => files::write(file, motion_at2(&first.motion, first.component).as_bytes())?,
-            ("at2", count) => {
-                bail!("AT2 holds one component, but the motion has {count}: write .csv, or give one file")
-            }
-            _ => bail!(
-                "{} ends in neither .csv nor .at2, the formats that are written",
-                file.display()
-            ),
-        }
+        files::write(file, &converted(report, file)?)?;
         said.push(file.display().to_string());
     }
     if let Some(folder) = &options.output {
-        files::write_figures(
-            folder,
-            &motion_figures(report, request::language(options.language)),
-        )?;
-        files::write_json(&folder.join("motion.json"), &motion_report_json(report))?;
-        if report.series.iter().any(|one| !one.spectrum.is_empty()) {
-            files::write(&folder.join("spectrum.csv"), spectrum_csv(report).as_bytes())?;
-        }
+        files::write_all(folder, &motion_files(report, request::language(options.language)))?;
         said.push(folder.display().to_string());
     }
     if !quiet && !said.is_empty() {
@@ -106,22 +78,26 @@ fn written(options: &Options, report: &MotionReport, quiet: bool) -> Result<()> 
     Ok(())
 }
 
-fn spectrum_csv(report: &MotionReport) -> String {
-    let mut out = "series,period_s,damping_ratio,displacement_m,displacement_at_samples_m,at_s,pseudo_velocity_m_s,pseudo_acceleration_m_s2\n".to_owned();
-    for one in &report.series {
-        let name = format!("\"{}\"", one.name.replace('"', "'"));
-        for o in &one.spectrum {
-            out += &format!(
-                "{name},{},{},{},{},{},{},{}\n",
-                o.period_s,
-                o.damping_ratio,
-                o.displacement_m,
-                o.displacement_at_samples_m,
-                o.at_s,
-                o.pseudo_velocity_m_s(),
-                o.pseudo_acceleration_m_s2()
-            );
-        }
+/// The motion in the format that the ending of a file names.
+fn converted(report: &MotionReport, file: &Path) -> Result<Vec<u8>> {
+    let Some(first) = report.series.first() else {
+        bail!("no motion is given to write")
+    };
+    if report.series.iter().any(|other| other.motion != first.motion) {
+        bail!(
+            "the channels are no motion of x, y and z: name one with --channel, or turn them with --x-azimuth"
+        );
     }
-    out
+    let ending = file.extension().map(|e| e.to_string_lossy().to_lowercase());
+    match (ending.unwrap_or_default().as_str(), report.series.len()) {
+        ("csv", _) => Ok(motion_csv(&first.motion).into_bytes()),
+        ("at2", 1) => Ok(motion_at2(&first.motion, first.component).into_bytes()),
+        ("at2", count) => {
+            bail!("AT2 holds one component, but the motion has {count}: write .csv, or give one file")
+        }
+        _ => bail!(
+            "{} ends in neither .csv nor .at2, the formats that are written",
+            file.display()
+        ),
+    }
 }

@@ -7,15 +7,14 @@ use crate::request::language;
 use crate::study_folder::journals_beside;
 use crate::{files, open, score};
 use anyhow::{Context as _, Result, bail};
-use dolmen_report::figures::ranking;
-use dolmen_report::html::{Imprint, ranking_html};
+use dolmen_report::files::ranking_files;
+use dolmen_report::html::Imprint;
 use dolmen_report::json::rank_json;
 use dolmen_report::text::rank_text;
 use dolmen_work::portfolio::{
     FoundProject, PortfolioAnswer, PortfolioRow, PortfolioTable, Projects, RankOptions, RowSource, rank,
-    ranking_columns, read_portfolio,
+    read_portfolio,
 };
-use dolmen_work::study::table_csv;
 use dolmen_work::{WorkError, told};
 use std::path::{Path, PathBuf};
 
@@ -60,7 +59,14 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         files::say(&rank_text(&answer))?;
     }
     if let Some(folder) = &options.output {
-        write(&answer, folder, options)?;
+        let imprint = Imprint {
+            program: concat!("dolmen ", env!("CARGO_PKG_VERSION")).to_owned(),
+            date: None,
+        };
+        files::write_all(
+            folder,
+            &ranking_files(&answer, language(options.language), &imprint),
+        )?;
         if !quiet {
             note!("ranking, figure and page are in {}", folder.display());
         }
@@ -108,20 +114,4 @@ fn rows(source: &Path) -> Result<PortfolioTable> {
         rows,
         refused: Vec::new(),
     })
-}
-
-fn write(answer: &PortfolioAnswer, folder: &Path, options: &Options) -> Result<()> {
-    let language = language(options.language);
-    let imprint = Imprint {
-        program: format!("dolmen {}", env!("CARGO_PKG_VERSION")),
-        date: None,
-    };
-    files::write(
-        &folder.join("ranking.csv"),
-        table_csv(&ranking_columns(answer)).as_bytes(),
-    )?;
-    files::write_json(&folder.join("ranking.json"), &rank_json(answer))?;
-    files::write(&folder.join("ranking.svg"), ranking(answer, language).as_bytes())?;
-    let page = ranking_html(answer, language, &imprint);
-    files::write(&folder.join("ranking.html"), page.as_bytes())
 }

@@ -5,11 +5,9 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::typed::Typed;
-use crate::{export, files, open, request};
+use crate::{files, open, request};
 use anyhow::Result;
-use dolmen_report::json::{
-    building_simulation_json, chain_simulation_json, frame_simulation_json, simulation_json,
-};
+use dolmen_report::files::{simulation_files, simulation_value};
 use dolmen_report::text::{
     building_simulation_text, chain_simulation_text, frame_simulation_text, simulation_inputs_text,
     simulation_text,
@@ -50,7 +48,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) 
     if let (Some(folder), true) = (&options.output, answer.does_not_stand.is_none()) {
         let language = request::language(options.language);
         for simulation in &answer.simulations {
-            export::write(simulation, &json_of(simulation), folder, language)?;
+            files::write_all(folder, &simulation_files(simulation, language)?)?;
         }
         if !quiet {
             let what = match answer.simulations.first() {
@@ -73,19 +71,10 @@ fn answer_json(answer: &SimulateAnswer) -> Value {
     match answer.simulations.as_slice() {
         [] => json!({ "simulations": [] }),
         [Simulation::Frame(_), ..] => {
-            let all: Vec<Value> = answer.simulations.iter().map(json_of).collect();
+            let all: Vec<Value> = answer.simulations.iter().map(simulation_value).collect();
             json!({ "simulations": all })
         }
-        [one, ..] => json_of(one),
-    }
-}
-
-fn json_of(simulation: &Simulation) -> Value {
-    match simulation {
-        Simulation::Chain(run) => chain_simulation_json(run),
-        Simulation::Frame(run) => frame_simulation_json(run),
-        Simulation::Stack(run) => simulation_json(run),
-        Simulation::Building(run) => building_simulation_json(run),
+        [one, ..] => simulation_value(one),
     }
 }
 

@@ -8,16 +8,12 @@ use crate::study_folder::{self, StudyFolder};
 use crate::typed::Typed;
 use crate::{files, open, request, tools};
 use anyhow::{Context as _, Result};
-use dolmen_report::json::study_json;
-use dolmen_report::text::study_text;
+use dolmen_report::json::{missing_json, shard_json, study_json};
+use dolmen_report::text::{missing_text, shard_text, study_text};
 use dolmen_words::Language;
 use dolmen_work::FlagVerb;
 use dolmen_work::study::{self, Plan, Run, merged, studies};
-use serde_json::{Value, json};
 use std::path::PathBuf;
-
-/// Missing scans that are named; more are counted.
-const MISSING_SHOWN: usize = 20;
 
 pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) -> Result<Outcome> {
     match &options.action {
@@ -108,23 +104,14 @@ fn shard_done(
     as_json: bool,
 ) -> Result<Outcome> {
     let missing = study::missing(plan, shard, runs);
-    let file = folder.journal_file(shard);
+    let (file, counts) = (
+        folder.journal_file(shard).display().to_string(),
+        [runs.len(), missing.len()],
+    );
     if as_json {
-        let value = serde_json::json!({
-            "study": plan.study.name, "shard": format!("{}/{}", shard.0, shard.1), "runs": runs.len(),
-            "scans_missing": missing.len(), "journal": file.display().to_string(),
-        });
-        files::say(&format!("{value:#}\n"))?;
+        files::say_json(&shard_json(plan, shard, counts, &file))?;
     } else {
-        files::say(&format!(
-            "Study \"{}\", shard {} of {}: {} runs, {} scans missing, in {}\n`dolmen study merge` puts the shards together\n",
-            plan.study.name,
-            shard.0,
-            shard.1,
-            runs.len(),
-            missing.len(),
-            file.display()
-        ))?;
+        files::say(&shard_text(plan, shard, counts, &file))?;
     }
     Ok(Outcome::finished(missing.is_empty()))
 }
@@ -151,48 +138,23 @@ fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, printed: &Print
     let answer = study::finish(plan, runs, &Terminal::new(printed.quiet))?;
     folder.write(&answer, printed.language)?;
     if printed.as_json {
-        files::say(&format!("{:#}\n", study_json(&answer)?))?;
+        files::say_json(&study_json(&answer)?)?;
     } else {
         files::say(&study_text(&answer)?)?;
     }
     if !printed.quiet {
         note!("tables and figures are in {}", folder.path().display());
     }
-    // a fall is what a study looks for; a scan without an answer is not
-    let has_scan = answer.study.scan.is_some();
-    let is_whole = answer.missing.is_empty() && !(has_scan && answer.left_out() > 0);
-    Ok(Outcome::finished(is_whole))
+    Ok(Outcome::finished(answer.is_whole()))
 }
 
 fn missing(plan: &Plan<'_>, folder: &StudyFolder, from: &[PathBuf], as_json: bool) -> Result<Outcome> {
     let runs = merged(plan, &folder.journals(&plan.study.name, from)?)?;
     let missing = study::missing(plan, (1, 1), &runs);
     if as_json {
-        let scans: Vec<_> = missing.iter().map(|&job| scan_json(plan, job)).collect();
-        let value = serde_json::json!({
-            "study": plan.study.name, "scans": plan.jobs(), "runs": runs.len(), "missing": scans,
-        });
-        files::say(&format!("{value:#}\n"))?;
+        files::say_json(&missing_json(plan, runs.len(), &missing))?;
     } else {
-        let mut text = format!(
-            "Study \"{}\": {} of {} scans are done, {} runs\n",
-            plan.study.name,
-            plan.jobs() - missing.len(),
-            plan.jobs(),
-            runs.len()
-        );
-        for &job in missing.iter().take(MISSING_SHOWN) {
-            text += &format!("  missing: {}\n", plan.scan_words(job));
-        }
-        if missing.len() > MISSING_SHOWN {
-            text += &format!("  and {} more\n", missing.len() - MISSING_SHOWN);
-        }
-        files::say(&text)?;
+        files::say(&missing_text(plan, runs.len(), &missing))?;
     }
     Ok(Outcome::finished(missing.is_empty()))
-}
-
-/// A scan as JSON: what its inputs are.
-fn scan_json(plan: &Plan<'_>, job: usize) -> Value {
-    json!({ "scan": job + 1, "inputs": plan.scan_words(job) })
 }

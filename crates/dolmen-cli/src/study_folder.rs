@@ -3,14 +3,11 @@
 use crate::files;
 use crate::open::Found;
 use anyhow::{Context as _, Result, bail};
-use dolmen_report::figures::study_figures;
-use dolmen_report::json::study_json;
-use dolmen_report::tables::parquet;
+use dolmen_report::files::study_files;
 use dolmen_words::Language;
 use dolmen_work::study::{
-    Column, Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind,
-    capacity_columns, fragility_columns, harmonic_columns, header_line, joint_columns, release_columns,
-    resumed, run_columns, run_line, table_csv,
+    Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind, header_line, resumed,
+    run_line,
 };
 use dolmen_work::{WorkError, told};
 use std::fs::{self, File, OpenOptions};
@@ -158,29 +155,7 @@ impl StudyFolder {
 
     /// Tables, figures and JSON.
     pub(crate) fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
-        let put = |name: &str, bytes: &[u8]| files::write(&self.path.join(name), bytes);
-        let table = |name: &str, columns: Vec<Column>| -> Result<()> {
-            put(&format!("{name}.csv"), table_csv(&columns).as_bytes())?;
-            put(&format!("{name}.parquet"), &parquet(&columns)?)
-        };
-        if answer.study.scan.is_some() {
-            table("runs", run_columns(answer))?;
-            table("capacities", capacity_columns(answer))?;
-            table("fragility", fragility_columns(answer))?;
-            if !answer.joint_fragilities().is_empty() {
-                table("joints", joint_columns(answer))?;
-            }
-        }
-        if answer.study.harmonic.is_some() {
-            table("harmonic", harmonic_columns(&answer.maps, answer.kind))?;
-        }
-        if answer.study.release_m.is_some() {
-            table("release", release_columns(&answer.maps))?;
-        }
-        for figure in study_figures(answer, language) {
-            put(&format!("{}.svg", figure.name), figure.svg.as_bytes())?;
-        }
-        put("study.json", format!("{:#}\n", study_json(answer)?).as_bytes())
+        files::write_all(&self.path, &study_files(answer, language)?)
     }
 }
 

@@ -7,7 +7,7 @@ use crate::typed::Typed;
 use crate::{files, open, request};
 use anyhow::Result;
 use dolmen::damper::Goal;
-use dolmen_report::figures::tune_figures;
+use dolmen_report::files::tune_files;
 use dolmen_report::json::{together_json, tune_json};
 use dolmen_report::text::{together_text, tune_text};
 use dolmen_work::FlagVerb;
@@ -58,19 +58,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) 
         }
     }
     if let Some(folder) = &options.output {
-        for answer in &answers.tunings {
-            let folder = folder.join(&answer.damper);
-            files::write_json(&folder.join("tune.json"), &tune_json(answer))?;
-            let language = request::language(options.language);
-            files::write_figures(&folder, &tune_figures(answer, language))?;
-        }
-        for answer in &answers.together {
-            let name = match &answer.variant {
-                None => "together.json".to_owned(),
-                Some(variant) => format!("together-{variant}.json"),
-            };
-            files::write_json(&folder.join(name), &together_json(answer))?;
-        }
+        files::write_all(folder, &tune_files(&answers, request::language(options.language)))?;
         if !quiet {
             note!("results and figures are in {}", folder.display());
         }

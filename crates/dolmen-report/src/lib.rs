@@ -2,6 +2,7 @@
 
 pub mod explain;
 pub mod figures;
+pub mod files;
 pub mod film;
 pub mod html;
 pub mod json;

@@ -20,7 +20,8 @@ use std::error::Error;
 
 /// The error of the science within one of a layer above that hands it on as it is.
 fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) {
-    if let Some(work) = cause.downcast_ref::<WorkError>() {
+    let boxed = || cause.downcast_ref::<Box<WorkError>>().map(Box::as_ref); // the cause within a place
+    if let Some(work) = cause.downcast_ref::<WorkError>().or_else(boxed) {
         return work.handed_on().map_or(cause, handed_on);
     }
     match cause.downcast_ref() {
@@ -83,4 +84,30 @@ fn is_of_no_convergence(cause: &(dyn Error + 'static)) -> bool {
         || is(cause, AssessError::did_not_converge)
         || is(cause, ValidationError::did_not_converge)
         || is(cause, in_a_row)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Within as _;
+    use dolmen::signal::SignalError;
+
+    #[test]
+    fn holds_advice_and_convergence_are_seen_within_a_place() {
+        let no_start = RecordError::Signal(SignalError::NoStart { channel: "a".into() });
+        let fault = Err::<(), _>(no_start)
+            .within(|| "survey one".to_owned())
+            .unwrap_err();
+        assert_eq!(
+            told(&fault),
+            "survey one: channel \"a\" does not say when it begins: give its begins, or starts = \"together\" if all began at one instant"
+        );
+        let no_rest = BlocksError::NoRest {
+            iterations: 9,
+            residual: 0.1,
+            block: "a".into(),
+        };
+        let fault = Err::<(), _>(no_rest).within(|| "a place".to_owned()).unwrap_err();
+        assert!(did_not_converge(&fault));
+    }
 }

@@ -15,6 +15,7 @@ mod score;
 mod simulation;
 mod stack;
 mod study;
+mod study_state;
 mod tune;
 
 pub use building::building_simulation_json;
@@ -28,4 +29,5 @@ pub use rank::rank_json;
 pub use score::{score_json, score_quality_json};
 pub use simulation::simulation_json;
 pub use study::study_json;
+pub use study_state::{missing_json, shard_json};
 pub use tune::{together_json, tune_json};

@@ -179,6 +179,11 @@ impl StudyAnswer {
         job % self.replicates().max(1) / self.study.turns_rad.len()
     }
 
+    /// Whether every scan has an answer: a fall is what a study looks for, a scan without an answer is not.
+    pub fn is_whole(&self) -> bool {
+        self.missing.is_empty() && !(self.study.scan.is_some() && self.left_out() > 0)
+    }
+
     /// The turn of the motion of a job, rad.
     pub fn turn_rad(&self, job: usize) -> f64 {
         self.study.turns_rad[job % self.study.turns_rad.len()]

@@ -1,0 +1,18 @@
+//! Everything that a verb writes into a folder, as names and bytes.
+
+mod motion;
+mod named;
+mod paraview;
+mod ranking;
+mod simulation;
+mod study;
+mod survey;
+mod tune;
+
+pub use motion::motion_files;
+pub use named::NamedFile;
+pub use ranking::ranking_files;
+pub use simulation::{simulation_files, simulation_value};
+pub use study::{StudyFilesError, study_files};
+pub use survey::{change_files, identification_files};
+pub use tune::tune_files;

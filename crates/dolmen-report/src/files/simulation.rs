@@ -1,0 +1,90 @@
+//! A simulation as files: histories, figures, films, and what other programs read.
+
+use super::named::NamedFile;
+use super::paraview::paraview;
+use crate::figures::{self, building_histories, chain_histories, frame_histories};
+use crate::film::stack_film;
+use crate::json::{building_simulation_json, chain_simulation_json, frame_simulation_json, simulation_json};
+use crate::tables::{
+    building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
+    chain_uplifts_csv, energy_csv, frame_energy_csv, frame_histories_csv, frame_slips_csv, joints_csv,
+    poses_csv,
+};
+use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
+use dolmen_words::Language;
+use dolmen_work::simulation::Simulation;
+use dolmen_work::stack::StackSimulation;
+use serde_json::Value;
+
+/// A simulation of any kind as JSON.
+pub fn simulation_value(simulation: &Simulation) -> Value {
+    match simulation {
+        Simulation::Chain(run) => chain_simulation_json(run),
+        Simulation::Frame(run) => frame_simulation_json(run),
+        Simulation::Stack(run) => simulation_json(run),
+        Simulation::Building(run) => building_simulation_json(run),
+    }
+}
+
+/// Everything of a simulation as files; each direction of a frame in a folder of its own.
+///
+/// # Errors
+/// [`PoseError`], where a history has no pose for each block.
+pub fn simulation_files(simulation: &Simulation, language: Language) -> Result<Vec<NamedFile>, PoseError> {
+    let mut files = vec![NamedFile::json("simulation.json", &simulation_value(simulation))];
+    let mut put = |name: &str, text: String| files.push(NamedFile::new(name, text));
+    let figures = match simulation {
+        Simulation::Chain(run) => {
+            put("histories.csv", chain_histories_csv(run));
+            put("slips.csv", chain_slips_csv(run));
+            put("openings.csv", chain_uplifts_csv(run));
+            put("energy.csv", chain_energy_csv(run));
+            chain_histories(run, language)
+        }
+        Simulation::Frame(run) => {
+            put("histories.csv", frame_histories_csv(run));
+            put("slips.csv", frame_slips_csv(run));
+            put("energy.csv", frame_energy_csv(run));
+            frame_histories(run, language)
+        }
+        Simulation::Stack(run) => {
+            files.extend(stack(run, language)?);
+            figures::stack_histories(run, language)
+        }
+        Simulation::Building(run) => {
+            put("histories.csv", building_histories_csv(run));
+            put("peaks.csv", building_peaks_csv(run));
+            building_histories(run, language)
+        }
+    };
+    files.extend(figures.into_iter().map(NamedFile::figure));
+    Ok(match simulation {
+        Simulation::Frame(run) => {
+            let within = |file: NamedFile| file.within(&run.direction);
+            files.into_iter().map(within).collect()
+        }
+        Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Building(_) => files,
+    })
+}
+
+fn stack(simulation: &StackSimulation, language: Language) -> Result<Vec<NamedFile>, PoseError> {
+    let stack = &simulation.stack;
+    let (limits, peak_g) = (&simulation.limits, Some(simulation.peak_horizontal_g()));
+    let mut files = vec![
+        NamedFile::new("joints.csv", joints_csv(simulation)),
+        NamedFile::new("poses.csv", poses_csv(simulation)),
+        NamedFile::new("energy.csv", energy_csv(simulation)),
+        NamedFile::new("film.glb", stack_film(simulation)),
+        NamedFile::new("stack.obj", stack_obj(stack)),
+        NamedFile::new("stack.json", stack_json(stack)),
+        NamedFile::new("stack.3ddat", stack_3dec(stack)),
+        NamedFile::new("after.svg", figures::stack_after(simulation, language)),
+        NamedFile::new(
+            "governing.svg",
+            figures::stack_governing(limits, peak_g, language),
+        ),
+        NamedFile::new("capacity.svg", figures::stack_capacity(limits, peak_g, language)),
+    ];
+    files.extend(paraview(simulation)?);
+    Ok(files)
+}

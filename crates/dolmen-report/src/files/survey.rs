@@ -1,0 +1,25 @@
+//! Surveys as files: what was identified, what changed.
+
+use super::named::NamedFile;
+use crate::figures::{identification, survey_changes};
+use crate::json::{change_json, identification_json};
+use dolmen_words::Language;
+use dolmen_work::answer::{CompareAnswer, IdentifyAnswer};
+
+/// Figures and JSON of what was identified.
+pub fn identification_files(answer: &IdentifyAnswer, language: Language) -> Vec<NamedFile> {
+    let json = NamedFile::json("identification.json", &identification_json(answer));
+    let figures = identification(answer, language)
+        .into_iter()
+        .map(NamedFile::figure);
+    [json].into_iter().chain(figures).collect()
+}
+
+/// Figure and JSON of what changed.
+pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile> {
+    let json = change_json(&answer.project, &answer.file, &answer.change);
+    vec![
+        NamedFile::json("change.json", &json),
+        NamedFile::new("change.svg", survey_changes(&answer.change, language)),
+    ]
+}

@@ -1,0 +1,27 @@
+//! How far a study is, as JSON.
+
+use dolmen_work::study::Plan;
+use serde_json::{Value, json};
+
+/// A shard that ended: its journal is its result.
+pub fn shard_json(
+    plan: &Plan<'_>,
+    shard: (usize, usize),
+    [runs, missing]: [usize; 2],
+    journal: &str,
+) -> Value {
+    json!({
+        "study": plan.study.name, "shard": format!("{}/{}", shard.0, shard.1), "runs": runs,
+        "scans_missing": missing, "journal": journal,
+    })
+}
+
+/// Which scans are not done yet, each with its inputs.
+pub fn missing_json(plan: &Plan<'_>, runs: usize, missing: &[usize]) -> Value {
+    let scans = missing
+        .iter()
+        .map(|&job| json!({ "scan": job + 1, "inputs": plan.scan_words(job) }));
+    json!({
+        "study": plan.study.name, "scans": plan.jobs(), "runs": runs, "missing": scans.collect::<Vec<_>>(),
+    })
+}
