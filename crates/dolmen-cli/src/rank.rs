@@ -12,8 +12,7 @@ use dolmen_report::html::Imprint;
 use dolmen_report::json::rank_json;
 use dolmen_report::text::rank_text;
 use dolmen_work::portfolio::{
-    FoundProject, PortfolioAnswer, PortfolioRow, PortfolioTable, Projects, RankOptions, RowSource, rank,
-    read_portfolio,
+    FoundProject, PortfolioRow, PortfolioTable, Projects, RankOptions, RowSource, rank, read_portfolio,
 };
 use dolmen_work::{WorkError, told};
 use std::path::{Path, PathBuf};

@@ -1,16 +1,17 @@
 //! Why a verb cannot answer.
 
 use crate::change_fault::ChangeFault;
+use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
 use crate::score::ScoreDesignsError;
-use crate::study::JournalError;
+use crate::study::{JournalError, StudyError};
 use dolmen::assess::AssessError;
 use dolmen::blocks::BlocksError;
 use dolmen::damper::DamperError;
 use dolmen::dynamics::DynamicsError;
 use dolmen::modal::ModalError;
 use dolmen::numeric::NumericError;
-use dolmen::signal::{Component, SignalError};
+use dolmen::signal::SignalError;
 use dolmen::stability::StabilityError;
 use dolmen::structure::StructureError;
 use dolmen::structure::building::BuildingError;
@@ -103,6 +104,12 @@ pub enum WorkError {
     /// From the science.
     #[error(transparent)]
     Validation(Box<ValidationError>),
+    /// A motion that is asked for cannot be had.
+    #[error(transparent)]
+    MotionRequest(Box<MotionRequestError>),
+    /// A study cannot be run, or its runs cannot be used.
+    #[error(transparent)]
+    Study(Box<StudyError>),
     /// The caller could not open, read or keep what was asked of it.
     #[error("{why}")]
     Outside {
@@ -143,78 +150,9 @@ pub enum WorkError {
         known: String,
     },
 
-    /// There is no such motion.
-    #[error(
-        "there is no motion \"{name}\": known are {known}; other motions come from files with --motion-file, or stand in the project file as \
-         [motion.{name}]"
-    )]
-    NoSuchMotion {
-        /// The name.
-        name: String,
-        /// Those there are.
-        known: String,
-    },
-    /// There is no such motion among those that Dolmen carries.
-    #[error("there is no built-in motion \"{name}\": known are {known}")]
-    NoBuiltInMotion {
-        /// The name.
-        name: String,
-        /// Those there are.
-        known: String,
-    },
-    /// No motion is asked for.
-    #[error(
-        "no motion is given: name files (`dolmen simulate`: with --motion-file), or take --motion {known}"
-    )]
-    NoMotion {
-        /// Those there are.
-        known: String,
-    },
     /// A run that needs a motion was prepared without one.
     #[error("the run was prepared without a motion")]
     NoMotionPrepared,
-    /// Two files are of one component.
-    #[error("--motion-file: the {component} component is given twice; name each as in {component}=FILE")]
-    ComponentTwice {
-        /// The component.
-        component: Component,
-    },
-    /// A text is no acceleration.
-    #[error("\"{given}\" is no acceleration: write it as \"0.3 g\" or \"2.94 m/s2\"")]
-    NoAcceleration {
-        /// The text.
-        given: String,
-    },
-    /// An acceleration has no unit.
-    #[error("\"{given}\" has no unit: write \"{value} g\" or \"{value} m/s2\"")]
-    AccelerationWithoutUnit {
-        /// The text.
-        given: String,
-        /// Its number.
-        value: f64,
-    },
-    /// A site is no ground of Eurocode 8.
-    #[error("--site is \"{given}\", but a ground of Eurocode 8 is A, B, C, D or E")]
-    NoEurocodeGround {
-        /// The text.
-        given: String,
-    },
-    /// A site is none of KDS 17 10 00.
-    #[error(
-        "--site is \"{given}\", but a site of KDS 17 10 00 is S1 to S5; for Eurocode 8 give --ground-acceleration too"
-    )]
-    NoKoreanSite {
-        /// The text.
-        given: String,
-    },
-    /// Nothing is there to be matched.
-    #[error("no motion is given to match")]
-    NothingToMatch,
-    /// Several channels could be matched.
-    #[error(
-        "the file has several channels: name the one to match with --channel, or turn them to x and y with --x-azimuth"
-    )]
-    SeveralToMatch,
     /// A motion shakes along x and y what moves in a plane.
     #[error(
         "{what} moves in one direction, but the motion has the components x and y: give one file, or turn the motion and give the component \
@@ -303,103 +241,11 @@ pub enum WorkError {
     #[error("a point of the file was not watched")]
     PointNotWatched,
 
-    /// There is no such study.
-    #[error("there is no study \"{name}\": the file has {known}")]
-    NoSuchStudy {
-        /// The name.
-        name: String,
-        /// Those there are.
-        known: String,
-    },
-    /// There is no such study in a file.
-    #[error("there is no study \"{name}\" in {file}")]
-    NoStudyIn {
-        /// The name.
-        name: String,
-        /// The file.
-        file: String,
-    },
-    /// The file has no study.
-    #[error("the file has no study: write one as [study.NAME]; docs/study.md has its keys")]
-    NoStudy,
-    /// What is to be studied falls by itself.
-    #[error(
-        "it does not stand under its own weight (load factor {load_factor:.3}): no shaking is needed to fell it, and a capacity against \
-         shaking would say nothing. `dolmen check` says what it lacks"
-    )]
-    StudyOfWhatFalls {
-        /// λ.
-        load_factor: f64,
-    },
-    /// A survey holds nothing to study.
-    #[error("a survey holds no structure that could be studied: kind is stack, frame, chain or building")]
-    SurveyStudied,
-    /// A study has no motion.
-    #[error(
-        "the study names no motion: give motions = [\"el-centro-1940-ns\"] or artificial = {{ count = 22 }}"
-    )]
-    StudyWithoutMotion,
-    /// A study does not say how the shaking grows.
-    #[error("the study says not how the shaking grows: give scale or peak")]
-    StudyWithoutScan,
-    /// A study has too many scans.
-    #[error("the study has more than {most} scans: vary less, or draw fewer samples")]
-    StudyTooLarge {
-        /// The largest number of scans.
-        most: usize,
-    },
-    /// Samples are asked for, but nothing scatters.
-    #[error(
-        "samples is {samples}, but no input has a cov: all samples would be the same. Write joint.friction = {{ value = 0.6, cov = 0.1 }}, or \
-         leave samples out"
-    )]
-    StudySamplesNothing {
-        /// The samples asked for.
-        samples: usize,
-    },
-    /// A map of harmonic motions is asked of what has none.
-    #[error("harmonic and release are for frames and chains")]
-    HarmonicOfOther,
     /// The inputs of a case are refused.
     #[error("{why}")]
     CaseRefused {
         /// Why.
         why: String,
-    },
-    /// The inputs of every run were refused.
-    #[error("the inputs of every run were refused: {why}")]
-    EveryRunRefused {
-        /// Why those of the first were.
-        why: String,
-    },
-    /// A journal is of another study, or of another state of this one.
-    #[error(
-        "{shown} belongs to another state of this study: {difference}. Name another folder with -o, or give --restart to throw its runs away"
-    )]
-    OtherJournal {
-        /// The journal.
-        shown: String,
-        /// What differs.
-        difference: String,
-    },
-    /// Journals hold one run with different results.
-    #[error(
-        "{shown}: the run of scan {scan} at scale {scale} is there twice with different results: they come from programs that do not compute \
-         alike; start anew with --restart"
-    )]
-    RunTwice {
-        /// The journals.
-        shown: String,
-        /// The scan, from 1.
-        scan: usize,
-        /// The factor on its motion.
-        scale: f64,
-    },
-    /// A study for the score has no pagodas of six factors.
-    #[error("study \"{name}\" has no pagoda of six factors: write pagoda = {{ storeys = 5, … }}")]
-    StudyWithoutPagoda {
-        /// The study.
-        name: String,
     },
 
     /// There is no such damper that can be tuned.
@@ -476,27 +322,11 @@ pub enum WorkError {
         /// Why, a line a structure.
         reasons: String,
     },
-    /// A study that a table names has no results.
-    #[error(
-        "study \"{study}\" of {file} has no results beside the project file, or they are of another state of it: run dolmen study"
-    )]
-    StudyNotRun {
-        /// The study.
-        study: String,
-        /// The project file.
-        file: String,
-    },
     /// A project has nothing to be ranked by.
     #[error("it has neither results of a study nor a pagoda of six factors: run dolmen study {file} first")]
     NothingToRankBy {
         /// The project file.
         file: String,
-    },
-    /// A project has results of several studies.
-    #[error("it has results of several studies ({names}): name one in the column study")]
-    SeveralStudies {
-        /// The studies.
-        names: String,
     },
     /// The project of Palisaden has no record, or none with a mode.
     #[error("palisaden has no record")]
@@ -515,6 +345,8 @@ macro_rules! handed_on {
 }
 
 handed_on! {
+    MotionRequest: MotionRequestError,
+    Study: StudyError,
     File: FileError,
     Project: ProjectError,
     Record: RecordError,
@@ -544,6 +376,8 @@ impl WorkError {
     /// The error that is handed on as it is; `None` of one of its own.
     pub(crate) fn handed_on(&self) -> Option<&(dyn Error + 'static)> {
         Some(match self {
+            WorkError::MotionRequest(why) => why.as_ref(),
+            WorkError::Study(why) => why.as_ref(),
             WorkError::File(why) => why.as_ref(),
             WorkError::Project(why) => why.as_ref(),
             WorkError::Record(why) => why.as_ref(),

@@ -26,7 +26,7 @@ fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) 
     }
     match cause.downcast_ref() {
         Some(RecordError::Signal(why)) => return why,
-        Some(RecordError::Seismic(why)) => return handed_on(why.as_ref()),
+
         _ => {}
     }
     match cause.downcast_ref() {

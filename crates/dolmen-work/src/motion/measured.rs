@@ -1,6 +1,7 @@
 //! `dolmen motion`: ground motions read, measured, matched and made.
 
 use super::answer::{MatchAnswer, MotionReport, MotionSeries};
+use super::error::MotionRequestError;
 use super::prepare::{acceleration_m_s2, changed_alone, motion_alone, motion_options};
 use super::request::MotionRequest;
 use crate::error::{Within as _, WorkError};
@@ -226,9 +227,10 @@ fn demand(options: &Demand) -> Result<DesignSpectrum, WorkError> {
             EurocodeGround::E,
         ];
         let Some(ground) = grounds.into_iter().find(|ground| format!("{ground:?}") == site) else {
-            return Err(WorkError::NoEurocodeGround {
+            return Err(MotionRequestError::NoEurocodeGround {
                 given: options.site.clone(),
-            });
+            }
+            .into());
         };
         let kind = if options.spectrum_type == 2 {
             EurocodeType::Two
@@ -246,9 +248,10 @@ fn demand(options: &Demand) -> Result<DesignSpectrum, WorkError> {
         KoreanSite::S6,
     ];
     let Some(site) = sites.into_iter().find(|known| format!("{known:?}") == site) else {
-        return Err(WorkError::NoKoreanSite {
+        return Err(MotionRequestError::NoKoreanSite {
             given: options.site.clone(),
-        });
+        }
+        .into());
     };
     let zone = if options.zone == 2 {
         KoreanZone::II
@@ -271,10 +274,10 @@ fn matched(
         motion, component, ..
     }) = motions.first()
     else {
-        return Err(WorkError::NothingToMatch);
+        return Err(MotionRequestError::NothingToMatch.into());
     };
     if motions.iter().any(|other| other.motion.name() != motion.name()) {
-        return Err(WorkError::SeveralToMatch);
+        return Err(MotionRequestError::SeveralToMatch.into());
     }
     let (component, demand) = (*component, demand(wanted)?);
     let told = SpectrumMatch {

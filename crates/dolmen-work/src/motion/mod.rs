@@ -2,12 +2,14 @@
 
 mod acting;
 mod answer;
+mod error;
 mod measured;
 mod prepare;
 mod request;
 
 pub use acting::{MotionAnswer, base_line_drifts};
 pub use answer::{MatchAnswer, MotionReport, MotionSeries};
+pub use error::MotionRequestError;
 pub use measured::{Demand, MadeMotion, MotionOptions, MotionShape, motion};
 pub(crate) use prepare::prepared;
 pub use request::{GivenFile, MotionRequest};

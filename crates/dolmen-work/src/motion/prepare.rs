@@ -1,6 +1,7 @@
 //! Ground motions as they were asked for: carried along or read from files, then changed step by step.
 
 use super::acting::MotionAnswer;
+use super::error::MotionRequestError;
 use super::request::{GivenFile, MotionRequest};
 use crate::error::{Within as _, WorkError};
 use dolmen::signal::{Baseline, Component, GroundMotion, Quantity};
@@ -109,12 +110,15 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
         },
         (Some(name), None) if is_carried(name) => From::Carried(name.clone()),
         (Some(name), None) => {
-            return Err(WorkError::NoSuchMotion {
+            return Err(MotionRequestError::NoSuchMotion {
                 name: name.clone(),
                 known: names(own),
-            });
+            }
+            .into());
         }
-        (None, _) if options.files.is_empty() => return Err(WorkError::NoMotion { known: names(own) }),
+        (None, _) if options.files.is_empty() => {
+            return Err(MotionRequestError::NoMotion { known: names(own) }.into());
+        }
         (None, _) => From::Files(given_files(&options.files)?),
     };
     let typed_size = match (options.scale, &options.peak) {
@@ -166,10 +170,11 @@ fn is_carried(name: &str) -> bool {
 
 fn carried(name: &str) -> Result<MotionAnswer, WorkError> {
     let Some((name, file, bytes)) = find(name) else {
-        return Err(WorkError::NoBuiltInMotion {
+        return Err(MotionRequestError::NoBuiltInMotion {
             name: name.to_owned(),
             known: CARRIED.map(|(known, ..)| known).join(", "),
-        });
+        }
+        .into());
     };
     let motion = read_motion(name, &[(Component::X, bytes)], &MotionOptions::default())?;
     Ok(of_files(motion, vec![(Component::X, file.to_owned())]))
@@ -216,7 +221,7 @@ fn given_files(given: &[GivenFile]) -> Result<Vec<WantedFile>, WorkError> {
     for (position, file) in given.iter().enumerate() {
         let component = file.component.unwrap_or(Component::ALL[position.min(2)]);
         if named.iter().any(|other| other.component == component) {
-            return Err(WorkError::ComponentTwice { component });
+            return Err(MotionRequestError::ComponentTwice { component }.into());
         }
         named.push(WantedFile {
             component,
@@ -366,22 +371,25 @@ pub(crate) fn acceleration_m_s2(text: &str) -> Result<f64, WorkError> {
         .map_or(text.len(), |(at, _)| at);
     let (number, unit) = text.split_at(end);
     let Ok(value) = number.parse::<f64>() else {
-        return Err(WorkError::NoAcceleration {
+        return Err(MotionRequestError::NoAcceleration {
             given: text.to_owned(),
-        });
+        }
+        .into());
     };
     let unit = unit.trim();
     if unit.is_empty() {
-        return Err(WorkError::AccelerationWithoutUnit {
+        return Err(MotionRequestError::AccelerationWithoutUnit {
             given: text.to_owned(),
             value,
-        });
+        }
+        .into());
     }
     let unit = Unit::parse(unit)?;
     if unit.quantity() != Quantity::Acceleration {
-        return Err(WorkError::NoAcceleration {
+        return Err(MotionRequestError::NoAcceleration {
             given: text.to_owned(),
-        });
+        }
+        .into());
     }
     Ok(value * unit.si())
 }

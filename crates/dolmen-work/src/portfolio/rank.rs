@@ -6,6 +6,7 @@ use crate::error::WorkError;
 use crate::opened::Opened;
 use crate::progress::Silent;
 use crate::score::{ScoreDesigns, check_alike, factors};
+use crate::study::StudyError;
 use crate::study::{StudyJournals, studies_run};
 use crate::told::told;
 use dolmen::assess::{Hazard, ScoreModel, Unlike};
@@ -142,10 +143,11 @@ fn entry(
             if let Some(wanted) = study {
                 found.retain(|one| one.study.name == *wanted);
                 if found.is_empty() {
-                    return Err(WorkError::StudyNotRun {
+                    return Err(StudyError::StudyNotRun {
                         study: wanted.clone(),
                         file: file.clone(),
-                    });
+                    }
+                    .into());
                 }
             }
             found.retain(|one| one.study.scan.is_some());
@@ -160,9 +162,10 @@ fn entry(
                 },
                 several => {
                     let names: Vec<&str> = several.iter().map(|one| one.study.name.as_str()).collect();
-                    Err(WorkError::SeveralStudies {
+                    Err(StudyError::SeveralStudies {
                         names: names.join(", "),
-                    })
+                    }
+                    .into())
                 }
             }?;
             entry.hazard_replaced = replaced;

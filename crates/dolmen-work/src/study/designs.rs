@@ -1,6 +1,7 @@
 //! Simulated designs of a study, for the score.
 
 use super::engine::missing;
+use super::error::StudyError;
 use super::plan::Plan;
 use super::results::{JournalText, merged};
 use crate::error::WorkError;
@@ -35,10 +36,11 @@ pub fn study_designs(
 ) -> Result<StudyDesigns, WorkError> {
     let studies = &opened.project.studies;
     let Some(study) = studies.iter().find(|study| study.name == name) else {
-        return Err(WorkError::NoStudyIn {
+        return Err(StudyError::NoStudyIn {
             name: name.to_owned(),
             file: opened.file.clone(),
-        });
+        }
+        .into());
     };
     let plan = Plan::of(opened, study, files)?;
     let runs = merged(&plan, &journals()?)?;
@@ -58,9 +60,10 @@ pub fn study_designs(
             .project(found.combination)
             .map_err(|why| WorkError::CaseRefused { why })?;
         let Some(factors) = factors(&project)? else {
-            return Err(WorkError::StudyWithoutPagoda {
+            return Err(StudyError::StudyWithoutPagoda {
                 name: name.to_owned(),
-            });
+            }
+            .into());
         };
         let mut states = [None; 4];
         for state in &found.states {

@@ -1,6 +1,7 @@
 //! Execution: scans in chunks, each run on whatever thread is free, each written to the journal as it ends. What comes out depends
 //! on the inputs alone.
 
+use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::journal::Journal;
 use super::measures::RunMeasures;
@@ -282,7 +283,7 @@ fn run_batch(
     let mut of_stacks = Vec::new();
     for &(index, scale) in batch {
         let scan = &scans[index];
-        let motion = scan.motion.as_ref().ok_or(WorkError::StudyWithoutMotion)?;
+        let motion = scan.motion.as_ref().ok_or(StudyError::StudyWithoutMotion)?;
         let acting = motion.acting(scale, scan.turn_rad)?;
         let run = Run {
             scale,

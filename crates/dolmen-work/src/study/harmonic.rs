@@ -1,6 +1,7 @@
 //! Maps of harmonic motions, and releases.
 
 use super::engine::{Model, model_of};
+use super::error::StudyError;
 use super::inputs::{Drawn, drawn};
 use super::maps::ResponseMaps;
 use super::plan::Plan;
@@ -57,7 +58,7 @@ fn of_case(plan: &Plan<'_>, case: usize, progress: &dyn Progress) -> Result<Opti
             })?;
             maps.parts = model.links;
         }
-        Model::Stack(_) | Model::Building(_) => return Err(WorkError::HarmonicOfOther),
+        Model::Stack(_) | Model::Building(_) => return Err(StudyError::HarmonicOfOther.into()),
     }
     Ok(Some(maps))
 }

@@ -1,5 +1,6 @@
 //! Motions of a study: of the file, carried by the command, or made from a seed.
 
+use super::error::StudyError;
 use crate::error::WorkError;
 use crate::fingerprint::fingerprint;
 use crate::motion::{self, MotionRequest};
@@ -94,7 +95,7 @@ pub(super) fn motion_names(study: &StudyPart) -> Result<Vec<String>, WorkError> 
         names.extend((1..=made.count).map(|number| format!("{MADE} {number}")));
     }
     if names.is_empty() {
-        return Err(WorkError::StudyWithoutMotion);
+        return Err(StudyError::StudyWithoutMotion.into());
     }
     Ok(names)
 }

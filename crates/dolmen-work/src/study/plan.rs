@@ -1,6 +1,7 @@
 //! What a study will run: its cases with their inputs, its motions, and the fingerprint of everything that decides the results.
 
 use super::answer::{CaseInputs, InputColumn, StudyAnswer};
+use super::error::StudyError;
 use super::fitted::Fitted;
 use super::inputs::{Drawn, ReadCombination, case_inputs, drawn, input_columns, value_at};
 use super::journal::JournalHeader;
@@ -50,7 +51,7 @@ impl<'o> Plan<'o> {
             Structure::Frame(_) => StudyKind::Frame,
             Structure::Chain(_) => StudyKind::Chain,
             Structure::Building(_) => StudyKind::Building,
-            Structure::Survey => return Err(WorkError::SurveyStudied),
+            Structure::Survey => return Err(StudyError::SurveyStudied.into()),
         };
         let mut motions = Vec::new();
         if study.scan.is_some() {
@@ -61,7 +62,7 @@ impl<'o> Plan<'o> {
         } else if matches!(kind, StudyKind::Stack | StudyKind::Building)
             || (study.harmonic.is_none() && study.release_m.is_none())
         {
-            return Err(WorkError::StudyWithoutScan);
+            return Err(StudyError::StudyWithoutScan.into());
         }
         let samples = study.samples.unwrap_or(1);
         let scans = study
@@ -69,7 +70,7 @@ impl<'o> Plan<'o> {
             .saturating_mul(samples)
             .saturating_mul(motions.len().max(1));
         if scans.saturating_mul(study.turns_rad.len()) > SCANS_MOST {
-            return Err(WorkError::StudyTooLarge { most: SCANS_MOST });
+            return Err(StudyError::StudyTooLarge { most: SCANS_MOST }.into());
         }
         let mut plan = Plan {
             opened,
@@ -84,9 +85,10 @@ impl<'o> Plan<'o> {
         plan.read_inputs()?;
         if study.samples.is_some_and(|samples| samples > 1) && !plan.inputs.iter().any(|input| input.is_drawn)
         {
-            return Err(WorkError::StudySamplesNothing {
+            return Err(StudyError::StudySamplesNothing {
                 samples: study.samples.unwrap_or(1),
-            });
+            }
+            .into());
         }
         plan.fingerprints = plan.fingerprints()?;
         Ok(plan)
@@ -169,7 +171,7 @@ impl<'o> Plan<'o> {
         index: usize,
         turn_rad: f64,
     ) -> Result<(PreparedMotion, f64), WorkError> {
-        let (name, own) = self.motions.get(index).ok_or(WorkError::StudyWithoutMotion)?;
+        let (name, own) = self.motions.get(index).ok_or(StudyError::StudyWithoutMotion)?;
         let part = |project: &Project| project.motions.iter().find(|part| part.name == *name).cloned();
         let motion = match part(project) == part(&self.opened.project) {
             true => own.clone(),

@@ -2,6 +2,7 @@
 
 use super::answer::StudyAnswer;
 use super::engine::missing;
+use super::error::StudyError;
 use super::harmonic::maps;
 use super::journal::{JournalHeader, ReadJournal, read_journal};
 use super::kind::StudyKind;
@@ -45,10 +46,11 @@ pub fn studies<'o>(opened: &'o Opened, named: &[String]) -> Result<Vec<&'o Study
     for name in named {
         let Some(study) = studies.iter().find(|study| study.name == *name) else {
             let names: Vec<&str> = studies.iter().map(|study| study.name.as_str()).collect();
-            return Err(WorkError::NoSuchStudy {
+            return Err(StudyError::NoSuchStudy {
                 name: name.clone(),
                 known: names.join(", "),
-            });
+            }
+            .into());
         };
         meant.push(study);
     }
@@ -56,10 +58,10 @@ pub fn studies<'o>(opened: &'o Opened, named: &[String]) -> Result<Vec<&'o Study
         meant.extend(studies);
     }
     if meant.is_empty() {
-        return Err(WorkError::NoStudy);
+        return Err(StudyError::NoStudy.into());
     }
     if let Some(load_factor) = falls_by_itself(&opened.project)? {
-        return Err(WorkError::StudyOfWhatFalls { load_factor });
+        return Err(StudyError::StudyOfWhatFalls { load_factor }.into());
     }
     Ok(meant)
 }
@@ -97,10 +99,11 @@ pub fn merged(plan: &Plan<'_>, journals: &[JournalText]) -> Result<Vec<Run>, Wor
 fn checked(header: &JournalHeader, kind: StudyKind, journal: &JournalText) -> Result<ReadJournal, WorkError> {
     let read = read_journal(&journal.text, kind).within(|| journal.shown.clone())?;
     match header.difference(&read.header) {
-        Some(difference) => Err(WorkError::OtherJournal {
+        Some(difference) => Err(StudyError::OtherJournal {
             shown: journal.shown.clone(),
             difference,
-        }),
+        }
+        .into()),
         None => Ok(read),
     }
 }
@@ -112,11 +115,12 @@ fn unique(runs: Vec<Run>, shown: &str) -> Result<Vec<Run>, WorkError> {
         let key = (run.job, run.scale.to_bits());
         match seen.get(&key) {
             Some(other) if !other.is_same(&run) => {
-                return Err(WorkError::RunTwice {
+                return Err(StudyError::RunTwice {
                     shown: shown.to_owned(),
                     scan: run.job + 1,
                     scale: run.scale,
-                });
+                }
+                .into());
             }
             Some(_) => {}
             None => {
@@ -135,9 +139,10 @@ pub fn finish(plan: &Plan<'_>, runs: Vec<Run>, progress: &dyn Progress) -> Resul
     let answer = answered(plan, runs, progress)?;
     let all_refused = !answer.runs.is_empty() && answer.runs.iter().all(|run| run.scale == 0.0);
     match answer.runs.first().filter(|_| all_refused) {
-        Some(first) => Err(WorkError::EveryRunRefused {
+        Some(first) => Err(StudyError::EveryRunRefused {
             why: first.why.clone(),
-        }),
+        }
+        .into()),
         None => Ok(answer),
     }
 }
