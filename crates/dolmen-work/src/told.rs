@@ -24,10 +24,8 @@ fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) 
     if let Some(work) = cause.downcast_ref::<WorkError>().or_else(boxed) {
         return work.handed_on().map_or(cause, handed_on);
     }
-    match cause.downcast_ref() {
-        Some(RecordError::Signal(why)) => return why,
-
-        _ => {}
+    if let Some(RecordError::Signal(why)) = cause.downcast_ref() {
+        return why;
     }
     match cause.downcast_ref() {
         Some(MotionError::Signal(why)) => return why,

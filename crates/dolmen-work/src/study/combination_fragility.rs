@@ -44,7 +44,7 @@ pub struct StateFragility {
     pub motions: Vec<usize>,
     /// The curve over peak acceleration, m/s², or why there is none.
     pub by_acceleration: Result<FragilityFit, AssessError>,
-    /// The curves over other measures of the shaking, those of [`StudyAnswer::measures`] that are known of this combination.
+    /// The curves over other measures of the shaking, those of [`StudyAnswer::measures`](super::StudyAnswer::measures) that are known of this combination.
     pub by_measure: Vec<MeasureFit>,
     /// What β is made of, where inputs are drawn.
     pub scatter: Option<ScatterSplit>,

@@ -70,7 +70,7 @@ pub struct MeasureComparison {
     pub state: usize,
     /// Combinations that `within` is of.
     pub combinations: usize,
-    /// β within a combination, the root of the mean of the squares: by peak acceleration first, then by each of [`StudyAnswer::measures`]; `None`
+    /// β within a combination, the root of the mean of the squares: by peak acceleration first, then by each of [`StudyAnswer::measures`](super::StudyAnswer::measures); `None`
     /// where there is no curve.
     pub within: Vec<Option<f64>>,
     /// β of all combinations, one curve for all.

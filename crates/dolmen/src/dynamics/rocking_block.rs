@@ -103,7 +103,7 @@ pub enum RockingEquation {
     Linear,
 }
 
-/// Options of [`rock_block`].
+/// Options of [`rock_block`](super::rock_block).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rocking {
     /// Default: exact.
@@ -130,7 +130,7 @@ impl Default for Rocking {
     }
 }
 
-/// How a run of [`rock_block`] ended.
+/// How a run of [`rock_block`](super::rock_block) ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum RockingOutcome {
     /// It never lifted off.

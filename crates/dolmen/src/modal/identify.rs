@@ -30,7 +30,7 @@ use crate::signal::{ChannelFault, Record, inspect, leave_out};
 /// of the spectrum alone, as `method` says.
 ///
 /// The lowest and the highest peak of the spectrum decide how far the correlations reach and how much they are
-/// decimated; [`Settings`] tells. Two passes over the record: one of long lags for the spectrum, one for SSI.
+/// decimated; [`Settings`](super::Settings) tells. Two passes over the record: one of long lags for the spectrum, one for SSI.
 ///
 /// # Errors
 /// [`ModalError::Channel`], [`ModalError::NoPeak`], [`ModalError::BlockRows`],
