@@ -61,7 +61,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, quiet: bool) -> Result<Outcom
     let each = options.projects.iter().map(|path| (path, open::project(path)));
     let each: Vec<(&PathBuf, Result<Found>)> = each.collect();
     let known = each.iter().filter_map(|(_, found)| found.as_ref().ok());
-    let projects: Vec<&Project> = known.map(|found| &found.opened.project).collect();
+    let projects: Vec<&Project> = known.map(|found| &*found.opened.project).collect();
     typed.refuse_foreign(FlagVerb::Report, &projects)?;
     let motion = request::motion(&options.motion, &options.motion.motion_file)?;
     if !motion.is_given() && motion.is_changed() {

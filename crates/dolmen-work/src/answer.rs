@@ -13,6 +13,7 @@ use crate::study::{LeftOutStudy, StudyAnswer};
 use crate::surveyed::SurveyAnswer;
 use dolmen::assess::{Sensitivity, SurveyChange};
 use dolmen_project::Project;
+use std::sync::Arc;
 
 /// What a verb answers.
 #[derive(Clone, Debug)]
@@ -43,7 +44,7 @@ pub struct CheckAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
     /// What the file says.
-    pub project: Project,
+    pub project: Arc<Project>,
     /// Does it stand, as it is; `None` for `kind = "survey"`.
     pub state: Option<State>,
     /// The same with each `[variant.NAME]`, in the order of the file.
@@ -60,7 +61,7 @@ pub struct IdentifyAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
     /// What the file says.
-    pub project: Project,
+    pub project: Arc<Project>,
     /// What was identified from each survey, in the order of the file.
     pub surveys: Vec<SurveyAnswer>,
 }
@@ -71,7 +72,7 @@ pub struct CompareAnswer {
     /// Path of the project file as the user named it.
     pub file: String,
     /// What the file says.
-    pub project: Project,
+    pub project: Arc<Project>,
     /// The change.
     pub change: SurveyChange,
 }
@@ -91,7 +92,7 @@ pub struct ProjectReport {
     /// Path of the project file as the user named it.
     pub file: String,
     /// What the file says.
-    pub project: Project,
+    pub project: Arc<Project>,
     /// The answers.
     pub answers: Vec<Answer>,
     /// Studies whose results could not be used.

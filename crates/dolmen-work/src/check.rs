@@ -67,7 +67,7 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     };
     Ok(CheckAnswer {
         file: opened.file.clone(),
-        project: project.clone(),
+        project: opened.project.clone(),
         state,
         variants,
         sensitivities,

@@ -43,7 +43,7 @@ pub fn compare(
         .collect::<Result<_, _>>()?;
     Ok(CompareAnswer {
         file: opened.file.clone(),
-        project: project.clone(),
+        project: opened.project.clone(),
         change: change_of(project, &compared, &answers)?,
     })
 }

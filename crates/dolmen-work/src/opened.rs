@@ -3,12 +3,13 @@
 use crate::error::WorkError;
 use dolmen_project::{Project, parse_project_with};
 use dolmen_records::Files;
+use std::sync::Arc;
 
 /// A project, its text, and what its file is called.
 #[derive(Clone, Debug)]
 pub struct Opened {
     /// What the file says.
-    pub project: Project,
+    pub project: Arc<Project>,
     /// The text of the file: the cases of a study are read from it.
     pub text: String,
     /// The file as a user would look for it.
@@ -21,7 +22,7 @@ impl Opened {
     /// # Errors
     /// [`WorkError::Project`], which holds every fault with its line.
     pub fn read(text: String, file: String, files: &dyn Files) -> Result<Self, WorkError> {
-        let project = parse_project_with(&text, &file, files)?;
+        let project = Arc::new(parse_project_with(&text, &file, files)?);
         Ok(Opened { project, text, file })
     }
 }

@@ -51,7 +51,7 @@ pub fn report(
     if let Ok(compared) = surveys_to_compare(project, None, None) {
         answers.push(Answer::Compare(Box::new(CompareAnswer {
             file: opened.file.clone(),
-            project: project.clone(),
+            project: opened.project.clone(),
             change: change_of(project, &compared, &identified.surveys)?,
         })));
     }
@@ -71,7 +71,7 @@ pub fn report(
     );
     Ok(ProjectReport {
         file: opened.file.clone(),
-        project: project.clone(),
+        project: opened.project.clone(),
         answers,
         left_out,
     })

@@ -11,6 +11,7 @@ use dolmen_words::number::with_sd;
 use dolmen_work::answer::{Answer, CheckAnswer, IdentifyAnswer, ProjectReport};
 use dolmen_work::state::{Check, DirectionCheck, State};
 use dolmen_work::surveyed::{RecordAnswer, StiffnessAnswer, SurveyAnswer};
+use std::sync::Arc;
 
 const POLE: &str = r#"
 schema = 1
@@ -110,7 +111,7 @@ fn report(project: Project, check: Option<Check>, surveys: Vec<SurveyAnswer>) ->
         demand: None,
         sampled: None,
     });
-    let file = "dolmen.toml".to_owned();
+    let (file, project) = ("dolmen.toml".to_owned(), Arc::new(project));
     let checked = CheckAnswer {
         file: file.clone(),
         project: project.clone(),
