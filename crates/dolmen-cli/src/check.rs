@@ -1,6 +1,7 @@
 //! `dolmen check`: is the file right, does it stand.
 
 use crate::cli::Check as Options;
+use crate::manner::Manner;
 use crate::outcome::Outcome;
 use crate::typed::Typed;
 use crate::{files, open};
@@ -10,8 +11,8 @@ use dolmen_report::text::check_text;
 use dolmen_work::judgement::{Verb, judge_check};
 use dolmen_work::{CheckOptions, FlagVerb, Sampling, check};
 
-pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool) -> Result<Outcome> {
-    let found = open::project(&options.project)?;
+pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
+    let found = open::project(&options.project, manner)?;
     typed.refuse_foreign(FlagVerb::Check, &[&found.opened.project])?;
     let how = CheckOptions {
         sampling: options.samples.map(|samples| Sampling {
@@ -21,7 +22,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool) -> Result<Out
         sensitivity: options.sensitivity,
     };
     let answer = check(&found.opened, &how)?;
-    if as_json {
+    if manner.json {
         files::say_json(&check_json(&answer))?;
     } else {
         files::say(&check_text(&answer))?;

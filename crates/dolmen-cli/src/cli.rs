@@ -3,6 +3,7 @@
 use crate::cli_language::{Language, positive};
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_tune::Tune;
+use crate::manner::Manner;
 use clap::builder::TypedValueParser as _;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -19,12 +20,8 @@ use std::path::PathBuf;
 pub(crate) struct Cli {
     #[command(subcommand)]
     pub(crate) verb: Verb,
-    /// Print results as JSON: keys are the fields' names, values in SI, units in the names
-    #[arg(long, global = true)]
-    pub(crate) json: bool,
-    /// Print no progress and no notes, only results
-    #[arg(long, short, global = true)]
-    pub(crate) quiet: bool,
+    #[command(flatten)]
+    pub(crate) manner: Manner,
 }
 
 #[derive(Debug, Subcommand)]

@@ -18,3 +18,50 @@ pub(crate) fn positive(text: &str) -> Result<f64, String> {
         _ => Err("must be a positive number".to_owned()),
     }
 }
+
+/// A size of a file in bytes: "12 GB", "512 MiB", "1000".
+pub(crate) fn size(text: &str) -> Result<u64, String> {
+    const UNITS: [(&str, u64); 8] = [
+        ("", 1),
+        ("B", 1),
+        ("KB", 1_000),
+        ("MB", 1_000_000),
+        ("GB", 1_000_000_000),
+        ("KIB", 1 << 10),
+        ("MIB", 1 << 20),
+        ("GIB", 1 << 30),
+    ];
+    let wrong = || "must be a size such as \"12 GB\" or \"500 MB\"".to_owned();
+    let digits = text
+        .trim()
+        .find(|c: char| !c.is_ascii_digit())
+        .unwrap_or(text.trim().len());
+    let (number, unit) = text.trim().split_at(digits);
+    let unit = unit.trim().to_uppercase();
+    let (_, bytes) = UNITS.iter().find(|(name, _)| *name == unit).ok_or_else(wrong)?;
+    let number: u64 = number.parse().map_err(|_| wrong())?;
+    number
+        .checked_mul(*bytes)
+        .filter(|size| *size > 0)
+        .ok_or_else(wrong)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_sizes() {
+        for (text, bytes) in [
+            ("1000", 1000),
+            ("12 GB", 12_000_000_000),
+            ("3MiB", 3 << 20),
+            ("7 kB", 7000),
+        ] {
+            assert_eq!(size(text), Ok(bytes), "{text}");
+        }
+        for wrong in ["", "GB", "-1", "1.5 GB", "0", "99999999999999 GB", "1 TB"] {
+            assert!(size(wrong).is_err(), "{wrong}");
+        }
+    }
+}

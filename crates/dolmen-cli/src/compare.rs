@@ -1,8 +1,10 @@
 //! `dolmen compare`: what changed from one survey to another.
 
 use crate::cli::Compare;
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::outputs::Outputs;
 use crate::progress::Terminal;
 use crate::{files, open};
 use anyhow::Result;
@@ -12,21 +14,21 @@ use dolmen_report::text::change_text;
 use dolmen_words::Language;
 use dolmen_work::compare::{CompareOptions, compare};
 
-pub(crate) fn run(options: &Compare, as_json: bool, quiet: bool) -> Result<Outcome> {
-    let found = open::project(&options.project)?;
+pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
+    let found = open::project(&options.project, manner)?;
     let how = CompareOptions {
         from: options.from.clone(),
         to: options.to.clone(),
     };
-    let answer = compare(&found.opened, &how, &found.files, &Terminal::new(quiet))?;
-    if as_json {
+    let answer = compare(&found.opened, &how, &found.files, &Terminal::new(manner.quiet))?;
+    if manner.json {
         files::say_json(&change_json(&answer.project, &answer.file, &answer.change))?;
     } else {
         files::say(&change_text(&answer.project, &answer.file, &answer.change))?;
     }
     if let Some(folder) = &options.output {
-        files::write_all(folder, &change_files(&answer, Language::English))?;
-        if !quiet {
+        Outputs::of(manner, &found).folder(folder, &change_files(&answer, Language::English))?;
+        if !manner.quiet {
             note!("change.svg and change.json are in {}", folder.display());
         }
     }

@@ -2,10 +2,11 @@
 
 use crate::cli::{Kind, New};
 use crate::files;
+use crate::manner::Manner;
 use crate::outcome::Outcome;
 use anyhow::{Context as _, Result};
 use dolmen_records::{FileError, Files};
-use include_dir::{Dir, include_dir};
+use include_dir::{Dir, File, include_dir};
 use std::path::Path;
 
 /// The folder `examples/` as it was at build time: the command carries its examples with it.
@@ -29,11 +30,11 @@ pub(crate) fn copy_example(name: &str, directory: &Path) -> Result<()> {
     let example = EXAMPLES
         .get_dir(name)
         .with_context(|| format!("the example {name} is not in this build"))?;
-    for file in example.files() {
-        let file_name = file.path().file_name().unwrap_or_default();
-        files::write(&directory.join(file_name), file.contents())?;
-    }
-    Ok(())
+    let name = |file: &'static File<'static>| file.path().file_name().and_then(|name| name.to_str());
+    let each = example
+        .files()
+        .filter_map(|file| Some((name(file)?, file.contents())));
+    files::fill_fresh(directory, &each.collect::<Vec<_>>())
 }
 
 /// The files of an example.
@@ -59,11 +60,10 @@ pub(crate) fn example_text(name: &str, file: &str) -> Result<&'static str> {
         .with_context(|| format!("{name}/{file} is not in this build"))
 }
 
-pub(crate) fn run(options: &New, quiet: bool) -> Result<Outcome> {
+pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
     let directory = &options.directory;
-    files::fresh_folder(directory)?;
     copy_example(example_of(options.kind), directory)?;
-    if !quiet {
+    if !manner.quiet {
         let shown = directory.display();
         println!(
             "{shown}/project.toml is a copy of the example {}.",

@@ -2,10 +2,10 @@
 
 use anyhow::{Context as _, Result, bail};
 use dolmen_records::FileError;
-use dolmen_report::files::NamedFile;
 use std::fs;
 use std::io::{Read as _, Write as _};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The project file that `path` means: itself, or `project.toml` in the folder it names.
 pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
@@ -28,18 +28,37 @@ pub(crate) fn project_file(path: &Path) -> Result<PathBuf> {
     Ok(path.to_owned())
 }
 
-/// All bytes of a file.
-pub(crate) fn read(path: &Path) -> Result<Vec<u8>> {
-    fs::read(path).with_context(|| format!("cannot read {}", path.display()))
+/// What there is instead of a regular file, and `None` where there is one.
+fn not_a_file(there: &fs::Metadata) -> Option<&'static str> {
+    #[cfg(unix)]
+    {
+        use std::os::unix::fs::FileTypeExt as _;
+        let kind = there.file_type();
+        if kind.is_fifo() || kind.is_socket() {
+            return Some("a pipe");
+        }
+        if kind.is_char_device() || kind.is_block_device() {
+            return Some("a device");
+        }
+    }
+    match there {
+        there if there.is_dir() => Some("a folder"),
+        there if there.is_file() => None,
+        _ => Some("no regular file"),
+    }
 }
 
-/// All bytes of a file that a project names, if they are not too many.
-pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+/// All bytes of a regular file, if they are not too many.
+pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let shown = || path.display().to_string();
     let unreadable = |why: std::io::Error| FileError::Unreadable {
         shown: shown(),
         why: why.to_string(),
     };
+    // before it is opened: opening a pipe waits for a writer
+    if let Some(what) = not_a_file(&fs::metadata(path).map_err(unreadable)?) {
+        return Err(FileError::NotAFile { shown: shown(), what });
+    }
     let file = fs::File::open(path).map_err(unreadable)?;
     let bytes = file.metadata().map_err(unreadable)?.len();
     let too_large = |bytes: u64| FileError::TooLarge {
@@ -60,9 +79,20 @@ pub(crate) fn read_at_most(path: &Path, most: u64) -> Result<Vec<u8>, FileError>
     }
 }
 
+/// The first bytes of a regular file, as many as tell what it is; none where it cannot be read.
+pub(crate) fn start(path: &Path) -> Vec<u8> {
+    const LOOKED_AT: u64 = 1000;
+    let mut start = Vec::new();
+    if fs::metadata(path).is_ok_and(|there| there.is_file()) {
+        let file = fs::File::open(path);
+        let _ = file.and_then(|file| file.take(LOOKED_AT).read_to_end(&mut start)); // what was read until then
+    }
+    start
+}
+
 /// All of a text file, which must be UTF-8.
-pub(crate) fn read_text(path: &Path) -> Result<String> {
-    String::from_utf8(read(path)?).map_err(|fault| {
+pub(crate) fn read_text(path: &Path, most: u64) -> Result<String> {
+    String::from_utf8(read(path, most)?).map_err(|fault| {
         let at = fault.utf8_error().valid_up_to();
         anyhow::anyhow!(
             "{} is not UTF-8 text (byte {at}): save it as UTF-8; Korean text saved as EUC-KR or CP949 must be converted",
@@ -71,31 +101,76 @@ pub(crate) fn read_text(path: &Path) -> Result<String> {
     })
 }
 
-/// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A device or a pipe is written to as it is.
+/// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A link is followed; a device or a pipe is written to
+/// as it is.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+    let failed = || format!("cannot write {}", path.display());
     if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
         let opened = fs::OpenOptions::new().write(true).open(path);
         let written = opened.and_then(|mut file| file.write_all(bytes).and_then(|()| file.flush()));
-        return written.with_context(|| format!("cannot write {}", path.display()));
+        return written.with_context(failed);
     }
-    let folder = path
-        .parent()
-        .filter(|p| !p.as_os_str().is_empty())
-        .unwrap_or(Path::new("."));
+    let target = match path.is_symlink() {
+        true => path.canonicalize().with_context(|| {
+            format!(
+                "{} is a link to nothing: remove it, or write elsewhere",
+                path.display()
+            )
+        })?,
+        false => path.to_owned(),
+    };
+    let folder = folder_of(&target);
     fs::create_dir_all(folder).with_context(|| format!("cannot make the folder {}", folder.display()))?;
-    let name = path
-        .file_name()
-        .map(|n| n.to_string_lossy().into_owned())
-        .unwrap_or_default();
-    let temporary = folder.join(format!(".{name}.{}.part", std::process::id()));
-    let written = fs::File::create(&temporary)
-        .and_then(|mut file| file.write_all(bytes).and_then(|()| file.sync_all()))
-        .and_then(|()| fs::rename(&temporary, path));
-    if let Err(fault) = written {
-        let _ = fs::remove_file(&temporary); // what is left of it, if anything
-        return Err(fault).with_context(|| format!("cannot write {}", path.display()));
+    // twice: in between, another process may have taken the part for one that was left behind
+    let written = match part_then_rename(folder, &target, bytes) {
+        Err(fault) if fault.kind() == std::io::ErrorKind::NotFound => {
+            part_then_rename(folder, &target, bytes)
+        }
+        written => written,
+    };
+    written.with_context(failed)
+}
+
+/// The folder that a file lies in.
+pub(crate) fn folder_of(file: &Path) -> &Path {
+    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    folder.unwrap_or(Path::new("."))
+}
+
+/// Parts in the making are named so: hidden, with the process and a number.
+const PART: (&str, &str) = (".dolmen-", ".part");
+/// Parts made by this process.
+static PARTS: AtomicUsize = AtomicUsize::new(0);
+
+fn part_then_rename(folder: &Path, target: &Path, bytes: &[u8]) -> std::io::Result<()> {
+    let number = PARTS.fetch_add(1, Ordering::Relaxed);
+    let part = folder.join(format!("{}{}-{number}{}", PART.0, std::process::id(), PART.1));
+    let written = fs::File::create(&part).and_then(|mut file| {
+        // held until it is renamed: who clears the folder sees that it is being written
+        let _ = file.try_lock(); // some file systems have no locks
+        file.write_all(bytes)?;
+        file.sync_all()?;
+        fs::rename(&part, target)
+    });
+    if written.is_err() {
+        let _ = fs::remove_file(&part); // what is left of it, if anything
     }
-    Ok(())
+    written
+}
+
+/// Removes the parts that processes which were killed have left in a folder.
+pub(crate) fn clear_parts(folder: &Path) {
+    for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let name = name.to_string_lossy();
+        if !name.starts_with(PART.0) || !name.ends_with(PART.1) {
+            continue;
+        }
+        let abandoned = fs::File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok());
+        if abandoned {
+            let _ = fs::remove_file(entry.path()); // it stays where it may not be removed, and does no harm
+        }
+    }
 }
 
 /// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
@@ -109,14 +184,6 @@ pub(crate) fn say(text: &str) -> Result<()> {
 /// Prints a value as JSON.
 pub(crate) fn say_json(value: &serde_json::Value) -> Result<()> {
     say(&format!("{value:#}\n"))
-}
-
-/// Writes files into a folder.
-pub(crate) fn write_all(folder: &Path, files: &[NamedFile]) -> Result<()> {
-    for file in files {
-        write(&folder.join(&file.name), &file.bytes)?;
-    }
-    Ok(())
 }
 
 /// Makes `path` a folder to be filled: refused if it holds anything, so that nothing is overwritten.
@@ -134,6 +201,24 @@ pub(crate) fn fresh_folder(path: &Path) -> Result<()> {
         );
     }
     fs::create_dir_all(path).with_context(|| format!("cannot make the folder {}", path.display()))
+}
+
+/// Makes `path` a folder with these files, or leaves everything as it was.
+pub(crate) fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
+    let was_there = path.is_dir();
+    fresh_folder(path)?;
+    let filled = files
+        .iter()
+        .try_for_each(|(name, bytes)| write(&path.join(name), bytes));
+    if filled.is_err() {
+        for (name, _) in files {
+            let _ = fs::remove_file(path.join(name)); // those that were not written are not there
+        }
+        if !was_there {
+            let _ = fs::remove_dir(path); // it stays where something else was put into it
+        }
+    }
+    filled
 }
 
 #[cfg(test)]
@@ -202,8 +287,80 @@ mod tests {
         let folder = scratch("text");
         let file = folder.join("project.toml");
         fs::write(&file, b"name = \"\xb3\xaa\xc1\xd6\"").unwrap();
-        let message = read_text(&file).unwrap_err().to_string();
+        let message = read_text(&file, 100).unwrap_err().to_string();
         assert!(message.contains("is not UTF-8 text (byte 8)"), "{message}");
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn holds_a_link_is_written_through_and_one_to_nothing_refused() {
+        let folder = scratch("link");
+        let (real, link, loose) = (
+            folder.join("real.csv"),
+            folder.join("link.csv"),
+            folder.join("loose"),
+        );
+        fs::write(&real, b"old").unwrap();
+        #[cfg(unix)]
+        {
+            std::os::unix::fs::symlink(&real, &link).unwrap();
+            std::os::unix::fs::symlink(folder.join("nowhere"), &loose).unwrap();
+            write(&link, b"new").unwrap();
+            assert!(link.is_symlink() && fs::read(&real).unwrap() == b"new");
+            assert!(
+                write(&loose, b"new")
+                    .unwrap_err()
+                    .to_string()
+                    .contains("a link to nothing")
+            );
+        }
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn holds_parts_that_a_killed_process_left_are_cleared_and_those_in_the_making_stay() {
+        let folder = scratch("parts");
+        let (left, made) = (folder.join(".dolmen-1-0.part"), folder.join(".dolmen-2-0.part"));
+        let other = folder.join(".other-1-0.part");
+        for path in [&left, &made, &other] {
+            fs::write(path, b"half").unwrap();
+        }
+        let held = fs::File::open(&made).unwrap();
+        held.try_lock().unwrap();
+        clear_parts(&folder);
+        assert!(!left.exists() && made.exists() && other.exists());
+        drop(held);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn refuses_what_is_no_regular_file_and_what_is_too_large() {
+        let folder = scratch("kinds");
+        let told = |path: &Path, most| read(path, most).unwrap_err().to_string();
+        assert!(told(&folder, 9).contains("is a folder, but only regular files"));
+        assert!(told(Path::new("/dev/zero"), 9).contains("is a device, but only regular files"));
+        let pipe = folder.join("pipe");
+        let made = std::process::Command::new("mkfifo").arg(&pipe).status();
+        if made.is_ok_and(|status| status.success()) {
+            assert!(told(&pipe, 9).contains("is a pipe, but only regular files"));
+        }
+        let large = folder.join("large");
+        fs::write(&large, b"0123456789").unwrap();
+        assert!(told(&large, 9).contains("holds 10 bytes, but at most 9 are read"));
+        assert_eq!(read(&large, 10).unwrap().len(), 10);
+        fs::remove_dir_all(folder).unwrap();
+    }
+
+    #[test]
+    fn holds_a_folder_that_cannot_be_filled_is_taken_away_again() {
+        let folder = scratch("fresh");
+        let new = folder.join("new");
+        let files: [(&str, &[u8]); 2] = [("project.toml", b"a"), ("project.toml/x", b"b")];
+        assert!(fill_fresh(&new, &files).is_err(), "a file is no folder");
+        assert!(!new.exists());
+        fill_fresh(&new, &files[..1]).unwrap();
+        assert!(new.join("project.toml").is_file());
         fs::remove_dir_all(folder).unwrap();
     }
 }

@@ -15,10 +15,12 @@ mod compare;
 mod examples;
 mod files;
 mod identify;
+mod manner;
 mod motion;
 mod note;
 mod open;
 mod outcome;
+mod outputs;
 mod progress;
 mod rank;
 mod report;
@@ -34,11 +36,32 @@ mod validate;
 
 use clap::{CommandFactory as _, FromArgMatches as _};
 use cli::{Cli, Verb};
+use note::note;
 use outcome::Outcome;
 use std::process::ExitCode;
 use typed::Typed;
 
+/// What is said where Dolmen itself fails: the place, the version, and that nothing written before is lost.
+fn say_own_fault(panic: &std::panic::PanicHookInfo<'_>) {
+    let place = panic
+        .location()
+        .map(|at| format!(" at {}:{}", at.file(), at.line()));
+    let payload = panic.payload();
+    let owned = payload.downcast_ref::<String>().map(String::as_str);
+    let what = owned.or_else(|| payload.downcast_ref::<&str>().copied());
+    let what = what.unwrap_or("no word of why");
+    note!(
+        "error: this is a fault of Dolmen, not of your files: \"{what}\"{} (dolmen {}, {} {}). What was written before stays, and a study goes on \
+         from there; please report it with the command and the project file",
+        place.unwrap_or_default(),
+        env!("CARGO_PKG_VERSION"),
+        std::env::consts::OS,
+        std::env::consts::ARCH
+    );
+}
+
 fn main() -> ExitCode {
+    std::panic::set_hook(Box::new(say_own_fault));
     let command = Cli::command();
     let matches = command.clone().get_matches();
     let typed = Typed::of(&command, &matches);
@@ -55,24 +78,25 @@ fn main() -> ExitCode {
 }
 
 fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
+    let manner = &cli.manner;
     match &cli.verb {
-        Verb::New(options) => examples::run(options, cli.quiet),
-        Verb::Check(options) => check::run(options, typed, cli.json),
-        Verb::Identify(options) => identify::run(options, cli.json, cli.quiet),
-        Verb::Compare(options) => compare::run(options, cli.json, cli.quiet),
-        Verb::Simulate(options) => simulate::run(options, typed, cli.json, cli.quiet),
-        Verb::Study(options) => study::run(options, typed, cli.json, cli.quiet),
-        Verb::Tune(options) => tune::run(options, typed, cli.json, cli.quiet),
-        Verb::Score(options) => score::run(options, cli.json, cli.quiet),
-        Verb::Rank(options) => rank::run(options, cli.json, cli.quiet),
-        Verb::Motion(options) => motion::run(options, cli.json, cli.quiet),
-        Verb::Report(options) => report::run(options, typed, cli.quiet),
-        Verb::Demo(options) => report::demo(options, cli.quiet),
+        Verb::New(options) => examples::run(options, manner),
+        Verb::Check(options) => check::run(options, typed, manner),
+        Verb::Identify(options) => identify::run(options, manner),
+        Verb::Compare(options) => compare::run(options, manner),
+        Verb::Simulate(options) => simulate::run(options, typed, manner),
+        Verb::Study(options) => study::run(options, typed, manner),
+        Verb::Tune(options) => tune::run(options, typed, manner),
+        Verb::Score(options) => score::run(options, manner),
+        Verb::Rank(options) => rank::run(options, manner),
+        Verb::Motion(options) => motion::run(options, manner),
+        Verb::Report(options) => report::run(options, typed, manner),
+        Verb::Demo(options) => report::demo(options, manner),
         Verb::Schema => tools::schema(),
-        Verb::Validate => validate::run(cli.json),
+        Verb::Validate => validate::run(manner.json),
         Verb::Doctor => validate::doctor(),
-        Verb::Explain { code } => tools::explain(code.as_deref(), cli.json),
+        Verb::Explain { code } => tools::explain(code.as_deref(), manner.json),
         Verb::Completions { shell } => tools::completions(*shell),
-        Verb::Man { directory } => tools::man(directory.as_deref()),
+        Verb::Man { directory } => tools::man(directory.as_deref(), manner),
     }
 }

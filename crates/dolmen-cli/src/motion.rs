@@ -1,8 +1,10 @@
 //! `dolmen motion`: ground motions read, measured, matched, made and written.
 
 use crate::cli::{GroundMotionVerb as Options, Shape};
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::outputs::Outputs;
 use crate::{files, request};
 use anyhow::{Result, bail};
 use dolmen_records::motions::{motion_at2, motion_csv};
@@ -14,13 +16,13 @@ use dolmen_work::motion::{
 };
 use std::path::Path;
 
-fn options_of(options: &Options) -> Result<MotionOptions> {
+fn options_of(options: &Options, manner: &Manner) -> Result<MotionOptions> {
     let files = match options.make {
         Some(_) => &[][..],
         None => &options.files,
     };
     Ok(MotionOptions {
-        request: request::motion(&options.motion, files)?,
+        request: request::motion(&options.motion, files, manner)?,
         made: options.make.map(|shape| MadeMotion {
             shape: match shape {
                 Shape::HalfSine => MotionShape::HalfSine,
@@ -49,27 +51,31 @@ fn options_of(options: &Options) -> Result<MotionOptions> {
     })
 }
 
-pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
-    let report = motion(&options_of(options)?)?;
-    if as_json {
+pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
+    let outputs = Outputs::new(manner).keeping_motion(&options.files);
+    if let Some(file) = &options.convert {
+        outputs.refuse(file)?;
+    }
+    let report = motion(&options_of(options, manner)?)?;
+    if manner.json {
         files::say_json(&motion_report_json(&report))?;
     } else {
         files::say(&motion_report_text(&report))?;
     }
-    written(options, &report, quiet)?;
+    written(options, &report, &outputs, manner.quiet)?;
     let is_close = report.matched.as_ref().is_none_or(MatchAnswer::is_close);
     Ok(Outcome::finished(is_close))
 }
 
 /// The motion as --convert names it, and everything of the report into --output.
-fn written(options: &Options, report: &MotionReport, quiet: bool) -> Result<()> {
+fn written(options: &Options, report: &MotionReport, outputs: &Outputs, quiet: bool) -> Result<()> {
     let mut said = Vec::new();
     if let Some(file) = &options.convert {
-        files::write(file, &converted(report, file)?)?;
+        outputs.file(file, &converted(report, file)?)?;
         said.push(file.display().to_string());
     }
     if let Some(folder) = &options.output {
-        files::write_all(folder, &motion_files(report, request::language(options.language)))?;
+        outputs.folder(folder, &motion_files(report, request::language(options.language)))?;
         said.push(folder.display().to_string());
     }
     if !quiet && !said.is_empty() {

@@ -1,8 +1,9 @@
 //! From paths to projects: the project file that a path means, and the files that it names.
 
 use crate::files;
+use crate::manner::Manner;
 use anyhow::{Result, bail};
-use dolmen_records::{FileError, Files};
+use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within};
 use dolmen_work::Opened;
 use std::path::{Path, PathBuf};
 
@@ -16,11 +17,31 @@ pub(crate) struct Found {
 /// Files of a folder.
 pub(crate) struct Folder {
     path: PathBuf,
+    pub(crate) manner: Manner,
+}
+
+impl Folder {
+    /// Refuses a name that leads out of the folder, itself or by a link.
+    fn refuse_outside(&self, name: &str, path: &Path) -> Result<(), FileError> {
+        if self.manner.allow_outside {
+            return Ok(());
+        }
+        // a file that is not there leads nowhere
+        let leads_out = |real: PathBuf| self.path.canonicalize().is_ok_and(|root| !real.starts_with(root));
+        match !stays_within(name) || path.canonicalize().is_ok_and(leads_out) {
+            true => Err(FileError::Outside {
+                shown: self.shown(name),
+            }),
+            false => Ok(()),
+        }
+    }
 }
 
 impl Files for Folder {
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
-        files::read_at_most(&self.path.join(name), most_bytes)
+        let path = self.path.join(name);
+        self.refuse_outside(name, &path)?;
+        files::read(&path, self.manner.most(most_bytes))
     }
 
     fn shown(&self, name: &str) -> String {
@@ -29,12 +50,13 @@ impl Files for Folder {
 }
 
 /// Reads the project file that `path` means.
-pub(crate) fn project(path: &Path) -> Result<Found> {
+pub(crate) fn project(path: &Path, manner: &Manner) -> Result<Found> {
     let file = files::project_file(path)?;
     refuse_record(&file)?;
-    let text = files::read_text(&file)?;
+    let text = files::read_text(&file, manner.most(PROJECT_BYTES_MOST))?;
     let files = Folder {
-        path: file.parent().unwrap_or(Path::new(".")).to_owned(),
+        path: files::folder_of(&file).to_owned(),
+        manner: manner.clone(),
     };
     let opened = Opened::read(text, file.display().to_string(), &files)?;
     Ok(Found { opened, file, files })

@@ -1,12 +1,15 @@
 //! `dolmen rank`: many structures in the order in which they should be looked at.
 
 use crate::cli_portfolio::{Rank as Options, State};
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::outputs::Outputs;
 use crate::request::language;
 use crate::study_folder::journals_beside;
 use crate::{files, open, score};
 use anyhow::{Context as _, Result, bail};
+use dolmen_records::{FileError, TABLE_BYTES_MOST, stays_within};
 use dolmen_report::files::ranking_files;
 use dolmen_report::html::Imprint;
 use dolmen_report::json::rank_json;
@@ -18,11 +21,15 @@ use dolmen_work::{WorkError, told};
 use std::path::{Path, PathBuf};
 
 /// Projects below a folder.
-struct Below(PathBuf);
+struct Below<'a>(PathBuf, &'a Manner);
 
-impl Projects for Below {
+impl Projects for Below<'_> {
     fn open(&self, path: &str) -> Result<FoundProject, WorkError> {
-        let found = open::project(&self.0.join(path)).map_err(|why| WorkError::Outside {
+        if !stays_within(path) && !self.1.allow_outside {
+            let shown = path.to_owned();
+            return Err(FileError::Outside { shown }.into());
+        }
+        let found = open::project(&self.0.join(path), self.1).map_err(|why| WorkError::Outside {
             why: told(why.as_ref()),
         })?;
         Ok(FoundProject {
@@ -33,9 +40,9 @@ impl Projects for Below {
     }
 }
 
-pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outcome> {
-    let table = rows(&options.source)?;
-    let designs = score::designs(options.designs.as_deref())?;
+pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
+    let table = rows(&options.source, manner)?;
+    let designs = score::designs(options.designs.as_deref(), manner)?;
     let how = RankOptions {
         state: match options.state {
             State::Ds1 => 0,
@@ -51,8 +58,8 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
         false => options.source.parent().unwrap_or(Path::new(".")),
     };
     let source = options.source.display().to_string();
-    let answer = rank(source, table, &designs, &how, &Below(folder.to_owned()))?;
-    if as_json {
+    let answer = rank(source, table, &designs, &how, &Below(folder.to_owned(), manner))?;
+    if manner.json {
         files::say_json(&rank_json(&answer))?;
     } else {
         files::say(&rank_text(&answer))?;
@@ -62,11 +69,13 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
             program: concat!("dolmen ", env!("CARGO_PKG_VERSION")).to_owned(),
             date: None,
         };
-        files::write_all(
-            folder,
-            &ranking_files(&answer, language(options.language), &imprint),
-        )?;
-        if !quiet {
+        let files = ranking_files(&answer, language(options.language), &imprint);
+        let designs = options.designs.iter();
+        let outputs = designs.fold(Outputs::new(manner).keeping(&options.source), |all, file| {
+            all.keeping(file)
+        });
+        outputs.folder(folder, &files)?;
+        if !manner.quiet {
             note!("ranking, figure and page are in {}", folder.display());
         }
     }
@@ -74,9 +83,10 @@ pub(crate) fn run(options: &Options, as_json: bool, quiet: bool) -> Result<Outco
 }
 
 /// The structures of a table, or of the projects in a folder.
-fn rows(source: &Path) -> Result<PortfolioTable> {
+fn rows(source: &Path, manner: &Manner) -> Result<PortfolioTable> {
     if !source.is_dir() {
-        return read_portfolio(&files::read(source)?).with_context(|| source.display().to_string());
+        return read_portfolio(&files::read(source, manner.most(TABLE_BYTES_MOST))?)
+            .with_context(|| source.display().to_string());
     }
     if source.join("project.toml").is_file() {
         bail!(

@@ -1,9 +1,11 @@
 //! `dolmen report` and `dolmen demo`: projects to one page.
 
 use crate::cli::{Demo, Report};
+use crate::manner::Manner;
 use crate::note::note;
 use crate::open::Found;
 use crate::outcome::Outcome;
+use crate::outputs::Outputs;
 use crate::progress::Terminal;
 use crate::study_folder::journals_beside;
 use crate::typed::Typed;
@@ -35,15 +37,15 @@ fn whole(
     found: &Found,
     sampling: Option<Sampling>,
     motion: &MotionRequest,
-    quiet: bool,
+    manner: &Manner,
 ) -> Result<ProjectReport> {
     let options = ReportOptions {
         sampling,
         motion: motion.clone(),
         journals: journals_beside(found),
     };
-    let answer = report(&found.opened, options, &found.files, &Terminal::new(quiet))?;
-    for study in answer.left_out.iter().filter(|_| !quiet) {
+    let answer = report(&found.opened, options, &found.files, &Terminal::new(manner.quiet))?;
+    for study in answer.left_out.iter().filter(|_| !manner.quiet) {
         note!(
             "study \"{}\" is left out of the report: {}",
             study.study,
@@ -53,34 +55,37 @@ fn whole(
     Ok(answer)
 }
 
-pub(crate) fn run(options: &Report, typed: &Typed, quiet: bool) -> Result<Outcome> {
+pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     let sampling = (options.samples > 0).then_some(Sampling {
         samples: options.samples as usize,
         seed: options.seed,
     });
-    let each = options.projects.iter().map(|path| (path, open::project(path)));
+    let each = options
+        .projects
+        .iter()
+        .map(|path| (path, open::project(path, manner)));
     let each: Vec<(&PathBuf, Result<Found>)> = each.collect();
     let known = each.iter().filter_map(|(_, found)| found.as_ref().ok());
     let projects: Vec<&Project> = known.map(|found| &*found.opened.project).collect();
     typed.refuse_foreign(FlagVerb::Report, &projects)?;
-    let motion = request::motion(&options.motion, &options.motion.motion_file)?;
+    let motion = request::motion(&options.motion, &options.motion.motion_file, manner)?;
     if !motion.is_given() && motion.is_changed() {
         bail!(
             "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file"
         );
     }
+    let mut outputs = Outputs::new(manner).keeping_motion(&options.motion.motion_file);
+    for (path, found) in &each {
+        // a file that cannot be read as a project is kept as well
+        outputs = match found {
+            Ok(found) => outputs.keeping_project(found),
+            Err(_) => outputs.keeping(path).keeping(&path.join("project.toml")),
+        };
+    }
+    outputs.refuse(&options.output)?;
     let (mut answers, mut others, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for (path, found) in each {
-        let is_output = files::project_file(path).is_ok_and(|file| {
-            file.canonicalize().ok() == options.output.canonicalize().ok() && options.output.exists()
-        });
-        if is_output {
-            bail!(
-                "{} is the project file itself: write the report elsewhere",
-                options.output.display()
-            );
-        }
-        let answer = found.and_then(|found| whole(&found, sampling, &motion, quiet));
+        let answer = found.and_then(|found| whole(&found, sampling, &motion, manner));
         match answer {
             Ok(answer) => answers.push(answer),
             Err(fault) if options.projects.len() == 1 => return Err(fault),
@@ -106,8 +111,8 @@ pub(crate) fn run(options: &Report, typed: &Typed, quiet: bool) -> Result<Outcom
         request::language(options.language),
         &imprint(options.date.clone()),
     );
-    files::write(&options.output, page.as_bytes())?;
-    if !quiet {
+    outputs.file(&options.output, page.as_bytes())?;
+    if !manner.quiet {
         println!("{}", options.output.display());
     }
     let statuses = answers
@@ -124,7 +129,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, quiet: bool) -> Result<Outcom
     Ok(Outcome::Judged(status))
 }
 
-pub(crate) fn demo(options: &Demo, quiet: bool) -> Result<Outcome> {
+pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
     let folder = free_folder(&options.directory)?;
     let mut answers = Vec::new();
     for example in examples::DEMO {
@@ -135,22 +140,22 @@ pub(crate) fn demo(options: &Demo, quiet: bool) -> Result<Outcome> {
             seed: DEMO_SEED,
         });
         let answer = whole(
-            &open::project(&directory)?,
+            &open::project(&directory, manner)?,
             sampling,
             &MotionRequest::default(),
-            quiet,
+            manner,
         )?;
-        if !quiet {
+        if !manner.quiet {
             println!("{}: {}", answer.project.name.english(), project_line(&answer));
         }
         answers.push(answer);
     }
     let report = folder.join("report.html");
-    files::write(
+    Outputs::new(manner).file(
         &report,
         html(&answers, &[], request::language(options.language), &imprint(None)).as_bytes(),
     )?;
-    if !quiet {
+    if !manner.quiet {
         print!("The report on all of them: ");
     }
     println!("{}", report.display());

@@ -3,10 +3,12 @@
 use crate::cli::{Motion, Points, Rotations, Simulate};
 use crate::cli_language::Language as Chosen;
 use crate::files;
+use crate::manner::Manner;
 use anyhow::Result;
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
 use dolmen::signal::Component;
+use dolmen_records::MOTION_BYTES_MOST;
 use dolmen_words::Language;
 use dolmen_work::SimulateOptions;
 use dolmen_work::motion::{GivenFile, MotionRequest};
@@ -22,14 +24,14 @@ pub(crate) fn language(chosen: Chosen) -> Language {
 }
 
 /// The motion that was asked for, its files read.
-pub(crate) fn motion(options: &Motion, named: &[String]) -> Result<MotionRequest> {
+pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Result<MotionRequest> {
     let mut files = Vec::new();
     for text in named {
         let (component, name) = named_file(text);
         files.push(GivenFile {
             component,
             name: name.to_owned(),
-            bytes: files::read(Path::new(name))?,
+            bytes: files::read(Path::new(name), manner.most(MOTION_BYTES_MOST))?,
         });
     }
     Ok(MotionRequest {
@@ -53,7 +55,7 @@ pub(crate) fn motion(options: &Motion, named: &[String]) -> Result<MotionRequest
 }
 
 /// "y" and "FILE" of "y=FILE"; a text without a component is a file.
-fn named_file(text: &str) -> (Option<Component>, &str) {
+pub(crate) fn named_file(text: &str) -> (Option<Component>, &str) {
     let split = text.split_once('=').and_then(|(before, file)| {
         let component = Component::ALL.into_iter().find(|c| c.name() == before)?;
         Some((Some(component), file))
@@ -62,9 +64,9 @@ fn named_file(text: &str) -> (Option<Component>, &str) {
 }
 
 /// What is simulated, and how.
-pub(crate) fn simulation(options: &Simulate, as_json: bool) -> Result<SimulateOptions> {
+pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<SimulateOptions> {
     Ok(SimulateOptions {
-        motion: motion(&options.motion, &options.motion.motion_file)?,
+        motion: motion(&options.motion, &options.motion.motion_file, manner)?,
         variant: options.variant.clone(),
         direction: options.direction.clone(),
         push: options.push.clone(),
@@ -86,8 +88,9 @@ pub(crate) fn simulation(options: &Simulate, as_json: bool) -> Result<SimulateOp
         duration_s: options.duration,
         output_step_s: options.output_step,
         to_the_end: options.to_the_end,
+        however_long: manner.yes,
         // numbers alone are of one run
-        compare: options.output.is_some() || !as_json,
+        compare: options.output.is_some() || !manner.json,
         keep: options.output.is_some(),
     })
 }

@@ -1,8 +1,10 @@
 //! `dolmen simulate`: a structure under a ground motion, or pushed.
 
 use crate::cli::Simulate as Options;
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::outputs::Outputs;
 use crate::progress::Terminal;
 use crate::typed::Typed;
 use crate::{files, open, request};
@@ -17,12 +19,12 @@ use dolmen_work::simulation::{SimulateAnswer, Simulation};
 use dolmen_work::{FlagVerb, prepare};
 use serde_json::{Value, json};
 
-pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) -> Result<Outcome> {
-    let found = open::project(&options.project)?;
+pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
+    let found = open::project(&options.project, manner)?;
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
-    let how = request::simulation(options, as_json)?;
+    let how = request::simulation(options, manner)?;
     let prepared = prepare(&found.opened, &how, &found.files)?;
-    if !as_json {
+    if !manner.json {
         let variant = options.variant.as_deref();
         let file = &found.opened.file;
         files::say(&simulation_inputs_text(
@@ -32,8 +34,8 @@ pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) 
             prepared.motion(),
         ))?;
     }
-    let answer = prepared.run(&Terminal::new(quiet))?;
-    if as_json {
+    let answer = prepared.run(&Terminal::new(manner.quiet))?;
+    if manner.json {
         files::say_json(&answer_json(&answer))?;
     } else {
         for simulation in &answer.simulations {
@@ -47,10 +49,11 @@ pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) 
     }
     if let (Some(folder), true) = (&options.output, answer.does_not_stand.is_none()) {
         let language = request::language(options.language);
+        let outputs = Outputs::of(manner, &found).keeping_motion(&options.motion.motion_file);
         for simulation in &answer.simulations {
-            files::write_all(folder, &simulation_files(simulation, language)?)?;
+            outputs.folder(folder, &simulation_files(simulation, language)?)?;
         }
-        if !quiet {
+        if !manner.quiet {
             let what = match answer.simulations.first() {
                 Some(Simulation::Stack(_)) => "histories, figures, film and exports",
                 _ => "histories and figures",

@@ -1,6 +1,7 @@
 //! `dolmen study`: runs over grids of inputs, samples, motions and growing shaking; kept, resumed, shared out and put together.
 
 use crate::cli::{Study as Options, StudyAction, StudyWhere};
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::{self, Terminal};
@@ -15,29 +16,29 @@ use dolmen_work::FlagVerb;
 use dolmen_work::study::{self, Plan, Run, merged, studies};
 use std::path::PathBuf;
 
-pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) -> Result<Outcome> {
+pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
     match &options.action {
-        Some(StudyAction::Merge { place, from }) => each((place, typed), |plan, folder| {
+        Some(StudyAction::Merge { place, from }) => each((place, typed, manner), |plan, folder| {
             let runs = merged(plan, &folder.journals(&plan.study.name, from)?)?;
-            finish(plan, folder, runs, &Printed::of(options, as_json, quiet))
+            finish(plan, folder, runs, &Printed::of(options, manner))
         }),
-        Some(StudyAction::Missing { place, from }) => each((place, typed), |plan, folder| {
-            missing(plan, folder, from, as_json)
+        Some(StudyAction::Missing { place, from }) => each((place, typed, manner), |plan, folder| {
+            missing(plan, folder, from, manner.json)
         }),
-        None => each((&options.place, typed), |plan, folder| {
-            simulated(options, plan, folder, as_json, quiet)
+        None => each((&options.place, typed, manner), |plan, folder| {
+            simulated(options, plan, folder, manner)
         }),
     }
 }
 
 /// Does something with each study that is meant.
 fn each(
-    (place, typed): (&StudyWhere, &Typed),
+    (place, typed, manner): (&StudyWhere, &Typed, &Manner),
     act: impl Fn(&Plan<'_>, &StudyFolder) -> Result<Outcome>,
 ) -> Result<Outcome> {
     let project = place.project.as_deref();
     let project = project.context("name a project file, or a folder that holds project.toml")?;
-    let found = open::project(project)?;
+    let found = open::project(project, manner)?;
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
     let meant = studies(&found.opened, &place.study)?;
     let mut worst = Ok(Outcome::Done);
@@ -45,7 +46,7 @@ fn each(
         let done = Plan::of(&found.opened, study, &found.files)
             .map_err(anyhow::Error::new)
             .and_then(|plan| {
-                let folder = StudyFolder::of(place.output.as_deref(), &found.file, &study.name);
+                let folder = StudyFolder::of(place.output.as_deref(), &found, &study.name);
                 act(&plan, &folder)
             });
         let done = done.with_context(|| format!("study \"{}\"", study.name));
@@ -65,20 +66,14 @@ fn each(
     worst
 }
 
-fn simulated(
-    options: &Options,
-    plan: &Plan<'_>,
-    folder: &StudyFolder,
-    as_json: bool,
-    quiet: bool,
-) -> Result<Outcome> {
+fn simulated(options: &Options, plan: &Plan<'_>, folder: &StudyFolder, manner: &Manner) -> Result<Outcome> {
     let shard = match &options.shard {
         Some(text) => study_folder::shard(text)?,
         None => (1, 1),
     };
     let (journal, done) = folder.journal(&plan.header(shard), plan.kind, options.restart)?;
     let resumed = done.len();
-    if resumed > 0 && !quiet {
+    if resumed > 0 && !manner.quiet {
         note!(
             "{}: {resumed} runs are kept from before",
             folder.journal_file(shard).display()
@@ -87,12 +82,12 @@ fn simulated(
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(options.threads.unwrap_or(0))
         .build()?;
-    let runs = pool.install(|| study::run(plan, shard, done, &journal, &Terminal::new(quiet)))?;
+    let runs = pool.install(|| study::run(plan, shard, done, &journal, &Terminal::new(manner.quiet)))?;
     drop(journal);
     if shard.1 > 1 {
-        return shard_done(plan, folder, shard, &runs, as_json);
+        return shard_done(plan, folder, shard, &runs, manner.json);
     }
-    finish(plan, folder, runs, &Printed::of(options, as_json, quiet))
+    finish(plan, folder, runs, &Printed::of(options, manner))
 }
 
 /// What is said at the end of a shard: its journal is its result.
@@ -117,32 +112,30 @@ fn shard_done(
 }
 
 /// How results are given.
-struct Printed {
-    as_json: bool,
-    quiet: bool,
+struct Printed<'a> {
+    manner: &'a Manner,
     language: Language,
 }
 
-impl Printed {
-    fn of(options: &Options, as_json: bool, quiet: bool) -> Self {
+impl<'a> Printed<'a> {
+    fn of(options: &Options, manner: &'a Manner) -> Self {
         Printed {
-            as_json,
-            quiet,
+            manner,
             language: request::language(options.language),
         }
     }
 }
 
 /// Tables, figures and what is printed.
-fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed) -> Result<Outcome> {
-    let answer = study::finish(plan, runs, &Terminal::new(printed.quiet))?;
+fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed<'_>) -> Result<Outcome> {
+    let answer = study::finish(plan, runs, &Terminal::new(printed.manner.quiet))?;
     folder.write(&answer, printed.language)?;
-    if printed.as_json {
+    if printed.manner.json {
         files::say_json(&study_json(&answer)?)?;
     } else {
         files::say(&study_text(&answer)?)?;
     }
-    if !printed.quiet {
+    if !printed.manner.quiet {
         note!("tables and figures are in {}", folder.path().display());
     }
     Ok(Outcome::finished(answer.is_whole()))

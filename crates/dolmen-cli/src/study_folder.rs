@@ -2,12 +2,14 @@
 
 use crate::files;
 use crate::open::Found;
+use crate::outputs::Outputs;
 use anyhow::{Context as _, Result, bail};
+use dolmen_records::JOURNAL_BYTES_MOST;
 use dolmen_report::files::study_files;
-use dolmen_words::Language;
+use dolmen_words::{Language, file_name};
 use dolmen_work::study::{
-    Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind, header_line, resumed,
-    run_line,
+    Journal, JournalHeader, JournalText, Run, StudyAnswer, StudyJournals, StudyKind, header_line, is_journal,
+    resumed, run_line,
 };
 use dolmen_work::{WorkError, told};
 use std::fs::{self, File, OpenOptions};
@@ -18,6 +20,9 @@ use std::sync::{Mutex, PoisonError};
 /// Where the results of a study lie.
 pub(crate) struct StudyFolder {
     path: PathBuf,
+    outputs: Outputs,
+    /// Most bytes of a journal.
+    most: u64,
 }
 
 /// A journal that is being written; it is locked against a second process.
@@ -50,10 +55,13 @@ pub(crate) fn shard(text: &str) -> Result<(usize, usize)> {
 
 impl StudyFolder {
     /// `output`/NAME, or studies/NAME beside the project file.
-    pub(crate) fn of(output: Option<&Path>, project: &Path, study: &str) -> Self {
-        let beside = project.parent().unwrap_or(Path::new(".")).join("studies");
+    pub(crate) fn of(output: Option<&Path>, found: &Found, study: &str) -> Self {
+        let beside = files::folder_of(&found.file).join("studies");
+        let manner = &found.files.manner;
         StudyFolder {
-            path: output.unwrap_or(&beside).join(study),
+            path: output.unwrap_or(&beside).join(file_name(study)),
+            outputs: Outputs::of(manner, found),
+            most: manner.most(JOURNAL_BYTES_MOST),
         }
     }
 
@@ -91,10 +99,16 @@ impl StudyFolder {
         if file.try_lock().is_err() {
             bail!("{shown} is in use: another `dolmen study` is running this study");
         }
+        let there = files::start(&path);
+        if !there.is_empty() && !is_journal(&there) {
+            bail!(
+                "{shown} is no journal of a study, and stays: move it away, or name another folder (--output)"
+            );
+        }
         let text = if restart {
             String::new()
         } else {
-            files::read_text(&path)?
+            files::read_text(&path, self.most)?
         };
         let (keep, runs) = resumed(
             header,
@@ -128,7 +142,7 @@ impl StudyFolder {
         let mut journals = journals_in(&self.path)?;
         for folder in from {
             let mut found = journals_in(folder)?;
-            found.extend(journals_in(&folder.join(study))?);
+            found.extend(journals_in(&folder.join(file_name(study)))?);
             if found.is_empty() {
                 bail!(
                     "--from {} has no journal of a study, and neither has {study} in it",
@@ -147,7 +161,7 @@ impl StudyFolder {
         let each = journals.into_iter().map(|path| {
             Ok(JournalText {
                 shown: path.display().to_string(),
-                text: files::read_text(&path)?,
+                text: files::read_text(&path, self.most)?,
             })
         });
         each.collect()
@@ -155,7 +169,7 @@ impl StudyFolder {
 
     /// Tables, figures and JSON.
     pub(crate) fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
-        files::write_all(&self.path, &study_files(answer, language)?)
+        self.outputs.folder(&self.path, &study_files(answer, language)?)
     }
 }
 
@@ -176,7 +190,7 @@ fn journals_in(folder: &Path) -> Result<Vec<PathBuf>> {
 pub(crate) fn journals_beside(found: &Found) -> Vec<StudyJournals> {
     let studies = found.opened.project.studies.iter();
     let run = studies.filter_map(|study| {
-        let folder = StudyFolder::of(None, &found.file, &study.name);
+        let folder = StudyFolder::of(None, found, &study.name);
         let journals = folder.path.is_dir().then(|| folder.journals(&study.name, &[]))?;
         Some(StudyJournals {
             study: study.name.clone(),

@@ -2,12 +2,16 @@
 
 use crate::cli::Cli;
 use crate::files;
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use anyhow::{Context as _, Result, bail};
-use clap::CommandFactory as _;
+use crate::outputs::Outputs;
+use anyhow::{Result, bail};
+use clap::{Command, CommandFactory as _};
+use clap_mangen::Man;
 use dolmen_project::json_schema;
 use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
+use dolmen_report::files::NamedFile;
 use dolmen_work::{did_not_converge, told};
 use serde_json::json;
 use std::io::Write as _;
@@ -79,17 +83,28 @@ pub(crate) fn schema() -> Result<Outcome> {
     Ok(Outcome::Done)
 }
 
-pub(crate) fn man(directory: Option<&Path>) -> Result<Outcome> {
+pub(crate) fn man(directory: Option<&Path>, manner: &Manner) -> Result<Outcome> {
     match directory {
-        None => clap_mangen::Man::new(Cli::command()).render(&mut std::io::stdout())?,
+        None => Man::new(Cli::command()).render(&mut std::io::stdout())?,
         Some(directory) => {
-            std::fs::create_dir_all(directory)
-                .with_context(|| format!("cannot make the folder {}", directory.display()))?;
-            clap_mangen::generate_to(Cli::command(), directory)
-                .with_context(|| format!("cannot write manual pages into {}", directory.display()))?;
+            let mut pages = Vec::new();
+            let mut command = Cli::command().disable_help_subcommand(true);
+            command.build();
+            man_pages(&command, &mut pages)?;
+            Outputs::new(manner).folder(directory, &pages)?;
         }
     }
     Ok(Outcome::Done)
+}
+
+/// The page of a verb and of each below it.
+fn man_pages(command: &Command, pages: &mut Vec<NamedFile>) -> Result<()> {
+    let (page, mut bytes) = (Man::new(command.clone()), Vec::new());
+    page.render(&mut bytes)?;
+    pages.push(NamedFile::new(&page.get_filename(), bytes));
+    command
+        .get_subcommands()
+        .try_for_each(|verb| man_pages(verb, pages))
 }
 
 #[cfg(test)]

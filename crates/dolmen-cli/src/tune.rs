@@ -1,8 +1,10 @@
 //! `dolmen tune`: the dampers of a building beside the rule and the best, where and how tuned.
 
 use crate::cli_tune::{Tune as Options, TuneGoal, TuneLoad as Load};
+use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::outputs::Outputs;
 use crate::typed::Typed;
 use crate::{files, open, request};
 use anyhow::Result;
@@ -41,11 +43,11 @@ fn options_of(options: &Options) -> TuneOptions {
     }
 }
 
-pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) -> Result<Outcome> {
-    let found = open::project(&options.project)?;
+pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
+    let found = open::project(&options.project, manner)?;
     typed.refuse_foreign(FlagVerb::Tune, &[&found.opened.project])?;
     let answers = tune(&found.opened, &options_of(options), &found.files)?;
-    if as_json {
+    if manner.json {
         let each: Vec<_> = answers.tunings.iter().map(tune_json).collect();
         let of_all: Vec<_> = answers.together.iter().map(together_json).collect();
         files::say_json(&json!({ "dampers": each, "together": of_all }))?;
@@ -58,8 +60,9 @@ pub(crate) fn run(options: &Options, typed: &Typed, as_json: bool, quiet: bool) 
         }
     }
     if let Some(folder) = &options.output {
-        files::write_all(folder, &tune_files(&answers, request::language(options.language)))?;
-        if !quiet {
+        let files = tune_files(&answers, request::language(options.language));
+        Outputs::of(manner, &found).folder(folder, &files)?;
+        if !manner.quiet {
             note!("results and figures are in {}", folder.display());
         }
     }

@@ -67,7 +67,7 @@ pub(crate) fn doctor() -> Result<Outcome> {
 
     let folder = std::env::temp_dir().join(format!("dolmen-doctor-{}", std::process::id()));
     files::write(&folder.join("text"), "당간".as_bytes())?;
-    let back = files::read_text(&folder.join("text"))?;
+    let back = files::read_text(&folder.join("text"), 100)?;
     std::fs::remove_dir_all(&folder).with_context(|| format!("cannot remove {}", folder.display()))?;
     if back != "당간" {
         bail!("{} does not keep what is written to it", folder.display());

@@ -51,14 +51,7 @@ pub fn parse_combination(
     variant: Option<&str>,
     overrides: &[&Override],
 ) -> Result<Project, ProjectError> {
-    combined(text, files, variant, overrides).map_err(|mut faults| {
-        faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
-        faults.dedup();
-        ProjectError {
-            file: file.to_owned(),
-            problems: faults.into_iter().map(|fault| fault.locate(text)).collect(),
-        }
-    })
+    combined(text, files, variant, overrides).map_err(|faults| ProjectError::of(faults, file, text))
 }
 
 fn combined(
@@ -168,13 +161,8 @@ const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spec
 pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, ProjectError> {
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
-        return Err(ProjectError {
-            file: file.to_owned(),
-            problems: syntax
-                .iter()
-                .map(|error| of_toml(error, text).locate(text))
-                .collect(),
-        });
+        let faults = syntax.iter().map(|error| of_toml(error, text));
+        return Err(ProjectError::of(faults.collect(), file, text));
     }
     let mut root = root.into_inner();
     root.remove("survey");

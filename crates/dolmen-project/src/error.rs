@@ -19,8 +19,10 @@ pub struct Problem {
     pub allowed: Option<String>,
     /// What to do.
     pub help: Option<String>,
-    /// The source line.
+    /// The source line, or what stands around the problem where it is long.
     pub(super) text: String,
+    /// Characters of `text` before the problem.
+    pub(super) before: usize,
     /// Characters underlined, at least 1.
     pub(super) marked: usize,
 }
@@ -32,9 +34,26 @@ pub struct ProjectError {
     pub file: String,
     /// The problems, by line; at least one.
     pub problems: Vec<Problem>,
+    /// Further problems, which are not told.
+    pub more: usize,
 }
 
 impl std::error::Error for ProjectError {}
+
+impl ProjectError {
+    /// The first faults of a file, each with its place.
+    pub(super) fn of(mut faults: Vec<Fault>, file: &str, text: &str) -> Self {
+        faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
+        faults.dedup();
+        let more = faults.len().saturating_sub(PROBLEMS_MOST);
+        let told = faults.into_iter().take(PROBLEMS_MOST);
+        ProjectError {
+            file: file.to_owned(),
+            problems: told.map(|fault| fault.locate(text)).collect(),
+            more,
+        }
+    }
+}
 
 impl fmt::Display for ProjectError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -44,7 +63,11 @@ impl fmt::Display for ProjectError {
             }
             problem.render(&self.file, f)?;
         }
-        Ok(())
+        match self.more {
+            0 => Ok(()),
+            1 => writeln!(f, "\nand 1 problem more"),
+            more => writeln!(f, "\nand {more} problems more"),
+        }
     }
 }
 
@@ -60,8 +83,8 @@ impl Problem {
         let columns = |characters: &mut dyn Iterator<Item = char>| {
             characters.filter_map(UnicodeWidthChar::width).sum::<usize>()
         };
-        let before = columns(&mut self.text.chars().take(self.column - 1));
-        let marked = self.text.chars().skip(self.column - 1).take(self.marked);
+        let before = columns(&mut self.text.chars().take(self.before));
+        let marked = self.text.chars().skip(self.before).take(self.marked);
         let carets = columns(&mut marked.into_iter()).max(1);
         writeln!(f, "{gutter}|")?;
         writeln!(f, " {number} | {}", self.text)?;
@@ -135,18 +158,54 @@ impl Fault {
         let line_end = text[start..].find('\n').map_or(text.len(), |at| start + at);
         let line = text[line_start..line_end].trim_end_matches('\r');
         let marked_end = end.clamp(start, line_start + line.len().max(start - line_start));
+        let column = text[line_start..start].chars().count() + 1;
+        let marked = text[start..marked_end].chars().count().max(1);
+        let from = if line.chars().nth(QUOTED_MOST).is_none() {
+            1
+        } else {
+            column.saturating_sub(QUOTED_BEFORE).max(1)
+        };
+        let quoted: String = line.chars().skip(from - 1).take(QUOTED_MOST).collect();
+        let is_cut = |cut: bool| if cut { "…" } else { "" };
+        let (begins, ends) = (from > 1, line.chars().nth(from - 1 + QUOTED_MOST).is_some());
+        let quoted = format!("{}{quoted}{}", is_cut(begins), is_cut(ends));
+        let before = column - from + usize::from(begins);
         Problem {
             line: text[..start].matches('\n').count() + 1,
-            column: text[line_start..start].chars().count() + 1,
+            column,
             path: self.path,
-            message: self.message,
-            allowed: self.allowed,
-            help: self.help,
-            // A tab would throw the carets off.
-            text: line.replace('\t', " "),
-            marked: text[start..marked_end].chars().count().max(1),
+            message: shortened(self.message),
+            allowed: self.allowed.map(shortened),
+            help: self.help.map(shortened),
+            // a tab or a control character would throw the carets off, or steer the terminal
+            text: quoted.replace(char::is_control, " "),
+            before,
+            marked: marked.min(QUOTED_MOST + 1 - before.min(QUOTED_MOST)),
         }
     }
+}
+
+/// Problems that are told of a file, our choice: more are counted.
+const PROBLEMS_MOST: usize = 20;
+/// Characters of a line that are quoted.
+const QUOTED_MOST: usize = 200;
+/// Characters before a problem that are quoted of a long line.
+const QUOTED_BEFORE: usize = 60;
+/// Characters of a sentence, which may name a long value.
+const SENTENCE_MOST: usize = 1000;
+
+/// A sentence of bounded length, its end kept: that says what is allowed.
+fn shortened(sentence: String) -> String {
+    let length = sentence.chars().count();
+    if length <= SENTENCE_MOST {
+        return sentence;
+    }
+    let half = SENTENCE_MOST / 2;
+    let (start, end): (String, String) = (
+        sentence.chars().take(half).collect(),
+        sentence.chars().skip(length - half).collect(),
+    );
+    format!("{start} … {end}")
 }
 
 /// The start of the character that a byte belongs to.

@@ -22,6 +22,7 @@ mod quantity;
 mod ratio;
 mod read;
 mod reader;
+mod safe_text;
 mod schema;
 mod schema_tree;
 mod site;
@@ -49,6 +50,7 @@ pub use heaviness::Heaviness;
 pub use names::Names;
 pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};
+pub use safe_text::texts;
 pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
 pub use stack::{

@@ -15,6 +15,7 @@ use super::merge::merge;
 use super::names::{Names, names};
 use super::quantity::Quantity;
 use super::reader::Reader;
+use super::safe_text::unsafe_text;
 use super::schema::{SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
 use super::site::{motions, site};
@@ -78,14 +79,7 @@ pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {
 /// # Errors
 /// As [`parse_project`]; what is wrong in a file is said at the key that names it.
 pub fn parse_project_with(text: &str, file: &str, files: &dyn Files) -> Result<Project, ProjectError> {
-    read(text, files).map_err(|mut faults| {
-        faults.sort_by_key(|fault| (fault.span.start, fault.path.clone()));
-        faults.dedup();
-        ProjectError {
-            file: file.to_owned(),
-            problems: faults.into_iter().map(|fault| fault.locate(text)).collect(),
-        }
-    })
+    read(text, files).map_err(|faults| ProjectError::of(faults, file, text))
 }
 
 fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
@@ -96,6 +90,10 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
     let span = root.span();
     let mut root = root.into_inner();
     version(&root)?;
+    let wrong = unsafe_text(&root);
+    if !wrong.is_empty() {
+        return Err(wrong);
+    }
     let variants = root.remove("variant");
     let mut base = root.clone();
     root.remove("study"); // of the file as a whole

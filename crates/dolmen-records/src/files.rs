@@ -30,7 +30,7 @@ pub enum FileError {
     },
     /// It is larger than an input of its kind may be.
     #[error(
-        "{shown} holds {bytes} bytes, but at most {most} are read: cut it, or split it into several files"
+        "{shown} holds {bytes} bytes, but at most {most} are read: cut it, split it into several files, or give --largest-file"
     )]
     TooLarge {
         /// The file, as a user would look for it.
@@ -39,6 +39,25 @@ pub enum FileError {
         bytes: u64,
         /// The limit.
         most: u64,
+    },
+    /// It lies outside the folder of the project, or may.
+    #[error(
+        "{shown} lies outside the folder of the project, or leads out of it: copy it into that folder, or give --allow-outside if you trust the \
+         project file"
+    )]
+    Outside {
+        /// The file, as a user would look for it.
+        shown: String,
+    },
+    /// It is a device, a pipe or a folder.
+    #[error(
+        "{shown} is {what}, but only regular files are read: save what it gives to a file, and name that"
+    )]
+    NotAFile {
+        /// The file, as a user would look for it.
+        shown: String,
+        /// What it is: "a pipe".
+        what: &'static str,
     },
     /// There is none of this name.
     #[error("there is no {shown}")]
@@ -75,6 +94,22 @@ impl Files for MemoryFiles {
     }
 }
 
+/// Whether a name, as a project file writes it, stays within the folder of the project: it does not begin at a root or a drive, and no part of
+/// it is `..`. Links are not followed: that is for who opens the file.
+///
+/// # Example
+/// ```
+/// use dolmen_records::stays_within;
+/// assert!(stays_within("records/2009.csv") && stays_within("a..b.csv"));
+/// assert!(!stays_within("../2009.csv") && !stays_within("/etc/passwd") && !stays_within(r"C:\x.csv"));
+/// ```
+pub fn stays_within(name: &str) -> bool {
+    let mut parts = name.split(['/', '\\']);
+    let begins_at_root = name.starts_with(['/', '\\']);
+    // a drive, or a second stream of a file on Windows
+    !begins_at_root && !name.contains([':', '\0']) && parts.all(|part| part != "..")
+}
+
 /// No files: a project that names one is refused.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoFiles;
@@ -91,5 +126,43 @@ pub const RECORD_BYTES_MOST: u64 = 8 << 30;
 pub const MOTION_BYTES_MOST: u64 = 512 << 20;
 /// Most bytes of a mesh. Chosen here: a scan of ten million triangles is 500 MB.
 pub const MESH_BYTES_MOST: u64 = 2 << 30;
+/// Most bytes of a project file. Chosen here: the longest shipped example has 25 kB.
+pub const PROJECT_BYTES_MOST: u64 = 4 << 20;
+/// Most bytes of the journal of a study. Chosen here: ten million runs of 100 bytes.
+pub const JOURNAL_BYTES_MOST: u64 = 1 << 30;
 /// Most bytes of a table of a site: periods and accelerations, or rates.
 pub const TABLE_BYTES_MOST: u64 = 64 << 20;
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_names_that_could_leave_the_folder_do_not_stay_within() {
+        for name in [
+            "..",
+            "../x",
+            "a/../../x",
+            "a/..",
+            "/x",
+            "\\x",
+            "\\\\host\\x",
+            "a\\..\\x",
+            "C:x",
+            "x\0.csv",
+        ] {
+            assert!(!stays_within(name), "{name:?}");
+        }
+        for name in [
+            "x.csv",
+            "a/b.csv",
+            ".../x",
+            "..a/b",
+            "a/b../c",
+            "조사/기록.npy",
+            "./x.csv",
+        ] {
+            assert!(stays_within(name), "{name:?}");
+        }
+    }
+}

@@ -11,6 +11,6 @@ mod start;
 mod unit;
 
 pub use files::{
-    FileError, Files, MESH_BYTES_MOST, MOTION_BYTES_MOST, MemoryFiles, NoFiles, RECORD_BYTES_MOST,
-    TABLE_BYTES_MOST,
+    FileError, Files, JOURNAL_BYTES_MOST, MESH_BYTES_MOST, MOTION_BYTES_MOST, MemoryFiles, NoFiles,
+    PROJECT_BYTES_MOST, RECORD_BYTES_MOST, TABLE_BYTES_MOST, stays_within,
 };

@@ -6,6 +6,7 @@ pub mod files;
 pub mod film;
 pub mod html;
 pub mod json;
+mod mark;
 pub mod tables;
 pub mod text;
 

@@ -73,6 +73,9 @@ impl Advice for BlocksError {
     fn advice(&self) -> Option<String> {
         match self {
             Self::NoRest { .. } => says(". `dolmen check` says which joint cannot carry it"),
+            Self::TooLong { .. } => says(
+                ": shorten the run, take longer steps or softer joints, or give --yes to `dolmen simulate`",
+            ),
             _ => None,
         }
     }

@@ -169,6 +169,7 @@ pub(crate) fn simulated_for_report(
                 duration_s: None,
                 output_step_s: REPORT_STEP_S,
                 to_the_end: false,
+                however_long: false,
             };
             match stack::simulate::simulate(version, part, motion, &how, progress)? {
                 Shaken::Simulated(run) => vec![Simulation::Stack(run)],

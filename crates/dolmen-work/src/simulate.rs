@@ -42,6 +42,8 @@ pub struct SimulateOptions {
     pub output_step_s: f64,
     /// Whether to go on when a stone has fallen.
     pub to_the_end: bool,
+    /// Whether a run of very many steps or samples is computed all the same.
+    pub however_long: bool,
     /// Whether a building is also run without its dampers.
     pub compare: bool,
     /// Whether every history of a building is kept.
@@ -62,6 +64,7 @@ impl Default for SimulateOptions {
             duration_s: None,
             output_step_s: 0.01,
             to_the_end: false,
+            however_long: false,
             compare: true,
             keep: true,
         }
@@ -162,6 +165,7 @@ impl PreparedSimulation<'_> {
                     duration_s: options.duration_s,
                     output_step_s: options.output_step_s,
                     to_the_end: options.to_the_end,
+                    however_long: options.however_long,
                 };
                 match stack::simulate::simulate(&version, part, motion, &how, progress)? {
                     Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),

@@ -59,7 +59,30 @@ pub fn told(fault: &(dyn Error + 'static)) -> String {
         let advice = advice(handed_on(cause)).unwrap_or_default();
         format!("{cause}{advice}")
     });
-    each.collect::<Vec<_>>().join(": ")
+    short_numbers(&each.collect::<Vec<_>>().join(": "))
+}
+
+/// Numbers of more than 15 digits in a row with a power of ten: an error may quote 1e300.
+fn short_numbers(text: &str) -> String {
+    const DIGITS_MOST: usize = 15;
+    let mut short = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
+        let (before, number) = rest.split_at(start);
+        let is_number = |c: char| c.is_ascii_digit() || c == '.';
+        let end = number.find(|c| !is_number(c)).unwrap_or(number.len());
+        let (number, after) = number.split_at(end);
+        short.push_str(before);
+        match number.parse::<f64>() {
+            // a name such as a date without signs, or a sum, is no number
+            Ok(value) if number.len() > DIGITS_MOST && !before.ends_with(char::is_alphabetic) => {
+                short.push_str(&format!("{value:e}"));
+            }
+            _ => short.push_str(number),
+        }
+        rest = after;
+    }
+    short + rest
 }
 
 /// Whether an error, or one of its causes, is a computation that did not converge or come to its end.
@@ -89,6 +112,19 @@ mod tests {
     use super::*;
     use crate::error::Within as _;
     use dolmen::signal::SignalError;
+
+    #[test]
+    fn exact_numbers_of_many_digits_are_short() {
+        let long = format!("step is {}, but 0.5 s; end_s is {} or 12.", 1e300, 1e-300);
+        assert_eq!(
+            short_numbers(&long),
+            "step is 1e300, but 0.5 s; end_s is 1e-300 or 12."
+        );
+        assert_eq!(
+            short_numbers("record-20090512, 1.25 of 3"),
+            "record-20090512, 1.25 of 3"
+        );
+    }
 
     #[test]
     fn holds_advice_and_convergence_are_seen_within_a_place() {

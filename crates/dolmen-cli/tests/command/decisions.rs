@@ -11,7 +11,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::Path;
 
-const PILE: &str = "examples/piled_blocks/damage.toml";
+const PILE: &str = "examples/portfolio/piled_blocks.toml";
 
 fn json(scratch: &Scratch, command: &str) -> Value {
     let answer = scratch.dolmen(&format!("--json {command}"));

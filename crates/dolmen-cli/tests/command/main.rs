@@ -20,4 +20,5 @@ mod stacks;
 mod studies;
 mod training;
 mod tunings;
+mod untrusted;
 mod verbs;

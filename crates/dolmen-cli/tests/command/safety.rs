@@ -113,7 +113,7 @@ fn refuses_a_report_over_its_own_project() {
     let answer = scratch.dolmen("report project.toml -o project.toml");
     assert_eq!(answer.status, 2);
     assert!(
-        answer.stderr.contains("is the project file itself"),
+        answer.stderr.contains("it is never replaced"),
         "{}",
         answer.stderr
     );

@@ -457,10 +457,7 @@ fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>>
             [Some(period_s), Some(acceleration)] => rows.push([period_s, acceleration]),
             _ if rows.is_empty() && !has_names => has_names = true,
             _ => {
-                let why = format!(
-                    "line {} is not a period, s, and an acceleration: \"{line}\"",
-                    i + 1
-                );
+                let why = format!("line {} is not a period, s, and an acceleration", i + 1);
                 refuse(reader, why);
                 return None;
             }

@@ -13,7 +13,7 @@ const SOLUTIONS_DRAWN: usize = 4;
 /// A figure and what to call its file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Figure {
-    /// Name without an ending, of letters, digits and hyphens: "2009-singular-values".
+    /// Name without an ending: "2009-singular-values".
     pub name: String,
     /// The SVG.
     pub svg: String,
@@ -26,7 +26,7 @@ pub fn identification(answer: &IdentifyAnswer, language: Language) -> Vec<Figure
     for survey in &answer.surveys {
         let mut add = |what: &str, svg: String| {
             all.push(Figure {
-                name: file_name(&format!("{}-{what}", survey.name)),
+                name: format!("{}-{what}", survey.name),
                 svg,
             });
         };
@@ -151,21 +151,5 @@ fn heights_m(structure: &Structure) -> Option<Vec<f64>> {
             Some(tops.collect())
         }
         Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
-    }
-}
-
-/// Letters (of any script) and digits stay, all else becomes one hyphen.
-fn file_name(text: &str) -> String {
-    let parts = text.split(|c: char| !c.is_alphanumeric());
-    parts.filter(|p| !p.is_empty()).collect::<Vec<_>>().join("-")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn holds_names_of_files_cannot_leave_their_folder() {
-        assert_eq!(file_name("../2009/조사 1-x"), "2009-조사-1-x");
     }
 }

@@ -9,6 +9,7 @@ mod study;
 mod survey;
 mod tune;
 
+pub use crate::mark::is_marked;
 pub use motion::motion_files;
 pub use named::NamedFile;
 pub use ranking::ranking_files;

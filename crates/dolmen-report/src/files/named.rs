@@ -1,6 +1,8 @@
 //! A file that is to be written.
 
 use crate::figures::Figure;
+use crate::mark::FIGURE_MARK;
+use dolmen_words::file_name;
 use serde_json::Value;
 
 /// A file: its path below the folder that it goes into, with slashes, and its bytes.
@@ -13,10 +15,10 @@ pub struct NamedFile {
 }
 
 impl NamedFile {
-    /// A file of these bytes.
-    pub(crate) fn new(name: impl Into<String>, bytes: impl Into<Vec<u8>>) -> Self {
+    /// A file of these bytes; whatever its name is, it is one name in one folder.
+    pub fn new(name: &str, bytes: impl Into<Vec<u8>>) -> Self {
         NamedFile {
-            name: name.into(),
+            name: file_name(name),
             bytes: bytes.into(),
         }
     }
@@ -26,15 +28,21 @@ impl NamedFile {
         NamedFile::new(name, format!("{value:#}\n"))
     }
 
+    /// An SVG, marked; its name without the ending.
+    pub(crate) fn svg(name: &str, svg: &str) -> Self {
+        let marked = svg.replacen('>', &format!(">{FIGURE_MARK}"), 1);
+        NamedFile::new(&format!("{name}.svg"), marked)
+    }
+
     /// A figure as SVG.
     pub(crate) fn figure(figure: Figure) -> Self {
-        NamedFile::new(format!("{}.svg", figure.name), figure.svg)
+        NamedFile::svg(&figure.name, &figure.svg)
     }
 
     /// The same one folder deeper.
     pub(crate) fn within(self, folder: &str) -> Self {
         NamedFile {
-            name: format!("{folder}/{}", self.name),
+            name: format!("{}/{}", file_name(folder), self.name),
             bytes: self.bytes,
         }
     }

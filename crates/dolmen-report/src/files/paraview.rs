@@ -20,12 +20,14 @@ pub(super) fn paraview(simulation: &StackSimulation) -> Result<Vec<NamedFile>, P
             continue;
         }
         let poses: Vec<BlockPose> = simulation.poses(sample).iter().map(block_pose).collect();
-        let file = format!("paraview/{:05}.vtu", series.len());
-        files.push(NamedFile::new(
-            file.clone(),
-            stack_vtu(&simulation.stack, &poses)?,
-        ));
-        series.push(SeriesFile { time_s, file });
+        let file = format!("{:05}.vtu", series.len());
+        let bytes = stack_vtu(&simulation.stack, &poses)?;
+        let file = NamedFile::new(&file, bytes).within("paraview");
+        series.push(SeriesFile {
+            time_s,
+            file: file.name.clone(),
+        });
+        files.push(file);
     }
     files.push(NamedFile::new("paraview.pvd", series_pvd(&series)));
     Ok(files)

@@ -13,7 +13,7 @@ pub fn ranking_files(answer: &PortfolioAnswer, language: Language, imprint: &Imp
     vec![
         NamedFile::new("ranking.csv", table_csv(&ranking_columns(answer))),
         NamedFile::json("ranking.json", &rank_json(answer)),
-        NamedFile::new("ranking.svg", ranking(answer, language)),
+        NamedFile::svg("ranking", &ranking(answer, language)),
         NamedFile::new("ranking.html", ranking_html(answer, language, imprint)),
     ]
 }

@@ -78,12 +78,9 @@ fn stack(simulation: &StackSimulation, language: Language) -> Result<Vec<NamedFi
         NamedFile::new("stack.obj", stack_obj(stack)),
         NamedFile::new("stack.json", stack_json(stack)),
         NamedFile::new("stack.3ddat", stack_3dec(stack)),
-        NamedFile::new("after.svg", figures::stack_after(simulation, language)),
-        NamedFile::new(
-            "governing.svg",
-            figures::stack_governing(limits, peak_g, language),
-        ),
-        NamedFile::new("capacity.svg", figures::stack_capacity(limits, peak_g, language)),
+        NamedFile::svg("after", &figures::stack_after(simulation, language)),
+        NamedFile::svg("governing", &figures::stack_governing(limits, peak_g, language)),
+        NamedFile::svg("capacity", &figures::stack_capacity(limits, peak_g, language)),
     ];
     files.extend(paraview(simulation)?);
     Ok(files)

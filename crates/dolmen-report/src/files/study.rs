@@ -29,8 +29,8 @@ pub enum StudyFilesError {
 pub fn study_files(answer: &StudyAnswer, language: Language) -> Result<Vec<NamedFile>, StudyFilesError> {
     let mut files = Vec::new();
     let mut table = |name: &str, columns: Vec<Column>| -> Result<(), TableError> {
-        files.push(NamedFile::new(format!("{name}.csv"), table_csv(&columns)));
-        files.push(NamedFile::new(format!("{name}.parquet"), parquet(&columns)?));
+        files.push(NamedFile::new(&format!("{name}.csv"), table_csv(&columns)));
+        files.push(NamedFile::new(&format!("{name}.parquet"), parquet(&columns)?));
         Ok(())
     };
     if answer.study.scan.is_some() {

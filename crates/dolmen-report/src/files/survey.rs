@@ -20,6 +20,6 @@ pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile
     let json = change_json(&answer.project, &answer.file, &answer.change);
     vec![
         NamedFile::json("change.json", &json),
-        NamedFile::new("change.svg", survey_changes(&answer.change, language)),
+        NamedFile::svg("change", &survey_changes(&answer.change, language)),
     ]
 }

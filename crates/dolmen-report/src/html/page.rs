@@ -7,6 +7,7 @@ use super::{
     frame_simulation, given, identification, modal, samples, setups, simulation, stack, study, tune,
     variants,
 };
+use crate::mark::GENERATOR;
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
 use dolmen_words::Language;
@@ -56,9 +57,13 @@ pub fn html(
             article id=(format!("report-{}", i + 1)) { (article(answer, language, imprint)) }
         }
     };
-    whole(&title, language, &body)
+    let page = whole(&title, language, &body);
+    // the title holds no tags
+    let (head, body) = page.split_at(page.find("<body>").unwrap_or(0));
+    let body = body
         .replace("k_cr", "k<sub>cr</sub>")
-        .replace("k_min", "k<sub>min</sub>")
+        .replace("k_min", "k<sub>min</sub>");
+    format!("{head}{body}")
 }
 
 /// A page that needs nothing else.
@@ -68,6 +73,7 @@ pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
         html lang=(language.code()) {
             head {
                 meta charset="utf-8";
+                meta name="generator" content=(GENERATOR);
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (title) }
                 style { (PreEscaped(STYLE)) }

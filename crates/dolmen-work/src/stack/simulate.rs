@@ -29,6 +29,7 @@ pub(crate) struct StackOptions {
     pub(crate) duration_s: Option<f64>,
     pub(crate) output_step_s: f64,
     pub(crate) to_the_end: bool,
+    pub(crate) however_long: bool,
 }
 
 /// What came of a stack that was to be shaken.
@@ -84,6 +85,7 @@ fn law(options: &StackOptions, stack: &Stack) -> ContactLaw {
             duration_s,
             output_step_s,
             after_fall,
+            however_long: options.however_long,
             ..Springs::default()
         }),
         Law::Rigid => ContactLaw::Rigid(Rigid {
@@ -92,6 +94,7 @@ fn law(options: &StackOptions, stack: &Stack) -> ContactLaw {
             duration_s,
             output_step_s,
             after_fall,
+            however_long: options.however_long,
             ..Rigid::default()
         }),
     }

@@ -71,6 +71,12 @@ pub struct ReadJournal {
     pub whole_bytes: usize,
 }
 
+/// Whether a file that begins so is the journal of a study, of this version or of another.
+pub fn is_journal(start: &[u8]) -> bool {
+    let word = MAGIC.trim_end_matches(|c: char| c.is_ascii_digit());
+    start.starts_with(word.as_bytes())
+}
+
 /// The first line of a journal, with its end.
 pub fn header_line(header: &JournalHeader) -> String {
     let (part, of) = header.shard;

@@ -40,7 +40,7 @@ pub use fitted::Fitted;
 pub use fragility::fragility_columns;
 pub use joint_fragility::{JointFragility, JointState};
 pub use joints::joint_columns;
-pub use journal::{Journal, JournalHeader, ReadJournal, header_line, read_journal, run_line};
+pub use journal::{Journal, JournalHeader, ReadJournal, header_line, is_journal, read_journal, run_line};
 pub use journal_error::JournalError;
 pub use kind::StudyKind;
 pub use left_out::LeftOutStudy;

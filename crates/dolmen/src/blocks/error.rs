@@ -76,6 +76,16 @@ pub enum BlocksError {
         /// Its value.
         given: f64,
     },
+    /// The run needs more work than is done without being asked for.
+    #[error("the run needs {count:.3e} {what}, but at most {most:.0e} are computed unless asked for")]
+    TooLong {
+        /// "steps of 1.000e-9 s" or "samples of the history".
+        what: String,
+        /// How many.
+        count: f64,
+        /// How many are allowed.
+        most: f64,
+    },
     /// The stack cannot be.
     #[error(transparent)]
     Stack(#[from] StackError),
@@ -96,6 +106,7 @@ impl BlocksError {
             | Self::NotAPile { .. }
             | Self::NoSliding { .. }
             | Self::SpringsOnly { .. }
+            | Self::TooLong { .. }
             | Self::Stack(_) => false,
         }
     }

@@ -48,6 +48,8 @@ pub struct Rigid {
     pub after_fall: AfterFall,
     /// Pushes before the start. Default none.
     pub starts: Vec<Start>,
+    /// Whether a run of more than 20 million steps or a million samples is computed all the same. Default: it is refused.
+    pub however_long: bool,
 }
 
 impl Default for Rigid {
@@ -60,6 +62,7 @@ impl Default for Rigid {
             output_step_s: 0.01,
             after_fall: AfterFall::Stop,
             starts: Vec::new(),
+            however_long: false,
         }
     }
 }
@@ -145,12 +148,17 @@ pub fn simulate_rigid(
     let mut assembly = Assembly::of(stack, options.contact_rule);
     assembly.without_springs();
     assembly.watch(WATCHFULNESS);
+    let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
+    let mut length = RunLength::of(
+        options.duration_s,
+        [shaken_s, options.rest_s],
+        [h, options.output_step_s],
+        options.however_long,
+    )?;
     let mut observer = Observer::new(stack, &assembly, options.output_step_s, h);
     for start in &options.starts {
         push(&mut assembly, start)?;
     }
-    let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
-    let mut length = RunLength::of(options.duration_s, [shaken_s, options.rest_s], h);
     let mut run = Run::of(assembly, h);
     let ground = |time_s: f64| match motion {
         Some(motion) => DVec3::from(motion.acceleration_at_m_s2(time_s)),

@@ -1,11 +1,20 @@
 //! How long a run is: one that ends while stones move has no verdict, so that it goes on for a while.
 
 use super::assembly::Assembly;
+use super::error::BlocksError;
 use super::history::StackHistory;
 use super::observe::{Observer, whole_at_least};
 
 /// Time between looks at whether a run may end, s. Chosen here: swings that matter take several times as long.
 const AGAIN_S: f64 = 0.1;
+
+/// Most steps of a run that is not asked for again. Chosen here: 20 stones take some ten minutes.
+const STEPS_MOST: f64 = 2e7;
+/// Most samples of the history of such a run. Chosen here: of 20 stones they hold a few gigabytes.
+const SAMPLES_MOST: f64 = 1e6;
+
+/// Samples may lie this far apart, s, however short the run is: then it has its first alone.
+const SAMPLED_AT_LEAST_S: f64 = 1.0;
 
 /// How long a run is, in steps.
 #[derive(Clone, Copy, Debug)]
@@ -20,19 +29,50 @@ pub(super) struct RunLength {
 
 impl RunLength {
     /// `given_s`; or the shaking, the time to rest, and as much more, up to [`StackHistory::LONGER_MOST_S`], as the stack needs.
-    pub(super) fn of(given_s: Option<f64>, [shaken_s, rest_s]: [f64; 2], h: f64) -> Self {
+    ///
+    /// # Errors
+    /// [`BlocksError`] where samples lie farther apart than the run is long, or where it needs more than [`STEPS_MOST`] steps of `h` or
+    /// [`SAMPLES_MOST`] samples and is not to be computed `however_long` it is.
+    pub(super) fn of(
+        given_s: Option<f64>,
+        [shaken_s, rest_s]: [f64; 2],
+        [h, output_step_s]: [f64; 2],
+        however_long: bool,
+    ) -> Result<Self, BlocksError> {
+        let whole_s = given_s.unwrap_or(shaken_s + rest_s);
+        if output_step_s > whole_s.max(SAMPLED_AT_LEAST_S) {
+            return Err(BlocksError::Option {
+                option: "output_step_s",
+                given: output_step_s,
+                allowed: "no longer than the run, or 1 s",
+            });
+        }
+        let works = [
+            (format!("steps of {h:.3e} s"), whole_s / h, STEPS_MOST),
+            (
+                "samples of the history".to_owned(),
+                whole_s / output_step_s,
+                SAMPLES_MOST,
+            ),
+        ];
+        for (what, count, most) in works {
+            // beyond what can be counted, no one can wait for it
+            if count > most && !(however_long && count < u32::MAX.into()) {
+                return Err(BlocksError::TooLong { what, count, most });
+            }
+        }
         let least = whole_at_least(given_s.unwrap_or(shaken_s + rest_s) / h);
         let longer = match given_s {
             Some(_) => 0,
             None => whole_at_least(StackHistory::LONGER_MOST_S / h),
         };
-        RunLength {
+        Ok(RunLength {
             due: whole_at_least(shaken_s / h).min(least),
             least,
             most: least + longer,
             again: whole_at_least(AGAIN_S / h),
             h,
-        }
+        })
     }
 
     /// The steps after which it is to be judged next.

@@ -79,6 +79,8 @@ pub struct Springs {
     pub after_fall: AfterFall,
     /// Pushes before the start. Default none.
     pub starts: Vec<Start>,
+    /// Whether a run of more than 20 million steps or a million samples is computed all the same. Default: it is refused.
+    pub however_long: bool,
 }
 
 impl Default for Springs {
@@ -91,6 +93,7 @@ impl Default for Springs {
             output_step_s: 0.01,
             after_fall: AfterFall::Stop,
             starts: Vec::new(),
+            however_long: false,
         }
     }
 }
@@ -242,12 +245,17 @@ impl<'a> Run<'a> {
         h: f64,
     ) -> Result<Self, BlocksError> {
         let mut assembly = settled.assembly.clone();
+        let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
+        let length = RunLength::of(
+            options.duration_s,
+            [shaken_s, options.rest_s],
+            [h, options.output_step_s],
+            options.however_long,
+        )?;
         let observer = Observer::new(stack, &assembly, options.output_step_s, h);
         for start in &options.starts {
             push(&mut assembly, start)?;
         }
-        let shaken_s = motion.map_or(0.0, GroundMotion::duration_s);
-        let length = RunLength::of(options.duration_s, [shaken_s, options.rest_s], h);
         Ok(Run {
             acceleration: vec![DVec3::ZERO; assembly.bodies.len()],
             assembly,

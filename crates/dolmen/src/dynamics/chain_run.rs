@@ -1,7 +1,7 @@
 //! How a chain is moved: what a run begins with, how long it takes, what counts as a fall.
 
 use super::chain_model::ChainModel;
-use super::frame_run::SAMPLES_MOST;
+use super::frame_run::{DURATION_ALLOWED, DURATION_MOST_S, SAMPLES_MOST};
 use super::{DynamicsError, TimeFunction};
 
 /// Options of [`simulate_chain`](super::simulate_chain).
@@ -84,6 +84,13 @@ impl ChainRun {
             self.duration_s.unwrap_or(load.duration_s()),
             "a positive number: give it where no sampled load does",
         )?;
+        if duration_s > DURATION_MOST_S {
+            return Err(DynamicsError::Argument {
+                argument: "duration_s",
+                given: duration_s,
+                allowed: DURATION_ALLOWED,
+            });
+        }
         if duration_s / self.output_step_s > SAMPLES_MOST {
             return Err(DynamicsError::Argument {
                 argument: "output_step_s",

@@ -4,6 +4,10 @@ use super::DynamicsError;
 use super::excitation::FrameLoad;
 use super::frame_friction::FrictionFrame;
 
+/// Longest run, s: a day and some more. Chosen here: a frame of two storeys takes a minute or two for it.
+pub(super) const DURATION_MOST_S: f64 = 1e5;
+/// What is said of a longer one.
+pub(super) const DURATION_ALLOWED: &str = "at most 100 000 s, which is more than a day";
 /// Samples of a history: above, it is a mistaken unit rather than a wish, and memory ends. Chosen here.
 pub(super) const SAMPLES_MOST: f64 = 1e7;
 
@@ -84,6 +88,9 @@ impl FrameRun {
                 duration_s,
                 "a positive number: give it where no sampled load does",
             );
+        }
+        if duration_s > DURATION_MOST_S {
+            return refuse("duration_s", duration_s, DURATION_ALLOWED);
         }
         if duration_s / self.output_step_s > SAMPLES_MOST {
             return refuse(

@@ -496,11 +496,15 @@ fn refuses_what_cannot_move() {
     );
     let endless = ChainRun {
         output_step_s: 1e-6,
-        ..from(&[], 1e12)
+        ..from(&[], 1e4)
     };
     assert_eq!(
         refused(&endless),
         "output_step_s is 0.000001, but must be long enough for ten million samples at most in the run"
+    );
+    assert_eq!(
+        refused(&from(&[], 1e12)),
+        "duration_s is 1000000000000, but must be at most 100 000 s, which is more than a day"
     );
     let stiffness: Vec<f64> = weight_times_height().iter().map(|k| 2.0 * k).collect();
     let held = springs(flagpole(), &stiffness, ChainRotations::Large);

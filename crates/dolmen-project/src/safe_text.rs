@@ -1,0 +1,158 @@
+//! What no text of a project may hold, whatever it stands for: project files come from strangers, and their names become those of files and
+//! stand in terminals.
+
+use super::error::Fault;
+use dolmen_words::same_file_name;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Tables whose keys are names that become those of folders and files.
+const NAMED: [&str; 6] = ["study", "damper", "direction", "variant", "survey", "motion"];
+
+/// All faults of texts and names.
+pub(super) fn unsafe_text(root: &DeTable<'_>) -> Vec<Fault> {
+    let mut faults = Vec::new();
+    signs_of_table(root, "", &mut faults);
+    for table in NAMED {
+        if let Some(DeValue::Table(named)) = root.get(table).map(Spanned::get_ref) {
+            one_file_each(table, named, &mut faults);
+        }
+    }
+    faults
+}
+
+/// Every text of a project file, as it stands in it; none of a text that is not TOML.
+pub fn texts(text: &str) -> Vec<String> {
+    fn of(value: &DeValue<'_>, all: &mut Vec<String>) {
+        match value {
+            DeValue::String(text) => all.push(text.to_string()),
+            DeValue::Array(list) => list.iter().for_each(|value| of(value.get_ref(), all)),
+            DeValue::Table(table) => table.values().for_each(|value| of(value.get_ref(), all)),
+            _ => {}
+        }
+    }
+    let (root, _) = DeTable::parse_recoverable(text);
+    let mut all = Vec::new();
+    root.get_ref()
+        .values()
+        .for_each(|value| of(value.get_ref(), &mut all));
+    all
+}
+
+/// Names that would be one file where case does not count.
+fn one_file_each(table: &str, named: &DeTable<'_>, faults: &mut Vec<Fault>) {
+    let mut keys: Vec<_> = named.keys().collect();
+    keys.sort_by_key(|key| key.span().start);
+    for (at, key) in keys.iter().enumerate() {
+        let name = key.get_ref();
+        let Some(twin) = keys[..at]
+            .iter()
+            .find(|other| same_file_name(other.get_ref(), name))
+        else {
+            continue;
+        };
+        let path = format!("{table}.{name}");
+        let message = format!(
+            "{table} \"{name}\" is named as \"{}\" but for capitals or the way letters are composed",
+            twin.get_ref()
+        );
+        let fault = Fault::new(key.span(), &path, message);
+        faults.push(
+            fault
+                .allowed("results would be one folder on Windows")
+                .help("give it another name"),
+        );
+    }
+}
+
+/// Signs that steer a terminal or turn the direction of writing.
+fn steers(sign: char) -> bool {
+    let turns = matches!(sign, '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    turns || (sign.is_control() && !matches!(sign, '\n' | '\r' | '\t'))
+}
+
+fn signs(text: &str, span: std::ops::Range<usize>, path: &str, faults: &mut Vec<Fault>) {
+    let Some(sign) = text.chars().find(|sign| steers(*sign)) else {
+        return;
+    };
+    let path: String = path
+        .chars()
+        .map(|sign| if steers(sign) { '?' } else { sign })
+        .collect();
+    let message = format!("{path} holds the control character U+{:04X}", u32::from(sign));
+    let fault = Fault::new(span, &path, message);
+    faults.push(
+        fault
+            .allowed("only letters, digits, signs and line ends")
+            .help("take it out: copied text sometimes brings one along"),
+    );
+}
+
+fn signs_of_table(table: &DeTable<'_>, at: &str, faults: &mut Vec<Fault>) {
+    for (key, value) in table {
+        let path = match at {
+            "" => key.get_ref().to_string(),
+            _ => format!("{at}.{}", key.get_ref()),
+        };
+        signs(key.get_ref(), key.span(), &path, faults);
+        signs_of(value, &path, faults);
+    }
+}
+
+fn signs_of(value: &Spanned<DeValue<'_>>, path: &str, faults: &mut Vec<Fault>) {
+    match value.get_ref() {
+        DeValue::String(text) => signs(text, value.span(), path, faults),
+        DeValue::Array(list) => {
+            for (at, value) in list.iter().enumerate() {
+                signs_of(value, &format!("{path}[{}]", at + 1), faults);
+            }
+        }
+        DeValue::Table(table) => signs_of_table(table, path, faults),
+        _ => {}
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parse_project;
+
+    fn told(text: &str) -> Vec<String> {
+        let fault = parse_project(text, "p.toml").unwrap_err();
+        fault
+            .problems
+            .into_iter()
+            .map(|problem| problem.message)
+            .collect()
+    }
+
+    #[test]
+    fn refuses_names_that_would_be_one_folder() {
+        let text =
+            "schema = 1\nkind = \"survey\"\nname = \"a\"\n[survey.Weak]\n[survey.weak]\n[survey.week]\n";
+        assert_eq!(
+            told(text),
+            ["survey \"weak\" is named as \"Weak\" but for capitals or the way letters are composed"]
+        );
+    }
+
+    #[test]
+    fn refuses_signs_that_steer_a_terminal() {
+        let text = "schema = 1\nkind = \"survey\"\nname = \"a\\u001b[2Jb\"\n[survey.\"x\\u202ey\"]\n";
+        assert_eq!(
+            told(text),
+            [
+                "name holds the control character U+001B",
+                "survey.x?y holds the control character U+202E"
+            ]
+        );
+    }
+
+    #[test]
+    fn exact_texts() {
+        let text = "a = \"x.csv\"\n[b]\nc = [\"y.npy\", { d = \"z.ply\" }]\n";
+        let mut all = texts(text);
+        all.sort();
+        assert_eq!(all, ["x.csv", "y.npy", "z.ply"]);
+    }
+}
