@@ -33,6 +33,7 @@ mod time_unit;
 mod uff;
 mod uff_text;
 mod unit;
+mod unpacked;
 mod wav;
 
 pub use crate::number::parse_number;
