@@ -2,9 +2,11 @@
 
 mod breaks;
 mod files;
+mod limits;
 pub mod meshes;
 pub mod motions;
 mod number;
+mod quoted;
 pub mod records;
 mod seismic;
 mod start;
@@ -14,3 +16,4 @@ pub use files::{
     FileError, Files, JOURNAL_BYTES_MOST, MESH_BYTES_MOST, MOTION_BYTES_MOST, MemoryFiles, NoFiles,
     PROJECT_BYTES_MOST, RECORD_BYTES_MOST, TABLE_BYTES_MOST, stays_within,
 };
+pub use limits::LimitError;

@@ -51,11 +51,17 @@ pub fn start_of_text(text: &str) -> Option<f64> {
     (hour < 24 && minute < 60 && second <= 60).then(|| seconds(day, hour, minute, second as f64 + fraction))
 }
 
-/// "2018-01-24 19:51:37.250" of seconds from 1 January 1970.
+/// Later and earlier times than this are no dates, s: the year 9999.
+const DATES_WITHIN_S: f64 = 253_402_300_800.0;
+
+/// "2018-01-24 19:51:37.250" of seconds from 1 January 1970; "1e300 s from 1970" of what is no date.
 ///
 /// # Source
 /// Hinnant (2021) *chrono-Compatible Low-Level Date Algorithms*, civil_from_days.
 pub(crate) fn time_text(seconds: f64) -> String {
+    if seconds.is_nan() || seconds.abs() > DATES_WITHIN_S {
+        return format!("{seconds:e} s from 1970");
+    }
     let milliseconds = (seconds * 1e3).round();
     let day = (milliseconds / (DAY_S * 1e3)).floor();
     let of_day = milliseconds - day * DAY_S * 1e3;
@@ -101,5 +107,12 @@ mod tests {
         assert_eq!(time_of([2018.0, 1.5, 24.0, 19.0, 51.0, 37.5]), None);
         assert_eq!(start_of_text("2018/13/24 19:51:37"), None);
         assert_eq!(start_of_text("yesterday"), None);
+        for (seconds, text) in [
+            (1e300, "1e300 s from 1970"),
+            (f64::NAN, "NaN s from 1970"),
+            (253_402_300_799.0, "9999-12-31 23:59:59.000"),
+        ] {
+            assert_eq!(time_text(seconds), text);
+        }
     }
 }

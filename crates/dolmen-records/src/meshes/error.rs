@@ -1,5 +1,8 @@
 //! Why a mesh cannot be read.
 
+use crate::limits::LimitError;
+use crate::quoted::shown;
+
 /// Why the bytes of a file are no mesh. Lines are counted from 1, as editors do.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum MeshError {
@@ -13,7 +16,10 @@ pub enum MeshError {
         vertices: usize,
     },
     /// A word where a number should be.
-    #[error("line {line}: \"{text}\" is not a finite number")]
+    #[error(
+        "line {line}: \"{text}\" is not a finite number",
+        text = shown(text)
+    )]
     Number {
         /// The line.
         line: usize,
@@ -65,5 +71,20 @@ pub enum MeshError {
         offset: usize,
         /// What is wrong.
         what: &'static str,
+    },
+    /// The file asks too much of the reader.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
+    /// A small file becomes much memory.
+    #[error(
+        "the file of {bytes} bytes holds a mesh of {held}, but at most {most} are read of it: it is damaged; export it again with triangles"
+    )]
+    Expands {
+        /// Bytes of the file.
+        bytes: usize,
+        /// Bytes of its vertices and triangles so far.
+        held: usize,
+        /// The limit.
+        most: usize,
     },
 }

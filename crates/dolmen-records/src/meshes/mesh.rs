@@ -3,6 +3,14 @@
 use super::MeshError;
 use std::collections::BTreeMap;
 
+/// Most corners of one face. Chosen here: more is a damaged file.
+pub(super) const CORNERS_MOST: usize = 65_536;
+/// Bytes of a mesh that come of one byte of its file. Chosen here: a binary file of quadrilaterals or hexagons becomes three times as much,
+/// a text less.
+const EXPANSION_MOST: usize = 4;
+/// Bytes of a mesh that come of any file. Chosen here: two million triangles and vertices do no harm.
+const EXPANDED_FREE: usize = 64 << 20;
+
 /// Triangles between vertices, in the unit of the file.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
@@ -23,27 +31,28 @@ impl Mesh {
 
     /// Vertices in exactly the same place made one, and triangles that had two of them taken out.
     pub fn merged(self) -> Self {
-        let mut numbers: BTreeMap<[u64; 3], usize> = BTreeMap::new();
-        let mut vertices = Vec::new();
-        let mut places = Vec::with_capacity(self.vertices.len());
-        for vertex in self.vertices {
-            let key = vertex.map(|value| (value + 0.0).to_bits()); // −0 is 0
-            places.push(*numbers.entry(key).or_insert_with(|| {
-                vertices.push(vertex);
-                vertices.len() - 1
-            }));
+        let mut merging = Merging::default();
+        let places: Vec<usize> = self.vertices.into_iter().map(|v| merging.place(v)).collect();
+        for triangle in self.triangles {
+            merging.push(triangle.map(|corner| places[corner]));
         }
-        let triangles = self.triangles.iter().map(|t| t.map(|corner| places[corner]));
-        Mesh {
-            vertices,
-            triangles: triangles.filter(|[a, b, c]| a != b && b != c && c != a).collect(),
-        }
+        merging.mesh
     }
 
     /// Adds a polygon as a fan of triangles from its first corner.
     pub(super) fn push_polygon(&mut self, corners: &[usize]) {
         for pair in corners.get(1..).unwrap_or_default().windows(2) {
             self.triangles.push([corners[0], pair[0], pair[1]]);
+        }
+    }
+
+    /// Refuses a mesh that is much larger than the file of so many bytes that it comes from.
+    pub(super) fn refuse_expansion(&self, bytes: usize) -> Result<(), MeshError> {
+        const OF_ONE: usize = 24; // three numbers, or three corners
+        let held = OF_ONE * (self.vertices.len() + self.triangles.len());
+        match bytes.saturating_mul(EXPANSION_MOST).max(EXPANDED_FREE) {
+            most if held <= most => Ok(()),
+            most => Err(MeshError::Expands { bytes, held, most }),
         }
     }
 
@@ -54,6 +63,31 @@ impl Mesh {
             });
         }
         Ok(self)
+    }
+}
+
+/// A mesh whose vertices in exactly the same place become one as they come.
+#[derive(Default)]
+pub(super) struct Merging {
+    pub(super) mesh: Mesh,
+    numbers: BTreeMap<[u64; 3], usize>,
+}
+
+impl Merging {
+    /// The number of a vertex.
+    pub(super) fn place(&mut self, vertex: [f64; 3]) -> usize {
+        let key = vertex.map(|value| (value + 0.0).to_bits()); // −0 is 0
+        *self.numbers.entry(key).or_insert_with(|| {
+            self.mesh.vertices.push(vertex);
+            self.mesh.vertices.len() - 1
+        })
+    }
+
+    /// Adds a triangle of three vertices.
+    pub(super) fn push(&mut self, [a, b, c]: [usize; 3]) {
+        if a != b && b != c && c != a {
+            self.mesh.triangles.push([a, b, c]);
+        }
     }
 }
 
@@ -73,4 +107,45 @@ pub(super) fn number(word: &[u8], line: usize) -> Result<f64, MeshError> {
 pub(super) fn words(line: &[u8]) -> impl Iterator<Item = &[u8]> {
     line.split(u8::is_ascii_whitespace)
         .filter(|word| !word.is_empty())
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::meshes::read_mesh;
+
+    /// One corner named again and again: 24 bytes of triangles of each of a few bytes.
+    #[test]
+    fn refuses_a_small_file_of_endless_faces() {
+        let obj =
+            "v 0 0 0\nv 1 0 0\nv 0 1 0\n".to_owned() + &format!("f{}\n", " 1".repeat(60_000)).repeat(50);
+        assert_eq!(
+            read_mesh(obj.as_bytes()).unwrap_err().to_string(),
+            "the file of 6000124 bytes holds a mesh of 67677816, but at most 67108864 are read of it: it is damaged; export it again with \
+             triangles"
+        );
+    }
+
+    #[test]
+    fn refuses_a_face_or_a_line_without_end() {
+        let corners = |count: usize| format!("v 0 0 0\nv 1 0 0\nv 0 1 0\nf{}\n", " 1".repeat(count));
+        assert_eq!(
+            read_mesh(corners(65_537).as_bytes()).unwrap_err().to_string(),
+            "line 4: a face has more than 65536 vertices"
+        );
+        let said = read_mesh(corners(550_000).as_bytes()).unwrap_err().to_string();
+        assert!(
+            said.starts_with("line 4 has 1100001 bytes, but at most 1048576 are read"),
+            "{said}"
+        );
+    }
+
+    #[test]
+    fn refuses_other_text_without_a_word_of_it() {
+        for text in ["v hidden\nv 1 hidden\n", "Dear Ann,\nv for victory\n", "v 1\n"] {
+            let said = read_mesh(text.as_bytes()).unwrap_err().to_string();
+            assert!(said.starts_with("the file is no OBJ, STL or PLY"), "{said}");
+        }
+        let said = read_mesh(b"v 0 0 0\nv 0 0 \x1b[2J\n").unwrap_err().to_string();
+        assert_eq!(said, "line 2: \"\\u{1b}[2J\" is not a finite number");
+    }
 }

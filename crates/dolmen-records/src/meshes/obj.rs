@@ -1,7 +1,9 @@
 //! Wavefront OBJ: vertices and faces; all else (normals, textures, groups, lines) is passed over.
 
-use super::mesh::{number, words};
+use super::mesh::{CORNERS_MOST, number, words};
 use super::{Mesh, MeshError};
+use crate::limits::line_end;
+use crate::number::parse_number;
 
 /// A mesh from the bytes of an OBJ file; all its objects together.
 ///
@@ -14,6 +16,7 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut lines = bytes.split(|&b| b == b'\n').enumerate();
     while let Some((at, line)) = lines.next() {
         let number_of_line = at + 1;
+        line_end(line, number_of_line)?;
         let mut joined = line.trim_ascii_end().to_vec();
         while joined.last() == Some(&b'\\') {
             joined.pop();
@@ -22,6 +25,7 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 Some((_, next)) => joined.extend_from_slice(next.trim_ascii_end()),
                 None => break,
             }
+            line_end(&joined, number_of_line)?;
         }
         let content = joined.split(|&b| b == b'#').next().unwrap_or_default();
         let mut words = words(content);
@@ -31,19 +35,31 @@ pub fn read_obj(bytes: &[u8]) -> Result<Mesh, MeshError> {
                 let vertices = mesh.vertices.len();
                 let corners = words.map(|word| corner(word, vertices, number_of_line));
                 let corners: Vec<usize> = corners.collect::<Result<_, _>>()?;
-                if corners.len() < 3 {
-                    let what = "a face has fewer than 3 vertices";
+                let what = match corners.len() {
+                    0..3 => Some("a face has fewer than 3 vertices"),
+                    3..=CORNERS_MOST => None,
+                    _ => Some("a face has more than 65536 vertices"),
+                };
+                if let Some(what) = what {
                     return Err(MeshError::Line {
                         line: number_of_line,
                         what,
                     });
                 }
                 mesh.push_polygon(&corners);
+                mesh.refuse_expansion(bytes.len())?;
             }
             _ => {}
         }
     }
     mesh.checked()
+}
+
+/// Whether a line is that of a vertex: `v` and two numbers at least. A text with any other is no OBJ, and none of it is quoted.
+pub(super) fn is_vertex(line: &[u8]) -> bool {
+    let mut words = words(line);
+    let is_number = |word: &[u8]| parse_number(word).is_some();
+    words.next() == Some(b"v") && words.take(2).filter(|word| is_number(word)).count() == 2
 }
 
 fn vertex<'a>(words: impl Iterator<Item = &'a [u8]>, line: usize) -> Result<[f64; 3], MeshError> {

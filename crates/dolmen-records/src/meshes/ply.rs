@@ -3,8 +3,9 @@
 //! The header names elements in the order of the body, each with its properties; what is neither place of a vertex nor list of
 //! a face is passed over.
 
-use super::mesh::{number, words};
+use super::mesh::{CORNERS_MOST, number, words};
 use super::{Mesh, MeshError};
+use crate::limits::line_end;
 
 #[derive(Clone, Copy, PartialEq)]
 enum Coding {
@@ -63,8 +64,8 @@ struct Header {
     lines: usize,
 }
 
-/// Most vertices of one face. Chosen here: more is a damaged file.
-const CORNERS_MOST: usize = 65_536;
+/// Most lines of a header. Chosen here: a hundred elements of a hundred properties are fewer.
+const HEADER_LINES_MOST: usize = 16_384;
 
 /// A mesh from the bytes of a PLY file.
 ///
@@ -79,7 +80,9 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
         coding: header.coding,
     };
     let mut mesh = Mesh::default();
-    let mut faces: Vec<(usize, Vec<f64>)> = Vec::new();
+    // faces may stand before the vertices
+    let of_vertices = header.elements.iter().filter(|element| element.name == b"vertex");
+    let vertices = of_vertices.fold(0, |sum: usize, element| sum.saturating_add(element.count));
     for element in &header.elements {
         let is_vertex = element.name == b"vertex";
         let is_face = element.name == b"face";
@@ -108,7 +111,14 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
                     vertex[axis] = values.first().copied().unwrap_or_default();
                 }
                 if is_face && matches!(&property.name[..], b"vertex_indices" | b"vertex_index") {
-                    faces.push((at, values));
+                    if values.is_empty() {
+                        return Err(MeshError::Byte {
+                            offset: body.at,
+                            what: "a face before here has no vertices",
+                        });
+                    }
+                    mesh.push_polygon(&corners(&values, vertices, at)?);
+                    mesh.refuse_expansion(bytes.len())?;
                 }
             }
             body.end_line()?;
@@ -123,23 +133,23 @@ pub fn read_ply(bytes: &[u8]) -> Result<Mesh, MeshError> {
             }
         }
     }
-    let vertices = mesh.vertices.len();
-    for (line, face) in faces {
-        let corner = |&value: &f64| {
-            let given = value as i64; // an integer by its type, or refused as text below
-            let index = usize::try_from(given)
-                .ok()
-                .filter(|&i| i < vertices && value.fract() == 0.0);
-            index.ok_or(MeshError::Vertex {
-                line,
-                given,
-                vertices,
-            })
-        };
-        let corners: Vec<usize> = face.iter().map(corner).collect::<Result<_, _>>()?;
-        mesh.push_polygon(&corners);
-    }
     mesh.checked()
+}
+
+/// The corners of a face, each of them a vertex.
+fn corners(values: &[f64], vertices: usize, line: usize) -> Result<Vec<usize>, MeshError> {
+    let corner = |&value: &f64| {
+        let given = value as i64; // an integer by its type, or refused as text below
+        let index = usize::try_from(given)
+            .ok()
+            .filter(|&i| i < vertices && value.fract() == 0.0);
+        index.ok_or(MeshError::Vertex {
+            line,
+            given,
+            vertices,
+        })
+    };
+    values.iter().map(corner).collect()
 }
 
 fn header(bytes: &[u8]) -> Result<Header, MeshError> {
@@ -153,6 +163,10 @@ fn header(bytes: &[u8]) -> Result<Header, MeshError> {
     let mut has_format = false;
     for line in bytes.split_inclusive(|&b| b == b'\n') {
         header.lines += 1;
+        line_end(line, header.lines)?;
+        if header.lines > HEADER_LINES_MOST {
+            return refuse(header.lines, "the header has more than 16384 lines");
+        }
         header.body += line.len();
         let words: Vec<&[u8]> = words(line).collect();
         match words[..] {
@@ -406,6 +420,13 @@ mod tests {
         assert!(says(text().replace("element face 3", "element face x").as_bytes()).starts_with("line 9"));
         assert!(says(b"ply\n").contains("no end_header"));
         assert!(says(text().replace("end_header", "end").as_bytes()).starts_with("line 12"));
+        let faces = text().replace("1 3 0 2 1", "1 0");
+        assert!(says(faces.as_bytes()).ends_with("a face before here has no vertices"));
+        let header = "ply\n".to_owned() + &"comment\n".repeat(20_000);
+        assert_eq!(
+            says(header.as_bytes()),
+            "line 16385: the header has more than 16384 lines"
+        );
         let huge = text().replace("element vertex 4", "element vertex 4000000000000");
         assert!(read_ply(huge.as_bytes()).is_err());
     }

@@ -1,5 +1,6 @@
 //! A mesh in whatever format it comes.
 
+use super::obj::is_vertex;
 use super::stl::binary_length;
 use super::{Mesh, MeshError, read_obj, read_ply, read_stl};
 
@@ -30,9 +31,7 @@ impl MeshFormat {
             return Some(MeshFormat::StlText);
         }
         let mut lines = bytes.split(|&b| b == b'\n');
-        lines
-            .any(|line| line.trim_ascii_start().starts_with(b"v "))
-            .then_some(MeshFormat::Obj)
+        lines.any(is_vertex).then_some(MeshFormat::Obj)
     }
 }
 

@@ -3,8 +3,9 @@
 //! Binary layout, little endian: 80 bytes of comment, number of triangles (u32), then 50 bytes each: normal and three
 //! corners (12 × f32), attribute (u16).
 
-use super::mesh::{number, words};
+use super::mesh::{Merging, number, words};
 use super::{Mesh, MeshError};
+use crate::limits::line_end;
 
 const HEAD: usize = 84;
 const TRIANGLE: usize = 50;
@@ -24,47 +25,43 @@ pub(super) fn binary_length(bytes: &[u8]) -> Option<u64> {
 pub fn read_stl(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let expected = binary_length(bytes);
     let is_text = bytes.trim_ascii_start().starts_with(b"solid") && expected != Some(bytes.len() as u64);
-    let mesh = if is_text {
-        text(bytes)?
-    } else {
-        let expected = expected.unwrap_or(HEAD as u64);
-        if expected > bytes.len() as u64 || bytes.len() < HEAD {
-            return Err(MeshError::Length {
-                expected,
-                held: bytes.len(),
-            });
-        }
-        binary(bytes, expected)?
-    };
-    mesh.merged().checked()
+    if is_text {
+        return text(bytes)?.merged().checked();
+    }
+    let expected = expected.unwrap_or(HEAD as u64);
+    if expected > bytes.len() as u64 || bytes.len() < HEAD {
+        return Err(MeshError::Length {
+            expected,
+            held: bytes.len(),
+        });
+    }
+    binary(bytes, expected)?.checked()
 }
 
+/// The triangles of a binary file; corners in exactly the same place are one.
 fn binary(bytes: &[u8], expected: u64) -> Result<Mesh, MeshError> {
-    let mut mesh = Mesh::default();
+    let mut merging = Merging::default();
     let end = usize::try_from(expected).unwrap_or(bytes.len());
     for (number, record) in bytes[HEAD..end].chunks_exact(TRIANGLE).enumerate() {
-        let from = mesh.vertices.len();
-        for corner in record[12..48].chunks_exact(12) {
-            let value = |at: usize| {
-                f64::from(f32::from_le_bytes([
-                    corner[at],
-                    corner[at + 1],
-                    corner[at + 2],
-                    corner[at + 3],
-                ]))
-            };
-            let place = [value(0), value(4), value(8)];
-            if !place.iter().all(|v| v.is_finite()) {
-                return Err(MeshError::Byte {
-                    offset: HEAD + TRIANGLE * number,
-                    what: "a corner of a triangle is not finite",
-                });
-            }
-            mesh.vertices.push(place);
+        let value = |at: usize| {
+            f64::from(f32::from_le_bytes([
+                record[at],
+                record[at + 1],
+                record[at + 2],
+                record[at + 3],
+            ]))
+        };
+        let corners = [12, 24, 36].map(|at| [value(at), value(at + 4), value(at + 8)]);
+        if !corners.iter().flatten().all(|v| v.is_finite()) {
+            return Err(MeshError::Byte {
+                offset: HEAD + TRIANGLE * number,
+                what: "a corner of a triangle is not finite",
+            });
         }
-        mesh.triangles.push([from, from + 1, from + 2]);
+        let triangle = corners.map(|corner| merging.place(corner));
+        merging.push(triangle);
     }
-    Ok(mesh)
+    Ok(merging.mesh)
 }
 
 fn text(bytes: &[u8]) -> Result<Mesh, MeshError> {
@@ -72,6 +69,7 @@ fn text(bytes: &[u8]) -> Result<Mesh, MeshError> {
     let mut loop_from = 0;
     for (at, line) in bytes.split(|&b| b == b'\n').enumerate() {
         let line_number = at + 1;
+        line_end(line, line_number)?;
         let mut words = words(line);
         match words.next() {
             Some(b"vertex") => {

@@ -1,5 +1,6 @@
 //! Why a motion cannot be read.
 
+use crate::quoted::{listed, shown};
 use crate::records::RecordError;
 use crate::seismic::SeismicError;
 use dolmen::signal::SignalError;
@@ -25,7 +26,8 @@ pub enum MotionError {
     NoUnit,
     /// The unit measures something else.
     #[error(
-        "the unit \"{given}\" is not one of acceleration: give g, gal, m/s2, cm/s2, mm/s2 or mg, and a file of accelerations"
+        "the unit \"{given}\" is not one of acceleration: give g, gal, m/s2, cm/s2, mm/s2 or mg, and a file of accelerations",
+        given = shown(given)
     )]
     NotAcceleration {
         /// The unit.
@@ -76,7 +78,7 @@ pub enum MotionError {
         given: f64,
     },
     /// Several columns beside the time.
-    #[error("the file has {} columns of numbers ({}): name the one to read as channel", names.len(), names.join(", "))]
+    #[error("the file has {} columns of numbers ({}): name the one to read as channel", names.len(), listed(names))]
     Columns {
         /// Their names.
         names: Vec<String>,
@@ -118,7 +120,8 @@ pub enum MotionError {
     },
     /// A sample is NaN or infinite.
     #[error(
-        "channel \"{channel}\": sample {sample} (from 0) is not a finite number: cut the file there, or leave the channel out"
+        "channel \"{channel}\": sample {sample} (from 0) is not a finite number: cut the file there, or leave the channel out",
+        channel = shown(channel)
     )]
     NotFinite {
         /// The channel.
@@ -129,7 +132,8 @@ pub enum MotionError {
     /// The peak of the samples is not the one that the header states.
     #[error(
         "channel \"{channel}\": the header says that the peak is {stated} {unit}, but that of the samples is {found:.6}: they \
-         were damaged or changed; download the file again, or say stated_peak = ignore if you know why"
+         were damaged or changed; download the file again, or say stated_peak = ignore if you know why",
+        channel = shown(channel)
     )]
     StatedPeak {
         /// The channel.
@@ -144,7 +148,7 @@ pub enum MotionError {
     /// A channel is to be chosen.
     #[error(
         "{}the file has {} channels ({}): name one, or give its number",
-        given.as_ref().map(|name| format!("there is no channel \"{name}\": ")).unwrap_or_default(), names.len(), names.join(", ")
+        given.as_ref().map(|name| format!("there is no channel \"{}\": ", shown(name))).unwrap_or_default(), names.len(), listed(names)
     )]
     Channels {
         /// The name asked for.

@@ -4,6 +4,7 @@ use super::csv::refuse_counts;
 use super::lost_samples::keep_longest;
 use super::series::{Found, Series};
 use super::{ChannelsLayout, Column, FileUnit, FoundChannel, Layout, Reading, RecordError, RecordOptions};
+use crate::limits::refuse_channels;
 use crate::unit::Unit;
 use dolmen::signal::{Channel, Join, Piece, Processing, Quantity, Record, join, scale};
 use std::collections::BTreeSet;
@@ -13,6 +14,7 @@ const RATE_TOLERANCE: f64 = 1e-4;
 
 /// One record of the channels wanted of a file, in SI.
 pub(super) fn assembled(found: Found, options: &RecordOptions) -> Result<Reading, RecordError> {
+    refuse_channels(found.format.name(), found.series.len())?;
     if options.picks.is_empty() {
         for one in &found.series {
             let channel = [Channel::named(one.name.clone())];

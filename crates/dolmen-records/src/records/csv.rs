@@ -12,6 +12,7 @@ use super::{
     Column, CsvLayout, Delimiter, Layout, RateSource, Reading, RecordError, RecordOptions, TimeColumn,
 };
 use crate::number::{Number, parse_cell, scan};
+use crate::quoted::shown;
 use dolmen::signal::{Channel, Processing, Record, SignalError};
 
 /// Lines turned from row order into channel order at a time: few enough for a first-level cache, many enough that each
@@ -179,7 +180,8 @@ fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError
         }
         Column::Named(name) => name,
     };
-    let mut found = columns.iter().enumerate().filter(|(_, c)| *c == given);
+    let name = shown(given); // as the names of columns are kept
+    let mut found = columns.iter().enumerate().filter(|(_, c)| **c == name);
     match (found.next(), found.count()) {
         (Some((at, _)), 0) => Ok(at),
         (Some(_), more) => Err(RecordError::AmbiguousColumn {
@@ -187,7 +189,7 @@ fn find_column(columns: &[String], column: &Column) -> Result<usize, RecordError
             count: more + 1,
         }),
         (None, _) => {
-            let similar = |c: &String| strsim::jaro_winkler(&c.to_lowercase(), &given.to_lowercase());
+            let similar = |c: &String| strsim::jaro_winkler(&c.to_lowercase(), &name.to_lowercase());
             let nearest = columns.iter().max_by(|a, b| similar(a).total_cmp(&similar(b)));
             Err(RecordError::UnknownColumn {
                 given: given.clone(),
@@ -281,7 +283,7 @@ impl Table {
         let mut stamps = plan.time.map(|t| Spans::new(t.unit_s, given_hz, lost_samples));
         let (mut rows, mut flushed) = (0, 0);
         let (mut at, mut number) = (start.samples_at, start.samples_line);
-        while let Some(line) = line_at(bytes, at, number) {
+        while let Some(line) = line_at(bytes, at, number)? {
             (at, number) = (line.next, number + 1);
             if !holds_cells(line.text) {
                 continue;
@@ -451,7 +453,7 @@ impl LineReader<'_> {
     }
 
     fn cells(&self) -> usize {
-        self.start.delimiter.cells(self.text).len()
+        self.start.delimiter.count(self.text)
     }
 
     #[cold]

@@ -1,8 +1,11 @@
 //! How a CSV file is laid out: found out from its first lines.
 
 use super::dialect::{Line, holds_cells, line_at, unquoted};
+use super::not_a_table::refuse_other_text;
 use super::{Decimal, Delimiter, Header, RecordError, RecordOptions};
+use crate::limits::{CHANNELS_MOST, LimitError};
 use crate::number::parse_cell;
+use crate::quoted::shown;
 
 /// Lines looked at to find the delimiter out.
 const LINES_LOOKED_AT: usize = 20;
@@ -30,8 +33,8 @@ impl Start {
     pub(super) fn find(bytes: &[u8], options: &RecordOptions) -> Result<Self, RecordError> {
         let (mut at, mut number) = (0, 1);
         let mut lines = Vec::with_capacity(LINES_LOOKED_AT);
-        while let Some(line) = line_at(bytes, at, number)
-            && lines.len() < LINES_LOOKED_AT
+        while lines.len() < LINES_LOOKED_AT
+            && let Some(line) = line_at(bytes, at, number)?
         {
             if number > options.skip_lines && holds_cells(line.text) {
                 lines.push(line);
@@ -40,10 +43,17 @@ impl Start {
         }
         lines.first().ok_or(RecordError::Empty)?;
         let (delimiter, decimal) = detect(&lines, options);
+        for line in &lines {
+            refuse_wide(delimiter.count(line.text), line.number)?;
+        }
         let passed_over = match options.header {
             Header::Absent => 0,
             Header::Present | Header::Detect => above_names(&lines, delimiter, decimal),
         };
+        // names alone are not quoted
+        if lines.len() > passed_over + 1 || options.header == Header::Absent {
+            refuse_other_text(&lines, passed_over + 1, (delimiter, decimal))?;
+        }
         let first = lines[passed_over];
         let is_number = |cell: &&[u8]| parse_cell(unquoted(cell), decimal.byte()).is_some();
         let mut names = delimiter.cells(first.text);
@@ -86,7 +96,8 @@ impl Start {
         let mut names_unread = false;
         let columns = (1..=count).map(|n| match has_header {
             true if !unquoted(names[n - 1]).is_empty() => match std::str::from_utf8(unquoted(names[n - 1])) {
-                Ok(name) => name.to_owned(),
+                // zeros fill names of fixed width
+                Ok(name) => shown(name.trim_matches(char::is_control)),
                 Err(_) => {
                     names_unread = true;
                     of_euc_kr(unquoted(names[n - 1])).map_or_else(|| format!("ch{n}"), str::to_owned)
@@ -110,6 +121,18 @@ impl Start {
             samples_at: samples.at,
             samples_line: samples.number,
         })
+    }
+}
+
+/// Refuses more columns than any recorder has; one more may be the delimiter that ends every line.
+fn refuse_wide(found: usize, line: usize) -> Result<(), LimitError> {
+    match found.saturating_sub(1) <= CHANNELS_MOST {
+        true => Ok(()),
+        false => Err(LimitError::Columns {
+            line,
+            found,
+            most: CHANNELS_MOST,
+        }),
     }
 }
 
@@ -248,5 +271,86 @@ pub(super) fn time_name(name: &[u8]) -> TimeName {
             _ => TimeName::Unclear,
         },
         _ => TimeName::No,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::records::{RecordOptions, read_csv, read_record};
+
+    fn refusal(bytes: &[u8]) -> String {
+        let options = RecordOptions {
+            sampling_rate_hz: Some(100.0),
+            ..Default::default()
+        };
+        read_csv(bytes, &options).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn refuses_a_line_of_megabytes() {
+        let said = |count: usize| {
+            format!(
+                "line 1 has {count} bytes, but at most 1048576 are read: write one line a sample, or a face of a mesh; are rows and columns swapped?"
+            )
+        };
+        assert_eq!(refusal(&b"1,".repeat(2_000_000)), said(4_000_000));
+        assert_eq!(refusal(&vec![b'7'; 4_000_000]), said(4_000_000));
+        assert_eq!(refusal(&vec![0; 4_000_000]), said(4_000_000));
+        let late = [b"1,2\n".repeat(100), b"1,".repeat(2_000_000), b"\n".to_vec()].concat();
+        assert!(refusal(&late).starts_with("line 101 has 4000000 bytes"));
+    }
+
+    #[test]
+    fn refuses_more_columns_than_any_recorder_has() {
+        let wide = |count: usize| format!("{}1\n", "1,".repeat(count - 1)).repeat(3);
+        assert_eq!(
+            refusal(wide(5000).as_bytes()),
+            "line 1 holds 5000 cells, but at most 4096 are read, more than any recorder has: are rows and columns swapped? write one line a \
+             sample"
+        );
+        let record = read_csv(
+            wide(4096).as_bytes(),
+            &RecordOptions {
+                sampling_rate_hz: Some(100.0),
+                ..Default::default()
+            },
+        );
+        assert_eq!(record.unwrap().record.channels().len(), 4096);
+        // one wide line among others is told with its number of cells
+        let ragged = format!("1,2\n3,4\n{}1\n", "1,".repeat(9999));
+        assert!(
+            refusal(ragged.as_bytes()).starts_with("line 3 holds 10000 cells, but"),
+            "{}",
+            refusal(ragged.as_bytes())
+        );
+    }
+
+    #[test]
+    fn holds_what_is_quoted_is_short_and_harmless() {
+        let name = format!("x\u{1b}]0;{}\0", "long ".repeat(100));
+        let text = format!("time,{name}\n0.00,1\n0.01,{}\n", "\u{1b}[2J".repeat(100));
+        let said = read_record(text.as_bytes(), &RecordOptions::default())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            said.starts_with("line 3, column \"x\\u{1b}]0;long long"),
+            "{said}"
+        );
+        assert!(said.chars().count() < 600 && !said.contains('\u{1b}'), "{said}");
+        let names: Vec<String> = (1..=300).map(|n| format!("sensor {n}")).collect();
+        let numbers: Vec<String> = (1..=300).map(|n| (n * n % 7).to_string()).collect();
+        let text = format!(
+            "{}\n{}\n{}\n",
+            names.join(","),
+            numbers.join(","),
+            numbers.join(",")
+        );
+        let said = read_record(text.as_bytes(), &RecordOptions::default())
+            .unwrap_err()
+            .to_string();
+        assert!(
+            said.contains("sensor 19, sensor 20 and 280 more); give sampling_rate"),
+            "{said}"
+        );
     }
 }

@@ -1,7 +1,11 @@
 //! What parts a text in columns: lines, delimiters, decimal signs, quotes.
 
+use crate::limits::{CHANNELS_MOST, LimitError, line_end};
+
 /// Lines that begin with this hold no samples.
 const COMMENT: u8 = b'#';
+/// The columns that are read, and the delimiter that ends every line of some files.
+const CELLS_MOST: usize = CHANNELS_MOST + 1;
 
 /// What stands between two cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,19 +44,27 @@ impl Delimiter {
         byte == self.byte() || (self == Delimiter::WhiteSpace && byte == b'\t')
     }
 
-    /// The cells of one line, quotes kept, blanks around them taken off. A delimiter within quotes parts nothing.
+    /// The cells of one line, quotes kept, blanks around them taken off; the first of more than any line may have. A delimiter within
+    /// quotes parts nothing.
     pub(super) fn cells(self, line: &[u8]) -> Vec<&[u8]> {
+        self.parted(line).take(CELLS_MOST).collect()
+    }
+
+    /// How many cells a line has.
+    pub(super) fn count(self, line: &[u8]) -> usize {
+        self.parted(line).count()
+    }
+
+    fn parted(self, line: &[u8]) -> impl Iterator<Item = &[u8]> {
         let mut quoted = false;
-        let cells = line.split(|b| {
+        let cells = line.split(move |b| {
             quoted ^= *b == b'"';
             !quoted && self.is(*b)
         });
-        let cells = cells.map(<[u8]>::trim_ascii);
-        if self == Delimiter::WhiteSpace {
-            cells.filter(|cell| !cell.is_empty()).collect()
-        } else {
-            cells.collect()
-        }
+        let empty_ones = self != Delimiter::WhiteSpace;
+        cells
+            .map(<[u8]>::trim_ascii)
+            .filter(move |cell| empty_ones || !cell.is_empty())
     }
 }
 
@@ -88,20 +100,25 @@ pub(super) struct Line<'a> {
 }
 
 /// The line that begins at `at`; `None` at the end of the file.
+///
+/// # Errors
+/// [`LimitError::Line`].
 #[inline]
-pub(super) fn line_at(bytes: &[u8], at: usize, number: usize) -> Option<Line<'_>> {
-    let rest = bytes.get(at..).filter(|r| !r.is_empty())?;
-    let (text, next, ended) = match memchr::memchr(b'\n', rest) {
+pub(super) fn line_at(bytes: &[u8], at: usize, number: usize) -> Result<Option<Line<'_>>, LimitError> {
+    let Some(rest) = bytes.get(at..).filter(|r| !r.is_empty()) else {
+        return Ok(None);
+    };
+    let (text, next, ended) = match line_end(rest, number)? {
         Some(end) => (&rest[..end], at + end + 1, true),
         None => (rest, bytes.len(), false),
     };
-    Some(Line {
+    Ok(Some(Line {
         number,
         at,
         text: text.strip_suffix(b"\r").unwrap_or(text),
         next,
         ended,
-    })
+    }))
 }
 
 /// Whether a line holds cells: it is neither blank nor a comment.

@@ -1,10 +1,12 @@
 //! Why a record cannot be read.
 
+use super::not_a_table::NotATable;
+use crate::limits::LimitError;
+use crate::quoted::{listed, shown};
 use crate::seismic::SeismicError;
 use dolmen::signal::SignalError;
 
-/// Why the bytes of a file are no record. Each variant says where in the file and what to do. Lines are counted from 1, as
-/// editors do, columns too.
+/// Why the bytes of a file are no record. Each variant says where in the file and what to do. Lines and columns are counted from 1.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum RecordError {
     /// No bytes, or nothing but empty lines and comments.
@@ -25,13 +27,17 @@ pub enum RecordError {
         /// The line.
         line: usize,
     },
+    /// No table of numbers: nothing of it is quoted.
+    #[error(transparent)]
+    NotATable(#[from] NotATable),
     /// Text of two bytes a letter.
     #[error("the file is UTF-16 text: save it as UTF-8 (\"CSV UTF-8\" in spreadsheets)")]
     Utf16,
     /// The unit is not one of [`Unit`](super::Unit).
     #[error(
         "the unit \"{given}\" is not known: write m/s2, cm/s2 (gal), mm/s2, g, mg, m/s, cm/s, mm/s, um/s, m, cm, mm, or \
-         \"unknown\" to keep the numbers as they are"
+         \"unknown\" to keep the numbers as they are",
+        given = shown(given)
     )]
     UnknownUnit {
         /// The text given.
@@ -39,7 +45,8 @@ pub enum RecordError {
     },
     /// A cell is no number.
     #[error(
-        "line {line}, column \"{column}\": \"{text}\" is not a number; correct it, leave the column out, or cut the file"
+        "line {line}, column \"{column}\": \"{text}\" is not a number; correct it, leave the column out, or cut the file",
+        column = shown(column), text = shown(text)
     )]
     NotANumber {
         /// Line of the file.
@@ -52,7 +59,8 @@ pub enum RecordError {
     /// A time stamp is a date or other text.
     #[error(
         "line {line}, column \"{column}\": the time stamp \"{text}\" is not a number of seconds: give sampling_rate and name \
-         the columns to read, then the first and the last date are held against that rate"
+         the columns to read, then the first and the last date are held against that rate",
+        column = shown(column), text = shown(text)
     )]
     TimeText {
         /// Line of the file.
@@ -65,7 +73,8 @@ pub enum RecordError {
     /// A cell holds nothing.
     #[error(
         "line {line}, column \"{column}\" is empty: a sample is missing; cut the file before or after it, or leave the \
-         column out"
+         column out",
+        column = shown(column)
     )]
     EmptyCell {
         /// Line of the file.
@@ -76,7 +85,8 @@ pub enum RecordError {
     /// A cell holds NaN or infinity.
     #[error(
         "line {line}, column \"{column}\" holds {text}: a sample is missing; cut the file before or after it, or leave \
-         the column out"
+         the column out",
+        column = shown(column), text = shown(text)
     )]
     NotFinite {
         /// Line of the file.
@@ -87,7 +97,11 @@ pub enum RecordError {
         text: String,
     },
     /// A column is named that is not there.
-    #[error("there is no column \"{given}\"{}; the file has {}", nearest.as_ref().map_or(String::new(), |n| format!(" (did you mean \"{n}\"?)")), names.join(", "))]
+    #[error(
+        "there is no column \"{given}\"{}; the file has {names}",
+        nearest.as_ref().map_or(String::new(), |n| format!(" (did you mean \"{}\"?)", shown(n))),
+        given = shown(given), names = listed(names)
+    )]
     UnknownColumn {
         /// The name asked for.
         given: String,
@@ -106,7 +120,8 @@ pub enum RecordError {
     },
     /// A column is asked for twice.
     #[error(
-        "column \"{column}\" is read twice, as \"{first}\" and as \"{second}\": give each channel its own column"
+        "column \"{column}\" is read twice, as \"{first}\" and as \"{second}\": give each channel its own column",
+        column = shown(column), first = shown(first), second = shown(second)
     )]
     PickedTwice {
         /// The column.
@@ -117,7 +132,10 @@ pub enum RecordError {
         second: String,
     },
     /// Two columns have one name, and one of them is asked for by it.
-    #[error("{count} columns are named \"{given}\": ask for the one you mean by its number")]
+    #[error(
+        "{count} columns are named \"{given}\": ask for the one you mean by its number",
+        given = shown(given)
+    )]
     AmbiguousColumn {
         /// The name asked for.
         given: String,
@@ -140,16 +158,19 @@ pub enum RecordError {
         last: bool,
     },
     /// Only a time column.
-    #[error("the file holds only the time column \"{column}\": there is nothing to read")]
+    #[error(
+        "the file holds only the time column \"{column}\": there is nothing to read",
+        column = shown(column)
+    )]
     OnlyTime {
         /// Name of the time column.
         column: String,
     },
     /// Neither a rate nor a time column.
     #[error(
-        "the sampling rate is not known: no column is named time or t (the columns are {}); give sampling_rate, or name \
+        "the sampling rate is not known: no column is named time or t (the columns are {names}); give sampling_rate, or name \
          the time column",
-        names.join(", ")
+        names = listed(names)
     )]
     NoRate {
         /// The names of the columns.
@@ -161,7 +182,8 @@ pub enum RecordError {
     /// A channel that looks like time stamps.
     #[error(
         "column \"{column}\" rises by {step} from each line to the next, as time stamps or a line count do, not as a \
-         sensor: name it as the time column, or name the columns to read"
+         sensor: name it as the time column, or name the columns to read",
+        column = shown(column)
     )]
     LooksLikeTime {
         /// The column.
@@ -172,7 +194,8 @@ pub enum RecordError {
     /// Dates contradict the rate given.
     #[error(
         "sampling_rate is {given}, but column \"{column}\" goes from {first} to {last} in {samples} samples, which is {dates_hz:.3} Hz: correct \
-         the rate, or cut the file where samples are missing"
+         the rate, or cut the file where samples are missing",
+        column = shown(column), first = shown(first), last = shown(last)
     )]
     DatesDisagree {
         /// The rate given, Hz.
@@ -191,7 +214,8 @@ pub enum RecordError {
     /// The name of the time column holds a unit that is not known.
     #[error(
         "column \"{column}\" looks like time stamps in a unit that is not s, ms or us: name it as the time column if it \
-         is in seconds, or say that there is none and give sampling_rate"
+         is in seconds, or say that there is none and give sampling_rate",
+        column = shown(column)
     )]
     TimeUnit {
         /// Name of the column.
@@ -200,7 +224,8 @@ pub enum RecordError {
     /// Time stamps too far apart for seconds.
     #[error(
         "the time stamps of column \"{column}\" lie {step} apart: as seconds that is no rate of a vibration; if they are milliseconds, give \
-         sampling_rate = \"{milliseconds_hz:.4} Hz\" or name the column \"time [ms]\"; if they are seconds, \"time [s]\""
+         sampling_rate = \"{milliseconds_hz:.4} Hz\" or name the column \"time [ms]\"; if they are seconds, \"time [s]\"",
+        column = shown(column)
     )]
     SlowStamps {
         /// Name of the column.
@@ -286,14 +311,18 @@ pub enum RecordError {
         bytes: usize,
     },
     /// The header of the NPY file cannot be understood.
-    #[error("the header of the NPY file cannot be understood: \"{text}\"; save it again with numpy.save")]
+    #[error(
+        "the header of the NPY file cannot be understood: \"{text}\"; save it again with numpy.save",
+        text = shown(text)
+    )]
     NpyHeader {
         /// The header, at most 200 characters of it.
         text: String,
     },
     /// Values of another type.
     #[error(
-        "the NPY file holds values of type \"{given}\", but f4, f8, i2, i4 and i8 can be read: save array.astype(\"f8\")"
+        "the NPY file holds values of type \"{given}\", but f4, f8, i2, i4 and i8 can be read: save array.astype(\"f8\")",
+        given = shown(given)
     )]
     NpyType {
         /// The type, as NumPy writes it.
@@ -301,8 +330,9 @@ pub enum RecordError {
     },
     /// An array of no or more than two axes.
     #[error(
-        "the array of the NPY file has shape {shape:?}, but must have 1 axis (samples) or 2 (samples and channels): save \
-         one setup a file"
+        "the array of the NPY file has shape [{shape}], but must have 1 axis (samples) or 2 (samples and channels): save \
+         one setup a file",
+        shape = listed(&shape.iter().map(usize::to_string).collect::<Vec<_>>())
     )]
     NpyShape {
         /// The shape.
@@ -329,7 +359,8 @@ pub enum RecordError {
     },
     /// A column of an NPY file is asked for by name.
     #[error(
-        "column \"{given}\" is asked for by name, but an NPY file has no names: ask for it by its number, 1 to {columns}"
+        "column \"{given}\" is asked for by name, but an NPY file has no names: ask for it by its number, 1 to {columns}",
+        given = shown(given)
     )]
     NpyNamed {
         /// The name asked for.
@@ -369,16 +400,19 @@ pub enum RecordError {
     },
     /// The file is not of the format that the project names.
     #[error(
-        "the file is not of the format {format}: it begins with {begins}; correct format, or leave it out"
+        "the file is not of the format {format}: it begins like {begins}; correct format, or leave it out"
     )]
     NotOfFormat {
         /// The format named.
         format: &'static str,
-        /// Its first bytes.
+        /// What it begins like: "a miniseed file", "text", "no text". Its text is not quoted, since it may be any file.
         begins: String,
     },
     /// A line of a text file is not what the format has there.
-    #[error("line {line}: \"{text}\" is not {wanted}: the {format} file was cut or edited; copy it again")]
+    #[error(
+        "line {line}: \"{text}\" is not {wanted}: the {format} file was cut or edited; copy it again",
+        text = shown(text)
+    )]
     LineIsNot {
         /// Its format.
         format: &'static str,
@@ -424,7 +458,8 @@ pub enum RecordError {
     /// Blocks of a channel do not follow one another.
     #[error(
         "channel {channel}: a block begins {found_s} s after the first, but the samples before it end at {expected_s} s: there is \
-         a gap or an overlap; cut the file there"
+         a gap or an overlap; cut the file there",
+        channel = shown(channel)
     )]
     Gap {
         /// The channel.
@@ -435,7 +470,10 @@ pub enum RecordError {
         found_s: f64,
     },
     /// A variable of a MAT file contradicts the others.
-    #[error("the variable {name} of the MAT file {what}: correct it, or leave it out")]
+    #[error(
+        "the variable {name} of the MAT file {what}: correct it, or leave it out",
+        name = shown(name)
+    )]
     Variable {
         /// The variable.
         name: String,
@@ -451,7 +489,8 @@ pub enum RecordError {
     /// A unit is given for numbers that are in another.
     #[error(
         "channel \"{channel}\": unit is \"{given}\", but the {format} file says that its numbers are in \"{found}\": give scale = \
-         what one of them is worth in {given} (1 if they are in {given} already), or leave unit out"
+         what one of them is worth in {given} (1 if they are in {given} already), or leave unit out",
+        channel = shown(channel), found = shown(found)
     )]
     NoScale {
         /// Format of the file.
@@ -465,7 +504,8 @@ pub enum RecordError {
     },
     /// The unit given is not that of the file.
     #[error(
-        "channel \"{channel}\": unit is \"{given}\", but the file says \"{found}\": correct it, or leave it out"
+        "channel \"{channel}\": unit is \"{given}\", but the file says \"{found}\": correct it, or leave it out",
+        channel = shown(channel)
     )]
     UnitDisagrees {
         /// The channel.
@@ -491,12 +531,16 @@ pub enum RecordError {
     },
     /// A start is given for a file that says its own.
     #[error(
-        "begins is given for {file}, but the file says itself when it begins: leave begins out, or correct the clock in the file"
+        "begins is given for {file}, but the file says itself when it begins: leave begins out, or correct the clock in the file",
+        file = shown(file)
     )]
     TwoStarts {
         /// The file.
         file: String,
     },
+    /// The file asks too much of the reader.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
     /// A file of a seismic station is refused.
     #[error(transparent)]
     Seismic(Box<SeismicError>),

@@ -17,6 +17,8 @@ use super::cursor::{Cursor, Number};
 use super::series::{Found, Series};
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
+use crate::limits::refuse_channels;
+use std::collections::BTreeMap;
 
 const FORMAT: &str = "gcf";
 const BLOCK: usize = 1024;
@@ -49,6 +51,11 @@ pub(super) fn is_gcf(bytes: &[u8]) -> bool {
     whole
         && Block::read(&mut cursor)
             .is_ok_and(|block| block.rate_hz == 0.0 || block.samples(&mut cursor).is_ok())
+}
+
+/// Whether a block can begin here.
+pub(super) fn has_header(bytes: &[u8]) -> bool {
+    Block::read(&mut Cursor::new(bytes, FORMAT).ordered(true)).is_ok()
 }
 
 /// The header of a block.
@@ -129,7 +136,7 @@ fn letters(mut code: u32) -> String {
 
 pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     let mut cursor = Cursor::new(bytes, FORMAT).ordered(true);
-    let mut streams: Vec<((u32, u32), Series)> = Vec::new();
+    let mut streams = Streams::default();
     let mut texts = 0;
     while cursor.left() > 0 {
         let at = cursor.at();
@@ -138,54 +145,85 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
             texts += 1;
         } else {
             let samples = block.samples(&mut cursor)?;
-            joined(&mut streams, &block, samples)?;
+            streams.join(&block, samples)?;
         }
         cursor.go(at + BLOCK)?;
     }
-    if streams.is_empty() {
+    if streams.series.is_empty() {
         return Err(cursor.damaged("no block holds samples"));
     }
     let note = (texts > 0).then(|| format!("{texts} blocks of text of the recorder were passed over"));
     Ok(Found {
         format: RecordFormat::Gcf,
-        series: streams.into_iter().map(|(_, series)| series).collect(),
+        series: streams.series,
         notes: note.into_iter().collect(),
     })
 }
 
-/// Appends a block to its stream; says where there is a gap, and refuses an overlap.
-fn joined(
-    streams: &mut Vec<((u32, u32), Series)>,
-    block: &Block,
-    samples: Vec<f64>,
-) -> Result<(), RecordError> {
-    let key = (block.system, block.stream);
-    let Some((_, known)) = streams.iter_mut().find(|(other, _)| *other == key) else {
-        let series = Series {
-            sampling_rate_hz: Some(block.rate_hz),
-            unit: FileUnit::Other("counts".to_owned()),
-            begins_s: Some(block.begins_s),
-            ..Series::new(letters(block.stream), samples)
+/// The streams of a file in the order of their first blocks.
+#[derive(Default)]
+struct Streams {
+    series: Vec<Series>,
+    /// Which is that of a system and a stream.
+    places: BTreeMap<(u32, u32), usize>,
+}
+
+impl Streams {
+    /// Appends a block to its stream; says where there is a gap, and refuses an overlap.
+    fn join(&mut self, block: &Block, samples: Vec<f64>) -> Result<(), RecordError> {
+        let place = *self
+            .places
+            .entry((block.system, block.stream))
+            .or_insert(self.series.len());
+        let Some(known) = self.series.get_mut(place) else {
+            refuse_channels(FORMAT, place + 1)?;
+            self.series.push(Series {
+                sampling_rate_hz: Some(block.rate_hz),
+                unit: FileUnit::Other("counts".to_owned()),
+                begins_s: Some(block.begins_s),
+                ..Series::new(letters(block.stream), samples)
+            });
+            return Ok(());
         };
-        streams.push((key, series));
-        return Ok(());
-    };
-    let expected_s = known.end_s();
-    let found_s = block.begins_s - known.begins_s.unwrap_or(block.begins_s);
-    let most_s = GAP_STEPS / block.rate_hz;
-    if found_s < expected_s - most_s || known.sampling_rate_hz != Some(block.rate_hz) {
-        return Err(RecordError::Gap {
-            channel: known.name.clone(),
-            expected_s,
-            found_s,
-        });
+        let expected_s = known.end_s();
+        let found_s = block.begins_s - known.begins_s.unwrap_or(block.begins_s);
+        let most_s = GAP_STEPS / block.rate_hz;
+        if found_s < expected_s - most_s || known.sampling_rate_hz != Some(block.rate_hz) {
+            return Err(RecordError::Gap {
+                channel: known.name.clone(),
+                expected_s,
+                found_s,
+            });
+        }
+        if found_s > expected_s + most_s {
+            known.breaks.push(Break {
+                at: known.samples.len(),
+                begins_s: found_s,
+            });
+        }
+        known.samples.extend(samples);
+        Ok(())
     }
-    if found_s > expected_s + most_s {
-        known.breaks.push(Break {
-            at: known.samples.len(),
-            begins_s: found_s,
-        });
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_more_streams_than_a_recorder_has() {
+        let block = |stream: u32| {
+            let mut block = vec![0; BLOCK];
+            block[4..8].copy_from_slice(&stream.to_be_bytes());
+            block[13..16].copy_from_slice(&[100, 1, 1]);
+            block
+        };
+        let bytes: Vec<u8> = (0..5000).flat_map(block).collect();
+        assert!(
+            read(&bytes)
+                .unwrap_err()
+                .to_string()
+                .starts_with("the gcf file holds more than 4096 channels")
+        );
     }
-    known.samples.extend(samples);
-    Ok(())
 }

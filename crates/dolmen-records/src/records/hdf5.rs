@@ -13,57 +13,97 @@
 
 use super::RecordError;
 use super::cursor::Cursor;
-use super::hdf5_data::values;
-use super::hdf5_file::{FORMAT, File, NOWHERE, superblock};
-use super::hdf5_objects::{Message, Object, messages};
-use super::mat_elements::Matrix;
+use super::hdf5_data::{unpacked_bytes, values};
+use super::hdf5_file::{FORMAT, File, NOWHERE, Unvisited, superblock};
+use super::hdf5_objects::{Message, Object, Stored, messages};
+use super::mat_elements::{Matrix, is_wanted, refuse_expansion};
+use crate::limits::{PARTS_MOST, refuse_parts};
+use crate::quoted::shown;
 
 const SYMBOL_TABLE: u16 = 0x11;
 const LINK: u16 = 0x06;
 const LINK_INFO: u16 = 0x02;
+/// Most bytes of a name. Chosen here: MATLAB's have 63 letters.
+const NAME_BYTES: usize = 4096;
 
-/// The real numeric matrices of two dimensions, and the names of everything else.
+/// A variable whose numbers are still to be read.
+struct Variable<'a> {
+    name: String,
+    rows: usize,
+    columns: usize,
+    stored: Stored,
+    object: Object<'a>,
+}
+
+/// The real numeric matrices of two dimensions, and the names of everything else. Only what a record needs is read.
 pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), RecordError> {
     let (file, root) = superblock(bytes)?;
-    let (mut found, mut passed) = (Vec::new(), Vec::new());
-    for (name, address) in members(&file, root)? {
+    let mut unvisited = Unvisited::new(&file);
+    let (mut variables, mut passed) = (Vec::new(), Vec::new());
+    for (name, address) in members(&file, root, &mut unvisited)? {
         // what MATLAB keeps of cells and objects
         if name.starts_with('#') {
             continue;
         }
-        let object = Object::of(&messages(&file, address)?)?;
-        match variable(&file, &object)? {
-            Ok((rows, columns, values)) => found.push(Matrix {
+        let object = Object::of(&messages(&file, address, &mut unvisited)?)?;
+        match shape(&object) {
+            Ok((rows, columns, stored)) => variables.push(Variable {
                 name,
                 rows,
                 columns,
-                values,
+                stored,
+                object,
             }),
             Err(why) => passed.push(format!("{name} ({why})")),
         }
+    }
+    let samples = variables.iter().map(|v| v.rows.max(v.columns)).max().unwrap_or(0);
+    let wanted = |v: &Variable| is_wanted([v.rows, v.columns], samples);
+    let unpacked = variables
+        .iter()
+        .filter(|v| wanted(v))
+        .map(|v| unpacked_bytes(&v.object, v.stored, [v.columns, v.rows]));
+    refuse_expansion(bytes.len(), unpacked.fold(0, u64::saturating_add))?;
+    let mut found = Vec::with_capacity(variables.len());
+    for variable in variables {
+        let values = match wanted(&variable) {
+            true => {
+                let Variable {
+                    rows,
+                    columns,
+                    stored,
+                    object,
+                    ..
+                } = &variable;
+                values(&file, object, *stored, [*columns, *rows], &mut unvisited)?
+            }
+            false => Vec::new(),
+        };
+        found.push(Matrix {
+            name: variable.name,
+            rows: variable.rows,
+            columns: variable.columns,
+            values,
+        });
     }
     Ok((found, passed))
 }
 
 /// Names and addresses of the members of a group.
-fn members(file: &File, group: u64) -> Result<Vec<(String, u64)>, RecordError> {
+fn members(file: &File, group: u64, unvisited: &mut Unvisited) -> Result<Vec<(String, u64)>, RecordError> {
     let mut found = Vec::new();
-    for Message { sort, data } in messages(file, group)? {
+    for Message { sort, data } in messages(file, group, unvisited)? {
         let mut cursor = Cursor::new(data, FORMAT);
         match sort {
             SYMBOL_TABLE => {
                 let (tree, heap) = (cursor.u64()?, cursor.u64()?);
-                let mut nodes_left = file.parts_most(24);
-                symbols(
-                    file,
-                    tree,
-                    heap_data(file, heap)?,
-                    None,
-                    &mut nodes_left,
-                    &mut found,
-                )?;
+                let names = heap_data(file, heap)?;
+                symbols(file, tree, names, None, unvisited, &mut found)?;
             }
-            LINK => found.extend(link(&mut cursor)?),
+            LINK => {
+                found.extend(link(&mut cursor)?);
+                refuse_parts(FORMAT, "variables", found.len(), PARTS_MOST)?;
+            }
             LINK_INFO => {
                 cursor.take(1)?;
                 let flags = cursor.u8()?;
@@ -98,13 +138,11 @@ fn symbols(
     node: u64,
     names: u64,
     level: Option<u8>,
-    nodes_left: &mut usize,
+    unvisited: &mut Unvisited,
     found: &mut Vec<(String, u64)>,
 ) -> Result<(), RecordError> {
     let mut cursor = file.at(node)?;
-    *nodes_left = nodes_left
-        .checked_sub(1)
-        .ok_or_else(|| cursor.damaged("the tree of names runs in a circle"))?;
+    unvisited.node(&cursor)?;
     if level == Some(0) {
         if cursor.take(4)? != b"SNOD" {
             return Err(cursor.damaged("a node of names has no mark"));
@@ -114,6 +152,7 @@ fn symbols(
             let (name, address) = (cursor.u64()?, cursor.u64()?);
             cursor.take(24)?;
             found.push((text(file, names.saturating_add(name))?, address));
+            refuse_parts(FORMAT, "variables", found.len(), PARTS_MOST)?;
         }
         return Ok(());
     }
@@ -126,7 +165,7 @@ fn symbols(
     for _ in 0..entries {
         let child = cursor.u64()?;
         cursor.take(8)?;
-        symbols(file, child, names, Some(own), nodes_left, found)?;
+        symbols(file, child, names, Some(own), unvisited, found)?;
     }
     Ok(())
 }
@@ -134,12 +173,12 @@ fn symbols(
 /// A text that ends with a zero.
 fn text(file: &File, address: u64) -> Result<String, RecordError> {
     let mut cursor = file.at(address)?;
-    let all = cursor.take(cursor.left())?;
+    let all = cursor.take(cursor.left().min(NAME_BYTES))?;
     let end = all
         .iter()
         .position(|b| *b == 0)
         .ok_or_else(|| cursor.damaged("a name has no end"))?;
-    Ok(String::from_utf8_lossy(&all[..end]).into_owned())
+    Ok(shown(&String::from_utf8_lossy(&all[..end])))
 }
 
 /// The member that a link leads to; `None` if it lies in another file or behind a name.
@@ -155,35 +194,74 @@ fn link(cursor: &mut Cursor) -> Result<Option<(String, u64)>, RecordError> {
         _ => cursor.u64()?,
     };
     let name = cursor.take(usize::try_from(length).unwrap_or(usize::MAX))?;
-    let name = String::from_utf8_lossy(name).into_owned();
+    let name = shown(&String::from_utf8_lossy(name));
     Ok(if hard { Some((name, cursor.u64()?)) } else { None })
 }
 
-/// Rows, columns and numbers; or why a variable is no real numeric matrix.
-type Numbers = Result<(usize, usize, Vec<f64>), &'static str>;
-
-fn variable(file: &File, object: &Object) -> Result<Numbers, RecordError> {
+/// Rows, columns and how numbers are stored; or why a variable is no real numeric matrix.
+fn shape(object: &Object) -> Result<(usize, usize, Stored), &'static str> {
     let (Some(sides), Some(number)) = (&object.sides, &object.number) else {
-        return Ok(Err("struct or object"));
+        return Err("struct or object");
     };
     if object.is_empty || sides.contains(&0) {
-        return Ok(Err("empty"));
+        return Err("empty");
     }
     if ["char", "cell"].contains(&object.class.as_str()) {
-        return Ok(Err("text or cell"));
+        return Err("text or cell");
     }
-    let number = match number {
-        Ok(number) => *number,
-        Err(why) => return Ok(Err(why)),
-    };
-    let (columns, rows) = match sides[..] {
-        [rows] => (1, rows),
-        [columns, rows] => (columns, rows),
-        _ => return Ok(Err("not of two dimensions")),
-    };
-    Ok(Ok((
-        rows,
-        columns,
-        values(file, object, number, [columns, rows])?,
-    )))
+    let stored = (*number)?;
+    match sides[..] {
+        [rows] => Ok((rows, 1, stored)),
+        [columns, rows] => Ok((rows, columns, stored)),
+        _ => Err("not of two dimensions"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PACKED: &[u8] = include_bytes!("../../tests/data/records/hdf5_packed.mat");
+
+    /// The file with another length of its longest variables.
+    fn stated(samples: u64) -> Vec<u8> {
+        let mut bytes = PACKED.to_vec();
+        let sides = [2u64.to_le_bytes(), 96u64.to_le_bytes()].concat();
+        let places: Vec<usize> = (0..bytes.len() - 16)
+            .filter(|at| bytes[*at..at + 16] == sides)
+            .collect();
+        for at in places {
+            bytes[at + 8..at + 16].copy_from_slice(&samples.to_le_bytes());
+        }
+        bytes
+    }
+
+    #[test]
+    fn refuses_a_variable_that_states_gigabytes() {
+        assert!(matrices(PACKED).is_ok());
+        let said = matrices(&stated(1 << 40)).unwrap_err().to_string();
+        assert!(
+            said.starts_with(&format!("the mat file of {} bytes unpacks to 1759", PACKED.len()))
+                && said.contains("but at most 67108864 are unpacked of it"),
+            "{said}"
+        );
+        // within the limit, there must be as many chunks
+        let said = matrices(&stated(1 << 20)).unwrap_err().to_string();
+        assert!(said.contains("a part was never written"), "{said}");
+    }
+
+    #[test]
+    fn refuses_parts_that_lie_on_one_another() {
+        let (file, _) = superblock(PACKED).unwrap();
+        let here = file.at(0).unwrap();
+        let mut unvisited = Unvisited::new(&file);
+        assert!(unvisited.numbers(PACKED.len(), &here).is_ok());
+        let said = unvisited.numbers(1, &here).unwrap_err().to_string();
+        assert!(
+            said.contains("numbers of variables run in a circle, or lie on one another"),
+            "{said}"
+        );
+        assert!(unvisited.header(PACKED.len() + 1, &here).is_err());
+        assert!((0..PACKED.len()).any(|_| unvisited.node(&here).is_err()));
+    }
 }

@@ -7,13 +7,40 @@
 
 use super::RecordError;
 use super::cursor::Cursor;
-use super::hdf5_file::{FORMAT, File, NOWHERE};
+use super::hdf5_file::{FORMAT, File, NOWHERE, Unvisited};
 use super::hdf5_objects::{Filter, Layout, Object, Stored};
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use super::unpacked::Unpacker;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 
 /// Deflate packs no more into a byte: what claims to is damaged.
 const INFLATION_MOST: usize = 1032;
+
+/// Bytes that the numbers of a variable become, as doubles or as they are unpacked, whichever are more.
+pub(super) fn unpacked_bytes(object: &Object, stored: Stored, whole: [usize; 2]) -> u64 {
+    let [columns, rows] = whole.map(|side| side as u64);
+    let numbers = columns.saturating_mul(rows);
+    let doubles = numbers.saturating_mul(8);
+    match &object.layout {
+        Some(Layout::Chunks { sides, .. }) => {
+            let chunk = match sides[..] {
+                [rows, _] => [1, rows.max(1)],
+                [columns, rows, _] => [columns.max(1), rows.max(1)],
+                _ => return doubles,
+            };
+            let [chunk_columns, chunk_rows] = chunk.map(u64::from);
+            let chunks = columns
+                .div_ceil(chunk_columns)
+                .saturating_mul(rows.div_ceil(chunk_rows));
+            let of_one = chunk_columns
+                .saturating_mul(chunk_rows)
+                .saturating_mul(stored.number.bytes() as u64);
+            doubles.max(chunks.saturating_mul(of_one))
+        }
+        // what is not packed is as long as it says, or refused
+        _ => 0,
+    }
+}
 
 /// All numbers, the last side fastest.
 pub(super) fn values(
@@ -21,6 +48,7 @@ pub(super) fn values(
     object: &Object,
     stored: Stored,
     [columns, rows]: [usize; 2],
+    unvisited: &mut Unvisited,
 ) -> Result<Vec<f64>, RecordError> {
     let here = Cursor::new(&[], FORMAT);
     let count = columns
@@ -42,11 +70,15 @@ pub(super) fn values(
                 return Err(cursor.damaged(format!("{bytes} bytes hold {rows} × {columns} numbers")));
             }
             let data = cursor.take(usize::try_from(*bytes).unwrap_or(usize::MAX))?;
+            unvisited.numbers(data.len(), &cursor)?;
             numbers(Cursor::new(data, FORMAT))
         }
         Some(Layout::Chunks { sides, tree }) => {
             if object.filters.iter().any(|f| matches!(f, Filter::Unknown(_))) {
                 return refused("an HDF5 filter other than shuffle, deflate and checksum");
+            }
+            if (1..object.filters.len()).any(|k| object.filters[k..].contains(&object.filters[k - 1])) {
+                return Err(here.damaged("chunks went through one filter twice"));
             }
             // one dimension is a matrix of one column
             let sides: Vec<usize> = sides.iter().map(|side| *side as usize).collect();
@@ -59,8 +91,7 @@ pub(super) fn values(
                 return Err(here.damaged("a chunk has no size, or numbers of another"));
             }
             let mut chunks = BTreeMap::new();
-            let mut nodes_left = file.parts_most(24);
-            chunks_below(file, *tree, rank, None, &mut nodes_left, &mut chunks)?;
+            chunks_below(file, *tree, rank, None, unvisited, &mut chunks)?;
             Chunked {
                 file,
                 filters: &object.filters,
@@ -68,7 +99,7 @@ pub(super) fn values(
                 whole: [columns, rows],
                 chunk,
             }
-            .together(&chunks)
+            .together(&chunks, unvisited)
         }
         Some(Layout::Unknown) | None => refused("an HDF5 layout that MATLAB does not write"),
     }
@@ -88,16 +119,14 @@ fn chunks_below(
     node: u64,
     rank: usize,
     level: Option<u8>,
-    nodes_left: &mut usize,
+    unvisited: &mut Unvisited,
     found: &mut BTreeMap<[u64; 2], Place>,
 ) -> Result<(), RecordError> {
     if node == NOWHERE {
         return Ok(()); // nothing was written
     }
     let mut cursor = file.at(node)?;
-    *nodes_left = nodes_left
-        .checked_sub(1)
-        .ok_or_else(|| cursor.damaged("the tree of chunks runs in a circle"))?;
+    unvisited.node(&cursor)?;
     let (head, own) = (cursor.take(5)?, cursor.u8()?);
     if head != b"TREE\x01" || level.is_some_and(|level| own.checked_add(1) != Some(level)) {
         return Err(cursor.damaged("a node of the tree of chunks has no mark, or another level"));
@@ -105,6 +134,7 @@ fn chunks_below(
     let entries = cursor.u16()?;
     cursor.take(16)?;
     for _ in 0..entries {
+        unvisited.node(&cursor)?;
         let (bytes, left_out) = (cursor.u32()?, cursor.u32()?);
         let begins = match rank {
             1 => [0, cursor.u64()?],
@@ -113,7 +143,7 @@ fn chunks_below(
         cursor.take(8)?;
         let address = cursor.u64()?;
         if own > 0 {
-            chunks_below(file, address, rank, Some(own), nodes_left, found)?;
+            chunks_below(file, address, rank, Some(own), unvisited, found)?;
         } else if found
             .insert(
                 begins,
@@ -141,7 +171,11 @@ struct Chunked<'a> {
 }
 
 impl Chunked<'_> {
-    fn together(&self, chunks: &BTreeMap<[u64; 2], Place>) -> Result<Vec<f64>, RecordError> {
+    fn together(
+        &self,
+        chunks: &BTreeMap<[u64; 2], Place>,
+        unvisited: &mut Unvisited,
+    ) -> Result<Vec<f64>, RecordError> {
         let here = Cursor::new(&[], FORMAT);
         let [columns, rows] = self.whole;
         let needed = columns
@@ -155,24 +189,18 @@ impl Chunked<'_> {
                 self.chunk[0]
             )));
         }
-        let packed: u64 = chunks.values().map(|place| u64::from(place.bytes)).sum();
-        if packed > self.file.length() as u64 {
-            return Err(here.damaged(format!(
-                "chunks of {packed} bytes together cannot lie beside each other"
-            )));
+        for place in chunks.values() {
+            unvisited.numbers(place.bytes as usize, &here)?;
         }
-        // every chunk is unpacked before there is room for all of them: a lie is found out by what it unpacks to
-        let mut parts = Vec::with_capacity(chunks.len());
-        for (begins, place) in chunks {
-            parts.push((*begins, self.numbers(place)?));
-        }
+        let mut unpacker = Unpacker::new();
         let mut out = vec![0.0; columns * rows];
-        for (begins, numbers) in parts {
+        for (begins, place) in chunks {
             let [from_column, from_row] = begins.map(|x| usize::try_from(x).unwrap_or(usize::MAX));
             let aligned = from_column % self.chunk[0] == 0 && from_row % self.chunk[1] == 0;
             if !aligned || from_column >= columns || from_row >= rows {
                 return Err(here.damaged("a chunk begins where none can"));
             }
+            let numbers = self.numbers(place, &mut unpacker)?;
             let count = self.chunk[1].min(rows - from_row);
             let targets = out.chunks_exact_mut(rows).skip(from_column);
             for (target, part) in targets.zip(numbers.chunks_exact(self.chunk[1])) {
@@ -183,7 +211,7 @@ impl Chunked<'_> {
     }
 
     /// The numbers of one chunk.
-    fn numbers(&self, place: &Place) -> Result<Vec<f64>, RecordError> {
+    fn numbers(&self, place: &Place, unpacker: &mut Unpacker) -> Result<Vec<f64>, RecordError> {
         let mut cursor = self.file.at(place.address)?;
         let packed = cursor.take(place.bytes as usize)?;
         let size = self.stored.number.bytes();
@@ -195,7 +223,7 @@ impl Chunked<'_> {
                 packed.len()
             )));
         }
-        let mut data = packed.to_vec();
+        let mut data = Cow::Borrowed(packed);
         for (k, filter) in self.filters.iter().enumerate().rev() {
             if k < 32 && place.left_out >> k & 1 == 1 {
                 continue;
@@ -203,12 +231,21 @@ impl Chunked<'_> {
             data = match filter {
                 Filter::Checksum => {
                     // the four bytes behind are a sum that nothing here needs
-                    data.truncate(data.len().saturating_sub(4));
-                    data
+                    let kept = data.len().saturating_sub(4);
+                    match data {
+                        Cow::Borrowed(data) => Cow::Borrowed(&data[..kept]),
+                        Cow::Owned(mut data) => {
+                            data.truncate(kept);
+                            Cow::Owned(data)
+                        }
+                    }
                 }
-                Filter::Deflate => decompress_to_vec_zlib_with_limit(&data, whole + 4)
-                    .map_err(|why| cursor.damaged(format!("a chunk does not unpack ({why})")))?,
-                Filter::Shuffle => unshuffled(&data, size),
+                Filter::Deflate => Cow::Owned(
+                    unpacker
+                        .whole(&data, whole + 4)
+                        .map_err(|why| cursor.damaged(format!("a chunk does not unpack: {why}")))?,
+                ),
+                Filter::Shuffle => Cow::Owned(unshuffled(&data, size)),
                 Filter::Unknown(_) => data,
             };
         }

@@ -33,11 +33,48 @@ impl<'a> File<'a> {
     pub(super) fn length(&self) -> usize {
         self.bytes.len()
     }
+}
 
-    /// More parts of `least` bytes than fit the file are visited twice.
-    pub(super) fn parts_most(&self, least: usize) -> usize {
-        self.bytes.len() / least
+/// What may still be visited of a file: every byte belongs to one part, so that parts which are longer together are visited twice.
+pub(super) struct Unvisited {
+    /// Bytes of headers of objects.
+    headers: usize,
+    /// Nodes of trees and their entries.
+    nodes: usize,
+    /// Bytes of numbers.
+    numbers: usize,
+}
+
+/// The shortest node of a tree, and its shortest entry.
+const NODE_BYTES: usize = 24;
+
+impl Unvisited {
+    pub(super) fn new(file: &File) -> Self {
+        Unvisited {
+            headers: file.length(),
+            nodes: file.length() / NODE_BYTES,
+            numbers: file.length(),
+        }
     }
+
+    pub(super) fn header(&mut self, bytes: usize, here: &Cursor) -> Result<(), RecordError> {
+        visit(&mut self.headers, bytes, here, "headers of objects")
+    }
+
+    pub(super) fn node(&mut self, here: &Cursor) -> Result<(), RecordError> {
+        visit(&mut self.nodes, 1, here, "trees")
+    }
+
+    pub(super) fn numbers(&mut self, bytes: usize, here: &Cursor) -> Result<(), RecordError> {
+        visit(&mut self.numbers, bytes, here, "numbers of variables")
+    }
+}
+
+fn visit(left: &mut usize, count: usize, here: &Cursor, what: &str) -> Result<(), RecordError> {
+    *left = left
+        .checked_sub(count)
+        .ok_or_else(|| here.damaged(format!("{what} run in a circle, or lie on one another")))?;
+    Ok(())
 }
 
 /// The file, and the address of the header of its root group.

@@ -10,7 +10,7 @@
 
 use super::RecordError;
 use super::cursor::{Cursor, Number};
-use super::hdf5_file::{FORMAT, File};
+use super::hdf5_file::{FORMAT, File, Unvisited};
 
 const CONTINUATION: u16 = 0x10;
 /// Bit of a message that stands elsewhere.
@@ -23,7 +23,11 @@ pub(super) struct Message<'a> {
 }
 
 /// The messages of the object at an address.
-pub(super) fn messages<'a>(file: &File<'a>, address: u64) -> Result<Vec<Message<'a>>, RecordError> {
+pub(super) fn messages<'a>(
+    file: &File<'a>,
+    address: u64,
+    unvisited: &mut Unvisited,
+) -> Result<Vec<Message<'a>>, RecordError> {
     let mut cursor = file.at(address)?;
     let mut found = Vec::new();
     let first = cursor.array::<4>()?;
@@ -54,6 +58,7 @@ pub(super) fn messages<'a>(file: &File<'a>, address: u64) -> Result<Vec<Message<
     while let Some(block) = blocks.get(read).copied() {
         read += 1;
         let mut within = Cursor::new(block, FORMAT);
+        unvisited.header(block.len().max(1), &within)?;
         let head = if newer { 4 + if ordered { 2 } else { 0 } } else { 8 };
         while within.left() >= head {
             let (sort, size, flags) = if newer {
@@ -64,9 +69,6 @@ pub(super) fn messages<'a>(file: &File<'a>, address: u64) -> Result<Vec<Message<
             within.take(head - if newer { 4 } else { 5 })?;
             let data = within.take(size.into())?;
             if sort == CONTINUATION {
-                if blocks.len() > file.parts_most(16) {
-                    return Err(within.damaged("an object header runs in a circle"));
-                }
                 blocks.push(continuation(file, data, newer)?);
             } else if sort != 0 && flags & SHARED != 0 {
                 return Err(RecordError::NotReadHere {
@@ -74,7 +76,7 @@ pub(super) fn messages<'a>(file: &File<'a>, address: u64) -> Result<Vec<Message<
                     what: "HDF5 messages that objects share".to_owned(),
                     instead: "save it again with save(\"file.mat\", \"-v7\")",
                 });
-            } else {
+            } else if sort != 0 {
                 found.push(Message { sort, data });
             }
         }

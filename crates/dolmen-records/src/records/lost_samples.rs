@@ -260,10 +260,10 @@ pub(super) fn keep_longest(
         let steps = |to_s: f64| (to_s - span.from_s) / step_s;
         let before = (steps(from_s) - SAME_TIME_STEPS).ceil().max(0.0) as usize;
         let after = (steps(to_s) + SAME_TIME_STEPS).floor().max(0.0) as usize;
-        let end = (span.first + after + 1).min(span.end);
+        let end = span.first.saturating_add(after).saturating_add(1).min(span.end);
         one.offset_s += span.from_s + before as f64 * step_s - begins_s(one);
         one.samples.truncate(end);
-        one.samples.drain(..(span.first + before).min(end));
+        one.samples.drain(..span.first.saturating_add(before).min(end));
         one.breaks.clear();
     }
     gaps.sort_by(|a, b| a.at_s.total_cmp(&b.at_s));

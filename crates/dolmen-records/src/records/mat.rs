@@ -7,6 +7,8 @@ use super::hdf5;
 use super::mat_elements::{Matrix, matrices};
 use super::series::{Found, Series, rate_of_step};
 use super::{RecordError, RecordFormat};
+use crate::limits::refuse_channels;
+use crate::quoted::listed;
 
 const FORMAT: &str = "mat";
 /// Names of a number that is the sampling rate, Hz, in lower case without underscores.
@@ -51,8 +53,9 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     let mut series = Vec::new();
     for matrix in all {
         let name = plain(&matrix.name);
-        if matrix.values.len() == 1 {
-            let value = matrix.values[0];
+        let numbers = matrix.rows.saturating_mul(matrix.columns);
+        if numbers == 1 {
+            let value = matrix.values.first().copied().unwrap_or(f64::NAN);
             let found = match () {
                 () if RATES.contains(&name.as_str()) => Some(value),
                 () if STEPS.contains(&name.as_str()) => Some(rate_of_step(value, 1e-12)),
@@ -64,9 +67,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
             }
         } else if matrix.rows.max(matrix.columns) != length {
             passed.push(matrix.name);
-        } else if matrix.values.len() == length && TIMES.contains(&name.as_str()) {
+        } else if numbers == length && TIMES.contains(&name.as_str()) {
             agreed(&mut rate_hz, stamps(&matrix)?, &matrix.name)?;
         } else {
+            refuse_channels(FORMAT, (numbers / length).saturating_add(series.len()))?;
             series.extend(columns(matrix, length));
         }
     }
@@ -78,7 +82,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
         });
     }
     series.iter_mut().for_each(|one| one.sampling_rate_hz = rate_hz);
-    let note = (!passed.is_empty()).then(|| format!("passed over: {}", passed.join(", ")));
+    let note = (!passed.is_empty()).then(|| format!("passed over: {}", listed(&passed)));
     Ok(Found {
         format: RecordFormat::Mat,
         series,
@@ -95,7 +99,7 @@ fn names(all: &[Matrix], passed: &[String]) -> String {
     if names.is_empty() {
         "nothing".to_owned()
     } else {
-        names.join(", ")
+        listed(&names)
     }
 }
 

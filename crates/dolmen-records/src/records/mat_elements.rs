@@ -10,7 +10,9 @@
 
 use super::RecordError;
 use super::cursor::{Cursor, Number};
-use miniz_oxide::inflate::decompress_to_vec_zlib_with_limit;
+use super::unpacked::Unpacker;
+use crate::limits::{LimitError, PARTS_MOST, expanded_most, refuse_parts};
+use crate::quoted::shown;
 
 const FORMAT: &str = "mat";
 const HEADER: usize = 128;
@@ -19,8 +21,8 @@ const COMPRESSED: u32 = 15;
 /// Classes of numbers: double, single, integers of 8 to 64 bits.
 const NUMERIC: std::ops::RangeInclusive<u8> = 6..=15;
 const COMPLEX: u8 = 0x08;
-/// Deflate packs no more into a byte: what claims to is damaged.
-const INFLATION_MOST: usize = 1032;
+/// Bytes of a packed matrix that are unpacked to see what it is. Chosen here: a name of MATLAB has 63 letters, and all before it 40 bytes.
+const HEAD_BYTES: usize = 1024;
 
 /// A real numeric matrix, column by column.
 #[derive(Clone, Debug, PartialEq)]
@@ -28,10 +30,41 @@ pub(super) struct Matrix {
     pub(super) name: String,
     pub(super) rows: usize,
     pub(super) columns: usize,
+    /// None of a matrix that is no part of a record.
     pub(super) values: Vec<f64>,
 }
 
-/// The real numeric matrices of two dimensions, and the names of everything else.
+/// Whether a matrix is a part of a record whose samples are so many: one number, or as long as the samples.
+pub(super) fn is_wanted([rows, columns]: [usize; 2], samples: usize) -> bool {
+    rows.max(columns) == samples || rows.max(columns) == 1
+}
+
+/// Refuses matrices that a file of so many bytes unpacks to.
+pub(super) fn refuse_expansion(file: usize, unpacked: u64) -> Result<(), LimitError> {
+    match expanded_most(file) {
+        most if unpacked <= most => Ok(()),
+        most => Err(LimitError::Expands {
+            format: FORMAT,
+            packed: file,
+            unpacked,
+            most,
+            instead: "save it with save(\"file.mat\", \"-v6\"), which packs nothing",
+        }),
+    }
+}
+
+/// One element that holds a matrix.
+enum Element<'a> {
+    Plain(&'a [u8]),
+    /// Packed; its bytes once unpacked, the tag before them with it.
+    Packed(&'a [u8], usize),
+}
+
+/// What stands before the values of a matrix; or the name of what is no real numeric matrix of two dimensions, with the reason.
+type Head = Result<Matrix, String>;
+
+/// The real numeric matrices of two dimensions, and the names of everything else. First all heads are read: only what a record needs is
+/// unpacked into numbers, and nothing before it is known how much all of it is.
 pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), RecordError> {
     let mut cursor = Cursor::new(bytes, FORMAT);
     cursor.take(HEADER - 4)?;
@@ -45,32 +78,106 @@ pub(super) fn matrices(bytes: &[u8]) -> Result<(Vec<Matrix>, Vec<String>), Recor
         return Err(cursor.damaged("the version is not that of MAT 5"));
     }
     let mut cursor = cursor.ordered(big);
-    let (mut found, mut passed) = (Vec::new(), Vec::new());
+    let mut unpacker = Unpacker::new();
+    let mut elements = Vec::new();
     while cursor.left() > 0 {
-        let tag = Tag::read(&mut cursor)?;
-        let data = cursor.take(tag.length)?;
-        match tag.sort {
-            MATRIX => sorted(matrix(data, big)?, &mut found, &mut passed),
-            COMPRESSED => {
-                let most = data.len().saturating_mul(INFLATION_MOST);
-                let inner = decompress_to_vec_zlib_with_limit(data, most).map_err(|why| {
-                    cursor.damaged(format!("compressed data before this place do not unpack ({why})"))
-                })?;
+        elements.push(element(&mut cursor, &mut unpacker)?);
+        refuse_parts(FORMAT, "variables", elements.len(), PARTS_MOST)?;
+    }
+    let longest = |head: &Head| head.as_ref().map_or(0, |m| m.rows.max(m.columns));
+    let samples = elements.iter().map(|(_, head)| longest(head)).max().unwrap_or(0);
+    let wanted = |head: &Head| {
+        head.as_ref()
+            .is_ok_and(|m| is_wanted([m.rows, m.columns], samples))
+    };
+    let unpacked = |(element, head): &(Element, Head)| match (element, head) {
+        (Element::Plain(_), _) => 0,
+        (Element::Packed(_, length), Ok(m)) if wanted(head) => {
+            // as doubles; what says that it has more numbers than bytes is refused below
+            let numbers = m.rows.saturating_mul(m.columns).min(*length);
+            (*length as u64).max(8 * numbers as u64)
+        }
+        (Element::Packed(_, length), _) => *length as u64,
+    };
+    refuse_expansion(bytes.len(), elements.iter().map(unpacked).sum())?;
+    let (mut found, mut passed) = (Vec::new(), Vec::new());
+    for (element, head) in elements {
+        let is_wanted = wanted(&head);
+        let unpacked = |why| {
+            cursor.damaged(format!(
+                "the packed variable {} does not unpack: {why}",
+                name(&head)
+            ))
+        };
+        let read = match element {
+            Element::Plain(data) => matrix(data, big, is_wanted)?,
+            Element::Packed(data, length) if is_wanted => {
+                let inner = unpacker.whole(data, length).map_err(unpacked)?;
                 let mut within = Cursor::new(&inner, FORMAT).ordered(big);
                 let tag = Tag::read(&mut within)?;
-                if tag.sort != MATRIX {
-                    return Err(no_variable(&cursor, tag.sort));
-                }
-                sorted(matrix(within.take(tag.length)?, big)?, &mut found, &mut passed);
+                matrix(within.take(tag.length)?, big, true)?
             }
-            sort => return Err(no_variable(&cursor, sort)),
-        }
-        // compressed elements are not padded, others are
-        if tag.sort != COMPRESSED && !tag.length.is_multiple_of(8) && cursor.left() > 0 {
-            cursor.take(8 - tag.length % 8)?;
+            Element::Packed(data, length) => {
+                unpacker.verified(data, length).map_err(unpacked)?;
+                head
+            }
+        };
+        match read {
+            Ok(matrix) => found.push(matrix),
+            Err(name) => passed.push(name),
         }
     }
     Ok((found, passed))
+}
+
+fn name(head: &Head) -> &str {
+    match head {
+        Ok(matrix) => &matrix.name,
+        Err(name) => name,
+    }
+}
+
+/// The element at the cursor and the head of its matrix.
+fn element<'a>(cursor: &mut Cursor<'a>, unpacker: &mut Unpacker) -> Result<(Element<'a>, Head), RecordError> {
+    let big = cursor.is_big();
+    let tag = Tag::read(cursor)?;
+    let data = cursor.take(tag.length)?;
+    let read = match tag.sort {
+        MATRIX => (
+            Element::Plain(data),
+            head(&mut Cursor::new(data, FORMAT).ordered(big))?,
+        ),
+        COMPRESSED => {
+            let first = unpacker.head(data, HEAD_BYTES).map_err(|why| {
+                cursor.damaged(format!(
+                    "the packed variable before this place does not unpack: {why}"
+                ))
+            })?;
+            let mut within = Cursor::new(&first, FORMAT).ordered(big);
+            let tag = Tag::read(&mut within)?;
+            if tag.sort != MATRIX {
+                return Err(no_variable(cursor, tag.sort));
+            }
+            let head = head(&mut within)
+                .map_err(|_| cursor.damaged("the packed variable before this place has no whole head"))?;
+            (
+                // padding may follow
+                Element::Packed(data, within_tag(tag.length)),
+                head,
+            )
+        }
+        sort => return Err(no_variable(cursor, sort)),
+    };
+    // compressed elements are not padded, others are
+    if tag.sort != COMPRESSED && !tag.length.is_multiple_of(8) && cursor.left() > 0 {
+        cursor.take(8 - tag.length % 8)?;
+    }
+    Ok(read)
+}
+
+/// Bytes of an element with its tag and its padding.
+fn within_tag(length: usize) -> usize {
+    length.next_multiple_of(8) + 8
 }
 
 /// A variable passed over in silence would make another record of the file.
@@ -78,13 +185,6 @@ fn no_variable(cursor: &Cursor, sort: u32) -> RecordError {
     cursor.damaged(format!(
         "the element before this place has type {sort}, which is no variable"
     ))
-}
-
-fn sorted(read: Result<Matrix, String>, found: &mut Vec<Matrix>, passed: &mut Vec<String>) {
-    match read {
-        Ok(matrix) => found.push(matrix),
-        Err(name) => passed.push(name),
-    }
 }
 
 /// Type and length of an element.
@@ -143,14 +243,14 @@ fn number(sort: u32) -> Option<Number> {
     })
 }
 
-/// A matrix, or the name of one that is not read with the reason.
-fn matrix(data: &[u8], big: bool) -> Result<Result<Matrix, String>, RecordError> {
-    let mut cursor = Cursor::new(data, FORMAT).ordered(big);
-    let (_, flags) = part(&mut cursor)?;
+/// The head of the matrix at the cursor.
+fn head(cursor: &mut Cursor) -> Result<Head, RecordError> {
+    let big = cursor.is_big();
+    let (_, flags) = part(cursor)?;
     let mut flags = Cursor::new(flags, FORMAT).ordered(big);
     let word = flags.u32()?.to_le_bytes();
     let (class, flag) = (word[0], word[1]);
-    let (sort, dimensions) = part(&mut cursor)?;
+    let (sort, dimensions) = part(cursor)?;
     if sort != 5 {
         return Err(cursor.damaged("the dimensions of a matrix are no integers of 32 bits"));
     }
@@ -163,8 +263,8 @@ fn matrix(data: &[u8], big: bool) -> Result<Result<Matrix, String>, RecordError>
             usize::try_from(side).map_err(|_| cursor.damaged(format!("a side of a matrix is {side}")))?,
         );
     }
-    let (_, name) = part(&mut cursor)?;
-    let name = String::from_utf8_lossy(name).into_owned();
+    let (_, name) = part(cursor)?;
+    let name = shown(&String::from_utf8_lossy(name));
     let &[rows, columns] = size.as_slice() else {
         return Ok(Err(format!("{name} ({count} dimensions)")));
     };
@@ -185,12 +285,31 @@ fn matrix(data: &[u8], big: bool) -> Result<Result<Matrix, String>, RecordError>
     if rows == 0 || columns == 0 {
         return Ok(Err(format!("{name} (empty)")));
     }
+    let values = Vec::new();
+    Ok(Ok(Matrix {
+        name,
+        rows,
+        columns,
+        values,
+    }))
+}
+
+/// A matrix, its values only where they are wanted; or the name of one that is not read with the reason.
+fn matrix(data: &[u8], big: bool, is_wanted: bool) -> Result<Head, RecordError> {
+    let mut cursor = Cursor::new(data, FORMAT).ordered(big);
+    let mut matrix = match head(&mut cursor)? {
+        Ok(matrix) => matrix,
+        Err(name) => return Ok(Err(name)),
+    };
+    let Matrix {
+        name, rows, columns, ..
+    } = &matrix;
     let (sort, values) = part(&mut cursor)?;
     let Some(number) = number(sort) else {
         return Err(cursor.damaged(format!("the values of {name} have type {sort}, which is none")));
     };
     if rows
-        .checked_mul(columns)
+        .checked_mul(*columns)
         .and_then(|n| n.checked_mul(number.bytes()))
         != Some(values.len())
     {
@@ -199,11 +318,101 @@ fn matrix(data: &[u8], big: bool) -> Result<Result<Matrix, String>, RecordError>
             values.len()
         )));
     }
-    let values = number.series(&mut Cursor::new(values, FORMAT).ordered(big), rows * columns)?;
-    Ok(Ok(Matrix {
-        name,
-        rows,
-        columns,
-        values,
-    }))
+    if is_wanted {
+        matrix.values = number.series(&mut Cursor::new(values, FORMAT).ordered(big), rows * columns)?;
+    }
+    Ok(Ok(matrix))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use miniz_oxide::deflate::compress_to_vec_zlib;
+
+    fn header() -> Vec<u8> {
+        let mut bytes = b"MATLAB 5.0 MAT-file".to_vec();
+        bytes.resize(HEADER - 4, b' ');
+        bytes.extend(b"\x00\x01IM");
+        bytes
+    }
+
+    fn tagged(sort: u32, data: &[u8]) -> Vec<u8> {
+        let mut bytes = sort.to_le_bytes().to_vec();
+        bytes.extend((data.len() as u32).to_le_bytes());
+        bytes.extend(data);
+        bytes.resize(bytes.len().next_multiple_of(8), 0);
+        bytes
+    }
+
+    /// A matrix of numbers of 8 bits, all 1.
+    fn ones(name: &str, rows: u32, columns: u32) -> Vec<u8> {
+        let sides: Vec<u8> = [rows, columns]
+            .iter()
+            .flat_map(|side| side.to_le_bytes())
+            .collect();
+        let parts = [
+            tagged(6, &[6, 0, 0, 0, 0, 0, 0, 0]),
+            tagged(5, &sides),
+            tagged(1, name.as_bytes()),
+            tagged(1, &vec![1; (rows * columns) as usize]),
+        ];
+        tagged(MATRIX, &parts.concat())
+    }
+
+    fn packed(element: &[u8]) -> Vec<u8> {
+        let data = compress_to_vec_zlib(element, 1);
+        let mut bytes = COMPRESSED.to_le_bytes().to_vec();
+        bytes.extend((data.len() as u32).to_le_bytes());
+        bytes.extend(data);
+        bytes
+    }
+
+    #[test]
+    fn refuses_matrices_that_unpack_to_gigabytes() {
+        let mut bytes = header();
+        bytes.extend(packed(&ones("acc", 4_000_000, 1)).repeat(100));
+        let said = matrices(&bytes).unwrap_err().to_string();
+        let length = bytes.len();
+        assert_eq!(
+            said,
+            format!(
+                "the mat file of {length} bytes unpacks to 3200000000, but at most {} are unpacked of it, since no record of vibrations packs \
+                 so tightly: save it with save(\"file.mat\", \"-v6\"), which packs nothing",
+                200 * length
+            )
+        );
+    }
+
+    #[test]
+    fn holds_only_what_a_record_needs_becomes_numbers() {
+        let mut bytes = header();
+        for element in [ones("acc", 1000, 2), ones("other", 30, 10), ones("fs", 1, 1)] {
+            bytes.extend(packed(&element));
+        }
+        let (found, passed) = matrices(&bytes).unwrap();
+        let held: Vec<(&str, usize)> = found.iter().map(|m| (m.name.as_str(), m.values.len())).collect();
+        assert_eq!(
+            (held, passed.len()),
+            (vec![("acc", 2000), ("other", 0), ("fs", 1)], 0)
+        );
+        // what is not needed is verified as well
+        let at = header().len() + packed(&ones("acc", 1000, 2)).len() + packed(&ones("other", 30, 10)).len();
+        bytes[at - 1] ^= 1;
+        assert_eq!(
+            matrices(&bytes).unwrap_err().to_string().split(": ").nth(2),
+            Some("its sum is wrong; copy it again")
+        );
+    }
+
+    #[test]
+    fn refuses_more_variables_than_anyone_saves() {
+        let mut bytes = header();
+        bytes.extend(ones("a", 1, 1).repeat(PARTS_MOST + 1));
+        assert!(
+            matrices(&bytes)
+                .unwrap_err()
+                .to_string()
+                .starts_with("the mat file holds more than 65536 variables")
+        );
+    }
 }

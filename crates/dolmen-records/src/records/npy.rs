@@ -5,10 +5,13 @@
 //! Source: numpy documentation, `numpy.lib.format`, versions 1.0 to 3.0.
 
 use super::{Axis, Column, Layout, NpyLayout, Reading, RecordError, RecordOptions};
+use crate::quoted::shown;
 use dolmen::signal::{Channel, Processing, Record, SignalError};
 
 /// First bytes of each NPY file.
 pub(super) const MAGIC: &[u8] = b"\x93NUMPY";
+/// Longest header. Chosen here: NumPy itself refuses more than 10 000 bytes unless told otherwise.
+const HEADER_BYTES_MOST: usize = 1 << 16;
 /// Rows turned from row order into channel order at a time: 512 rows of 32 doubles fit a second-level cache.
 const ROWS_AT_ONCE: usize = 512;
 
@@ -120,7 +123,16 @@ fn pick(options: &RecordOptions, count: usize) -> Result<(Vec<usize>, Vec<Channe
     let mut sources = Vec::with_capacity(options.picks.len());
     for pick in &options.picks {
         match &pick.column {
-            Column::Number(n) if (1..=count).contains(n) => sources.push(n - 1),
+            Column::Number(n) if (1..=count).contains(n) => {
+                if let Some(first) = sources.iter().position(|source| source + 1 == *n) {
+                    return Err(RecordError::PickedTwice {
+                        column: n.to_string(),
+                        first: options.picks[first].channel.name.clone(),
+                        second: pick.channel.name.clone(),
+                    });
+                }
+                sources.push(n - 1);
+            }
             Column::Number(n) => {
                 return Err(RecordError::ColumnNumber {
                     given: *n,
@@ -233,9 +245,14 @@ impl Head {
             _ => return Err(cut),
         };
         let text = rest.get(prefix..length.saturating_add(prefix)).ok_or(cut)?;
+        if text.len() > HEADER_BYTES_MOST {
+            return Err(RecordError::NpyHeader {
+                text: format!("({length} bytes)"),
+            });
+        }
         let text = String::from_utf8_lossy(text);
         let unclear = || RecordError::NpyHeader {
-            text: text.trim_end().chars().take(200).collect(),
+            text: shown(text.trim_end()),
         };
         let after = |key: &str| {
             let at = text
@@ -277,5 +294,56 @@ impl Head {
             shape,
             values_at: MAGIC.len() + prefix + length,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::records::Pick;
+
+    fn file(shape: &str, values: usize) -> Vec<u8> {
+        let header = format!("{{'descr': '<f4', 'fortran_order': False, 'shape': ({shape})}}");
+        let mut bytes = [MAGIC, b"\x02\x00", &(header.len() as u32).to_le_bytes()].concat();
+        bytes.extend(header.as_bytes());
+        bytes.resize(bytes.len() + 4 * values, 1);
+        bytes
+    }
+
+    #[test]
+    fn refuses_a_header_of_megabytes_and_lists_no_endless_shape() {
+        let said = |bytes: &[u8]| {
+            read_npy(bytes, &RecordOptions::default())
+                .unwrap_err()
+                .to_string()
+        };
+        let long = said(&file(&"1,".repeat(1_000_000), 1));
+        assert_eq!(
+            long,
+            "the header of the NPY file cannot be understood: \"(2000053 bytes)\"; save it again with numpy.save"
+        );
+        let axes = said(&file(&"1,".repeat(30), 1));
+        assert!(
+            axes.contains("has shape [1, 1, ") && axes.contains(" and 10 more], but"),
+            "{axes}"
+        );
+    }
+
+    #[test]
+    fn refuses_a_column_read_twice() {
+        let pick = |name: &str| Pick {
+            column: Column::Number(2),
+            channel: Channel::named(name),
+            scale: None,
+        };
+        let options = RecordOptions {
+            sampling_rate_hz: Some(100.0),
+            picks: vec![pick("x"), pick("y")],
+            ..Default::default()
+        };
+        assert_eq!(
+            read_npy(&file("3, 2", 6), &options).unwrap_err().to_string(),
+            "column \"2\" is read twice, as \"x\" and as \"y\": give each channel its own column"
+        );
     }
 }

@@ -6,6 +6,7 @@ use super::{
     Reading, RecordError, RecordFormat, RecordOptions, gcf, mat, read_csv, read_npy, saf, seismic, tdms, uff,
     wav,
 };
+use crate::limits::head;
 use dolmen::signal::scale;
 
 /// A record from the bytes of a file: CSV, NPY, UFF 58, WAV, MAT 5 and 7.3, SAF, GCF, TDMS, miniSEED, SAC, K-NET, ESM, COSMOS.
@@ -32,7 +33,9 @@ pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Rec
     if !is_npy && let Some(found) = channels(bytes, options) {
         let found = found?;
         return match options.format {
-            Some(format) if format != found.format => Err(not_of(format, bytes)),
+            Some(format) if format != found.format => {
+                Err(not_of(format, format!("a {} file", found.format.name())))
+            }
             _ => assembled(found, options),
         };
     }
@@ -40,7 +43,7 @@ pub fn read_record(bytes: &[u8], options: &RecordOptions) -> Result<Reading, Rec
         None if is_npy => read_npy(bytes, options)?,
         Some(RecordFormat::Npy) => read_npy(bytes, options)?,
         None | Some(RecordFormat::Csv) if !is_npy => read_csv(bytes, options)?,
-        format => return Err(not_of(format.unwrap_or(RecordFormat::Csv), bytes)),
+        format => return Err(not_of(format.unwrap_or(RecordFormat::Csv), sort(bytes))),
     };
     let factors = factors(options, reading.record.channels().len());
     if factors.iter().all(|factor| *factor == 1.0) {
@@ -66,18 +69,65 @@ fn channels(bytes: &[u8], options: &RecordOptions) -> Option<Result<Found, Recor
         Some(uff::read(bytes))
     } else if let Some(found) = seismic::read(bytes) {
         Some(found)
-    } else if options.format == Some(RecordFormat::Gcf) || (options.format.is_none() && gcf::is_gcf(bytes)) {
+    } else if options.format == Some(RecordFormat::Gcf) {
+        // a header of a block is little to tell the format by: where it is none, the file may be any, and none of its numbers is told
+        gcf::has_header(bytes).then(|| gcf::read(bytes))
+    } else if options.format.is_none() && gcf::is_gcf(bytes) {
         Some(gcf::read(bytes))
     } else {
         None
     }
 }
 
-fn not_of(format: RecordFormat, bytes: &[u8]) -> RecordError {
-    const SHOWN: usize = 16;
-    let first = &bytes[..bytes.len().min(SHOWN)];
+fn not_of(format: RecordFormat, begins: String) -> RecordError {
     RecordError::NotOfFormat {
         format: format.name(),
-        begins: format!("\"{}\"", first.escape_ascii()),
+        begins,
+    }
+}
+
+/// What a file of no other format begins like.
+fn sort(bytes: &[u8]) -> String {
+    let is_sign = |b: &u8| *b >= b' ' || b.is_ascii_whitespace();
+    if bytes.starts_with(super::npy::MAGIC) {
+        "an npy file"
+    } else if head(bytes).iter().all(is_sign) {
+        "text"
+    } else {
+        "a binary file"
+    }
+    .to_owned()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_another_format_without_a_word_of_the_file() {
+        let told = |format| RecordOptions {
+            format: Some(format),
+            sampling_rate_hz: Some(100.0),
+            ..Default::default()
+        };
+        let said = |bytes: &[u8], format| read_record(bytes, &told(format)).unwrap_err().to_string();
+        let secret = b"root:$y$j9T\nabc:19000:0:99999:7:::\n".repeat(60);
+        for format in RecordFormat::ALL {
+            let said = said(&secret, format);
+            assert!(!said.contains("root") && !said.contains("19000"), "{said}");
+        }
+        for format in [RecordFormat::Gcf, RecordFormat::Saf, RecordFormat::Uff] {
+            let name = format.name();
+            assert_eq!(
+                said(&secret, format),
+                format!(
+                    "the file is not of the format {name}: it begins like text; correct format, or leave it out"
+                )
+            );
+        }
+        assert!(said(b"\0\x01\x02", RecordFormat::Wav).contains("it begins like a binary file"));
+        assert!(said(super::super::npy::MAGIC, RecordFormat::Csv).contains("it begins like an npy file"));
+        let saf = b"SESAME ASCII data format (saf) v. 1\nSAMP_FREQ = 10\nCH0_ID = V\n####\n5\n-3\n4\n";
+        assert!(said(saf, RecordFormat::Csv).contains("it begins like a saf file"));
     }
 }

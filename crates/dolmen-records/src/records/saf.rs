@@ -22,6 +22,7 @@ use super::series::{Found, Series};
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::number::parse_number;
+use crate::quoted::shown;
 use crate::start::time_of;
 
 const FORMAT: &str = "saf";
@@ -54,7 +55,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     }
     let count = header.names.len();
     let mut samples = vec![Vec::new(); count];
-    while let Some(line) = line_at(bytes, at, number) {
+    while let Some(line) = line_at(bytes, at, number)? {
         (at, number) = (line.next, number + 1);
         let cells: Vec<&[u8]> = line
             .text
@@ -102,7 +103,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
         begins_s: header.begins_s,
         ..Series::new(name.clone(), samples)
     });
-    let note = (!header.station.is_empty()).then(|| format!("station {}", header.station));
+    let note = (!header.station.is_empty()).then(|| format!("station {}", shown(&header.station)));
     Ok(Found {
         format: RecordFormat::Saf,
         series: series.collect(),
@@ -114,7 +115,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
 fn header(bytes: &[u8]) -> Result<(Header, usize, usize), RecordError> {
     let mut header = Header::default();
     let (mut at, mut number) = (0, 1);
-    while let Some(line) = line_at(bytes, at, number) {
+    while let Some(line) = line_at(bytes, at, number)? {
         (at, number) = (line.next, number + 1);
         if line.text.starts_with(b"####") {
             return Ok((header, at, number));
@@ -156,7 +157,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize, usize), RecordError> {
                         return Err(refused("the next channel: CH0_ID, CH1_ID, … in order"));
                     }
                     let words: Vec<&str> = value.split_whitespace().collect();
-                    header.names.push(words.join(" "));
+                    header.names.push(shown(&words.join(" ")));
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use super::{FileUnit, RecordError, RecordFormat};
 use crate::breaks::Break;
+use crate::quoted::shown;
 use dolmen::signal::Quantity;
 
 /// One channel as its file holds it.
@@ -24,9 +25,10 @@ pub(super) struct Series {
 }
 
 impl Series {
-    pub(super) fn new(name: impl Into<String>, samples: Vec<f64>) -> Self {
+    /// Samples under a name that can be printed.
+    pub(super) fn new(name: impl AsRef<str>, samples: Vec<f64>) -> Self {
         Series {
-            name: name.into(),
+            name: shown(name.as_ref()),
             samples,
             sampling_rate_hz: None,
             unit: FileUnit::Silent,

@@ -6,7 +6,7 @@
 //! | description | objects: path, where its samples lie (type, values a chunk), properties |
 //! | raw data | chunks; in each the values of every object after those of the one before, or interleaved |
 //!
-//! Of the properties are read: `wf_increment` (s), `wf_start_time`, `wf_start_offset`, `unit_string`, `NI_ChannelName`.
+//! Of the properties are read: `wf_increment` (s), `wf_start_time`, `wf_start_offset`, `unit_string`.
 //!
 //! Source: National Instruments (2023) *TDMS File Format Internal Structure*.
 
@@ -14,10 +14,22 @@ use super::cursor::{Cursor, Number};
 use super::series::{Found, Series, rate_of_step};
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
+use crate::limits::{PARTS_MOST, refuse_channels, refuse_parts};
+use crate::quoted::shown;
 use std::collections::BTreeMap;
 
 const FORMAT: &str = "tdms";
 const LEAD_IN: usize = 28;
+/// Properties that say something here.
+const PROPERTIES: [&str; 5] = [
+    "NI_Number_Of_Scales",
+    "unit_string",
+    "wf_increment",
+    "wf_start_offset",
+    "wf_start_time",
+];
+/// Longest path of a group or channel. Chosen here: two names of a screen full each.
+const PATH_BYTES_MOST: usize = 4096;
 /// Flags of a segment.
 const NEW_DESCRIPTION: u32 = 1 << 1;
 const NEW_LIST: u32 = 1 << 2;
@@ -80,17 +92,63 @@ struct Raw {
 
 #[derive(Default)]
 struct Object {
+    path: String,
     properties: BTreeMap<String, Value>,
     raw: Option<Raw>,
     samples: Vec<f64>,
+    /// Its place among those with samples in the segment at hand.
+    turn: Option<u64>,
 }
 
 #[derive(Default)]
 struct File {
-    paths: Vec<String>,
-    objects: BTreeMap<String, Object>,
-    /// Objects with samples in the segment at hand, in order.
-    listed: Vec<String>,
+    objects: Vec<Object>,
+    /// Which object has a path.
+    places: BTreeMap<String, usize>,
+    /// Objects with samples in the segment at hand, by their turns. Those of no values are left out: a chunk then has at least one byte of
+    /// each, and reading it takes no longer than it is long.
+    listed: BTreeMap<u64, usize>,
+    turns: u64,
+}
+
+impl File {
+    /// The object of a path, in the order of the file.
+    fn place(&mut self, path: String) -> Result<usize, RecordError> {
+        if let Some(place) = self.places.get(&path) {
+            return Ok(*place);
+        }
+        let place = self.objects.len();
+        refuse_parts(FORMAT, "groups and channels", place + 1, PARTS_MOST)?;
+        self.objects.push(Object {
+            path: path.clone(),
+            ..Default::default()
+        });
+        self.places.insert(path, place);
+        Ok(place)
+    }
+
+    /// Puts an object behind those with samples in the segment at hand, or takes it out.
+    fn list(&mut self, place: usize, has_samples: bool) {
+        let object = &mut self.objects[place];
+        match (has_samples, object.turn) {
+            (true, None) => {
+                object.turn = Some(self.turns);
+                self.listed.insert(self.turns, place);
+                self.turns += 1;
+            }
+            (false, Some(turn)) => {
+                object.turn = None;
+                self.listed.remove(&turn);
+            }
+            _ => {}
+        }
+    }
+
+    fn clear_list(&mut self) {
+        for place in std::mem::take(&mut self.listed).into_values() {
+            self.objects[place].turn = None;
+        }
+    }
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
@@ -144,7 +202,7 @@ fn segment<'a>(start: Cursor<'a>, file: &mut File) -> Result<Cursor<'a>, RecordE
     cursor.go(begin)?;
     if flags & NEW_DESCRIPTION != 0 {
         if flags & NEW_LIST != 0 {
-            file.listed.clear();
+            file.clear_list();
         }
         objects(&mut cursor, file)?;
     }
@@ -166,19 +224,20 @@ fn text(cursor: &mut Cursor) -> Result<String, RecordError> {
 fn objects(cursor: &mut Cursor, file: &mut File) -> Result<(), RecordError> {
     for _ in 0..cursor.u32()? {
         let path = text(cursor)?;
-        if !file.objects.contains_key(&path) {
-            file.paths.push(path.clone());
+        if path.len() > PATH_BYTES_MOST {
+            return Err(cursor.damaged(format!("a path has {} bytes", path.len())));
         }
-        let object = file.objects.entry(path.clone()).or_default();
+        let place = file.place(path)?;
+        let object = &mut file.objects[place];
         let has_samples = match cursor.u32()? {
             0xFFFF_FFFF => false,
-            0 => {
+            0 => match object.raw {
                 // as in the segment before
-                if object.raw.is_none() {
+                Some(raw) => raw.values > 0,
+                None => {
                     return Err(cursor.damaged("samples lie as in the segment before, but there are none"));
                 }
-                true
-            }
+            },
             0x1269 | 0x1369 => {
                 return Err(unread(
                     "raw data of DAQmx with its scaling",
@@ -186,23 +245,19 @@ fn objects(cursor: &mut Cursor, file: &mut File) -> Result<(), RecordError> {
                 ));
             }
             length => {
-                object.raw = Some(raw(cursor, length, &path)?);
-                true
+                let raw = raw(cursor, length, &object.path)?;
+                object.raw = Some(raw);
+                raw.values > 0
             }
         };
-        let at = file.listed.iter().position(|listed| *listed == path);
-        match (has_samples, at) {
-            (true, None) => file.listed.push(path),
-            (false, Some(at)) => drop(file.listed.remove(at)),
-            _ => {}
-        }
         for _ in 0..cursor.u32()? {
             let name = text(cursor)?;
             let value = value(cursor)?;
-            if let Some(value) = value {
+            if let (Some(value), true) = (value, PROPERTIES.contains(&name.as_str())) {
                 object.properties.insert(name, value);
             }
         }
+        file.list(place, has_samples);
     }
     Ok(())
 }
@@ -211,7 +266,7 @@ fn raw(cursor: &mut Cursor, length: u32, path: &str) -> Result<Raw, RecordError>
     let code = cursor.u32()?;
     let Some(number) = number(code) else {
         return Err(unread(
-            format!("samples of type {code:#x} in {path}"),
+            format!("samples of type {code:#x} in {}", shown(path)),
             "write integers or floats of up to 64 bits",
         ));
     };
@@ -219,7 +274,8 @@ fn raw(cursor: &mut Cursor, length: u32, path: &str) -> Result<Raw, RecordError>
     let values = usize::try_from(cursor.u64()?).ok();
     let (20, 1, Some(values)) = (length, dimension, values) else {
         return Err(cursor.damaged(format!(
-            "the samples of {path} are not described as numbers of one dimension"
+            "the samples of {} are not described as numbers of one dimension",
+            shown(path)
         )));
     };
     Ok(Raw { number, values })
@@ -252,11 +308,8 @@ fn value(cursor: &mut Cursor) -> Result<Option<Value>, RecordError> {
 
 /// The chunks of a segment: as many as fill it.
 fn samples(cursor: &mut Cursor, file: &mut File, bytes: usize, interleaved: bool) -> Result<(), RecordError> {
-    let listed: Vec<(String, Raw)> = file
-        .listed
-        .iter()
-        .filter_map(|path| Some((path.clone(), file.objects.get(path)?.raw?)))
-        .collect();
+    let of = |place: &usize| Some((*place, file.objects[*place].raw?));
+    let listed: Vec<(usize, Raw)> = file.listed.values().filter_map(of).collect();
     let sizes = listed
         .iter()
         .map(|(_, raw)| raw.values.checked_mul(raw.number.bytes()));
@@ -277,18 +330,16 @@ fn samples(cursor: &mut Cursor, file: &mut File, bytes: usize, interleaved: bool
                 return Err(cursor.damaged("interleaved objects differ in their number of samples"));
             }
             for _ in 0..values {
-                for (path, raw) in &listed {
-                    let value = raw.number.read(cursor)?;
-                    if let Some(object) = file.objects.get_mut(path) {
-                        object.samples.push(value);
-                    }
+                for (place, raw) in &listed {
+                    file.objects[*place].samples.push(raw.number.read(cursor)?);
                 }
             }
         } else {
-            for (path, raw) in &listed {
-                let values = raw.number.series(cursor, raw.values)?;
-                if let Some(object) = file.objects.get_mut(path) {
-                    object.samples.extend(values);
+            for (place, raw) in &listed {
+                let samples = &mut file.objects[*place].samples;
+                samples.reserve(raw.values);
+                for _ in 0..raw.values {
+                    samples.push(raw.number.read(cursor)?);
                 }
             }
         }
@@ -303,27 +354,24 @@ fn parts(path: &str) -> Vec<String> {
 }
 
 fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
-    let with_samples = |path: &&String| {
-        file.objects
-            .get(*path)
-            .is_some_and(|object| !object.samples.is_empty())
-    };
-    let paths: Vec<&String> = file.paths.iter().filter(with_samples).collect();
-    let short: Vec<String> = paths
+    let mut objects = file.objects;
+    objects.retain(|object| !object.samples.is_empty());
+    refuse_channels(FORMAT, objects.len())?;
+    let short: Vec<String> = objects
         .iter()
-        .map(|path| parts(path).last().cloned().unwrap_or_default())
+        .map(|object| parts(&object.path).last().cloned().unwrap_or_default())
         .collect();
     let mut found = Vec::new();
-    for (path, name) in paths.iter().zip(&short) {
-        let Some(object) = file.objects.get(*path) else {
-            continue;
-        };
+    for (object, name) in objects.into_iter().zip(&short) {
         let property = |name: &str| object.properties.get(name);
         if let Some(Value::Number(scales)) = property("NI_Number_Of_Scales")
             && *scales > 0.0
         {
             return Err(unread(
-                format!("channel {path} with {scales} scalings of its own"),
+                format!(
+                    "channel {} with {scales} scalings of its own",
+                    shown(&object.path)
+                ),
                 "export scaled values from LabVIEW",
             ));
         }
@@ -350,9 +398,9 @@ fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
                 if alone {
                     name.clone()
                 } else {
-                    parts(path).join("/")
+                    parts(&object.path).join("/")
                 },
-                object.samples.clone(),
+                object.samples,
             )
         });
     }
@@ -364,4 +412,75 @@ fn series(file: File, cursor: &Cursor) -> Result<Found, RecordError> {
         series: found,
         notes: Vec::new(),
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn segment(flags: u32, description: &[u8], samples: &[u8]) -> Vec<u8> {
+        let mut bytes = b"TDSm".to_vec();
+        bytes.extend(flags.to_le_bytes());
+        bytes.extend(4713u32.to_le_bytes());
+        bytes.extend(((description.len() + samples.len()) as u64).to_le_bytes());
+        bytes.extend((description.len() as u64).to_le_bytes());
+        bytes.extend(description);
+        bytes.extend(samples);
+        bytes
+    }
+
+    /// An object of so many bytes a chunk.
+    fn object(path: &str, values: u64) -> Vec<u8> {
+        let mut bytes = (path.len() as u32).to_le_bytes().to_vec();
+        bytes.extend(path.as_bytes());
+        for word in [20u32, 1, 1] {
+            bytes.extend(word.to_le_bytes());
+        }
+        bytes.extend(values.to_le_bytes());
+        bytes.extend(0u32.to_le_bytes());
+        bytes
+    }
+
+    fn described(objects: impl Iterator<Item = Vec<u8>>) -> Vec<u8> {
+        let objects: Vec<Vec<u8>> = objects.collect();
+        let mut bytes = (objects.len() as u32).to_le_bytes().to_vec();
+        bytes.extend(objects.concat());
+        bytes
+    }
+
+    const ALL_NEW: u32 = NEW_DESCRIPTION | NEW_LIST | RAW_DATA;
+
+    /// Each of a million chunks and segments would look at each of 4000 objects without a value.
+    #[test]
+    fn exact_samples_beside_thousands_of_objects_without_any() {
+        let silent = (0..4000).map(|i| object(&format!("/'g'/'silent {i}'"), 0));
+        let description = described(silent.chain([object("/'g'/'a'", 1)]));
+        let mut bytes = segment(ALL_NEW, &description, &[5; 700_000]);
+        bytes.extend(segment(RAW_DATA, &[], &[7]).repeat(100_000));
+        let found = read(&bytes).unwrap();
+        assert_eq!(found.series.len(), 1);
+        let samples = &found.series[0].samples;
+        assert_eq!(
+            (samples.len(), samples[699_999], samples[799_999]),
+            (800_000, 5.0, 7.0)
+        );
+    }
+
+    #[test]
+    fn refuses_more_objects_and_channels_than_a_recorder_writes() {
+        let many = |count: usize| described((0..count).map(|i| object(&format!("{i}"), 1)));
+        let said = |count: usize| {
+            read(&segment(ALL_NEW, &many(count), &vec![0; count]))
+                .unwrap_err()
+                .to_string()
+        };
+        assert_eq!(
+            said(70_000),
+            "the tdms file holds more than 65536 groups and channels, which no recorder writes: save the channels that are needed alone"
+        );
+        assert!(said(5000).starts_with("the tdms file holds more than 4096 channels"));
+        let path = described([object(&"x".repeat(5000), 1)].into_iter());
+        let said = read(&segment(ALL_NEW, &path, &[0])).unwrap_err().to_string();
+        assert!(said.contains("a path has 5000 bytes"), "{said}");
+    }
 }

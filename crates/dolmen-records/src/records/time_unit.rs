@@ -2,7 +2,7 @@
 
 use super::RecordError;
 use super::csv_start::Start;
-use super::dates::{DAY_S, SERIAL_DAYS};
+use super::date_text::{DAY_S, SERIAL_DAYS};
 use super::dialect::{holds_cells, unquoted};
 use crate::number::parse_cell;
 

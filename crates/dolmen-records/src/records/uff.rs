@@ -18,7 +18,9 @@ use super::series::{Found, Series, rate_of_step};
 use super::uff_text::{FORMAT, Lines, cell, decimal, whole};
 use super::unit::unit_of_label;
 use super::{FileUnit, RecordError, RecordFormat};
+use crate::limits::head;
 use crate::number::parse_number;
+use crate::quoted::{listed, shown};
 use crate::unit::Unit;
 use dolmen::signal::Quantity;
 use std::collections::BTreeMap;
@@ -37,9 +39,10 @@ const LINES: usize = 11;
 
 /// Whether the first line that holds anything is the −1 of a dataset.
 pub(super) fn is_uff(bytes: &[u8]) -> bool {
-    let mut lines = Lines::new(bytes);
-    let first = std::iter::from_fn(|| lines.next()).find(|line| !line.trim().is_empty());
-    let kind = lines.next();
+    let mut lines = Lines::new(head(bytes));
+    let mut next = || lines.next().ok().flatten();
+    let first = std::iter::from_fn(&mut next).find(|line| !line.trim().is_empty());
+    let kind = next();
     first.is_some_and(|line| line.trim_end() == "    -1")
         && kind.is_some_and(|line| cell(&line, 0, 6).trim().parse::<u32>().is_ok())
 }
@@ -68,14 +71,14 @@ pub(super) fn read(bytes: &[u8]) -> Result<Found, RecordError> {
     let mut lines = Lines::new(bytes);
     let mut beside = Beside::default();
     let mut functions = Vec::new();
-    while let Some(line) = lines.next() {
+    while let Some(line) = lines.next()? {
         if line.trim().is_empty() {
             continue;
         }
         if line.trim() != "-1" {
             return Err(lines.is_not(&line, "the −1 that begins a dataset"));
         }
-        let Some(kind) = lines.next() else { break };
+        let Some(kind) = lines.next()? else { break };
         let number = cell(&kind, 0, 6).trim().to_owned();
         match number.as_str() {
             "58" => match function(&mut lines, &kind)? {
@@ -112,7 +115,7 @@ fn finished(functions: Vec<Function>, beside: Beside) -> Result<Found, RecordErr
     let mut notes: Vec<String> = beside
         .title
         .iter()
-        .map(|title| format!("title {title:?}"))
+        .map(|title| format!("title \"{}\"", shown(title)))
         .collect();
     let passed: Vec<String> = beside
         .passed
@@ -127,14 +130,14 @@ fn finished(functions: Vec<Function>, beside: Beside) -> Result<Found, RecordErr
                 if passed.is_empty() {
                     "without any".to_owned()
                 } else {
-                    passed.join(", ")
+                    listed(&passed)
                 }
             ),
             instead: "export the time series as dataset 58, function type 1",
         });
     }
     if !passed.is_empty() {
-        notes.push(format!("datasets passed over: {}", passed.join(", ")));
+        notes.push(format!("datasets passed over: {}", listed(&passed)));
     }
     if beside.turned {
         notes.push(
@@ -230,7 +233,9 @@ fn binary(lines: &Lines, kind: &str) -> Result<Option<Binary>, RecordError> {
     if cell(kind, 6, 1) != "b" {
         return Ok(None);
     }
-    let words: Vec<usize> = kind[7.min(kind.len())..]
+    // the columns before may be blanks of several bytes
+    let behind: String = kind.chars().skip(7).collect();
+    let words: Vec<usize> = behind
         .split_whitespace()
         .filter_map(|word| word.parse().ok())
         .collect();
@@ -375,8 +380,8 @@ fn printed(lines: &mut Lines, count: usize, width: usize) -> Result<Vec<f64>, Re
 
 /// Dataset 15: one line a node.
 fn nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
-    while let Some(line) = lines.peek().filter(|line| line.trim() != "-1") {
-        lines.next();
+    while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
+        lines.next()?;
         let wanted = "a node: label, three codes, x, y, z";
         let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, wanted))?;
         let mut xyz = [0.0; 3];
@@ -390,8 +395,8 @@ fn nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
 
 /// Dataset 2411: two lines a node.
 fn long_nodes(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
-    while let Some(line) = lines.peek().filter(|line| line.trim() != "-1") {
-        lines.next();
+    while let Some(line) = lines.peek()?.filter(|line| line.trim() != "-1") {
+        lines.next()?;
         let label = whole(&cell(&line, 0, 10)).ok_or_else(|| lines.is_not(&line, "the label of a node"))?;
         let places = lines.want("the coordinates of a node")?;
         let xyz: Vec<f64> = places.split_whitespace().filter_map(decimal).collect();
@@ -410,4 +415,28 @@ fn units(lines: &mut Lines, beside: &mut Beside) -> Result<(), RecordError> {
     beside.length =
         Some(factor.ok_or_else(|| lines.is_not(&line, "the factors of length, force and temperature"))?);
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn refuses_odd_blanks_and_lines_without_end() {
+        // wide blanks before the number: its columns are no bytes
+        let odd = "    -1\n\u{2003}\u{2003}\u{2003} 58b\n    -1\n";
+        assert!(
+            read(odd.as_bytes())
+                .unwrap_err()
+                .to_string()
+                .starts_with("line 2: \"58b\" is not \"58b\", order")
+        );
+        let long = "    -1\n    58\n".to_owned() + &"1 ".repeat(1_000_000);
+        assert!(
+            read(long.as_bytes())
+                .unwrap_err()
+                .to_string()
+                .starts_with("line 3 has 2000000 bytes, but at most 1048576")
+        );
+    }
 }

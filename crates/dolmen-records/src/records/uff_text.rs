@@ -1,6 +1,7 @@
 //! Lines and columns of fixed width of a universal file.
 
 use super::RecordError;
+use crate::limits::{LimitError, line_end};
 use crate::number::parse_number;
 
 pub(super) const FORMAT: &str = "uff";
@@ -28,17 +29,20 @@ impl<'a> Lines<'a> {
     }
 
     /// The next line without its end; what is no UTF-8 becomes marks.
-    pub(super) fn next(&mut self) -> Option<String> {
-        let rest = self.bytes.get(self.at..).filter(|rest| !rest.is_empty())?;
-        let end = memchr::memchr(b'\n', rest);
+    pub(super) fn next(&mut self) -> Result<Option<String>, LimitError> {
+        let Some(rest) = self.bytes.get(self.at..).filter(|rest| !rest.is_empty()) else {
+            return Ok(None);
+        };
+        let end = line_end(rest, self.number + 1)?;
         let line = &rest[..end.unwrap_or(rest.len())];
         self.at += end.map_or(rest.len(), |end| end + 1);
         self.number += 1;
-        Some(String::from_utf8_lossy(line.strip_suffix(b"\r").unwrap_or(line)).into_owned())
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        Ok(Some(String::from_utf8_lossy(line).into_owned()))
     }
 
     /// The next line, which stays.
-    pub(super) fn peek(&self) -> Option<String> {
+    pub(super) fn peek(&self) -> Result<Option<String>, LimitError> {
         let mut ahead = *self;
         ahead.next()
     }
@@ -46,7 +50,7 @@ impl<'a> Lines<'a> {
     /// The next line, or a refusal that says what it should have been.
     pub(super) fn want(&mut self, wanted: &'static str) -> Result<String, RecordError> {
         let line = self.number + 1;
-        self.next().ok_or(RecordError::EndsBefore {
+        self.next()?.ok_or(RecordError::EndsBefore {
             format: FORMAT,
             line,
             wanted,

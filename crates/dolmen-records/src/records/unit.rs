@@ -1,6 +1,7 @@
 //! What a file and a project say of the unit of samples.
 
 use super::RecordError;
+use crate::quoted::shown;
 use crate::unit::Unit;
 
 /// What a file says of the unit of its numbers.
@@ -48,7 +49,7 @@ pub(super) fn unit_of_label(label: &str) -> FileUnit {
     }
     match Unit::parse(&plain) {
         Ok(unit) if unit != Unit::Unknown => FileUnit::Known(unit),
-        _ => FileUnit::Other(label.to_owned()),
+        _ => FileUnit::Other(shown(label)),
     }
 }
 

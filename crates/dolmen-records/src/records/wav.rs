@@ -12,6 +12,7 @@
 use super::cursor::{Cursor, Number};
 use super::series::{Found, Series};
 use super::{FileUnit, RecordError, RecordFormat, RecordOptions};
+use crate::limits::refuse_channels;
 
 const FORMAT: &str = "wav";
 const INTEGERS: u16 = 1;
@@ -85,7 +86,10 @@ pub(super) fn read(bytes: &[u8], options: &RecordOptions) -> Result<Found, Recor
     if !scaled {
         return Err(RecordError::NoFullScale);
     }
-    let mut samples = vec![Vec::with_capacity(data.len() / frame); told.channels];
+    refuse_channels(FORMAT, told.channels)?;
+    let mut samples: Vec<Vec<f64>> = (0..told.channels)
+        .map(|_| Vec::with_capacity(data.len() / frame))
+        .collect();
     let mut cursor = Cursor::new(data, FORMAT);
     for _ in 0..data.len() / frame {
         for channel in &mut samples {

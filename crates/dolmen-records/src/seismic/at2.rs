@@ -13,6 +13,7 @@ use super::lines::excerpt;
 use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
 use super::{Orientation, SeismicError};
+use crate::limits::head;
 use crate::number::parse_number;
 use crate::unit::Unit;
 
@@ -31,9 +32,9 @@ fn header_length(bytes: &[u8]) -> Option<usize> {
 
 /// The samples as the file prints them.
 pub(super) fn read(bytes: &[u8], unit_is_given: bool) -> Result<Vec<Raw>, SeismicError> {
-    let at = header_length(bytes).ok_or_else(|| SeismicError::At2Header {
-        line: 1,
-        text: excerpt(bytes.split(|b| *b == b'\n').next().unwrap_or_default()),
+    let at = header_length(head(bytes)).ok_or(SeismicError::Missing {
+        label: "NPTS",
+        lines: HEADER_LINES_MOST,
     })?;
     let lines: Vec<&[u8]> = bytes.split(|b| *b == b'\n').take(at + 1).collect();
     let mut unit = None;

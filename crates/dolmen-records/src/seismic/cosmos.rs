@@ -15,6 +15,7 @@ use super::lines::{Columns, Line, Lines, refused, text};
 use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
 use super::{Orientation, SeismicError};
+use crate::limits::refuse_channels;
 use crate::unit::Unit;
 
 /// How a value that is not known is written.
@@ -43,6 +44,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
         if line.1.trim_ascii().is_empty() {
             lines.next();
         } else if is_first(&text(line)) {
+            refuse_channels("cosmos", channels.len() + 1)?;
             channels.push(channel(&mut lines, channels.len())?);
         } else {
             return Err(refused(

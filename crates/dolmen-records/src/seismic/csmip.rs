@@ -12,7 +12,11 @@ use super::lines::{Columns, Line, Lines, refused, text};
 use super::raw::{MotionFormat, Raw};
 use super::units::acceleration_unit;
 use super::{Orientation, SeismicError};
+use crate::limits::refuse_channels;
+use crate::quoted::shown;
 
+/// The shortest line that says something: "Chan 1:".
+const LINE_LEAST: usize = 7;
 /// The first line begins with one of these, small or capital.
 const FIRST: [&str; 3] = [
     "uncorrected accelerogram",
@@ -86,7 +90,10 @@ fn direction(line: &str) -> Option<(String, Option<Orientation>)> {
     let (channel, rest) = line[at + 5..].split_once(':')?;
     channel.trim().parse::<u32>().ok()?;
     let word = rest.split_whitespace().next().unwrap_or_default();
-    Some((format!("Chan {}", channel.trim()), Orientation::of_word(word)))
+    Some((
+        shown(&format!("Chan {}", channel.trim())),
+        Orientation::of_word(word),
+    ))
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
@@ -95,12 +102,15 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
     let mut title = String::new();
     let mut lines = Lines::new(bytes);
     while let Some(line) = lines.next() {
+        if line.1.len() < LINE_LEAST {
+            continue;
+        }
         let Some(series) = series(line)? else {
             let told = text(line);
             named = direction(&told).or(named);
             let station = told.to_lowercase();
             if station.starts_with("station id") || station.starts_with("station no") {
-                title = told.split_whitespace().collect::<Vec<_>>().join(" ");
+                title = shown(&told.split_whitespace().collect::<Vec<_>>().join(" "));
             }
             continue;
         };
@@ -113,6 +123,7 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
             text: series.unit.clone(),
         };
         let unit = acceleration_unit(&series.unit).ok_or_else(unknown)?;
+        refuse_channels("csmip", channels.len() + 1)?;
         let (name, orientation) = named
             .take()
             .unwrap_or((format!("channel {}", channels.len() + 1), None));

@@ -1,5 +1,8 @@
 //! Why a file of a seismic station cannot be read.
 
+use crate::limits::LimitError;
+use crate::quoted::shown;
+
 /// Why the bytes of a file are no channels of a seismic station. Each variant says where in the file and what to do. Lines are
 /// counted from 1.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -7,7 +10,8 @@ pub enum SeismicError {
     /// The header of an AT2 file does not say how many samples and how far apart.
     #[error(
         "line {line}: \"{text}\" does not give NPTS and DT: it must read like \"NPTS= 4000, DT= .0100 SEC\" or \
-         \"4000 0.0100 NPTS, DT\"; download the file again"
+         \"4000 0.0100 NPTS, DT\"; download the file again",
+        text = shown(text)
     )]
     At2Header {
         /// The line.
@@ -28,7 +32,8 @@ pub enum SeismicError {
     },
     /// A unit that a header names is not known.
     #[error(
-        "line {line}: the unit \"{text}\" is not known: give unit = g, gal or m/s2 if you know which is meant"
+        "line {line}: the unit \"{text}\" is not known: give unit = g, gal or m/s2 if you know which is meant",
+        text = shown(text)
     )]
     At2Unit {
         /// The line.
@@ -37,7 +42,10 @@ pub enum SeismicError {
         text: String,
     },
     /// A value is no number.
-    #[error("line {line}: \"{text}\" is not a finite number: correct it, or download the file again")]
+    #[error(
+        "line {line}: \"{text}\" is not a finite number: correct it, or download the file again",
+        text = shown(text)
+    )]
     NotANumber {
         /// The line.
         line: usize,
@@ -55,7 +63,10 @@ pub enum SeismicError {
         found: usize,
     },
     /// A line is not what the format has there.
-    #[error("line {line}: \"{text}\" is not {wanted}: the file was cut or edited; download it again")]
+    #[error(
+        "line {line}: \"{text}\" is not {wanted}: the file was cut or edited; download it again",
+        text = shown(text)
+    )]
     Line {
         /// The line.
         line: usize,
@@ -124,7 +135,8 @@ pub enum SeismicError {
     /// Records of a channel do not follow one another.
     #[error(
         "channel {channel}: a record begins {found_s} s after the first, but the samples before it end at {expected_s} s: there \
-         is a gap or an overlap; cut the file there"
+         is a gap or an overlap; cut the file there",
+        channel = shown(channel)
     )]
     Gap {
         /// The channel.
@@ -134,6 +146,9 @@ pub enum SeismicError {
         /// Where it begins, s.
         found_s: f64,
     },
+    /// The file asks too much of the reader.
+    #[error(transparent)]
+    Limit(#[from] LimitError),
     /// Raw counts of a recorder that the file does not convert.
     #[error(
         "line {line}: the numbers are raw counts of the recorder (V0): take the V1 or V2 file, which holds accelerations"

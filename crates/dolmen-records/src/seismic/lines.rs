@@ -1,6 +1,7 @@
 //! Lines of a text file with their numbers, and numbers in columns of fixed width as FORTRAN prints them.
 
 use super::SeismicError;
+use crate::limits::{LimitError, line_end};
 use crate::number::parse_number;
 
 /// A line: its number from 1 and its bytes without the line end.
@@ -46,6 +47,15 @@ impl<'a> Iterator for Lines<'a> {
         self.read += 1;
         Some((self.read, line.strip_suffix(b"\r").unwrap_or(line)))
     }
+}
+
+/// Refuses a text with a line that is too long, before any of it is read.
+pub(super) fn refuse_long_lines(bytes: &[u8]) -> Result<(), LimitError> {
+    let (mut at, mut line) = (0, 1);
+    while let Some(end) = line_end(&bytes[at..], line)? {
+        (at, line) = (at + end + 1, line + 1);
+    }
+    Ok(())
 }
 
 /// As much of a text of the file as fits into a message.

@@ -17,7 +17,9 @@ use super::raw::{MotionFormat, Raw};
 use super::steim::{self, Steim};
 use super::{Orientation, SeismicError};
 use crate::breaks::Break;
+use crate::limits::refuse_channels;
 use crate::start;
+use std::collections::BTreeMap;
 
 const HEADER_BYTES: usize = 48;
 /// Lengths of records, 2ⁿ, that SEED allows.
@@ -85,7 +87,7 @@ struct Record {
 }
 
 pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
-    let mut channels: Vec<Raw> = Vec::new();
+    let mut channels = Channels::default();
     let mut at = 0;
     while at < bytes.len() {
         let rest = &bytes[at..];
@@ -106,16 +108,16 @@ pub(super) fn read(bytes: &[u8]) -> Result<Vec<Raw>, SeismicError> {
         }
         if record.samples > 0 {
             let samples = samples(&rest[..record.length], &record, at as u64)?;
-            joined(&mut channels, record_of(&record), samples)?;
+            channels.join(record_of(&record), samples)?;
         }
         at += record.length;
     }
-    match channels.is_empty() {
+    match channels.raw.is_empty() {
         true => Err(SeismicError::Damaged {
             at: 0,
             what: "no record holds samples",
         }),
-        false => Ok(channels),
+        false => Ok(channels.raw),
     }
 }
 
@@ -128,37 +130,54 @@ fn record_of(record: &Record) -> Raw {
     }
 }
 
-/// Appends the samples of a record to its channel; says where there is a gap, and refuses an overlap.
-fn joined(channels: &mut Vec<Raw>, mut record: Raw, samples: Vec<f64>) -> Result<(), SeismicError> {
-    let Some(known) = channels.iter_mut().find(|known| known.name == record.name) else {
-        record.samples = samples;
-        channels.push(record);
-        return Ok(());
-    };
-    let (step, first) = (known.time_step_s, known.begins_s.unwrap_or(0.0));
-    let last = known
-        .breaks
-        .last()
-        .copied()
-        .unwrap_or(Break { at: 0, begins_s: 0.0 });
-    let expected_s = last.begins_s + (known.samples.len() - last.at) as f64 * step;
-    let found_s = record.begins_s.unwrap_or(0.0) - first;
-    let other_rate = (record.time_step_s / step - 1.0).abs() > 1e-4;
-    if other_rate || found_s < expected_s - GAP_STEPS * step {
-        return Err(SeismicError::Gap {
-            channel: record.name,
-            expected_s,
-            found_s,
-        });
+/// The channels of a file in the order of their first records.
+#[derive(Default)]
+struct Channels {
+    raw: Vec<Raw>,
+    /// Which is that of a name.
+    places: BTreeMap<String, usize>,
+}
+
+impl Channels {
+    /// Appends the samples of a record to its channel; says where there is a gap, and refuses an overlap.
+    fn join(&mut self, mut record: Raw, samples: Vec<f64>) -> Result<(), SeismicError> {
+        let next = self.raw.len();
+        let place = match self.places.get(&record.name) {
+            Some(place) => *place,
+            None => next,
+        };
+        let Some(known) = self.raw.get_mut(place) else {
+            refuse_channels("miniseed", next + 1)?;
+            self.places.insert(record.name.clone(), next);
+            record.samples = samples;
+            self.raw.push(record);
+            return Ok(());
+        };
+        let (step, first) = (known.time_step_s, known.begins_s.unwrap_or(0.0));
+        let last = known
+            .breaks
+            .last()
+            .copied()
+            .unwrap_or(Break { at: 0, begins_s: 0.0 });
+        let expected_s = last.begins_s + (known.samples.len() - last.at) as f64 * step;
+        let found_s = record.begins_s.unwrap_or(0.0) - first;
+        let other_rate = (record.time_step_s / step - 1.0).abs() > 1e-4;
+        if other_rate || found_s < expected_s - GAP_STEPS * step {
+            return Err(SeismicError::Gap {
+                channel: record.name,
+                expected_s,
+                found_s,
+            });
+        }
+        if found_s > expected_s + GAP_STEPS * step {
+            known.breaks.push(Break {
+                at: known.samples.len(),
+                begins_s: found_s,
+            });
+        }
+        known.samples.extend(samples);
+        Ok(())
     }
-    if found_s > expected_s + GAP_STEPS * step {
-        known.breaks.push(Break {
-            at: known.samples.len(),
-            begins_s: found_s,
-        });
-    }
-    known.samples.extend(samples);
-    Ok(())
 }
 
 /// The same channels; refuses a gap.

@@ -439,7 +439,8 @@ fn exact_seismic_files_are_records_too() {
         ..Default::default()
     };
     assert!(
-        refusal(&counts, &csv).starts_with("the file is not of the format csv: it begins with \"000001D ")
+        refusal(&counts, &csv)
+            .starts_with("the file is not of the format csv: it begins like a miniseed file; correct format")
     );
     // IDEP = 7, velocities: an acceleration would be a mistake
     let mut velocities = sac.clone();

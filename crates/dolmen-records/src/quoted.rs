@@ -1,0 +1,81 @@
+//! Text of a file as errors quote it: short, and without signs that a terminal obeys.
+
+/// Most characters of one quotation. Chosen here: two lines of a terminal.
+const CHARACTERS_MOST: usize = 200;
+/// Most names of one list. Chosen here: nobody reads more to find the one meant.
+const NAMES_MOST: usize = 20;
+
+/// A text with its control characters escaped, cut with "…" where it is longer than an error may quote. Shown twice it is the same.
+pub(crate) fn shown(text: &str) -> String {
+    let mut out = String::new();
+    let (mut written, mut room) = (0, 0);
+    for c in text.chars() {
+        let width = if is_obeyed(c) {
+            c.escape_unicode().count()
+        } else {
+            1
+        };
+        written += width;
+        if written > CHARACTERS_MOST {
+            out.truncate(room);
+            out.push('…');
+            break;
+        }
+        if width > 1 {
+            out.extend(c.escape_unicode());
+        } else {
+            out.push(c);
+        }
+        if written < CHARACTERS_MOST {
+            room = out.len();
+        }
+    }
+    out
+}
+
+/// The first names of a list, each as an error quotes it, and how many follow.
+pub(crate) fn listed<T: AsRef<str>>(names: &[T]) -> String {
+    let first: Vec<String> = names
+        .iter()
+        .take(NAMES_MOST)
+        .map(|name| shown(name.as_ref()))
+        .collect();
+    match names.len().saturating_sub(NAMES_MOST) {
+        0 => first.join(", "),
+        more => format!("{} and {more} more", first.join(", ")),
+    }
+}
+
+/// Control characters, and marks that turn the direction of a line or end it.
+fn is_obeyed(c: char) -> bool {
+    let turns = matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}');
+    c.is_control() || turns
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn holds_a_quotation_is_short_and_harmless() {
+        assert_eq!(shown("roof x [m/s²]"), "roof x [m/s²]");
+        assert_eq!(shown("a\u{1b}[2Jb\nc\u{202e}"), "a\\u{1b}[2Jb\\u{a}c\\u{202e}");
+        let exact = "é".repeat(200);
+        assert_eq!(shown(&exact), exact);
+        let long = shown(&"é".repeat(201));
+        assert_eq!((long.chars().count(), long.ends_with('…')), (200, true));
+        for text in ["\u{1b}".repeat(1000), format!("{}\u{1b}", "a".repeat(197))] {
+            let cut = shown(&text);
+            assert!(cut.chars().count() <= 200 && cut.ends_with('…'), "{cut}");
+            assert_eq!(shown(&cut), cut);
+        }
+    }
+
+    #[test]
+    fn holds_a_list_names_twenty() {
+        let names: Vec<String> = (1..=23).map(|n| format!("ch{n}")).collect();
+        assert_eq!(listed(&names[..2]), "ch1, ch2");
+        assert!(listed(&names[..20]).ends_with("ch19, ch20"));
+        assert!(listed(&names).ends_with("ch19, ch20 and 3 more"));
+    }
+}
