@@ -59,6 +59,12 @@ pub(crate) enum Verb {
     },
     /// JSON schema of the project file
     Schema,
+    /// Sentences of reports in English and Korean, side by side, for who reviews them; a table (CSV)
+    Words {
+        /// Write it into this file, for Excel, instead of printing it
+        #[arg(long, value_name = "FILE")]
+        export: Option<PathBuf>,
+    },
     /// Completions for a shell, to standard output
     Completions {
         /// The shell

@@ -1,5 +1,6 @@
 //! The only place that touches the disk: opening inputs with a clear error, and writing results whole or not at all.
 
+use crate::progress::end_silence;
 use anyhow::{Context as _, Result, bail};
 use dolmen_records::FileError;
 use std::fs;
@@ -175,6 +176,7 @@ pub(crate) fn clear_parts(folder: &Path) {
 
 /// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
 pub(crate) fn say(text: &str) -> Result<()> {
+    end_silence();
     match std::io::stdout().write_all(text.as_bytes()) {
         Err(fault) if fault.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
         written => written.context("cannot write to standard output"),

@@ -66,7 +66,9 @@ fn main() -> ExitCode {
     let matches = command.clone().get_matches();
     let typed = Typed::of(&command, &matches);
     let cli = Cli::from_arg_matches(&matches).unwrap_or_else(|fault| fault.exit());
-    match run(&cli, &typed) {
+    let done = run(&cli, &typed);
+    progress::end_silence();
+    match done {
         Ok(Outcome::Done) => ExitCode::SUCCESS,
         Ok(Outcome::Unfinished) => ExitCode::from(tools::NO_CONVERGENCE),
         Ok(Outcome::Judged(status)) => ExitCode::from(status),
@@ -79,6 +81,7 @@ fn main() -> ExitCode {
 
 fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
     let manner = &cli.manner;
+    progress::show_work(manner.quiet);
     match &cli.verb {
         Verb::New(options) => examples::run(options, manner),
         Verb::Check(options) => check::run(options, typed, manner),
@@ -93,6 +96,7 @@ fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
         Verb::Report(options) => report::run(options, typed, manner),
         Verb::Demo(options) => report::demo(options, manner),
         Verb::Schema => tools::schema(),
+        Verb::Words { export } => tools::words(export.as_deref(), manner),
         Verb::Validate => validate::run(manner.json),
         Verb::Doctor => validate::doctor(),
         Verb::Explain { code } => tools::explain(code.as_deref(), manner.json),

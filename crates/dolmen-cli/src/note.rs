@@ -4,6 +4,7 @@
 macro_rules! note {
     ($($said:tt)*) => {{
         use std::io::Write as _;
+        $crate::progress::end_silence();
         let _ = writeln!(std::io::stderr(), $($said)*);
     }};
 }

@@ -2,6 +2,7 @@
 
 use dolmen_work::{Progress, Stage};
 use indicatif::{ProgressBar, ProgressStyle};
+use std::io::IsTerminal as _;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Mutex, OnceLock, PoisonError};
 use std::time::Duration;
@@ -14,6 +15,46 @@ static HANDLER: OnceLock<bool> = OnceLock::new();
 const INTERRUPTED: i32 = 130;
 /// How often the progress line turns.
 const TICK: Duration = Duration::from_millis(120);
+
+/// After which a verb that says nothing yet shows that it is at work.
+const PATIENCE: Duration = Duration::from_secs(2);
+
+/// The line of a verb that has said nothing yet.
+struct Silence {
+    is_over: bool,
+    line: Option<ProgressBar>,
+}
+
+static SILENCE: Mutex<Silence> = Mutex::new(Silence {
+    is_over: false,
+    line: None,
+});
+
+/// Shows a turning line on a terminal after two seconds, until [`end_silence`].
+pub(crate) fn show_work(quiet: bool) {
+    if quiet || !std::io::stderr().is_terminal() {
+        return;
+    }
+    std::thread::spawn(|| {
+        std::thread::sleep(PATIENCE);
+        let mut silence = SILENCE.lock().unwrap_or_else(PoisonError::into_inner);
+        if !silence.is_over {
+            let line = styled(ProgressBar::new_spinner(), "{spinner} {msg} {elapsed}");
+            line.set_message("computing");
+            line.enable_steady_tick(TICK);
+            silence.line = Some(line);
+        }
+    });
+}
+
+/// Takes the line of [`show_work`] away, for good: something is said.
+pub(crate) fn end_silence() {
+    let mut silence = SILENCE.lock().unwrap_or_else(PoisonError::into_inner);
+    silence.is_over = true;
+    if let Some(line) = silence.line.take() {
+        line.finish_and_clear();
+    }
+}
 
 /// A bar or a turning line.
 pub(crate) struct Terminal {
@@ -71,6 +112,7 @@ fn styled(bar: ProgressBar, template: &str) -> ProgressBar {
 
 impl Progress for Terminal {
     fn begin(&self, stage: &Stage) {
+        end_silence();
         let mut shown = self.shown.lock().unwrap_or_else(PoisonError::into_inner);
         shown.bar.finish_and_clear();
         shown.whole_s = None;

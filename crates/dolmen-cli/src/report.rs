@@ -113,7 +113,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     );
     outputs.file(&options.output, page.as_bytes())?;
     if !manner.quiet {
-        println!("{}", options.output.display());
+        files::say(&format!("{}\n", options.output.display()))?;
     }
     let statuses = answers
         .iter()
@@ -146,7 +146,11 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
             manner,
         )?;
         if !manner.quiet {
-            println!("{}: {}", answer.project.name.english(), project_line(&answer));
+            files::say(&format!(
+                "{}: {}\n",
+                answer.project.name.english(),
+                project_line(&answer)
+            ))?;
         }
         answers.push(answer);
     }
@@ -156,9 +160,9 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
         html(&answers, &[], request::language(options.language), &imprint(None)).as_bytes(),
     )?;
     if !manner.quiet {
-        print!("The report on all of them: ");
+        files::say("The report on all of them: ")?;
     }
-    println!("{}", report.display());
+    files::say(&format!("{}\n", report.display()))?;
     Ok(Outcome::Done)
 }
 

@@ -12,6 +12,7 @@ use clap_mangen::Man;
 use dolmen_project::json_schema;
 use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
 use dolmen_report::files::NamedFile;
+use dolmen_report::sentences::sentences_csv;
 use dolmen_work::{did_not_converge, told};
 use serde_json::json;
 use std::io::Write as _;
@@ -80,6 +81,14 @@ pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
 
 pub(crate) fn schema() -> Result<Outcome> {
     files::say(&format!("{:#}\n", json_schema()))?;
+    Ok(Outcome::Done)
+}
+
+pub(crate) fn words(file: Option<&Path>, manner: &Manner) -> Result<Outcome> {
+    match file {
+        None => files::say(&sentences_csv())?,
+        Some(file) => Outputs::new(manner).file(file, sentences_csv().as_bytes())?,
+    }
     Ok(Outcome::Done)
 }
 

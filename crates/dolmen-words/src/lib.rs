@@ -3,7 +3,12 @@
 pub mod advice;
 mod file_name;
 mod language;
+pub mod message;
 pub mod number;
+pub mod particles;
+mod quantity;
 
 pub use file_name::{file_name, same_file_name};
 pub use language::Language;
+pub use message::{Sentence, Template};
+pub use quantity::{Digits, Quantity, Unit, Values};

@@ -31,7 +31,7 @@ pub fn load_factor_distribution(
         .copied()
         .chain(marks.into_iter().flatten())
         .collect();
-    let x = Axis::around(language.pick("Load factor λ (–)", "하중계수 λ (–)"), &all, 8);
+    let x = Axis::around(language.pick("Load factor λ (–)", "하중배율 λ (–)"), &all, 8);
     let bars = ((finite.len() as f64).sqrt() as usize).clamp(BARS_LEAST, BARS_MOST);
     let (least, most) = finite
         .iter()
@@ -111,7 +111,7 @@ pub fn load_factor_distribution(
         [-6.0, 31.0],
         Label::new(counted, Anchor::End).small(),
     );
-    plot.svg(language.pick("Distribution of the load factor", "하중계수의 분포"))
+    plot.svg(language.pick("Distribution of the load factor", "하중배율의 분포"))
 }
 
 /// One variant in [`variants_compared`].
@@ -136,7 +136,7 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
     let finite: Vec<f64> = all.into_iter().filter(|v| v.is_finite()).collect();
     let name = language.pick(
         "Load factor λ and margins k/k_min (–)",
-        "하중계수 λ 및 여유율 k/k_min (–)",
+        "하중배율 λ 및 여유도 k/k_min (–)",
     );
     let x = Axis::logarithmic(name, &finite);
     let mut plot = Plot::new([680.0, 96.0 + 44.0 * rows.len() as f64], x, Axis::rows(&rows));
@@ -165,7 +165,7 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
     );
     plot.key(
         Key::Dot(Shape::Ring, GREY),
-        language.pick("margins of joints or storeys", "연결부·층의 여유율"),
+        language.pick("margins of joints or storeys", "접합면·층의 여유도"),
     );
     plot.key(
         Key::Line(Line::new(VERMILLION, 1.6)),
@@ -177,5 +177,5 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
         language.pick("below it marginal", "미만이면 여유 부족")
     );
     plot.key(Key::Line(Line::new(ORANGE, 1.6).dashed()), marginal);
-    plot.svg(language.pick("Variants compared", "변형안 비교"))
+    plot.svg(language.pick("Variants compared", "대안 비교"))
 }

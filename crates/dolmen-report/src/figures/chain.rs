@@ -61,7 +61,7 @@ pub fn chain_elevation(
         [8.0, 10.0],
         &Label::new(language.pick("Height (m)", "높이 (m)"), Anchor::Start).small(),
     );
-    let margin_head = language.pick("joint: margin k/k_min", "연결부: 여유율 k/k_min");
+    let margin_head = language.pick("joint: margin k/k_min", "접합면: 여유도 k/k_min");
     scene.text([432.0, 10.0], &Label::new(margin_head, Anchor::End).small());
 
     let mut base_m = 0.0;
@@ -140,7 +140,7 @@ pub fn chain_elevation(
         [8.0, bottom + 32.0],
         &Label::new(note, Anchor::Start).small().coloured(GREY),
     );
-    scene.svg(language.pick("Elevation of the chain with its joints", "연결부를 표시한 입면도"))
+    scene.svg(language.pick("Elevation of the chain with its joints", "접합면을 표시한 입면도"))
 }
 
 /// Stiffness limits of every joint on a logarithmic axis: the published critical stiffness k_cr, the published P·H, the
@@ -176,7 +176,7 @@ pub fn stiffness_limits(
     let x = Axis::logarithmic(format!("{name} ({})", unit.unit), &scaled);
     let count = limits.necessary_n_m_rad.len();
     let rows: Vec<String> = (1..=count)
-        .map(|i| format!("{} {i}", language.pick("joint", "연결부")))
+        .map(|i| format!("{} {i}", language.pick("joint", "접합면")))
         .collect();
     let size = [680.0, 96.0 + 46.0 * count as f64];
     let mut plot = Plot::new(size, x, Axis::rows(&rows));
@@ -213,13 +213,13 @@ pub fn stiffness_limits(
             Shape::Triangle,
             VERMILLION,
             "published k_cr (unsafe)",
-            "발표된 임계 강성 k_cr (불안전측)",
+            "발표된 임계강성 k_cr (불안전측)",
         ),
         (
             Shape::Bar,
             BLACK,
             "exact limit M, other joints rigid",
-            "정확한 한계 M (다른 연결부 강체)",
+            "정확한 한계 M (다른 접합면 강체)",
         ),
         (Shape::Square, ORANGE, "published P·H", "발표된 좌굴 임계강성 P·H"),
     ];
@@ -228,7 +228,7 @@ pub fn stiffness_limits(
     }
     let falls = language.pick(
         "falls whatever the other joints are",
-        "다른 연결부와 무관하게 전도",
+        "다른 접합면과 무관하게 전도",
     );
     plot.key(Key::Block(VERMILLION, 0.13), falls);
     if stability.is_some() {
@@ -239,12 +239,12 @@ pub fn stiffness_limits(
         if !least.is_empty() {
             let words = language.pick(
                 "least k, other joints as given",
-                "최소 k (다른 연결부는 주어진 값)",
+                "최소 k (다른 접합면은 주어진 값)",
             );
             plot.key(Key::Dot(Shape::Ring, BLUE), words);
         }
     }
-    plot.svg(language.pick("Stiffness limits of each joint", "연결부별 강성 한계"))
+    plot.svg(language.pick("Stiffness limits of each joint", "접합면별 강성 한계"))
 }
 
 /// What lowering one centroid does to each joint: change of the published k_cr beside that of the exact limit M, per
@@ -266,7 +266,7 @@ pub fn centroid_effect(limits: &ChainLimits, effect: &CentroidEffect, language: 
     let name = language.pick("Change of the limit (%)", "한계값의 변화 (%)");
     let x = Axis::around(name, &all, 6);
     let rows: Vec<String> = (1..=exact.len())
-        .map(|i| format!("{} {i}", language.pick("joint", "연결부")))
+        .map(|i| format!("{} {i}", language.pick("joint", "접합면")))
         .collect();
     let mut plot = Plot::new([345.0, 92.0 + 30.0 * exact.len() as f64], x, Axis::rows(&rows));
     plot.upright(0.0, Line::new(BLACK, 1.2));

@@ -42,7 +42,7 @@ pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<
         let across: Vec<f64> = history.across_rad(joint).iter().map(|x| 1e3 * x).collect();
         let moment: Vec<f64> = history.joint_moment_n_m[joint].iter().map(|x| 1e-3 * x).collect();
         let names = [
-            language.pick("Rotation across the joint (mrad)", "연결부 회전각 (mrad)"),
+            language.pick("Rotation across the joint (mrad)", "접합면 회전각 (mrad)"),
             language.pick("Moment (kN·m)", "모멘트 (kN·m)"),
         ];
         let title = language.pick("Moment against rotation", "모멘트-회전각 이력곡선");
@@ -60,7 +60,7 @@ pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<
             language.pick("open", "벌어짐"),
             language.pick(
                 "When the joint below each link was open",
-                "부재 아래 연결부가 벌어진 시각",
+                "부재 아래 접합면이 벌어진 시각",
             ),
         ];
         let svg = rows_of_bands(&simulation.links, &open, end_s, words, language);
@@ -76,7 +76,7 @@ pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<
             language.pick("turns", "회전"),
             language.pick(
                 "When the joint below each link turned against its friction",
-                "부재 아래 연결부가 마찰을 이기고 회전한 시각",
+                "부재 아래 접합면이 마찰을 이기고 회전한 시각",
             ),
         ];
         let svg = rows_of_bands(&simulation.links, &slips, end_s, words, language);

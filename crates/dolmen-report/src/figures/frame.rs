@@ -94,7 +94,7 @@ pub fn frame_sketch(
                 verdict_colour(verdict),
             );
             let margin = storey.margin.map_or("–".into(), |m| number::beside_one(m, 3));
-            let words = language.pick("margin k/k_min", "여유율 k/k_min");
+            let words = language.pick("margin k/k_min", "여유도 k/k_min");
             scene.text(
                 [300.0, middle + 25.0],
                 &Label::new(format!("{words} {margin}"), Anchor::Start).small(),

@@ -263,11 +263,11 @@ fn survived(
         StudyKind::Chain => {
             plot.key(
                 Key::Dot(Shape::Circle, SKY),
-                language.pick("no joint moved", "연결부 움직임 없음"),
+                language.pick("no joint moved", "접합면 움직임 없음"),
             );
             plot.key(
                 Key::Dot(Shape::Circle, BLUE),
-                language.pick("joints opened or slipped", "연결부 벌어짐·미끄러짐"),
+                language.pick("joints opened or slipped", "접합면 벌어짐·미끄러짐"),
             );
             plot.key(Key::Dot(Shape::Cross, VERMILLION), language.pick("fell", "전도"));
         }

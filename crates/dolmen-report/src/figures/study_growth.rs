@@ -119,8 +119,8 @@ fn grown(kind: StudyKind, language: Language) -> &'static [(&'static str, &'stat
         ],
         (StudyKind::Chain, Language::Korean) => &[
             ("peak_top_displacement_m", "최상단 변위 (mm)", 1e3),
-            ("peak_joint_rotation_rad", "연결부 최대 회전각 (mrad)", 1e3),
-            ("open_share", "연결부 벌어짐 시간 비율 (%)", 100.0),
+            ("peak_joint_rotation_rad", "접합면 최대 회전각 (mrad)", 1e3),
+            ("open_share", "접합면 벌어짐 시간 비율 (%)", 100.0),
         ],
         (StudyKind::Building, Language::English) => &[
             ("peak_corner_drift_ratio", "Largest drift, % of the height", 100.0),
@@ -161,7 +161,7 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
             "흰색: 닫힘·고착",
             "벌어짐·미끄러짐 5 % 이하",
             "전도",
-            "연결부 벌어짐·미끄러짐 시간 비율",
+            "접합면 벌어짐·미끄러짐 시간 비율",
         ],
     };
     let mut frequencies: Vec<f64> = map.harmonic.iter().map(|point| point.frequency_hz).collect();

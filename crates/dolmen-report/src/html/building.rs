@@ -1,9 +1,9 @@
 //! A building in the report: verdict, plan, storeys, modes, dampers, spectrum.
 
-use super::chain_findings::load_factor_words;
 use super::finding::{Finding, Tone};
 use super::table::{Cell, figure, table};
 use crate::figures::building_plan;
+use crate::load_factor::load_factor_finding;
 use crate::text::GROWN;
 use dolmen::stability::Verdict;
 use dolmen::structure::building::StoreyFall;
@@ -20,7 +20,7 @@ const TWISTS: f64 = 0.02;
 pub(super) fn findings(answer: &BuildingAnswer, language: Language) -> Vec<Finding> {
     let factor = answer.load_factor();
     let verdict = Verdict::of_load_factor(factor);
-    let mut all = vec![Finding::of(verdict, load_factor_words(factor, verdict, language))];
+    let mut all = vec![Finding::said(load_factor_finding(factor, verdict), language)];
     if let Some(first) = StoreyFall::first(&answer.falls) {
         let name = &answer.floors[first.storey - 1];
         let (motion, korean) = if first.motion() == "twists" {
@@ -218,7 +218,7 @@ fn storeys(answer: &BuildingAnswer, language: Language) -> Markup {
         format!("k θ ({})", turning.unit),
         language.pick("eccentricity x (m)", "편심 x (m)").to_owned(),
         language.pick("y (m)", "y (m)").to_owned(),
-        language.pick("load factor λ", "하중계수 λ").to_owned(),
+        language.pick("load factor λ", "하중배율 λ").to_owned(),
     ];
     let rows: Vec<Vec<Cell>> = matrices
         .iter()

@@ -70,8 +70,8 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
             format!(
                 "전도되지 않으며 {}. 최대 회전각 {lean}\u{202f}mrad, 최상단 변위 {top}\u{202f}mm.",
                 match is_held {
-                    true => "받침 너비가 주어지지 않아 연결부가 벌어지지 않는 것으로 가정하였다",
-                    false => "합력이 받침 끝에 이르는 연결부는 없다",
+                    true => "받침 너비가 주어지지 않아 접합면이 벌어지지 않는 것으로 가정하였다",
+                    false => "합력이 받침 끝에 이르는 접합면은 없다",
                 }
             ),
         ),
@@ -79,7 +79,7 @@ fn ending(simulation: &ChainSimulation, language: Language) -> String {
             let name = simulation.link(joint);
             language.pick(
                 format!("it stands, but beds come to their edge, the one below ‘{name}’ first, at {at_s:.2}\u{202f}s; links lean by up to {lean}\u{202f}mrad, the top moves {top}\u{202f}mm."),
-                format!("전도되지 않으나 연결부가 벌어진다. ‘{name}’ 하부가 {at_s:.2}초에 처음 벌어지고, 최대 회전각 {lean}\u{202f}mrad, 최상단 변위 {top}\u{202f}mm."),
+                format!("전도되지 않으나 접합면이 벌어진다. ‘{name}’ 하부가 {at_s:.2}초에 처음 벌어지고, 최대 회전각 {lean}\u{202f}mrad, 최상단 변위 {top}\u{202f}mm."),
             )
         }
         ChainOutcome::Fell { link, at_s } => {
@@ -158,11 +158,11 @@ fn caption(name: &str, simulation: &ChainSimulation, language: Language) -> Stri
         ),
         "openings" => language.pick(
             "When the joint below each link was open. Its moment is then half the width of its bed times the weight above it.",
-            "부재 아래 연결부가 벌어진 시각. 이때 연결부 모멘트는 상부 하중과 밑면 폭 절반의 곱이다.",
+            "부재 아래 접합면이 벌어진 시각. 이때 접합면 모멘트는 상부 하중과 밑면 폭 절반의 곱이다.",
         ),
         "slips" => language.pick(
             "When the joint below each link turned against its friction. Between the bands it sticks.",
-            "부재 아래 연결부가 마찰을 이기고 회전한 시각. 띠 사이에서는 고착 상태이다.",
+            "부재 아래 접합면이 마찰을 이기고 회전한 시각. 띠 사이에서는 고착 상태이다.",
         ),
         "energy" => language.pick(
             "Where the energy went. Relative to the ground, all from the start.",
@@ -175,7 +175,7 @@ fn caption(name: &str, simulation: &ChainSimulation, language: Language) -> Stri
                 format!(
                     "Moment of the joint below ‘{name}’ against its rotation. Spring and friction; dashpots are not in it."
                 ),
-                format!("‘{name}’ 하부 연결부의 모멘트-회전각 이력곡선. 스프링과 마찰만 나타내며 점성감쇠는 제외하였다."),
+                format!("‘{name}’ 하부 접합면의 모멘트-회전각 이력곡선. 스프링과 마찰만 나타내며 점성감쇠는 제외하였다."),
             );
         }
     };
@@ -200,7 +200,7 @@ fn friction(static_moment_n_m: f64, kinetic_moment_n_m: f64, language: Language)
 
 fn joints_table(simulation: &ChainSimulation, language: Language) -> Markup {
     let head: Vec<String> = [
-        language.pick("Joint below", "연결부 (부재 하부)"),
+        language.pick("Joint below", "접합면 (부재 하부)"),
         language.pick("spring (kN·m/rad)", "스프링 (kN·m/rad)"),
         language.pick("dashpot (kN·m·s/rad)", "점성감쇠 (kN·m·s/rad)"),
         language.pick("on its edge at (kN·m)", "전도 모멘트 (kN·m)"),
@@ -235,7 +235,7 @@ fn joints_table(simulation: &ChainSimulation, language: Language) -> Markup {
         })
         .collect();
     table(
-        language.pick("What the joints are.", "연결부의 모델."),
+        language.pick("What the joints are.", "접합면의 모델."),
         1,
         &head,
         &rows,
@@ -247,7 +247,7 @@ fn links_table(simulation: &ChainSimulation, language: Language) -> Markup {
     let head: Vec<String> = [
         language.pick("Link", "부재"),
         language.pick("leaned (mrad)", "최대 회전각 (mrad)"),
-        language.pick("joint turned (mrad)", "연결부 회전각 (mrad)"),
+        language.pick("joint turned (mrad)", "접합면 회전각 (mrad)"),
         language.pick("moment (kN·m)", "모멘트 (kN·m)"),
         language.pick("open (s)", "벌어진 시간 (s)"),
         language.pick("slipped (mrad)", "누적 마찰 회전 (mrad)"),
@@ -272,7 +272,7 @@ fn links_table(simulation: &ChainSimulation, language: Language) -> Markup {
     table(
         language.pick(
             "What each link did, and the joint below it. Peaks of rotation between the samples too.",
-            "부재별 응답과 하부 연결부. 회전각은 표본 사이까지 포함한 최댓값.",
+            "부재별 응답과 하부 접합면. 회전각은 표본 사이까지 포함한 최댓값.",
         ),
         1,
         &head,
@@ -297,7 +297,7 @@ fn compared(simulations: &[&ChainSimulation], language: Language) -> Markup {
             let history = &simulation.history;
             let ended = match history.outcome {
                 ChainOutcome::Stood => language.pick("stood", "안정 유지"),
-                ChainOutcome::Uplifted { .. } => language.pick("joints opened", "연결부 벌어짐"),
+                ChainOutcome::Uplifted { .. } => language.pick("joints opened", "접합면 벌어짐"),
                 ChainOutcome::Fell { .. } => language.pick("fell", "전도"),
                 ChainOutcome::StillLeaning { .. } => language.pick("still leaning", "판정 불가"),
                 ChainOutcome::Stopped { .. } => language.pick("stopped", "중단"),
@@ -342,7 +342,7 @@ fn run(simulation: &ChainSimulation, language: Language) -> Markup {
             )) }
             p { (language.pick(
                 "A joint that opens is elastic and loses nothing as it closes; no stone slides; the axial forces are those at rest. What a fall does to the ground is not followed.",
-                "벌어진 연결부는 탄성으로 닫히며 충돌 손실이 없고, 부재의 미끄러짐은 없으며, 축력은 정적 상태의 값이다. 전도 이후는 추적하지 않는다.",
+                "벌어진 접합면은 탄성으로 닫히며 충돌 손실이 없고, 부재의 미끄러짐은 없으며, 축력은 정적 상태의 값이다. 전도 이후는 추적하지 않는다.",
             )) }
         }
     }

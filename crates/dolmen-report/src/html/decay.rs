@@ -37,7 +37,7 @@ pub(super) fn section(decay: &Decay, language: Language) -> Markup {
     }
     let caption = language.pick(
         "Frequency and damping by the size of the swings. Logarithmic decrement of the channel that shows most of each mode; loose joints show as a frequency that rises while the swings die.",
-        "진폭에 따른 고유진동수와 감쇠비. 각 모드가 가장 크게 나타나는 채널의 대수감쇠율이며, 헐거운 연결부는 진폭이 줄면서 진동수가 높아지는 것으로 나타난다.",
+        "진폭에 따른 고유진동수와 감쇠비. 각 모드가 가장 크게 나타나는 채널의 대수감쇠율이며, 헐거운 접합면은 진폭이 줄면서 진동수가 높아지는 것으로 나타난다.",
     );
     html! {
         p { (language.pick(

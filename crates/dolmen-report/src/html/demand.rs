@@ -26,9 +26,9 @@ fn in_g(acceleration_m_s2: f64) -> String {
 
 pub(super) fn verdict_word(verdict: DemandVerdict, language: Language) -> &'static str {
     match verdict {
-        DemandVerdict::Above => language.pick("above demand", "요구 수준 이상"),
-        DemandVerdict::Near => language.pick("near demand", "요구 수준에 근접"),
-        DemandVerdict::Below => language.pick("below demand", "요구 수준 미달"),
+        DemandVerdict::Above => language.pick("above demand", "기준 만족"),
+        DemandVerdict::Near => language.pick("near demand", "기준에 근접"),
+        DemandVerdict::Below => language.pick("below demand", "기준 불만족"),
         DemandVerdict::Unknown => language.pick("unknown", "판정 불가"),
     }
 }
@@ -55,7 +55,7 @@ pub(super) fn findings(answer: Option<&DemandAnswer>, language: Language) -> Vec
             Tone::Unknown,
             language.pick(
                 format!("The demand of the site is not compared: {why}."),
-                format!("대지의 요구 수준과 비교하지 못하였다 [{why}]."),
+                format!("부지의 요구 수준과 비교하지 못하였다 [{why}]."),
             ),
         ));
     }
@@ -107,7 +107,7 @@ fn sentence(
             capitalised(word)
         ),
         format!(
-            "{word}: 수직 가속도를 고려한 최초 거동 가속도 {left}; {source}의 지반 가속도 {ground}{korean}. 미달은 돌이 들리거나 \
+            "{word}: 수직 가속도를 고려한 최초 거동 가속도 {left}; {source}의 지반 가속도 {ground}{korean}. 불만족은 돌이 들리거나 \
              미끄러지기 시작한다는 뜻이며 붕괴를 뜻하지 않는다."
         ),
     )
@@ -137,7 +137,7 @@ pub(super) fn section(answer: Option<&DemandAnswer>, language: Language) -> Mark
         return html! {};
     };
     html! {
-        h2 { (language.pick("Earthquake demand at the site", "대지의 지진 요구 수준")) }
+        h2 { (language.pick("Earthquake demand at the site", "부지의 지진 요구 수준")) }
         p { (answer.site.spectrum.source) }
         (site_table(&answer.site, language))
         @if let Some(stack) = &answer.stack { (comparison_table(&stack.rows, language)) }
@@ -273,7 +273,7 @@ fn site_table(site: &SiteDemand, language: Language) -> Markup {
     table(
         language.pick(
             "The site. Every number between it and the spectrum.",
-            "대지. 스펙트럼을 정하는 모든 값.",
+            "부지. 스펙트럼을 정하는 모든 값.",
         ),
         1,
         &head,
@@ -326,7 +326,7 @@ fn comparison_table(rows: &[StackDemandRow], language: Language) -> Markup {
     table(
         &language.pick(
             format!("Capacity against demand. Ratio: what is left with the vertical acceleration, over the demand; above demand at least {near}, near 1 to {near}, below less than 1. By modes: the forces of all modes on what is above each joint against what weight and friction bear there. S_a alike, as published, lets all stones feel S_a: not on the safe side, and it decides nothing."),
-            format!("저항 가속도와 요구 수준. 비: 수직 가속도를 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 요구 수준 이상, 1–{near}이면 근접, 1 미만이면 미달. 모드별: 모든 모드의 관성력이 각 접합면 위쪽에 작용할 때 자중과 마찰이 견디는 비. S_a 균일(논문의 방법): 모든 돌에 S_a를 같게 적용한 비로, 안전측이 아니며 판정에 쓰지 않는다."),
+            format!("저항 가속도와 요구 수준. 비: 수직 가속도를 고려한 저항 가속도 / 요구 가속도. {near} 이상이면 기준 만족, 1–{near}이면 근접, 1 미만이면 불만족. 모드별: 모든 모드의 관성력이 각 접합면 위쪽에 작용할 때 자중과 마찰이 견디는 비. S_a 균일(논문의 방법): 모든 돌에 S_a를 같게 적용한 비로, 안전측이 아니며 판정에 쓰지 않는다."),
         ),
         1,
         &head,

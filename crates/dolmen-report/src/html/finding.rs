@@ -1,16 +1,8 @@
 //! One finding in plain words, and how it is marked.
 
+pub(super) use crate::document::Tone;
 use dolmen::stability::Verdict;
-
-/// How a finding is marked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Tone {
-    Good,
-    Warn,
-    Bad,
-    Plain,
-    Unknown,
-}
+use dolmen_words::Language;
 
 /// One finding.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +12,11 @@ pub(super) struct Finding {
 }
 
 impl Finding {
+    /// One of a document, in a language.
+    pub(super) fn said(of: crate::document::Finding, language: Language) -> Self {
+        Self::new(of.tone, of.sentence.text(language))
+    }
+
     pub(super) fn new(tone: Tone, text: impl Into<String>) -> Self {
         Finding {
             tone,
@@ -29,12 +26,6 @@ impl Finding {
 
     /// Marked as the verdict is.
     pub(super) fn of(verdict: Verdict, text: impl Into<String>) -> Self {
-        let tone = match verdict {
-            Verdict::Stable => Tone::Good,
-            Verdict::Marginal => Tone::Warn,
-            Verdict::Unstable => Tone::Bad,
-            Verdict::Unknown => Tone::Unknown,
-        };
-        Self::new(tone, text)
+        Self::new(Tone::of(verdict), text)
     }
 }

@@ -3,9 +3,10 @@
 use super::finding::{Finding, Tone};
 use super::given::{assumptions, assumptions_of_variant};
 use super::{
-    building, building_simulation, chain_findings, chain_simulation, change, demand, frame, frame_simulation,
-    identification, measured, modal, samples, setups, simulation, stack, tune, variants,
+    building, building_simulation, chain_simulation, change, demand, frame, frame_simulation, identification,
+    measured, modal, samples, setups, simulation, stack, tune, variants,
 };
+use crate::chain;
 use dolmen_project::{Cap, Structure};
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
@@ -17,7 +18,13 @@ pub(super) fn list(answer: &ProjectReport, language: Language) -> Markup {
     let mut all = Vec::new();
     if let Some(state) = answer.state() {
         match &state.check {
-            Check::Chain(check) => all.extend(chain_findings::findings(check, language)),
+            Check::Chain(check) => {
+                all.extend(
+                    chain::findings(check)
+                        .into_iter()
+                        .map(|of| Finding::said(of, language)),
+                );
+            }
             Check::Frame(directions) => all.extend(frame::findings(directions, language)),
             Check::Stack(check) => all.extend(stack::findings(check, language)),
             Check::Building(check) => all.extend(building::findings(check, language)),
@@ -58,7 +65,7 @@ pub(super) fn list(answer: &ProjectReport, language: Language) -> Markup {
             Tone::Warn,
             language.pick(
                 "The part at the very top (cap stone) is left out of the model: the true limits are higher and the true margins lower than stated.",
-                "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유율은 작다.",
+                "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유도는 작다.",
             ),
         ));
     }

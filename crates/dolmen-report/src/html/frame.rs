@@ -1,11 +1,11 @@
 //! A frame in the report: verdict, storeys, modes, one direction after the other.
 
-use super::chain_findings::load_factor_words;
 use super::finding::{Finding, Tone};
 use super::notes::frame_note_words;
 use super::table::{Cell, figure, table};
 use super::words::convention_word;
 use crate::figures::{ShapePanel, frame_sketch, mode_shapes};
+use crate::load_factor::load_factor_finding;
 use dolmen::assess::FrameCheck;
 use dolmen::stability::{FrameStability, Verdict};
 use dolmen::structure::Frame;
@@ -39,8 +39,9 @@ pub(super) fn findings(directions: &[DirectionCheck], language: Language) -> Vec
                 ));
             }
             Some(stability) => {
-                let words = load_factor_words(stability.load_factor, stability.verdict, language);
-                all.push(Finding::of(stability.verdict, label.clone() + &words));
+                let found = load_factor_finding(stability.load_factor, stability.verdict);
+                let words = found.sentence.text(language);
+                all.push(Finding::new(found.tone, label.clone() + &words));
                 all.extend(weakest(stability, &label, language));
             }
         }
@@ -122,7 +123,7 @@ fn slipping_words(check: &FrameCheck, language: Language) -> Markup {
     html! {
         p { (language.pick(
             format!("While every joint slips: load factor {factor}, {frequencies}\u{202f}Hz."),
-            format!("모든 접합부가 미끄러지는 동안: 하중계수 {factor}, {frequencies}\u{202f}Hz."),
+            format!("모든 접합부가 미끄러지는 동안: 하중배율 {factor}, {frequencies}\u{202f}Hz."),
         )) }
     }
 }
@@ -153,7 +154,7 @@ fn storeys(direction: &DirectionCheck, language: Language) -> Markup {
     if check.stability.is_some() {
         head.push(format!("k ({})", unit.unit));
         head.push(format!("{} ({})", language.pick("least k", "최소 k"), unit.unit));
-        head.push(language.pick("margin", "여유율").into());
+        head.push(language.pick("margin", "여유도").into());
     }
     let falls = language.pick("falls", "전도");
     let rows: Vec<Vec<Cell>> = check

@@ -15,7 +15,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
     let project = &answer.project;
     let inputs = project.inputs();
     html! {
-        h2 { (language.pick("What was given", "주어진 입력")) }
+        h2 { (language.pick("What was given", "입력 자료")) }
         @if let Some(description) = &project.description { p { (description) } }
         @if inputs.is_empty() {
             p { (language.pick(
@@ -36,7 +36,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
                 @let title = variants::title(variant, language);
                 (inputs_table(&language.pick(
                     format!("Inputs of the variant “{title}”. Where they differ from those above; values marked as assumed are tinted."),
-                    format!("변형안 ‘{title}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다."),
+                    format!("대안 ‘{title}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다."),
                 ), &inputs, language))
             }
         }
@@ -149,7 +149,7 @@ pub(super) fn assumptions_of_variant(variant: &VariantAnswer, language: Language
         let words = listed(&words, language);
         language.pick(
             format!("Every result of the variant “{title}” rests on what is assumed, not measured: {words}."),
-            format!("변형안 ‘{title}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {words}."),
+            format!("대안 ‘{title}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {words}."),
         )
     })
 }
@@ -191,11 +191,11 @@ pub(super) fn assumptions(project: &Project, language: Language) -> Option<Strin
         let (chain, frame) = (
             language.pick(
                 "the verdict, the load factor, the margins and the modes",
-                "판정, 하중계수, 여유율, 모드",
+                "판정, 하중배율, 여유도, 모드",
             ),
             language.pick(
                 "the verdict, the load factor and the modes",
-                "판정, 하중계수, 모드",
+                "판정, 하중배율, 모드",
             ),
         );
         let rests = if matches!(project.structure, Structure::Chain(_)) {

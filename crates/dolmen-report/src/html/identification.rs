@@ -193,7 +193,7 @@ fn solutions(
 ) -> Markup {
     let shown = &answer.solutions.solutions[..answer.solutions.solutions.len().min(SOLUTIONS_SHOWN)];
     let (unit_si, part) = match project.structure {
-        Structure::Chain(_) => ("N·m/rad", language.pick("joint", "연결부")),
+        Structure::Chain(_) => ("N·m/rad", language.pick("joint", "접합면")),
         _ => ("N/m", language.pick("storey", "층")),
     };
     let all: Vec<f64> = shown

@@ -36,7 +36,7 @@ fn tilt_finding(tilt: &TiltCheck, language: Language) -> Finding {
             Tone::Bad,
             language.pick(
                 format!("The measured tilt of {measured} in direction {direction} (survey {survey}) is beyond {limit}, at which a bed stands on its edge: it overturns, whatever the load factor."),
-                format!("{direction} 방향 실측 기울기 {measured}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}을 넘는다. 하중계수와 관계없이 전도된다."),
+                format!("{direction} 방향 실측 기울기 {measured}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}을 넘는다. 하중배율과 관계없이 전도된다."),
             ),
         ),
         verdict => Finding::of(

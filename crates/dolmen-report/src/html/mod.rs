@@ -2,9 +2,6 @@
 
 mod building;
 mod building_simulation;
-mod chain;
-mod chain_centroids;
-mod chain_findings;
 mod chain_simulation;
 mod change;
 mod decay;

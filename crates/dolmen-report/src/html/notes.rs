@@ -23,22 +23,22 @@ pub(super) fn stiffness_note_words(note: &StiffnessNote, language: Language) -> 
 
 fn spring_word(spring: Spring) -> &'static str {
     match spring {
-        Spring::Joint => "연결부 강성",
+        Spring::Joint => "접합부 강성",
         Spring::Storey => "층강성",
     }
 }
 
-/// "연결부 3", "3층".
+/// "접합면 3", "3층".
 fn numbered(spring: Spring, number: usize) -> String {
     match spring {
-        Spring::Joint => format!("연결부 {number}"),
+        Spring::Joint => format!("접합면 {number}"),
         Spring::Storey => format!("{number}층"),
     }
 }
 
 fn proportion_word(proportion: Proportion) -> &'static str {
     match proportion {
-        Proportion::WeightMoment => "각 연결부 상부의 자중 모멘트",
+        Proportion::WeightMoment => "각 접합면 상부의 자중 모멘트",
         Proportion::MassMomentOverHeight => {
             "각 층 상부의 질량 모멘트를 층고로 나눈 값(거의 직선인 1차 모드형상)"
         }
@@ -132,7 +132,7 @@ fn korean(note: &StiffnessNote) -> String {
             let advice = if *with_shapes {
                 "이 자료로는 구별할 수 없으므로 더 많은 높이 또는 더 많은 모드의 형상을 계측해야 한다."
             } else {
-                "고유진동수만으로는 구별할 수 없으므로 모드형상도 계측해야 하며, 센서는 각 연결부나 층 가까이에 두는 것이 가장 좋다."
+                "고유진동수만으로는 구별할 수 없으므로 모드형상도 계측해야 하며, 센서는 각 접합면이나 층 가까이에 두는 것이 가장 좋다."
             };
             format!(
                 "{} 조합 {sets}개가 자료를 똑같이 잘 설명하며 모두 안정하다({how}). {advice}",

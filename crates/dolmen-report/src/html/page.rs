@@ -3,10 +3,11 @@
 use super::style::STYLE;
 use super::words::{colour_class, judgement_sign, thresholds};
 use super::{
-    building, building_simulation, chain, chain_simulation, change, demand, findings, frame,
-    frame_simulation, given, identification, modal, samples, setups, simulation, stack, study, tune,
-    variants,
+    building, building_simulation, chain_simulation, change, demand, findings, frame, frame_simulation,
+    given, identification, modal, samples, setups, simulation, stack, study, tune, variants,
 };
+use crate::chain;
+use crate::document::document_html;
 use crate::mark::GENERATOR;
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
@@ -156,7 +157,7 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Mar
         (findings::list(answer, language))
         (given::section(answer, language))
         @match (&project.structure, answer.state().map(|s| &s.check)) {
-            (Structure::Chain(part), Some(Check::Chain(check))) => (chain::sections(part, check, language)),
+            (Structure::Chain(part), Some(Check::Chain(check))) => (document_html(&chain::sections(part, check), language)),
             (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
             (Structure::Stack(_), Some(Check::Stack(check))) => (stack::sections(answer, check, language)),
             (Structure::Building(_), Some(Check::Building(check))) => (building::sections(check, language)),
@@ -235,7 +236,7 @@ fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> V
         let words = judged.words(language).join(" · ");
         language.pick(
             format!("Variant “{title}”: {words}"),
-            format!("변형안 ‘{title}’: {words}"),
+            format!("대안 ‘{title}’: {words}"),
         )
     });
     each.collect()
@@ -281,7 +282,7 @@ fn banner(answer: &ProjectReport, state: &State, language: Language) -> Markup {
                 @for c in &state.contradictions {
                     p { b { (language.pick(
                         format!("A survey contradicts this model: {} measured {:.3} Hz, the model has {:.3} Hz.", c.survey, c.measured_hz, c.computed_hz),
-                        format!("조사 결과가 이 모델과 모순된다. {} 조사의 실측 {:.3} Hz, 모델 {:.3} Hz.", c.survey, c.measured_hz, c.computed_hz),
+                        format!("조사 결과가 이 모델과 일치하지 않는다. {} 조사의 실측 {:.3} Hz, 모델 {:.3} Hz.", c.survey, c.measured_hz, c.computed_hz),
                     )) } }
                 }
                 p { b { (sentence) }
@@ -305,11 +306,11 @@ fn method(answer: &ProjectReport, language: Language) -> Markup {
             ),
             language.pick(
                 "λ is the smallest factor on gravity that makes this matrix singular. The margin of a joint is its stiffness over the least one at which the chain stands, the other joints as they are.",
-                "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 연결부의 여유율은 다른 연결부를 그대로 두었을 때 안정을 유지하는 최소 강성에 대한 현재 강성의 비이다.",
+                "λ는 이 행렬을 특이하게 만드는 가장 작은 중력 배수이다. 접합면의 여유도는 다른 접합면을 그대로 두었을 때 안정을 유지하는 최소 강성에 대한 현재 강성의 비이다.",
             ),
             language.pick(
                 "Not covered by λ: earthquake and wind, strength and ageing of stone, slipping, opening of joints, foundations other than the lowest spring, and plan directions other than the one modelled.",
-                "λ의 검토 범위 밖: 지진과 바람, 석재의 강도와 노후, 미끄러짐, 연결부의 벌어짐, 최하단 스프링 외의 지반, 모델링하지 않은 방향.",
+                "λ의 검토 범위 밖: 지진과 바람, 석재의 강도와 노후, 미끄러짐, 접합면의 벌어짐, 최하단 스프링 외의 지반, 모델링하지 않은 방향.",
             ),
         ],
         Structure::Frame(_) => vec![

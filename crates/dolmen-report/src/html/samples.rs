@@ -68,7 +68,7 @@ pub(super) fn sections(answer: &ProjectReport, language: Language) -> Markup {
                 &load_factor_distribution(&sampled.load_factors, &sampled.unstable, nominal, language),
                 &language.pick(
                     format!("Load factor over {} samples. Each input with a coefficient of variation is drawn from a lognormal distribution; the tinted part falls.", sampled.unstable.samples),
-                    format!("표본 {}개의 하중계수 분포. 변동계수가 주어진 입력은 대수정규분포에서 추출하였으며, 바탕색 범위는 전도를 뜻한다.", sampled.unstable.samples),
+                    format!("표본 {}개의 하중배율 분포. 변동계수가 주어진 입력은 대수정규분포에서 추출하였으며, 바탕색 범위는 전도를 뜻한다.", sampled.unstable.samples),
                 ),
             ))
             @let drawn: Vec<String> = sampled.inputs.iter().map(|path| path_words(path, language)).collect();

@@ -151,7 +151,7 @@ pub(super) fn compared(answer: &ProjectReport, language: Language) -> Markup {
         return html! {};
     }
     let head: Vec<String> = [
-        language.pick("Variant", "변형안"),
+        language.pick("Variant", "대안"),
         language.pick("how it ended", "결과"),
         language.pick("opening (mm)", "벌어짐 (mm)"),
         language.pick("slip (mm)", "미끄러짐 (mm)"),
@@ -176,7 +176,7 @@ pub(super) fn compared(answer: &ProjectReport, language: Language) -> Markup {
     table(
         language.pick(
             "Variants under the motion. The largest value of all joints. One run each: a stack that rocks is sensitive to every input.",
-            "지진동 작용 시 변형안 비교. 모든 접합면 중 최댓값. 각 1회 해석이며, 로킹하는 적층 구조는 모든 입력에 민감하다.",
+            "지진동 작용 시 대안 비교. 모든 접합면 중 최댓값. 각 1회 해석이며, 로킹하는 적층 구조는 모든 입력에 민감하다.",
         ),
         2,
         &head,

@@ -36,12 +36,12 @@ pub(super) fn banner(answer: &StackAnswer, language: Language) -> String {
             let at = in_g(capacity.acceleration_g);
             language.pick(
                 format!("Margin without shaking {margin}; it begins to move at {at} horizontal."),
-                format!("지진이 없을 때의 여유율 {margin}; 수평 가속도 {at}에서 움직이기 시작한다."),
+                format!("지진이 없을 때의 여유도 {margin}; 수평 가속도 {at}에서 움직이기 시작한다."),
             )
         }
         (Standing::Stands, None) => language.pick(
             format!("Margin without shaking {margin}; what moves it first is not known."),
-            format!("지진이 없을 때의 여유율 {margin}; 최초 거동은 알 수 없다."),
+            format!("지진이 없을 때의 여유도 {margin}; 최초 거동은 알 수 없다."),
         ),
         (standing, _) => language.pick(
             format!("It does not stand without shaking: {standing}."),
@@ -62,7 +62,7 @@ pub(super) fn thresholds(language: Language) -> String {
              shaking, of the way from the middle of a joint to its edge, or of friction. An earthquake is not in this verdict."
         ),
         format!(
-            "안정: 여유율 ≥ {limit} · 여유 부족: {limit} 미만 · 불안정: 서 있지 못함. 여유율은 지진이 없을 때 접합면 중심에서 모서리까지의 \
+            "안정: 여유도 ≥ {limit} · 여유 부족: {limit} 미만 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 \
              거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다."
         ),
     )
@@ -154,7 +154,7 @@ fn limits_table(check: &StackCheck, language: Language) -> Markup {
         language.pick("What stands on", "접합면 (아래 부재)"),
         language.pick("weight (kN)", "상부 무게 (kN)"),
         language.pick("area (m²)", "면적 (m²)"),
-        language.pick("margin", "여유율"),
+        language.pick("margin", "여유도"),
         language.pick("rocks at (g)", "로킹 (g)"),
         language.pick("slides at (g)", "미끄러짐 (g)"),
     ]
@@ -249,17 +249,17 @@ fn variants(whole: &ProjectReport, own: &StackAnswer, language: Language) -> Mar
         }
     }
     let head: Vec<String> = [
-        language.pick("Variant", "변형안"),
+        language.pick("Variant", "대안"),
         language.pick("verdict", "판정"),
         language.pick("moves first at (g)", "최초 거동 (g)"),
-        language.pick("margin", "여유율"),
+        language.pick("margin", "여유도"),
         language.pick("rocks at (g)", "로킹 (g)"),
         language.pick("slides at (g)", "미끄러짐 (g)"),
     ]
     .map(String::from)
     .to_vec();
     html! {
-        h2 { (language.pick("Variants compared", "변형안 비교")) }
-        (table(language.pick("Variants. The same check on each.", "변형안별 결과. 모두 같은 방법으로 검토하였다."), 2, &head, &rows))
+        h2 { (language.pick("Variants compared", "대안 비교")) }
+        (table(language.pick("Variants. The same check on each.", "대안별 결과. 모두 같은 방법으로 검토하였다."), 2, &head, &rows))
     }
 }

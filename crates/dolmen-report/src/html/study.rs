@@ -252,10 +252,10 @@ fn caption(name: &str, language: Language) -> String {
             "Fragility. The probability that a state is reached, by the peak of the ground; bands of resampled motions.",
             "취약도. 최대지반가속도에 따른 손상 상태 도달 확률과 지진동 재표집에 따른 범위.",
         ),
-        "growth" => language.pick("As the shaking grows. Largest over the storeys, or links and joints.", "지진동 증가에 따른 변화. 층(또는 부재·연결부) 중 최댓값."),
+        "growth" => language.pick("As the shaking grows. Largest over the storeys, or links and joints.", "지진동 증가에 따른 변화. 층(또는 부재·접합면) 중 최댓값."),
         "harmonic" => language.pick(
             "Rest and motion. Share of the time in which a storey slips, or a joint opens or slips, under a harmonic ground.",
-            "고착과 움직임. 조화 지반운동에서 층이 미끄러지거나 연결부가 벌어지는 시간의 비율.",
+            "고착과 움직임. 조화 지반운동에서 층이 미끄러지거나 접합면이 벌어지는 시간의 비율.",
         ),
         _ => language.pick(
             "Let go from a large displacement. Each dot one swing.",

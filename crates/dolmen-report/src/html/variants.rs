@@ -47,12 +47,12 @@ pub(super) fn findings(answer: &ProjectReport, language: Language) -> Vec<Findin
             let text = if (new / old - 1.0).abs() < SAME_SHARE {
                 language.pick(
                     format!("Variant “{title}”{place} leaves the load factor at {from}: {word}."),
-                    format!("변형안 ‘{title}’{place}에서 하중계수는 {from}로 같다: {word}."),
+                    format!("대안 ‘{title}’{place}에서 하중배율은 {from}로 같다: {word}."),
                 )
             } else {
                 language.pick(
                     format!("Variant “{title}”{place} changes the load factor from {from} to {to}: {word}."),
-                    format!("변형안 ‘{title}’{place}에서 하중계수가 {from}에서 {to}로 바뀐다: {word}."),
+                    format!("대안 ‘{title}’{place}에서 하중배율이 {from}에서 {to}로 바뀐다: {word}."),
                 )
             };
             all.push(Finding::new(tone, text));
@@ -79,10 +79,10 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
         })
         .collect();
     let head = [
-        language.pick("Variant", "변형안").to_string(),
+        language.pick("Variant", "대안").to_string(),
         language.pick("verdict", "판정").to_string(),
         "λ".to_string(),
-        language.pick("least margin", "최소 여유율").to_string(),
+        language.pick("least margin", "최소 여유도").to_string(),
         language
             .pick("lowest frequency (Hz)", "최저 고유진동수 (Hz)")
             .to_string(),
@@ -108,15 +108,15 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
         })
         .collect();
     html! {
-        h2 { (language.pick("Variants compared", "변형안 비교")) }
+        h2 { (language.pick("Variants compared", "대안 비교")) }
         (figure(
             &variants_compared(&dots, language),
             language.pick(
                 "Load factor and margins of each variant. Left of 1 it falls.",
-                "변형안별 하중계수와 여유율. 1의 왼쪽은 전도이다.",
+                "대안별 하중배율과 여유도. 1의 왼쪽은 전도이다.",
             ),
         ))
-        (table(language.pick("Variants. The same check on each.", "변형안별 결과. 모두 같은 방법으로 검토하였다."), 2, &head, &cells))
+        (table(language.pick("Variants. The same check on each.", "대안별 결과. 모두 같은 방법으로 검토하였다."), 2, &head, &cells))
     }
 }
 

@@ -46,7 +46,7 @@ pub(super) fn thresholds(language: Language) -> String {
              factor on gravity at which the structure falls."
         ),
         format!(
-            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중계수)이다."
+            "안정: λ ≥ {limit} · 여유 부족: 1 < λ < {limit} · 불안정: λ ≤ 1 · 판정 불가: 입력 부족. λ는 구조물이 전도되는 중력의 배수(하중배율)이다."
         ),
     )
 }
@@ -208,7 +208,7 @@ fn part_words(part: &str, language: Language) -> Option<String> {
     let number = number.strip_suffix(']')?;
     let kind = match kind {
         "links" => language.pick("link", "부재"),
-        "joints" => language.pick("joint", "연결부"),
+        "joints" => language.pick("joint", "접합면"),
         "storeys" => language.pick("storey", "층"),
         "blocks" => language.pick("block", "블록"),
         _ => return None,

@@ -1,0 +1,90 @@
+//! What is said of a chain of links: findings, and the sections of its check.
+
+mod centroids;
+mod findings;
+mod limits;
+mod margins;
+mod modes;
+
+pub(crate) use findings::findings;
+
+use crate::document::Document;
+use crate::figures::{chain_elevation, stiffness_limits};
+use dolmen::assess::ChainCheck;
+use dolmen::stability::Verdict;
+use dolmen::structure::Chain;
+use dolmen_project::{ChainPart, Quantity as Input};
+use dolmen_words::{Quantity, Template, messages};
+
+messages! {
+    /// The head and figures of the stability of a chain.
+    pub(crate) enum Stability in "chain.stability" {
+        Head => { en: "Stability", ko: "안정성" },
+        Elevation => { en: "The chain in elevation.", ko: "체인 모델의 입면." },
+        ElevationSigns { limit: Quantity, same: Quantity } => {
+            en: "At each joint its margin, the other joints as they are: ● at least {limit}, ◆ between 1 and {same}, ✕ not above 1, ○ unknown.",
+            ko: "각 접합면의 기호는 다른 접합면을 그대로 둔 여유도이다: ● {limit} 이상, ◆ 1과 {same} 사이, ✕ 1 이하, ○ 미상.",
+        },
+        Limits => { en: "Stiffness limits of each joint.", ko: "접합면별 강성 한계." },
+        LimitsTinted => {
+            en: "In the tinted part a joint is too soft whatever the others are; the published k_cr lies in it.",
+            ko: "바탕색 범위에서는 다른 접합면이 어떠하든 강성이 부족하며, 발표된 k_cr은 이 범위 안에 있다.",
+        },
+        LimitsTogether => {
+            en: "Beyond it the joints count together, so that being to its right is not yet enough.",
+            ko: "그 오른쪽에서는 접합면의 강성이 함께 작용하므로 이 범위를 벗어난 것만으로는 충분하지 않다.",
+        },
+    }
+}
+
+/// The sentences on chains as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
+    findings::Found::TEMPLATES,
+    Stability::TEMPLATES,
+    limits::Limits::TEMPLATES,
+    margins::Margins::TEMPLATES,
+    modes::Modes::TEMPLATES,
+    centroids::Centroids::TEMPLATES,
+];
+
+/// The sections of a chain.
+pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<'a> {
+    let names: Vec<Option<String>> = part.links.iter().map(|link| link.name.clone()).collect();
+    let chain = part.build(&mut Input::nominal).ok();
+    let mut document = Document::default();
+    document.heading(Stability::Head);
+    if let Some(chain) = chain.clone() {
+        elevation(&mut document, chain, names, check);
+    }
+    let caption = vec![
+        Stability::Limits.into(),
+        Stability::LimitsTinted.into(),
+        Stability::LimitsTogether.into(),
+    ];
+    document.figure(caption, |language| {
+        stiffness_limits(&check.limits, check.stability.as_ref(), language)
+    });
+    limits::section(&mut document, &check.limits);
+    if let Some(stability) = &check.stability {
+        margins::section(&mut document, stability);
+    }
+    modes::section(&mut document, chain, check);
+    centroids::section(&mut document, check);
+    document
+}
+
+fn elevation<'a>(
+    document: &mut Document<'a>,
+    chain: Chain,
+    names: Vec<Option<String>>,
+    check: &'a ChainCheck,
+) {
+    let limit = Quantity::ratio(Verdict::MARGINAL_BELOW, 2);
+    let signs = Stability::ElevationSigns {
+        limit: limit.clone(),
+        same: limit,
+    };
+    document.figure(vec![Stability::Elevation.into(), signs.into()], move |language| {
+        chain_elevation(&chain, &names, check.stability.as_ref(), language)
+    });
+}

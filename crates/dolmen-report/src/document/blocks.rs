@@ -1,0 +1,172 @@
+//! Blocks of a document: values and sentences.
+
+use dolmen_words::{Language, Quantity, Sentence, Unit};
+
+/// Blocks in the order in which they are read.
+#[derive(Debug, Default)]
+pub(crate) struct Document<'a> {
+    pub(crate) blocks: Vec<Block<'a>>,
+}
+
+/// A piece of a document.
+#[derive(Debug)]
+pub(crate) enum Block<'a> {
+    /// The head of a section.
+    Heading(Sentence),
+    /// Plain sentences.
+    Paragraph(Vec<Sentence>),
+    /// What must not be overlooked.
+    Warning(Sentence),
+    /// A remark on what stands above.
+    Note(Sentence),
+    /// A table.
+    Table(Table),
+    /// Figures, side by side where there are several.
+    Figures(Vec<Figure<'a>>),
+}
+
+/// A table; each row is as long as `columns`.
+#[derive(Clone, Debug)]
+pub(crate) struct Table {
+    /// What it shows; its first sentence stands out.
+    pub(crate) caption: Vec<Sentence>,
+    /// The columns: those of words first, then those of numbers.
+    pub(crate) columns: Vec<Column>,
+    /// The rows.
+    pub(crate) rows: Vec<Vec<Cell>>,
+}
+
+/// A column: what it is, and the unit of its numbers.
+#[derive(Clone, Debug)]
+pub(crate) struct Column {
+    /// What stands in it.
+    pub(crate) head: Sentence,
+    /// The unit; empty where it has none or the caption names it.
+    pub(crate) unit: Unit,
+    /// Whether it holds words.
+    pub(crate) is_words: bool,
+}
+
+/// One cell.
+#[derive(Clone, Debug)]
+pub(crate) enum Cell {
+    /// Words.
+    Words(Sentence),
+    /// A number in the unit of the column; without a value for what has none.
+    Number(Option<Quantity>),
+    /// A number that says it falls or must not be used, and what stands beside it.
+    Bad(Quantity),
+    /// As [`Cell::Bad`], marked as rising.
+    Rises(Quantity),
+    /// Words that say it falls or must not be used.
+    BadWords(Sentence),
+}
+
+/// A figure: what it shows, and how it is drawn with words of a language.
+pub(crate) struct Figure<'a> {
+    /// What it shows; its first sentence stands out.
+    pub(crate) caption: Vec<Sentence>,
+    /// Its SVG.
+    pub(crate) draw: Box<dyn Fn(Language) -> String + 'a>,
+}
+
+impl std::fmt::Debug for Figure<'_> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter
+            .debug_struct("Figure")
+            .field("caption", &self.caption)
+            .finish_non_exhaustive()
+    }
+}
+
+impl<'a> Document<'a> {
+    /// Adds a block.
+    pub(crate) fn put(&mut self, block: Block<'a>) {
+        self.blocks.push(block);
+    }
+
+    /// Adds the head of a section.
+    pub(crate) fn heading(&mut self, head: impl Into<Sentence>) {
+        self.put(Block::Heading(head.into()));
+    }
+
+    /// Adds a paragraph of one sentence.
+    pub(crate) fn paragraph(&mut self, sentence: impl Into<Sentence>) {
+        self.put(Block::Paragraph(vec![sentence.into()]));
+    }
+
+    /// Adds a remark.
+    pub(crate) fn note(&mut self, sentence: impl Into<Sentence>) {
+        self.put(Block::Note(sentence.into()));
+    }
+
+    /// Adds a figure.
+    pub(crate) fn figure(&mut self, caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) {
+        self.put(Block::Figures(vec![Figure::new(caption, draw)]));
+    }
+}
+
+impl<'a> Figure<'a> {
+    /// A figure under a caption.
+    pub(crate) fn new(caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) -> Self {
+        Figure {
+            caption,
+            draw: Box::new(draw),
+        }
+    }
+}
+
+impl Column {
+    /// A column of words.
+    pub(crate) fn words(head: impl Into<Sentence>) -> Self {
+        Column {
+            head: head.into(),
+            unit: Unit::ratio(),
+            is_words: true,
+        }
+    }
+
+    /// A column of numbers in a unit.
+    pub(crate) fn numbers(head: impl Into<Sentence>, unit: Unit) -> Self {
+        Column {
+            head: head.into(),
+            unit,
+            is_words: false,
+        }
+    }
+
+    /// Its head with its unit: "k (kN·m/rad)".
+    pub(crate) fn text(&self, language: Language) -> String {
+        match self.unit.symbol.as_str() {
+            "" => self.head.text(language),
+            symbol => format!("{} ({symbol})", self.head.text(language)),
+        }
+    }
+}
+
+impl Cell {
+    /// Words.
+    pub(crate) fn words(words: impl Into<Sentence>) -> Self {
+        Cell::Words(words.into())
+    }
+
+    /// A number.
+    pub(crate) fn number(quantity: Quantity) -> Self {
+        Cell::Number(Some(quantity))
+    }
+
+    /// What stands in it: the column names the unit.
+    pub(crate) fn text(&self, language: Language) -> String {
+        match self {
+            Cell::Words(words) | Cell::BadWords(words) => words.text(language),
+            Cell::Number(Some(quantity)) | Cell::Bad(quantity) => quantity.number(),
+            Cell::Number(None) => "–".to_owned(),
+            Cell::Rises(quantity) => format!("{} ↑", quantity.number()),
+        }
+    }
+
+    /// Whether it says that something falls or must not be used.
+    pub(crate) fn is_bad(&self) -> bool {
+        matches!(self, Cell::Bad(_) | Cell::Rises(_) | Cell::BadWords(_))
+    }
+}

@@ -1,0 +1,70 @@
+//! A document as a part of a page.
+
+use super::blocks::{Block, Cell, Document, Figure, Table};
+use dolmen_words::{Language, Sentence};
+use maud::{Markup, PreEscaped, html};
+
+/// Tables of so many rows stay on one page in print.
+const WHOLE_ROWS: usize = 8;
+
+/// The blocks, in a language.
+pub(crate) fn document_html(document: &Document<'_>, language: Language) -> Markup {
+    html! { @for block in &document.blocks { (block_html(block, language)) } }
+}
+
+fn block_html(block: &Block<'_>, language: Language) -> Markup {
+    match block {
+        Block::Heading(head) => html! { h2 { (head.text(language)) } },
+        Block::Paragraph(sentences) => html! { p { (joined(sentences, language)) } },
+        Block::Warning(sentence) => html! { div.wrong { p { (sentence.text(language)) } } },
+        Block::Note(sentence) => html! { p.note { (sentence.text(language)) } },
+        Block::Table(table) => table_html(table, language),
+        Block::Figures(figures) => match figures.as_slice() {
+            [one] => figure_html(one, language),
+            several => html! { div.pair { @for one in several { (figure_html(one, language)) } } },
+        },
+    }
+}
+
+fn joined(sentences: &[Sentence], language: Language) -> String {
+    let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
+    each.join(" ")
+}
+
+/// The first sentence stands out: it says what is to be seen.
+fn caption_html(sentences: &[Sentence], language: Language) -> Markup {
+    match sentences {
+        [] => html! {},
+        [lead] => html! { b { (lead.text(language)) } },
+        [lead, rest @ ..] => html! { b { (lead.text(language)) } " " (joined(rest, language)) },
+    }
+}
+
+fn figure_html(figure: &Figure<'_>, language: Language) -> Markup {
+    // the texts of a figure are escaped where it is drawn
+    let svg = PreEscaped((figure.draw)(language));
+    html! { figure { (svg) figcaption { (caption_html(&figure.caption, language)) } } }
+}
+
+fn table_html(table: &Table, language: Language) -> Markup {
+    let class = |column: usize, cell: Option<&Cell>| {
+        let words = table.columns.get(column).is_some_and(|column| column.is_words);
+        match (words, cell.is_some_and(Cell::is_bad)) {
+            (true, true) => Some("t bad-number"),
+            (true, false) => Some("t"),
+            (false, true) => Some("bad-number"),
+            (false, false) => None,
+        }
+    };
+    html! {
+        div class=(if table.rows.len() <= WHOLE_ROWS { "scroll short" } else { "scroll" }) { table {
+            caption { (caption_html(&table.caption, language)) }
+            thead { tr { @for (i, column) in table.columns.iter().enumerate() {
+                th class=[class(i, None)] scope="col" { (column.text(language)) }
+            } } }
+            tbody { @for row in &table.rows { tr { @for (i, cell) in row.iter().enumerate() {
+                td class=[class(i, Some(cell))] { (cell.text(language)) }
+            } } } }
+        } }
+    }
+}

@@ -1,0 +1,394 @@
+//! Sentences: one variant a sentence, typed arguments, both languages side by side.
+//!
+//! A sentence without its Korean, an argument that does not exist, or one that a language leaves out does not compile.
+
+use crate::Language;
+use crate::particles::{Ending, ending, ending_of_unit, particles};
+use crate::quantity::{Quantity, Values};
+use std::fmt;
+
+/// A piece of a sentence: renderers set each in their own way and keep the number.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Run {
+    /// Words of the sentence.
+    Text(String),
+    /// A name that the user gave: never touched.
+    Name(String),
+    /// A number with its unit.
+    Quantity(Quantity),
+}
+
+impl Run {
+    fn ending(&self) -> Option<Ending> {
+        match self {
+            Run::Text(text) | Run::Name(text) => ending(text),
+            Run::Quantity(quantity) => {
+                ending_of_unit(&quantity.unit.symbol).or_else(|| ending(&quantity.number()))
+            }
+        }
+    }
+
+    /// As plain text.
+    pub fn text(&self) -> String {
+        match self {
+            Run::Text(text) | Run::Name(text) => text.clone(),
+            Run::Quantity(quantity) => quantity.text(),
+        }
+    }
+}
+
+/// What can stand in a sentence.
+pub trait Argument {
+    /// It in a language.
+    fn said(&self, language: Language) -> Vec<Run>;
+}
+
+impl Argument for Quantity {
+    fn said(&self, _language: Language) -> Vec<Run> {
+        vec![Run::Quantity(self.clone())]
+    }
+}
+
+impl Argument for String {
+    fn said(&self, _language: Language) -> Vec<Run> {
+        vec![Run::Name(self.clone())]
+    }
+}
+
+impl Argument for usize {
+    fn said(&self, _language: Language) -> Vec<Run> {
+        vec![Run::Text(self.to_string())]
+    }
+}
+
+/// A part of a sentence that is a message of its own.
+impl Argument for Sentence {
+    fn said(&self, language: Language) -> Vec<Run> {
+        self.runs(language).to_vec()
+    }
+}
+
+/// Several of a kind: "1.2, 3.4 and 5.6", "1.2, 3.4, 5.6".
+impl<T: Argument> Argument for Vec<T> {
+    fn said(&self, language: Language) -> Vec<Run> {
+        let mut runs = Vec::new();
+        for (at, one) in self.iter().enumerate() {
+            let last = at + 1 == self.len();
+            match (at, language) {
+                (0, _) => {}
+                (_, Language::English) if last => runs.push(Run::Text(" and ".to_owned())),
+                _ => runs.push(Run::Text(", ".to_owned())),
+            }
+            runs.extend(one.said(language));
+        }
+        runs
+    }
+}
+
+/// Values of one unit, which is said once, after the last.
+impl Argument for Values {
+    fn said(&self, language: Language) -> Vec<Run> {
+        let last = self.0.len().saturating_sub(1);
+        let bare = |(at, value): (usize, &Quantity)| match at == last {
+            true => value.clone(),
+            false => value.without_symbol(),
+        };
+        let each: Vec<Quantity> = self.0.iter().enumerate().map(bare).collect();
+        each.said(language)
+    }
+}
+
+/// A sentence as it is written, before its arguments are known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Template {
+    /// The group of its message: "chain.stability".
+    pub group: &'static str,
+    /// The message: "Contradicted".
+    pub message: &'static str,
+    /// English, its arguments in braces.
+    pub english: &'static str,
+    /// 한국어.
+    pub korean: &'static str,
+}
+
+impl Template {
+    /// "chain.stability/contradicted", as [`Sentence::id`] has it.
+    pub fn id(&self) -> String {
+        message_id(self.group, self.message)
+    }
+}
+
+/// A sentence in both languages, with its message and arguments.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sentence {
+    /// "chain.stability/contradicted".
+    pub id: String,
+    /// The arguments by name, in English.
+    pub arguments: Vec<(&'static str, Vec<Run>)>,
+    /// English.
+    pub english: Vec<Run>,
+    /// 한국어.
+    pub korean: Vec<Run>,
+}
+
+impl Sentence {
+    /// Its pieces.
+    pub fn runs(&self, language: Language) -> &[Run] {
+        language.pick(&self.english, &self.korean)
+    }
+
+    /// A symbol, the same in both languages: "kN·m/rad".
+    pub fn of_symbol(symbol: &str) -> Self {
+        let runs = vec![Run::Text(symbol.to_owned())];
+        Sentence {
+            id: "symbol".to_owned(),
+            arguments: Vec::new(),
+            english: runs.clone(),
+            korean: runs,
+        }
+    }
+
+    /// As plain text.
+    pub fn text(&self, language: Language) -> String {
+        self.runs(language).iter().map(Run::text).collect()
+    }
+}
+
+/// Arguments of one sentence while it is formatted: each is one private character, put in its place afterwards. So a name is never
+/// taken for a particle, and renderers get the values.
+#[derive(Debug, Default)]
+pub struct Slots(Vec<Vec<Run>>);
+
+/// The place of an argument in a format string.
+#[derive(Clone, Copy, Debug)]
+pub struct Slot(char);
+
+impl fmt::Display for Slot {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Write::write_char(formatter, self.0)
+    }
+}
+
+/// The first character of the private use area, which no sentence holds.
+const FIRST_SLOT: u32 = 0xE000;
+
+impl Slots {
+    /// Keeps an argument for later.
+    pub fn put(&mut self, runs: Vec<Run>) -> Slot {
+        self.0.push(runs);
+        let index = u32::try_from(self.0.len() - 1).unwrap_or(0);
+        Slot(char::from_u32(FIRST_SLOT + index).unwrap_or(char::REPLACEMENT_CHARACTER))
+    }
+
+    /// The pieces of a formatted sentence, particles chosen.
+    pub fn fill(self, formatted: &str, language: Language) -> Vec<Run> {
+        let of = |sign: char| {
+            let index = u32::from(sign).checked_sub(FIRST_SLOT)?;
+            self.0.get(usize::try_from(index).ok()?)
+        };
+        let mut runs: Vec<Run> = Vec::new();
+        let push_text = |runs: &mut Vec<Run>, text: &str| {
+            let before = runs.last().and_then(Run::ending);
+            let text = match language {
+                Language::English => text.to_owned(),
+                Language::Korean => particles(text, before),
+            };
+            if !text.is_empty() {
+                runs.push(Run::Text(text));
+            }
+        };
+        let mut text = String::new();
+        for sign in formatted.chars() {
+            match of(sign) {
+                Some(argument) => {
+                    push_text(&mut runs, &text);
+                    text.clear();
+                    runs.extend(argument.iter().cloned());
+                }
+                None => text.push(sign),
+            }
+        }
+        push_text(&mut runs, &text);
+        runs
+    }
+}
+
+/// `chain.stability` and `ModelContradicted` make `chain.stability/model-contradicted`.
+pub fn message_id(group: &str, variant: &str) -> String {
+    let words = variant.char_indices().map(|(at, sign)| match sign {
+        upper if upper.is_uppercase() && at > 0 => format!("-{}", upper.to_lowercase()),
+        other => other.to_lowercase().to_string(),
+    });
+    format!("{group}/{}", words.collect::<String>())
+}
+
+/// Whether a sentence has a place `{argument}`: asked at compile time.
+pub const fn holds(sentence: &str, argument: &str) -> bool {
+    let (sentence, argument) = (sentence.as_bytes(), argument.as_bytes());
+    let mut at = 0;
+    while at + argument.len() + 1 < sentence.len() {
+        let mut same = 0;
+        while same < argument.len() && sentence[at + 1 + same] == argument[same] {
+            same += 1;
+        }
+        if sentence[at] == b'{' && same == argument.len() && sentence[at + 1 + same] == b'}' {
+            return true;
+        }
+        at += 1;
+    }
+    false
+}
+
+/// Makes an enum of messages; `Sentence::from(message)` says it in both languages. At most 60 variants an enum: the time to compile
+/// grows faster than their number.
+///
+/// ```
+/// use dolmen_words::{Language, Quantity, Sentence, messages};
+/// messages! {
+///     /// What is said of a pole.
+///     pub enum Pole in "pole" {
+///         Falls { link: String, factor: Quantity } => {
+///             en: "{link} falls at {factor} times its weight.",
+///             ko: "{link}이(가) 자중의 {factor}배에서 전도된다.",
+///         },
+///     }
+/// }
+/// let said = Sentence::from(Pole::Falls { link: "노반".into(), factor: Quantity::beside_one(1.2, 3) });
+/// assert_eq!(said.text(Language::Korean), "노반이 자중의 1.20배에서 전도된다.");
+/// assert_eq!(said.id, "pole/falls");
+/// ```
+///
+/// An argument that one language leaves out does not compile:
+///
+/// ```compile_fail
+/// use dolmen_words::{Quantity, messages};
+/// messages! {
+///     /// What is said of a pole.
+///     pub enum Pole in "pole" {
+///         Falls { factor: Quantity } => { en: "It falls at {factor} times its weight.", ko: "전도된다." },
+///     }
+/// }
+/// ```
+#[macro_export]
+macro_rules! messages {
+    ($(#[$about:meta])* $visible:vis enum $name:ident in $group:literal {
+        $($(#[$note:meta])* $message:ident $({ $($argument:ident: $kind:ty),* $(,)? })? => { en: $english:literal, ko: $korean:literal $(,)? }),* $(,)?
+    }) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, PartialEq)]
+        #[allow(missing_docs, reason = "the sentence says what it is")]
+        $visible enum $name { $($(#[$note])* $message $({ $($argument: $kind),* })?),* }
+
+        impl $name {
+            /// The sentences as they are written.
+            $visible const TEMPLATES: &'static [$crate::Template] = &[
+                $($crate::Template {
+                    group: $group,
+                    message: stringify!($message),
+                    english: $english,
+                    korean: $korean,
+                }),*
+            ];
+        }
+
+        $($($(const _: () = {
+            assert!(
+                $crate::message::holds($english, stringify!($argument)),
+                concat!("the English of ", stringify!($message), " leaves out ", stringify!($argument))
+            );
+            assert!(
+                $crate::message::holds($korean, stringify!($argument)),
+                concat!("the Korean of ", stringify!($message), " leaves out ", stringify!($argument))
+            );
+        };)*)?)*
+
+        impl From<$name> for $crate::Sentence {
+            fn from(message: $name) -> Self {
+                #[allow(unused_imports, reason = "a group may have no arguments")]
+                use $crate::message::{Argument as _, Slots, message_id};
+                use $crate::Language::{English, Korean};
+                match message {
+                    $($name::$message $({ $($argument),* })? => Self {
+                        id: message_id($group, stringify!($message)),
+                        arguments: vec![$($((stringify!($argument), $argument.said(English))),*)?],
+                        english: {
+                            #[allow(unused_mut, reason = "a sentence may have no arguments")]
+                            let mut slots = Slots::default();
+                            $($(let $argument = slots.put($argument.said(English));)*)?
+                            let formatted = format!($english);
+                            slots.fill(&formatted, English)
+                        },
+                        korean: {
+                            #[allow(unused_mut, reason = "a sentence may have no arguments")]
+                            let mut slots = Slots::default();
+                            $($(let $argument = slots.put($argument.said(Korean));)*)?
+                            let formatted = format!($korean);
+                            slots.fill(&formatted, Korean)
+                        },
+                    }),*
+                }
+            }
+        }
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    messages! {
+        /// Sentences of these tests.
+        enum Said in "test" {
+            Plain => { en: "It stands.", ko: "안정하다." },
+            Lies { stone: String, on: String } => {
+                en: "{stone} lies on {on}.",
+                ko: "{stone}이(가) {on}을(를) 누른다.",
+            },
+            Many { all: Values } => { en: "All: {all}.", ko: "모두 {all}을(를) 쓴다." },
+            Among { all: Vec<Quantity> } => { en: "Among {all}.", ko: "{all}와(과) 비교." },
+        }
+    }
+
+    #[test]
+    fn holds_a_name_is_never_taken_for_a_particle_or_a_place() {
+        let said = Sentence::from(Said::Lies {
+            stone: "<은(는) {on}>".into(),
+            on: "노반".into(),
+        });
+        assert_eq!(said.text(Language::Korean), "<은(는) {on}>이 노반을 누른다.");
+        assert_eq!(said.text(Language::English), "<은(는) {on}> lies on 노반.");
+        assert_eq!(said.arguments[1], ("on", vec![Run::Name("노반".into())]));
+    }
+
+    #[test]
+    fn exact_lists_and_ids() {
+        let hertz = |value| Quantity::new(value, crate::Unit::si("Hz"), crate::Digits::Significant(2));
+        let said = Sentence::from(Said::Among {
+            all: vec![hertz(1.0), hertz(2.0), hertz(3.0)],
+        });
+        assert_eq!(
+            said.text(Language::English),
+            "Among 1.0\u{202f}Hz, 2.0\u{202f}Hz and 3.0\u{202f}Hz."
+        );
+        assert_eq!(
+            said.text(Language::Korean),
+            "1.0\u{202f}Hz, 2.0\u{202f}Hz, 3.0\u{202f}Hz와 비교."
+        );
+        let said = Sentence::from(Said::Many {
+            all: Values(vec![hertz(1.0), hertz(2.0)]),
+        });
+        assert_eq!(said.text(Language::English), "All: 1.0 and 2.0\u{202f}Hz.");
+        assert_eq!(said.text(Language::Korean), "모두 1.0, 2.0\u{202f}Hz를 쓴다.");
+        let template = Said::TEMPLATES[2];
+        assert_eq!(
+            (template.id().as_str(), template.english),
+            ("test/many", "All: {all}.")
+        );
+        assert!(holds("{a} b", "a") && holds("b {ab}", "ab") && !holds("{ab} a", "a") && !holds("{a", "a"));
+        assert_eq!(
+            message_id("chain", "ModelContradicted"),
+            "chain/model-contradicted"
+        );
+        assert_eq!(Sentence::from(Said::Plain).id, "test/plain");
+    }
+}
