@@ -287,7 +287,7 @@ pub(crate) struct GroundMotionVerb {
     #[arg(long, value_enum, conflicts_with_all = ["files", "motion_file", "name"])]
     pub(crate) make: Option<Shape>,
     /// Period of a pulse, s
-    #[arg(long, value_name = "S", default_value_t = 1.0)]
+    #[arg(long, value_name = "S", default_value_t = 1.0, allow_negative_numbers = true)]
     pub(crate) period: f64,
     /// Half cycles of a near-fault pulse, above 1
     #[arg(long, default_value_t = 1.5)]

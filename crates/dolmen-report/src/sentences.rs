@@ -25,36 +25,6 @@ pub fn sentences_csv() -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::collections::BTreeSet;
-    use std::path::Path;
-
-    /// Names of the groups of messages in the files of a folder.
-    fn groups(folder: &Path, found: &mut BTreeSet<String>) {
-        for entry in std::fs::read_dir(folder).unwrap() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                groups(&path, found);
-            } else if path.extension().is_some_and(|ending| ending == "rs") {
-                let text = std::fs::read_to_string(path).unwrap();
-                let lines = text
-                    .lines()
-                    .filter(|line| line.contains(" enum ") && line.ends_with('{'));
-                let named = lines.filter_map(|line| line.split_once(" in \"")?.1.strip_suffix("\" {"));
-                found.extend(named.map(str::to_owned));
-            }
-        }
-    }
-
-    #[test]
-    fn holds_every_group_of_messages_is_in_the_table() {
-        let mut written = BTreeSet::new();
-        groups(&Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut written);
-        let listed: BTreeSet<String> = sentences().iter().map(|of| of.group.to_owned()).collect();
-        assert!(listed.len() > 5);
-        assert_eq!(listed, written);
-        let ids: BTreeSet<String> = sentences().iter().map(Template::id).collect();
-        assert_eq!(ids.len(), sentences().len(), "identifiers are unlike");
-    }
 
     #[test]
     fn holds_no_korean_sentence_is_left_in_english() {

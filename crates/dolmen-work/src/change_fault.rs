@@ -1,12 +1,16 @@
 //! Why surveys cannot be compared.
 
+use crate::known::or_none;
 use dolmen::assess::AssessError;
 
 /// Why surveys cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum ChangeFault {
     /// There is no survey of that name.
-    #[error("there is no survey \"{given}\" with frequencies, modes or records: the file has {known}")]
+    #[error(
+        "there is no survey \"{given}\" with frequencies, modes or records: the file has {}",
+        or_none(known)
+    )]
     NoSurvey {
         /// The name given.
         given: String,

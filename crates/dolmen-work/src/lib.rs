@@ -21,6 +21,7 @@ pub mod frame;
 mod identify;
 pub mod judgement;
 mod kinds;
+mod known;
 pub mod motion;
 mod opened;
 pub mod portfolio;

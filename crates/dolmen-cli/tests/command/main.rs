@@ -15,6 +15,7 @@ mod imports;
 mod judgements;
 mod layout;
 mod safety;
+mod sentences;
 mod simulations;
 mod stacks;
 mod studies;

@@ -336,3 +336,23 @@ fn refuses_runs_that_would_not_end() {
         }
     }
 }
+
+#[test]
+fn refuses_ground_that_stands_still_or_moves_as_none_has() {
+    let scratch = Scratch::new("acting");
+    assert_eq!(scratch.dolmen("new pagoda p").status, 0);
+    let run = "simulate p --motion el-centro-1940-ns --duration 0.3";
+    for flags in ["--scale 1000", "--peak 30g", "--scale 0", "--peak 0g"] {
+        refused(&scratch.dolmen(&format!("{run} {flags}")), "at most 10 g");
+    }
+    assert_eq!(
+        scratch.dolmen(&format!("{run} --scale -1")).status,
+        3,
+        "turned about; the run ends before its motion"
+    );
+    refused(&scratch.dolmen("study p --study nope"), "the file has none");
+    refused(
+        &scratch.dolmen("motion --make sine --peak 0.1g --period -1"),
+        "period_s is -1",
+    );
+}

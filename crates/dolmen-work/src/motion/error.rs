@@ -33,6 +33,17 @@ pub enum MotionRequestError {
         /// Those there are.
         known: String,
     },
+    /// What is left after all changes is no ground motion.
+    #[error(
+        "the motion that would act has a peak of {peak_g:.3} g, but must have more than 0 and at most {most_g} g, twice what was ever recorded: \
+         correct --scale, --peak, the unit or the factor"
+    )]
+    Acts {
+        /// Its peak, g.
+        peak_g: f64,
+        /// The largest allowed, g.
+        most_g: f64,
+    },
     /// Two files are of one component.
     #[error("--motion-file: the {component} component is given twice; name each as in {component}=FILE")]
     ComponentTwice {

@@ -19,6 +19,10 @@ const CARRIED: [(&str, &str, &[u8]); 1] = [(
     include_bytes!("../../../../data/el_centro_1940_ns/el_centro_1940_ns.csv"),
 )];
 
+/// Largest peak of a motion that acts, g. Chosen here: more than twice the 4.1 g of Ichinoseki on 14 June 2008 (Aoi, Kunugi and Fujiwara,
+/// Science 322, 2008), the largest ever recorded.
+const ACTS_MOST_G: f64 = 10.0;
+
 /// What is to be read and done: the file's words, with what was typed in their place.
 struct Wanted {
     from: From,
@@ -27,6 +31,8 @@ struct Wanted {
     keep_first_s: Option<f64>,
     taper_s: Option<f64>,
     turn_rad: Option<f64>,
+    /// Whether a structure moves under it.
+    acts: bool,
     /// Scaled before it is turned, as studies do for what moves in plan: turning then leaves the strength of the shaking as it is.
     is_sized_first: bool,
     size: Option<MotionSize>,
@@ -139,6 +145,7 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
             .turn_deg
             .map(f64::to_radians)
             .or_else(|| of(|part| part.turn_rad)),
+        acts: project.is_some(),
         is_sized_first: project.is_some_and(|(project, _)| {
             matches!(project.structure, Structure::Stack(_) | Structure::Building(_))
         }),
@@ -340,9 +347,27 @@ fn changed(mut motion: GroundMotion, wanted: &Wanted) -> Result<GroundMotion, Wo
             None => Ok(motion),
         }
     };
-    match wanted.is_sized_first {
+    let acting = match wanted.is_sized_first {
         true => turned(sized(motion)?),
         false => sized(turned(motion)?),
+    }?;
+    match wanted.acts {
+        true => plausible(acting),
+        false => Ok(acting),
+    }
+}
+
+/// Refuses ground that stands still, or moves as no ground has.
+fn plausible(motion: GroundMotion) -> Result<GroundMotion, WorkError> {
+    let peaks = Component::ALL.map(|component| motion.component_peak_m_s2(component));
+    let peak_g = peaks.into_iter().fold(0.0, f64::max) / Unit::Gravity.si();
+    match peak_g > 0.0 && peak_g <= ACTS_MOST_G {
+        true => Ok(motion),
+        false => Err(MotionRequestError::Acts {
+            peak_g,
+            most_g: ACTS_MOST_G,
+        }
+        .into()),
     }
 }
 
