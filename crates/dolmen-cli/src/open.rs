@@ -27,7 +27,8 @@ impl Folder {
             return Ok(());
         }
         // a file that is not there leads nowhere
-        let leads_out = |real: PathBuf| self.path.canonicalize().is_ok_and(|root| !real.starts_with(root));
+        let root = files::folder_of(&self.path.join("file")).canonicalize();
+        let leads_out = |real: PathBuf| root.as_ref().is_ok_and(|root| !real.starts_with(root));
         match !stays_within(name) || path.canonicalize().is_ok_and(leads_out) {
             true => Err(FileError::Outside {
                 shown: self.shown(name),
@@ -55,7 +56,7 @@ pub(crate) fn project(path: &Path, manner: &Manner) -> Result<Found> {
     refuse_record(&file)?;
     let text = files::read_text(&file, manner.most(PROJECT_BYTES_MOST))?;
     let files = Folder {
-        path: files::folder_of(&file).to_owned(),
+        path: file.parent().unwrap_or(Path::new(".")).to_owned(),
         manner: manner.clone(),
     };
     let opened = Opened::read(text, file.display().to_string(), &files)?;

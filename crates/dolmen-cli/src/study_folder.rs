@@ -56,7 +56,7 @@ pub(crate) fn shard(text: &str) -> Result<(usize, usize)> {
 impl StudyFolder {
     /// `output`/NAME, or studies/NAME beside the project file.
     pub(crate) fn of(output: Option<&Path>, found: &Found, study: &str) -> Self {
-        let beside = files::folder_of(&found.file).join("studies");
+        let beside = found.file.parent().unwrap_or(Path::new(".")).join("studies");
         let manner = &found.files.manner;
         StudyFolder {
             path: output.unwrap_or(&beside).join(file_name(study)),

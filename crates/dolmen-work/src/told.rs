@@ -65,6 +65,8 @@ pub fn told(fault: &(dyn Error + 'static)) -> String {
 /// Numbers of more than 15 digits in a row with a power of ten: an error may quote 1e300.
 fn short_numbers(text: &str) -> String {
     const DIGITS_MOST: usize = 15;
+    const SMALL: f64 = 1e-6;
+    const LARGE: f64 = 1e15;
     let mut short = String::with_capacity(text.len());
     let mut rest = text;
     while let Some(start) = rest.find(|c: char| c.is_ascii_digit()) {
@@ -75,7 +77,11 @@ fn short_numbers(text: &str) -> String {
         short.push_str(before);
         match number.parse::<f64>() {
             // a name such as a date without signs, or a sum, is no number
-            Ok(value) if number.len() > DIGITS_MOST && !before.ends_with(char::is_alphabetic) => {
+            Ok(value)
+                if number.len() > DIGITS_MOST
+                    && !(SMALL..LARGE).contains(&value)
+                    && !before.ends_with(char::is_alphabetic) =>
+            {
                 short.push_str(&format!("{value:e}"));
             }
             _ => short.push_str(number),
@@ -115,6 +121,7 @@ mod tests {
 
     #[test]
     fn exact_numbers_of_many_digits_are_short() {
+        assert_eq!(short_numbers("0.06646796935220563"), "0.06646796935220563");
         let long = format!("step is {}, but 0.5 s; end_s is {} or 12.", 1e300, 1e-300);
         assert_eq!(
             short_numbers(&long),
