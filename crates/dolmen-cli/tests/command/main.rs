@@ -15,6 +15,8 @@ mod imports;
 mod judgements;
 mod layout;
 mod safety;
+#[cfg(unix)]
+mod signals;
 mod simulations;
 mod stacks;
 mod studies;
