@@ -105,11 +105,21 @@ pub(crate) fn read_text(path: &Path, most: u64) -> Result<String> {
 /// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A link is followed; a device or a pipe is written to
 /// as it is.
 pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
-    let failed = || format!("cannot write {}", path.display());
+    let failed = |fault: std::io::Error| {
+        let said = match fault.kind() {
+            std::io::ErrorKind::FileTooLarge => format!(
+                "cannot write the {} bytes of {}: the system allows no file as large (`ulimit -f` tells how large); raise that limit, or write elsewhere",
+                bytes.len(),
+                path.display()
+            ),
+            _ => format!("cannot write {}", path.display()),
+        };
+        anyhow::Error::new(fault).context(said)
+    };
     if fs::metadata(path).is_ok_and(|there| !there.is_file() && !there.is_dir()) {
         let opened = fs::OpenOptions::new().write(true).open(path);
         let written = opened.and_then(|mut file| file.write_all(bytes).and_then(|()| file.flush()));
-        return written.with_context(failed);
+        return written.map_err(failed);
     }
     let target = match path.is_symlink() {
         true => path.canonicalize().with_context(|| {
@@ -129,7 +139,7 @@ pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
         }
         written => written,
     };
-    written.with_context(failed)
+    written.map_err(failed)
 }
 
 /// The folder that a file lies in.

@@ -26,6 +26,7 @@ mod rank;
 mod report;
 mod request;
 mod score;
+mod signals;
 mod simulate;
 mod study;
 mod study_folder;
@@ -62,6 +63,7 @@ fn say_own_fault(panic: &std::panic::PanicHookInfo<'_>) {
 
 fn main() -> ExitCode {
     std::panic::set_hook(Box::new(say_own_fault));
+    signals::make_too_large_files_an_error();
     let command = Cli::command();
     let matches = command.clone().get_matches();
     let typed = Typed::of(&command, &matches);

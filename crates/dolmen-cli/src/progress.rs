@@ -1,18 +1,12 @@
-//! Progress on standard error, on a terminal only, and Ctrl-C, which keeps what is done.
+//! Progress on standard error, on a terminal only.
 
+use crate::signals;
 use dolmen_work::{Progress, Stage};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::io::IsTerminal as _;
-use std::sync::atomic::{AtomicBool, Ordering};
-use std::sync::{Mutex, OnceLock, PoisonError};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
-/// Ctrl-C was pressed: what is under way ends at its next sample and keeps what is done.
-static STOP: AtomicBool = AtomicBool::new(false);
-/// The handler of Ctrl-C is set once a process.
-static HANDLER: OnceLock<bool> = OnceLock::new();
-/// Exit status of a process that Ctrl-C ends, as shells have it.
-const INTERRUPTED: i32 = 130;
 /// How often the progress line turns.
 const TICK: Duration = Duration::from_millis(120);
 
@@ -118,13 +112,13 @@ impl Progress for Terminal {
         shown.whole_s = None;
         shown.bar = match stage {
             Stage::Simulating { whole_s } => {
-                watch_interrupts();
+                signals::watch();
                 shown.whole_s = Some(*whole_s);
                 let template = "{bar:40} {msg} {eta} left; Ctrl-C keeps what is done";
                 self.bar((1e3 * whole_s) as u64, template)
             }
             Stage::Runs { about } => {
-                watch_interrupts();
+                signals::watch();
                 let template = "{bar:40} {pos} of about {len} runs, {eta} left; Ctrl-C keeps what is done";
                 self.bar(*about as u64, template)
             }
@@ -154,23 +148,6 @@ impl Progress for Terminal {
     }
 
     fn is_cancelled(&self) -> bool {
-        interrupted()
+        signals::asked_to_stop()
     }
-}
-
-/// From now on Ctrl-C asks to end and keep what is done; a second one ends the process.
-fn watch_interrupts() {
-    HANDLER.get_or_init(|| {
-        let pressed = || {
-            if STOP.swap(true, Ordering::SeqCst) {
-                std::process::exit(INTERRUPTED);
-            }
-        };
-        ctrlc::set_handler(pressed).is_ok()
-    });
-}
-
-/// Whether Ctrl-C was pressed.
-pub(crate) fn interrupted() -> bool {
-    STOP.load(Ordering::SeqCst)
 }

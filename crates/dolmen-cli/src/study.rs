@@ -4,10 +4,10 @@ use crate::cli::{Study as Options, StudyAction, StudyWhere};
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::progress::{self, Terminal};
+use crate::progress::Terminal;
 use crate::study_folder::{self, StudyFolder};
 use crate::typed::Typed;
-use crate::{files, open, request, tools};
+use crate::{files, open, request, signals, tools};
 use anyhow::{Context as _, Result};
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
@@ -59,7 +59,7 @@ fn each(
                 Err(first)
             }
         };
-        if progress::interrupted() {
+        if signals::asked_to_stop() {
             break;
         }
     }

@@ -16,6 +16,8 @@ mod judgements;
 mod layout;
 mod safety;
 mod sentences;
+#[cfg(unix)]
+mod signals;
 mod simulations;
 mod stacks;
 mod studies;
