@@ -2,6 +2,4 @@
 
 fn main() {
     println!("cargo:rerun-if-changed=../../examples");
-    // at a fixed address nothing of its tables has to be written anew at each start
-    println!("cargo:rustc-link-arg-bins=-no-pie");
 }

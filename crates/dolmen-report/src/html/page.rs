@@ -67,6 +67,9 @@ pub fn html(
     format!("{head}{body}")
 }
 
+/// What a page may load and do: its own style sheet and the styles in its figures. No script, nothing from outside, no form.
+const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+
 /// A page that needs nothing else.
 pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
     markup! {
@@ -74,6 +77,7 @@ pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
         html lang=(language.code()) {
             head {
                 meta charset="utf-8";
+                meta http-equiv="Content-Security-Policy" content=(POLICY);
                 meta name="generator" content=(GENERATOR);
                 meta name="viewport" content="width=device-width, initial-scale=1";
                 title { (title) }

@@ -385,3 +385,23 @@ fn holds_one_fault_is_one_and_notes_of_a_record_are_in_the_language_of_the_page(
     assert!(korean.contains("+0.1200 ± 0.0010") && korean.contains("begins에 이 지연을 더하면"));
     assert!(!korean.contains("[영문]"));
 }
+
+#[test]
+fn holds_a_page_may_load_nothing_and_needs_nothing() {
+    for language in [Language::English, Language::Korean] {
+        let page = page(&[pole("\"unknown\""), gate()], language);
+        let policy = "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'\">";
+        assert_eq!(page.matches(policy).count(), 1);
+        for needs in [
+            "<script",
+            " onclick=",
+            "src=\"",
+            "url(http",
+            "@import",
+            "<iframe",
+            "<form",
+        ] {
+            assert!(!page.contains(needs), "{needs}");
+        }
+    }
+}
