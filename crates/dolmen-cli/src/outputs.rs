@@ -32,7 +32,7 @@ pub(crate) struct Outputs {
 
 /// What stands where a file is to be written.
 enum Standing {
-    /// Nothing, or something that Dolmen wrote, or a device.
+    /// Nothing, or something that Dolmen wrote, or a device, or a file without a byte.
     Free,
     /// An input of the command or of its project.
     Input,
@@ -87,7 +87,8 @@ impl Outputs {
         if path.canonicalize().is_ok_and(|real| self.inputs.contains(&real)) {
             return Standing::Input;
         }
-        match self.force || is_marked(&start(path)) || List::of(folder_of(path)).holds(path) {
+        let is_empty = there.len() == 0; // as `mktemp` makes one: nothing is lost
+        match self.force || is_empty || is_marked(&start(path)) || List::of(folder_of(path)).holds(path) {
             true => Standing::Free,
             false => Standing::Foreign,
         }

@@ -78,6 +78,13 @@ fn holds_only_files_of_its_own_are_replaced_unless_forced() {
         "its own by the mark"
     );
 
+    fs::write(at("empty.html"), "").unwrap();
+    assert_eq!(
+        scratch.dolmen("report . -o empty.html").status,
+        0,
+        "nothing is lost"
+    );
+
     let make = |period: &str| {
         scratch.dolmen(&format!(
             "motion --make ricker --period {period} --peak 0.3g --convert e.csv"
