@@ -21,6 +21,7 @@ mod signals;
 mod simulations;
 mod stacks;
 mod studies;
+mod supply;
 mod training;
 mod tunings;
 mod untrusted;

@@ -1,0 +1,224 @@
+// SOURCE     Cargo.lock and the manifests of all crates in it, as `cargo metadata` tells them.
+// GOAL       No crate comes in under a licence that was not agreed to, twice without being named, or without a line in THIRD-PARTY.md.
+// TOLERANCE  none: names, versions and licences.
+
+use super::verbs::root;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::process::Command;
+
+/// Licences agreed to, as in `deny.toml`.
+const LICENCES: [&str; 7] = [
+    "Apache-2.0",
+    "BSD-2-Clause",
+    "BSD-3-Clause",
+    "CC0-1.0",
+    "MIT",
+    "Unicode-3.0",
+    "Zlib",
+];
+/// Crates that stand in Cargo.lock in several versions; `deny.toml` says who needs the older ones.
+const SEVERAL: [(&str, usize); 9] = [
+    ("equator", 2),
+    ("equator-macro", 2),
+    ("getrandom", 3),
+    ("r-efi", 2),
+    ("strsim", 2),
+    ("syn", 3),
+    ("thiserror", 2),
+    ("thiserror-impl", 2),
+    ("web-time", 2),
+];
+
+fn metadata() -> Value {
+    let cargo = Command::new(env!("CARGO"))
+        .args(["metadata", "--format-version", "1", "--locked"])
+        .current_dir(root())
+        .output()
+        .unwrap();
+    let said = String::from_utf8_lossy(&cargo.stderr);
+    assert!(
+        cargo.status.success(),
+        "once online: cargo fetch --locked\n{said}"
+    );
+    serde_json::from_slice(&cargo.stdout).unwrap()
+}
+
+fn text<'a>(of: &'a Value, key: &str) -> &'a str {
+    of[key].as_str().unwrap_or_default()
+}
+
+fn list<'a>(of: &'a Value, key: &str) -> &'a [Value] {
+    of[key].as_array().unwrap()
+}
+
+/// Crates of others.
+fn others(metadata: &Value) -> impl Iterator<Item = &Value> {
+    let all = list(metadata, "packages").iter();
+    all.filter(|package| !package["source"].is_null())
+}
+
+/// Whether an expression of licences (SPDX) can be met by those agreed to.
+fn is_agreed(expression: &str) -> bool {
+    let spaced = expression
+        .replace('/', " OR ")
+        .replace('(', " ( ")
+        .replace(')', " ) ");
+    let words: Vec<&str> = spaced.split_whitespace().collect();
+    let mut rest = words.as_slice();
+    either(&mut rest) && rest.is_empty()
+}
+
+/// OR binds less than AND.
+fn either(rest: &mut &[&str]) -> bool {
+    let mut met = both(rest);
+    while let Some(("OR", after)) = rest.split_first().map(|(word, after)| (*word, after)) {
+        *rest = after;
+        met |= both(rest);
+    }
+    met
+}
+
+fn both(rest: &mut &[&str]) -> bool {
+    let mut met = one(rest);
+    while let Some(("AND", after)) = rest.split_first().map(|(word, after)| (*word, after)) {
+        *rest = after;
+        met &= one(rest);
+    }
+    met
+}
+
+/// A licence, with its exception if any, or what stands between brackets.
+fn one(rest: &mut &[&str]) -> bool {
+    match **rest {
+        ["(", ref inside @ ..] => {
+            *rest = inside;
+            let met = either(rest);
+            let closed = rest.first() == Some(&")");
+            *rest = rest.get(1..).unwrap_or_default();
+            met && closed
+        }
+        [_, "WITH", _, ref after @ ..] => {
+            *rest = after;
+            false // none was agreed to
+        }
+        [licence, ref after @ ..] => {
+            *rest = after;
+            LICENCES.contains(&licence)
+        }
+        [] => false,
+    }
+}
+
+#[test]
+fn exact_expressions_of_licences() {
+    for met in [
+        "MIT",
+        "MIT/Apache-2.0",
+        "GPL-3.0 OR MIT",
+        "Apache-2.0 WITH LLVM-exception OR MIT",
+        "(MIT OR GPL-3.0) AND Unicode-3.0",
+    ] {
+        assert!(is_agreed(met), "{met}");
+    }
+    for unmet in [
+        "",
+        "GPL-3.0-only",
+        "MIT AND GPL-3.0-only",
+        "Apache-2.0 WITH LLVM-exception",
+        "(MIT",
+        "MIT)",
+    ] {
+        assert!(!is_agreed(unmet), "{unmet}");
+    }
+}
+
+#[test]
+fn holds_every_crate_has_a_licence_that_was_agreed_to_and_comes_from_the_registry() {
+    for package in others(&metadata()) {
+        let (name, licence) = (text(package, "name"), text(package, "license"));
+        assert!(
+            is_agreed(licence),
+            "{name} has the licence \"{licence}\": leave it, or add its licence here and to deny.toml"
+        );
+        let source = text(package, "source");
+        assert_eq!(
+            source, "registry+https://github.com/rust-lang/crates.io-index",
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn holds_no_crate_is_there_twice_but_those_named() {
+    let mut versions: BTreeMap<String, usize> = BTreeMap::new();
+    for package in others(&metadata()) {
+        *versions.entry(text(package, "name").to_owned()).or_default() += 1;
+    }
+    versions.retain(|_, versions| *versions > 1);
+    let named = SEVERAL.map(|(name, versions)| (name.to_owned(), versions));
+    assert_eq!(
+        versions,
+        BTreeMap::from(named),
+        "several versions of a crate are larger and slower to build: do without, or name it here and in deny.toml"
+    );
+}
+
+/// Crates of others that are part of the command on any system: neither those that only build it nor those that only test it.
+fn contained(metadata: &Value) -> BTreeSet<[String; 3]> {
+    let by_id = |of: &'static str, all: &[Value]| -> BTreeMap<String, Value> {
+        all.iter()
+            .map(|one| (text(one, of).to_owned(), one.clone()))
+            .collect()
+    };
+    let packages = by_id("id", list(metadata, "packages"));
+    let nodes = by_id("id", list(&metadata["resolve"], "nodes"));
+    let ours = packages
+        .iter()
+        .filter(|(_, package)| text(package, "name") == "dolmen-cli");
+    let mut left: Vec<&str> = ours.map(|(id, _)| id.as_str()).collect();
+    let mut seen = BTreeSet::new();
+    while let Some(id) = left.pop() {
+        if seen.insert(id) {
+            let needs = list(&nodes[id], "deps").iter().filter(|need| {
+                let kinds = list(need, "dep_kinds");
+                kinds.iter().any(|kind| kind["kind"].is_null())
+            });
+            left.extend(needs.map(|need| text(need, "pkg")));
+        }
+    }
+    let others = seen
+        .into_iter()
+        .map(|id| &packages[id])
+        .filter(|package| !package["source"].is_null());
+    others
+        .map(|package| ["name", "version", "license"].map(|key| text(package, key).to_owned()))
+        .collect()
+}
+
+#[test]
+fn holds_third_parties_are_named_with_version_and_licence() {
+    let named = fs::read_to_string(root().join("THIRD-PARTY.md")).unwrap();
+    let rows = named
+        .lines()
+        .take_while(|line| !line.starts_with("## "))
+        .filter_map(|line| line.strip_prefix("| "));
+    let named: BTreeSet<[String; 3]> = rows
+        .skip(1)
+        .map(|row| {
+            let mut cells = row.split(" | ").map(str::to_owned);
+            [(); 3].map(|()| cells.next().unwrap_or_default())
+        })
+        .collect();
+    let contained = contained(&metadata());
+    assert!(contained.len() > 100, "{}", contained.len());
+    let (missing, gone): (Vec<_>, Vec<_>) = (
+        contained.difference(&named).collect(),
+        named.difference(&contained).collect(),
+    );
+    assert!(
+        missing.is_empty() && gone.is_empty(),
+        "THIRD-PARTY.md lacks {missing:?} and has {gone:?}: run scripts/third-party"
+    );
+}
