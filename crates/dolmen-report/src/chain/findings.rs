@@ -86,7 +86,7 @@ pub(crate) fn findings(check: &ChainCheck) -> Vec<Finding> {
 /// Verdict and load factor; what is needed if the joints are unknown.
 fn stands(check: &ChainCheck) -> Finding {
     match &check.stability {
-        None => Finding::new(
+        None => Finding::key(
             Tone::Unknown,
             Found::StiffnessUnknown {
                 equal: Quantity::engineering(check.limits.equal_joints_n_m_rad, "N·m/rad", 4),
@@ -98,7 +98,7 @@ fn stands(check: &ChainCheck) -> Finding {
 
 fn weakest(stability: &ChainStability) -> Option<Finding> {
     if let Some(joint) = stability.failing_joint {
-        return Some(Finding::new(Tone::Bad, Found::FailingJoint { joint }));
+        return Some(Finding::key(Tone::Bad, Found::FailingJoint { joint }));
     }
     let joints = stability.joints.iter().enumerate();
     let margins = joints.filter_map(|(i, joint)| Some((i + 1, joint.margin?)));
@@ -108,7 +108,7 @@ fn weakest(stability: &ChainStability) -> Option<Finding> {
         margin: Quantity::beside_one(margin, 3),
         may_lose: Quantity::percent(1.0 - 1.0 / margin, 2),
     };
-    Some(Finding::new(Tone::of(Verdict::of_load_factor(margin)), found))
+    Some(Finding::key(Tone::of(Verdict::of_load_factor(margin)), found))
 }
 
 /// The published criterion, and why it is unsafe.

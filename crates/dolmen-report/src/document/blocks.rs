@@ -13,12 +13,18 @@ pub(crate) struct Document<'a> {
 pub(crate) enum Block<'a> {
     /// The head of a section.
     Heading(Sentence),
+    /// The head of a part of a section.
+    Subheading(Sentence),
     /// Plain sentences.
     Paragraph(Vec<Sentence>),
     /// What must not be overlooked.
     Warning(Sentence),
     /// A remark on what stands above.
     Note(Sentence),
+    /// Points of a kind.
+    List(Vec<Sentence>),
+    /// What is said of each of a few things, a row each; the cells name their units.
+    KeyValues(Vec<(Sentence, Cell)>),
     /// A table.
     Table(Table),
     /// Figures, side by side where there are several.
@@ -88,6 +94,11 @@ impl<'a> Document<'a> {
     /// Adds the head of a section.
     pub(crate) fn heading(&mut self, head: impl Into<Sentence>) {
         self.put(Block::Heading(head.into()));
+    }
+
+    /// Adds the head of a part of a section.
+    pub(crate) fn subheading(&mut self, head: impl Into<Sentence>) {
+        self.put(Block::Subheading(head.into()));
     }
 
     /// Adds a paragraph of one sentence.
@@ -162,6 +173,15 @@ impl Cell {
             Cell::Number(Some(quantity)) | Cell::Bad(quantity) => quantity.number(),
             Cell::Number(None) => "–".to_owned(),
             Cell::Rises(quantity) => format!("{} ↑", quantity.number()),
+        }
+    }
+
+    /// What stands in it where no column names the unit.
+    pub(crate) fn whole(&self, language: Language) -> String {
+        match self {
+            Cell::Number(Some(quantity)) | Cell::Bad(quantity) => quantity.text(),
+            Cell::Rises(quantity) => format!("{} ↑", quantity.text()),
+            Cell::Number(None) | Cell::Words(_) | Cell::BadWords(_) => self.text(language),
         }
     }
 

@@ -28,15 +28,29 @@ impl Tone {
 /// One finding.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Finding {
+    /// How it is marked.
     pub(crate) tone: Tone,
+    /// Whether a brief answer holds it: what decides, how sure it is, what to do next.
+    pub(crate) is_key: bool,
+    /// What is said.
     pub(crate) sentence: Sentence,
 }
 
 impl Finding {
+    /// A finding of the full answer.
     pub(crate) fn new(tone: Tone, sentence: impl Into<Sentence>) -> Self {
         Finding {
             tone,
+            is_key: false,
             sentence: sentence.into(),
+        }
+    }
+
+    /// A finding that a brief answer holds too.
+    pub(crate) fn key(tone: Tone, sentence: impl Into<Sentence>) -> Self {
+        Finding {
+            is_key: true,
+            ..Self::new(tone, sentence)
         }
     }
 }

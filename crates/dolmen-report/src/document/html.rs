@@ -15,9 +15,15 @@ pub(crate) fn document_html(document: &Document<'_>, language: Language) -> Mark
 fn block_html(block: &Block<'_>, language: Language) -> Markup {
     match block {
         Block::Heading(head) => html! { h2 { (head.text(language)) } },
+        Block::Subheading(head) => html! { h3 { (head.text(language)) } },
         Block::Paragraph(sentences) => html! { p { (joined(sentences, language)) } },
         Block::Warning(sentence) => html! { div.wrong { p { (sentence.text(language)) } } },
         Block::Note(sentence) => html! { p.note { (sentence.text(language)) } },
+        Block::List(points) => html! { ul { @for point in points { li { (point.text(language)) } } } },
+        Block::KeyValues(rows) => html! { div.scroll.short { table { tbody { @for (key, cell) in rows { tr {
+            th.t scope="row" { (key.text(language)) }
+            td class=[cell.is_bad().then_some("bad-number")] { (cell.whole(language)) }
+        } } } } } },
         Block::Table(table) => table_html(table, language),
         Block::Figures(figures) => match figures.as_slice() {
             [one] => figure_html(one, language),

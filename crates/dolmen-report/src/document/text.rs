@@ -1,0 +1,126 @@
+//! A document for a terminal: plain characters, wrapped to its width.
+
+use super::blocks::{Block, Cell, Document};
+use super::finding::{Finding, Tone};
+use super::text_table::table_text;
+use dolmen_words::number::NARROW_SPACE;
+use dolmen_words::{Language, Sentence};
+use unicode_width::UnicodeWidthStr as _;
+
+/// Lines of text end here at the latest, however wide the terminal is: longer ones are hard to read.
+const WIDTH_MOST: usize = 100;
+/// No line is made shorter than this.
+const WIDTH_LEAST: usize = 40;
+
+/// How a document is shown on a terminal.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TextStyle {
+    /// The language.
+    pub language: Language,
+    /// Columns of the terminal.
+    pub width: usize,
+    /// Whether all is shown, and not what decides alone.
+    pub is_full: bool,
+}
+
+impl TextStyle {
+    /// All of it in English, for wide terminals.
+    pub fn plain() -> Self {
+        TextStyle {
+            language: Language::English,
+            width: WIDTH_MOST,
+            is_full: true,
+        }
+    }
+
+    /// Columns in which sentences are set.
+    pub(crate) fn columns(self) -> usize {
+        self.width.clamp(WIDTH_LEAST, WIDTH_MOST)
+    }
+}
+
+/// A sentence set in lines, the first begun with `first` and the others with `other`.
+pub(crate) fn wrapped(text: &str, first: &str, other: &str, columns: usize) -> String {
+    let options = textwrap::Options::new(columns)
+        .initial_indent(first)
+        .subsequent_indent(other)
+        .break_words(false)
+        .word_separator(textwrap::WordSeparator::AsciiSpace)
+        .wrap_algorithm(textwrap::WrapAlgorithm::FirstFit);
+    // what belongs together was not broken; terminals know the wide space alone
+    (textwrap::fill(text, options) + "\n").replace(NARROW_SPACE, " ")
+}
+
+/// The blocks; figures are left to pages.
+pub(crate) fn document_text(document: &Document<'_>, style: TextStyle) -> String {
+    document
+        .blocks
+        .iter()
+        .map(|block| block_text(block, style))
+        .collect()
+}
+
+fn block_text(block: &Block<'_>, style: TextStyle) -> String {
+    let (language, columns) = (style.language, style.columns());
+    let said = |sentence: &Sentence, first: &str, other: &str| {
+        wrapped(&sentence.text(language), first, other, columns)
+    };
+    match block {
+        Block::Heading(head) => heading_text(&head.text(language)),
+        Block::Subheading(head) => format!("\n{}\n", head.text(language)),
+        Block::Paragraph(sentences) => wrapped(&joined(sentences, language), "  ", "  ", columns),
+        Block::Warning(sentence) => said(sentence, "  ! ", "    "),
+        Block::Note(sentence) => said(sentence, "  * ", "    "),
+        Block::List(points) => points.iter().map(|point| said(point, "  - ", "    ")).collect(),
+        Block::KeyValues(rows) => key_values_text(rows, language),
+        Block::Table(table) => {
+            let caption = wrapped(&joined(&table.caption, language), "", "", columns);
+            format!("\n{caption}{}", table_text(table, language, columns))
+        }
+        Block::Figures(_) => String::new(),
+    }
+}
+
+/// The head of a section, underlined.
+pub(crate) fn heading_text(head: &str) -> String {
+    format!("\n{head}\n{}\n", "-".repeat(head.width()))
+}
+
+/// Findings, a mark before each.
+pub(crate) fn findings_text<'a>(findings: impl IntoIterator<Item = &'a Finding>, style: TextStyle) -> String {
+    let said = |finding: &Finding| {
+        let mark = format!("  {} ", sign(finding.tone));
+        wrapped(
+            &finding.sentence.text(style.language),
+            &mark,
+            "    ",
+            style.columns(),
+        )
+    };
+    findings.into_iter().map(said).collect()
+}
+
+fn sign(tone: Tone) -> char {
+    match tone {
+        Tone::Good => '●',
+        Tone::Warn => '◆',
+        Tone::Bad => '✕',
+        Tone::Plain => '-',
+        Tone::Unknown => '○',
+    }
+}
+
+fn joined(sentences: &[Sentence], language: Language) -> String {
+    let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
+    each.join(" ")
+}
+
+fn key_values_text(rows: &[(Sentence, Cell)], language: Language) -> String {
+    let keys: Vec<String> = rows.iter().map(|(key, _)| key.text(language)).collect();
+    let widest = keys.iter().map(|key| key.width()).max().unwrap_or(0);
+    let line = |(key, (_, cell)): (&String, &(Sentence, Cell))| {
+        let gap = " ".repeat(widest - key.width());
+        format!("  {key}{gap}   {}\n", cell.whole(language)).replace(NARROW_SPACE, " ")
+    };
+    keys.iter().zip(rows).map(line).collect()
+}
