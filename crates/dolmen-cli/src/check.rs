@@ -6,8 +6,8 @@ use crate::outcome::Outcome;
 use crate::typed::Typed;
 use crate::{files, open};
 use anyhow::Result;
+use dolmen_report::check_text;
 use dolmen_report::json::check_json;
-use dolmen_report::text::check_text;
 use dolmen_work::judgement::{Verb, judge_check};
 use dolmen_work::{CheckOptions, FlagVerb, Sampling, check};
 
@@ -25,7 +25,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     if manner.json {
         files::say_json(&check_json(&answer))?;
     } else {
-        files::say(&check_text(&answer))?;
+        files::say(&check_text(&answer, manner.style()))?;
     }
     Ok(Outcome::Judged(judge_check(&answer).exit_status(Verb::Check)))
 }

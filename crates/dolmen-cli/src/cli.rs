@@ -1,6 +1,6 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
-use crate::cli_language::{Language, positive};
+use crate::cli_language::positive;
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_tune::Tune;
 use crate::manner::Manner;
@@ -183,9 +183,6 @@ pub(crate) struct Simulate {
     /// Write histories (CSV), result (JSON), figures (SVG), film (glTF) and exports into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-    /// Language of the figures
-    #[arg(long, value_enum, default_value_t = Language::En)]
-    pub(crate) language: Language,
 }
 
 /// The law of contact.
@@ -213,9 +210,6 @@ pub(crate) struct Study {
     /// Throw away what was done before instead of going on from there
     #[arg(long)]
     pub(crate) restart: bool,
-    /// Language of the figures
-    #[arg(long, value_enum, global = true, default_value_t = Language::En)]
-    pub(crate) language: Language,
 }
 
 #[derive(Debug, Subcommand)]
@@ -312,9 +306,6 @@ pub(crate) struct GroundMotionVerb {
     /// Write figures (SVG), spectrum (CSV) and result (JSON) into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-    /// Language of the figures
-    #[arg(long, value_enum, default_value_t = Language::En)]
-    pub(crate) language: Language,
 }
 
 /// Motions that can be made.
@@ -434,9 +425,6 @@ pub(crate) struct Report {
     /// Where to write it
     #[arg(long, short, value_name = "FILE", default_value = "report.html")]
     pub(crate) output: PathBuf,
-    /// Language of the page
-    #[arg(long, value_enum, default_value_t = Language::En)]
-    pub(crate) language: Language,
     /// Draw the inputs that carry a cov this many times
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(0..=10_000_000))]
     pub(crate) samples: u32,
@@ -455,7 +443,4 @@ pub(crate) struct Demo {
     /// Folder to make for the examples and the report
     #[arg(default_value = "dolmen-demo")]
     pub(crate) directory: PathBuf,
-    /// Language of the page
-    #[arg(long, value_enum, default_value_t = Language::En)]
-    pub(crate) language: Language,
 }

@@ -1,6 +1,7 @@
 //! What the arguments of several verbs are made of.
 
 use clap::ValueEnum;
+use dolmen_words::Language as Spoken;
 
 /// Language of what is written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -9,6 +10,29 @@ pub(crate) enum Language {
     En,
     /// Korean
     Ko,
+}
+
+/// Names of the variables that say the language of the user, the first that is set decides.
+const LANGUAGE_NAMES: [&str; 4] = ["DOLMEN_LANGUAGE", "LC_ALL", "LC_MESSAGES", "LANG"];
+
+/// The language of the user: Korean where the first variable that is set begins with "ko", or Windows says so.
+pub(crate) fn user_language(variable: impl Fn(&str) -> Option<String>) -> Spoken {
+    let set = |name| variable(name).filter(|value| !value.is_empty());
+    let named = LANGUAGE_NAMES.into_iter().find_map(set).or_else(system_locale);
+    match named.is_some_and(|name| name.to_lowercase().starts_with("ko")) {
+        true => Spoken::Korean,
+        false => Spoken::English,
+    }
+}
+
+#[cfg(windows)]
+fn system_locale() -> Option<String> {
+    sys_locale::get_locale()
+}
+
+#[cfg(not(windows))]
+fn system_locale() -> Option<String> {
+    None
 }
 
 /// A positive number.
@@ -49,6 +73,27 @@ pub(crate) fn size(text: &str) -> Result<u64, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn holds_the_first_variable_that_is_set_decides_the_language() {
+        for (set, language) in [
+            (&[][..], Spoken::English),
+            (&[("LANG", "ko_KR.UTF-8")], Spoken::Korean),
+            (&[("LANG", "ko_KR.UTF-8"), ("LC_ALL", "C.UTF-8")], Spoken::English),
+            (
+                &[("DOLMEN_LANGUAGE", "ko"), ("LC_ALL", "C.UTF-8")],
+                Spoken::Korean,
+            ),
+            (&[("LC_ALL", ""), ("LC_MESSAGES", "ko_KR")], Spoken::Korean),
+        ] {
+            let variable = |name: &str| {
+                let mut all = set.iter();
+                all.find(|(own, _)| *own == name)
+                    .map(|(_, value)| (*value).to_owned())
+            };
+            assert_eq!(user_language(variable), language, "{set:?}");
+        }
+    }
 
     #[test]
     fn exact_sizes() {

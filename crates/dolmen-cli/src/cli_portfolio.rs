@@ -1,6 +1,5 @@
 //! Arguments of the verbs that put structures into order.
 
-use crate::cli_language::Language;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 
@@ -44,9 +43,6 @@ pub(crate) struct Rank {
     /// Write the ranking (CSV, JSON), a figure (SVG) and a page (HTML) into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-    /// Language of figure and page
-    #[arg(long, value_enum, default_value_t = Language::En)]
-    pub(crate) language: Language,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]

@@ -1,6 +1,6 @@
 //! Arguments of `dolmen tune`.
 
-use crate::cli_language::{Language, positive};
+use crate::cli_language::positive;
 use clap::builder::TypedValueParser as _;
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
@@ -45,9 +45,6 @@ pub(crate) struct Tune {
     /// Write results (JSON) and figures (SVG) into this folder, one below it a damper
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
-    /// Language of the figures
-    #[arg(long, value_enum, default_value_t = Language::En)]
-    pub(crate) language: Language,
 }
 
 /// 0 or more, below one half.

@@ -24,7 +24,12 @@ pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
     if manner.json {
         files::say_json(&change_json(&answer.project, &answer.file, &answer.change))?;
     } else {
-        files::say(&change_text(&answer.project, &answer.file, &answer.change))?;
+        files::say(&change_text(
+            &answer.project,
+            &answer.file,
+            &answer.change,
+            manner.style(),
+        ))?;
     }
     if let Some(folder) = &options.output {
         Outputs::of(manner, &found).folder(folder, &change_files(&answer, Language::English))?;

@@ -9,9 +9,8 @@ use crate::progress::Terminal;
 use crate::{files, open};
 use anyhow::Result;
 use dolmen_report::files::identification_files;
+use dolmen_report::identification_text;
 use dolmen_report::json::identification_json;
-use dolmen_report::text::identification_text;
-use dolmen_words::Language;
 use dolmen_work::{IdentifyOptions, identify};
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
@@ -23,10 +22,10 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     if manner.json {
         files::say_json(&identification_json(&answer))?;
     } else {
-        files::say(&identification_text(&answer))?;
+        files::say(&identification_text(&answer, manner.style()))?;
     }
     if let Some(folder) = &options.output {
-        Outputs::of(manner, &found).folder(folder, &identification_files(&answer, Language::English))?;
+        Outputs::of(manner, &found).folder(folder, &identification_files(&answer, manner.language()))?;
         if !manner.quiet {
             note!("figures and identification.json are in {}", folder.display());
         }

@@ -1,7 +1,9 @@
 //! What holds for every verb, whatever it does.
 
-use crate::cli_language::size;
+use crate::cli_language::{Language as Chosen, size, user_language};
 use clap::Args;
+use dolmen_report::TextStyle;
+use dolmen_words::Language;
 
 /// Flags of every verb.
 #[derive(Clone, Debug, Args)]
@@ -9,6 +11,12 @@ pub(crate) struct Manner {
     /// Print results as JSON: keys are the fields' names, values in SI, units in the names
     #[arg(long, global = true)]
     pub(crate) json: bool,
+    /// Print all of an answer, not only what decides
+    #[arg(long, global = true)]
+    pub(crate) full: bool,
+    /// Language of what is printed and drawn, else that of DOLMEN_LANGUAGE or of the system
+    #[arg(long, global = true, value_enum)]
+    pub(crate) language: Option<Chosen>,
     /// Print no progress and no notes, only results
     #[arg(long, short, global = true)]
     pub(crate) quiet: bool,
@@ -26,7 +34,29 @@ pub(crate) struct Manner {
     pub(crate) yes: bool,
 }
 
+/// Columns where no terminal says how many it has.
+const COLUMNS: usize = 80;
+
 impl Manner {
+    /// The language of all that people read.
+    pub(crate) fn language(&self) -> Language {
+        match self.language {
+            Some(Chosen::En) => Language::English,
+            Some(Chosen::Ko) => Language::Korean,
+            None => user_language(|name| std::env::var(name).ok()),
+        }
+    }
+
+    /// How answers are printed.
+    pub(crate) fn style(&self) -> TextStyle {
+        let size = console::Term::stdout().size_checked();
+        TextStyle {
+            language: self.language(),
+            width: size.map_or(COLUMNS, |(_, columns)| usize::from(columns)),
+            is_full: self.full,
+        }
+    }
+
     /// Most bytes that are read of a file of some kind.
     pub(crate) fn most(&self, of_the_kind: u64) -> u64 {
         self.largest_file.unwrap_or(of_the_kind)

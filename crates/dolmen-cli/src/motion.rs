@@ -10,7 +10,7 @@ use anyhow::{Result, bail};
 use dolmen_records::motions::{motion_at2, motion_csv};
 use dolmen_report::files::motion_files;
 use dolmen_report::json::motion_report_json;
-use dolmen_report::text::motion_report_text;
+use dolmen_report::motion_report_text;
 use dolmen_work::motion::{
     Demand, MadeMotion, MatchAnswer, MotionOptions, MotionReport, MotionShape, motion,
 };
@@ -60,25 +60,25 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     if manner.json {
         files::say_json(&motion_report_json(&report))?;
     } else {
-        files::say(&motion_report_text(&report))?;
+        files::say(&motion_report_text(&report, manner.style()))?;
     }
-    written(options, &report, &outputs, manner.quiet)?;
+    written(options, &report, &outputs, manner)?;
     let is_close = report.matched.as_ref().is_none_or(MatchAnswer::is_close);
     Ok(Outcome::finished(is_close))
 }
 
 /// The motion as --convert names it, and everything of the report into --output.
-fn written(options: &Options, report: &MotionReport, outputs: &Outputs, quiet: bool) -> Result<()> {
+fn written(options: &Options, report: &MotionReport, outputs: &Outputs, manner: &Manner) -> Result<()> {
     let mut said = Vec::new();
     if let Some(file) = &options.convert {
         outputs.file(file, &converted(report, file)?)?;
         said.push(file.display().to_string());
     }
     if let Some(folder) = &options.output {
-        outputs.folder(folder, &motion_files(report, request::language(options.language)))?;
+        outputs.folder(folder, &motion_files(report, manner.language()))?;
         said.push(folder.display().to_string());
     }
-    if !quiet && !said.is_empty() {
+    if !manner.quiet && !said.is_empty() {
         note!("wrote {}", said.join(", "));
     }
     Ok(())

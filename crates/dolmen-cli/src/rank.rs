@@ -5,7 +5,6 @@ use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::outputs::Outputs;
-use crate::request::language;
 use crate::study_folder::journals_beside;
 use crate::{files, open, score};
 use anyhow::{Context as _, Result, bail};
@@ -13,7 +12,7 @@ use dolmen_records::{FileError, TABLE_BYTES_MOST, stays_within};
 use dolmen_report::files::ranking_files;
 use dolmen_report::html::Imprint;
 use dolmen_report::json::rank_json;
-use dolmen_report::text::rank_text;
+use dolmen_report::rank_text;
 use dolmen_work::portfolio::{
     FoundProject, PortfolioRow, PortfolioTable, Projects, RankOptions, RowSource, rank, read_portfolio,
 };
@@ -62,14 +61,14 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     if manner.json {
         files::say_json(&rank_json(&answer))?;
     } else {
-        files::say(&rank_text(&answer))?;
+        files::say(&rank_text(&answer, manner.style()))?;
     }
     if let Some(folder) = &options.output {
         let imprint = Imprint {
             program: concat!("dolmen ", env!("CARGO_PKG_VERSION")).to_owned(),
             date: None,
         };
-        let files = ranking_files(&answer, language(options.language), &imprint);
+        let files = ranking_files(&answer, manner.language(), &imprint);
         let designs = options.designs.iter();
         let outputs = designs.fold(Outputs::new(manner).keeping(&options.source), |all, file| {
             all.keeping(file)

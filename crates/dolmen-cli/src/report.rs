@@ -108,7 +108,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     let page = html(
         &answers,
         &others,
-        request::language(options.language),
+        manner.language(),
         &imprint(options.date.clone()),
     );
     outputs.file(&options.output, page.as_bytes())?;
@@ -157,7 +157,7 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
     let report = folder.join("report.html");
     Outputs::new(manner).file(
         &report,
-        html(&answers, &[], request::language(options.language), &imprint(None)).as_bytes(),
+        html(&answers, &[], manner.language(), &imprint(None)).as_bytes(),
     )?;
     if !manner.quiet {
         files::say("The report on all of them: ")?;

@@ -1,7 +1,6 @@
 //! From flags to the options of the verbs.
 
 use crate::cli::{Motion, Points, Rotations, Simulate};
-use crate::cli_language::Language as Chosen;
 use crate::files;
 use crate::manner::Manner;
 use anyhow::Result;
@@ -9,19 +8,10 @@ use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
 use dolmen::signal::Component;
 use dolmen_records::MOTION_BYTES_MOST;
-use dolmen_words::Language;
 use dolmen_work::SimulateOptions;
 use dolmen_work::motion::{GivenFile, MotionRequest};
 use dolmen_work::stack::Law;
 use std::path::Path;
-
-/// The language of figures and pages.
-pub(crate) fn language(chosen: Chosen) -> Language {
-    match chosen {
-        Chosen::En => Language::English,
-        Chosen::Ko => Language::Korean,
-    }
-}
 
 /// The motion that was asked for, its files read.
 pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Result<MotionRequest> {

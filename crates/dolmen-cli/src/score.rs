@@ -10,7 +10,7 @@ use crate::{files, open};
 use anyhow::{Context as _, Result};
 use dolmen_records::TABLE_BYTES_MOST;
 use dolmen_report::json::{score_json, score_quality_json};
-use dolmen_report::text::{score_quality_text, score_text};
+use dolmen_report::{score_quality_text, score_text};
 use dolmen_work::score::{ScoreDesigns, score, score_quality};
 use dolmen_work::study::{study_designs, trained};
 use dolmen_work::{WorkError, told};
@@ -41,7 +41,7 @@ fn one(options: &Options, path: &Path, manner: &Manner) -> Result<()> {
     if manner.json {
         files::say_json(&score_json(&answer))
     } else {
-        files::say(&score_text(&answer))
+        files::say(&score_text(&answer, manner.style()))
     }
 }
 
@@ -51,7 +51,7 @@ fn quality(options: &Options, manner: &Manner) -> Result<()> {
     if manner.json {
         files::say_json(&score_quality_json(&found, designs.designs.len()))
     } else {
-        files::say(&score_quality_text(&found, designs.designs.len()))
+        files::say(&score_quality_text(&found, designs.designs.len(), manner.style()))
     }
 }
 

@@ -11,8 +11,8 @@ use crate::{files, open, request};
 use anyhow::Result;
 use dolmen_report::files::{simulation_files, simulation_value};
 use dolmen_report::text::{
-    building_simulation_text, chain_simulation_text, frame_simulation_text, simulation_inputs_text,
-    simulation_text,
+    TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
+    simulation_inputs_text, simulation_text,
 };
 use dolmen_work::judgement::{Verb, judge_simulation};
 use dolmen_work::simulation::{SimulateAnswer, Simulation};
@@ -32,6 +32,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
             file,
             variant,
             prepared.motion(),
+            manner.style(),
         ))?;
     }
     let answer = prepared.run(&Terminal::new(manner.quiet))?;
@@ -39,7 +40,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         files::say_json(&answer_json(&answer))?;
     } else {
         for simulation in &answer.simulations {
-            files::say(&text_of(simulation))?;
+            files::say(&text_of(simulation, manner.style()))?;
         }
         if let Some(why) = &answer.does_not_stand {
             files::say(&format!(
@@ -48,7 +49,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         }
     }
     if let (Some(folder), true) = (&options.output, answer.does_not_stand.is_none()) {
-        let language = request::language(options.language);
+        let language = manner.language();
         let outputs = Outputs::of(manner, &found).keeping_motion(&options.motion.motion_file);
         for simulation in &answer.simulations {
             outputs.folder(folder, &simulation_files(simulation, language)?)?;
@@ -81,11 +82,11 @@ fn answer_json(answer: &SimulateAnswer) -> Value {
     }
 }
 
-fn text_of(simulation: &Simulation) -> String {
+fn text_of(simulation: &Simulation, style: TextStyle) -> String {
     match simulation {
-        Simulation::Chain(run) => chain_simulation_text(run),
-        Simulation::Frame(run) => frame_simulation_text(run),
-        Simulation::Stack(run) => simulation_text(run),
-        Simulation::Building(run) => building_simulation_text(run),
+        Simulation::Chain(run) => chain_simulation_text(run, style),
+        Simulation::Frame(run) => frame_simulation_text(run, style),
+        Simulation::Stack(run) => simulation_text(run, style),
+        Simulation::Building(run) => building_simulation_text(run, style),
     }
 }

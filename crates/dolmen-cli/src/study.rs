@@ -7,11 +7,10 @@ use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::study_folder::{self, StudyFolder};
 use crate::typed::Typed;
-use crate::{files, open, request, signals, tools};
+use crate::{files, open, signals, tools};
 use anyhow::{Context as _, Result};
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
-use dolmen_words::Language;
 use dolmen_work::FlagVerb;
 use dolmen_work::study::{self, Plan, Run, merged, studies};
 use std::path::PathBuf;
@@ -20,7 +19,7 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     match &options.action {
         Some(StudyAction::Merge { place, from }) => each((place, typed, manner), |plan, folder| {
             let runs = merged(plan, &folder.journals(&plan.study.name, from)?)?;
-            finish(plan, folder, runs, &Printed::of(options, manner))
+            finish(plan, folder, runs, manner)
         }),
         Some(StudyAction::Missing { place, from }) => each((place, typed, manner), |plan, folder| {
             missing(plan, folder, from, manner.json)
@@ -87,7 +86,7 @@ fn simulated(options: &Options, plan: &Plan<'_>, folder: &StudyFolder, manner: &
     if shard.1 > 1 {
         return shard_done(plan, folder, shard, &runs, manner.json);
     }
-    finish(plan, folder, runs, &Printed::of(options, manner))
+    finish(plan, folder, runs, manner)
 }
 
 /// What is said at the end of a shard: its journal is its result.
@@ -111,31 +110,16 @@ fn shard_done(
     Ok(Outcome::finished(missing.is_empty()))
 }
 
-/// How results are given.
-struct Printed<'a> {
-    manner: &'a Manner,
-    language: Language,
-}
-
-impl<'a> Printed<'a> {
-    fn of(options: &Options, manner: &'a Manner) -> Self {
-        Printed {
-            manner,
-            language: request::language(options.language),
-        }
-    }
-}
-
 /// Tables, figures and what is printed.
-fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, printed: &Printed<'_>) -> Result<Outcome> {
-    let answer = study::finish(plan, runs, &Terminal::new(printed.manner.quiet))?;
-    folder.write(&answer, printed.language)?;
-    if printed.manner.json {
+fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, manner: &Manner) -> Result<Outcome> {
+    let answer = study::finish(plan, runs, &Terminal::new(manner.quiet))?;
+    folder.write(&answer, manner.language())?;
+    if manner.json {
         files::say_json(&study_json(&answer)?)?;
     } else {
-        files::say(&study_text(&answer)?)?;
+        files::say(&study_text(&answer, manner.style()))?;
     }
-    if !printed.manner.quiet {
+    if !manner.quiet {
         note!("tables and figures are in {}", folder.path().display());
     }
     Ok(Outcome::finished(answer.is_whole()))

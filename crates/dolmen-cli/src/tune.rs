@@ -6,7 +6,7 @@ use crate::note::note;
 use crate::outcome::Outcome;
 use crate::outputs::Outputs;
 use crate::typed::Typed;
-use crate::{files, open, request};
+use crate::{files, open};
 use anyhow::Result;
 use dolmen::damper::Goal;
 use dolmen_report::files::tune_files;
@@ -53,14 +53,14 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
         files::say_json(&json!({ "dampers": each, "together": of_all }))?;
     } else {
         for answer in &answers.tunings {
-            files::say(&tune_text(answer))?;
+            files::say(&tune_text(answer, manner.style()))?;
         }
         for answer in &answers.together {
-            files::say(&together_text(answer))?;
+            files::say(&together_text(answer, manner.style()))?;
         }
     }
     if let Some(folder) = &options.output {
-        let files = tune_files(&answers, request::language(options.language));
+        let files = tune_files(&answers, manner.language());
         Outputs::of(manner, &found).folder(folder, &files)?;
         if !manner.quiet {
             note!("results and figures are in {}", folder.display());

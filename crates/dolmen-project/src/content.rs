@@ -9,6 +9,7 @@ use super::site::{MotionPart, SitePart};
 use super::stack::StackPart;
 use super::study::StudyPart;
 use super::survey::{ChangePart, Survey};
+use dolmen_words::Sentence;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -56,7 +57,7 @@ pub struct Warning {
     /// Where in the file: `links[2].weight`.
     pub path: String,
     /// A sentence for the reader.
-    pub message: String,
+    pub message: Sentence,
 }
 
 /// The same structure with parts of the file replaced: `[variant.NAME]`.

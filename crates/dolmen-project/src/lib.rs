@@ -32,6 +32,7 @@ mod study;
 mod survey;
 mod units;
 mod usual;
+mod warned;
 mod way;
 mod written;
 
@@ -65,3 +66,4 @@ pub use survey::{
     RecordFormat, RecordSource, Survey, SurveyMode, TemperaturePart, Tilt,
 };
 pub use units::{AngleError, parse_angle_rad};
+pub use warned::Warned;

@@ -24,6 +24,7 @@ use super::stack::stack;
 use super::study::studies;
 use super::survey::{change, surveys};
 use super::units::STANDARD_GRAVITY_M_S2;
+use super::warned::Warned;
 use dolmen::structure::StructureError;
 use dolmen_records::{Files, NoFiles};
 use serde::Deserialize;
@@ -359,13 +360,7 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
     };
     let values = paths(Quantity::is_assumed);
     let scatter = paths(|input| input.is_scatter_assumed() && !input.is_assumed());
-    for (paths, what) in [
-        (values, "assumed, and what rests on them is no finding"),
-        (
-            scatter,
-            "given with an assumed scatter, and so is every probability",
-        ),
-    ] {
+    for (paths, is_scatter) in [(values, false), (scatter, true)] {
         if let Some(first) = paths.first() {
             let listed = match paths.get(..PATHS_LISTED) {
                 Some(some) if paths.len() > PATHS_LISTED + 1 => {
@@ -373,11 +368,14 @@ fn warn_of_assumed(reader: &mut Reader, project: &Project) {
                 }
                 _ => paths.join(", "),
             };
-            let message = match paths.len() {
-                1 => format!("1 input is {what}: {listed}"),
-                count => format!("{count} inputs are {what}: {listed}"),
+
+            let warned = match (paths.len(), is_scatter) {
+                (1, false) => Warned::OneAssumed { path: listed },
+                (1, true) => Warned::OneScatter { path: listed },
+                (count, false) => Warned::Assumed { count, paths: listed },
+                (count, true) => Warned::Scatter { count, paths: listed },
             };
-            reader.warn(WarningKind::Assumed, first, message);
+            reader.warn(WarningKind::Assumed, first, warned);
         }
     }
 }

@@ -7,6 +7,7 @@ use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::{Evidence, Quantity};
 use super::units::{Dimension, Unit, UnitError, parse_unit, split_number, tilt_ratio};
+use super::warned::Warned;
 use super::written::{short, with_unit};
 use dolmen_records::Files;
 use std::collections::{BTreeMap, BTreeSet};
@@ -140,11 +141,7 @@ impl<'f> Reader<'f> {
     pub(super) fn slip(&mut self, path: &str, message: String, help: String) {
         if let Some((_, used)) = self.allow.iter_mut().find(|(allowed, _)| allowed.value == path) {
             *used = true;
-            self.warn(
-                WarningKind::Allowed,
-                path,
-                format!("{message}; the file allows it"),
-            );
+            self.warn(WarningKind::Allowed, path, Warned::Allowed { slip: message });
             return;
         }
         let stop = if help.ends_with('?') { "" } else { "." };
@@ -153,12 +150,12 @@ impl<'f> Reader<'f> {
         self.fault(fault.allowed("probably a slip").help(help));
     }
 
-    pub(super) fn warn(&mut self, kind: WarningKind, path: &str, message: String) {
+    pub(super) fn warn(&mut self, kind: WarningKind, path: &str, warned: Warned) {
         let warning = Warning {
             kind,
             line: 0,
             path: path.to_owned(),
-            message,
+            message: warned.into(),
         };
         self.warnings.push((self.place(path), warning));
     }
@@ -173,15 +170,14 @@ impl<'f> Reader<'f> {
         let mut all = std::mem::take(&mut self.warnings);
         for (path, used) in &self.allow {
             if !used {
-                let message = format!(
-                    "allow names \"{}\", but nothing there needs it: take it out",
-                    path.value
-                );
+                let message = Warned::AllowedInVain {
+                    path: path.value.clone(),
+                };
                 let warning = Warning {
                     kind: WarningKind::AllowedInVain,
                     line: 0,
                     path: "allow".to_owned(),
-                    message,
+                    message: message.into(),
                 };
                 all.push((path.span.clone(), warning));
             }

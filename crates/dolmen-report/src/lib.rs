@@ -1,18 +1,46 @@
 //! Answers as text, JSON, figures and pages, in English and Korean. Opens no file.
 
+mod brief;
+mod brief_rows;
+mod building;
+mod building_simulation;
 mod chain;
+mod change;
+mod check;
+mod demand;
 mod document;
 pub mod explain;
 pub mod figures;
 pub mod files;
 pub mod film;
+mod frame;
+mod frame_simulation;
 pub mod html;
+mod identification;
+mod identify;
 pub mod json;
 mod load_factor;
 mod mark;
+mod modal;
+mod motion;
+mod processing;
+mod rank;
+mod score;
 pub mod sentences;
+mod simulated;
+mod stack;
+mod stack_simulation;
+mod study;
 pub mod tables;
 pub mod text;
+mod tune;
+
+pub use check::check_text;
+pub use document::TextStyle;
+pub use identify::identification_text;
+pub use motion::motion_report_text;
+pub use rank::rank_text;
+pub use score::{score_quality_text, score_text};
 
 /// The listings of the book are compiled and run as tests.
 #[cfg(doctest)]

@@ -33,5 +33,5 @@ pub(crate) fn load_factor_finding(load_factor: f64, verdict: Verdict) -> Finding
         Verdict::Marginal => LoadFactor::Marginal { factor, limit },
         Verdict::Stable => LoadFactor::Stable { factor, limit },
     };
-    Finding::key(Tone::of(verdict), said)
+    Finding::key(Tone::of(verdict), said).with_code("load-factor")
 }

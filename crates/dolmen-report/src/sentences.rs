@@ -1,13 +1,44 @@
 //! All sentences as they are written, for who reviews the Korean.
 
-use crate::chain;
+use crate::brief::Brief;
+use crate::brief_rows::BriefRows;
+use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
+use crate::{
+    building, building_simulation, chain, change, check, demand, frame, frame_simulation, identification,
+    modal, motion, processing, rank, score, simulated, stack, stack_simulation, study, text, tune,
+};
 use dolmen_words::Template;
 
 /// Every sentence of this crate that is a message, in the order of the groups.
 pub fn sentences() -> Vec<Template> {
-    let mut groups = vec![LoadFactor::TEMPLATES];
+    let mut groups = vec![
+        LoadFactor::TEMPLATES,
+        Brief::TEMPLATES,
+        Nothing::TEMPLATES,
+        BriefRows::TEMPLATES,
+    ];
     groups.extend(chain::TEMPLATES);
+    groups.extend(check::TEMPLATES);
+    groups.push(dolmen_project::Warned::TEMPLATES);
+    groups.extend(frame::TEMPLATES);
+    groups.extend(demand::TEMPLATES);
+    groups.extend(simulated::TEMPLATES);
+    groups.extend(frame_simulation::TEMPLATES);
+    groups.extend(stack::TEMPLATES);
+    groups.push(processing::Step::TEMPLATES);
+    groups.extend(building::TEMPLATES);
+    groups.push(text::SIMULATION_INPUTS);
+    groups.extend(stack_simulation::TEMPLATES);
+    groups.extend(building_simulation::TEMPLATES);
+    groups.extend(tune::TEMPLATES);
+    groups.extend(change::TEMPLATES);
+    groups.extend(study::TEMPLATES);
+    groups.extend(modal::TEMPLATES);
+    groups.extend(identification::TEMPLATES);
+    groups.extend(motion::TEMPLATES);
+    groups.extend(score::TEMPLATES);
+    groups.extend(rank::TEMPLATES);
     groups.into_iter().flatten().copied().collect()
 }
 
@@ -31,7 +62,7 @@ mod tests {
         // symbols, numbers and arguments are the same in both languages
         let is_symbol = |text: &str| {
             text.chars()
-                .all(|c| !c.is_ascii_alphabetic() || "kcrPHMNbdit".contains(c))
+                .all(|c| !c.is_ascii_alphabetic() || "kcrPHMNbditf".contains(c))
         };
         for template in sentences() {
             let bare: String = template

@@ -55,6 +55,36 @@ impl Argument for String {
     }
 }
 
+/// What has a name of its own in each language.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Both {
+    /// English.
+    pub english: String,
+    /// 한국어.
+    pub korean: String,
+}
+
+impl Both {
+    /// What `said` gives in each language.
+    pub fn of<T: Into<String>>(said: impl Fn(Language) -> T) -> Self {
+        Both {
+            english: said(Language::English).into(),
+            korean: said(Language::Korean).into(),
+        }
+    }
+
+    /// Its name in a language.
+    pub fn text(&self, language: Language) -> &str {
+        language.pick(&self.english, &self.korean)
+    }
+}
+
+impl Argument for Both {
+    fn said(&self, language: Language) -> Vec<Run> {
+        vec![Run::Name(self.text(language).to_owned())]
+    }
+}
+
 impl Argument for usize {
     fn said(&self, _language: Language) -> Vec<Run> {
         vec![Run::Text(self.to_string())]

@@ -185,9 +185,7 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Simulate, "output-step", MOVING),
     flag(FlagVerb::Simulate, "to-the-end", &[Stack]),
     flag(FlagVerb::Simulate, "output", MOVING),
-    flag(FlagVerb::Simulate, "language", MOVING),
     flag(FlagVerb::Report, "output", &Kind::ALL),
-    flag(FlagVerb::Report, "language", &Kind::ALL),
     flag(FlagVerb::Report, "date", &Kind::ALL),
     Flag {
         is_for: SAMPLES,
@@ -204,7 +202,6 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Study, "shard", MOVING),
     flag(FlagVerb::Study, "threads", MOVING),
     flag(FlagVerb::Study, "restart", MOVING),
-    flag(FlagVerb::Study, "language", MOVING),
     flag(FlagVerb::Study, "from", MOVING),
     flag(FlagVerb::Tune, "damper", &[Building]),
     flag(FlagVerb::Tune, "variant", &[Building]),
@@ -218,7 +215,6 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Tune, "off", &[Building]),
     flag(FlagVerb::Tune, "share-mass", &[Building]),
     flag(FlagVerb::Tune, "output", &[Building]),
-    flag(FlagVerb::Tune, "language", &[Building]),
 ];
 
 /// A flag that was typed and has no effect on any of the kinds given.

@@ -90,6 +90,7 @@ fn run_page(page: &Path) {
                 .args(["-c", &script])
                 .current_dir(scratch.path())
                 .env("PATH", scratch.path_with_dolmen())
+                .env("LC_ALL", "C.UTF-8")
                 .output()
                 .unwrap();
             status = output.status.code().unwrap_or(-1);

@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod answers;
+mod brief;
 mod building_studies;
 mod buildings;
 mod chains;

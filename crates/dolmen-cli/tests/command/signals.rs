@@ -81,7 +81,7 @@ fn holds_a_terminated_study_keeps_what_is_done_and_goes_on() {
         send(&child, name, &journal(&scratch), 5);
         let ended = Answer::of(&child.wait_with_output().unwrap());
         assert_eq!(ended.status, 3, "{name}: {}{}", ended.stdout, ended.stderr);
-        assert!(ended.stdout.contains("NOT FINISHED"), "{name}: {}", ended.stdout);
+        assert!(ended.stdout.contains("Not finished"), "{name}: {}", ended.stdout);
         let kept = lines(&journal(&scratch)) - 1;
         let resumed = scratch.dolmen("study . -o cut");
         let said = format!("{kept} runs are kept from before");

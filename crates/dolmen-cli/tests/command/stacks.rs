@@ -14,8 +14,8 @@ fn exact_p10_rocks_at_its_known_threshold_and_slides_first_where_it_is_smooth() 
     // above block 4: half of 1.1 m over the height of the centroid of what stands on it
     assert!(
         answer
-            .stdout
-            .contains("FIRST MOTION at 0.324 g horizontal: what stands on 'block 4' rocks"),
+            .words()
+            .contains("First what stands on block 4 rocks towards -y, at 0.324 g"),
         "{}",
         answer.stdout
     );
@@ -100,9 +100,10 @@ fn refuses_a_stack_that_overhangs_with_status_1_and_says_where() {
     let answer = scratch.dolmen("check examples/p10");
     assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
     assert!(
-        answer
-            .stdout
-            .contains("VERDICT unstable: above 'block 5' the resultant leaves the joint by 0.15 m"),
+        answer.stdout.contains("VERDICT unstable\n")
+            && answer
+                .words()
+                .contains("above block 5 the resultant leaves the joint by 0.150 m"),
         "{}",
         answer.stdout
     );
@@ -124,21 +125,21 @@ fn holds_a_new_pagoda_can_be_checked_at_once_and_its_variants_stand_side_by_side
     let answer = scratch.dolmen("check tower --sensitivity");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     for said in [
-        "Side by side",
+        "Variants compared",
         "displaced",
-        "smooth",
-        "Sensitivity of the acceleration at which it begins to move",
+        "Friction 0.4",
+        "Sensitivity of acceleration of first motion",
     ] {
-        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+        assert!(answer.words().contains(said), "{said}: {}", answer.stdout);
     }
     // what has no elasticity, a place of 0, stands behind what has one
     let table = answer
         .stdout
-        .split("Sensitivity of the acceleration")
+        .split("Sensitivity of acceleration of first motion")
         .nth(1)
         .unwrap();
-    let first = table.lines().find(|line| line.contains("blocks[")).unwrap();
-    assert!(first.contains("blocks[5].width"), "{table}");
+    let first = table.lines().find(|line| line.contains("  block ")).unwrap();
+    assert!(first.contains("block 5 width"), "{table}");
 }
 
 #[test]
@@ -153,16 +154,21 @@ fn exact_measured_frequencies_contradict_the_springs_and_say_their_factor() {
     // ω² is proportional to k, (6.0 · 5.9)/4.7043² = 1.5996, but for 7e-5, as stiffer springs settle less; both modes then have
     // √(6.0 · 5.9)
     let said = [
-        "CONTRADICTION: survey 2019 measured 6.0000 Hz in direction x, this model has 4.7043 Hz: its stiffness or mass is not \
-         that of the\n  structure that was measured, and the verdict is on the model\n",
-        "Natural frequencies on the springs of its joints\n",
-        "  They are those of the stiffness given or assumed, with the joints as their own weight leaves them (partly open\n  where it presses outside their middle third): no finding until a survey measures them.\n",
-        "  survey 2019: every joint 1.5997 × as stiff fits its frequencies best (x 6.000 Hz measured, 5.950 Hz then; y 5.900 Hz \
-         measured, 5.950 Hz then)\n",
-        "  note: survey 2019: frequencies in direction weak are not compared: a stack sways along x and y\n",
+        "Survey 2019 measured 6.000 Hz in direction x; this model has 4.704 Hz. Its stiffness or mass is not that of the structure \
+         measured, and the verdict is on the model.",
+        "Natural frequencies on the springs of its joints.",
+        "no finding until a survey measures them.",
+        "Survey 2019: every joint 1.5997 times as stiff fits its frequencies best (x 6.000 Hz measured, 5.950 Hz then and y 5.900 Hz \
+         measured, 5.950 Hz then).",
+        "Survey 2019: the frequencies in direction weak are not compared: a stack sways along x and y.",
     ];
+    let flat = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ");
     for said in said {
-        assert!(answer.stdout.contains(said), "{said}: {}", answer.stdout);
+        assert!(
+            flat(&answer.stdout).contains(&flat(said)),
+            "{said}: {}",
+            answer.stdout
+        );
     }
     let json = scratch.dolmen("check examples/p10 --json");
     let value: serde_json::Value = serde_json::from_str(&json.stdout).unwrap();

@@ -49,11 +49,17 @@ impl Scratch {
         std::env::join_paths(std::iter::once(own).chain(std::env::split_paths(&others))).unwrap()
     }
 
-    /// Runs `dolmen` with these words in this folder.
+    /// Runs `dolmen` with these words in this folder, all of its answer printed.
     pub(crate) fn dolmen(&self, words: &str) -> Answer {
+        self.briefly(&format!("{words} --full"))
+    }
+
+    /// Runs `dolmen` with these words in this folder.
+    pub(crate) fn briefly(&self, words: &str) -> Answer {
         let output = Command::new(env!("CARGO_BIN_EXE_dolmen"))
             .args(words.split_whitespace())
             .current_dir(&self.0)
+            .env("LC_ALL", "C.UTF-8")
             .output()
             .unwrap();
         Answer::of(&output)
@@ -80,6 +86,12 @@ impl Answer {
             stdout: String::from_utf8_lossy(&output.stdout).into_owned(),
             stderr: String::from_utf8_lossy(&output.stderr).into_owned(),
         }
+    }
+
+    /// What was printed, whatever its lines are.
+    pub(crate) fn words(&self) -> String {
+        let words: Vec<&str> = self.stdout.split_whitespace().collect();
+        words.join(" ")
     }
 }
 
@@ -207,9 +219,9 @@ fn holds_sensors_that_point_along_neither_axis_are_the_reason_why_no_stiffness_i
         fs::write(scratch.path().join("pole.toml"), project(direction)).unwrap();
         let answer = scratch.dolmen("identify pole.toml");
         assert_eq!(answer.status, 0, "{}", answer.stderr);
-        answer.stdout
+        answer.stdout.split_whitespace().collect::<Vec<_>>().join(" ")
     };
-    let words = "no stiffness is sought: no sensor points within 15° of x or y (a, b do not)";
+    let words = "No stiffness is sought: no sensor points within 15° of x or y (a and b do not)";
     let turned = said("[1, 1, 0]");
     assert!(turned.contains(words), "{turned}");
     for (language, words) in [

@@ -73,32 +73,6 @@ impl BuiltDamper {
         }
     }
 
-    /// What it is beyond mass, frequency and damping, in words; empty of a mass on a spring.
-    pub fn rest(&self) -> String {
-        match self.kind {
-            DamperKind::TunedMass { .. } => String::new(),
-            DamperKind::LiquidColumn { length_ratio, .. } => format!("length ratio {length_ratio}"),
-            DamperKind::LiquidColumnMass {
-                liquid_mass_kg,
-                length_ratio,
-                liquid_frequency_hz,
-                liquid_damping_ratio,
-                ..
-            } => format!(
-                "liquid {:.2} of the mass at {liquid_frequency_hz:.5} Hz, {:.3} %, length ratio {length_ratio}",
-                liquid_mass_kg / self.kind.mass_kg(),
-                100.0 * liquid_damping_ratio
-            ),
-            DamperKind::Viscous { coefficient_n_s_m } => {
-                let to = match self.to {
-                    None | Some((0, _)) => "the ground".to_owned(),
-                    Some((floor, [x, y])) => format!("floor {floor} at ({x:.3}, {y:.3}) m"),
-                };
-                format!("{:.4} kN s/m to {to}", 1e-3 * coefficient_n_s_m)
-            }
-        }
-    }
-
     /// Coefficient of its dashpot, N s/m: of a mass and of a container on a spring 2 ζ m ω; `None` of a liquid column, which has none.
     pub fn dashpot_n_s_m(&self) -> Option<f64> {
         match self.kind {

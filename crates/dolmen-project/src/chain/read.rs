@@ -11,6 +11,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, missing, one_each};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::warned::Warned;
 use dolmen::dynamics::JointOpening;
 
 fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> {
@@ -153,9 +154,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         }
     };
     if cap == Cap::LeftOut {
-        let message = "the part at the very top (cap stone) is left out: its weight would lower the load factor and \
-                       every frequency, so what follows is on the unsafe side";
-        reader.warn(WarningKind::CapLeftOut, "cap", message.to_owned());
+        reader.warn(WarningKind::CapLeftOut, "cap", Warned::CapLeftOut);
     }
     let joints = joints?;
     edges_known(reader, &links, joints.as_deref());
@@ -200,11 +199,7 @@ fn warn_of_rods(reader: &mut Reader, links: &[LinkPart]) {
         .map(|(i, _)| (i + 1).to_string())
         .collect();
     if !rods.is_empty() {
-        let message = format!(
-            "no moment of inertia for link {}: taken as a thin rod, m L²/12; give breadth for that of a box. It \
-             touches frequencies, not stability",
-            rods.join(", ")
-        );
-        reader.warn(WarningKind::ThinRod, "links", message);
+        let links = rods.join(", ");
+        reader.warn(WarningKind::ThinRod, "links", Warned::ThinRods { links });
     }
 }

@@ -11,6 +11,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, missing, one_each};
 use crate::ratio::damping_ratio;
 use crate::reader::Reader;
+use crate::warned::Warned;
 use dolmen::structure::Convention;
 use std::collections::BTreeMap;
 
@@ -91,9 +92,7 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
     }
     match (count, raw.axial.as_ref()) {
         (0, None) => {
-            let message = "no axial_force: taken as the weight of the masses at the storey's top and above; \
-                           axial_force = 0 would leave P-delta out";
-            reader.warn(WarningKind::AxialFromMasses, "storeys", message.to_owned());
+            reader.warn(WarningKind::AxialFromMasses, "storeys", Warned::AxialFromMasses);
             Some(Axial::FromMasses)
         }
         (0, Some(axial)) => {

@@ -13,6 +13,7 @@ use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::needed::{countable, lengths, listed, missing};
 use crate::reader::Reader;
+use crate::warned::Warned;
 use crate::way::way;
 
 pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
@@ -213,12 +214,7 @@ fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
         .map(|(_, taken)| *taken)
         .collect();
     if !taken.is_empty() {
-        let message = format!(
-            "joint does not say everything: {} {} Dolmen's own, and assumed (friction acts in the limits; stiffness and \
-             damping only in motion)",
-            taken.join(", "),
-            if taken.len() == 1 { "is" } else { "are" }
-        );
+        let taken = taken.join(", ");
         let path = if joint == &BedPart::default() {
             if stack.pagoda.is_some() {
                 "pagoda"
@@ -228,6 +224,6 @@ fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
         } else {
             "joint"
         };
-        reader.warn(WarningKind::JointDefaults, path, message);
+        reader.warn(WarningKind::JointDefaults, path, Warned::JointDefaults { taken });
     }
 }

@@ -91,7 +91,8 @@ fn stands(check: &ChainCheck) -> Finding {
             Found::StiffnessUnknown {
                 equal: Quantity::engineering(check.limits.equal_joints_n_m_rad, "N·m/rad", 4),
             },
-        ),
+        )
+        .with_code("joints-unknown"),
         Some(stability) => load_factor_finding(stability.load_factor, stability.verdict),
     }
 }
@@ -116,7 +117,7 @@ fn published(limits: &ChainLimits) -> Finding {
     let least = limits.published_eigenvalues_n_m_rad.first();
     match limits.published_critical_n_m_rad.len() < 2 || least.copied().unwrap_or(0.0) >= 0.0 {
         true => Finding::new(Tone::Plain, Found::SingleJoint),
-        false => Finding::new(Tone::Bad, why_unsafe(limits)),
+        false => Finding::new(Tone::Bad, why_unsafe(limits)).with_code("unsafe-criterion"),
     }
 }
 

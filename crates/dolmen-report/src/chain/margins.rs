@@ -67,12 +67,14 @@ pub(super) fn section(document: &mut Document<'_>, stability: &ChainStability) {
 
 fn table(stability: &ChainStability, beds: bool) -> Table {
     let joints = &stability.joints;
-    let all: Vec<f64> = joints.iter().map(|joint| joint.stiffness_n_m_rad).collect();
+    // the softest joint keeps its digits
+    let all = joints.iter().map(|joint| joint.stiffness_n_m_rad);
+    let softest = all.fold(f64::INFINITY, f64::min);
     let moments: Vec<f64> = joints
         .iter()
         .filter_map(|joint| joint.uplift_moment_n_m)
         .collect();
-    let units = [Unit::of(&all, "N·m/rad"), Unit::of(&moments, "N·m")];
+    let units = [Unit::of(&[softest], "N·m/rad"), Unit::of(&moments, "N·m")];
     let mut columns = vec![
         Column::words(Margins::Joint),
         Column::numbers(Margins::Stiffness, units[0].clone()),

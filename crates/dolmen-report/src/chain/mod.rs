@@ -5,8 +5,15 @@ mod findings;
 mod limits;
 mod margins;
 mod modes;
+mod simulation;
+mod simulation_ending;
+mod simulation_run;
+mod simulation_tables;
 
 pub(crate) use findings::findings;
+pub use simulation::chain_simulation_text;
+pub(crate) use simulation::simulation_sections;
+pub(crate) use simulation_ending::simulation_findings;
 
 use crate::document::Document;
 use crate::figures::{chain_elevation, stiffness_limits};
@@ -38,14 +45,28 @@ messages! {
 }
 
 /// The sentences on chains as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 6] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
     findings::Found::TEMPLATES,
     Stability::TEMPLATES,
     limits::Limits::TEMPLATES,
     margins::Margins::TEMPLATES,
     modes::Modes::TEMPLATES,
     centroids::Centroids::TEMPLATES,
+    simulation::Shown::TEMPLATES,
+    simulation_ending::Ending::TEMPLATES,
+    simulation_tables::Tables::TEMPLATES,
+    simulation_run::Run::TEMPLATES,
 ];
+
+/// What its stiffness alone decides: for a version with the limits of another.
+pub(crate) fn stiffness_sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<'a> {
+    let mut document = Document::default();
+    if let Some(stability) = &check.stability {
+        margins::section(&mut document, stability);
+    }
+    modes::section(&mut document, part.build(&mut Input::nominal).ok(), check);
+    document
+}
 
 /// The sections of a chain.
 pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<'a> {

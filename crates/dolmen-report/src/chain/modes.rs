@@ -1,10 +1,10 @@
 //! The natural modes of a chain.
 
-use crate::document::Document;
+use crate::document::{Block, Cell, Column, Document, Table};
 use crate::figures::{ShapePanel, mode_shapes};
 use dolmen::assess::ChainCheck;
-use dolmen::structure::{Chain, Inertia};
-use dolmen_words::{Language, messages};
+use dolmen::structure::{Chain, Inertia, NaturalMode};
+use dolmen_words::{Digits, Language, Quantity, Unit, messages};
 
 messages! {
     /// Natural modes.
@@ -19,6 +19,16 @@ messages! {
             en: "Links without a given moment of inertia or breadth are taken as thin rods; this changes frequencies, not stability.",
             ko: "관성모멘트나 폭이 주어지지 않은 부재는 가는 봉으로 보았다. 이는 진동수에만 영향을 주고 안정성에는 영향이 없다.",
         },
+        Table => { en: "Natural frequencies and shapes.", ko: "고유진동수와 모드형상." },
+        TableMeaning => {
+            en: "Displacement of each link's top, the largest 1.",
+            ko: "각 부재 상단의 변위이며 최댓값을 1로 하였다.",
+        },
+        Number => { en: "Mode", ko: "모드" },
+        Nth { number: usize } => { en: "{number}", ko: "{number}" },
+        Frequency => { en: "f", ko: "f" },
+        Falls => { en: "falls", ko: "전도" },
+        Link { number: usize } => { en: "link {number}", ko: "부재 {number}" },
         Mode { number: usize } => { en: "mode {number}", ko: "모드 {number}" },
     }
 }
@@ -33,8 +43,34 @@ pub(super) fn section<'a>(document: &mut Document<'a>, chain: Option<Chain>, che
     let thin = chain.links().iter().any(|link| link.inertia == Inertia::ThinRod);
     let caption = vec![Modes::Caption.into(), Modes::CaptionMeaning.into()];
     document.figure(caption, move |language| drawn(&chain, check, language));
+    document.put(Block::Table(table(&check.modes)));
     if thin {
         document.note(Modes::ThinRods);
+    }
+}
+
+fn table(modes: &[NaturalMode]) -> Table {
+    let links = modes.first().map_or(0, |mode| mode.displacement.len());
+    let mut columns = vec![
+        Column::words(Modes::Number),
+        Column::numbers(Modes::Frequency, Unit::si("Hz")),
+    ];
+    columns.extend((1..=links).map(|number| Column::numbers(Modes::Link { number }, Unit::ratio())));
+    let row = |(at, mode): (usize, &NaturalMode)| {
+        let frequency = match mode.omega_squared > 0.0 {
+            true => Cell::number(Quantity::ratio(mode.frequency_hz, 6)),
+            false => Cell::BadWords(Modes::Falls.into()),
+        };
+        let shape = mode.displacement.iter();
+        let shape = shape.map(|u| Cell::number(Quantity::new(*u, Unit::ratio(), Digits::Fixed(4))));
+        let mut row = vec![Cell::words(Modes::Nth { number: at + 1 }), frequency];
+        row.extend(shape);
+        row
+    };
+    Table {
+        caption: vec![Modes::Table.into(), Modes::TableMeaning.into()],
+        columns,
+        rows: modes.iter().enumerate().map(row).collect(),
     }
 }
 

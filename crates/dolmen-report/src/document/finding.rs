@@ -32,6 +32,8 @@ pub(crate) struct Finding {
     pub(crate) tone: Tone,
     /// Whether a brief answer holds it: what decides, how sure it is, what to do next.
     pub(crate) is_key: bool,
+    /// The code that `dolmen explain` knows, if there is a longer answer.
+    pub(crate) code: Option<&'static str>,
     /// What is said.
     pub(crate) sentence: Sentence,
 }
@@ -42,6 +44,7 @@ impl Finding {
         Finding {
             tone,
             is_key: false,
+            code: None,
             sentence: sentence.into(),
         }
     }
@@ -51,6 +54,14 @@ impl Finding {
         Finding {
             is_key: true,
             ..Self::new(tone, sentence)
+        }
+    }
+
+    /// The same with the code of a longer answer.
+    pub(crate) fn with_code(self, code: &'static str) -> Self {
+        Finding {
+            code: Some(code),
+            ..self
         }
     }
 }

@@ -45,6 +45,8 @@ pub(crate) fn wrapped(text: &str, first: &str, other: &str, columns: usize) -> S
         .initial_indent(first)
         .subsequent_indent(other)
         .break_words(false)
+        // a code is typed as it stands
+        .word_splitter(textwrap::WordSplitter::NoHyphenation)
         .word_separator(textwrap::WordSeparator::AsciiSpace)
         .wrap_algorithm(textwrap::WrapAlgorithm::FirstFit);
     // what belongs together was not broken; terminals know the wide space alone
@@ -90,8 +92,9 @@ pub(crate) fn heading_text(head: &str) -> String {
 pub(crate) fn findings_text<'a>(findings: impl IntoIterator<Item = &'a Finding>, style: TextStyle) -> String {
     let said = |finding: &Finding| {
         let mark = format!("  {} ", sign(finding.tone));
+        let code = finding.code.map_or_else(String::new, |code| format!(" [{code}]"));
         wrapped(
-            &finding.sentence.text(style.language),
+            &(finding.sentence.text(style.language) + &code),
             &mark,
             "    ",
             style.columns(),

@@ -9,7 +9,9 @@ use unicode_width::UnicodeWidthStr as _;
 const MARGIN: usize = 2;
 const GAP: usize = 2;
 /// How wide heads may make their columns, the widest tried first.
-const HEAD_WIDTHS: [usize; 4] = [24, 16, 12, 1];
+const HEAD_WIDTHS: [usize; 5] = [24, 16, 12, 9, 1];
+/// And where it takes several parts all the same.
+const PART_HEAD_WIDTH: usize = 12;
 /// Words of a cell are set in lines of this width at most.
 const WORDS_MOST: usize = 30;
 
@@ -33,7 +35,7 @@ pub(super) fn table_text(table: &Table, language: Language, columns: usize) -> S
     match fitting {
         Some(all) => part_text(&all.iter().collect::<Vec<_>>()),
         None => {
-            let all = set(HEAD_WIDTHS[HEAD_WIDTHS.len() - 1]);
+            let all = set(PART_HEAD_WIDTH);
             let parts: Vec<String> = parts(&all, columns).iter().map(|part| part_text(part)).collect();
             parts.join("\n")
         }
@@ -72,7 +74,9 @@ fn set_column(table: &Table, column: usize, language: Language, head_width: usiz
     };
     let cells: Vec<Vec<String>> = table.rows.iter().map(text).collect();
     let widest = cells.iter().flatten().map(|line| line.width()).max().unwrap_or(0);
-    let head = lines(&table.columns[column].text(language), widest.max(head_width));
+    let head = table.columns[column].text(language);
+    let longest = head.split(' ').map(|word| word.width()).max().unwrap_or(0);
+    let head = lines(&head, widest.max(head_width).max(longest));
     let width = head.iter().map(|line| line.width()).fold(widest, usize::max);
     Set {
         head,

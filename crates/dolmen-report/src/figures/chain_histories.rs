@@ -7,29 +7,84 @@ use dolmen::dynamics::ChainEnergy;
 use dolmen_words::Language;
 use dolmen_work::chain::ChainSimulation;
 
+/// A figure of a simulated chain.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ChainPlot {
+    Ground,
+    Rotations,
+    /// Moment against rotation of a joint, 0 the lowest.
+    Loop(usize),
+    Openings,
+    Slips,
+    Energy,
+}
+
+impl ChainPlot {
+    /// Those of a simulation, in the order in which they are shown.
+    pub(crate) fn all(simulation: &ChainSimulation) -> Vec<Self> {
+        let history = &simulation.history;
+        let mut all = Vec::new();
+        all.extend(simulation.motion.as_ref().map(|_| Self::Ground));
+        all.push(Self::Rotations);
+        all.extend((0..simulation.links.len()).map(Self::Loop));
+        all.extend((!history.uplifts.is_empty()).then_some(Self::Openings));
+        all.extend((!history.slips.is_empty()).then_some(Self::Slips));
+        all.push(Self::Energy);
+        all
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Ground => "ground".to_owned(),
+            Self::Rotations => "rotations".to_owned(),
+            Self::Loop(joint) => format!("loop-{}", joint + 1),
+            Self::Openings => "openings".to_owned(),
+            Self::Slips => "slips".to_owned(),
+            Self::Energy => "energy".to_owned(),
+        }
+    }
+
+    /// Its SVG; `None` without a sample.
+    pub(crate) fn draw(self, simulation: &ChainSimulation, language: Language) -> Option<String> {
+        match self {
+            Self::Ground => {
+                let (motion, component) = simulation.motion.as_ref()?;
+                let title = language.pick("Acceleration of the ground", "지반 가속도");
+                let name = language.pick("Acceleration (g)", "가속도 (g)");
+                plot(&[ground(&motion.motion, *component)], name, language, title)
+            }
+            Self::Rotations => rotations(simulation, language),
+            Self::Loop(joint) => Some(hysteresis(simulation, joint, language)),
+            Self::Openings => Some(openings(simulation, language)),
+            Self::Slips => Some(slips(simulation, language)),
+            Self::Energy => energy(simulation, language),
+        }
+    }
+}
+
 /// The figures of a simulation: ground, rotations, one loop a joint, bands of opening and slipping, energy.
 pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<Figure> {
-    let mut figures = Vec::new();
-    let mut add = |name: String, svg: Option<String>| {
-        if let Some(svg) = svg {
-            figures.push(Figure { name, svg });
-        }
-    };
+    let all = ChainPlot::all(simulation).into_iter();
+    all.filter_map(|plot| {
+        let svg = plot.draw(simulation, language)?;
+        Some(Figure {
+            name: plot.name(),
+            svg,
+        })
+    })
+    .collect()
+}
+
+fn rotations(simulation: &ChainSimulation, language: Language) -> Option<String> {
     let history = &simulation.history;
-    let over_time = |values: &[f64], factor: f64| -> Vec<[f64; 2]> {
+    let over_time = |values: &[f64]| -> Vec<[f64; 2]> {
         let pairs = history.times_s.iter().zip(values);
-        pairs.map(|(t, y)| [*t, factor * y]).collect()
+        pairs.map(|(t, y)| [*t, 1e3 * y]).collect()
     };
-    if let Some((motion, component)) = &simulation.motion {
-        let ground = ground(&motion.motion, *component);
-        let title = language.pick("Acceleration of the ground", "지반 가속도");
-        let name = language.pick("Acceleration (g)", "가속도 (g)");
-        add("ground".to_owned(), plot(&[ground], name, language, title));
-    }
     let links: Vec<Series> = (0..simulation.links.len())
         .map(|link| Series {
             name: simulation.link(link).to_owned(),
-            points: over_time(&history.rotation_rad[link], 1e3),
+            points: over_time(&history.rotation_rad[link]),
         })
         .collect();
     let title = language.pick(
@@ -37,53 +92,51 @@ pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<
         "각 부재의 연직 기준 회전각",
     );
     let name = language.pick("Rotation (mrad)", "회전각 (mrad)");
-    add("rotations".to_owned(), plot(&links, name, language, title));
-    for joint in 0..simulation.links.len() {
-        let across: Vec<f64> = history.across_rad(joint).iter().map(|x| 1e3 * x).collect();
-        let moment: Vec<f64> = history.joint_moment_n_m[joint].iter().map(|x| 1e-3 * x).collect();
-        let names = [
-            language.pick("Rotation across the joint (mrad)", "접합면 회전각 (mrad)"),
-            language.pick("Moment (kN·m)", "모멘트 (kN·m)"),
-        ];
-        let title = language.pick("Moment against rotation", "모멘트-회전각 이력곡선");
-        let svg = loops(names, [&across, &moment], (joint, simulation.link(joint)), title);
-        add(format!("loop-{}", joint + 1), Some(svg));
-    }
-    let end_s = simulation.duration_s();
-    if !history.uplifts.is_empty() {
-        let open: Vec<_> = history
-            .uplifts
-            .iter()
-            .map(|u| (u.joint, [u.from_s, u.to_s]))
-            .collect();
-        let words = [
-            language.pick("open", "벌어짐"),
-            language.pick(
-                "When the joint below each link was open",
-                "부재 아래 접합면이 벌어진 시각",
-            ),
-        ];
-        let svg = rows_of_bands(&simulation.links, &open, end_s, words, language);
-        add("openings".to_owned(), Some(svg));
-    }
-    if !history.slips.is_empty() {
-        let slips: Vec<_> = history
-            .slips
-            .iter()
-            .map(|s| (s.joint, [s.from_s, s.to_s]))
-            .collect();
-        let words = [
-            language.pick("turns", "회전"),
-            language.pick(
-                "When the joint below each link turned against its friction",
-                "부재 아래 접합면이 마찰을 이기고 회전한 시각",
-            ),
-        ];
-        let svg = rows_of_bands(&simulation.links, &slips, end_s, words, language);
-        add("slips".to_owned(), Some(svg));
-    }
-    add("energy".to_owned(), energy(simulation, language));
-    figures
+    plot(&links, name, language, title)
+}
+
+fn hysteresis(simulation: &ChainSimulation, joint: usize, language: Language) -> String {
+    let history = &simulation.history;
+    let across: Vec<f64> = history.across_rad(joint).iter().map(|x| 1e3 * x).collect();
+    let moment: Vec<f64> = history.joint_moment_n_m[joint].iter().map(|x| 1e-3 * x).collect();
+    let names = [
+        language.pick("Rotation across the joint (mrad)", "접합면 회전각 (mrad)"),
+        language.pick("Moment (kN·m)", "모멘트 (kN·m)"),
+    ];
+    let title = language.pick("Moment against rotation", "모멘트-회전각 이력곡선");
+    loops(names, [&across, &moment], (joint, simulation.link(joint)), title)
+}
+
+fn openings(simulation: &ChainSimulation, language: Language) -> String {
+    let each = simulation.history.uplifts.iter();
+    let open: Vec<_> = each.map(|u| (u.joint, [u.from_s, u.to_s])).collect();
+    let words = [
+        language.pick("open", "벌어짐"),
+        language.pick(
+            "When the joint below each link was open",
+            "부재 아래 접합면이 벌어진 시각",
+        ),
+    ];
+    rows_of_bands(&simulation.links, &open, simulation.duration_s(), words, language)
+}
+
+fn slips(simulation: &ChainSimulation, language: Language) -> String {
+    let each = simulation.history.slips.iter();
+    let slips: Vec<_> = each.map(|s| (s.joint, [s.from_s, s.to_s])).collect();
+    let words = [
+        language.pick("turns", "회전"),
+        language.pick(
+            "When the joint below each link turned against its friction",
+            "부재 아래 접합면이 마찰을 이기고 회전한 시각",
+        ),
+    ];
+    rows_of_bands(
+        &simulation.links,
+        &slips,
+        simulation.duration_s(),
+        words,
+        language,
+    )
 }
 
 fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {

@@ -3,8 +3,8 @@
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, PURPLE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
-use crate::text::STANDARD_GRAVITY_M_S2;
 use dolmen::assess::demand::ShakenDirection;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::Language;
 use dolmen_words::number::trimmed;
 use dolmen_work::state::DemandAnswer;
@@ -103,7 +103,7 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
     if capacity.is_some() {
         plot.key(
             Key::Line(Line::new(GREEN, 1.6).dashed()),
-            language.pick("begins to move", "최초 거동"),
+            language.pick("begins to move", "거동 시작"),
         );
     }
     plot.svg(language.pick("Design spectrum", "설계 응답 스펙트럼"))

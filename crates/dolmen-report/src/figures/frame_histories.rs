@@ -5,6 +5,7 @@ use super::axis::Axis;
 use super::ink::{GREY, Line, SERIES};
 use super::plot::{Key, Plot};
 use super::stack_histories::{Series, plot};
+use dolmen::dynamics::FrameEnergy;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_words::Language;
@@ -27,82 +28,115 @@ pub(super) fn ground(motion: &GroundMotion, component: Component) -> Series {
     }
 }
 
-/// The figures of a simulation: ground, levels, drifts, one loop a storey, bands of slipping, energy.
-pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<Figure> {
-    let mut figures = Vec::new();
-    let mut add = |name: String, svg: Option<String>| {
-        if let Some(svg) = svg {
-            figures.push(Figure { name, svg });
+/// A figure of a simulated frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum FramePlot {
+    Ground,
+    Levels,
+    /// Force against drift of a storey, 0 the lowest.
+    Loop(usize),
+    Slips,
+    Energy,
+}
+
+impl FramePlot {
+    /// Those of a simulation, in the order in which they are shown.
+    pub(crate) fn all(simulation: &FrameSimulation) -> Vec<Self> {
+        let mut all = vec![Self::Ground, Self::Levels];
+        all.extend((0..simulation.storeys.len()).map(Self::Loop));
+        all.extend((!simulation.history.slips.is_empty()).then_some(Self::Slips));
+        all.push(Self::Energy);
+        all
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Ground => "ground".to_owned(),
+            Self::Levels => "levels".to_owned(),
+            Self::Loop(storey) => format!("loop-{}", storey + 1),
+            Self::Slips => "slips".to_owned(),
+            Self::Energy => "energy".to_owned(),
         }
-    };
-    let history = &simulation.history;
-    let over_time = |values: &[f64], factor: f64| -> Vec<[f64; 2]> {
-        let pairs = history.time_s.iter().zip(values);
-        pairs.map(|(t, y)| [*t, factor * y]).collect()
-    };
-    let ground = ground(&simulation.motion.motion, simulation.component);
-    add(
-        "ground".to_owned(),
-        plot(
-            &[ground],
-            language.pick("Acceleration (g)", "가속도 (g)"),
-            language,
-            language.pick("Acceleration of the ground", "지반 가속도"),
-        ),
-    );
+    }
+
+    /// Its SVG; `None` without a sample.
+    pub(crate) fn draw(self, simulation: &FrameSimulation, language: Language) -> Option<String> {
+        match self {
+            Self::Ground => {
+                let ground = ground(&simulation.motion.motion, simulation.component);
+                let title = language.pick("Acceleration of the ground", "지반 가속도");
+                plot(
+                    &[ground],
+                    language.pick("Acceleration (g)", "가속도 (g)"),
+                    language,
+                    title,
+                )
+            }
+            Self::Levels => levels(simulation, language),
+            Self::Loop(storey) => Some(hysteresis(simulation, storey, language)),
+            Self::Slips => Some(bands(simulation, language)),
+            Self::Energy => energy(simulation, language),
+        }
+    }
+}
+
+/// The figures of a simulation: ground, levels, one loop a storey, bands of slipping, energy.
+pub fn frame_histories(simulation: &FrameSimulation, language: Language) -> Vec<Figure> {
+    let all = FramePlot::all(simulation).into_iter();
+    all.filter_map(|plot| {
+        let svg = plot.draw(simulation, language)?;
+        Some(Figure {
+            name: plot.name(),
+            svg,
+        })
+    })
+    .collect()
+}
+
+fn over_time(simulation: &FrameSimulation, values: &[f64], factor: f64) -> Vec<[f64; 2]> {
+    let pairs = simulation.history.time_s.iter().zip(values);
+    pairs.map(|(t, y)| [*t, factor * y]).collect()
+}
+
+fn levels(simulation: &FrameSimulation, language: Language) -> Option<String> {
     let levels: Vec<Series> = (0..simulation.storeys.len())
         .map(|level| Series {
             name: simulation.storeys[level].clone(),
-            points: over_time(&history.displacement_m[level], 1e3),
+            points: over_time(simulation, &simulation.history.displacement_m[level], 1e3),
         })
         .collect();
-    add(
-        "levels".to_owned(),
-        plot(
-            &levels,
-            language.pick("Displacement (mm)", "변위 (mm)"),
-            language,
-            language.pick("Displacement at the top of each storey", "각 층 상단의 변위"),
-        ),
-    );
-    for storey in 0..simulation.storeys.len() {
-        add(
-            format!("loop-{}", storey + 1),
-            Some(hysteresis(simulation, storey, language)),
-        );
-    }
-    if !history.slips.is_empty() {
-        add("slips".to_owned(), Some(bands(simulation, language)));
-    }
-    let energy = |name: &str, value: fn(&dolmen::dynamics::FrameEnergy) -> f64| {
-        let values: Vec<f64> = history.energy.iter().map(value).collect();
+    let name = language.pick("Displacement (mm)", "변위 (mm)");
+    let title = language.pick("Displacement at the top of each storey", "각 층 상단의 변위");
+    plot(&levels, name, language, title)
+}
+
+fn energy(simulation: &FrameSimulation, language: Language) -> Option<String> {
+    let part = |name: &str, value: fn(&FrameEnergy) -> f64| {
+        let values: Vec<f64> = simulation.history.energy.iter().map(value).collect();
         Series {
             name: name.to_owned(),
-            points: over_time(&values, 1e-3),
+            points: over_time(simulation, &values, 1e-3),
         }
     };
     let parts = [
-        energy(language.pick("put in", "입력"), |e| e.input_j),
-        energy(language.pick("taken by friction", "마찰 소산"), |e| {
+        part(language.pick("put in", "입력"), |e| e.input_j),
+        part(language.pick("taken by friction", "마찰 소산"), |e| {
             e.friction_j
         }),
-        energy(language.pick("taken by dashpots", "점성 소산"), |e| {
+        part(language.pick("taken by dashpots", "점성 소산"), |e| {
             e.damping_j
         }),
-        energy(language.pick("moving and in springs", "운동·탄성"), |e| {
+        part(language.pick("moving and in springs", "운동·탄성"), |e| {
             e.kinetic_j + e.stored_j
         }),
     ];
-    add(
-        "energy".to_owned(),
-        plot(
-            &parts,
-            language.pick("Energy (kJ)", "에너지 (kJ)"),
-            language,
-            language.pick("Where the energy went", "에너지 수지"),
-        ),
-    );
-    figures
+    let name = language.pick("Energy (kJ)", "에너지 (kJ)");
+    plot(
+        &parts,
+        name,
+        language,
+        language.pick("Where the energy went", "에너지 수지"),
+    )
 }
 
 /// Force of a storey against its drift.

@@ -70,41 +70,76 @@ pub(super) fn plot(series: &[Series], name: &str, language: Language, title: &st
     Some(plot.svg(title))
 }
 
+/// A figure of a simulated stack over time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum StackPlot {
+    Ground,
+    Top,
+    Opening,
+    Slip,
+    Yaw,
+}
+
+impl StackPlot {
+    /// All, in the order in which they are shown.
+    pub(crate) const ALL: [Self; 5] = [Self::Ground, Self::Top, Self::Opening, Self::Slip, Self::Yaw];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Ground => "ground",
+            Self::Top => "top",
+            Self::Opening => "opening",
+            Self::Slip => "slip",
+            Self::Yaw => "yaw",
+        }
+    }
+
+    /// Its SVG; `None` without a sample.
+    pub(crate) fn draw(self, simulation: &StackSimulation, language: Language) -> Option<String> {
+        let (series, axis, title) = match self {
+            Self::Ground => (
+                ground_series(simulation),
+                language.pick("Acceleration (g)", "가속도 (g)"),
+                language.pick("Acceleration of the ground", "지반 가속도"),
+            ),
+            Self::Top => (
+                top_series(simulation),
+                language.pick("Displacement (mm)", "변위 (mm)"),
+                language.pick("Displacement of the highest stone", "최상부 부재의 변위"),
+            ),
+            Self::Opening => (
+                joint_series(simulation, |joint, sample| 1e3 * joint.opening_m[sample]),
+                language.pick("Opening (mm)", "벌어짐 (mm)"),
+                language.pick("Opening of the joints", "접합면의 벌어짐"),
+            ),
+            Self::Slip => (
+                joint_series(simulation, |joint, sample| {
+                    1e3 * joint.slip_m[sample][0].hypot(joint.slip_m[sample][1])
+                }),
+                language.pick("Slip (mm)", "미끄러짐 (mm)"),
+                language.pick("Slip of the joints", "접합면의 미끄러짐"),
+            ),
+            Self::Yaw => (
+                joint_series(simulation, |joint, sample| 1e3 * joint.yaw_rad[sample]),
+                language.pick("Yaw (mrad)", "수평 회전 (mrad)"),
+                language.pick("Yaw of the joints", "접합면의 수평 회전"),
+            ),
+        };
+        plot(&series, axis, language, title)
+    }
+}
+
 /// The figures of a simulation over time: ground, top, and of the joints opening, slip and yaw.
 pub fn stack_histories(simulation: &StackSimulation, language: Language) -> Vec<Figure> {
-    let mut figures = Vec::new();
-    let mut add = |name: &'static str, svg: Option<String>| {
-        if let Some(svg) = svg {
-            figures.push(Figure {
-                name: name.to_owned(),
-                svg,
-            });
-        }
-    };
-    let ground = language.pick("Acceleration (g)", "가속도 (g)");
-    let title = language.pick("Acceleration of the ground", "지반 가속도");
-    add(
-        "ground",
-        plot(&ground_series(simulation), ground, language, title),
-    );
-    let top = language.pick("Displacement (mm)", "변위 (mm)");
-    let title = language.pick("Displacement of the highest stone", "최상부 부재의 변위");
-    add("top", plot(&top_series(simulation), top, language, title));
-    let opening = joint_series(simulation, |joint, sample| 1e3 * joint.opening_m[sample]);
-    let name = language.pick("Opening (mm)", "벌어짐 (mm)");
-    let title = language.pick("Opening of the joints", "접합면의 벌어짐");
-    add("opening", plot(&opening, name, language, title));
-    let slip = joint_series(simulation, |joint, sample| {
-        1e3 * joint.slip_m[sample][0].hypot(joint.slip_m[sample][1])
-    });
-    let name = language.pick("Slip (mm)", "미끄러짐 (mm)");
-    let title = language.pick("Slip of the joints", "접합면의 미끄러짐");
-    add("slip", plot(&slip, name, language, title));
-    let yaw = joint_series(simulation, |joint, sample| 1e3 * joint.yaw_rad[sample]);
-    let name = language.pick("Yaw (mrad)", "수평 회전 (mrad)");
-    let title = language.pick("Yaw of the joints", "접합면의 수평 회전");
-    add("yaw", plot(&yaw, name, language, title));
-    figures
+    let each = StackPlot::ALL.into_iter();
+    each.filter_map(|plot| {
+        let svg = plot.draw(simulation, language)?;
+        Some(Figure {
+            name: plot.name().to_owned(),
+            svg,
+        })
+    })
+    .collect()
 }
 
 fn ground_series(simulation: &StackSimulation) -> Vec<Series> {

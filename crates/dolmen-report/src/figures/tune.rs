@@ -18,23 +18,29 @@ const SHADES: [&str; 8] = [
     "#f7fbff", "#deebf7", "#c6dbef", "#9ecae1", "#6baed6", "#4292c6", "#2171b5", "#084594",
 ];
 
+/// How a figure is drawn.
+type Draw = fn(&TuneAnswer, Language) -> String;
+
 /// The figures of one damper.
 pub fn tune_figures(answer: &TuneAnswer, language: Language) -> Vec<Figure> {
-    let mut figures = Vec::new();
-    let mut add = |name: &str, svg: String| {
-        figures.push(Figure {
-            name: name.to_owned(),
-            svg,
-        });
-    };
+    let each = tune_drawings(answer).into_iter().map(|(name, draw)| Figure {
+        name: name.to_owned(),
+        svg: draw(answer, language),
+    });
+    each.collect()
+}
+
+/// Names of the figures of one damper, and how each is drawn.
+pub(crate) fn tune_drawings(answer: &TuneAnswer) -> Vec<(&'static str, Draw)> {
+    let mut drawings: Vec<(&str, Draw)> = Vec::new();
     if answer.comparison.line_given.len() > 1 {
-        add("position", position(answer, language));
+        drawings.push(("position", position));
     }
     if !answer.comparison.map.cells.is_empty() {
-        add("plan", plan(answer, language));
+        drawings.push(("plan", plan));
     }
-    add("robustness", robustness(answer, language));
-    figures
+    drawings.push(("robustness", robustness));
+    drawings
 }
 
 /// How far along the line a place lies, m: x or y where the line runs along an axis.

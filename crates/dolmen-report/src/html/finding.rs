@@ -1,7 +1,6 @@
 //! One finding in plain words, and how it is marked.
 
 pub(super) use crate::document::Tone;
-use dolmen::stability::Verdict;
 use dolmen_words::Language;
 
 /// One finding.
@@ -22,10 +21,5 @@ impl Finding {
             tone,
             text: text.into(),
         }
-    }
-
-    /// Marked as the verdict is.
-    pub(super) fn of(verdict: Verdict, text: impl Into<String>) -> Self {
-        Self::new(Tone::of(verdict), text)
     }
 }

@@ -1,13 +1,12 @@
 //! What was given: every input with its unit, scatter and source, and what rests on assumptions.
 
 use super::table::{Cell, table};
-use super::variants;
-use super::words::{evidence_word, listed, path_words, unit_text};
-use dolmen_project::{Project, Quantity, Structure, Warning, WarningKind};
+use super::words::{evidence_word, path_words, unit_text};
+use crate::check::title;
+use dolmen_project::{Project, Quantity};
 use dolmen_words::Language;
 use dolmen_words::number;
 use dolmen_work::answer::ProjectReport;
-use dolmen_work::state::VariantAnswer;
 use maud::{Markup, html};
 
 /// The section "what was given".
@@ -33,10 +32,10 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
         @for variant in answer.variants() {
             @if !variant.own_inputs.is_empty() {
                 @let inputs: Vec<&Quantity> = variant.own_inputs.iter().collect();
-                @let title = variants::title(variant, language);
+                @let title = title(variant);
                 (inputs_table(&language.pick(
-                    format!("Inputs of the variant “{title}”. Where they differ from those above; values marked as assumed are tinted."),
-                    format!("대안 ‘{title}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다."),
+                    format!("Inputs of the variant “{}”. Where they differ from those above; values marked as assumed are tinted.", title.text(language)),
+                    format!("대안 ‘{}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다.", title.text(language)),
                 ), &inputs, language))
             }
         }
@@ -44,7 +43,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
         @if !project.warnings.is_empty() {
             h3 { (language.pick("Warnings on reading the file", "입력 파일에 대한 경고")) }
             ul { @for warning in &project.warnings {
-                li { (warning_words(warning, language)) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
+                li { (warning.message.text(language)) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
             } }
         }
     }
@@ -98,20 +97,6 @@ fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language) -> Mark
     table(caption, words, &head, &rows)
 }
 
-/// The sentence of the reader of the file; in Korean what it is about, and the sentence as it stands.
-fn warning_words(warning: &Warning, language: Language) -> String {
-    let korean = match warning.kind {
-        WarningKind::CapLeftOut => "최상부 부재가 제외되어 불안전측이다",
-        WarningKind::Assumed => "가정한 값이 있다",
-        WarningKind::ThinRod => "관성모멘트가 주어지지 않아 가는 봉으로 보았다",
-        WarningKind::AxialFromMasses => "축력이 주어지지 않아 질량으로부터 구하였다",
-        WarningKind::JointDefaults => "접합면 물성 일부가 주어지지 않아 기본값으로 가정하였다",
-        WarningKind::Allowed => "의심스러운 값을 allow 항목에 따라 허용하였다",
-        WarningKind::AllowedInVain => "allow 항목 중 쓰이지 않은 것이 있다",
-    };
-    language.pick(warning.message.clone(), format!("{korean} [{}]", warning.message))
-}
-
 fn surveys(project: &Project, language: Language) -> Markup {
     html! {
         @for survey in &project.surveys {
@@ -137,108 +122,4 @@ fn surveys(project: &Project, language: Language) -> Markup {
             }
         }
     }
-}
-
-/// The assumed inputs of a variant by name, for the findings: every result of the variant rests on them. `None` if it adds none.
-pub(super) fn assumptions_of_variant(variant: &VariantAnswer, language: Language) -> Option<String> {
-    let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
-    let words = assumed.map(|input| format!("{} {}", path_words(&input.path, language), input.written));
-    let words: Vec<String> = words.collect();
-    let title = variants::title(variant, language);
-    (!words.is_empty()).then(|| {
-        let words = listed(&words, language);
-        language.pick(
-            format!("Every result of the variant “{title}” rests on what is assumed, not measured: {words}."),
-            format!("대안 ‘{title}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {words}."),
-        )
-    })
-}
-
-/// What the assumed inputs make uncertain, for the findings: `None` if nothing is assumed.
-pub(super) fn assumptions(project: &Project, language: Language) -> Option<String> {
-    let assumed: Vec<&Quantity> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
-    if assumed.is_empty() {
-        return None;
-    }
-    let is_stiffness = |q: &&Quantity| q.path.ends_with("stiffness") || q.path.contains("stiffness[");
-    let is_damping = |q: &&Quantity| q.path.contains("damping");
-    let stiffness = assumed.iter().filter(|q| is_stiffness(q)).count();
-    let damping = assumed.iter().filter(|q| is_damping(q)).count();
-    let surveyed = assumed
-        .iter()
-        .filter(|q| q.path.starts_with("survey.") && !is_damping(q))
-        .count();
-    let body = assumed.len() - stiffness - damping - surveyed;
-    let stack = matches!(project.structure, Structure::Stack(_));
-    let mut parts = Vec::new();
-    if body > 0 {
-        let (english, korean) = if stack {
-            ("dimensions, densities and frictions", "치수·밀도·마찰")
-        } else {
-            ("dimensions and weights", "치수·무게")
-        };
-        parts.push(language.pick(
-            format!("{body} of the {english} (every result that uses them)"),
-            format!("{korean} {body}개(이를 사용한 모든 결과)"),
-        ));
-    }
-    if stiffness > 0 && stack {
-        parts.push(language.pick(
-            format!("{stiffness} stiffness values (natural frequencies, demand on elastic joints and simulated motion rest on them; the verdict and the limits do not)"),
-            format!("강성 {stiffness}개(고유진동수, 탄성 접합면의 요구 수준, 지진응답이 이에 의존하며 판정과 한계 가속도는 무관하다)"),
-        ));
-    } else if stiffness > 0 {
-        let (chain, frame) = (
-            language.pick(
-                "the verdict, the load factor, the margins and the modes",
-                "판정, 하중배율, 여유도, 모드",
-            ),
-            language.pick(
-                "the verdict, the load factor and the modes",
-                "판정, 하중배율, 모드",
-            ),
-        );
-        let rests = if matches!(project.structure, Structure::Chain(_)) {
-            chain
-        } else {
-            frame
-        };
-        parts.push(language.pick(
-            format!(
-                "{stiffness} stiffness values ({rests} rest on them; limits from weights and lengths do not)"
-            ),
-            format!(
-                "강성 {stiffness}개({rests}가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)"
-            ),
-        ));
-    }
-    if surveyed > 0 {
-        parts.push(language.pick(
-            format!(
-                "{surveyed} frequencies (the stiffness found from them is an illustration, not a finding)"
-            ),
-            format!("고유진동수 {surveyed}개(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)"),
-        ));
-    }
-    if damping > 0 && matches!(project.structure, Structure::Building(_)) {
-        parts.push(language.pick(
-            format!("{damping} damping values (the response to spectra and motions rests on them; verdict and modes do not)"),
-            format!("감쇠 {damping}개(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)"),
-        ));
-    } else if damping > 0 && stack {
-        parts.push(language.pick(
-            format!("{damping} damping values (simulated motion alone rests on them)"),
-            format!("감쇠 {damping}개(지진응답만 이에 의존한다)"),
-        ));
-    } else if damping > 0 {
-        parts.push(language.pick(
-            format!("{damping} damping values (nothing on this page rests on them but changes from survey to survey)"),
-            format!("감쇠 {damping}개(조사 사이의 변화 외에는 이 보고서의 결과와 무관)"),
-        ));
-    }
-    let parts = listed(&parts, language);
-    Some(language.pick(
-        format!("Assumed, not measured: {parts}."),
-        format!("실측이 아닌 가정값: {parts}."),
-    ))
 }

@@ -2,13 +2,14 @@
 
 use super::style::STYLE;
 use super::words::{colour_class, judgement_sign, thresholds};
-use super::{
-    building, building_simulation, chain_simulation, change, demand, findings, frame, frame_simulation,
-    given, identification, modal, samples, setups, simulation, stack, study, tune, variants,
-};
-use crate::chain;
+use super::{findings, given};
+use crate::check::{scatter_sections, title, variants_section};
 use crate::document::document_html;
 use crate::mark::GENERATOR;
+use crate::{
+    building, building_simulation, chain, change, demand, frame, frame_simulation, identification, modal,
+    stack, stack_simulation, study, tune,
+};
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
 use dolmen_words::Language;
@@ -17,7 +18,7 @@ use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
     Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
 };
-use dolmen_work::state::{Check, State};
+use dolmen_work::state::{Check, StackAnswer, State};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 /// Who made the page, and when.
@@ -162,29 +163,39 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Mar
         (given::section(answer, language))
         @match (&project.structure, answer.state().map(|s| &s.check)) {
             (Structure::Chain(part), Some(Check::Chain(check))) => (document_html(&chain::sections(part, check), language)),
-            (Structure::Frame(part), Some(Check::Frame(all))) => (frame::sections(part, all, language)),
-            (Structure::Stack(_), Some(Check::Stack(check))) => (stack::sections(answer, check, language)),
-            (Structure::Building(_), Some(Check::Building(check))) => (building::sections(check, language)),
+            (Structure::Frame(part), Some(Check::Frame(all))) => (document_html(&frame::sections(part, all), language)),
+            (Structure::Stack(_), Some(Check::Stack(check))) => (stack_sections(answer, check, language)),
+            (Structure::Building(_), Some(Check::Building(check))) => (document_html(&building::sections(check), language)),
             _ => {}
         }
-        (demand::section(answer.state().and_then(|state| state.demand.as_ref()), language))
-        @if let Some(simulated) = answer.stack_simulation() { (simulation::section(simulated, language)) (simulation::compared(answer, language)) }
-        (frame_simulation::sections(&answer.frame_simulations(), language))
-        (chain_simulation::sections(&answer.chain_simulations(), language))
-        (tune::sections(&answer.tunings(), language))
-        (tune::together(&answer.together(), language))
-        (building_simulation::sections(&answer.building_simulations(), language))
-        (study::sections(&answer.studies(), language))
-        @if !matches!(project.structure, Structure::Stack(_)) { (variants::section(answer, language)) }
-        (samples::sections(answer, language))
+        @if let Some(demand) = answer.state().and_then(|state| state.demand.as_ref()) { (document_html(&demand::sections(demand), language)) }
+        (document_html(&stack_simulation::sections(answer), language))
+        (document_html(&frame_simulation::sections(&answer.frame_simulations()), language))
+        (document_html(&chain::simulation_sections(&answer.chain_simulations()), language))
+        (document_html(&tune::sections(&answer.tunings(), &answer.together()), language))
+        (document_html(&building_simulation::sections(&answer.building_simulations()), language))
+        @for found in answer.studies() { (document_html(&study::sections(found), language)) }
+        @if let Some(check) = answer.check() { (document_html(&variants_section(check), language)) }
+        @if let Some(check) = answer.check() { (document_html(&scatter_sections(check), language)) }
         @for survey in answer.surveys() {
-            @if let Some(record) = &survey.records { (modal::section(&survey.name, record, language)) }
-            @if let Some(all) = &survey.setups { (setups::section(&survey.name, all, language)) }
+            (document_html(&modal::sections(survey), language))
         }
-        (change::section(answer.change(), language))
-        (identification::section(project, answer.surveys(), language))
+        @if let Some(found) = answer.change() { (document_html(&change::sections(project, found), language)) }
+        (document_html(&identification::sections(project, answer.surveys()), language))
         (method(answer, language))
         (evidence(answer, language, imprint))
+    }
+}
+
+/// A stack and its variants.
+fn stack_sections(whole: &ProjectReport, answer: &StackAnswer, language: Language) -> Markup {
+    let fits = whole.state().map_or(&[][..], |state| &state.spring_fits);
+    let compared = whole
+        .state()
+        .map(|state| stack::comparison(state, whole.variants()));
+    markup! {
+        (document_html(&stack::sections(answer, fits, stack::peak_g(whole, answer)), language))
+        @if let Some(compared) = compared { (document_html(&compared, language)) }
     }
 }
 
@@ -236,7 +247,8 @@ fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> V
     let each = judgement.worse().map(|judged| {
         let name = judged.variant.as_deref().unwrap_or_default();
         let own = answer.variants().iter().find(|variant| variant.name == name);
-        let title = own.map_or(name, |variant| variants::title(variant, language));
+        let title = own.map(title);
+        let title = title.as_ref().map_or(name, |title| title.text(language));
         let words = judged.words(language).join(" · ");
         language.pick(
             format!("Variant “{title}”: {words}"),
@@ -266,7 +278,7 @@ fn banner(answer: &ProjectReport, state: &State, language: Language) -> Markup {
             .pick("Stiffness is not given.", "강성이 주어지지 않음.")
             .into(),
     };
-    let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer, language));
+    let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer).text(language));
     // What a survey assumes touches stiffness from vibration, not this verdict.
     let structural = |q: &&Quantity| q.is_assumed() && !q.path.starts_with("survey.");
     let inputs = answer.project.inputs();
@@ -295,7 +307,7 @@ fn banner(answer: &ProjectReport, state: &State, language: Language) -> Markup {
                         format!("가정값 {assumed}개에 의존한다(결과 요약 참조)."),
                     )) }
                 }
-                p.scale { @if stack.is_some() { (stack::thresholds(language)) } @else { (thresholds(language)) } }
+                p.scale { @if stack.is_some() { (stack::thresholds().text(language)) } @else { (thresholds(language)) } }
             }
         }
     }

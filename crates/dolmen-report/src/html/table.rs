@@ -1,6 +1,6 @@
 //! Tables and figures of the page.
 
-use maud::{Markup, PreEscaped, html};
+use maud::{Markup, html};
 
 /// Tables of so many rows stay on one page in print.
 const WHOLE_ROWS: usize = 8;
@@ -26,14 +26,6 @@ impl Cell {
         Cell {
             text: text.into(),
             class: "wrap",
-        }
-    }
-
-    /// A number that says it falls.
-    pub(super) fn bad(text: impl Into<String>) -> Self {
-        Cell {
-            text: text.into(),
-            class: "bad-number",
         }
     }
 }
@@ -62,11 +54,6 @@ pub(super) fn table(caption: &str, words: usize, head: &[String], rows: &[Vec<Ce
             } } }
         } }
     }
-}
-
-/// A figure with its caption. `svg` was made by us, its texts escaped there.
-pub(super) fn figure(svg: &str, caption: &str) -> Markup {
-    html! { figure { (PreEscaped(svg)) figcaption { (strong_lead(caption)) } } }
 }
 
 /// The first sentence stands out: it says what is to be seen.

@@ -18,7 +18,7 @@ pub(crate) fn verdict_word(verdict: Verdict, language: Language) -> &'static str
 }
 
 /// The class of the style sheet that has a colour.
-pub(super) fn colour_class(colour: Colour) -> &'static str {
+pub(crate) fn colour_class(colour: Colour) -> &'static str {
     match colour {
         Colour::Green => "stable",
         Colour::Amber => "marginal",
@@ -27,7 +27,7 @@ pub(super) fn colour_class(colour: Colour) -> &'static str {
 }
 
 /// The sign that stands before a judgement, for those who see no colours.
-pub(super) fn judgement_sign(judgement: &Judgement) -> &'static str {
+pub(crate) fn judgement_sign(judgement: &Judgement) -> &'static str {
     let weight = judgement.headline().and_then(|of| of.weight);
     match (judgement.colour(), weight) {
         (Colour::Green, _) => "●",
@@ -38,7 +38,7 @@ pub(super) fn judgement_sign(judgement: &Judgement) -> &'static str {
 }
 
 /// What the words mean, with their thresholds.
-pub(super) fn thresholds(language: Language) -> String {
+pub(crate) fn thresholds(language: Language) -> String {
     let limit = number::significant(Verdict::MARGINAL_BELOW, 2);
     language.pick(
         format!(
@@ -52,7 +52,7 @@ pub(super) fn thresholds(language: Language) -> String {
 }
 
 /// Where a number comes from.
-pub(super) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &'static str {
+pub(crate) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &'static str {
     match evidence {
         Some(Evidence::Measured) => language.pick("measured", "실측"),
         Some(Evidence::Test) => language.pick("test", "시험"),
@@ -63,7 +63,7 @@ pub(super) fn evidence_word(evidence: Option<Evidence>, language: Language) -> &
 }
 
 /// What the springs of a frame act on.
-pub(super) fn convention_word(convention: Convention, language: Language) -> &'static str {
+pub(crate) fn convention_word(convention: Convention, language: Language) -> &'static str {
     match convention {
         Convention::Drift => language.pick("spring on storey drift", "층간변위에 작용하는 스프링"),
         Convention::Grounded => language.pick(
@@ -74,12 +74,12 @@ pub(super) fn convention_word(convention: Convention, language: Language) -> &'s
 }
 
 /// A unit as printed: "N m/rad" is "N·m/rad".
-pub(super) fn unit_text(unit: &str) -> String {
+pub(crate) fn unit_text(unit: &str) -> String {
     unit.replace(' ', "·")
 }
 
 /// `links[1].weight` in words, "link 1, weight"; a path that is not known stays as it is.
-pub(super) fn path_words(path: &str, language: Language) -> String {
+pub(crate) fn path_words(path: &str, language: Language) -> String {
     if let Some(words) = survey_words(path, language) {
         return words;
     }
@@ -261,15 +261,6 @@ fn quantity_word(quantity: &str, language: Language) -> Option<&'static str> {
         "shear_strength" => language.pick("shear strength", "전단강도"),
         _ => return None,
     })
-}
-
-/// "1, 2 and 3".
-pub(super) fn listed(items: &[String], language: Language) -> String {
-    match items {
-        [] => String::new(),
-        [one] => one.clone(),
-        [first @ .., last] => format!("{}{}{last}", first.join(", "), language.pick(" and ", " 및 ")),
-    }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@ use dolmen::assess::{CentroidEffect, ChainCheck, FrameCheck, Probability, Sensit
 use dolmen::stability::{ChainLimits, ChainStability, FrameStability, JointStability, StoreyStability};
 use dolmen::structure::NaturalMode;
 use dolmen_project::Project;
+use dolmen_words::Language;
 use dolmen_work::answer::CheckAnswer;
 use dolmen_work::judgement::judge_check;
 use dolmen_work::state::{Check, DirectionCheck, Sampled, SensitivityOf, State};
@@ -50,7 +51,7 @@ pub(super) fn project(project: &Project, file: &str) -> Value {
         "source": project.source,
         "gravity_m_s2": project.gravity_m_s2,
         "inputs": inputs.collect::<Vec<_>>(),
-        "warnings": warnings.map(|w| json!({ "line": w.line, "path": w.path, "message": w.message })).collect::<Vec<_>>(),
+        "warnings": warnings.map(|w| json!({ "line": w.line, "path": w.path, "message": w.message.text(Language::English) })).collect::<Vec<_>>(),
     })
 }
 

@@ -1,6 +1,6 @@
 //! What an earthquake asks for, as JSON.
 
-use crate::text::{ground_word, type_word};
+use crate::demand::{ground_word, type_word};
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, SpectrumBranches, StackDemandCheck};
 use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
 use dolmen_work::state::DemandAnswer;

@@ -1,12 +1,12 @@
 //! `dolmen identify` as JSON.
 
 use super::check::{modes, project};
-use crate::text::{decay_remarks, setup_remarks};
+use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
 use dolmen::signal::Channel;
 use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
-use dolmen_words::Language;
 use dolmen_words::advice::Advice;
+use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::IdentifyAnswer;
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
@@ -68,8 +68,13 @@ fn setups(setups: &SetupsAnswer) -> Value {
             "settings": settings(&joint.settings, &joint.modes),
             "notes": joint.notes.iter().map(Advice::advised).collect::<Vec<_>>(),
         })),
-        "notes": setup_remarks(setups, Language::English),
+        "notes": english(setup_remarks(setups)),
     })
+}
+
+fn english(sentences: Vec<Sentence>) -> Vec<String> {
+    let each = sentences.iter();
+    each.map(|sentence| sentence.text(Language::English)).collect()
 }
 
 fn record(record: &RecordAnswer) -> Value {
@@ -120,7 +125,7 @@ fn decay(decay: &Decay) -> Value {
         "explained": decay.explained,
         "left_peaks_hz": decay.left_peaks_hz,
         "modes": decay.modes.iter().map(mode).collect::<Vec<_>>(),
-        "notes": decay_remarks(decay, Language::English),
+        "notes": english(decay_remarks(decay)),
     })
 }
 

@@ -1,8 +1,9 @@
 //! A ranked portfolio as JSON.
 
+use crate::rank::not_by_rate;
 use dolmen::assess::{Factor, RankedBy};
 use dolmen_words::Language;
-use dolmen_work::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_years, without_hazard};
+use dolmen_work::portfolio::{Basis, PortfolioAnswer, known_word, probability_in_years};
 use dolmen_work::score::SCORE_STATES;
 use serde_json::{Map, Value, json};
 
@@ -56,7 +57,7 @@ pub fn rank_json(answer: &PortfolioAnswer) -> Value {
         "source": answer.source,
         "state": SCORE_STATES[answer.state],
         "ranked_by": match answer.ranked.by { RankedBy::AnnualRate => "annual_rate", RankedBy::Capacity => "capacity" },
-        "not_by_rate": without_hazard(answer, Language::English),
+        "not_by_rate": not_by_rate(answer).map(|why| why.text(Language::English)),
         "designs": answer.designs,
         "draws": answer.draws,
         "structures": rows.collect::<Vec<_>>(),

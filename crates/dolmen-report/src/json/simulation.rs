@@ -1,7 +1,7 @@
 //! A simulation, as JSON.
 
 use super::judgement::judgement;
-use crate::text::points_a_side;
+use crate::stack_simulation::points_a_side;
 use dolmen::blocks::Outcome;
 use dolmen::signal::Component;
 use dolmen_work::judgement::judge_stack_run;

@@ -4,11 +4,10 @@
 // TOLERANCE  none.
 
 use dolmen::assess::{Fragility, Known, KnownCapacity, RankedBy};
-use dolmen_report::text::rank_text;
-use dolmen_words::Language;
+use dolmen_report::{TextStyle, rank_text};
 use dolmen_work::portfolio::{
-    Basis, PortfolioAnswer, PortfolioEntry, RowSource, capacity_words, misjudged, ranking_columns,
-    read_portfolio,
+    Basis, FallsApart, PortfolioAnswer, PortfolioEntry, RowSource, capacity_words, misjudged,
+    ranking_columns, read_portfolio,
 };
 use dolmen_work::score::{SCORE_STATES, ScoreDesigns};
 use dolmen_work::study::table_csv;
@@ -200,13 +199,16 @@ fn holds_what_falls_alone_would_miss_is_said() {
     let names: Vec<&str> = answer.rows().map(|(_, entry, _)| entry.name.as_str()).collect();
     assert_eq!(names, ["b", "c", "a"]);
     assert_eq!(answer.by_falls, [Some(1), Some(3), Some(2)]);
-    let said = misjudged(&answer, Language::English);
-    assert_eq!(
-        said,
-        ["b: place 1 by DS3, but 3 by falls alone: it is damaged long before anything falls"]
-    );
-    let text = rank_text(&answer);
-    assert!(text.contains(&said[0]) && text.contains("tan α: -26 %"), "{text}");
+    let found = misjudged(&answer);
+    let wanted = FallsApart {
+        name: "b",
+        rank: 1,
+        by_falls: 3,
+    };
+    assert_eq!(found, [wanted]);
+    let text = rank_text(&answer, TextStyle::plain());
+    let said = "b: place 1 by DS3, but 3 by falls alone: it is damaged long before anything falls";
+    assert!(text.contains(said) && text.contains("tan α: -26 %"), "{text}");
     let falls = answer.entries[1].states[3].unwrap();
     assert_eq!(capacity_words(&falls, 9.81), "> 2.0");
     let table = table_csv(&ranking_columns(&answer));
@@ -225,5 +227,10 @@ fn holds_what_falls_alone_would_miss_is_said() {
     entries[2].states[2] = None;
     let again = PortfolioAnswer::of("list.csv".to_owned(), 2, entries, Vec::new(), 100).unwrap();
     assert_eq!((again.entries.len(), again.left_out[0].name.as_str()), (2, "c"));
-    assert!(rank_text(&again).contains("Without a place, look at these yourself: 1\n  c: nothing is known"));
+    let text = rank_text(&again, TextStyle::plain());
+    assert!(
+        text.contains("Without a place, look at these yourself: 1\n"),
+        "{text}"
+    );
+    assert!(text.contains("  - c: nothing is known"), "{text}");
 }

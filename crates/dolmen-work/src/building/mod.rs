@@ -18,6 +18,5 @@ pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, Watc
 pub use tune::tune;
 pub use tune_answer::{
     RoomCheck, RowStroke, TogetherAnswer, TogetherChoice, TogetherRow, TuneAnswer, TuneLoad, TunePoint,
-    direction_words,
 };
 pub use tuned::TuneOptions;

@@ -2,7 +2,6 @@
 
 use dolmen::damper::{Choice, Compared, Comparison, DesignEnd, Goal};
 use dolmen_project::{BuiltDamper, Names};
-use dolmen_words::Language;
 
 /// What acts while a damper is judged.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,36 +37,6 @@ impl TuneLoad {
             TuneLoad::Ground { .. } => "ground",
         }
     }
-
-    /// What it is.
-    pub fn english(self) -> String {
-        match self {
-            TuneLoad::Force => "white-noise force, the same on every floor, at its centre of mass".to_owned(),
-            TuneLoad::Wind { corner_hz } => {
-                format!(
-                    "force of gusts (low pass at {corner_hz} Hz), the same on every floor, at its centre of mass"
-                )
-            }
-            TuneLoad::Base => "white-noise acceleration of the base".to_owned(),
-            TuneLoad::Ground { ground_hz } => {
-                format!("acceleration of the ground after Clough & Penzien, soil at {ground_hz} Hz")
-            }
-        }
-    }
-
-    /// The same in Korean.
-    pub fn korean(self) -> String {
-        match self {
-            TuneLoad::Force => "각 층 질량중심에 동일하게 작용하는 백색잡음 하중".to_owned(),
-            TuneLoad::Wind { corner_hz } => {
-                format!("각 층 질량중심에 동일하게 작용하는 풍하중형 하중(저역통과 {corner_hz} Hz)")
-            }
-            TuneLoad::Base => "백색잡음 지반가속도".to_owned(),
-            TuneLoad::Ground { ground_hz } => {
-                format!("Clough–Penzien 지반가속도(지반 진동수 {ground_hz} Hz)")
-            }
-        }
-    }
 }
 
 /// A point whose motion is made small.
@@ -97,18 +66,6 @@ pub struct RowStroke {
     pub stroke_m: f64,
     /// Its room each way, m.
     pub room_m: f64,
-}
-
-impl RowStroke {
-    /// Under what, in words.
-    pub fn under(&self, language: Language) -> String {
-        match &self.motion {
-            Some(motion) => language.pick(format!("motion {motion}"), motion.clone()),
-            None => language
-                .pick("the spectrum of the site", "부지 스펙트럼")
-                .to_owned(),
-        }
-    }
 }
 
 /// Strokes under the motions of the file and the spectrum of its site beside the rooms of the dampers; empty where the file gives no room.
@@ -330,14 +287,5 @@ impl TogetherAnswer {
     /// The goal over that without dampers.
     pub fn cost_ratio(&self, row: &TogetherRow) -> f64 {
         row.cost / self.rows.first().map_or(f64::NAN, |row| row.cost)
-    }
-}
-
-/// A direction in words: "x", "y", or degrees.
-pub fn direction_words(degrees: f64) -> String {
-    match degrees.rem_euclid(180.0) {
-        0.0 => "x".to_owned(),
-        90.0 => "y".to_owned(),
-        turned => format!("{turned}° from x"),
     }
 }

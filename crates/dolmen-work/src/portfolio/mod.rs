@@ -1,6 +1,7 @@
 //! Many structures: the table that names them, and the order in which they should be looked at.
 
 mod answer;
+mod apart;
 mod columns;
 mod rank;
 mod state_words;
@@ -8,11 +9,11 @@ mod table;
 mod words;
 
 pub use answer::{Basis, LeftOut, PortfolioAnswer, PortfolioEntry, of_score, of_study};
+pub use apart::{FallsApart, falls_first, hazards_replaced, misjudged, without_hazard};
 pub use columns::ranking_columns;
 pub use rank::{FoundProject, Projects, RankOptions, rank};
 pub use state_words::state_words;
 pub use table::{PortfolioError, PortfolioRow, PortfolioTable, RowSource, read_portfolio};
 pub use words::{
-    basis_words, capacity_words, count_words, factor_words, falls_first, hazards_replaced, known_word,
-    misjudged, probability_in_years, reason_words, without_hazard,
+    basis_words, capacity_words, factor_words, known_word, probability_in_years, reason_words, unlike_words,
 };

@@ -63,8 +63,8 @@ impl StudyAnswer {
         let mut words = Vec::new();
         if let Some(law) = self.law() {
             let korean = match study.law {
-                LawPart::Springs => "스프링 법칙",
-                LawPart::Rigid => "강체 법칙",
+                LawPart::Springs => "스프링 접촉 모델",
+                LawPart::Rigid => "강체 접촉 모델",
             };
             words.push(language.pick(format!("{law} law"), korean.to_owned()));
             let points = study.points;
@@ -96,7 +96,7 @@ impl StudyAnswer {
         if study.damage != DamageThresholds::default() {
             words.push(
                 language
-                    .pick("damage states of its own", "손상 상태 기준 별도 지정")
+                    .pick("damage states of its own", "손상상태 기준 별도 지정")
                     .to_owned(),
             );
         }
@@ -116,20 +116,23 @@ impl StudyAnswer {
             words.push(language.pick(
                 format!("first fall to {part} of a step"),
                 match study.refine {
-                    0 => "최초 낙하는 한 단계까지".to_owned(),
-                    _ => format!("최초 낙하는 단계의 {part}까지"),
+                    0 => "최초 붕괴는 한 단계까지".to_owned(),
+                    _ => format!("최초 붕괴는 단계의 {part}까지"),
                 },
             ));
         }
         if study.samples.is_some() {
             let seed = study.seed;
-            words.push(language.pick(format!("samples from seed {seed}"), format!("표본 시드 {seed}")));
+            words.push(language.pick(
+                format!("samples from seed {seed}"),
+                format!("표본 난수 초깃값 {seed}"),
+            ));
         }
         if let Some(made) = &study.artificial {
             let seed = made.seed;
             words.push(language.pick(
                 format!("noise from seed {seed}"),
-                format!("인공 지진동 시드 {seed}"),
+                format!("인공 지진동 난수 초깃값 {seed}"),
             ));
         }
         words.push(format!("Dolmen {}", self.version));

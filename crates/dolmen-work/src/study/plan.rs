@@ -19,6 +19,7 @@ use dolmen_project::{
     Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
 };
 use dolmen_records::Files;
+use dolmen_words::Language;
 use rayon::prelude::*;
 
 /// Most scans of a study: more do not fit into memory with their results. Chosen here.
@@ -335,7 +336,13 @@ impl<'o> Plan<'o> {
     /// Warnings of the file, each with its line.
     fn notes(&self) -> Vec<String> {
         let warnings = self.opened.project.warnings.iter();
-        let warnings = warnings.map(|warning| format!("line {}: {}", warning.line, warning.message));
+        let warnings = warnings.map(|warning| {
+            format!(
+                "line {}: {}",
+                warning.line,
+                warning.message.text(Language::English)
+            )
+        });
         let mut notes: Vec<String> = warnings.collect();
         if let (StudyKind::Building, Some([x, y])) = (self.kind, self.axis_of_file()) {
             notes.push(format!(

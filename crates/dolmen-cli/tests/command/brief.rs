@@ -1,0 +1,98 @@
+// SOURCE     every example that `dolmen check` takes.
+// GOAL       A brief answer is a headline and at most 15 lines of at most 80 columns; the Korean one holds no English sentence.
+// TOLERANCE  names, sources, keys and units may be English.
+
+use super::verbs::{Scratch, root};
+use std::fs;
+
+/// Columns of a terminal: Hangul takes two.
+fn columns(line: &str) -> usize {
+    line.chars()
+        .map(|c| {
+            if ('\u{1100}'..='\u{ffef}').contains(&c) && !('\u{2000}'..='\u{2bff}').contains(&c) {
+                2
+            } else {
+                1
+            }
+        })
+        .sum()
+}
+
+fn examples() -> Vec<String> {
+    let all = fs::read_dir(root().join("examples"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path());
+    let mut names: Vec<String> = all
+        .filter(|path| path.join("project.toml").is_file())
+        .map(|path| format!("examples/{}", path.file_name().unwrap().to_string_lossy()))
+        .collect();
+    names.sort();
+    names
+}
+
+/// Three English words one after the other, outside quotes.
+fn english_in(line: &str) -> bool {
+    let is_word = |word: &str| word.len() > 1 && word.bytes().all(|b| b.is_ascii_lowercase());
+    let mut quoted = false;
+    let words: Vec<bool> = line
+        .split_whitespace()
+        .map(|word| {
+            let own = quoted || word.contains(['‘', '“', '`', '"']);
+            quoted ^= word.chars().filter(|c| "‘’“”`\"".contains(*c)).count() % 2 == 1;
+            !own && is_word(word.trim_matches([',', '.', ';', ':', '(', ')']))
+        })
+        .collect();
+    words.windows(3).any(|three| three.iter().all(|is| *is))
+}
+
+#[test]
+fn holds_a_brief_answer_is_a_headline_and_at_most_15_lines() {
+    let scratch = Scratch::with_examples("brief");
+    for example in examples() {
+        for language in ["en", "ko"] {
+            let answer = scratch.briefly(&format!("check {example} --language {language} --allow-outside"));
+            assert!(answer.status < 2, "{example}: {}", answer.stderr);
+            for line in answer.stdout.lines() {
+                assert!(
+                    columns(line) <= 80,
+                    "{example}, {} columns: {line}",
+                    columns(line)
+                );
+            }
+            let lines: Vec<&str> = answer.stdout.lines().collect();
+            let verdict = lines
+                .iter()
+                .position(|line| line.starts_with("VERDICT") || line.starts_with("판정"));
+            if let Some(verdict) = verdict {
+                assert!(verdict <= 6, "{example}: {}", answer.stdout);
+                let below = lines.len() - verdict - 1;
+                assert!(
+                    (2..=15).contains(&below),
+                    "{example}, {below} lines: {}",
+                    answer.stdout
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn holds_no_english_sentence_stands_in_a_korean_check() {
+    assert!(english_in("이것은 not one sentence.") && !english_in("접합면 ‘one two three four’ 및 k_cr"));
+    let scratch = Scratch::with_examples("korean");
+    for example in examples() {
+        let answer = scratch.dolmen(&format!(
+            "check {example} --full --language ko --allow-outside --sensitivity"
+        ));
+        let foreign = answer.stderr.contains("--sensitivity");
+        let answer = match foreign {
+            true => scratch.briefly(&format!("check {example} --full --language ko --allow-outside")),
+            false => answer,
+        };
+        // the file's own words stand in the first lines, as it has them
+        let said = answer.stdout.lines().skip_while(|line| !line.starts_with("판정"));
+        for line in said.filter(|line| !line.contains("출처")) {
+            assert!(!english_in(line), "{example}: {line}");
+        }
+    }
+}

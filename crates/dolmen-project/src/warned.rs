@@ -1,0 +1,49 @@
+//! What warnings on a project say.
+
+use dolmen_words::messages;
+
+messages! {
+    /// Something that does not stop the reading, but that every result carries.
+    pub enum Warned in "project.warning" {
+        CapLeftOut => {
+            en: "the part at the very top (cap stone) is left out: its weight would lower the load factor and every frequency, so what follows is on the unsafe side",
+            ko: "최상부 부재(옥개석)를 모델에서 제외하였다. 그 무게는 하중배율과 모든 고유진동수를 낮추므로 이하의 결과는 불안전측이다",
+        },
+        OneAssumed { path: String } => {
+            en: "1 input is assumed, and what rests on it is no finding: {path}",
+            ko: "입력 1개가 가정값이며, 이에 의존하는 결과는 확인된 것이 아니다: {path}",
+        },
+        Assumed { count: usize, paths: String } => {
+            en: "{count} inputs are assumed, and what rests on them is no finding: {paths}",
+            ko: "입력 {count}개가 가정값이며, 이에 의존하는 결과는 확인된 것이 아니다: {paths}",
+        },
+        OneScatter { path: String } => {
+            en: "1 input is given with an assumed scatter, and so is every probability: {path}",
+            ko: "입력 1개의 변동계수가 가정값이므로 모든 확률도 가정에 의존한다: {path}",
+        },
+        Scatter { count: usize, paths: String } => {
+            en: "{count} inputs are given with an assumed scatter, and so is every probability: {paths}",
+            ko: "입력 {count}개의 변동계수가 가정값이므로 모든 확률도 가정에 의존한다: {paths}",
+        },
+        ThinRods { links: String } => {
+            en: "no moment of inertia for link {links}: taken as a thin rod, m L²/12; give breadth for that of a box. It touches frequencies, not stability",
+            ko: "부재 {links}의 관성모멘트가 주어지지 않아 가는 봉(m L²/12)으로 보았다. breadth(폭)를 주면 직육면체로 계산한다. 고유진동수에만 영향을 주고 안정성에는 영향이 없다",
+        },
+        AxialFromMasses => {
+            en: "no axial_force: taken as the weight of the masses at the storey's top and above; axial_force = 0 would leave P-delta out",
+            ko: "축력(axial_force)이 주어지지 않아 각 층 상단과 그 위 질량의 무게로 보았다. P-델타 효과를 제외하려면 axial_force = 0으로 한다",
+        },
+        JointDefaults { taken: String } => {
+            en: "joint does not say everything; Dolmen's own values are taken, and assumed: {taken} (friction acts in the limits; stiffness and damping only in motion)",
+            ko: "접합면(joint) 물성 일부가 주어지지 않아 Dolmen의 기본값으로 가정하였다: {taken} (마찰은 한계에 작용하며 강성과 감쇠는 지진응답에만 작용한다)",
+        },
+        Allowed { slip: String } => {
+            en: "{slip}; the file allows it",
+            ko: "의심스러운 값을 파일의 allow 항목에 따라 허용하였다: {slip}",
+        },
+        AllowedInVain { path: String } => {
+            en: "allow names \"{path}\", but nothing there needs it: take it out",
+            ko: "allow에 \"{path}\"이(가) 있으나 그곳에는 필요하지 않다. 삭제한다",
+        },
+    }
+}

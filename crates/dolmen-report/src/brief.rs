@@ -1,0 +1,94 @@
+//! What every brief and every full answer on a terminal has: what decides, how much more there is, the notes on the file.
+
+use crate::document::{Finding, TextStyle, findings_text, heading_text, wrapped};
+use dolmen_project::{Project, Warning};
+use dolmen_words::{Language, Sentence, messages};
+
+/// Lines of a brief answer below its headline.
+const LINES_MOST: usize = 15;
+
+messages! {
+    /// What the terminal says round findings.
+    pub(crate) enum Brief in "brief" {
+        FindingsHead => { en: "Findings", ko: "검토 결과 요약" },
+        NotesHead => { en: "Notes on the file", ko: "입력 파일에 대한 경고" },
+        Note { line: usize, message: Sentence } => {
+            en: "line {line}: {message}",
+            ko: "{line}행: {message}",
+        },
+        Assumed { assumed: usize, all: usize } => {
+            en: "assumed inputs: {assumed} of {all}",
+            ko: "가정한 입력: {all}개 중 {assumed}개",
+        },
+        MoreFindings { count: usize } => { en: "further findings: {count}", ko: "그 밖의 결과: {count}개" },
+        MoreNotes { count: usize } => { en: "notes on the file: {count}", ko: "입력 파일 경고: {count}개" },
+        Full => { en: "all of it with --full", ko: "전체 내용은 --full" },
+    }
+}
+
+fn said(message: Brief, language: Language) -> String {
+    Sentence::from(message).text(language)
+}
+
+/// The findings that decide, and how much more there is.
+pub(crate) fn brief_text(all: &[Finding], project: &Project, style: TextStyle) -> String {
+    let mut out = String::new();
+    let mut shown = 0;
+    for finding in all.iter().filter(|finding| finding.is_key) {
+        let lines = findings_text([finding], style);
+        if out.lines().count() + lines.lines().count() > LINES_MOST - 1 {
+            break;
+        }
+        out += &lines;
+        shown += 1;
+    }
+    out + &more_text(project, all.len() - shown, style)
+}
+
+fn more_text(project: &Project, findings: usize, style: TextStyle) -> String {
+    let inputs = project.inputs();
+    let assumed = inputs.iter().filter(|input| input.is_assumed()).count();
+    let notes = project.warnings.len();
+    let parts = [
+        (
+            assumed,
+            Brief::Assumed {
+                assumed,
+                all: inputs.len(),
+            },
+        ),
+        (findings, Brief::MoreFindings { count: findings }),
+        (notes, Brief::MoreNotes { count: notes }),
+    ];
+    let mut each: Vec<String> = parts
+        .into_iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(_, message)| said(message, style.language))
+        .collect();
+    each.push(said(Brief::Full, style.language));
+    wrapped(&each.join(" · "), "  ", "  ", style.columns())
+}
+
+/// All findings under their head.
+pub(crate) fn all_findings_text(all: &[Finding], style: TextStyle) -> String {
+    heading_text(&said(Brief::FindingsHead, style.language)) + &findings_text(all, style)
+}
+
+/// What every result carries along: assumptions and omissions.
+pub(crate) fn notes_text(project: &Project, style: TextStyle) -> String {
+    if project.warnings.is_empty() {
+        return String::new();
+    }
+    let head = heading_text(&said(Brief::NotesHead, style.language));
+    let each = project.warnings.iter().map(|note| note_text(note, style));
+    head + &each.collect::<String>()
+}
+
+/// One note on the file.
+pub(crate) fn note_text(note: &Warning, style: TextStyle) -> String {
+    let message = Brief::Note {
+        line: note.line,
+        message: note.message.clone(),
+    };
+    wrapped(&said(message, style.language), "  * ", "    ", style.columns())
+}

@@ -1,0 +1,180 @@
+//! What a building's check says in plain words.
+
+use super::words::{floor_words, millimetres, of_both, significant, stroke_words};
+use crate::document::{Finding, Tone};
+use crate::load_factor::load_factor_finding;
+use crate::text::GROWN;
+use dolmen::stability::Verdict;
+use dolmen::structure::building::StoreyFall;
+use dolmen_words::{Quantity, Sentence, Unit, messages};
+use dolmen_work::building::{BuildingAnswer, BuildingSpectral, StandingBuilding};
+use dolmen_work::state::{Check, VariantAnswer};
+
+/// Share of the energy in rotation, in a mode that sways, from which the building is said to twist. Our choice.
+const TWISTS: f64 = 0.02;
+
+messages! {
+    /// Findings on a building.
+    pub(crate) enum Found in "building.findings" {
+        FallsTwisting { floor: Sentence, factor: Quantity } => {
+            en: "The storey below floor {floor} has the least margin: it would fall by twisting under {factor} times the weight above it.",
+            ko: "여유가 가장 작은 층은 {floor} 바닥 아래이며, 상부 무게의 {factor}배에서 비틀림으로 무너진다.",
+        },
+        FallsSwaying { floor: Sentence, factor: Quantity } => {
+            en: "The storey below floor {floor} has the least margin: it would fall by swaying under {factor} times the weight above it.",
+            ko: "여유가 가장 작은 층은 {floor} 바닥 아래이며, 상부 무게의 {factor}배에서 횡변위로 무너진다.",
+        },
+        LowestFrequency { frequency: Quantity } => {
+            en: "The lowest natural frequency is {frequency}.",
+            ko: "최저 고유진동수는 {frequency}이다.",
+        },
+        Twists { share: Quantity, mode: usize } => {
+            en: "The building twists as it sways: {share} of the energy of mode {mode} is rotation, so that its edges move unequally.",
+            ko: "횡변위와 비틀림이 연성되어 있다. {mode}차 모드 에너지의 {share}이(가) 회전이므로 양 끝의 변위가 다르다.",
+        },
+        NoOutline => {
+            en: "No floor has an outline: drifts at the edges, the largest where it twists, are not known.",
+            ko: "바닥 외곽선이 없어 비틀림 때 가장 큰 단부 층간변위를 알 수 없다.",
+        },
+        Drift { ratio: Quantity, floor: Sentence } => {
+            en: "By the spectrum of the site the largest elastic drift at an edge is {ratio} of the storey height, below floor {floor}.",
+            ko: "부지 스펙트럼에 의한 최대 탄성 층간변위(단부)는 {floor} 바닥 아래에서 층고의 {ratio}이다.",
+        },
+        DriftDamped { ratio: Quantity, floor: Sentence } => {
+            en: "By the spectrum of the site the largest elastic drift at an edge, with the dampers, is {ratio} of the storey height, below floor {floor}.",
+            ko: "부지 스펙트럼에 의한 제진장치를 포함한 최대 탄성 층간변위(단부)는 {floor} 바닥 아래에서 층고의 {ratio}이다.",
+        },
+        MoreWithDampers { list: Vec<Sentence> } => {
+            en: "With the dampers some of the response to the spectrum is more than without, by these factors: {list}.",
+            ko: "제진장치로 인해 부지 스펙트럼에 대한 응답 일부가 커진다(배수): {list}.",
+        },
+        Factor { what: Sentence, ratio: Quantity } => { en: "{what} {ratio}", ko: "{what} {ratio}" },
+        BeyondRoom { damper: Sentence, needed: Quantity, has: Quantity } => {
+            en: "Damper {damper} is beyond its room under the spectrum of the site: it needs {needed} each way and has {has}.",
+            ko: "부지 스펙트럼에서 제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다.",
+        },
+        NotComputed { why: String } => {
+            en: "The response to the spectrum of the site is not computed: {why}",
+            ko: "부지 스펙트럼에 대한 응답을 계산하지 않았다: {why}",
+        },
+        NotComputedDamped { why: String } => {
+            en: "The response with the dampers is not computed: {why}",
+            ko: "제진장치를 포함한 스펙트럼 응답을 계산하지 않았다: {why}",
+        },
+    }
+}
+
+/// The findings, the most important first.
+pub(crate) fn findings(answer: &BuildingAnswer) -> Vec<Finding> {
+    let factor = answer.load_factor();
+    let verdict = Verdict::of_load_factor(factor);
+    let mut all = vec![load_factor_finding(factor, verdict)];
+    all.extend(first_storey(answer, verdict));
+    if let Some(standing) = &answer.stands {
+        all.extend(lowest_frequency(standing));
+        all.extend(twisting(standing));
+        if let Some(spectral) = &standing.spectral {
+            all.push(drift(answer, standing, spectral));
+        }
+        all.extend(more_with_dampers(standing).map(|said| Finding::key(Tone::Warn, said)));
+        all.extend(beyond_room(standing));
+        all.extend(refused(standing).map(|said| Finding::key(Tone::Unknown, said)));
+    }
+    all
+}
+
+/// What must be known of the variants.
+pub(crate) fn variant_findings(variants: &[VariantAnswer]) -> Vec<Finding> {
+    let states = variants.iter().map(|variant| &variant.state.check);
+    let standing = states.filter_map(|check| match check {
+        Check::Building(answer) => answer.stands.as_deref(),
+        Check::Chain(_) | Check::Frame(_) | Check::Stack(_) => None,
+    });
+    standing.flat_map(beyond_room).collect()
+}
+
+fn first_storey(answer: &BuildingAnswer, verdict: Verdict) -> Option<Finding> {
+    let first = StoreyFall::first(&answer.falls)?;
+    let floor = floor_words(&answer.floors[first.storey - 1]);
+    let factor = Quantity::beside_one(first.load_factor, 3);
+    let said = match first.motion() == "twists" {
+        true => Found::FallsTwisting { floor, factor },
+        false => Found::FallsSwaying { floor, factor },
+    };
+    Some(Finding::new(Tone::of(verdict), said))
+}
+
+fn lowest_frequency(standing: &StandingBuilding) -> Option<Finding> {
+    let first = standing.modes.modes.first()?;
+    let frequency = significant(first.frequency_hz, Unit::si("Hz"), 3);
+    Some(Finding::new(Tone::Plain, Found::LowestFrequency { frequency }))
+}
+
+fn twisting(standing: &StandingBuilding) -> Option<Finding> {
+    let mut lowest = standing.modes.modes.iter().take(3).enumerate();
+    let (j, mode) = lowest.find(|(_, mode)| (TWISTS..0.5).contains(&mode.energy_shares[2]))?;
+    let said = Found::Twists {
+        share: Quantity::percent(mode.energy_shares[2], 2),
+        mode: j + 1,
+    };
+    Some(Finding::key(Tone::Warn, said))
+}
+
+fn drift(answer: &BuildingAnswer, standing: &StandingBuilding, spectral: &BuildingSpectral) -> Finding {
+    let damped = standing.damped.as_ref();
+    let drifts = damped.map_or(&spectral.edge_drift_m, |damped| &damped.edge_drift_m);
+    let storeys = answer.elastic.storeys().iter().zip(drifts).enumerate();
+    let worst = storeys
+        .filter_map(|(i, (storey, drift))| drift.map(|[x, y]| (i, x.max(y) / storey.height_m)))
+        .reduce(|most, own| if own.1 > most.1 { own } else { most });
+    let Some((storey, ratio)) = worst else {
+        return Finding::key(Tone::Warn, Found::NoOutline);
+    };
+    let floor = floor_words(&answer.floors[storey]);
+    let ratio = Quantity::percent(ratio, 3);
+    let said = match damped {
+        Some(_) => Found::DriftDamped { ratio, floor },
+        None => Found::Drift { ratio, floor },
+    };
+    Finding::key(Tone::Plain, said)
+}
+
+/// What the dampers make more under the spectrum of the site.
+pub(super) fn more_with_dampers(standing: &StandingBuilding) -> Option<Found> {
+    let against = standing.against_without();
+    let more = against.iter().filter(|of| of.ratio > GROWN).map(|of| {
+        let factor = Found::Factor {
+            what: of_both(&of.what),
+            ratio: Quantity::ratio(of.ratio, 4),
+        };
+        factor.into()
+    });
+    let list: Vec<Sentence> = more.collect();
+    (!list.is_empty()).then_some(Found::MoreWithDampers { list })
+}
+
+/// Dampers that need more room under the spectrum of the site than they have.
+fn beyond_room(standing: &StandingBuilding) -> Vec<Finding> {
+    let each = beyond_room_said(standing).into_iter();
+    each.map(|said| Finding::key(Tone::Bad, said)).collect()
+}
+
+/// The same as sentences.
+pub(super) fn beyond_room_said(standing: &StandingBuilding) -> Vec<Found> {
+    let each = standing.beyond_room().into_iter();
+    each.map(|of| Found::BeyondRoom {
+        damper: stroke_words(&of.name),
+        needed: significant(of.stroke_m, millimetres(), 4),
+        has: significant(of.room_m, millimetres(), 4),
+    })
+    .collect()
+}
+
+/// What could not be computed, and why: without the dampers, else with them.
+pub(super) fn refused(standing: &StandingBuilding) -> Option<Found> {
+    let without = standing.spectral_refused.clone();
+    let with = standing.damped_refused.clone();
+    without
+        .map(|why| Found::NotComputed { why })
+        .or_else(|| with.map(|why| Found::NotComputedDamped { why }))
+}

@@ -1,0 +1,58 @@
+//! What is said of a building that twists: findings, and the sections of its check.
+
+mod dampers;
+mod findings;
+mod modes;
+mod spectrum;
+mod storeys;
+mod words;
+
+pub(crate) use dampers::rest;
+pub(crate) use findings::{findings, variant_findings};
+pub(crate) use words::{
+    beside, direction_words, fixed, floor_words, kilonewtons, millimetres, name, number, of_both,
+    significant, stroke_words, tonnes,
+};
+
+use crate::document::Document;
+use dolmen_project::BuiltDamper;
+use dolmen_words::{Template, messages};
+use dolmen_work::building::BuildingAnswer;
+
+messages! {
+    /// The head of the stability of a building.
+    pub(crate) enum Stability in "building.stability" {
+        Head => { en: "Stability", ko: "안정성" },
+    }
+}
+
+/// The sentences on buildings as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 7] = [
+    words::Words::TEMPLATES,
+    findings::Found::TEMPLATES,
+    Stability::TEMPLATES,
+    storeys::Storeys::TEMPLATES,
+    modes::Modes::TEMPLATES,
+    dampers::Dampers::TEMPLATES,
+    spectrum::Spectrum::TEMPLATES,
+];
+
+/// The sections of a building.
+pub(crate) fn sections(answer: &BuildingAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    document.heading(Stability::Head);
+    storeys::section(&mut document, answer);
+    if let Some(standing) = &answer.stands {
+        modes::section(&mut document, standing);
+        dampers::section(&mut document, &standing.dampers);
+        spectrum::section(&mut document, answer, standing);
+    }
+    document
+}
+
+/// The dampers alone.
+pub(crate) fn damper_table(dampers: &[BuiltDamper]) -> Document<'static> {
+    let mut document = Document::default();
+    dampers::section(&mut document, dampers);
+    document
+}

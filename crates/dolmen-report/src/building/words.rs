@@ -1,0 +1,114 @@
+//! Words and units that are said of buildings and of their dampers.
+
+use dolmen_words::message::Run;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+
+/// What is below this part of the largest of its kind is rounding. Chosen here: sums of some thousand products keep 12 digits.
+const ROUNDING: f64 = 1e-9;
+
+messages! {
+    /// Names, floors, directions.
+    pub(crate) enum Words in "building.words" {
+        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Number { number: usize } => { en: "{number}", ko: "{number}" },
+        Numbered { floor: String } => { en: "{floor}", ko: "{floor}층" },
+        Named { floor: String } => { en: "‘{floor}’", ko: "‘{floor}’" },
+        Liquid { damper: String } => { en: "{damper} liquid", ko: "{damper} 액체" },
+        Turned { degrees: Quantity } => { en: "{degrees}° from x", ko: "x축에서 {degrees}°" },
+    }
+}
+
+/// A name that the user gave.
+pub(crate) fn name(name: &str) -> Sentence {
+    Words::Name {
+        name: name.to_owned(),
+    }
+    .into()
+}
+
+/// A number that names something: a mode, a floor.
+pub(crate) fn number(number: usize) -> Sentence {
+    Words::Number { number }.into()
+}
+
+/// A floor in a sentence: "3", "3층", or its name in quotes.
+pub(crate) fn floor_words(name: &str) -> Sentence {
+    let floor = name.to_owned();
+    match name.bytes().all(|b| b.is_ascii_digit()) {
+        true => Words::Numbered { floor }.into(),
+        false => Words::Named { floor }.into(),
+    }
+}
+
+/// What moves in a damper, by the name that its stroke has: "tmd", or "tmd liquid".
+pub(crate) fn stroke_words(of: &str) -> Sentence {
+    match of.strip_suffix(" liquid") {
+        Some(damper) => Words::Liquid {
+            damper: damper.to_owned(),
+        }
+        .into(),
+        None => name(of),
+    }
+}
+
+/// A direction in plan: "x", "y", or degrees.
+pub(crate) fn direction_words(degrees: f64) -> Sentence {
+    match degrees.rem_euclid(180.0) {
+        0.0 => Sentence::of_symbol("x"),
+        90.0 => Sentence::of_symbol("y"),
+        turned => Words::Turned {
+            degrees: Quantity::new(turned, Unit::ratio(), Digits::Trimmed(6)),
+        }
+        .into(),
+    }
+}
+
+/// What came in both languages.
+pub(crate) fn of_both([english, korean]: &[String; 2]) -> Sentence {
+    let run = |text: &String| vec![Run::Text(text.clone())];
+    Sentence {
+        id: "both".to_owned(),
+        arguments: Vec::new(),
+        english: run(english),
+        korean: run(korean),
+    }
+}
+
+/// Millimetres.
+pub(crate) fn millimetres() -> Unit {
+    scaled("mm", 1e3)
+}
+
+/// Tonnes.
+pub(crate) fn tonnes() -> Unit {
+    scaled("t", 1e-3)
+}
+
+/// Kilonewtons.
+pub(crate) fn kilonewtons() -> Unit {
+    scaled("kN", 1e-3)
+}
+
+/// A unit that is so many of SI.
+pub(crate) fn scaled(symbol: &str, factor: f64) -> Unit {
+    Unit {
+        symbol: symbol.to_owned(),
+        factor,
+    }
+}
+
+/// A value with so many significant digits.
+pub(crate) fn significant(value_si: f64, unit: Unit, digits: usize) -> Quantity {
+    Quantity::new(value_si, unit, Digits::Significant(digits))
+}
+
+/// A value with so many digits behind the point.
+pub(crate) fn fixed(value_si: f64, unit: Unit, decimals: usize) -> Quantity {
+    Quantity::new(value_si, unit, Digits::Fixed(decimals))
+}
+
+/// Four significant digits, and 0 for what is rounding beside the largest of its kind.
+pub(crate) fn beside(value_si: f64, largest_si: f64, unit: Unit) -> Quantity {
+    let rounding = value_si.abs() <= ROUNDING * largest_si.abs();
+    significant(if rounding { 0.0 } else { value_si }, unit, 4)
+}

@@ -1,0 +1,160 @@
+//! How a building moved under a motion, in sentences.
+
+use crate::building::{floor_words, millimetres, of_both, stroke_words};
+use crate::document::{Finding, Tone};
+use crate::simulated::{seconds, version_name};
+use crate::text::GROWN;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::building::{Against, BuildingSimulation};
+
+messages! {
+    /// How a building moved.
+    pub(crate) enum Moved in "building-simulation.moved" {
+        Under { motion: String, said: Sentence } => { en: "Under {motion}, {said}", ko: "{motion} 작용 시: {said}" },
+        UnderVariant { motion: String, variant: Sentence, said: Sentence } => {
+            en: "Under {motion}, {variant}, {said}",
+            ko: "{variant}, {motion} 작용 시: {said}",
+        },
+        Cut { end: Quantity, whole: Quantity } => {
+            en: "the run ended before the motion: {end} of its {whole} were run; no verdict. All values are of that part.",
+            ko: "지진동이 끝나기 전에 해석을 마쳐 판정하지 않는다({whole} 중 {end}까지 해석). 모든 값은 그때까지의 것이다.",
+        },
+        BeyondRoom { damper: Sentence, needed: Quantity, room: Quantity } => {
+            en: "damper {damper} is beyond its room: it needs {needed} each way and has {room}. It would meet its stops, which this run does not have, so that all values are too good.",
+            ko: "제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {room}을(를) 넘는다. 이 해석은 스토퍼 충돌을 고려하지 않아 응답을 작게 평가하므로 결과를 그대로 쓸 수 없다.",
+        },
+        Corner { ratio: Quantity, floor: Sentence, direction: Quantity } => {
+            en: "the largest drift at a corner is {ratio} of the height of the storey below floor {floor}, {direction}° from x.",
+            ko: "최대 층간변위(모서리)는 {floor} 바닥 아래에서 층고의 {ratio}이며 방향은 x축에서 {direction}°이다.",
+        },
+        Centre { ratio: Quantity, floor: Sentence, direction: Quantity } => {
+            en: "the largest drift of a centre of mass is {ratio} of the height of the storey below floor {floor}, {direction}° from x (its outline is not known: corners drift more where it twists; give sides or outline).",
+            ko: "최대 층간변위(질량 중심)는 {floor} 바닥 아래에서 층고의 {ratio}이며 방향은 x축에서 {direction}°이다. 평면 외곽선이 없으며, 비틀리면 모서리의 층간변위가 더 크다(sides 또는 outline 입력 필요).",
+        },
+        And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
+        Top { list: Vec<Sentence> } => {
+            en: "Of what it would move without dampers: {list}.",
+            ko: "제진장치가 없을 때에 대한 비: {list}.",
+        },
+        More { list: Vec<Sentence> } => {
+            en: "More than without dampers: {list}.",
+            ko: "제진장치가 없을 때보다 큰 값: {list}.",
+        },
+        Share { what: Sentence, ratio: Quantity } => { en: "{what} {ratio}", ko: "{what} {ratio}" },
+        Grows => {
+            en: "a displacement is largest where the run ends, and may grow on: give a longer --duration.",
+            ko: "해석이 끝나는 시점에 변위가 최대이므로 더 커질 수 있다. --duration을 늘려 다시 해석한다.",
+        },
+    }
+}
+
+/// How each moved, what must be known first.
+pub(crate) fn findings(simulations: &[&BuildingSimulation]) -> Vec<Finding> {
+    simulations
+        .iter()
+        .flat_map(|simulation| own(simulation))
+        .collect()
+}
+
+/// How one moved.
+pub(super) fn own(simulation: &BuildingSimulation) -> Vec<Finding> {
+    let all = alarms(simulation).into_iter().chain([of_all(simulation)]);
+    all.map(|(tone, said)| Finding::key(tone, under(simulation, said)))
+        .collect()
+}
+
+/// What must not be overlooked: each sentence begins with a small letter.
+pub(super) fn alarms(simulation: &BuildingSimulation) -> Vec<(Tone, Sentence)> {
+    let mut all = Vec::new();
+    if let Some(end_s) = simulation.ended_before_the_motion_s() {
+        let said = Moved::Cut {
+            end: seconds(end_s),
+            whole: seconds(simulation.motion.motion.duration_s()),
+        };
+        all.push((Tone::Unknown, said.into()));
+    }
+    let four = |length_m: f64| Quantity::new(length_m, millimetres(), Digits::Significant(4));
+    for beyond in simulation.beyond_room() {
+        let said = Moved::BeyondRoom {
+            damper: stroke_words(&beyond.name),
+            needed: four(beyond.stroke_m),
+            room: four(beyond.room_m),
+        };
+        all.push((Tone::Bad, said.into()));
+    }
+    if simulation.history.grows_at_the_end() {
+        all.push((Tone::Unknown, Moved::Grows.into()));
+    }
+    all
+}
+
+/// The largest drift, and what dampers change.
+pub(super) fn of_all(simulation: &BuildingSimulation) -> (Tone, Sentence) {
+    let against = simulation.against_without();
+    let is_top = |of: &&Against| of.what[0].starts_with("the top");
+    let is_more = |of: &&Against| of.ratio > GROWN;
+    let list = |of: Vec<&Against>, digits: usize| -> Vec<Sentence> {
+        let share = |of: &Against| Moved::Share {
+            what: of_both(&of.what),
+            ratio: Quantity::percent(of.ratio, digits),
+        };
+        of.into_iter().map(|of| share(of).into()).collect()
+    };
+    let top = list(against.iter().filter(is_top).collect(), 3);
+    let more = list(against.iter().filter(is_more).collect(), 4);
+    let tone = if more.is_empty() { Tone::Plain } else { Tone::Warn };
+    let top = (!top.is_empty()).then_some(Moved::Top { list: top });
+    let more = (!more.is_empty()).then_some(Moved::More { list: more });
+    let said = top
+        .into_iter()
+        .chain(more)
+        .fold(drift(simulation).into(), |first, next| {
+            Moved::And {
+                first,
+                next: next.into(),
+            }
+            .into()
+        });
+    (tone, said)
+}
+
+fn drift(simulation: &BuildingSimulation) -> Moved {
+    let drift = simulation.drift();
+    let floor = simulation.floors.get(drift.storey.saturating_sub(1));
+    let floor = floor_words(floor.map_or("", String::as_str));
+    let ratio = Quantity::percent(drift.ratio, 3);
+    // no minus before zero
+    let degrees = drift.drift.direction_degrees + 0.0;
+    let direction = Quantity::new(degrees, Unit::ratio(), Digits::Fixed(0));
+    match drift.at_corner {
+        true => Moved::Corner {
+            ratio,
+            floor,
+            direction,
+        },
+        false => Moved::Centre {
+            ratio,
+            floor,
+            direction,
+        },
+    }
+}
+
+/// With the motion, and the variant if it is one.
+fn under(simulation: &BuildingSimulation, said: Sentence) -> Sentence {
+    let motion = simulation.motion.motion.name().to_owned();
+    match variant(simulation) {
+        None => Moved::Under { motion, said }.into(),
+        Some(variant) => Moved::UnderVariant {
+            motion,
+            variant,
+            said,
+        }
+        .into(),
+    }
+}
+
+/// The variant by its title, or by its name in the file.
+pub(super) fn variant(simulation: &BuildingSimulation) -> Option<Sentence> {
+    version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref())
+}

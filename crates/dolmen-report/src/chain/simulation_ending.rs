@@ -1,0 +1,167 @@
+//! How simulated chains ended.
+
+use crate::document::{Finding, Tone};
+use crate::simulated::{
+    Simulated, capitalised, cut, millimetres, milliradians, seconds, under, version_name,
+};
+use dolmen::dynamics::ChainOutcome;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::chain::ChainSimulation;
+
+messages! {
+    /// How a chain ended.
+    pub(crate) enum Ending in "chain.simulation.ending" {
+        Pushed { of: Sentence, push: Quantity, ending: Sentence } => {
+            en: "{of}, leaning by {push} at the start: {ending}",
+            ko: "{of}, 초기 기울기 {push}: {ending}",
+        },
+        Stood { how: Sentence, lean: Quantity, top: Quantity } => {
+            en: "it stands and {how}; links lean by up to {lean}, the top moves {top}.",
+            ko: "전도되지 않으며 {how}. 최대 회전각 {lean}, 최상단 변위 {top}.",
+        },
+        NoEdge => { en: "no bed comes to its edge", ko: "합력이 밑면 끝에 이르는 접합면은 없다" },
+        AllHeld => {
+            en: "its joints were taken as unable to open (no bed_width is given, or opening = \"held\")",
+            ko: "접합면이 벌어지지 않는 것으로 가정하였다(bed_width가 없거나 opening = \"held\")",
+        },
+        SomeHeld { held: usize, joints: usize } => {
+            en: "no bed that can open comes to its edge (taken as unable to open: {held} of {joints} joints)",
+            ko: "벌어질 수 있는 접합면 중 합력이 밑면 끝에 이르는 것은 없다(접합면 {joints}개 중 {held}개는 벌어지지 않는 것으로 가정)",
+        },
+        Opened { name: String, at: Quantity, lean: Quantity, top: Quantity } => {
+            en: "it stands, but beds come to their edge, the one below ‘{name}’ first, at {at}; links lean by up to {lean}, the top moves {top}.",
+            ko: "전도되지 않으나 접합면이 벌어진다. ‘{name}’ 하부가 {at}에 처음 벌어지고, 최대 회전각 {lean}, 최상단 변위 {top}.",
+        },
+        Fell { name: String, angle: Quantity, at: Quantity } => {
+            en: "it falls: ‘{name}’ leaned by {angle}° at {at}.",
+            ko: "전도된다. ‘{name}’의 회전각이 {at}에 {angle}°를 넘는다.",
+        },
+        StillLeaning { name: String, at: Quantity } => {
+            en: "no verdict: when the run ended, at {at}, ‘{name}’ leaned further out than in the time before and went on; it has to be followed for longer.",
+            ko: "판정 불가: 해석이 끝난 {at}에 ‘{name}’의 회전각이 계속 커지고 있었다. 더 오래 해석해야 한다.",
+        },
+        LeaningWhenCut { name: String } => {
+            en: "‘{name}’ leaned further out than in the time before and went on.",
+            ko: "‘{name}’의 회전각이 계속 커지고 있었다.",
+        },
+        WordStood => { en: "stood", ko: "안정 유지" },
+        WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
+        WordFell => { en: "fell", ko: "전도" },
+        WordLeaning => { en: "still leaning: no verdict", ko: "회전 진행 중, 판정 불가" },
+        WordCut => { en: "ended before the motion: no verdict", ko: "지진동보다 먼저 종료, 판정 불가" },
+        WordStopped => { en: "stopped: no verdict", ko: "중단, 판정 불가" },
+    }
+}
+
+/// How each ended, as findings.
+pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Finding> {
+    simulations.iter().map(|simulation| finding(simulation)).collect()
+}
+
+/// How it ended, and of which version under which motion.
+pub(super) fn finding(simulation: &ChainSimulation) -> Finding {
+    let (of, ended) = (title(simulation), ending(simulation));
+    let said = match &simulation.motion {
+        Some((motion, _)) => under(of, motion, simulation.peak_acceleration_m_s2(), ended),
+        None => Ending::Pushed {
+            of,
+            push: push(simulation),
+            ending: ended,
+        }
+        .into(),
+    };
+    Finding::key(tone(simulation), capitalised(said))
+}
+
+fn tone(simulation: &ChainSimulation) -> Tone {
+    match simulation.history.outcome {
+        ChainOutcome::Fell { .. } => Tone::Bad,
+        ChainOutcome::StillLeaning { .. } | ChainOutcome::Stopped { .. } => Tone::Unknown,
+        _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
+        ChainOutcome::Stood if simulation.held_joints().is_empty() => Tone::Plain,
+        ChainOutcome::Stood | ChainOutcome::Uplifted { .. } => Tone::Warn,
+    }
+}
+
+/// The variant, or that it is the structure as it is.
+pub(super) fn title(simulation: &ChainSimulation) -> Sentence {
+    version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref())
+        .unwrap_or_else(|| Simulated::AsItIs.into())
+}
+
+/// The angle by which the whole chain leaned at the start.
+pub(super) fn push(simulation: &ChainSimulation) -> Quantity {
+    Quantity::new(simulation.push_rad, Unit::si("rad"), Digits::Trimmed(6))
+}
+
+/// The largest lean of any link.
+pub(super) fn lean(simulation: &ChainSimulation) -> Quantity {
+    let peaks = simulation.history.rotation_peaks.iter();
+    milliradians(peaks.fold(0.0, |most, peak| peak.rotation_rad.abs().max(most)))
+}
+
+/// How it ended, in a sentence that begins with a small letter.
+pub(super) fn ending(simulation: &ChainSimulation) -> Sentence {
+    match (simulation.ended_before_the_motion_s(), &simulation.motion) {
+        (Some(end_s), Some((motion, _))) => cut(motion, end_s, until_the_end(simulation)),
+        _ => until_the_end(simulation),
+    }
+}
+
+fn until_the_end(simulation: &ChainSimulation) -> Sentence {
+    let lean = lean(simulation);
+    let top = millimetres(simulation.history.top_peak_m);
+    let name = |link: usize| simulation.link(link).to_owned();
+    let said = match simulation.history.outcome {
+        ChainOutcome::Stood => Ending::Stood {
+            how: how_it_stood(simulation).into(),
+            lean,
+            top,
+        },
+        ChainOutcome::Uplifted { joint, at_s } => Ending::Opened {
+            name: name(joint),
+            at: seconds(at_s),
+            lean,
+            top,
+        },
+        ChainOutcome::Fell { link, at_s } => Ending::Fell {
+            name: name(link),
+            angle: Quantity::new(
+                simulation.options.fall_rad.to_degrees(),
+                Unit::ratio(),
+                Digits::Trimmed(3),
+            ),
+            at: seconds(at_s),
+        },
+        ChainOutcome::StillLeaning { link, .. } if simulation.ended_before_the_motion_s().is_some() => {
+            Ending::LeaningWhenCut { name: name(link) }
+        }
+        ChainOutcome::StillLeaning { link, at_s } => Ending::StillLeaning {
+            name: name(link),
+            at: seconds(at_s),
+        },
+        ChainOutcome::Stopped { at_s } => return Simulated::Stopped { at: seconds(at_s) }.into(),
+    };
+    said.into()
+}
+
+fn how_it_stood(simulation: &ChainSimulation) -> Ending {
+    let (held, joints) = (simulation.held_joints().len(), simulation.links.len());
+    match held {
+        0 => Ending::NoEdge,
+        all if all == joints => Ending::AllHeld,
+        held => Ending::SomeHeld { held, joints },
+    }
+}
+
+/// How it ended, in a word or two.
+pub(super) fn ending_word(simulation: &ChainSimulation) -> Ending {
+    match simulation.history.outcome {
+        ChainOutcome::Fell { .. } => Ending::WordFell,
+        _ if simulation.ended_before_the_motion_s().is_some() => Ending::WordCut,
+        ChainOutcome::Stood => Ending::WordStood,
+        ChainOutcome::Uplifted { .. } => Ending::WordOpened,
+        ChainOutcome::StillLeaning { .. } => Ending::WordLeaning,
+        ChainOutcome::Stopped { .. } => Ending::WordStopped,
+    }
+}

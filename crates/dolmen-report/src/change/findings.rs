@@ -1,0 +1,117 @@
+//! What a comparison of two surveys says in plain words.
+
+use super::doubts::doubts;
+use super::quantities::{bare_percent, hertz, percent};
+use super::temperature::known;
+use crate::document::{Finding, Tone};
+use dolmen::assess::{Difference, ModeChange, SurveyChange};
+use dolmen_words::{Quantity, Sentence, messages};
+
+messages! {
+    /// Findings on two surveys.
+    pub(crate) enum Found in "change.findings" {
+        NothingPaired { from: String, to: String } => {
+            en: "Surveys {from} and {to}: no frequency of one was found again in the other, so nothing could be compared (other directions, or too far apart).",
+            ko: "{from} 조사와 {to} 조사: 서로 대응하는 고유진동수가 없어 비교할 수 없다(방향이 다르거나 차이가 너무 크다).",
+        },
+        NotTested { from: String, to: String } => {
+            en: "Surveys {from} and {to}: whether a frequency changed cannot be said, since no standard deviations are known.",
+            ko: "{from} 조사와 {to} 조사: 표준편차를 알 수 없어 고유진동수의 변화 여부를 판단할 수 없다.",
+        },
+        Unchanged { from: String, to: String, tested: usize, known: Sentence, least: Quantity, power: Quantity } => {
+            en: "From survey {from} to {to} no change was shown in {tested} of {known}. A change of {least} would have been seen with {power} probability; smaller ones could have been missed.",
+            ko: "{from} 조사에서 {to} 조사까지 {known} 중 비교한 {tested}개에서 변화가 확인되지 않았다. {least}의 변화는 {power}의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
+        },
+        Changed { from: String, to: String, changed: usize, tested: Sentence, alpha: Quantity } => {
+            en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together).",
+            ko: "{from} 조사에서 {to} 조사까지 {tested} 중 {changed}개가 유의하게 변하였다(전체 유의수준 {alpha}).",
+        },
+        OneFrequency => { en: "1 frequency", ko: "고유진동수 1개" },
+        Frequencies { count: usize } => { en: "{count} frequencies", ko: "고유진동수 {count}개" },
+        Damping { from: String, to: String, changed: usize, tested: Sentence, alpha: Quantity, each: Vec<Sentence> } => {
+            en: "From survey {from} to {to} {changed} of {tested} changed beyond chance ({alpha} for all together): {each}. Damping follows the strength of the motion too; at equal strength, joints or cracks that rub do this before any frequency moves.",
+            ko: "{from} 조사에서 {to} 조사까지 {tested} 중 {changed}개가 유의하게 변하였다(전체 유의수준 {alpha}): {each}. 감쇠비는 진동의 세기에 따라서도 변하나, 세기가 같다면 접합면이나 균열의 마찰로 진동수보다 먼저 변할 수 있다.",
+        },
+        OneRatio => { en: "1 damping ratio", ko: "감쇠비 1개" },
+        Ratios { count: usize } => { en: "{count} damping ratios", ko: "감쇠비 {count}개" },
+        DampingOf { frequency: Quantity, change: Quantity, half: Quantity } => {
+            en: "{frequency} {change} ± {half}",
+            ko: "{frequency} {change} ± {half}",
+        },
+    }
+}
+
+/// The findings, the doubts first: what follows them rests on the pairs that were made.
+pub(crate) fn findings(change: &SurveyChange) -> Vec<Finding> {
+    let mut all = doubts(change);
+    all.extend(damping(change));
+    all.push(frequencies(change));
+    if change.temperature.leaves_doubt() {
+        all.push(Finding::key(Tone::Unknown, known(change)));
+    }
+    all
+}
+
+fn frequencies(change: &SurveyChange) -> Finding {
+    let (from, to) = (change.from.clone(), change.to.clone());
+    let (tone, said) = match (change.detectable(), change.changed().count()) {
+        (None, _) if change.modes.is_empty() => (Tone::Unknown, Found::NothingPaired { from, to }),
+        (None, _) => (Tone::Unknown, Found::NotTested { from, to }),
+        (Some(least), 0) => {
+            let said = Found::Unchanged {
+                from,
+                to,
+                tested: change.tested(),
+                known: counted(change.modes.len() + change.lost.len()),
+                least: Quantity::percent(least, 2),
+                power: Quantity::percent(change.power, 2),
+            };
+            (Tone::Plain, said)
+        }
+        (Some(_), changed) => {
+            let said = Found::Changed {
+                from,
+                to,
+                changed,
+                tested: counted(change.tested()),
+                alpha: Quantity::percent(change.significance, 1),
+            };
+            (Tone::Warn, said)
+        }
+    };
+    Finding::key(tone, said)
+}
+
+fn counted(frequencies: usize) -> Sentence {
+    match frequencies {
+        1 => Found::OneFrequency.into(),
+        count => Found::Frequencies { count }.into(),
+    }
+}
+
+/// Which damping ratios changed beyond chance.
+fn damping(change: &SurveyChange) -> Option<Finding> {
+    let one = |(mode, damping): (&ModeChange, &Difference)| {
+        let half = damping.evidence.as_ref().map_or(f64::NAN, |e| e.half_width_95);
+        let said = Found::DampingOf {
+            frequency: hertz(mode.from.frequency_hz),
+            change: bare_percent(damping.relative, 0),
+            half: percent(half, 0),
+        };
+        said.into()
+    };
+    let each: Vec<Sentence> = change.damping_changed().map(one).collect();
+    let tested = match change.damping_tested() {
+        1 => Found::OneRatio,
+        count => Found::Ratios { count },
+    };
+    let said = Found::Damping {
+        from: change.from.clone(),
+        to: change.to.clone(),
+        changed: each.len(),
+        tested: tested.into(),
+        alpha: Quantity::percent(change.significance, 1),
+        each,
+    };
+    (change.damping_changed().count() > 0).then(|| Finding::key(Tone::Warn, said))
+}

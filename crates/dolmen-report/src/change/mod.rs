@@ -1,0 +1,78 @@
+//! What changed between two surveys: findings, and the sections of the comparison.
+
+mod dampings;
+mod doubts;
+mod findings;
+mod frequencies;
+mod notes;
+mod quantities;
+mod remarks;
+mod temperature;
+
+pub(crate) use findings::findings;
+
+use crate::document::Document;
+use crate::figures::survey_changes;
+use dolmen::assess::SurveyChange;
+use dolmen_project::Project;
+use dolmen_words::{Quantity, Template, messages};
+
+messages! {
+    /// The head of a comparison, its figure, and what it does not prove.
+    pub(crate) enum Compared in "change" {
+        Head { from: String, to: String } => {
+            en: "What changed: {from} – {to}",
+            ko: "조사 사이의 변화: {from} – {to}",
+        },
+        Drawn => {
+            en: "Relative change of each frequency with its 95 % interval.",
+            ko: "고유진동수별 상대 변화와 95 % 신뢰구간.",
+        },
+        Band { power: Quantity } => {
+            en: "A change within the grey band is found with less than {power} probability.",
+            ko: "회색 띠 안의 변화가 발견될 확률은 {power} 미만이다.",
+        },
+        NoProof => {
+            en: "No change shown is no proof that nothing changed. Frequencies also follow moisture, added mass and the strength of the motion; the stiffness column holds only if stiffness changed alike everywhere and no mass did.",
+            ko: "변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변하며, 강성 열은 강성이 전체에서 같은 비율로 변하고 질량이 변하지 않았을 때에만 성립한다.",
+        },
+    }
+}
+
+/// The sentences on two surveys as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
+    findings::Found::TEMPLATES,
+    doubts::Doubted::TEMPLATES,
+    Compared::TEMPLATES,
+    temperature::Weather::TEMPLATES,
+    frequencies::Frequencies::TEMPLATES,
+    dampings::Dampings::TEMPLATES,
+    remarks::Remarks::TEMPLATES,
+    notes::Noted::TEMPLATES,
+];
+
+/// The section on two surveys of a project.
+pub(crate) fn sections<'a>(project: &Project, change: &'a SurveyChange) -> Document<'a> {
+    let mut document = Document::default();
+    document.heading(Compared::Head {
+        from: change.from.clone(),
+        to: change.to.clone(),
+    });
+    document.paragraph(temperature::measured(project, change));
+    if !change.modes.is_empty() {
+        let power = Quantity::percent(change.power, 2);
+        let caption = vec![Compared::Drawn.into(), Compared::Band { power }.into()];
+        document.figure(caption, |language| survey_changes(change, language));
+        frequencies::section(&mut document, change);
+        temperature::fitted(&mut document, change);
+        dampings::section(&mut document, change);
+    }
+    for remark in remarks::remarks(change) {
+        document.note(remark);
+    }
+    for note in &change.notes {
+        document.note(notes::note(note));
+    }
+    document.paragraph(Compared::NoProof);
+    document
+}

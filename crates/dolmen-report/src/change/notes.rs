@@ -1,0 +1,116 @@
+//! What must be known beside the numbers of a change.
+
+use super::quantities::{hertz, percent, temperature};
+use dolmen::assess::ChangeNote;
+use dolmen_words::{Digits, Quantity, Unit, Values, messages};
+
+messages! {
+    /// Notes of a comparison.
+    pub(crate) enum Noted in "change.notes" {
+        NotFitted { frequency: Quantity, why: String } => {
+            en: "No coefficient of temperature could be fitted for the mode at {frequency}, so that its change is not corrected: {why}.",
+            ko: "{frequency} 모드는 기온 계수를 추정할 수 없어 변화를 보정하지 않았다([영문] {why}).",
+        },
+        BeyondTheLine { temperature: Quantity, coldest: Quantity, warmest: Quantity } => {
+            en: "{temperature} lies beyond the {coldest} to {warmest} that the coefficients were fitted to: a line need not hold there.",
+            ko: "{temperature}은(는) 계수를 추정한 기온 범위 {coldest}–{warmest}를 벗어나므로 직선 관계가 성립하지 않을 수 있다.",
+        },
+        LineScatters { frequency: Quantity, scatter: Quantity, stated: Quantity } => {
+            en: "At {frequency} the earlier surveys lie {scatter} about their line over temperature and state {stated}: the structure may have changed between them, and a change of that size is not seen here.",
+            ko: "{frequency}에서 이전 조사들은 기온 직선에서 {scatter} 벗어나지만 각 조사가 제시한 편차는 {stated}이다. 그 사이에 구조물이 변하였을 수 있으며, 그 정도의 변화는 여기서 확인되지 않는다.",
+        },
+        RisesWithTime { frequency: Quantity, correlation: Quantity } => {
+            en: "At {frequency} temperature rises from survey to survey (correlation {correlation}): weather and ageing cannot be told apart, and ageing may have been taken for weather.",
+            ko: "{frequency}에서 기온이 조사 순서에 따라 높아진다(상관계수 {correlation}). 기온과 노후화의 영향을 구별할 수 없으며, 노후화를 기온의 영향으로 보았을 수 있다.",
+        },
+        FallsWithTime { frequency: Quantity, correlation: Quantity } => {
+            en: "At {frequency} temperature falls from survey to survey (correlation {correlation}): weather and ageing cannot be told apart, and ageing may have been taken for weather.",
+            ko: "{frequency}에서 기온이 조사 순서에 따라 낮아진다(상관계수 {correlation}). 기온과 노후화의 영향을 구별할 수 없으며, 노후화를 기온의 영향으로 보았을 수 있다.",
+        },
+        OtherShapes { frequencies: Values } => {
+            en: "At {frequencies} both surveys have a mode, but with shapes unlike each other, so that it counts as lost and as new: were channels swapped, or sensors turned or moved?",
+            ko: "{frequencies}에서는 두 조사에 모두 모드가 있으나 모드형상이 서로 달라, 사라진 모드와 새로운 모드로 처리하였다. 채널이 바뀌었거나 센서의 방향·위치가 달라지지 않았는지 확인이 필요하다.",
+        },
+        Swapped { first: String, second: String, modes: usize, assurance: Quantity, exchanged: Quantity } => {
+            en: "Channels \"{first}\" and \"{second}\" look swapped in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {exchanged} with the two exchanged; if they were, exchange their names in the project file and compare again.",
+            ko: "한 조사에서 채널 \"{first}\"와(과) \"{second}\"이(가) 서로 바뀐 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 둘을 바꾸면 {exchanged}이다. 바뀐 것이 맞으면 프로젝트 파일에서 두 이름을 바꾸고 다시 비교해야 한다.",
+        },
+        Turned { channel: String, modes: usize, assurance: Quantity, turned: Quantity } => {
+            en: "Channel \"{channel}\" looks turned round in one of the surveys: mean MAC of {modes} modes {assurance} as they are, {turned} with its sign changed; if it was, turn its direction round in the project file and compare again.",
+            ko: "한 조사에서 채널 \"{channel}\"의 방향이 반대로 된 것으로 보인다. 모드 {modes}개의 평균 MAC가 그대로는 {assurance}, 부호를 바꾸면 {turned}이다. 반대가 맞으면 프로젝트 파일에서 방향을 바꾸고 다시 비교해야 한다.",
+        },
+        OneFactor { factor: Quantity, modes: usize } => {
+            en: "No mode has a partner, and all {modes} frequencies are {factor} times what they were: is the sampling rate of a survey wrong?",
+            ko: "짝을 이룬 모드가 없고, 진동수 {modes}개가 모두 이전의 {factor}배이다. 한 조사의 샘플링 주파수가 잘못되지 않았는지 확인이 필요하다.",
+        },
+    }
+}
+
+/// A note in words.
+pub(super) fn note(note: &ChangeNote) -> Noted {
+    let mac = |value: f64| Quantity::new(value, Unit::ratio(), Digits::Fixed(2));
+    match note {
+        ChangeNote::NotFitted { frequency_hz, why } => Noted::NotFitted {
+            frequency: hertz(*frequency_hz),
+            why: why.clone(),
+        },
+        ChangeNote::BeyondTheLine {
+            temperature_c,
+            range_c,
+        } => Noted::BeyondTheLine {
+            temperature: temperature(*temperature_c),
+            coldest: temperature(range_c[0]),
+            warmest: temperature(range_c[1]),
+        },
+        ChangeNote::LineScatters {
+            frequency_hz,
+            scatter_hz,
+            stated_hz,
+        } => Noted::LineScatters {
+            frequency: hertz(*frequency_hz),
+            scatter: percent(scatter_hz / frequency_hz, 2),
+            stated: percent(stated_hz / frequency_hz, 2),
+        },
+        ChangeNote::LineWithTime {
+            frequency_hz,
+            correlation,
+        } => with_time(hertz(*frequency_hz), *correlation),
+        ChangeNote::OtherShapes { frequencies_hz } => Noted::OtherShapes {
+            frequencies: Values(frequencies_hz.iter().copied().map(hertz).collect()),
+        },
+        ChangeNote::Swapped(swapped) => {
+            let [first, second] = swapped.channels.clone();
+            Noted::Swapped {
+                first,
+                second,
+                modes: swapped.modes,
+                assurance: mac(swapped.assurance),
+                exchanged: mac(swapped.exchanged),
+            }
+        }
+        ChangeNote::Turned(turned) => Noted::Turned {
+            channel: turned.channel.clone(),
+            modes: turned.modes,
+            assurance: mac(turned.assurance),
+            turned: mac(turned.turned),
+        },
+        ChangeNote::OneFactor { factor, modes } => Noted::OneFactor {
+            factor: Quantity::new(*factor, Unit::ratio(), Digits::Fixed(3)),
+            modes: *modes,
+        },
+    }
+}
+
+fn with_time(frequency: Quantity, correlation: f64) -> Noted {
+    let shown = Quantity::new(correlation, Unit::ratio(), Digits::Fixed(2));
+    match correlation > 0.0 {
+        true => Noted::RisesWithTime {
+            frequency,
+            correlation: shown,
+        },
+        false => Noted::FallsWithTime {
+            frequency,
+            correlation: shown,
+        },
+    }
+}

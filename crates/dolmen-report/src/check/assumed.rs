@@ -1,0 +1,160 @@
+//! What rests on assumed values.
+
+use super::variants::title;
+use crate::document::{Finding, Tone};
+use crate::html::words::path_words;
+use dolmen_project::{Cap, Project, Quantity, Structure};
+use dolmen_words::message::Both;
+use dolmen_words::{Sentence, messages};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::state::VariantAnswer;
+
+messages! {
+    /// Assumed values.
+    pub(crate) enum Assumed in "check.assumed" {
+        All { parts: Vec<Sentence> } => {
+            en: "Assumed, not measured: {parts}.",
+            ko: "실측이 아닌 가정값: {parts}.",
+        },
+        StonesBody { count: usize } => {
+            en: "{count} of the dimensions, densities and frictions (every result that uses them)",
+            ko: "치수·밀도·마찰 {count}개(이를 사용한 모든 결과)",
+        },
+        Body { count: usize } => {
+            en: "{count} of the dimensions and weights (every result that uses them)",
+            ko: "치수·무게 {count}개(이를 사용한 모든 결과)",
+        },
+        StonesStiffness { count: usize } => {
+            en: "stiffness values, {count} (natural frequencies, demand on elastic joints and simulated motion rest on them; the verdict and the limits do not)",
+            ko: "강성 {count}개(고유진동수, 탄성 접합면의 요구 수준, 지진응답이 이에 의존하며 판정과 한계 가속도는 무관하다)",
+        },
+        ChainStiffness { count: usize } => {
+            en: "stiffness values, {count} (the verdict, the load factor, the margins and the modes rest on them; limits from weights and lengths do not)",
+            ko: "강성 {count}개(판정, 하중배율, 여유도, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
+        },
+        Stiffness { count: usize } => {
+            en: "stiffness values, {count} (the verdict, the load factor and the modes rest on them; limits from weights and lengths do not)",
+            ko: "강성 {count}개(판정, 하중배율, 모드가 이에 의존하며, 무게와 길이로만 정해지는 한계값은 무관하다)",
+        },
+        Surveyed { count: usize } => {
+            en: "frequencies, {count} (the stiffness found from them is an illustration, not a finding)",
+            ko: "고유진동수 {count}개(이로부터 추정한 강성은 예시일 뿐 결과가 아니다)",
+        },
+        BuildingDamping { count: usize } => {
+            en: "damping values, {count} (the response to spectra and motions rests on them; verdict and modes do not)",
+            ko: "감쇠 {count}개(스펙트럼과 지진에 대한 응답이 이에 의존하며 판정과 모드는 무관하다)",
+        },
+        StonesDamping { count: usize } => {
+            en: "damping values, {count} (simulated motion alone rests on them)",
+            ko: "감쇠 {count}개(지진응답만 이에 의존한다)",
+        },
+        Damping { count: usize } => {
+            en: "damping values, {count} (nothing on this page rests on them but changes from survey to survey)",
+            ko: "감쇠 {count}개(조사 사이의 변화 외에는 이 보고서의 결과와 무관)",
+        },
+        OfVariant { variant: Both, inputs: Vec<Sentence> } => {
+            en: "Every result of the variant “{variant}” rests on what is assumed, not measured: {inputs}.",
+            ko: "대안 ‘{variant}’의 모든 결과는 실측이 아닌 가정값에 의존한다: {inputs}.",
+        },
+        Input { input: Both, written: String } => { en: "{input} {written}", ko: "{input} {written}" },
+        CapLeftOut => {
+            en: "The part at the very top (cap stone) is left out of the model: the true limits are higher and the true margins lower than stated.",
+            ko: "최상부 부재(옥개석)가 모델에서 제외되었다. 실제 한계 강성은 여기 값보다 크고 실제 여유도는 작다.",
+        },
+        OneScatter => {
+            en: "The scatter of one input is itself assumed, and the probability rests on it.",
+            ko: "입력 1개의 변동계수 자체가 가정값이며, 확률은 이에 의존한다.",
+        },
+        Scatter { count: usize } => {
+            en: "The scatter of {count} inputs is itself assumed, and the probability rests on it.",
+            ko: "입력 {count}개의 변동계수 자체가 가정값이며, 확률은 이에 의존한다.",
+        },
+    }
+}
+
+/// What rests on assumptions, in a check.
+pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
+    let project = &answer.project;
+    let mut all = Vec::new();
+    if matches!(&project.structure, Structure::Chain(part) if part.cap == Cap::LeftOut) {
+        all.push(Finding::key(Tone::Warn, Assumed::CapLeftOut));
+    }
+    let inputs = project.inputs();
+    let scatters = inputs.iter().filter(|input| input.is_scatter_assumed()).count();
+    let sampled = answer.state.as_ref().is_some_and(|state| state.sampled.is_some());
+    if sampled && scatters > 0 {
+        let said = match scatters {
+            1 => Assumed::OneScatter,
+            count => Assumed::Scatter { count },
+        };
+        all.push(Finding::new(Tone::Warn, said));
+    }
+    all.extend(of_project(project));
+    all.extend(answer.variants.iter().filter_map(of_variant));
+    all
+}
+
+/// Of the project as it is; `None` if nothing is assumed.
+pub(crate) fn of_project(project: &Project) -> Option<Finding> {
+    let assumed: Vec<&Quantity> = project.inputs().into_iter().filter(|q| q.is_assumed()).collect();
+    let is_stiffness = |q: &&Quantity| q.path.ends_with("stiffness") || q.path.contains("stiffness[");
+    let is_damping = |q: &&Quantity| q.path.contains("damping");
+    let count = |which: &dyn Fn(&&Quantity) -> bool| assumed.iter().copied().filter(|q| which(q)).count();
+    let stiffness = count(&is_stiffness);
+    let damping = count(&is_damping);
+    let surveyed = count(&|q| q.path.starts_with("survey.") && !is_damping(q));
+    let body = assumed.len() - stiffness - damping - surveyed;
+    let parts = [
+        (body, body_words(&project.structure, body)),
+        (stiffness, stiffness_words(&project.structure, stiffness)),
+        (surveyed, Assumed::Surveyed { count: surveyed }),
+        (damping, damping_words(&project.structure, damping)),
+    ];
+    let parts: Vec<Sentence> = parts
+        .into_iter()
+        .filter(|(count, _)| *count > 0)
+        .map(|(_, said)| said.into())
+        .collect();
+    (!parts.is_empty()).then(|| Finding::new(Tone::Warn, Assumed::All { parts }).with_code("assumed-input"))
+}
+
+fn body_words(structure: &Structure, count: usize) -> Assumed {
+    match structure {
+        Structure::Stack(_) => Assumed::StonesBody { count },
+        Structure::Chain(_) | Structure::Frame(_) | Structure::Building(_) | Structure::Survey => {
+            Assumed::Body { count }
+        }
+    }
+}
+
+fn stiffness_words(structure: &Structure, count: usize) -> Assumed {
+    match structure {
+        Structure::Stack(_) => Assumed::StonesStiffness { count },
+        Structure::Chain(_) => Assumed::ChainStiffness { count },
+        Structure::Frame(_) | Structure::Building(_) | Structure::Survey => Assumed::Stiffness { count },
+    }
+}
+
+fn damping_words(structure: &Structure, count: usize) -> Assumed {
+    match structure {
+        Structure::Stack(_) => Assumed::StonesDamping { count },
+        Structure::Building(_) => Assumed::BuildingDamping { count },
+        Structure::Chain(_) | Structure::Frame(_) | Structure::Survey => Assumed::Damping { count },
+    }
+}
+
+/// What a variant adds: every result of it rests on them.
+fn of_variant(variant: &VariantAnswer) -> Option<Finding> {
+    let assumed = variant.own_inputs.iter().filter(|input| input.is_assumed());
+    let said = |input: &Quantity| {
+        Sentence::from(Assumed::Input {
+            input: Both::of(|language| path_words(&input.path, language)),
+            written: input.written.clone(),
+        })
+    };
+    let inputs: Vec<Sentence> = assumed.map(said).collect();
+    (!inputs.is_empty()).then(|| {
+        let variant = title(variant);
+        Finding::new(Tone::Warn, Assumed::OfVariant { variant, inputs })
+    })
+}

@@ -1,0 +1,75 @@
+//! What a check found, whatever the kind.
+
+use super::{assumed, measured, sampled, variants};
+use crate::document::{Finding, Tone};
+use crate::{building, chain, demand, frame, stack};
+use dolmen_words::{Quantity, messages};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::state::{Check, State};
+
+/// Load factors above this are asked about. Chosen here: measured timber frames and stone poles have 5 to 100.
+const LOAD_FACTOR_USUAL_MOST: f64 = 500.0;
+
+messages! {
+    /// What no kind says alone.
+    pub(crate) enum Unusual in "check.unusual" {
+        Identify => {
+            en: "What to do next: measure its vibration and let `dolmen identify` find the stiffness.",
+            ko: "다음 단계: 진동을 계측하고 `dolmen identify`로 강성을 추정한다.",
+        },
+        LoadFactor { factor: Quantity, most: Quantity } => {
+            en: "A load factor of {factor} is far above what timber frames and stone poles have ({most} at most): are masses and stiffness in the units of the file?",
+            ko: "하중배율 {factor}은(는) 목조 골조와 석조 당간의 통상 범위({most} 이하)를 크게 벗어난다. 질량과 강성의 단위가 파일의 단위와 맞는지 확인해야 한다.",
+        },
+    }
+}
+
+/// Of one version: its kind's own, what its site asks, what surveys say, its scatter.
+pub(super) fn of_state(state: &State) -> Vec<Finding> {
+    let mut all = of_kind(&state.check);
+    all.extend(demand::findings(state.demand.as_ref()));
+    all.extend(unusual(state));
+    all.extend(next(state));
+    all.extend(measured::measured(state));
+    all.extend(state.sampled.as_ref().map(sampled::finding));
+    all
+}
+
+fn of_kind(check: &Check) -> Vec<Finding> {
+    match check {
+        Check::Chain(check) => chain::findings(check),
+        Check::Frame(directions) => frame::findings(directions),
+        Check::Stack(answer) => stack::findings(answer),
+        Check::Building(answer) => building::findings(answer),
+    }
+}
+
+fn unusual(state: &State) -> Option<Finding> {
+    let factor = state.load_factor().filter(|factor| factor.is_finite())?;
+    let said = Unusual::LoadFactor {
+        factor: Quantity::beside_one(factor, 4),
+        most: Quantity::ratio(LOAD_FACTOR_USUAL_MOST, 3),
+    };
+    (factor > LOAD_FACTOR_USUAL_MOST).then(|| Finding::key(Tone::Warn, said).with_code("unit-slip"))
+}
+
+/// What makes an unknown verdict known.
+fn next(state: &State) -> Option<Finding> {
+    let unknown = match &state.check {
+        Check::Chain(check) => check.stability.is_none(),
+        Check::Frame(directions) => directions.iter().any(|of| of.check.stability.is_none()),
+        Check::Stack(_) | Check::Building(_) => false,
+    };
+    unknown.then(|| Finding::key(Tone::Plain, Unusual::Identify))
+}
+
+/// All of a check, what is worst first.
+pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
+    let mut all = Vec::new();
+    all.extend(answer.state.iter().flat_map(of_state));
+    all.extend(variants::findings(answer));
+    all.extend(building::variant_findings(&answer.variants));
+    all.extend(assumed::findings(answer));
+    all.sort_by_key(|finding| finding.tone != Tone::Bad);
+    all
+}

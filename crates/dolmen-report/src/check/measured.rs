@@ -1,0 +1,150 @@
+//! What surveys say against the model: a tilt that overturns, a frequency that the model does not have.
+
+use crate::document::{Finding, Tone};
+use dolmen::stability::Verdict;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::state::{Check, FrequencyContradiction, State, TiltCheck};
+
+/// Digits of a tilt in a sentence.
+const DIGITS: usize = 3;
+/// Of the tilt at which a bed stands on its edge: it begins to open at this share.
+const OPENS: f64 = 1.0 / 3.0;
+
+messages! {
+    /// Surveys against the model.
+    pub(crate) enum Measured in "check.measured" {
+        OneIn { inverse: Quantity } => { en: "1/{inverse}", ko: "1/{inverse}" },
+        TiltUnchecked { tilt: Sentence, direction: String, survey: String } => {
+            en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not checked against overturning: that needs the joints' stiffness and bed widths.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)에 대한 전도 검토는 하지 못하였다. 접합부 강성과 접합면 폭이 필요하다.",
+        },
+        TiltUnused { tilt: Sentence, direction: String, survey: String } => {
+            en: "The tilt of {tilt} measured in direction {direction} (survey {survey}) is not used: storeys start plumb here. What leans pushes sideways with that share of its weight.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 쓰지 않았다. 이 모델의 층은 연직에서 시작한다. 기울어진 부분은 자중의 그 비율만큼 옆으로 민다.",
+        },
+        TiltOverturns { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) is beyond {limit}, at which a bed stands on its edge: it overturns, whatever the load factor.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}을(를) 넘는다. 하중배율과 관계없이 전도된다.",
+        },
+        TiltOpens { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds have begun to open, as they do from a third of that.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작으나, 그 3분의 1을 넘어 접합면이 벌어지기 시작하였다.",
+        },
+        TiltHolds { tilt: Sentence, direction: String, survey: String, limit: Sentence } => {
+            en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
+            ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
+        },
+        Contradicted { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
+            en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. Its stiffness or mass is not that of the structure measured, and the verdict is on the model.",
+            ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}이나 해석 모델은 {computed}이다. 모델의 강성 또는 질량이 실제와 다르며, 판정은 모델에 대한 것이다.",
+        },
+    }
+}
+
+/// Of all surveys that speak of the model.
+pub(super) fn measured(state: &State) -> Vec<Finding> {
+    let contradictions = state.contradictions.iter().map(contradiction);
+    let tilts = state.tilts.iter().map(|of| tilt(of, &state.check));
+    contradictions.chain(tilts).collect()
+}
+
+fn one_in(ratio: f64) -> Sentence {
+    let inverse = Quantity::ratio(1.0 / ratio.abs(), DIGITS);
+    Measured::OneIn { inverse }.into()
+}
+
+fn tilt(of: &TiltCheck, check: &Check) -> Finding {
+    let (tilt, direction, survey) = (one_in(of.tilt), of.direction.clone(), of.survey.clone());
+    let Some(uplift) = of.uplift_tilt else {
+        return match check {
+            Check::Frame(_) | Check::Building(_) => Finding::new(
+                Tone::Unknown,
+                Measured::TiltUnused {
+                    tilt,
+                    direction,
+                    survey,
+                },
+            ),
+            Check::Chain(_) | Check::Stack(_) => Finding::key(
+                Tone::Unknown,
+                Measured::TiltUnchecked {
+                    tilt,
+                    direction,
+                    survey,
+                },
+            ),
+        };
+    };
+    let limit = one_in(uplift);
+    match of.verdict() {
+        Verdict::Unstable => Finding::key(
+            Tone::Bad,
+            Measured::TiltOverturns {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+        ),
+        verdict if of.tilt.abs() >= OPENS * uplift => Finding::key(
+            Tone::of(verdict),
+            Measured::TiltOpens {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+        ),
+        verdict => Finding::key(
+            Tone::of(verdict),
+            Measured::TiltHolds {
+                tilt,
+                direction,
+                survey,
+                limit,
+            },
+        ),
+    }
+}
+
+fn contradiction(found: &FrequencyContradiction) -> Finding {
+    let frequency = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(4));
+    Finding::key(
+        Tone::Bad,
+        Measured::Contradicted {
+            survey: found.survey.clone(),
+            measured: frequency(found.measured_hz),
+            direction: found.direction.clone(),
+            computed: frequency(found.computed_hz),
+        },
+    )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_words::Language;
+
+    #[test]
+    fn holds_a_tilt_beyond_the_limit_is_bad_and_one_without_limit_unknown() {
+        let of = |ratio: f64, uplift_tilt| {
+            let of = TiltCheck {
+                survey: "s".into(),
+                direction: "x".into(),
+                tilt: ratio,
+                uplift_tilt,
+            };
+            tilt(&of, &Check::Frame(Vec::new()))
+        };
+        let beyond = of(0.2, Some(0.1));
+        let said = beyond.sentence.text(Language::English);
+        assert!(
+            beyond.tone == Tone::Bad && said.contains("1/5.00") && said.contains("1/10.0"),
+            "{said}"
+        );
+        assert_eq!(of(0.2, None).tone, Tone::Unknown);
+        assert_eq!(of(-0.001, Some(0.1)).tone, Tone::Good);
+        let opens = of(0.05, Some(0.1)).sentence.text(Language::English);
+        assert!(opens.contains("have begun to open"), "{opens}");
+    }
+}

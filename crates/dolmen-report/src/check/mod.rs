@@ -1,0 +1,30 @@
+//! What is said of a check, whatever the kind: findings, versions side by side, scatter, assumptions.
+
+mod assumed;
+mod findings;
+mod made_stones;
+mod measured;
+mod project;
+mod sampled;
+mod text;
+mod variants;
+
+pub(crate) use findings::findings;
+pub(crate) use project::project_text;
+pub(crate) use sampled::sections as scatter_sections;
+pub use text::check_text;
+pub(crate) use variants::{section as variants_section, title};
+
+use dolmen_words::Template;
+
+/// The sentences of every check as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
+    assumed::Assumed::TEMPLATES,
+    findings::Unusual::TEMPLATES,
+    made_stones::Made::TEMPLATES,
+    measured::Measured::TEMPLATES,
+    project::Size::TEMPLATES,
+    sampled::Scatter::TEMPLATES,
+    text::Said::TEMPLATES,
+    variants::Variants::TEMPLATES,
+];

@@ -1,0 +1,178 @@
+//! What was read: said before any result.
+
+use crate::document::{TextStyle, wrapped};
+use dolmen::structure::stack::Body;
+use dolmen_project::{
+    Axial, BuildingPart, ChainPart, FramePart, Heaviness, Pick, Project, Quantity as Input, StackPart,
+    Structure,
+};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+
+messages! {
+    /// The size of a structure.
+    pub(crate) enum Size in "check.size" {
+        Chain { links: usize, height: Quantity, weight: Quantity, gravity: Quantity } => {
+            en: "chain, links: {links}, {height} high, {weight}, g {gravity}",
+            ko: "체인 모델, 부재 {links}개, 높이 {height}, 무게 {weight}, g {gravity}",
+        },
+        Frame { storeys: usize, height: Quantity, mass: Quantity, axial: Sentence } => {
+            en: "frame, storeys: {storeys}, {height} high, {mass}, {axial}",
+            ko: "골조 모델, {storeys}층, 높이 {height}, 질량 {mass}, {axial}",
+        },
+        AxialStorey => { en: "axial force given a storey", ko: "층별 축력 입력" },
+        AxialLevel => { en: "axial force given a level", ko: "바닥별 축하중 입력" },
+        AxialFromMasses => { en: "axial force from the masses", ko: "축력은 질량에서 계산" },
+        Stack { blocks: usize, height: Quantity, mass: Quantity, joints: usize, feet: usize, gravity: Quantity } => {
+            en: "stack, blocks: {blocks}, {height} high, {mass}, joints: {joints} ({feet} on the ground), g {gravity}",
+            ko: "적층 모델, 부재 {blocks}개, 높이 {height}, 질량 {mass}, 접합면 {joints}개(지반 위 {feet}개), g {gravity}",
+        },
+        StackFault { why: String } => { en: "stack that cannot be: {why}", ko: "성립할 수 없는 적층 모델: {why}" },
+        Building { floors: usize, height: Quantity, mass: Quantity, p_delta: Sentence } => {
+            en: "building, floors: {floors}, {height} high, {mass}, {p_delta}",
+            ko: "건물 모델, 바닥 {floors}개, 높이 {height}, 질량 {mass}, {p_delta}",
+        },
+        PDelta => { en: "P-delta from the masses", ko: "질량에 의한 P-델타 고려" },
+        NoPDelta => { en: "P-delta left out", ko: "P-델타 제외" },
+        BuildingFault { why: String } => { en: "building that cannot be: {why}", ko: "성립할 수 없는 건물 모델: {why}" },
+        Survey => { en: "measured, not modelled", ko: "계측만 하고 모델링하지 않음" },
+        File { file: String, size: Sentence } => { en: "{file}: {size}", ko: "{file}: {size}" },
+        Source { source: String } => { en: "source: {source}", ko: "출처: {source}" },
+    }
+}
+
+/// Name, file, kind and size of what was read.
+pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> String {
+    let language = style.language;
+    let (own, other) = language.pick(
+        (project.name.english(), project.name.korean()),
+        (project.name.korean(), project.name.english()),
+    );
+    let names = match own == other {
+        true => own.to_owned(),
+        false => format!("{own} ({other})"),
+    };
+    let line = |sentence: Size| {
+        wrapped(
+            &Sentence::from(sentence).text(language),
+            "  ",
+            "    ",
+            style.columns(),
+        )
+    };
+    let mut out = wrapped(&names, "", "  ", style.columns());
+    out += &line(Size::File {
+        file: file.to_owned(),
+        size: size(project),
+    });
+    if let Some(source) = project.source.as_ref().filter(|_| style.is_full) {
+        out += &line(Size::Source {
+            source: source.clone(),
+        });
+    }
+    out
+}
+
+fn size(project: &Project) -> Sentence {
+    let gravity = project.gravity_m_s2;
+    let size = match &project.structure {
+        Structure::Chain(part) => chain(part, gravity),
+        Structure::Frame(part) => frame(part, gravity),
+        Structure::Stack(part) => stack(part, gravity),
+        Structure::Building(part) => building(part),
+        Structure::Survey => Size::Survey,
+    };
+    size.into()
+}
+
+fn metres(height_m: f64) -> Quantity {
+    Quantity::new(height_m, Unit::si("m"), Digits::Fixed(2))
+}
+
+fn tonnes(mass_kg: f64) -> Quantity {
+    let unit = Unit {
+        symbol: "t".to_owned(),
+        factor: 1e-3,
+    };
+    Quantity::new(mass_kg, unit, Digits::Fixed(2))
+}
+
+fn acceleration(gravity_m_s2: f64) -> Quantity {
+    Quantity::new(gravity_m_s2, Unit::si("m/s²"), Digits::Trimmed(6))
+}
+
+fn total_mass<'a>(all: impl Iterator<Item = &'a Heaviness>, gravity: f64) -> f64 {
+    let pick: Pick<'_> = &mut Input::nominal;
+    all.map(|heaviness| heaviness.mass_kg(gravity, pick)).sum()
+}
+
+fn chain(part: &ChainPart, gravity: f64) -> Size {
+    let lengths = part.links.iter().map(|link| Input::nominal(&link.length));
+    let mass = total_mass(part.links.iter().map(|link| &link.heaviness), gravity);
+    let unit = Unit {
+        symbol: "kN".to_owned(),
+        factor: 1e-3,
+    };
+    Size::Chain {
+        links: part.links.len(),
+        height: metres(lengths.sum()),
+        weight: Quantity::new(mass * gravity, unit, Digits::Fixed(2)),
+        gravity: acceleration(gravity),
+    }
+}
+
+fn frame(part: &FramePart, gravity: f64) -> Size {
+    let heights = part.storeys.iter().map(|storey| Input::nominal(&storey.height));
+    let axial = match part.axial {
+        Axial::Storey => Size::AxialStorey,
+        Axial::Level => Size::AxialLevel,
+        Axial::FromMasses => Size::AxialFromMasses,
+    };
+    Size::Frame {
+        storeys: part.storeys.len(),
+        height: metres(heights.sum()),
+        mass: tonnes(total_mass(
+            part.storeys.iter().map(|storey| &storey.heaviness),
+            gravity,
+        )),
+        axial: axial.into(),
+    }
+}
+
+fn stack(part: &StackPart, gravity: f64) -> Size {
+    match part.build(&mut Input::nominal) {
+        Ok(stack) => {
+            let joints = stack.joints();
+            Size::Stack {
+                blocks: stack.blocks().len(),
+                height: metres(stack.height_m()),
+                mass: tonnes(stack.mass_kg()),
+                joints: joints.len(),
+                feet: joints.iter().filter(|joint| joint.lower == Body::Ground).count(),
+                gravity: acceleration(gravity),
+            }
+        }
+        Err(fault) => Size::StackFault {
+            why: fault.to_string(),
+        },
+    }
+}
+
+fn building(part: &BuildingPart) -> Size {
+    match part.floors_and_storeys(&mut Input::nominal) {
+        Ok((floors, storeys)) => {
+            let p_delta = match part.p_delta {
+                true => Size::PDelta,
+                false => Size::NoPDelta,
+            };
+            Size::Building {
+                floors: floors.len(),
+                height: metres(storeys.iter().map(|storey| storey.height_m).sum()),
+                mass: tonnes(floors.iter().map(|floor| floor.mass_kg).sum()),
+                p_delta: p_delta.into(),
+            }
+        }
+        Err(fault) => Size::BuildingFault {
+            why: fault.to_string(),
+        },
+    }
+}

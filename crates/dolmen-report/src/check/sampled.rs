@@ -1,0 +1,186 @@
+//! The load factor under uncertain inputs, and which input it answers to.
+
+use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use crate::figures::load_factor_distribution;
+use crate::html::words::path_words;
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Quantity, Unit, messages};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::state::{Sampled, SensitivityOf, State};
+
+/// Inputs whose elasticity is below this are not listed: less than a hundredth of a per cent for one per cent of input.
+const ELASTICITY_SHOWN_LEAST: f64 = 5e-5;
+/// A chance of falling whose upper bound is above this is said beside the verdict. Chosen here.
+const SAID_LEAST: f64 = 0.01;
+
+messages! {
+    /// Uncertain inputs.
+    pub(crate) enum Scatter in "check.scatter" {
+        Falls { count: usize, samples: usize, estimate: Quantity, confidence: Quantity, lower: Quantity, upper: Quantity } => {
+            en: "With the scatter given for the inputs it falls under its own weight alone, without any shaking, in {count} of {samples} samples: {estimate}, {confidence} interval {lower} to {upper}. This is a probability of the model and the stated scatter, not of the stones.",
+            ko: "입력값의 변동을 고려하면 지진 없이 자중만으로 표본 {samples}개 중 {count}개에서 전도된다: {estimate}, {confidence} 신뢰구간 {lower}–{upper}. 이는 모델과 주어진 변동에 대한 확률이며 실물의 확률이 아니다.",
+        },
+        Head => { en: "Uncertain inputs", ko: "입력의 불확실성" },
+        Drawn { samples: usize } => {
+            en: "Load factor over {samples} samples.",
+            ko: "표본 {samples}개의 하중배율 분포.",
+        },
+        DrawnMeaning => {
+            en: "Each input with a coefficient of variation is drawn from a lognormal distribution; the tinted part falls.",
+            ko: "변동계수가 주어진 입력은 대수정규분포에서 추출하였으며, 바탕색 범위는 전도를 뜻한다.",
+        },
+        Quantiles { low: Quantity, middle: Quantity, high: Quantity, seed: usize } => {
+            en: "Load factor below which 5 %, 50 % and 95 % of the samples lie: {low}, {middle}, {high}. Seed {seed}.",
+            ko: "표본의 5 %, 50 %, 95 %가 그 아래에 있는 하중배율: {low}, {middle}, {high}. 시드 {seed}.",
+        },
+        Inputs { inputs: Vec<Both> } => { en: "Inputs drawn: {inputs}.", ko: "추출한 입력: {inputs}." },
+        LoadFactor => { en: "λ", ko: "λ" },
+        FirstMotion => { en: "acceleration of first motion", ko: "최초 거동 가속도" },
+        EqualJoints => { en: "equal joint stiffness needed", ko: "균등 접합부 필요 강성" },
+        Sensitivity { result: dolmen_words::Sentence, shown: usize, all: usize } => {
+            en: "Sensitivity of {result}, {shown} of {all} inputs.",
+            ko: "{result}의 민감도, 입력 {all}개 중 {shown}개.",
+        },
+        SensitivityMeaning => {
+            en: "Elasticity at the values given, by central difference; inputs that change it by less are left out.",
+            ko: "주어진 값에서 중앙차분으로 구한 탄성도이며, 영향이 거의 없는 입력은 생략하였다.",
+        },
+        Input => { en: "Input", ko: "입력" },
+        InputName { input: Both } => { en: "{input}", ko: "{input}" },
+        Value => { en: "value, SI", ko: "값, SI" },
+        Change { result: dolmen_words::Sentence } => {
+            en: "change of {result} (%) for +1 % of the input",
+            ko: "입력 +1 %에 대한 {result}의 변화 (%)",
+        },
+        Signed { sign: String, value: Quantity } => { en: "{sign}{value}", ko: "{sign}{value}" },
+        Cov => { en: "coefficient of variation", ko: "변동계수" },
+        From { result: dolmen_words::Sentence } => {
+            en: "scatter of {result} from it",
+            ko: "그로 인한 {result}의 변동",
+        },
+    }
+}
+
+/// How often it falls.
+pub(super) fn finding(sampled: &Sampled) -> Finding {
+    let falls = &sampled.unstable;
+    let tone = match falls.count {
+        0 => Tone::Plain,
+        _ => Tone::Warn,
+    };
+    let said = Scatter::Falls {
+        count: falls.count,
+        samples: falls.samples,
+        estimate: Quantity::percent(falls.estimate, 2),
+        confidence: Quantity::new(falls.confidence, Unit::percent(), Digits::Trimmed(3)),
+        lower: Quantity::percent(falls.lower, 2),
+        upper: Quantity::percent(falls.upper, 2),
+    };
+    match falls.upper > SAID_LEAST {
+        true => Finding::key(tone, said).with_code("probability"),
+        false => Finding::new(tone, said).with_code("probability"),
+    }
+}
+
+/// Samples and sensitivities.
+pub(crate) fn sections(answer: &CheckAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    let sampled = answer.state.as_ref().and_then(|state| state.sampled.as_ref());
+    if sampled.is_none() && answer.sensitivities.is_empty() {
+        return document;
+    }
+    document.heading(Scatter::Head);
+    document
+        .blocks
+        .extend(answer.state.iter().flat_map(|state| of_state(state).blocks));
+    if !answer.sensitivities.is_empty() {
+        document.put(Block::Table(table(answer)));
+    }
+    document
+}
+
+/// The samples of one version.
+pub(super) fn of_state(state: &State) -> Document<'_> {
+    let mut document = Document::default();
+    if let Some(sampled) = &state.sampled {
+        samples(&mut document, sampled, state.load_factor());
+    }
+    document
+}
+
+fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Option<f64>) {
+    let caption = Scatter::Drawn {
+        samples: sampled.unstable.samples,
+    };
+    document.figure(
+        vec![caption.into(), Scatter::DrawnMeaning.into()],
+        move |language| load_factor_distribution(&sampled.load_factors, &sampled.unstable, nominal, language),
+    );
+    let last = sampled.load_factors.len().saturating_sub(1);
+    let at = |share: f64| {
+        let place = (share * last as f64).round() as usize;
+        let factor = sampled.load_factors.get(place).copied();
+        Quantity::beside_one(factor.unwrap_or(f64::NAN), 4)
+    };
+    document.paragraph(Scatter::Quantiles {
+        low: at(0.05),
+        middle: at(0.5),
+        high: at(0.95),
+        seed: usize::try_from(sampled.unstable.seed).unwrap_or(usize::MAX),
+    });
+    let input = |path: &String| Both::of(|language| path_words(path, language));
+    document.paragraph(Scatter::Inputs {
+        inputs: sampled.inputs.iter().map(input).collect(),
+    });
+}
+
+fn table(answer: &CheckAnswer) -> Table {
+    let result = || match answer.sensitivity_of {
+        SensitivityOf::LoadFactor => Scatter::LoadFactor.into(),
+        SensitivityOf::FirstMotion => Scatter::FirstMotion.into(),
+        SensitivityOf::EqualJoints => Scatter::EqualJoints.into(),
+    };
+    let shown = answer
+        .sensitivities
+        .iter()
+        .filter(|of| of.elasticity.abs() >= ELASTICITY_SHOWN_LEAST);
+    let share = |value: f64| Quantity::new(value, Unit::percent(), Digits::Significant(2));
+    let rows: Vec<Vec<Cell>> = shown
+        .map(|of| {
+            let signed = Scatter::Signed {
+                sign: if of.elasticity > 0.0 { "+" } else { "" }.to_owned(),
+                value: Quantity::new(of.elasticity, Unit::ratio(), Digits::Fixed(4)),
+            };
+            let scatter = of.cov.map(|cov| share(cov * of.elasticity.abs()));
+            vec![
+                Cell::words(Scatter::InputName {
+                    input: Both::of(|language| path_words(&of.input, language)),
+                }),
+                Cell::number(Quantity::new(of.value, Unit::ratio(), Digits::Trimmed(7))),
+                Cell::words(signed),
+                Cell::Number(of.cov.map(share)),
+                Cell::Number(scatter),
+            ]
+        })
+        .collect();
+    let numbers = |head: Scatter, unit: Unit| Column::numbers(head, unit);
+    Table {
+        caption: vec![
+            Scatter::Sensitivity {
+                result: result(),
+                shown: rows.len(),
+                all: answer.sensitivities.len(),
+            }
+            .into(),
+            Scatter::SensitivityMeaning.into(),
+        ],
+        columns: vec![
+            Column::words(Scatter::Input),
+            numbers(Scatter::Value, Unit::ratio()),
+            numbers(Scatter::Change { result: result() }, Unit::ratio()),
+            numbers(Scatter::Cov, Unit::percent()),
+            numbers(Scatter::From { result: result() }, Unit::percent()),
+        ],
+        rows,
+    }
+}

@@ -1,0 +1,161 @@
+//! `dolmen check` on a terminal: the verdict and what decides it, or all of it.
+
+use super::findings::{findings, of_state};
+use super::made_stones::made_stones_text;
+use super::project::project_text;
+use super::sampled;
+use super::variants::{section as variants_section, title};
+use crate::brief::{all_findings_text, brief_text, note_text, notes_text};
+use crate::document::{Document, Finding, TextStyle, document_text, findings_text, heading_text, wrapped};
+use crate::{building, chain, demand, frame, stack};
+use dolmen_project::Structure;
+use dolmen_words::message::Both;
+use dolmen_words::{Language, Sentence, messages};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::judgement::{VersionJudgement, judge_check};
+use dolmen_work::state::{Check, State, VariantAnswer};
+
+messages! {
+    /// What the terminal says round a check.
+    pub(crate) enum Said in "check.text" {
+        NothingModelled => {
+            en: "Nothing is modelled (kind = \"survey\"), so there is nothing to check: run `dolmen identify`.",
+            ko: "모델이 없으므로(kind = \"survey\") 검토할 것이 없다. `dolmen identify`를 실행한다.",
+        },
+        Verdict { words: Both } => { en: "VERDICT {words}", ko: "판정: {words}" },
+        Variant { variant: Both } => { en: "Variant “{variant}”", ko: "대안 ‘{variant}’" },
+        Worse { variant: Both, words: Both } => {
+            en: "Variant “{variant}”: {words}",
+            ko: "대안 ‘{variant}’: {words}",
+        },
+    }
+}
+
+/// The check of a project and its variants.
+pub fn check_text(answer: &CheckAnswer, style: TextStyle) -> String {
+    let mut out = project_text(&answer.project, &answer.file, style);
+    out.push('\n');
+    let Some(state) = &answer.state else {
+        out += &wrapped(
+            &said(Said::NothingModelled, style.language),
+            "",
+            "",
+            style.columns(),
+        );
+        return out + &notes_text(&answer.project, style);
+    };
+    let judgement = judge_check(answer);
+    for judged in judgement.versions.iter().take(1) {
+        out += &verdict_text(judged, style);
+    }
+    for judged in judgement.worse() {
+        out += &worse_text(answer, judged, style);
+    }
+    match style.is_full {
+        false => out + &brief_text(&findings(answer), &answer.project, style),
+        true => out + &full_text(answer, state, &judgement.versions, style),
+    }
+}
+
+fn said(message: Said, language: Language) -> String {
+    Sentence::from(message).text(language)
+}
+
+fn verdict_text(judged: &VersionJudgement, style: TextStyle) -> String {
+    let words = Both::of(|language| judged.words(language).join("; "));
+    wrapped(
+        &said(Said::Verdict { words }, style.language),
+        "",
+        "  ",
+        style.columns(),
+    )
+}
+
+/// A variant that is worse than the structure as it is.
+fn worse_text(answer: &CheckAnswer, judged: &VersionJudgement, style: TextStyle) -> String {
+    let name = judged.variant.as_deref().unwrap_or_default();
+    let own = answer.variants.iter().find(|variant| variant.name == name);
+    let message = Said::Worse {
+        variant: own.map_or_else(|| Both::of(|_| name), title),
+        words: Both::of(|language| judged.words(language).join("; ")),
+    };
+    wrapped(&said(message, style.language), "", "  ", style.columns())
+}
+
+fn full_text(answer: &CheckAnswer, state: &State, versions: &[VersionJudgement], style: TextStyle) -> String {
+    let mut out = all_findings_text(&findings(answer), style);
+    out += &sections_text(&answer.project.structure, state, style);
+    out += &made_stones_text(&answer.project, style);
+    for (variant, judged) in answer.variants.iter().zip(versions.iter().skip(1)) {
+        out += &variant_text(answer, variant, judged, style);
+    }
+    out += &document_text(&side_by_side(answer, state), style);
+    out += &document_text(&sampled::sections(answer), style);
+    out + &notes_text(&answer.project, style)
+}
+
+fn variant_text(
+    answer: &CheckAnswer,
+    variant: &VariantAnswer,
+    judged: &VersionJudgement,
+    style: TextStyle,
+) -> String {
+    let head = Said::Variant {
+        variant: title(variant),
+    };
+    let mut out = heading_text(&said(head, style.language));
+    out += &verdict_text(judged, style);
+    out += &findings_text(
+        of_state(&variant.state).iter().filter(|of: &&Finding| of.is_key),
+        style,
+    );
+    let own = answer
+        .project
+        .variants
+        .iter()
+        .find(|own| own.name == variant.name);
+    if let Some(own) = own {
+        out += &match (
+            &own.project.structure,
+            &variant.state.check,
+            answer.state.as_ref().map(|state| &state.check),
+        ) {
+            (Structure::Chain(part), Check::Chain(check), Some(Check::Chain(base)))
+                if check.limits == base.limits =>
+            {
+                document_text(&chain::stiffness_sections(part, check), style)
+            }
+            (_, Check::Stack(check), Some(Check::Stack(base))) if check == base => String::new(),
+            (_, Check::Building(check), Some(Check::Building(base))) if check == base => String::new(),
+            (structure, _, _) => sections_text(structure, &variant.state, style),
+        };
+        out += &document_text(&sampled::of_state(&variant.state), style);
+        let notes = own.project.warnings.iter();
+        for note in notes.filter(|note| !answer.project.warnings.contains(note)) {
+            out += &note_text(note, style);
+        }
+    }
+    out
+}
+
+/// All versions side by side.
+fn side_by_side<'a>(answer: &'a CheckAnswer, state: &State) -> Document<'a> {
+    match &state.check {
+        Check::Stack(_) if answer.variants.is_empty() => Document::default(),
+        Check::Stack(_) => stack::comparison(state, &answer.variants),
+        Check::Chain(_) | Check::Frame(_) | Check::Building(_) => variants_section(answer),
+    }
+}
+
+/// The sections of one version.
+fn sections_text(structure: &Structure, state: &State, style: TextStyle) -> String {
+    let sections = match (structure, &state.check) {
+        (Structure::Chain(part), Check::Chain(check)) => chain::sections(part, check),
+        (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
+        (_, Check::Stack(answer)) => stack::sections(answer, &state.spring_fits, None),
+        (_, Check::Building(answer)) => building::sections(answer),
+        (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
+    };
+    let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();
+    document_text(&sections, style) + &document_text(&asked, style)
+}

@@ -1,0 +1,280 @@
+//! The project as given beside its variants, before and after a repair.
+
+use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use crate::figures::{VariantDot, variants_compared};
+use crate::html::words::verdict_word;
+use dolmen::stability::Verdict;
+use dolmen::structure::NaturalMode;
+use dolmen_words::message::Both;
+use dolmen_words::{Language, Quantity, Unit, messages};
+use dolmen_work::answer::CheckAnswer;
+use dolmen_work::state::{Check, State, VariantAnswer};
+
+/// Differences of λ below this share are called none.
+const SAME_SHARE: f64 = 1e-6;
+
+messages! {
+    /// Variants beside the structure as it is.
+    pub(crate) enum Variants in "check.variants" {
+        Same { variant: Both, factor: Quantity, verdict: Both } => {
+            en: "Variant “{variant}” leaves the load factor at {factor}: {verdict}.",
+            ko: "대안 ‘{variant}’에서 하중배율은 {factor}로 같다: {verdict}.",
+        },
+        SameIn { variant: Both, direction: String, factor: Quantity, verdict: Both } => {
+            en: "Variant “{variant}” ({direction}) leaves the load factor at {factor}: {verdict}.",
+            ko: "대안 ‘{variant}’({direction})에서 하중배율은 {factor}로 같다: {verdict}.",
+        },
+        Changes { variant: Both, from: Quantity, to: Quantity, verdict: Both } => {
+            en: "Variant “{variant}” changes the load factor from {from} to {to}: {verdict}.",
+            ko: "대안 ‘{variant}’에서 하중배율이 {from}에서 {to}로 바뀐다: {verdict}.",
+        },
+        ChangesIn { variant: Both, direction: String, from: Quantity, to: Quantity, verdict: Both } => {
+            en: "Variant “{variant}” ({direction}) changes the load factor from {from} to {to}: {verdict}.",
+            ko: "대안 ‘{variant}’({direction})에서 하중배율이 {from}에서 {to}로 바뀐다: {verdict}.",
+        },
+        Head => { en: "Variants compared", ko: "대안 비교" },
+        Drawn => { en: "Load factor and margins of each variant.", ko: "대안별 하중배율과 여유도." },
+        DrawnMeaning => { en: "Left of 1 it falls.", ko: "1의 왼쪽은 전도이다." },
+        Caption => { en: "Variants.", ko: "대안별 결과." },
+        CaptionMeaning => { en: "The same check on each.", ko: "모두 같은 방법으로 검토하였다." },
+        Variant => { en: "Variant", ko: "대안" },
+        VerdictHead => { en: "verdict", ko: "판정" },
+        LoadFactor => { en: "λ", ko: "λ" },
+        LeastMargin => { en: "least margin", ko: "최소 여유도" },
+        Lowest => { en: "lowest frequency", ko: "최저 고유진동수" },
+        FallsShare => { en: "P(falls)", ko: "전도 확률" },
+        Named { name: Both } => { en: "{name}", ko: "{name}" },
+        Unknown => { en: "unknown", ko: "미상" },
+        Falls => { en: "falls", ko: "전도" },
+    }
+}
+
+/// One row: a variant, or one direction of it.
+struct Row {
+    name: Both,
+    direction: Option<String>,
+    load_factor: Option<f64>,
+    verdict: Verdict,
+    margins: Vec<Option<f64>>,
+    frequency_hz: Option<f64>,
+    falls: Option<f64>,
+}
+
+/// The name of a variant: its title, else that of its table.
+pub(crate) fn title(variant: &VariantAnswer) -> Both {
+    match &variant.title {
+        Some(names) => Both::of(|language| language.pick(names.english(), names.korean())),
+        None => Both::of(|_| variant.name.clone()),
+    }
+}
+
+/// What each variant does to the load factor.
+pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
+    let Some(state) = &answer.state else {
+        return Vec::new();
+    };
+    let basis = rows(state, &Both::of(|_| ""));
+    let mut all = Vec::new();
+    for variant in &answer.variants {
+        let after = rows(&variant.state, &title(variant));
+        all.extend(
+            after
+                .into_iter()
+                .zip(&basis)
+                .filter_map(|(new, old)| changed(new, old)),
+        );
+    }
+    all
+}
+
+fn changed(after: Row, before: &Row) -> Option<Finding> {
+    let (new, old) = (after.load_factor?, before.load_factor?);
+    let [from, to] = [old, new].map(|factor| Quantity::beside_one(factor, 4));
+    let verdict = Both::of(|language| verdict_word(after.verdict, language));
+    let variant = after.name;
+    let tone = match new < old {
+        true => Tone::Warn,
+        false => Tone::Plain,
+    };
+    let is_same = (new / old - 1.0).abs() < SAME_SHARE;
+    let said = match (is_same, after.direction) {
+        (true, None) => Variants::Same {
+            variant,
+            factor: from,
+            verdict,
+        },
+        (true, Some(direction)) => Variants::SameIn {
+            variant,
+            direction,
+            factor: from,
+            verdict,
+        },
+        (false, None) => Variants::Changes {
+            variant,
+            from,
+            to,
+            verdict,
+        },
+        (false, Some(direction)) => Variants::ChangesIn {
+            variant,
+            direction,
+            from,
+            to,
+            verdict,
+        },
+    };
+    Some(Finding::key(tone, said))
+}
+
+/// All versions side by side; a stack compares its own way.
+pub(crate) fn section(answer: &CheckAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    let Some(state) = answer.state.as_ref().filter(|_| !answer.variants.is_empty()) else {
+        return document;
+    };
+    if matches!(state.check, Check::Stack(_)) {
+        return document;
+    }
+    document.heading(Variants::Head);
+    let given = Both::of(|language| language.pick("as given", "현재"));
+    let versions = answer.variants.iter();
+    let versions = versions.map(|variant| (title(variant), &variant.state));
+    let all: Vec<Row> = std::iter::once((given, state))
+        .chain(versions)
+        .flat_map(|(name, state)| rows(state, &name))
+        .collect();
+    let table = table(&all);
+    let caption = vec![Variants::Drawn.into(), Variants::DrawnMeaning.into()];
+    document.figure(caption, move |language| {
+        let dots: Vec<VariantDot> = all.iter().map(|row| dot(row, language)).collect();
+        variants_compared(&dots, language)
+    });
+    document.put(Block::Table(table));
+    document
+}
+
+fn dot(row: &Row, language: Language) -> VariantDot {
+    VariantDot {
+        name: row.named(language),
+        load_factor: row.load_factor,
+        margins: row.margins.clone(),
+    }
+}
+
+fn table(all: &[Row]) -> Table {
+    let with_falls = all.iter().any(|row| row.falls.is_some());
+    let row = |row: &Row| {
+        let unknown = || Cell::words(Variants::Unknown);
+        let margin = match row.least_margin() {
+            None => unknown(),
+            Some(None) => Cell::BadWords(Variants::Falls.into()),
+            Some(Some(margin)) => Cell::number(Quantity::beside_one(margin, 4)),
+        };
+        let frequency = row.frequency_hz.map(|f| Quantity::ratio(f, 5));
+        let mut cells = vec![
+            Cell::words(Variants::Named {
+                name: Both::of(|language| row.named(language)),
+            }),
+            Cell::words(Variants::Named {
+                name: Both::of(|language| verdict_word(row.verdict, language)),
+            }),
+            row.load_factor
+                .map_or_else(unknown, |factor| Cell::number(Quantity::beside_one(factor, 5))),
+            margin,
+            frequency.map_or_else(unknown, Cell::number),
+        ];
+        if with_falls {
+            cells.push(Cell::Number(row.falls.map(|share| {
+                Quantity::new(share, Unit::percent(), dolmen_words::Digits::Significant(3))
+            })));
+        }
+        cells
+    };
+    let mut columns = vec![
+        Column::words(Variants::Variant),
+        Column::words(Variants::VerdictHead),
+        Column::numbers(Variants::LoadFactor, Unit::ratio()),
+        Column::numbers(Variants::LeastMargin, Unit::ratio()),
+        Column::numbers(Variants::Lowest, Unit::si("Hz")),
+    ];
+    if with_falls {
+        columns.push(Column::numbers(Variants::FallsShare, Unit::percent()));
+    }
+    Table {
+        caption: vec![Variants::Caption.into(), Variants::CaptionMeaning.into()],
+        columns,
+        rows: all.iter().map(row).collect(),
+    }
+}
+
+impl Row {
+    fn named(&self, language: Language) -> String {
+        let name = language.pick(&self.name.english, &self.name.korean);
+        match &self.direction {
+            Some(direction) => format!("{name} · {direction}"),
+            None => name.clone(),
+        }
+    }
+
+    /// `None` if no margin is known, `Some(None)` if some part falls whatever its stiffness is.
+    fn least_margin(&self) -> Option<Option<f64>> {
+        match self.margins.is_empty() {
+            true => None,
+            false if self.margins.iter().any(Option::is_none) => Some(None),
+            false => Some(self.margins.iter().flatten().copied().min_by(f64::total_cmp)),
+        }
+    }
+}
+
+fn rows(state: &State, name: &Both) -> Vec<Row> {
+    let first = |modes: &[NaturalMode]| {
+        let mode = modes.first().filter(|mode| mode.omega_squared > 0.0);
+        mode.map(|mode| mode.frequency_hz)
+    };
+    let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
+    match &state.check {
+        Check::Chain(check) => {
+            let stability = check.stability.as_ref();
+            let joints = stability.iter().flat_map(|of| &of.joints);
+            vec![Row {
+                name: name.clone(),
+                direction: None,
+                load_factor: stability.map(|of| of.load_factor),
+                verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
+                margins: joints.map(|joint| joint.margin).collect(),
+                frequency_hz: first(&check.modes),
+                falls,
+            }]
+        }
+        Check::Frame(directions) => directions
+            .iter()
+            .map(|of| {
+                let stability = of.check.stability.as_ref();
+                let storeys = stability.iter().flat_map(|of| &of.storeys);
+                Row {
+                    name: name.clone(),
+                    direction: Some(of.direction.clone()),
+                    load_factor: stability.map(|of| of.load_factor),
+                    verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
+                    margins: storeys.map(|storey| storey.margin).collect(),
+                    frequency_hz: first(&of.check.modes),
+                    falls,
+                }
+            })
+            .collect(),
+        Check::Building(answer) => {
+            let modes = answer.stands.as_ref().map(|standing| &standing.modes.modes);
+            let mode = modes.and_then(|modes| modes.first());
+            vec![Row {
+                name: name.clone(),
+                direction: None,
+                load_factor: Some(answer.load_factor()),
+                verdict: Verdict::of_load_factor(answer.load_factor()),
+                margins: answer.falls.iter().map(|fall| Some(fall.load_factor)).collect(),
+                frequency_hz: mode.map(|mode| mode.frequency_hz),
+                falls,
+            }]
+        }
+        Check::Stack(_) => Vec::new(),
+    }
+}

@@ -1,0 +1,99 @@
+//! What the demand of a site says in plain words.
+
+use super::first::first;
+use super::unverified::unverified;
+use super::words::{in_g, verdict_words};
+use crate::document::{Finding, Tone};
+use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
+use dolmen::stability::stack::DemandVerdict;
+use dolmen_words::{Digits, Quantity, Sentence, messages};
+use dolmen_work::state::DemandAnswer;
+
+/// Digits of accelerations and ratios.
+const DIGITS: usize = 3;
+
+messages! {
+    /// Findings on the demand of a site.
+    pub(crate) enum Found in "demand.findings" {
+        Compared { verdict: Sentence, moves: Sentence, ground: Sentence, joints: Sentence } => {
+            en: "Against the earthquake of the site it is {verdict}: {moves}; {ground}{joints}. Below demand means that something tips or slides, not that it falls.",
+            ko: "부지의 지진에 대한 판정은 ‘{verdict}’이다. {moves} {ground}{joints}. ‘기준 불만족’은 돌이 들리거나 미끄러지기 시작한다는 뜻이며 붕괴를 뜻하지 않는다.",
+        },
+        Moves { left: Quantity } => {
+            en: "it begins to move at {left} with the vertical acceleration of the site",
+            ko: "부지의 수직 가속도를 고려한 거동 시작 가속도는 {left}이고",
+        },
+        MovesUnknown => {
+            en: "no acceleration is known at which it begins to move with the vertical acceleration of the site",
+            ko: "부지의 수직 가속도를 고려한 거동 시작 가속도는 구할 수 없으며",
+        },
+        Ground { source: String, ground: Quantity } => {
+            en: "{source} asks for {ground} of the ground",
+            ko: "{source}의 지반 가속도는 {ground}이다",
+        },
+        Elastic { ratio: Quantity, first: Sentence } => {
+            en: ". On elastic joints, which amplify it, {ratio} times the spectrum is borne: {first}",
+            ko: ". 탄성 접합면의 증폭을 고려하면 스펙트럼의 {ratio}배까지 견딘다({first})",
+        },
+        ElasticUnknown => {
+            en: "; what elastic joints add to it is not known",
+            ko: ". 탄성 접합면의 증폭은 알 수 없다",
+        },
+        NotCompared { why: String } => {
+            en: "The demand of the site is not compared: {why}.",
+            ko: "부지의 요구 수준과 비교하지 못하였다 [{why}].",
+        },
+    }
+}
+
+/// The comparison, and what of the code is not verified.
+pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
+    let Some(answer) = answer else {
+        return Vec::new();
+    };
+    let source = &answer.site.spectrum.source;
+    let compared = answer.stack.as_ref().and_then(|stack| compared(stack, source));
+    let refused = answer.refused.clone();
+    let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared { why }));
+    let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
+    compared.into_iter().chain(refused).chain(unverified).collect()
+}
+
+fn compared(stack: &StackDemandCheck, source: &str) -> Option<Finding> {
+    let tone = match stack.verdict {
+        DemandVerdict::Above => Tone::Good,
+        DemandVerdict::Near => Tone::Warn,
+        DemandVerdict::Below => Tone::Bad,
+        DemandVerdict::Unknown => Tone::Unknown,
+    };
+    let row = stack.rows.last()?;
+    let rigid = &row.comparison.rigid;
+    let acceleration = |m_s2| in_g(m_s2, Digits::Significant(DIGITS));
+    let moves = rigid
+        .capacity_m_s2
+        .map_or(Found::MovesUnknown, |m_s2| Found::Moves {
+            left: acceleration(m_s2),
+        });
+    let ground = Found::Ground {
+        source: source.to_owned(),
+        ground: acceleration(rigid.demand_m_s2),
+    };
+    let found = Found::Compared {
+        verdict: verdict_words(stack.verdict),
+        moves: moves.into(),
+        ground: ground.into(),
+        joints: elastic_joints(row),
+    };
+    Some(Finding::key(tone, found))
+}
+
+fn elastic_joints(row: &StackDemandRow) -> Sentence {
+    match &row.by_modes {
+        Some(by_modes) => Found::Elastic {
+            ratio: Quantity::ratio(by_modes.ratio, DIGITS),
+            first: first(by_modes),
+        },
+        None => Found::ElasticUnknown,
+    }
+    .into()
+}

@@ -1,0 +1,44 @@
+//! What of a stack on elastic joints gives way first.
+
+use dolmen::assess::demand::ModalRatio;
+use dolmen::stability::stack::LimitKind;
+use dolmen_words::{Sentence, messages};
+
+messages! {
+    /// What gives way first.
+    pub(crate) enum First in "demand.first" {
+        Tips { below: Sentence } => {
+            en: "what stands on {below} tips first",
+            ko: "{below} 위의 부분이 먼저 들린다",
+        },
+        Slides { below: Sentence } => {
+            en: "what stands on {below} slides first",
+            ko: "{below} 위의 부분이 먼저 미끄러진다",
+        },
+        Shared => {
+            en: "stones that share their load move first, with the largest forces on all at once",
+            ko: "모든 돌에 최대 하중이 동시에 작용할 때 하중을 나누어 받는 돌이 먼저 움직인다",
+        },
+        Ground => { en: "the ground", ko: "지반" },
+        Named { name: String } => { en: "{name}", ko: "{name}" },
+    }
+}
+
+/// What gives way first.
+pub(super) fn first(by_modes: &ModalRatio) -> Sentence {
+    let Some((kind, above)) = &by_modes.first else {
+        return First::Shared.into();
+    };
+    let below = match above.as_str() {
+        "the ground" => First::Ground,
+        name => First::Named {
+            name: name.to_owned(),
+        },
+    }
+    .into();
+    match kind {
+        LimitKind::Uplift => First::Tips { below },
+        LimitKind::Sliding => First::Slides { below },
+    }
+    .into()
+}

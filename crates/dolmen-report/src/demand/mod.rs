@@ -1,0 +1,82 @@
+//! What an earthquake asks for at a site: findings, and the section of its numbers, its spectrum and the comparison.
+
+mod comparison;
+mod findings;
+mod first;
+mod periods;
+mod site;
+mod unverified;
+mod words;
+
+pub(crate) use findings::findings;
+pub(crate) use site::{ground_word, type_word};
+
+use crate::document::Document;
+use crate::figures::design_spectrum;
+use dolmen_words::{Sentence, Template, messages};
+use dolmen_work::state::DemandAnswer;
+
+messages! {
+    /// The head and figure of the demand of a site.
+    pub(crate) enum Demand in "demand" {
+        Head => { en: "Earthquake demand at the site", ko: "부지의 지진 요구 수준" },
+        Source { source: String } => { en: "{source}", ko: "{source}" },
+        Spectrum => { en: "Design spectrum.", ko: "설계 응답 스펙트럼." },
+        SpectrumOfStack => {
+            en: "Dots: the first periods, at the damping of the site; level line: the acceleration at which it begins to move, less the vertical acceleration.",
+            ko: "점은 1차 주기(부지의 감쇠비), 수평선은 수직 가속도를 고려한 거동 시작 가속도이다.",
+        },
+        SpectrumOfOthers => {
+            en: "Dots: the first periods, each at the damping of the table.",
+            ko: "점은 1차 주기이다(표의 감쇠비).",
+        },
+        BearsUnknown => {
+            en: "What acceleration this structure bears is not computed; S_a is for the engineer's own check.",
+            ko: "이 구조물의 저항 가속도는 계산하지 않았다. S_a는 기술자가 별도로 검토할 때 쓰는 값이다.",
+        },
+    }
+}
+
+/// The sentences on the demand of a site as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
+    findings::Found::TEMPLATES,
+    first::First::TEMPLATES,
+    words::Words::TEMPLATES,
+    unverified::NotHeld::TEMPLATES,
+    Demand::TEMPLATES,
+    site::Numbers::TEMPLATES,
+    comparison::Compared::TEMPLATES,
+    periods::Periods::TEMPLATES,
+];
+
+/// The section of a site.
+pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    document.heading(Demand::Head);
+    document.paragraph(Demand::Source {
+        source: answer.site.spectrum.source.clone(),
+    });
+    site::section(&mut document, &answer.site);
+    if let Some(why) = &answer.refused {
+        document.note(findings::Found::NotCompared { why: why.clone() });
+    }
+    match &answer.stack {
+        Some(stack) => comparison::section(&mut document, stack),
+        None => periods::section(&mut document, &answer.spectral),
+    }
+    if answer.stack.is_none() && answer.refused.is_none() {
+        document.note(Demand::BearsUnknown);
+    }
+    if let Some(said) = unverified::unverified(&answer.site) {
+        document.note(said);
+    }
+    let meaning = match answer.stack {
+        Some(_) => Some(Demand::SpectrumOfStack),
+        None => (!answer.spectral.is_empty()).then_some(Demand::SpectrumOfOthers),
+    };
+    let caption = std::iter::once(Demand::Spectrum).chain(meaning);
+    document.figure(caption.map(Sentence::from).collect(), |language| {
+        design_spectrum(answer, language)
+    });
+    document
+}

@@ -1,0 +1,217 @@
+//! How a building moved in time.
+
+use super::Figure;
+use super::frame_histories::ground;
+use super::stack_histories::{Series, plot};
+use dolmen::dynamics::BuildingHistory;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen::signal::Component;
+use dolmen_words::Language;
+use dolmen_work::building::BuildingSimulation;
+
+/// A figure of a simulated building over time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum BuildingPlot {
+    Ground,
+    /// Displacement of the top floor along x, 0, or y, 1.
+    Top(usize),
+    Rotation,
+    BaseShear,
+    Strokes,
+    /// Displacement of a point of the file, 0 the first.
+    Point(usize),
+    /// Acceleration of a point with that of the ground.
+    Acceleration(usize),
+}
+
+impl BuildingPlot {
+    /// Those of a simulation in which something moves, in the order in which they are shown; none where only peaks were kept.
+    pub(crate) fn all(simulation: &BuildingSimulation) -> Vec<Self> {
+        if simulation.history.coordinates.columns() == 0 {
+            return Vec::new();
+        }
+        let mut all = vec![
+            Self::Ground,
+            Self::Top(0),
+            Self::Top(1),
+            Self::Rotation,
+            Self::BaseShear,
+            Self::Strokes,
+        ];
+        all.extend((0..simulation.points.len()).flat_map(|i| [Self::Point(i), Self::Acceleration(i)]));
+        // a level line is no figure
+        all.retain(|plot| !still(&plot.series(simulation, Language::English)));
+        all
+    }
+
+    fn name(self) -> String {
+        match self {
+            Self::Ground => "ground".to_owned(),
+            Self::Top(axis) => format!("top-{}", AXES[axis]),
+            Self::Rotation => "rotation".to_owned(),
+            Self::BaseShear => "base-shear".to_owned(),
+            Self::Strokes => "strokes".to_owned(),
+            Self::Point(i) => format!("point-{}", i + 1),
+            Self::Acceleration(i) => format!("acceleration-{}", i + 1),
+        }
+    }
+
+    /// Its SVG; `None` without a sample.
+    pub(crate) fn draw(self, simulation: &BuildingSimulation, language: Language) -> Option<String> {
+        let (axis, title) = self.words(simulation, language);
+        plot(&self.series(simulation, language), axis, language, &title)
+    }
+
+    /// The name of the axis, and the title.
+    fn words(self, simulation: &BuildingSimulation, language: Language) -> (&'static str, String) {
+        let acceleration = language.pick("Acceleration (g)", "가속도 (g)");
+        let displacement = language.pick("Displacement (mm)", "변위 (mm)");
+        match self {
+            Self::Ground => (
+                acceleration,
+                language
+                    .pick("Acceleration of the ground", "지반 가속도")
+                    .to_owned(),
+            ),
+            Self::Top(axis) => (
+                displacement,
+                language.pick(
+                    format!("Displacement of the top floor along {}", AXES[axis]),
+                    format!("최상층의 {} 방향 변위", AXES[axis]),
+                ),
+            ),
+            Self::Rotation => (
+                language.pick("Rotation (mrad)", "회전 (mrad)"),
+                language
+                    .pick("Rotation of the top floor", "최상층의 회전")
+                    .to_owned(),
+            ),
+            Self::BaseShear => (
+                language.pick("Base shear (kN)", "밑면전단력 (kN)"),
+                language.pick("Base shear", "밑면전단력").to_owned(),
+            ),
+            Self::Strokes => (
+                language.pick("Stroke (mm)", "행정 (mm)"),
+                language
+                    .pick("Travel of the dampers", "제진장치의 행정")
+                    .to_owned(),
+            ),
+            Self::Point(i) => {
+                let name = &simulation.points[i].name;
+                let title = language.pick(
+                    format!("Displacement of point {name}"),
+                    format!("{name} 지점의 변위"),
+                );
+                (displacement, title)
+            }
+            Self::Acceleration(i) => {
+                let name = &simulation.points[i].name;
+                let title = language.pick(
+                    format!("Acceleration of point {name}, with that of the ground"),
+                    format!("{name} 지점의 절대가속도"),
+                );
+                (acceleration, title)
+            }
+        }
+    }
+
+    fn series(self, simulation: &BuildingSimulation, language: Language) -> Vec<Series> {
+        let history = &simulation.history;
+        let top = 3 * (simulation.floors.len().max(1) - 1);
+        match self {
+            Self::Ground => acting(simulation),
+            Self::Top(axis) => {
+                let with = language.pick("with dampers", "제진장치 있음");
+                let without = language.pick("without dampers", "제진장치 없음");
+                match &simulation.without_dampers {
+                    Some(other) => vec![
+                        coordinate(other, top + axis, without),
+                        coordinate(history, top + axis, with),
+                    ],
+                    None => vec![coordinate(history, top + axis, AXES[axis])],
+                }
+            }
+            Self::Rotation => {
+                let name = language.pick("top floor", "최상층");
+                vec![coordinate(history, top + 2, name)]
+            }
+            Self::BaseShear => [0, 1]
+                .map(|axis| {
+                    let shear = |step: usize| 1e-3 * history.base[(axis, step)];
+                    over_time(history, AXES[axis], shear)
+                })
+                .into(),
+            Self::Strokes => {
+                let names = simulation.stroke_names().into_iter().enumerate();
+                names
+                    .map(|(d, name)| coordinate(history, top + 3 + d, &name))
+                    .collect()
+            }
+            Self::Point(i) => {
+                let along = &simulation.points[i].along;
+                [0, 1]
+                    .map(|axis| over_time(history, AXES[axis], |step| 1e3 * along[axis].displacement_m[step]))
+                    .into()
+            }
+            Self::Acceleration(i) => {
+                let along = &simulation.points[i].along;
+                [0, 1]
+                    .map(|axis| {
+                        over_time(history, AXES[axis], |step| {
+                            along[axis].acceleration_m_s2[step] / STANDARD_GRAVITY_M_S2
+                        })
+                    })
+                    .into()
+            }
+        }
+    }
+}
+
+const AXES: [&str; 2] = ["x", "y"];
+
+/// The ground along each axis in which it moves.
+fn acting(simulation: &BuildingSimulation) -> Vec<Series> {
+    let motion = &simulation.motion.motion;
+    let given = [Component::X, Component::Y].into_iter();
+    given
+        .filter(|component| motion.has(*component))
+        .map(|component| Series {
+            name: component.name().to_owned(),
+            ..ground(motion, component)
+        })
+        .collect()
+}
+
+/// A coordinate of the building, mm or mrad.
+fn coordinate(history: &BuildingHistory, row: usize, name: &str) -> Series {
+    over_time(history, name, |step| 1e3 * history.coordinates[(row, step)])
+}
+
+fn over_time(history: &BuildingHistory, name: &str, value: impl Fn(usize) -> f64) -> Series {
+    let steps = 0..history.length();
+    Series {
+        name: name.to_owned(),
+        points: steps.map(|step| [history.time_s(step), value(step)]).collect(),
+    }
+}
+
+/// Whether nothing moves.
+fn still(series: &[Series]) -> bool {
+    let mut values = series
+        .iter()
+        .flat_map(|one| one.points.iter().map(|point| point[1]));
+    values.all(|value| value == 0.0)
+}
+
+/// The figures of a simulation: ground, top, rotation, base shear, damper strokes, points.
+pub fn building_histories(simulation: &BuildingSimulation, language: Language) -> Vec<Figure> {
+    let all = BuildingPlot::all(simulation).into_iter();
+    all.filter_map(|plot| {
+        let svg = plot.draw(simulation, language)?;
+        Some(Figure {
+            name: plot.name(),
+            svg,
+        })
+    })
+    .collect()
+}

@@ -1,0 +1,111 @@
+//! What a frame's check says in plain words.
+
+use super::notes::load_note;
+use crate::document::{Finding, Tone};
+use crate::load_factor::load_factor_finding;
+use dolmen::assess::{FrameCheck, FrameNote};
+use dolmen::stability::{FrameStability, Verdict};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
+use dolmen_work::state::DirectionCheck;
+
+messages! {
+    /// Findings on a frame.
+    pub(crate) enum Found in "frame.findings" {
+        OfDirection { direction: String, said: Sentence } => {
+            en: "Direction {direction}: {said}",
+            ko: "{direction} 방향: {said}",
+        },
+        StiffnessUnknown { needs: Values } => {
+            en: "whether it stands is unknown, the storey stiffness is not given. P-delta takes {needs} from the storeys, lowest first.",
+            ko: "층강성이 주어지지 않아 안정 여부를 판정할 수 없다. P-델타 효과가 아래층부터 강성을 {needs}만큼 감소시킨다.",
+        },
+        Weakest { storey: usize, margin: Quantity } => {
+            en: "storey {storey} has the least margin, {margin} times the stiffness at which the frame would just stand.",
+            ko: "여유가 가장 작은 층은 {storey}층이며, 그 강성은 골조가 안정을 유지하는 한계 강성의 {margin}배이다.",
+        },
+        LowestFalls => {
+            en: "it does not vibrate in its lowest shape, it falls in it.",
+            ko: "최저차 형상에서는 진동하지 않고 전도된다.",
+        },
+        LowestMode { frequency: Quantity } => {
+            en: "the lowest natural frequency on this stiffness is {frequency}.",
+            ko: "이 강성에서 최저 고유진동수는 {frequency}이다.",
+        },
+    }
+}
+
+/// The findings, one direction after the other.
+pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
+    let mut all: Vec<Finding> = Vec::new();
+    for direction in directions {
+        let own = of_direction(&direction.check).into_iter().map(|found| Finding {
+            sentence: Found::OfDirection {
+                direction: direction.direction.clone(),
+                said: found.sentence,
+            }
+            .into(),
+            ..found
+        });
+        all.extend(own);
+        for finding in direction.check.notes.iter().map(load_finding) {
+            // a slip in the loads is the same in every direction
+            if !all.contains(&finding) {
+                all.push(finding);
+            }
+        }
+    }
+    all
+}
+
+fn of_direction(check: &FrameCheck) -> Vec<Finding> {
+    let mut all = vec![match &check.stability {
+        None => Finding::key(
+            Tone::Unknown,
+            Found::StiffnessUnknown {
+                needs: needs(&check.geometric_n_m),
+            },
+        ),
+        Some(stability) => load_factor_finding(stability.load_factor, stability.verdict),
+    }];
+    all.extend(check.stability.as_ref().and_then(weakest));
+    all.extend(lowest_mode(check));
+    all
+}
+
+fn needs(geometric_n_m: &[f64]) -> Values {
+    let unit = Unit::of(geometric_n_m, "N/m");
+    let need = |k: &f64| Quantity::new(*k, unit.clone(), Digits::Significant(4));
+    Values(geometric_n_m.iter().map(need).collect())
+}
+
+fn weakest(stability: &FrameStability) -> Option<Finding> {
+    let storeys = stability.storeys.iter().enumerate();
+    let margins = storeys.filter_map(|(i, storey)| Some((i + 1, storey.margin?)));
+    // a storey without a load has an infinite one
+    let finite = margins.filter(|(_, margin)| margin.is_finite());
+    let (storey, margin) = finite.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let found = Found::Weakest {
+        storey,
+        margin: Quantity::beside_one(margin, 3),
+    };
+    Some(Finding::key(Tone::of(Verdict::of_load_factor(margin)), found))
+}
+
+fn lowest_mode(check: &FrameCheck) -> Option<Finding> {
+    let mode = check.modes.first()?;
+    if mode.omega_squared <= 0.0 {
+        return Some(Finding::new(Tone::Bad, Found::LowestFalls));
+    }
+    let found = Found::LowestMode {
+        frequency: Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Significant(3)),
+    };
+    Some(Finding::new(Tone::Plain, found))
+}
+
+fn load_finding(note: &FrameNote) -> Finding {
+    match note {
+        // it is why nothing is known
+        FrameNote::NoAxialForce => Finding::key(Tone::Warn, load_note(note)),
+        FrameNote::LevelLoad { .. } => Finding::new(Tone::Warn, load_note(note)),
+    }
+}

@@ -1,0 +1,91 @@
+//! What is said of a frame of rigid storeys: findings, and the sections of its check.
+
+mod findings;
+mod modes;
+mod notes;
+mod slipping;
+mod storeys;
+
+pub(crate) use findings::findings;
+
+use crate::document::Document;
+use crate::figures::frame_sketch;
+use dolmen::structure::{Convention, Frame};
+use dolmen_project::{FramePart, Quantity as Input};
+use dolmen_words::{Sentence, Template, messages};
+use dolmen_work::state::DirectionCheck;
+
+messages! {
+    /// The head and figure of the stability of a frame.
+    pub(crate) enum Stability in "frame.stability" {
+        Head => { en: "Stability", ko: "안정성" },
+        Sketch => { en: "The frame as modelled.", ko: "해석 모델." },
+        SketchMeaning { springs: Sentence } => {
+            en: "Rigid storeys with P-delta; {springs}.",
+            ko: "P-델타를 고려한 강체 층 모델; {springs}.",
+        },
+        OnDrift => { en: "spring on storey drift", ko: "층간변위에 작용하는 스프링" },
+        Grounded => {
+            en: "spring on displacement from the ground (as printed)",
+            ko: "지반 기준 변위에 작용하는 스프링(논문 표기)",
+        },
+        Direction { direction: String } => { en: "Direction {direction}", ko: "{direction} 방향" },
+    }
+}
+
+/// The sentences on frames as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
+    findings::Found::TEMPLATES,
+    notes::Loads::TEMPLATES,
+    Stability::TEMPLATES,
+    storeys::Storeys::TEMPLATES,
+    modes::Modes::TEMPLATES,
+    slipping::Slipping::TEMPLATES,
+];
+
+/// The sections of a frame.
+pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -> Document<'a> {
+    let frame = part.build(&mut Input::nominal).ok();
+    let mut document = Document::default();
+    document.heading(Stability::Head);
+    if let Some(frame) = frame.clone() {
+        let names: Vec<Option<String>> = part.storeys.iter().map(|storey| storey.name.clone()).collect();
+        sketch(&mut document, frame, names, directions);
+    }
+    for direction in directions {
+        document.subheading(Stability::Direction {
+            direction: direction.direction.clone(),
+        });
+        storeys::section(&mut document, &direction.check);
+        modes::section(&mut document, frame.clone(), &direction.check);
+        if let Some(slipping) = &direction.slipping {
+            slipping::section(&mut document, slipping);
+        }
+    }
+    document
+}
+
+fn sketch<'a>(
+    document: &mut Document<'a>,
+    frame: Frame,
+    names: Vec<Option<String>>,
+    directions: &'a [DirectionCheck],
+) {
+    let springs: Sentence = match frame.convention() {
+        Convention::Drift => Stability::OnDrift,
+        Convention::Grounded => Stability::Grounded,
+    }
+    .into();
+    let caption = vec![
+        Stability::Sketch.into(),
+        Stability::SketchMeaning { springs }.into(),
+    ];
+    // margins of several directions do not fit on one sketch
+    let known = match directions {
+        [one] => one.check.stability.as_ref(),
+        _ => None,
+    };
+    document.figure(caption, move |language| {
+        frame_sketch(&frame, &names, known, language)
+    });
+}

@@ -1,0 +1,103 @@
+//! Simulated motions of a frame: how they ended, storey by storey, in time.
+
+mod ending;
+mod friction;
+mod run;
+mod storeys;
+
+pub(crate) use ending::findings;
+
+use crate::document::{Block, Document, TextStyle, document_text, findings_text};
+use crate::figures::FramePlot;
+use crate::simulated::{Simulated, capitalised, motion_section};
+use dolmen::signal::Component;
+use dolmen_words::{Sentence, Template, messages};
+use dolmen_work::frame::FrameSimulation;
+
+messages! {
+    /// Figures of simulated frames.
+    pub(crate) enum Shown in "frame.simulation" {
+        Levels => { en: "Displacement at the top of each storey.", ko: "각 층 상단의 변위." },
+        LevelsMeaning => { en: "Against the ground.", ko: "지반에 대한 상대 변위." },
+        Slips => { en: "When the joints of each storey slipped.", ko: "층별 미끄러짐 시각." },
+        SlipsMeaning => { en: "Between the bands they stick.", ko: "띠 사이에서는 고착 상태이다." },
+        Loop { name: String } => {
+            en: "Force of ‘{name}’ against its drift.",
+            ko: "‘{name}’의 층 전단력-층간변위 이력곡선.",
+        },
+        LoopMeaning => {
+            en: "The area within is what friction and damping take.",
+            ko: "둘러싸인 면적이 마찰과 감쇠로 소산된 에너지이다.",
+        },
+    }
+}
+
+/// The sentences on simulated frames as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
+    ending::Ending::TEMPLATES,
+    Shown::TEMPLATES,
+    storeys::Storeys::TEMPLATES,
+    friction::Friction::TEMPLATES,
+    run::Run::TEMPLATES,
+];
+
+/// How it ended; in full each storey and the balance of energy.
+pub fn frame_simulation_text(simulation: &FrameSimulation, style: TextStyle) -> String {
+    if !style.is_full {
+        return findings_text([&ending::finding(simulation)], style);
+    }
+    let mut document = Document::default();
+    ended(&mut document, simulation);
+    details(&mut document, simulation);
+    document_text(&document, style)
+}
+
+/// One section a simulation.
+pub(crate) fn sections<'a>(simulations: &[&'a FrameSimulation]) -> Document<'a> {
+    let mut document = Document::default();
+    for simulation in simulations {
+        ended(&mut document, simulation);
+        motion_section(&mut document, &simulation.motion);
+        details(&mut document, simulation);
+    }
+    document
+}
+
+fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
+    document.heading(Simulated::Earthquake {
+        of: ending::title(simulation),
+    });
+    let said = capitalised(ending::ending(simulation));
+    document.put(match simulation.falls() {
+        true => Block::Warning(said),
+        false => Block::Paragraph(std::iter::once(said).chain(ending::state(simulation)).collect()),
+    });
+}
+
+fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
+    if simulation.motion.motion.has(Component::Z) {
+        document.note(run::Run::VerticalLeftOut);
+    }
+    document.put(Block::Table(storeys::model(simulation)));
+    friction::notes(document, &simulation.frame);
+    document.put(Block::Table(storeys::response(simulation)));
+    for plot in FramePlot::all(simulation) {
+        document.figure(caption(plot, simulation), move |language| {
+            plot.draw(simulation, language).unwrap_or_default()
+        });
+    }
+    run::run(document, simulation);
+}
+
+fn caption(plot: FramePlot, simulation: &FrameSimulation) -> Vec<Sentence> {
+    match plot {
+        FramePlot::Ground => vec![Simulated::Ground.into(), Simulated::GroundMeaning.into()],
+        FramePlot::Levels => vec![Shown::Levels.into(), Shown::LevelsMeaning.into()],
+        FramePlot::Loop(storey) => {
+            let name = simulation.storeys.get(storey).cloned().unwrap_or_default();
+            vec![Shown::Loop { name }.into(), Shown::LoopMeaning.into()]
+        }
+        FramePlot::Slips => vec![Shown::Slips.into(), Shown::SlipsMeaning.into()],
+        FramePlot::Energy => vec![Simulated::Energy.into(), Simulated::EnergyMeaning.into()],
+    }
+}

@@ -1,0 +1,177 @@
+//! What stiffness from vibration says in plain words.
+
+use super::notes::stiffness_note;
+use super::place::place;
+use super::solutions::stiffness_quantities;
+use super::words::{Words, counted};
+use crate::document::{Finding, Tone};
+use dolmen::structure::{Choice, StiffnessNote};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
+use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
+
+messages! {
+    /// Findings on stiffness from vibration.
+    pub(crate) enum Found in "identification.findings" {
+        NoPlace => {
+            en: "No stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure.",
+            ko: "위치와 방향이 모두 주어진 채널이 없어 강성을 추정하지 않았다. 구조물 위의 채널에 둘 다 주어야 한다.",
+        },
+        OffTheAxes { channels: Vec<String> } => {
+            en: "No stiffness is sought: no sensor points within 15° of x or y ({channels} do not); turn the axes of the project with the sensors, or give the direction in which each measures.",
+            ko: "x 또는 y축에서 15° 이내를 향하는 센서가 없어({channels}) 강성을 추정하지 않았다. 프로젝트의 축을 센서에 맞추어 돌리거나 각 센서의 계측 방향을 주어야 한다.",
+        },
+        Of { survey: String, place: Sentence, said: Sentence } => {
+            en: "Stiffness from vibration (survey {survey}, {place}): {said}",
+            ko: "진동으로 추정한 강성({survey} 조사, {place}): {said}",
+        },
+        PeaksBelow { peaks: Values } => {
+            en: "not chosen: the record has a peak at {peaks} below the modes used that is none of them. If it is a mode of this direction, every stiffness is wrong.",
+            ko: "판정하지 않는다. 사용한 모드 아래 {peaks}에 모드로 찾지 않은 피크가 있으며, 이것이 이 방향의 모드이면 모든 강성이 틀리게 된다.",
+        },
+        One { measured: Sentence, values: Values } => {
+            en: "one solution explains {measured}; k, the lowest first: {values}.",
+            ko: "{measured}을(를) 설명하는 해는 하나이다. 강성 k는 아래부터 {values}이다.",
+        },
+        Bounded { measured: Sentence } => {
+            en: "one solution explains {measured}, but some of its stiffness is known only between bounds or from one side: no single answer.",
+            ko: "{measured}을(를) 설명하는 해는 하나이나, 일부 강성은 한쪽 한계나 넓은 범위로만 정해지므로 단일한 답이 아니다.",
+        },
+        Meet => {
+            en: "two solutions meet here and cannot be told apart without a measured shape; none is preferred here.",
+            ko: "두 해가 여기서 만나므로 계측 모드형상 없이는 구별할 수 없으며, 여기서는 어느 것도 택하지 않는다.",
+        },
+        Indistinguishable { solutions: usize, measured: Sentence } => {
+            en: "{solutions} different solutions explain {measured} equally well. They cannot be told apart without a measured shape; none is preferred here.",
+            ko: "서로 다른 해 {solutions}개가 {measured}을(를) 똑같이 잘 설명한다. 계측 모드형상 없이는 구별할 수 없으며, 여기서는 어느 것도 택하지 않는다.",
+        },
+        Underdetermined { modes: usize, free: usize } => {
+            en: "not determined. Measured modes: {modes}; directions of the stiffness that stay free: {free}; any solution shown is one point of a continuous family.",
+            ko: "정해지지 않는다. 계측 모드 {modes}개로는 강성의 방향 {free}개가 정해지지 않으며, 제시된 해는 연속적인 해집합의 한 점이다.",
+        },
+        UnderdeterminedSomehow { modes: usize } => {
+            en: "not determined. Measured modes: {modes}; some directions of the stiffness stay free; any solution shown is one point of a continuous family.",
+            ko: "정해지지 않는다. 계측 모드 {modes}개로는 강성의 일부 방향이 정해지지 않으며, 제시된 해는 연속적인 해집합의 한 점이다.",
+        },
+        Impossible { modes: usize, why: Sentence } => {
+            en: "no real stiffness explains the measured modes ({modes}). {why}",
+            ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다. {why}",
+        },
+        ImpossibleSomehow { modes: usize } => {
+            en: "no real stiffness explains the measured modes ({modes}).",
+            ko: "계측 모드 {modes}개를 설명하는 실수 강성이 없다.",
+        },
+        Then { first: Sentence, then: Sentence } => { en: "{first} {then}", ko: "{first} {then}" },
+    }
+}
+
+/// What each survey chooses, and why some seek no stiffness.
+pub(crate) fn findings(all: &[SurveyAnswer]) -> Vec<Finding> {
+    let chosen = all
+        .iter()
+        .flat_map(|survey| survey.stiffness.iter().map(|answer| choice(&survey.name, answer)));
+    let unsought = all.iter().filter_map(|survey| survey.without_stiffness.as_ref());
+    chosen.chain(unsought.map(without)).collect()
+}
+
+fn without(why: &WithoutStiffness) -> Finding {
+    let said = match why {
+        WithoutStiffness::NoPlace => Found::NoPlace,
+        WithoutStiffness::OffTheAxes { channels } => Found::OffTheAxes {
+            channels: channels.clone(),
+        },
+    };
+    Finding::key(Tone::Warn, said)
+}
+
+fn choice(survey: &str, answer: &StiffnessAnswer) -> Finding {
+    let (tone, said, code) = match answer.peaks_below_hz.as_slice() {
+        [] => (
+            tone(answer.solutions.choice),
+            chosen(answer),
+            code(answer.solutions.choice),
+        ),
+        peaks => {
+            let hertz = |hz: &f64| Quantity::new(*hz, Unit::si("Hz"), Digits::Fixed(3));
+            let peaks = Values(peaks.iter().map(hertz).collect());
+            (Tone::Warn, Found::PeaksBelow { peaks }, Some("mode-missing"))
+        }
+    };
+    let found = Found::Of {
+        survey: survey.to_owned(),
+        place: place(answer),
+        said: said.into(),
+    };
+    Finding {
+        code,
+        ..Finding::key(tone, found)
+    }
+}
+
+fn tone(choice: Choice) -> Tone {
+    match choice {
+        Choice::One => Tone::Good,
+        Choice::Bounded | Choice::Indistinguishable | Choice::Underdetermined => Tone::Warn,
+        Choice::Impossible => Tone::Bad,
+    }
+}
+
+/// The code of the longer answer.
+fn code(choice: Choice) -> Option<&'static str> {
+    match choice {
+        Choice::One => None,
+        Choice::Bounded | Choice::Underdetermined => Some("underdetermined"),
+        Choice::Indistinguishable => Some("indistinguishable"),
+        Choice::Impossible => Some("no-real-root"),
+    }
+}
+
+fn chosen(answer: &StiffnessAnswer) -> Found {
+    let found = &answer.solutions;
+    let modes = answer.frequencies_hz.len();
+    let measured = measured_words(answer);
+    match found.choice {
+        Choice::One => {
+            let values = found.solutions.first();
+            let values = values.map_or_else(Vec::new, |one| stiffness_quantities(answer, one));
+            Found::One {
+                measured,
+                values: Values(values),
+            }
+        }
+        Choice::Bounded => Found::Bounded { measured },
+        Choice::Indistinguishable => match found.solutions.len() {
+            1 => Found::Meet,
+            solutions => Found::Indistinguishable { solutions, measured },
+        },
+        Choice::Underdetermined => match &found.visibility {
+            Some(visibility) => Found::Underdetermined {
+                modes,
+                free: visibility.free_directions,
+            },
+            None => Found::UnderdeterminedSomehow { modes },
+        },
+        Choice::Impossible => match all_notes(&found.notes) {
+            Some(why) => Found::Impossible { modes, why },
+            None => Found::ImpossibleSomehow { modes },
+        },
+    }
+}
+
+/// "the 2 frequencies and the measured shapes".
+fn measured_words(answer: &StiffnessAnswer) -> Sentence {
+    let count = answer.frequencies_hz.len();
+    match answer.with_shapes {
+        true => counted(
+            count,
+            Words::OneMeasuredWithShapes,
+            Words::MeasuredWithShapes { count },
+        ),
+        false => counted(count, Words::OneMeasured, Words::Measured { count }),
+    }
+}
+
+/// The notes, one after the other.
+fn all_notes(notes: &[StiffnessNote]) -> Option<Sentence> {
+    let each = notes.iter().map(stiffness_note);
+    each.reduce(|first, then| Found::Then { first, then }.into())
+}

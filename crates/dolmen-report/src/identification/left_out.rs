@@ -1,0 +1,49 @@
+//! Why a mode of a record is kept out of the stiffness.
+
+use dolmen::structure::LeftOut;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+
+messages! {
+    /// Modes left out.
+    pub(crate) enum Left in "identification.left-out" {
+        OtherDirection { frequency: Quantity, share: Quantity, needed: Quantity } => {
+            en: "The mode at {frequency} is left out: only {share} of its motion is in this direction, {needed} are needed.",
+            ko: "{frequency} 모드는 제외하였다. 이 방향의 운동 성분이 {share}에 불과하다({needed} 필요).",
+        },
+        Twists { frequency: Quantity, height: Quantity, difference: Quantity } => {
+            en: "The mode at {frequency} is left out: at {height} its sensors differ by {difference} of the largest, so it twists.",
+            ko: "{frequency} 모드는 제외하였다. 높이 {height}의 센서들이 최대 변위의 {difference}만큼 서로 달라 비틀림 모드로 본다.",
+        },
+        Doubtful { frequency: Quantity, above: usize } => {
+            en: "The mode at {frequency} is left out: the setups may not show one mode there. Modes above it that are left out too, since a fit counts modes from the lowest: {above}.",
+            ko: "{frequency} 모드는 제외하였다. 측정 배치들이 같은 모드를 보인다고 단정할 수 없다. 가장 낮은 모드부터 세어 맞추므로 그 위의 모드 {above}개도 제외하였다.",
+        },
+    }
+}
+
+/// The sentence of a mode left out.
+pub(super) fn left_out(why: &LeftOut) -> Sentence {
+    let hertz = |value: f64| Quantity::new(value, Unit::si("Hz"), Digits::Fixed(3));
+    let percent = |share: f64| Quantity::new(share, Unit::percent(), Digits::Fixed(0));
+    match why {
+        LeftOut::OtherDirection { frequency_hz, share } => Left::OtherDirection {
+            frequency: hertz(*frequency_hz),
+            share: percent(*share),
+            needed: percent(LeftOut::SHARE_LEAST),
+        },
+        LeftOut::Twists {
+            frequency_hz,
+            height_m,
+            difference,
+        } => Left::Twists {
+            frequency: hertz(*frequency_hz),
+            height: Quantity::new(*height_m, Unit::si("m"), Digits::Fixed(2)),
+            difference: percent(*difference),
+        },
+        LeftOut::Doubtful { frequency_hz, above } => Left::Doubtful {
+            frequency: hertz(*frequency_hz),
+            above: *above,
+        },
+    }
+    .into()
+}

@@ -1,0 +1,106 @@
+//! What vibration says of the stiffness of a chain or frame: findings, and the section of every solution.
+
+mod findings;
+mod left_out;
+mod notes;
+mod place;
+mod seen;
+mod solutions;
+mod words;
+
+pub(crate) use findings::findings;
+
+use crate::document::{Block, Document};
+use crate::figures::measured_modes;
+use dolmen::structure::MeasuredMode;
+use dolmen_project::Project;
+use dolmen_words::{Digits, Quantity, Sentence, Template, Unit, messages};
+use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer};
+
+messages! {
+    /// The head of the stiffness from vibration, and what it is from.
+    pub(crate) enum Stiffness in "identification" {
+        Head => { en: "Stiffness from measured vibration", ko: "계측 진동으로부터 추정한 강성" },
+        Survey { survey: String, place: Sentence } => { en: "Survey {survey}, {place}", ko: "{survey} 조사, {place}" },
+        Measured { modes: Vec<Sentence> } => { en: "Measured: {modes}.", ko: "계측값: {modes}." },
+        Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
+        NoShape { frequency: Quantity } => { en: "{frequency} (no shape)", ko: "{frequency} (모드형상 없음)" },
+        OnePoint { frequency: Quantity } => {
+            en: "{frequency} (1 point of its shape)",
+            ko: "{frequency} (측점 1개의 모드형상)",
+        },
+        Points { frequency: Quantity, points: usize } => {
+            en: "{frequency} ({points} points of its shape)",
+            ko: "{frequency} (측점 {points}개의 모드형상)",
+        },
+    }
+}
+
+/// The sentences on stiffness from vibration as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
+    findings::Found::TEMPLATES,
+    place::Place::TEMPLATES,
+    words::Words::TEMPLATES,
+    Stiffness::TEMPLATES,
+    solutions::Solutions::TEMPLATES,
+    seen::Seen::TEMPLATES,
+    notes::Notes::TEMPLATES,
+    left_out::Left::TEMPLATES,
+];
+
+/// The section of all surveys that lead to a stiffness.
+pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
+    let mut document = Document::default();
+    if all.iter().all(|survey| survey.stiffness.is_empty()) {
+        return document;
+    }
+    document.heading(Stiffness::Head);
+    for survey in all {
+        for answer in &survey.stiffness {
+            of_answer(&mut document, project, survey, answer);
+        }
+        if let Some(said) = seen::masses(survey, project) {
+            document.note(said);
+        }
+    }
+    document
+}
+
+fn of_answer<'a>(
+    document: &mut Document<'a>,
+    project: &'a Project,
+    survey: &SurveyAnswer,
+    answer: &'a StiffnessAnswer,
+) {
+    document.subheading(Stiffness::Survey {
+        survey: survey.name.clone(),
+        place: place::place(answer),
+    });
+    let measured = measured_modes(project, &survey.name, answer);
+    let modes = measured.iter().map(|mode| mode_words(mode, answer.with_shapes));
+    document.paragraph(Stiffness::Measured {
+        modes: modes.collect(),
+    });
+    solutions::section(document, project, answer, measured);
+    if let Some(visibility) = &answer.solutions.visibility {
+        document.put(Block::Paragraph(seen::seen(visibility)));
+    }
+    for note in &answer.solutions.notes {
+        document.note(notes::stiffness_note(note));
+    }
+}
+
+/// A frequency that went in, and whether its shape did.
+fn mode_words(mode: &MeasuredMode, with_shapes: bool) -> Sentence {
+    let frequency = Quantity {
+        sd_si: Some(mode.frequency_sd_hz).filter(|sd| *sd > 0.0),
+        ..Quantity::new(mode.frequency_hz, Unit::si("Hz"), Digits::Trimmed(5))
+    };
+    match mode.shape.len() {
+        0 if with_shapes => Stiffness::Mode { frequency },
+        0 => Stiffness::NoShape { frequency },
+        1 => Stiffness::OnePoint { frequency },
+        points => Stiffness::Points { frequency, points },
+    }
+    .into()
+}

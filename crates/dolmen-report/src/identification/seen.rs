@@ -1,0 +1,92 @@
+//! What the data determine of a stiffness, and what masses add to its intervals.
+
+use dolmen::structure::Visibility;
+use dolmen_project::{Project, Quantity as Input, Structure};
+use dolmen_words::number::{TWO_SIDED_95, subscript};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::surveyed::SurveyAnswer;
+
+/// A stiffness of which the data determine less than this share is called unseen.
+const SEEN_LEAST: f64 = 0.5;
+
+messages! {
+    /// What the data determine.
+    pub(crate) enum Seen in "identification.seen" {
+        Shares { shares: Vec<Sentence>, free: usize } => {
+            en: "Share of each that the data see (at 1 all of it, at 0 nothing): {shares}; directions that stay free: {free}.",
+            ko: "자료로 정해지는 정도(1 완전, 0 전혀 없음): {shares}; 정해지지 않는 방향 {free}개.",
+        },
+        Share { spring: Sentence, share: Quantity } => { en: "{spring}: {share}", ko: "{spring}: {share}" },
+        Little { springs: Vec<Sentence> } => {
+            en: "The data say little of {springs}.",
+            ko: "{springs}에 대해서는 자료가 알려 주는 것이 거의 없다.",
+        },
+        Masses => {
+            en: "The deviations of the stiffness are of the frequencies alone, masses taken as exact; 1 % more mass is 1 % more of every k.",
+            ko: "강성의 표준편차는 진동수에서만 비롯한 것이며 질량은 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다.",
+        },
+        MassesScatter { most: Quantity, adds: Quantity } => {
+            en: "The deviations of the stiffness are of the frequencies alone, masses taken as exact; 1 % more mass is 1 % more of every k; the file gives them a scatter of up to {most}, which adds up to ± {adds} to every interval (95 %, all off together).",
+            ko: "강성의 표준편차는 진동수에서만 비롯한 것이며 질량은 정확하다고 보았다. 질량이 1 % 크면 모든 k가 1 % 크다. 파일에 준 질량의 변동계수는 최대 {most}이며, 모든 질량이 함께 벗어나면 각 구간에 최대 ± {adds}가 더해진다(95 %).",
+        },
+    }
+}
+
+fn symbol(at: usize) -> Sentence {
+    Sentence::of_symbol(&format!("k{}", subscript(at + 1)))
+}
+
+/// How much of each stiffness the data see.
+pub(super) fn seen(visibility: &Visibility) -> Vec<Sentence> {
+    let each = || visibility.seen.iter().enumerate();
+    let share = |(at, share): (usize, &f64)| {
+        Seen::Share {
+            spring: symbol(at),
+            share: Quantity::new(*share, Unit::ratio(), Digits::Fixed(2)),
+        }
+        .into()
+    };
+    let mut said = vec![
+        Seen::Shares {
+            shares: each().map(share).collect(),
+            free: visibility.free_directions,
+        }
+        .into(),
+    ];
+    let unseen = each().filter(|(_, share)| **share < SEEN_LEAST);
+    let springs: Vec<Sentence> = unseen.map(|(at, _)| symbol(at)).collect();
+    if !springs.is_empty() {
+        said.push(Seen::Little { springs }.into());
+    }
+    said
+}
+
+/// What the masses add to deviations of stiffness, where a survey has any.
+pub(super) fn masses(survey: &SurveyAnswer, project: &Project) -> Option<Sentence> {
+    let mut solutions = survey
+        .stiffness
+        .iter()
+        .flat_map(|found| &found.solutions.solutions);
+    if !solutions.any(|solution| solution.stiffness_sd.is_some()) {
+        return None;
+    }
+    let masses: Vec<&Input> = match &project.structure {
+        Structure::Chain(part) => part.links.iter().map(|link| link.heaviness.quantity()).collect(),
+        Structure::Frame(part) => part
+            .storeys
+            .iter()
+            .map(|storey| storey.heaviness.quantity())
+            .collect(),
+        Structure::Stack(_) | Structure::Building(_) | Structure::Survey => Vec::new(),
+    };
+    let most = masses.iter().filter_map(|mass| mass.cov).fold(0.0, f64::max);
+    let percent = |share: f64| Quantity::new(share, Unit::percent(), Digits::Fixed(0));
+    let said = match most > 0.0 {
+        true => Seen::MassesScatter {
+            most: percent(most),
+            adds: percent(TWO_SIDED_95 * most),
+        },
+        false => Seen::Masses,
+    };
+    Some(said.into())
+}

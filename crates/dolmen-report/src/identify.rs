@@ -1,0 +1,59 @@
+//! `dolmen identify` on a terminal: modes and stiffness from every survey.
+
+use crate::brief::{all_findings_text, brief_text, notes_text};
+use crate::check::project_text;
+use crate::document::{Finding, TextStyle, document_text, wrapped};
+use crate::{identification, modal};
+use dolmen_words::{Sentence, messages};
+use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::surveyed::SurveyAnswer;
+
+messages! {
+    /// What the terminal says where there is nothing to identify.
+    pub(crate) enum Nothing in "identify" {
+        NoSurvey => {
+            en: "The file has no [survey.NAME] with frequencies or records, so there is nothing to identify.",
+            ko: "파일에 진동수나 기록이 있는 [survey.NAME]이 없으므로 추정할 것이 없다.",
+        },
+        FromSurveys { surveys: Vec<String> } => {
+            en: "No records to analyse and no stiffness to seek: survey {surveys}.",
+            ko: "분석할 기록도 추정할 강성도 없는 조사: {surveys}.",
+        },
+    }
+}
+
+/// What was identified from every survey.
+pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String {
+    let mut out = project_text(&answer.project, &answer.file, style);
+    out.push('\n');
+    if let Some(nothing) = nothing(answer) {
+        let nothing = Sentence::from(nothing).text(style.language);
+        out += &wrapped(&nothing, "", "", style.columns());
+    }
+    let mut all: Vec<Finding> = answer.surveys.iter().flat_map(modal::findings).collect();
+    all.extend(identification::findings(&answer.surveys));
+    if !style.is_full {
+        return out + &brief_text(&all, &answer.project, style);
+    }
+    if !all.is_empty() {
+        out += &all_findings_text(&all, style);
+    }
+    for survey in &answer.surveys {
+        out += &document_text(&modal::sections(survey), style);
+    }
+    out += &document_text(&identification::sections(&answer.project, &answer.surveys), style);
+    out + &notes_text(&answer.project, style)
+}
+
+/// What nothing is identified from.
+fn nothing(answer: &IdentifyAnswer) -> Option<Nothing> {
+    if answer.surveys.is_empty() {
+        return Some(Nothing::NoSurvey);
+    }
+    let is_empty = |survey: &&SurveyAnswer| {
+        survey.records.is_none() && survey.setups.is_none() && survey.stiffness.is_empty()
+    };
+    let surveys = answer.surveys.iter().filter(is_empty);
+    let surveys: Vec<String> = surveys.map(|survey| survey.name.clone()).collect();
+    (!surveys.is_empty()).then_some(Nothing::FromSurveys { surveys })
+}

@@ -1,0 +1,76 @@
+//! Channels whose clocks run apart or late.
+
+use super::values::fixed;
+use dolmen::modal::LateClock;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+
+messages! {
+    /// Clocks of channels.
+    pub(crate) enum Clocks in "modal.clocks" {
+        Drift { each: Vec<Sentence>, frequency: Quantity, turn: Quantity } => {
+            en: "Clocks run apart: {each} against the other channels (± standard deviation), which turns the phase at {frequency} by {turn} along the record; frequencies and damping stay, and these channels are left out of the shapes; give the station of each the rate in brackets as its sampling_rate, and they are in them.",
+            ko: "기록계의 시계가 다른 채널과 다르게 간다: {each}(± 표준편차). {frequency}에서 기록 중 위상이 {turn} 돌아간다. 진동수와 감쇠비는 유효하나 이 채널은 모드형상에서 제외하였다. 해당 측점에 괄호 안의 샘플링 주파수(sampling_rate)를 주면 포함된다.",
+        },
+        Drifting { channel: String, drift: Quantity, rate: Quantity } => {
+            en: "\"{channel}\" by {drift} ({rate})",
+            ko: "\"{channel}\" {drift}({rate})",
+        },
+        Late { each: Vec<Sentence> } => {
+            en: "Clocks are late (− is early): {each}, against the other channels (± standard deviation): their phases grow with the frequency of the mode as a delay's do; frequencies and damping stay, and these channels are left out of the shapes; add the delay to the begins of the station of each (a channel among others of one file: as a station of its own), and they are in them.",
+            ko: "기록계의 시계가 일정하게 늦다(−는 빠름): {each}(± 표준편차). 위상이 지연처럼 진동수에 비례하여 커진다. 진동수와 감쇠비는 유효하나 이 채널은 모드형상에서 제외하였다. 해당 측점(stations)의 begins에 이 지연을 더하면 포함된다. 한 파일의 다른 채널과 함께 있으면 별도의 측점으로 나눈다.",
+        },
+        LateBy { channel: String, delay: Quantity, modes: usize } => {
+            en: "\"{channel}\" by {delay} (modes that tell it: {modes})",
+            ko: "\"{channel}\" {delay}(모드 {modes}개)",
+        },
+        LateByOr { channel: String, delay: Quantity, modes: usize, or: Quantity } => {
+            en: "\"{channel}\" by {delay} (modes that tell it: {modes}; {or} would explain them too)",
+            ko: "\"{channel}\" {delay}(모드 {modes}개, {or}로도 설명됨)",
+        },
+    }
+}
+
+/// Each channel whose clock drifts.
+pub(super) fn drifting(all: &[(String, [f64; 2])], sampling_rate_hz: f64) -> Vec<Sentence> {
+    let one = |(channel, [ppm, sd]): &(String, [f64; 2])| {
+        let rate_hz = sampling_rate_hz * (1.0 + 1e-6 * ppm);
+        Clocks::Drifting {
+            channel: channel.clone(),
+            drift: Quantity {
+                sd_si: Some(*sd),
+                unit: Unit::si("ppm"),
+                ..fixed(*ppm, 1)
+            },
+            rate: Quantity::new(rate_hz, Unit::si("Hz"), Digits::Fixed(5)),
+        }
+        .into()
+    };
+    all.iter().map(one).collect()
+}
+
+/// Each channel whose clock is late.
+pub(super) fn late(all: &[LateClock]) -> Vec<Sentence> {
+    let seconds = |time_s: f64| Quantity::new(time_s, Unit::si("s"), Digits::Fixed(4));
+    let one = |clock: &LateClock| {
+        let (channel, modes) = (clock.channel.clone(), clock.modes);
+        let delay = Quantity {
+            sd_si: Some(clock.sd_s),
+            ..seconds(clock.delay_s)
+        };
+        match clock.or_s {
+            None => Clocks::LateBy {
+                channel,
+                delay,
+                modes,
+            },
+            Some(or_s) => Clocks::LateByOr {
+                channel,
+                delay,
+                modes,
+                or: seconds(or_s),
+            },
+        }
+        .into()
+    };
+    all.iter().map(one).collect()
+}

@@ -1,0 +1,159 @@
+//! What records say of modes in plain words.
+
+use super::steps::step_words;
+use super::values::frequency;
+use crate::document::{Finding, Tone};
+use dolmen::modal::{Mode, Note};
+use dolmen::signal::Processing;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
+use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
+
+messages! {
+    /// Findings on modes.
+    pub(crate) enum Found in "modal.findings" {
+        None { minutes: Quantity, channels: Sentence } => {
+            en: "No mode was found in {minutes} minutes of {channels}.",
+            ko: "{minutes}분, {channels}의 기록에서 모드를 찾지 못하였다.",
+        },
+        One { minutes: Quantity, channels: Sentence, how: Sentence, values: Values } => {
+            en: "1 mode was found in {minutes} minutes of {channels}, {how}: {values} (± standard deviation).",
+            ko: "{minutes}분, {channels}의 기록에서 모드 1개를 {how} 찾았다: {values}(± 표준편차).",
+        },
+        Several { modes: usize, minutes: Quantity, channels: Sentence, how: Sentence, values: Values } => {
+            en: "{modes} modes were found in {minutes} minutes of {channels}, {how}: {values} (± standard deviation).",
+            ko: "{minutes}분, {channels}의 기록에서 모드 {modes}개를 {how} 찾았다: {values}(± 표준편차).",
+        },
+        OneChannel => { en: "1 channel", ko: "1채널" },
+        Channels { count: usize } => { en: "{count} channels", ko: "{count}채널" },
+        ByHand => {
+            en: "picked by hand of those that the record shows",
+            ko: "기록의 모드 중 직접 선택하여",
+        },
+        ByItself => { en: "no peak picked by hand", ko: "수작업 없이" },
+        OneFault => {
+            en: "1 fault was seen in its channels; it is named with the record.",
+            ko: "채널에서 이상 1건이 발견되었다(기록 항목 참조).",
+        },
+        Faults { count: usize } => {
+            en: "{count} faults were seen in its channels; they are named with the record.",
+            ko: "채널에서 이상 {count}건이 발견되었다(기록 항목 참조).",
+        },
+        Lost { file: String, said: Sentence } => { en: "Record {file}: {said}.", ko: "기록 {file}: {said}." },
+        Setups { setups: usize, modes: usize, sensors: usize, values: Values, differing: usize } => {
+            en: "{setups} setups together ({sensors} sensors) show modes: {modes}; {values} (± standard deviation). Modes in which the setups differ beyond chance: {differing}.",
+            ko: "측정 배치 {setups}개를 합성하여 센서 {sensors}개에서 모드 {modes}개를 찾았다: {values}(± 표준편차). 이 중 {differing}개에서 배치 사이의 차이가 유의하다.",
+        },
+        SetupsNone { setups: usize, sensors: usize } => {
+            en: "{setups} setups together ({sensors} sensors) show no mode.",
+            ko: "측정 배치 {setups}개를 합성하였으나 센서 {sensors}개에서 공통된 모드를 찾지 못하였다.",
+        },
+    }
+}
+
+/// Of the records of a survey.
+pub(crate) fn findings(survey: &SurveyAnswer) -> Vec<Finding> {
+    let mut all: Vec<Finding> = survey.records.iter().flat_map(of_record).collect();
+    if let Some(setups) = &survey.setups {
+        all.push(of_setups(setups));
+        all.extend(setups.records.iter().flat_map(doubts));
+    }
+    all
+}
+
+fn of_record(record: &RecordAnswer) -> Vec<Finding> {
+    let modes = &record.analysis.modes;
+    let minute = Unit {
+        symbol: String::new(),
+        factor: 1.0 / 60.0,
+    };
+    let minutes = Quantity::new(modes.duration_s, minute, Digits::Significant(2));
+    let channels = match modes.channels.len() {
+        1 => Found::OneChannel,
+        count => Found::Channels { count },
+    }
+    .into();
+    let by_hand = |note: &Note| matches!(note, Note::NotPicked { .. });
+    let how = match record.analysis.notes.iter().any(by_hand) {
+        true => Found::ByHand,
+        false => Found::ByItself,
+    }
+    .into();
+    let values = frequencies(&modes.modes);
+    let first = match modes.modes.len() {
+        0 => Finding::key(Tone::Unknown, Found::None { minutes, channels }),
+        1 => Finding::key(
+            Tone::Plain,
+            Found::One {
+                minutes,
+                channels,
+                how,
+                values,
+            },
+        ),
+        count => Finding::key(
+            Tone::Plain,
+            Found::Several {
+                modes: count,
+                minutes,
+                channels,
+                how,
+                values,
+            },
+        ),
+    };
+    let mut all = vec![first];
+    all.extend(doubts(record));
+    all
+}
+
+fn frequencies(modes: &[Mode]) -> Values {
+    Values(modes.iter().map(frequency).collect())
+}
+
+/// Lost samples and faults of channels.
+fn doubts(record: &RecordAnswer) -> Vec<Finding> {
+    let lost = |step: &Processing| matches!(step, Processing::LongestSpan { .. });
+    let steps = record.analysis.modes.history.iter().filter(|step| lost(step));
+    let mut all: Vec<Finding> = steps
+        .map(|step| {
+            let found = Found::Lost {
+                file: record.file.clone(),
+                said: step_words(step),
+            };
+            Finding::key(Tone::Warn, found).with_code("lost-samples")
+        })
+        .collect();
+    let faults = match record.faults.len() {
+        0 => None,
+        1 => Some(Found::OneFault),
+        count => Some(Found::Faults { count }),
+    };
+    all.extend(faults.map(|found| Finding::key(Tone::Warn, found).with_code("channel-fault")));
+    all
+}
+
+fn of_setups(setups: &SetupsAnswer) -> Finding {
+    let modes = &setups.modes().modes;
+    let sensors = setups.merged.modes.channels.len();
+    if modes.is_empty() {
+        let found = Found::SetupsNone {
+            setups: setups.records.len(),
+            sensors,
+        };
+        return Finding::key(Tone::Unknown, found);
+    }
+    let differing = setups.merged.merged.iter().filter(|of| of.frequency.differs());
+    let differing = differing.count();
+    let tone = match differing {
+        0 => Tone::Plain,
+        _ => Tone::Warn,
+    };
+    let found = Found::Setups {
+        setups: setups.records.len(),
+        modes: modes.len(),
+        sensors,
+        values: frequencies(modes),
+        differing,
+    };
+    Finding::key(tone, found).with_code("setups")
+}

@@ -1,0 +1,77 @@
+//! What records say of modes: findings, and the sections of records, setups and free decays.
+
+mod clocks;
+mod decay;
+mod decay_remarks;
+mod faults;
+mod findings;
+mod joint;
+mod notes;
+mod record;
+mod settings;
+mod setup_remarks;
+mod setups;
+mod shapes;
+mod steady;
+mod steps;
+mod tables;
+mod values;
+
+pub(crate) use decay_remarks::decay_remarks;
+pub(crate) use findings::findings;
+pub(crate) use setup_remarks::setup_remarks;
+
+use crate::document::Document;
+use dolmen_words::{Template, messages};
+use dolmen_work::surveyed::SurveyAnswer;
+
+messages! {
+    /// What a record is of.
+    pub(crate) enum Of in "modal" {
+        Survey { survey: String } => { en: "{survey}", ko: "{survey}" },
+        Setup { survey: String, number: usize } => {
+            en: "{survey}, setup {number}",
+            ko: "{survey}, 배치 {number}",
+        },
+    }
+}
+
+/// The sentences on records as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 16] = [
+    findings::Found::TEMPLATES,
+    Of::TEMPLATES,
+    record::Record::TEMPLATES,
+    faults::Faults::TEMPLATES,
+    steps::Steps::TEMPLATES,
+    tables::Tables::TEMPLATES,
+    shapes::Shapes::TEMPLATES,
+    settings::Chosen::TEMPLATES,
+    notes::Notes::TEMPLATES,
+    steady::Steady::TEMPLATES,
+    clocks::Clocks::TEMPLATES,
+    decay::Decays::TEMPLATES,
+    decay_remarks::Remarks::TEMPLATES,
+    setups::Setups::TEMPLATES,
+    joint::Joint::TEMPLATES,
+    setup_remarks::Remarks::TEMPLATES,
+];
+
+/// The sections of the records of a survey.
+pub(crate) fn sections(survey: &SurveyAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    let name = || survey.name.clone();
+    if let Some(record) = &survey.records {
+        record::section(&mut document, Of::Survey { survey: name() }.into(), record);
+    }
+    if let Some(setups) = &survey.setups {
+        for (at, record) in setups.records.iter().enumerate() {
+            let of = Of::Setup {
+                survey: name(),
+                number: at + 1,
+            };
+            record::section(&mut document, of.into(), record);
+        }
+        setups::section(&mut document, &survey.name, setups);
+    }
+    document
+}

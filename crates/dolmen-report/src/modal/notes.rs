@@ -1,0 +1,234 @@
+//! What must be known beside the modes of a record.
+
+use super::clocks::{Clocks, drifting, late};
+use super::faults::fault_words;
+use super::steady::{steady_words, tone_words};
+use super::values::{all_hertz, fixed, hertz, percent};
+use dolmen::modal::Note;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
+
+messages! {
+    /// Notes on modes.
+    pub(crate) enum Notes in "modal.notes" {
+        UsedAllTheSame { fault: Sentence } => {
+            en: "{fault} It was used all the same.",
+            ko: "{fault} 그대로 사용하였다.",
+        },
+        BlockRowsBounded { taken: usize, wished: usize } => {
+            en: "{taken} block rows instead of {wished}, to keep the matrices in bounds: modes that lie close together are told apart less well.",
+            ko: "행렬 크기를 제한하기 위해 블록 행을 {wished}개 대신 {taken}개로 하였다. 서로 가까운 모드의 구별이 어려워진다.",
+        },
+        FewBlocks { blocks: usize, accuracy: Quantity } => {
+            en: "The record is short: standard deviations come from {blocks} blocks of time, and are themselves known to ± {accuracy}.",
+            ko: "기록이 짧아 표준편차를 시간 블록 {blocks}개에서 산정하였으며, 표준편차 자체의 정확도는 ± {accuracy}이다.",
+        },
+        Tones { tones: Vec<Sentence> } => {
+            en: "The spectrum has lines too narrow for a structure or too steady for random forces, at {tones}: machines.",
+            ko: "{tones}에 구조물로 보기에는 폭이 너무 좁거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
+        },
+        HarmonicsRemoved { steady: Vec<Sentence> } => {
+            en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, left out.",
+            ko: "{steady}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 모드에서 제외하였다.",
+        },
+        Harmonics { steady: Vec<Sentence> } => {
+            en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, not to be trusted as modes.",
+            ko: "{steady}의 운동은 불규칙 외력에 의한 것으로 보기에는 세기가 너무 일정하다(불규칙 3, 정현파 1.5). 기계 진동이며 모드로 신뢰할 수 없다.",
+        },
+        NoDamping { at: Values } => {
+            en: "No damping ratio is given for the peaks at {at}: another mode cuts their sides, they decay too fast to fit, or what decays has another frequency than the peak; the subspace methods tell close modes apart.",
+            ko: "{at} 피크의 감쇠비는 제시하지 않는다. 다른 모드가 피크의 옆을 자르거나, 감쇠가 너무 빠르거나, 감쇠하는 진동수가 피크와 다르다. 가까운 모드는 부분공간법으로 구별한다.",
+        },
+        ClosePairs { pairs: Vec<Sentence> } => {
+            en: "The modes at {pairs} lie closer than their bandwidths: the plane of their two shapes is known better than each shape in it.",
+            ko: "{pairs}의 모드는 대역폭보다 가까이 있다. 각 모드형상보다 두 형상이 이루는 평면이 더 정확하다.",
+        },
+        Pair { low: Quantity, high: Quantity } => { en: "{low}–{high}", ko: "{low}–{high}" },
+        FilteredAbove { passed: Quantity, asked: Quantity } => {
+            en: "Modes are sought up to {passed}, not to frequency_high_hz = {asked}: above it the filter cuts with which the record was brought to its rate; lower decimate_factor to see more.",
+            ko: "모드는 frequency_high_hz = {asked}가 아니라 {passed}까지 탐색하였다. 그 위는 샘플링 주파수를 낮출 때 쓴 필터가 자르므로, 더 높은 모드를 보려면 decimate_factor를 줄여야 한다.",
+        },
+        Blends { blends: Vec<Sentence> } => {
+            en: "Left out, since low orders alone show it and it is damped far above the modes: {blends}: several modes that this record does not tell apart; a longer record or more sensors may.",
+            ko: "{blends}: 낮은 차수에서만 나타나고 감쇠비가 다른 모드보다 훨씬 크므로 제외하였다. 이 기록으로는 구별되지 않는 여러 모드가 합쳐진 것이며, 기록이 더 길거나 센서가 더 많으면 구별될 수 있다.",
+        },
+        Blend { frequency: Quantity, damping: Quantity } => {
+            en: "{frequency} (damping {damping})",
+            ko: "{frequency}(감쇠비 {damping})",
+        },
+        FromPeaks { at: Values } => {
+            en: "No stable pole shows the modes at {at}: they are peaks of the spectrum to whose lines a mode was fitted, and fits; their shapes have no deviation.",
+            ko: "{at} 모드는 안정 극점에는 나타나지 않으나, 스펙트럼 피크의 푸리에 선에 모드를 적합하여 얻었고 잘 맞는다. 모드형상의 표준편차는 없다.",
+        },
+        NotFitted { at: Values } => {
+            en: "The modes at {at} are those of ssi-cov, not fitted further: the spectrum about them is not that of these modes alone under even forces (another mode, a machine, a stiffness that follows the motion), or has too few lines.",
+            ko: "{at} 모드는 ssi-cov의 값 그대로이다. 주변 스펙트럼이 고른 힘을 받는 이 모드들만의 것과 다르거나(다른 모드, 기계, 진폭에 따라 변하는 강성), 푸리에 선이 너무 적다.",
+        },
+        HiddenPairs { at: Values } => {
+            en: "Two singular values of the spectrum rise at {at}, where one mode was found: it may be two that lie close, and then its frequency, damping and shape are of both; ssi-cov and ssi-data tell close modes apart.",
+            ko: "{at}에서 스펙트럼의 특이값 두 개가 함께 솟지만 모드는 하나만 찾았다. 가까운 두 모드일 수 있으며, 그렇다면 진동수, 감쇠비, 모드형상은 둘이 섞인 것이다. ssi-cov와 ssi-data가 가까운 모드를 구별한다.",
+        },
+        PeaksWithoutMode { at: Values } => {
+            en: "The spectrum has peaks that no stable mode explains, at {at}: machines, or modes too weak for this record.",
+            ko: "{at}에 스펙트럼 피크가 있으나 이를 설명하는 안정한 모드가 없다. 기계 진동이거나 이 기록에서는 너무 약한 모드이다.",
+        },
+        NotPicked { at: Values } => {
+            en: "Modes that were found and not picked: {at}.",
+            ko: "찾았으나 직접 선택하지 않은 모드: {at}.",
+        },
+        OneQuantity { quantity: Sentence } => {
+            en: "The channels measure different quantities: every shape is given as {quantity}, brought there at its mode's own frequency.",
+            ko: "채널마다 계측한 물리량이 다르므로 모드형상은 각 모드의 진동수에서 {quantity}(으)로 환산하였다.",
+        },
+        Acceleration => { en: "acceleration", ko: "가속도" },
+        Velocity => { en: "velocity", ko: "속도" },
+        Displacement => { en: "displacement", ko: "변위" },
+        StandsStill { channel: String, share: Quantity } => {
+            en: "\"{channel}\" moves by less than {share} of the largest in every mode: it stands on firm ground, or is not connected.",
+            ko: "채널 \"{channel}\"은(는) 모든 모드에서 최대 성분의 {share} 미만으로 움직인다. 단단한 지반 위에 있거나 연결되지 않았다.",
+        },
+        PhaseOff { channel: String, by: Vec<Sentence> } => {
+            en: "The phase of \"{channel}\" is off a shape's 0 or 180° by {by}: its clock or filter differs from the others', and its sign is not known in any mode; or modes lie close together.",
+            ko: "채널 \"{channel}\"의 위상이 0° 또는 180°에서 벗어난다({by}). 시계나 필터가 다른 채널과 다르며 어느 모드에서도 부호를 알 수 없다. 또는 모드가 서로 가깝다.",
+        },
+        Angle { angle: Quantity, frequency: Quantity } => {
+            en: "{angle} at {frequency}",
+            ko: "{frequency}에서 {angle}",
+        },
+        FewCycles { frequency: Quantity, floor: Quantity } => {
+            en: "The mode at {frequency} was seen for so few cycles that its damping ratio cannot be known better than ± {floor}.",
+            ko: "{frequency} 모드는 관측 주기 수가 적어 감쇠비를 ± {floor}보다 정확히 알 수 없다.",
+        },
+    }
+}
+
+/// The sentence of a note.
+pub(super) fn note_words(note: &Note) -> Sentence {
+    match note {
+        Note::Channel(fault) => Notes::UsedAllTheSame {
+            fault: fault_words(fault),
+        },
+        Note::BlockRowsBounded { wished, taken } => Notes::BlockRowsBounded {
+            taken: *taken,
+            wished: *wished,
+        },
+        Note::FewBlocks { time_blocks } => Notes::FewBlocks {
+            blocks: *time_blocks,
+            accuracy: percent(1.0 / (2.0 * (*time_blocks as f64 - 1.0)).sqrt(), 0),
+        },
+        Note::Tones { tones } => Notes::Tones {
+            tones: tones.iter().map(tone_words).collect(),
+        },
+        Note::Harmonics { steady, removed } => {
+            let steady = steady.iter().map(steady_words).collect();
+            match removed {
+                true => Notes::HarmonicsRemoved { steady },
+                false => Notes::Harmonics { steady },
+            }
+        }
+        Note::NoDamping { frequency_hz } => Notes::NoDamping {
+            at: all_hertz(frequency_hz),
+        },
+        Note::ClosePairs { pairs } => Notes::ClosePairs {
+            pairs: pairs.iter().map(pair_words).collect(),
+        },
+        Note::FilteredAbove { asked_hz, passed_hz } => Notes::FilteredAbove {
+            passed: hertz(*passed_hz),
+            asked: hertz(*asked_hz),
+        },
+        Note::Blends { blends } => Notes::Blends {
+            blends: blends.iter().map(blend_words).collect(),
+        },
+        Note::FromPeaks { frequency_hz } => Notes::FromPeaks {
+            at: all_hertz(frequency_hz),
+        },
+        Note::NotFitted { frequency_hz } => Notes::NotFitted {
+            at: all_hertz(frequency_hz),
+        },
+        Note::HiddenPairs { frequency_hz } => Notes::HiddenPairs {
+            at: all_hertz(frequency_hz),
+        },
+        Note::PeaksWithoutMode { frequency_hz } => Notes::PeaksWithoutMode {
+            at: all_hertz(frequency_hz),
+        },
+        Note::NotPicked { frequency_hz } => Notes::NotPicked {
+            at: all_hertz(frequency_hz),
+        },
+        Note::OneQuantity { quantity } => Notes::OneQuantity {
+            quantity: quantity_word(quantity),
+        },
+        Note::StandsStill { channel, share } => Notes::StandsStill {
+            channel: channel.clone(),
+            share: percent(share.max(0.001), 1),
+        },
+        Note::PhaseOff {
+            channel,
+            degrees_at_hz,
+        } => Notes::PhaseOff {
+            channel: channel.clone(),
+            by: degrees_at_hz.iter().map(angle_words).collect(),
+        },
+        Note::ClockDrift {
+            drifting: all,
+            turn_degrees,
+            frequency_hz,
+            sampling_rate_hz,
+        } => {
+            let said = Clocks::Drift {
+                each: drifting(all, *sampling_rate_hz),
+                frequency: hertz(*frequency_hz),
+                turn: degrees(*turn_degrees),
+            };
+            return said.into();
+        }
+        Note::LateClocks { late: all } => return Clocks::Late { each: late(all) }.into(),
+        Note::FewCycles {
+            frequency_hz,
+            damping_floor,
+        } => Notes::FewCycles {
+            frequency: hertz(*frequency_hz),
+            floor: percent(*damping_floor, 0),
+        },
+    }
+    .into()
+}
+
+fn degrees(angle: f64) -> Quantity {
+    Quantity {
+        unit: Unit::si("°"),
+        digits: Digits::Fixed(0),
+        ..fixed(angle, 0)
+    }
+}
+
+fn pair_words([low, high]: &[f64; 2]) -> Sentence {
+    Notes::Pair {
+        low: hertz(*low),
+        high: hertz(*high),
+    }
+    .into()
+}
+
+fn blend_words([frequency_hz, damping_ratio]: &[f64; 2]) -> Sentence {
+    Notes::Blend {
+        frequency: hertz(*frequency_hz),
+        damping: percent(*damping_ratio, 1),
+    }
+    .into()
+}
+
+fn angle_words([angle, frequency_hz]: &[f64; 2]) -> Sentence {
+    Notes::Angle {
+        angle: degrees(*angle),
+        frequency: hertz(*frequency_hz),
+    }
+    .into()
+}
+
+fn quantity_word(quantity: &str) -> Sentence {
+    match quantity {
+        "acceleration" => Notes::Acceleration,
+        "velocity" => Notes::Velocity,
+        _ => Notes::Displacement,
+    }
+    .into()
+}

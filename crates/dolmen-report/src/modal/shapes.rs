@@ -1,0 +1,64 @@
+//! Figures of shapes at the sensors, still and moving.
+
+use crate::document::Document;
+use crate::figures::{moving_shapes, sensor_shapes};
+use dolmen::modal::Modes;
+use dolmen_words::{Language, Sentence, messages};
+
+messages! {
+    /// Captions of shapes at the sensors.
+    pub(crate) enum Shapes in "modal.shapes" {
+        AtSensors => { en: "Mode shapes at the sensors.", ko: "센서 위치의 모드형상." },
+        AtSensorsMeaning => {
+            en: "Only what the channels measured, along their directions; the longest drawn alike in each mode.",
+            ko: "채널이 계측한 방향의 성분만 표시하였으며 모드마다 최댓값을 같게 그렸다.",
+        },
+        OfSetups => {
+            en: "Mode shapes at the sensors of all setups.",
+            ko: "모든 배치의 센서 위치 모드형상.",
+        },
+        OfSetupsMeaning => {
+            en: "Each setup is scaled to the others at the sensors that stayed.",
+            ko: "각 배치는 고정 센서를 기준으로 척도를 맞추었다.",
+        },
+        OfJoint => {
+            en: "Mode shapes at the sensors of all setups, from one identification.",
+            ko: "일괄 식별로 얻은 모든 배치의 센서 위치 모드형상.",
+        },
+        Moving => {
+            en: "The same, moving: each mode at the same pace, twelve modes at most.",
+            ko: "움직이는 모드형상(최대 12개, 모드마다 같은 속도).",
+        },
+        MovingMeaning => {
+            en: "Grey: at rest. Lines only join sensors; between them nothing was measured.",
+            ko: "회색: 정지 상태. 선은 센서를 이을 뿐 그 사이는 계측하지 않았다.",
+        },
+    }
+}
+
+/// Whose shapes they are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum ShapeFigures {
+    /// One record.
+    Record,
+    /// Setups put together.
+    Setups,
+    /// Setups identified as one.
+    Joint,
+}
+
+/// The shapes, and the same moving where the sensors have places.
+pub(super) fn shape_figures<'a>(document: &mut Document<'a>, modes: &'a Modes, of: ShapeFigures) {
+    let caption: Vec<Sentence> = match of {
+        ShapeFigures::Record => vec![Shapes::AtSensors.into(), Shapes::AtSensorsMeaning.into()],
+        ShapeFigures::Setups => vec![Shapes::OfSetups.into(), Shapes::OfSetupsMeaning.into()],
+        ShapeFigures::Joint => vec![Shapes::OfJoint.into()],
+    };
+    document.figure(caption, |language| sensor_shapes(modes, language));
+    if of != ShapeFigures::Joint && moving_shapes(modes, Language::English).is_some() {
+        let caption = vec![Shapes::Moving.into(), Shapes::MovingMeaning.into()];
+        document.figure(caption, |language| {
+            moving_shapes(modes, language).unwrap_or_default()
+        });
+    }
+}

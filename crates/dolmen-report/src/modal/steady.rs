@@ -1,0 +1,63 @@
+//! Motion that is too steady for random forces.
+
+use super::values::{fixed, hertz, percent};
+use dolmen::modal::{Kurtosis, Tone};
+use dolmen_words::{Quantity, Sentence, messages};
+
+messages! {
+    /// Peaks and modes that machines make.
+    pub(crate) enum Steady in "modal.steady" {
+        Tone { frequency: Quantity, width: Quantity } => {
+            en: "{frequency} (width {width})",
+            ko: "{frequency}(폭 {width})",
+        },
+        ToneWithKurtosis { frequency: Quantity, width: Quantity, kurtosis: Sentence } => {
+            en: "{frequency} (width {width}, {kurtosis})",
+            ko: "{frequency}(폭 {width}, {kurtosis})",
+        },
+        Mode { frequency: Quantity, kurtosis: Sentence } => {
+            en: "{frequency} ({kurtosis})",
+            ko: "{frequency}({kurtosis})",
+        },
+        Kurtosis { kurtosis: Quantity } => { en: "kurtosis {kurtosis}", ko: "첨도 {kurtosis}" },
+        Runs { kurtosis: Quantity, share: Quantity } => {
+            en: "kurtosis {kurtosis} in the {share} of the record in which it runs",
+            ko: "기록 중 가동하는 {share}에서 첨도 {kurtosis}",
+        },
+    }
+}
+
+fn kurtosis_words(of: &Kurtosis) -> Sentence {
+    let kurtosis = fixed(of.kurtosis, 2);
+    match of.share < 1.0 {
+        true => Steady::Runs {
+            kurtosis,
+            share: percent(of.share, 0),
+        },
+        false => Steady::Kurtosis { kurtosis },
+    }
+    .into()
+}
+
+/// A peak of a machine.
+pub(super) fn tone_words(tone: &Tone) -> Sentence {
+    let (frequency, width) = (hertz(tone.frequency_hz), hertz(tone.width_hz));
+    match &tone.kurtosis {
+        None => Steady::Tone { frequency, width },
+        Some(of) => Steady::ToneWithKurtosis {
+            frequency,
+            width,
+            kurtosis: kurtosis_words(of),
+        },
+    }
+    .into()
+}
+
+/// A mode that is a machine's.
+pub(super) fn steady_words(of: &Kurtosis) -> Sentence {
+    Steady::Mode {
+        frequency: hertz(of.frequency_hz),
+        kurtosis: kurtosis_words(of),
+    }
+    .into()
+}

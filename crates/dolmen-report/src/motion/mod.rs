@@ -1,0 +1,20 @@
+//! What is said of a ground motion: its files, measures, match and spectra.
+
+mod files;
+mod matched;
+mod measures;
+mod spectra;
+mod text;
+
+pub use text::motion_report_text;
+
+use dolmen_words::Template;
+
+/// The sentences on ground motions as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
+    files::Files::TEMPLATES,
+    matched::Matched::TEMPLATES,
+    measures::Measured::TEMPLATES,
+    spectra::Spectra::TEMPLATES,
+    text::Motion::TEMPLATES,
+];

@@ -1,0 +1,203 @@
+//! By what a portfolio is ordered, and what must not be overlooked.
+
+use crate::document::{Block, Document};
+use crate::score::state_name;
+use dolmen::assess::RankedBy;
+use dolmen_words::message::Both;
+use dolmen_words::{Sentence, messages};
+use dolmen_work::portfolio::{
+    FallsApart, LeftOut, PortfolioAnswer, falls_first, hazards_replaced, misjudged, without_hazard,
+};
+
+/// Structures without a hazard that are named.
+const NAMED: usize = 5;
+/// Structures whose place by falls alone is another that are named.
+const APART_SHOWN: usize = 10;
+
+messages! {
+    /// Remarks on a ranking.
+    pub(crate) enum Remarks in "rank.remarks" {
+        One => { en: "1 structure", ko: "구조물 1기" },
+        Structures { count: usize } => { en: "{count} structures", ko: "구조물 {count}기" },
+        OfStructures { count: usize, all: usize } => { en: "{count} of {all} structures", ko: "구조물 {all}기 중 {count}기" },
+        ByRate { structures: Sentence, state: Both } => {
+            en: "{structures} by the annual rate of {state}, the worst first.",
+            ko: "{structures}를 {state}의 연간 초과율 기준으로 나쁜 순서대로 나열하였다.",
+        },
+        ByCapacity { structures: Sentence, state: Both } => {
+            en: "{structures} by the capacity for {state}, the worst first: the peak of the ground that half of the motions need.",
+            ko: "{structures}를 {state}의 저항능력(지반운동의 절반이 그 상태에 이르게 하는 최대지반가속도) 기준으로 나쁜 순서대로 나열하였다.",
+        },
+        NoHazard => { en: "The hazard of the sites is not given.", ko: "부지의 지진재해도가 주어지지 않았다." },
+        NotByRate { why: Sentence } => { en: "NOT BY RATE: {why}", ko: "초과율 기준 아님: {why}" },
+        OneWithoutHazard { all: usize, name: String } => {
+            en: "1 of {all} has no hazard of its site ({name}): all are ordered by what they bear, not by how often it comes. Give zone_factor_g and soil for each, or site.hazard in its project.",
+            ko: "{all}기 가운데 1기({name})는 부지의 지진재해도가 없어, 초과율이 아니라 저항능력만으로 순서를 매겼다. 모든 구조물에 zone_factor_g와 soil을, 또는 과제 파일에 site.hazard를 주어야 한다.",
+        },
+        WithoutHazard { lacking: usize, all: usize, names: Sentence } => {
+            en: "{lacking} of {all} have no hazard of their site ({names}): all are ordered by what they bear, not by how often it comes. Give zone_factor_g and soil for each, or site.hazard in its project.",
+            ko: "{all}기 가운데 {lacking}기({names})는 부지의 지진재해도가 없어, 초과율이 아니라 저항능력만으로 순서를 매겼다. 모든 구조물에 zone_factor_g와 soil을, 또는 과제 파일에 site.hazard를 주어야 한다.",
+        },
+        Names { names: Vec<String> } => { en: "{names}", ko: "{names}" },
+        NamesAndMore { names: Vec<String>, more: usize } => { en: "{names}, and {more} more", ko: "{names} 외 {more}기" },
+        HazardsReplaced { names: Vec<String> } => {
+            en: "The zone and soil of the table (KDS 17 10 00) stand in place of the project's own [site] for {names}.",
+            ko: "{names}: 과제 파일의 [site] 대신 표의 지진구역과 지반(KDS 17 10 00)을 적용하였다.",
+        },
+        Misjudged { name: String, rank: usize, state: Both, falls: usize } => {
+            en: "{name}: place {rank} by {state}, but {falls} by falls alone: it is damaged long before anything falls",
+            ko: "{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 낙하·전도보다 훨씬 먼저 손상된다",
+        },
+        FallsFirst { name: String, rank: usize, state: Both, falls: usize } => {
+            en: "{name}: place {rank} by {state}, but {falls} by falls alone: little is damaged before it falls",
+            ko: "{name}: {state} 기준 {rank}위이나 낙하·전도만 보면 {falls}위: 큰 손상 없이 먼저 떨어진다",
+        },
+        MoreMisjudged { more: usize } => {
+            en: "and {more} more that falls alone would put far further back: place_by_falls in ranking.csv",
+            ko: "낙하·전도만 보면 크게 뒤로 밀리는 구조물 {more}기 더 있음: ranking.csv의 place_by_falls",
+        },
+        MoreFallsFirst { more: usize } => {
+            en: "and {more} more that fall far earlier than they are damaged: place_by_falls in ranking.csv",
+            ko: "손상되기 전에 먼저 떨어지는 구조물 {more}기 더 있음: ranking.csv의 place_by_falls",
+        },
+        WithoutPlaceBelow { count: usize } => {
+            en: "Without a place: {count}. They are named below the table and may be the worst.",
+            ko: "순위를 매기지 못한 구조물: {count}기. 표 아래에 제시하였으며 가장 취약할 수도 있다.",
+        },
+        LeftOutHead { count: usize } => {
+            en: "Without a place, look at these yourself: {count}",
+            ko: "순위를 매기지 못한 구조물 {count}기: 직접 검토 필요",
+        },
+        LeftOut { name: String, why: String } => { en: "{name}: {why}", ko: "{name}: [영문] {why}" },
+    }
+}
+
+/// By what they are ordered, and of which state.
+pub(super) fn lead(answer: &PortfolioAnswer) -> Block<'static> {
+    let (count, without) = (answer.ranked.places.len(), answer.left_out.len());
+    let structures = match (count, without) {
+        (1, 0) => Remarks::One,
+        (_, 0) => Remarks::Structures { count },
+        _ => Remarks::OfStructures {
+            count,
+            all: count + without,
+        },
+    };
+    let (structures, state) = (structures.into(), state_name(answer.state));
+    let said = match answer.ranked.by {
+        RankedBy::AnnualRate => vec![Remarks::ByRate { structures, state }],
+        RankedBy::Capacity if without_hazard(answer).is_empty() => {
+            vec![Remarks::ByCapacity { structures, state }, Remarks::NoHazard]
+        }
+        RankedBy::Capacity => vec![Remarks::ByCapacity { structures, state }],
+    };
+    Block::Paragraph(said.into_iter().map(Sentence::from).collect())
+}
+
+/// Why rates do not order the structures although some have a hazard.
+pub(crate) fn not_by_rate(answer: &PortfolioAnswer) -> Option<Sentence> {
+    let (lacking, all) = (without_hazard(answer), answer.entries.len());
+    let owned = |names: &[&str]| names.iter().map(|name| (*name).to_owned()).collect();
+    let said = match lacking.as_slice() {
+        [] => return None,
+        [one] => Remarks::OneWithoutHazard {
+            all,
+            name: (*one).to_owned(),
+        },
+        names if names.len() <= NAMED => Remarks::WithoutHazard {
+            lacking: names.len(),
+            all,
+            names: Remarks::Names { names: owned(names) }.into(),
+        },
+        names => Remarks::WithoutHazard {
+            lacking: names.len(),
+            all,
+            names: Remarks::NamesAndMore {
+                names: owned(&names[..NAMED]),
+                more: names.len() - NAMED,
+            }
+            .into(),
+        },
+    };
+    Some(said.into())
+}
+
+/// The same as a warning.
+pub(super) fn rate_warning(answer: &PortfolioAnswer) -> Option<Block<'static>> {
+    let why = not_by_rate(answer)?;
+    Some(Block::Warning(Remarks::NotByRate { why }.into()))
+}
+
+/// Structures that falls alone would put elsewhere, those far further back first.
+pub(super) fn apart(answer: &PortfolioAnswer) -> Vec<Sentence> {
+    let later = |of: &FallsApart<'_>| Remarks::Misjudged {
+        name: of.name.to_owned(),
+        rank: of.rank,
+        state: state_name(answer.state),
+        falls: of.by_falls,
+    };
+    let sooner = |of: &FallsApart<'_>| Remarks::FallsFirst {
+        name: of.name.to_owned(),
+        rank: of.rank,
+        state: state_name(answer.state),
+        falls: of.by_falls,
+    };
+    let mut all = first(&misjudged(answer), later, |more| Remarks::MoreMisjudged { more });
+    all.extend(first(&falls_first(answer), sooner, |more| {
+        Remarks::MoreFallsFirst { more }
+    }));
+    all
+}
+
+fn first(
+    all: &[FallsApart<'_>],
+    said: impl Fn(&FallsApart<'_>) -> Remarks,
+    others: impl Fn(usize) -> Remarks,
+) -> Vec<Sentence> {
+    let shown = all.iter().take(APART_SHOWN).map(said);
+    let more = all.len().saturating_sub(APART_SHOWN);
+    let more = (more > 0).then(|| others(more));
+    shown.chain(more).map(Sentence::from).collect()
+}
+
+/// What is read before the table.
+pub(super) fn before(document: &mut Document<'_>, answer: &PortfolioAnswer) {
+    document.put(lead(answer));
+    document.blocks.extend(rate_warning(answer));
+    if !answer.left_out.is_empty() {
+        let count = answer.left_out.len();
+        document.put(Block::Warning(Remarks::WithoutPlaceBelow { count }.into()));
+    }
+    let apart = apart(answer);
+    if !apart.is_empty() {
+        document.put(Block::List(apart));
+    }
+    let names = hazards_replaced(answer).into_iter().map(str::to_owned);
+    let names: Vec<String> = names.collect();
+    if !names.is_empty() {
+        document.paragraph(Remarks::HazardsReplaced { names });
+    }
+}
+
+/// How many have no place.
+pub(super) fn left_out_head(answer: &PortfolioAnswer) -> Sentence {
+    let count = answer.left_out.len();
+    Remarks::LeftOutHead { count }.into()
+}
+
+/// A structure without a place, and why.
+pub(super) fn left_out_words(one: &LeftOut) -> Sentence {
+    Remarks::LeftOut {
+        name: one.name.clone(),
+        why: one.why.clone(),
+    }
+    .into()
+}
+
+/// Structures without a place.
+pub(super) fn left_out(document: &mut Document<'_>, answer: &PortfolioAnswer) {
+    if !answer.left_out.is_empty() {
+        document.heading(left_out_head(answer));
+        document.put(Block::List(answer.left_out.iter().map(left_out_words).collect()));
+    }
+}

@@ -1,0 +1,53 @@
+//! The sections of a ranking.
+
+use super::{remarks, table};
+use crate::document::{Block, Document};
+use crate::figures::ranking;
+use dolmen_words::messages;
+use dolmen_work::portfolio::PortfolioAnswer;
+
+messages! {
+    /// Heads and method of a ranking.
+    pub(crate) enum Rank in "rank" {
+        FigureCaption => {
+            en: "Capacities with 90 % of what is not known, the worst on top.",
+            ko: "저항능력과 90 % 불확실 구간, 위쪽이 가장 취약.",
+        },
+        How => { en: "How", ko: "방법" },
+        Basis { designs: usize } => {
+            en: "A structure rests on its own study where it has one, else on the six-factor score, trained on {designs} simulated pagodas.",
+            ko: "개별 해석이 있는 구조물은 그 결과를, 없는 구조물은 석탑 {designs}기의 해석으로 학습한 여섯 인자 점수를 근거로 한다.",
+        },
+        Intervals { draws: usize } => {
+            en: "Places have intervals from {draws} draws of what is not known of each capacity, independent from structure to structure.",
+            ko: "순위 구간은 각 저항능력의 불확실성을 서로 독립으로 {draws}회 추출하여 구하였다.",
+        },
+        Bounds => {
+            en: "Where a bound stands in place of a capacity, the structure is ranked at the bound.",
+            ko: "저항능력 대신 한계값만 아는 구조물은 그 값으로 순위를 매긴다.",
+        },
+        NoProof => {
+            en: "The score puts pagodas into order; it is no proof that one stands.",
+            ko: "점수는 석탑의 순서를 정할 뿐이며 안전의 증명이 아니다.",
+        },
+    }
+}
+
+/// The order, what must not be overlooked, and what it rests on.
+pub(crate) fn sections(answer: &PortfolioAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    remarks::before(&mut document, answer);
+    document.figure(vec![Rank::FigureCaption.into()], |language| {
+        ranking(answer, language)
+    });
+    table::section(&mut document, answer);
+    remarks::left_out(&mut document, answer);
+    document.heading(Rank::How);
+    let basis = Rank::Basis {
+        designs: answer.designs,
+    };
+    let intervals = Rank::Intervals { draws: answer.draws };
+    let method = [basis, intervals, Rank::Bounds, Rank::NoProof];
+    document.put(Block::Paragraph(method.map(Into::into).into()));
+    document
+}

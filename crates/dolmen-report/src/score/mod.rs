@@ -1,0 +1,22 @@
+//! What is said of the six-factor score: of one pagoda, and what the score is worth.
+
+mod effects;
+mod pagoda;
+mod quality;
+mod weights;
+mod words;
+
+pub use pagoda::score_text;
+pub use quality::score_quality_text;
+pub(crate) use words::{range_cell, state_name};
+
+use dolmen_words::Template;
+
+/// The sentences on scores as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
+    effects::Effects::TEMPLATES,
+    pagoda::Pagoda::TEMPLATES,
+    quality::Quality::TEMPLATES,
+    weights::Weights::TEMPLATES,
+    words::Words::TEMPLATES,
+];

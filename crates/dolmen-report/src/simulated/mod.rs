@@ -1,0 +1,14 @@
+//! What is said alike of all simulations: names, the motion, units.
+
+mod motion;
+mod names;
+mod units;
+
+pub(crate) use motion::{motion_section, steps_of};
+pub(crate) use names::{Simulated, capitalised, cut, under, version_name};
+pub(crate) use units::{energy_unit, kilo, left, milli, millimetres, milliradians, seconds};
+
+use dolmen_words::Template;
+
+/// The sentences that simulations share as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 2] = [Simulated::TEMPLATES, motion::Motion::TEMPLATES];

@@ -1,0 +1,66 @@
+//! What a stack's check says in plain words.
+
+use super::notes::note;
+use super::verdict::banner;
+use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
+use crate::document::{Finding, Tone};
+use dolmen::assess::StackNote;
+use dolmen_words::{Sentence, messages};
+use dolmen_work::state::StackAnswer;
+
+messages! {
+    /// Findings on a stack.
+    pub(crate) enum Found in "stack.findings" {
+        First { moves: Sentence, at: Sentence } => {
+            en: "First {moves}, at {at}. That is the first motion, not collapse: how far it goes needs a time history.",
+            ko: "{at}에서 가장 먼저 {moves}. 이는 최초 거동이지 붕괴가 아니며, 그 이후는 시간이력 해석이 필요하다.",
+        },
+        Together { direction: Sentence } => {
+            en: "Several stones move together first, towards {direction}; a limit analysis finds it.",
+            ko: "여러 부재가 {direction} 방향으로 함께 먼저 움직인다(한계해석 결과).",
+        },
+        WithTies { moves: Sentence, at: Sentence } => {
+            en: "With every tie at its strength first {moves}, at {at}.",
+            ko: "모든 연결재가 강도까지 작용하면 {at}에서 가장 먼저 {moves}.",
+        },
+    }
+}
+
+/// The findings, the most important first.
+pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
+    let check = &answer.check;
+    let mut all = vec![Finding::key(Tone::of(check.verdict), banner(answer))];
+    match (&check.limits.governing, moves_together(check)) {
+        (Some(first), None) => {
+            let (moves, at) = (joint_moves(&check.limits, first), at(&first.threshold));
+            all.push(Finding::key(Tone::Plain, Found::First { moves, at }));
+        }
+        (_, Some(together)) => {
+            let direction = direction(together.direction);
+            all.push(Finding::key(Tone::Plain, Found::Together { direction }));
+        }
+        (None, None) => {}
+    }
+    if let Some(with) = first_with_ties(&check.limits) {
+        let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));
+        all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
+    }
+    all.extend(check.notes.iter().map(noted));
+    all
+}
+
+fn noted(of: &StackNote) -> Finding {
+    match of {
+        StackNote::AnalysisFalls => Finding::key(Tone::Bad, note(of)),
+        StackNote::SharedLoad
+        | StackNote::AnalysisLower { .. }
+        | StackNote::AnalysisBetween { .. }
+        | StackNote::StrengthNotInAnalysis
+        | StackNote::SideSupportsLeftOut
+        | StackNote::CohesionCounted
+        | StackNote::TensionLeftOut
+        | StackNote::KineticLess { .. }
+        | StackNote::TiesLeftOut
+        | StackNote::PeriodUnknown => Finding::new(Tone::Warn, note(of)),
+    }
+}

@@ -1,0 +1,121 @@
+//! What is said of a stack of stones: findings, and the sections of its check.
+
+mod findings;
+mod frequencies;
+mod limits;
+mod notes;
+mod standing;
+mod variants;
+mod verdict;
+mod words;
+
+pub(crate) use findings::findings;
+pub(crate) use variants::comparison;
+pub(crate) use verdict::{banner, thresholds};
+
+use crate::document::Document;
+use crate::figures::{stack_capacity, stack_directions, stack_governing, stack_view};
+use dolmen_words::{Sentence, Template, messages};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::state::{SpringFit, StackAnswer};
+
+messages! {
+    /// The head and figures of a stack.
+    pub(crate) enum Drawn in "stack" {
+        Head => { en: "The stack and the limits of its joints", ko: "적층 구조와 접합면의 한계" },
+        Model => { en: "The stack as modelled.", ko: "해석 모델." },
+        ModelParts { blocks: Sentence, joints: Sentence } => {
+            en: "{blocks}, {joints}; to scale, seen from the front right.",
+            ko: "{blocks}, {joints}; 축척에 맞게 오른쪽 앞에서 본 모습.",
+        },
+        Block => { en: "1 block", ko: "블록 1개" },
+        Blocks { count: usize } => { en: "{count} blocks", ko: "블록 {count}개" },
+        Joint => { en: "1 joint", ko: "접합면 1개" },
+        Joints { count: usize } => { en: "{count} joints", ko: "접합면 {count}개" },
+        Governing => { en: "What governs each joint.", ko: "접합면별 지배 거동." },
+        GoverningMeaning => {
+            en: "Points on the slope rock first, points on the level slide first. B/H is the slope from the centroid of what stands on the joint to its nearer edge.",
+            ko: "경사선 위의 점은 로킹이, 수평선 위의 점은 미끄러짐이 먼저 일어난다. B/H는 접합면 상부의 무게 중심에서 가까운 모서리까지의 기울기이다.",
+        },
+        Capacity => {
+            en: "Capacity of each joint alone, lowest at the bottom; several stones may move together before (table above).",
+            ko: "접합면별 저항 가속도(아래가 최하단). 여러 부재가 함께 더 일찍 움직일 수 있다(위의 표).",
+        },
+        CapacityTinted => {
+            en: "In the tinted part the ground alone moves it; elastic joints amplify what the ground does.",
+            ko: "바탕색 범위에서는 지반 가속도만으로 움직이며, 탄성 접합면은 지반 가속도를 증폭시킨다.",
+        },
+        Directions => { en: "Limits by direction.", ko: "방향별 한계." },
+        DirectionsMeaning => {
+            en: "Acceleration of the stones at which some joint opens, in each direction of the plan; the ground accelerates the other way. The circle of sliding is its least value.",
+            ko: "평면의 각 방향에서 접합면이 벌어지기 시작하는 부재의 가속도(지반 가속도는 반대 방향). 미끄러짐의 원은 최솟값이다.",
+        },
+    }
+}
+
+/// The sentences on stacks as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
+    verdict::Judged::TEMPLATES,
+    findings::Found::TEMPLATES,
+    standing::Reason::TEMPLATES,
+    notes::Notes::TEMPLATES,
+    words::Words::TEMPLATES,
+    Drawn::TEMPLATES,
+    limits::Limits::TEMPLATES,
+    frequencies::Frequencies::TEMPLATES,
+    variants::Variants::TEMPLATES,
+];
+
+/// The peak of the ground that figures show, over gravity: of the motion that was run, else of the site.
+pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Option<f64> {
+    let simulated_g = whole.stack_simulation().map(|run| run.peak_horizontal_g());
+    let site = whole.state().and_then(|state| state.demand.as_ref());
+    let site_m_s2 = site.and_then(|demand| demand.site.peak_ground_acceleration_m_s2);
+    simulated_g.or(site_m_s2.map(|peak| peak / answer.stack.gravity_m_s2()))
+}
+
+/// The sections of a stack; `peak_g` is what the ground does, if that is known.
+pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], peak_g: Option<f64>) -> Document<'a> {
+    let check = &answer.check;
+    let mut document = Document::default();
+    document.heading(Drawn::Head);
+    document.figure(vec![Drawn::Model.into(), parts(answer).into()], |language| {
+        stack_view(&answer.stack, language)
+    });
+    limits::section(&mut document, check);
+    let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];
+    document.figure(caption, move |language| {
+        stack_governing(&check.limits, peak_g, language)
+    });
+    let caption = vec![Drawn::Capacity.into(), Drawn::CapacityTinted.into()];
+    document.figure(caption, move |language| {
+        stack_capacity(&check.limits, peak_g, language)
+    });
+    directions(&mut document, answer, peak_g);
+    frequencies::section(&mut document, answer, fits);
+    document
+}
+
+fn parts(answer: &StackAnswer) -> Drawn {
+    let blocks = match answer.stack.blocks().len() {
+        1 => Drawn::Block,
+        count => Drawn::Blocks { count },
+    };
+    let joints = match answer.stack.joints().len() {
+        1 => Drawn::Joint,
+        count => Drawn::Joints { count },
+    };
+    Drawn::ModelParts {
+        blocks: blocks.into(),
+        joints: joints.into(),
+    }
+}
+
+fn directions<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, peak_g: Option<f64>) {
+    let (limits, gravity_m_s2) = (&answer.check.limits, answer.stack.gravity_m_s2());
+    let draw = move |language| stack_directions(limits, peak_g, gravity_m_s2, language);
+    if draw(dolmen_words::Language::English).is_some() {
+        let caption = vec![Drawn::Directions.into(), Drawn::DirectionsMeaning.into()];
+        document.figure(caption, move |language| draw(language).unwrap_or_default());
+    }
+}

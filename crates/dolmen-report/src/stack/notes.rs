@@ -1,0 +1,97 @@
+//! What to know of the numbers of a stack.
+
+use super::words::in_g;
+use dolmen::assess::StackNote;
+use dolmen_words::{Quantity, Sentence, messages};
+
+messages! {
+    /// Notes on the limits of a stack.
+    pub(crate) enum Notes in "stack.notes" {
+        SharedLoad => {
+            en: "Stones share their load, so the joints one by one give an upper bound; the limit analysis decides.",
+            ko: "여러 부재가 하중을 나누어 지지하므로 접합면별 값은 상한이며, 한계해석으로 판정한다.",
+        },
+        Lower { analysis: Quantity, joints: Quantity } => {
+            en: "The limit analysis finds {analysis}, less than the {joints} of the joints one by one: parts move together, twist, or slide and open.",
+            ko: "한계해석의 결과는 {analysis}(으)로 접합면별 값 {joints}보다 작다. 여러 부재가 함께 움직이거나 비틀리거나 미끄러지며 벌어진다.",
+        },
+        LowerAlone { analysis: Quantity } => {
+            en: "Only the limit analysis gives a limit: {analysis}.",
+            ko: "한계해석만이 한계를 준다: {analysis}.",
+        },
+        Between { at_least: Quantity, analysis: Quantity } => {
+            en: "The limit analysis found balance in every direction up to {at_least}, and none at {analysis} in one: use the lower.",
+            ko: "한계해석에서 모든 방향으로 {at_least}까지는 평형이 확인되었고 한 방향에서 {analysis}에는 평형이 없다. 낮은 값을 사용해야 한다.",
+        },
+        Falls => {
+            en: "Joint by joint it seems to stand, but no forces in the joints balance its weight and static loads.",
+            ko: "접합면별로는 서 있는 것으로 보이나, 자중과 정하중에 평형을 이루는 접합력이 존재하지 않는다.",
+        },
+        NoStrength => {
+            en: "The limit analysis knows no compressive strength: with stones that share their load the capacity is an upper bound.",
+            ko: "한계해석은 압축강도를 고려하지 않는다. 하중을 나누어 지지하는 부재의 저항 가속도는 상한이다.",
+        },
+        NoSideSupports => {
+            en: "Side supports are left out of all thresholds; what they hold is not counted, which is on the safe side.",
+            ko: "측면 지지는 모든 한계값에서 제외하였다(안전측).",
+        },
+        Cohesion => {
+            en: "Cohesion counts against sliding in full in every joint at once; a bond breaks brittle and one joint after the other, so this is on the unsafe side.",
+            ko: "점착력은 모든 접합면에서 동시에 전부 작용하는 것으로 보았으나, 실제 부착은 취성으로 하나씩 파괴되므로 불안전측이다.",
+        },
+        NoTension => {
+            en: "The tensile strength of joints is left out of all thresholds, which is on the safe side.",
+            ko: "접합면의 인장강도는 모든 한계값에서 제외하였다(안전측).",
+        },
+        KineticLess { slides_at: Quantity } => {
+            en: "Sliding is found with the static friction; a joint that moves once has the kinetic one, and with that in every joint sliding begins at {slides_at}.",
+            ko: "미끄러짐은 정지마찰로 구하였다. 한번 움직인 접합면에는 운동마찰이 작용하며, 모든 접합면에 운동마찰을 적용하면 {slides_at}에서 미끄러진다.",
+        },
+        NoTies => {
+            en: "Ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand beside it.",
+            ko: "연결재는 저항 가속도에 포함하지 않았으며(안전측), 강도까지 작용할 때의 값을 함께 제시한다.",
+        },
+        NoPeriod => {
+            en: "The first period is not known, so what elastic joints add to the shaking is not in the comparison.",
+            ko: "1차 주기를 알 수 없어 탄성 접합면에 의한 증폭은 비교에 포함되지 않는다.",
+        },
+    }
+}
+
+/// A note of the check.
+pub(super) fn note(of: &StackNote) -> Sentence {
+    let said = match of {
+        StackNote::SharedLoad => Notes::SharedLoad,
+        StackNote::AnalysisLower {
+            joints_g: Some(joints_g),
+            analysis_g,
+        } => Notes::Lower {
+            analysis: in_g(*analysis_g),
+            joints: in_g(*joints_g),
+        },
+        StackNote::AnalysisLower {
+            joints_g: None,
+            analysis_g,
+        } => Notes::LowerAlone {
+            analysis: in_g(*analysis_g),
+        },
+        StackNote::AnalysisBetween {
+            at_least_g,
+            analysis_g,
+        } => Notes::Between {
+            at_least: in_g(*at_least_g),
+            analysis: in_g(*analysis_g),
+        },
+        StackNote::AnalysisFalls => Notes::Falls,
+        StackNote::StrengthNotInAnalysis => Notes::NoStrength,
+        StackNote::SideSupportsLeftOut => Notes::NoSideSupports,
+        StackNote::CohesionCounted => Notes::Cohesion,
+        StackNote::TensionLeftOut => Notes::NoTension,
+        StackNote::KineticLess { slides_at_g } => Notes::KineticLess {
+            slides_at: in_g(*slides_at_g),
+        },
+        StackNote::TiesLeftOut => Notes::NoTies,
+        StackNote::PeriodUnknown => Notes::NoPeriod,
+    };
+    said.into()
+}

@@ -1,0 +1,105 @@
+//! Whether a stack stands without shaking, and why it does not.
+
+use super::words::{DIGITS, place};
+use dolmen::stability::stack::Standing;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+
+messages! {
+    /// Whether a stack stands; no full stop.
+    pub(crate) enum Reason in "stack.standing" {
+        Stands => { en: "it stands under its own weight and static loads", ko: "자중과 정하중에 대하여 서 있다" },
+        Leaves { above: Sentence, distance: Quantity } => {
+            en: "above {above} the resultant leaves the joint by {distance}",
+            ko: "{above} 위에서 합력이 접합면을 {distance} 벗어난다",
+        },
+        Slides { above: Sentence, shear: Quantity, resistance: Quantity } => {
+            en: "above {above} a shear of {shear} slides the joint, which bears {resistance}",
+            ko: "{above} 위에서 전단력 {shear}이(가) 마찰과 점착력 {resistance}을(를) 넘는다",
+        },
+        Lifts { above: Sentence, pull: Quantity } => {
+            en: "above {above} static loads lift the blocks with {pull}",
+            ko: "{above} 위의 접합면을 누르는 힘이 없다(인장력 {pull})",
+        },
+        Crushes { above: Sentence, distance: Quantity } => {
+            en: "above {above} the stone crushes: the resultant lies {distance} beyond where its strength can bear it",
+            ko: "{above} 위에서 합력이 석재 강도가 허용하는 선을 {distance} 벗어난다",
+        },
+        Overloaded { above: Sentence, pressure: Quantity, strength: Quantity } => {
+            en: "above {above} the stone crushes: {pressure} over the whole joint, and its strength is {strength}",
+            ko: "{above} 위의 평균 압력 {pressure}이(가) 압축강도 {strength}을(를) 넘는다",
+        },
+        SoilTurns { stiffness: Quantity, least: Quantity } => {
+            en: "the soil turns away under the stack: its rocking stiffness is {stiffness}, and weight times height of the centroid is {least}",
+            ko: "지반의 회전 강성 {stiffness}이(가) 필요한 값(자중 × 무게 중심 높이) {least}보다 작다",
+        },
+    }
+}
+
+/// Whether it stands without shaking; no full stop.
+pub(super) fn standing(of: &Standing) -> Sentence {
+    let metres = |value| Quantity::new(value, Unit::si("m"), Digits::Significant(DIGITS));
+    let engineering = |value, symbol| Quantity::engineering(value, symbol, DIGITS);
+    let said = match of {
+        Standing::Stands => Reason::Stands,
+        Standing::Leaves { above, distance_m } => Reason::Leaves {
+            above: place(above),
+            distance: metres(*distance_m),
+        },
+        Standing::Slides {
+            above,
+            shear_n,
+            resistance_n,
+        } => Reason::Slides {
+            above: place(above),
+            shear: engineering(*shear_n, "N"),
+            resistance: engineering(*resistance_n, "N"),
+        },
+        Standing::Lifts { above, pull_n } => Reason::Lifts {
+            above: place(above),
+            pull: engineering(*pull_n, "N"),
+        },
+        Standing::Crushes { above, distance_m } => Reason::Crushes {
+            above: place(above),
+            distance: metres(*distance_m),
+        },
+        Standing::Overloaded {
+            above,
+            pressure_pa,
+            strength_pa,
+        } => Reason::Overloaded {
+            above: place(above),
+            pressure: engineering(*pressure_pa, "Pa"),
+            strength: engineering(*strength_pa, "Pa"),
+        },
+        Standing::SoilTurns {
+            stiffness_n_m_rad,
+            least_n_m_rad,
+        } => Reason::SoilTurns {
+            stiffness: engineering(*stiffness_n_m_rad, "N·m/rad"),
+            least: engineering(*least_n_m_rad, "N·m/rad"),
+        },
+    };
+    said.into()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_words::Language;
+
+    #[test]
+    fn exact_a_resultant_outside_its_joint_is_said_in_both_languages() {
+        let leaves = standing(&Standing::Leaves {
+            above: "'body 1'".into(),
+            distance_m: 0.12,
+        });
+        assert_eq!(
+            leaves.text(Language::Korean),
+            "body 1 위에서 합력이 접합면을 0.120\u{202f}m 벗어난다"
+        );
+        assert_eq!(
+            leaves.text(Language::English),
+            "above body 1 the resultant leaves the joint by 0.120\u{202f}m"
+        );
+    }
+}

@@ -1,0 +1,158 @@
+//! The words of stacks: what a joint is called, which way a part moves, what moves first.
+
+use dolmen::assess::{StackCheck, StackNote};
+use dolmen::stability::Verdict;
+use dolmen::stability::stack::{Governing, LimitKind, StackLimitStates, Threshold};
+use dolmen_words::message::Run;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::state::VariantAnswer;
+
+/// Digits of an acceleration, a margin or a distance.
+pub(super) const DIGITS: usize = 3;
+/// Directions nearer to an axis than this are that axis, rad.
+const ON_AXIS: f64 = 1e-6;
+
+messages! {
+    /// Parts of sentences on stacks.
+    pub(crate) enum Words in "stack.words" {
+        Value { value: Quantity } => { en: "{value}", ko: "{value}" },
+        Name { name: String } => { en: "{name}", ko: "{name}" },
+        Ground => { en: "the ground", ko: "지반" },
+        GroundAnd { names: String } => { en: "the ground, {names}", ko: "지반, {names}" },
+        Rocks { above: Sentence, direction: Sentence } => {
+            en: "what stands on {above} rocks towards {direction}",
+            ko: "{above} 위의 부분이 {direction} 방향으로 흔들린다(로킹)",
+        },
+        Slides { above: Sentence, direction: Sentence } => {
+            en: "what stands on {above} slides towards {direction}",
+            ko: "{above} 위의 부분이 {direction} 방향으로 미끄러진다",
+        },
+        Together { direction: Sentence } => {
+            en: "several stones move together towards {direction} [limit-analysis]",
+            ko: "여러 부재가 {direction} 방향으로 함께 움직인다 [limit-analysis]",
+        },
+        Stable => { en: "stable", ko: "안정" },
+        Marginal => { en: "marginal", ko: "여유 부족" },
+        Unstable => { en: "unstable", ko: "불안정" },
+        Unknown => { en: "unknown", ko: "판정 불가" },
+    }
+}
+
+/// An acceleration over gravity.
+pub(super) fn in_g(acceleration_g: f64) -> Quantity {
+    Quantity::new(acceleration_g, Unit::si("g"), Digits::Significant(DIGITS))
+}
+
+/// An acceleration over gravity, with ∞ for what no acceleration reaches.
+pub(super) fn at(threshold: &Threshold) -> Sentence {
+    match threshold.acceleration_g.is_finite() {
+        true => Words::Value {
+            value: in_g(threshold.acceleration_g),
+        }
+        .into(),
+        false => Sentence::of_symbol("∞"),
+    }
+}
+
+/// A margin, or a dash where there is none.
+pub(super) fn margin(margin: Option<f64>) -> Sentence {
+    let value = |margin| Words::Value {
+        value: Quantity::ratio(margin, DIGITS),
+    };
+    margin.map_or_else(|| Sentence::of_symbol("–"), |margin| value(margin).into())
+}
+
+/// What a joint is called: by what is below it.
+pub(super) fn place(above: &str) -> Sentence {
+    let name = above.replace('\'', "");
+    match name.strip_prefix("the ground") {
+        Some("") => Words::Ground.into(),
+        Some(rest) => match rest.strip_prefix(", ") {
+            Some(names) => Words::GroundAnd { names: names.into() }.into(),
+            None => Words::Name { name }.into(),
+        },
+        None => Words::Name { name }.into(),
+    }
+}
+
+/// "+x", "-y", or degrees from +x towards +y.
+pub(super) fn direction(of: [f64; 2]) -> Sentence {
+    let [x, y] = of;
+    let axis = |along: f64, plus, minus| Sentence::of_symbol(if along > 0.0 { plus } else { minus });
+    match (y.abs() < ON_AXIS, x.abs() < ON_AXIS) {
+        (true, _) => axis(x, "+x", "-x"),
+        (false, true) => axis(y, "+y", "-y"),
+        (false, false) => Sentence::of_symbol(&format!("{:.0}°", y.atan2(x).to_degrees())),
+    }
+}
+
+/// The acceleration at which several stones move together, where that is before any joint alone.
+pub(super) fn moves_together(check: &StackCheck) -> Option<Threshold> {
+    let lower = |note: &StackNote| matches!(note, StackNote::AnalysisLower { .. });
+    check.capacity.filter(|_| check.notes.iter().any(lower))
+}
+
+/// "what stands on block 4 rocks towards +x".
+pub(super) fn joint_moves(limits: &StackLimitStates, first: &Governing) -> Sentence {
+    let above = limits.cuts.get(first.cut).map_or("", |cut| &cut.above);
+    let (above, direction) = (place(above), direction(first.threshold.direction));
+    match first.kind {
+        LimitKind::Uplift => Words::Rocks { above, direction }.into(),
+        LimitKind::Sliding => Words::Slides { above, direction }.into(),
+    }
+}
+
+/// What moves first with every tie at its strength, where ties help.
+pub(super) fn first_with_ties(limits: &StackLimitStates) -> Option<&Governing> {
+    let (with, without) = (limits.governing_with_ties.as_ref()?, limits.governing.as_ref()?);
+    (with.threshold.acceleration_g > without.threshold.acceleration_g).then_some(with)
+}
+
+/// The word of a verdict.
+pub(super) fn verdict_word(verdict: Verdict) -> Words {
+    match verdict {
+        Verdict::Stable => Words::Stable,
+        Verdict::Marginal => Words::Marginal,
+        Verdict::Unstable => Words::Unstable,
+        Verdict::Unknown => Words::Unknown,
+    }
+}
+
+/// A variant by the name that the user gave it in each language.
+pub(super) fn title(variant: &VariantAnswer) -> Sentence {
+    let named = |english: &str, korean: &str| Sentence {
+        english: vec![Run::Name(english.to_owned())],
+        korean: vec![Run::Name(korean.to_owned())],
+        ..Words::Name {
+            name: english.to_owned(),
+        }
+        .into()
+    };
+    match &variant.title {
+        Some(names) => named(names.english(), names.korean()),
+        None => named(&variant.name, &variant.name),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_words::Language;
+
+    #[test]
+    fn exact_directions_have_the_names_of_axes_or_degrees() {
+        let english = |of| direction(of).text(Language::English);
+        assert_eq!(english([1.0, 0.0]), "+x");
+        assert_eq!(english([0.0, -1.0]), "-y");
+        let half = 0.5f64.sqrt();
+        assert_eq!(english([-half, half]), "135°");
+    }
+
+    #[test]
+    fn exact_a_joint_is_called_by_what_is_below_it() {
+        let korean = |above| place(above).text(Language::Korean);
+        assert_eq!(korean("the ground"), "지반");
+        assert_eq!(korean("the ground, 'post a'"), "지반, post a");
+        assert_eq!(korean("'post a', 'post b'"), "post a, post b");
+    }
+}

@@ -1,0 +1,264 @@
+//! How a simulated stack ended, and what that is worth.
+
+use super::run::{Run, made_too_much};
+use crate::document::{Finding, Tone};
+use crate::simulated::{Simulated, cut, milli, seconds};
+use dolmen::blocks::{Outcome, StackHistory};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::stack::StackSimulation;
+
+messages! {
+    /// How a stack ended.
+    pub(crate) enum Ending in "stack-simulation.ending" {
+        Under { motion: String, peak: Quantity, ending: Sentence } => {
+            en: "Under {motion} with a horizontal peak of {peak} (x and y together): {ending}",
+            ko: "{motion}(수평 최대 {peak}, x·y 합성) 작용 시: {ending}",
+        },
+        Ground => { en: "ground", ko: "지반" },
+        Name { name: String } => { en: "{name}", ko: "{name}" },
+        And { first: Sentence, next: Sentence } => { en: "{first} {next}", ko: "{first} {next}" },
+        Shifted { upper: String, lower: Sentence, slip: Quantity, left: Quantity, share: Quantity, state: usize } => {
+            en: "it shifted and stood; no stone fell, but '{upper}' on '{lower}' slipped by up to {slip} and lies {left} from its place, {share} of the width of the joint (DS{state}).",
+            ko: "붕괴 없음. 그러나 ‘{lower}’ 위의 ‘{upper}’이(가) 최대 {slip} 미끄러졌고 {left}(접합면 폭의 {share})가 남았다(DS{state}).",
+        },
+        ShiftedOpened { upper: String, lower: Sentence, least: Quantity, at: Quantity } => {
+            en: "Joints opened, first '{upper}' on '{lower}' by more than {least} at {at}.",
+            ko: "접합면이 벌어졌으며 {at}에 ‘{lower}’ 위의 ‘{upper}’에서 처음 {least}을(를) 넘었다.",
+        },
+        Stood { least: Quantity } => {
+            en: "it stood; no joint opened by more than {least}.",
+            ko: "붕괴 없음. {least} 이상 벌어진 접합면이 없다.",
+        },
+        Slipped { least: Quantity, upper: String, lower: Sentence, slip: Quantity, state: usize } => {
+            en: "it stood; no joint opened by more than {least}, but '{upper}' on '{lower}' slipped by up to {slip} (DS{state}).",
+            ko: "붕괴 없음. {least} 이상 벌어진 접합면은 없으나 ‘{lower}’ 위의 ‘{upper}’이(가) 최대 {slip} 미끄러졌다(DS{state}).",
+        },
+        Uplifted { upper: String, lower: Sentence, least: Quantity, at: Quantity, state: usize } => {
+            en: "it rocked and stood; every stone stayed up, but joints opened, first '{upper}' on '{lower}' by more than {least} at {at} (DS{state}).",
+            ko: "붕괴 없음. 접합면이 벌어졌으며 {at}에 ‘{lower}’ 위의 ‘{upper}’에서 처음 {least}을(를) 넘었다(DS{state}).",
+        },
+        Slid { block: String, slip: Quantity, left: Quantity } => {
+            en: "it slid and stood; no stone fell, but '{block}' lies {slip} from its place; from its plumb line to the edge that carries it {left} of the way at rest is left.",
+            ko: "붕괴 없음. 그러나 ‘{block}’이(가) 제자리에서 {slip} 미끄러졌으며, 무게중심선에서 지지면 가장자리까지의 거리가 처음의 {left}만 남았다.",
+        },
+        Fell { block: String, at: Quantity, upper: String, lower: Sentence } => {
+            en: "it fell; '{block}' came down, first of all, at {at}; by then '{upper}' on '{lower}' had opened or slipped farthest.",
+            ko: "붕괴. ‘{block}’이(가) {at}에 가장 먼저 떨어졌다. 이때 ‘{lower}’ 위의 ‘{upper}’이(가) 가장 크게 벌어지거나 미끄러졌다.",
+        },
+        StillMoving { at: Quantity, block: String, left: Quantity } => {
+            en: "it still moved at the end of the run, {at}; '{block}' is not at rest, {left} of the way from its plumb line to the edge that carries it is left; no verdict. Give a longer --duration.",
+            ko: "해석이 끝난 {at}에도 ‘{block}’이(가) 정지하지 않아 판정하지 않는다. 무게중심선에서 지지면 가장자리까지의 거리는 처음의 {left}가 남았다. --duration을 늘려 다시 해석한다.",
+        },
+        NotConverged { at: Quantity, nearest: Quantity } => {
+            en: "the run found no solution at {at}; no velocities obey the law of every joint, nearest {nearest}; all values are of the part before, and there is no verdict. Try half the step.",
+            ko: "{at}에 접촉 조건의 해를 찾지 못하여(최소 잔차 {nearest}) 해석이 중단되었고 판정하지 않는다. 모든 값은 그때까지의 것이다. 시간 간격을 반으로 줄여 다시 해석한다.",
+        },
+        Diverged { at: Quantity } => {
+            en: "the run diverged at {at}; nothing of it can be used. Lower the step, and report the input.",
+            ko: "해석이 {at}에 발산하여 결과를 사용할 수 없다. 시간 간격을 줄이고, 입력 자료를 개발자에게 알려 주기 바란다.",
+        },
+    }
+}
+
+/// How it ended and what may be concluded from it, the most important first.
+pub(crate) fn findings(simulation: &StackSimulation) -> Vec<Finding> {
+    let said = Ending::Under {
+        motion: simulation.motion.motion.name().to_owned(),
+        peak: Quantity::new(
+            simulation.peak_horizontal_g(),
+            Unit::si("g"),
+            Digits::Significant(3),
+        ),
+        ending: ending(simulation),
+    };
+    let mut all = vec![Finding::key(tone(simulation), said)];
+    all.extend(made_too_much(simulation).map(|said| Finding::key(Tone::Warn, said)));
+    if is_sensitive(&simulation.history.outcome) {
+        all.push(Finding::key(Tone::Plain, Run::OneCase));
+    }
+    all
+}
+
+/// Whether stones moved against each other so far that small differences of the input count.
+fn is_sensitive(outcome: &Outcome) -> bool {
+    matches!(
+        outcome,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } | Outcome::Fell { .. } | Outcome::StillMoving { .. }
+    )
+}
+
+pub(super) fn tone(simulation: &StackSimulation) -> Tone {
+    match simulation.history.outcome {
+        _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
+        _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
+        Outcome::Stood => Tone::Good,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
+        Outcome::Fell { .. } => Tone::Bad,
+        Outcome::StillMoving { .. }
+        | Outcome::Stopped { .. }
+        | Outcome::NotConverged { .. }
+        | Outcome::Diverged { .. } => Tone::Unknown,
+    }
+}
+
+/// How it ended, in a sentence that begins with a small letter.
+pub(super) fn ending(simulation: &StackSimulation) -> Sentence {
+    match simulation.ended_before_the_motion_s() {
+        Some(end_s) => cut(&simulation.motion, end_s, until_the_end(simulation)),
+        None => until_the_end(simulation),
+    }
+}
+
+fn until_the_end(simulation: &StackSimulation) -> Sentence {
+    if let Some(said) = shifted(simulation) {
+        return said;
+    }
+    let state = state(simulation);
+    let name = |block: usize| {
+        let blocks = simulation.stack.blocks();
+        blocks.get(block).map_or_else(String::new, |b| b.name.clone())
+    };
+    let stones = |joint: usize| stones(simulation, joint);
+    let whole_percent = |share: f64| Quantity::new(share, Unit::percent(), Digits::Fixed(0));
+    let said = match simulation.history.outcome {
+        Outcome::Stood => match simulation.slipped() {
+            Some((joint, of)) => {
+                let (upper, lower) = stones(joint);
+                Ending::Slipped {
+                    least: least(),
+                    upper,
+                    lower,
+                    slip: tenths_mm(of.peak_slip_m),
+                    state,
+                }
+            }
+            None => Ending::Stood { least: least() },
+        },
+        Outcome::Uplifted { joint, at_s } => {
+            let (upper, lower) = stones(joint);
+            Ending::Uplifted {
+                upper,
+                lower,
+                least: least(),
+                at: seconds(at_s),
+                state,
+            }
+        }
+        Outcome::Slid {
+            block,
+            slip_m,
+            margin_ratio,
+        } => Ending::Slid {
+            block: name(block),
+            slip: tenths_mm(slip_m),
+            left: whole_percent(margin_ratio),
+        },
+        Outcome::Fell { block, joint, at_s } => {
+            let (upper, lower) = stones(joint);
+            Ending::Fell {
+                block: name(block),
+                at: seconds(at_s),
+                upper,
+                lower,
+            }
+        }
+        Outcome::StillMoving {
+            block,
+            at_s,
+            margin_ratio,
+        } => Ending::StillMoving {
+            at: seconds(at_s),
+            block: name(block),
+            left: whole_percent(margin_ratio),
+        },
+        Outcome::Stopped { at_s } => return Simulated::Stopped { at: seconds(at_s) }.into(),
+        Outcome::NotConverged { at_s, residual_m_s } => Ending::NotConverged {
+            at: step_s(at_s),
+            nearest: Quantity::new(residual_m_s, Unit::si("m/s"), Digits::Significant(2)),
+        },
+        Outcome::Diverged { at_s } => Ending::Diverged { at: step_s(at_s) },
+    };
+    said.into()
+}
+
+/// That it stood with an offset that is left, and whether joints opened besides.
+fn shifted(simulation: &StackSimulation) -> Option<Sentence> {
+    let opened = match simulation.history.outcome {
+        Outcome::Stood => None,
+        Outcome::Uplifted { joint, at_s } => Some((joint, at_s)),
+        Outcome::Slid { .. }
+        | Outcome::Fell { .. }
+        | Outcome::StillMoving { .. }
+        | Outcome::Stopped { .. }
+        | Outcome::NotConverged { .. }
+        | Outcome::Diverged { .. } => return None,
+    };
+    let (joint, of) = simulation.shifted()?;
+    let (upper, lower) = stones(simulation, joint);
+    let shifted = Ending::Shifted {
+        upper,
+        lower,
+        slip: tenths_mm(of.peak_slip_m),
+        left: tenths_mm(of.residual_slip_m),
+        share: Quantity::new(of.residual_slip_ratio, Unit::percent(), Digits::Fixed(1)),
+        state: state(simulation),
+    };
+    Some(match opened {
+        None => shifted.into(),
+        Some((first, at_s)) => {
+            let (upper, lower) = stones(simulation, first);
+            let opened = Ending::ShiftedOpened {
+                upper,
+                lower,
+                least: least(),
+                at: seconds(at_s),
+            };
+            Ending::And {
+                first: shifted.into(),
+                next: opened.into(),
+            }
+            .into()
+        }
+    })
+}
+
+fn state(simulation: &StackSimulation) -> usize {
+    usize::from(simulation.damage.state.number())
+}
+
+/// The stone above a joint, and what it lies on.
+fn stones(simulation: &StackSimulation, joint: usize) -> (String, Sentence) {
+    let [upper, lower] = simulation.joint_names(joint);
+    (upper.to_owned(), lower_words(lower))
+}
+
+/// What a joint lies on: the ground has a word of its own.
+pub(super) fn lower_words(lower: &str) -> Sentence {
+    match lower {
+        "ground" => Ending::Ground.into(),
+        name => name_words(name),
+    }
+}
+
+/// A name that the user gave.
+pub(super) fn name_words(name: &str) -> Sentence {
+    Ending::Name {
+        name: name.to_owned(),
+    }
+    .into()
+}
+
+/// The opening from which a joint counts as open.
+fn least() -> Quantity {
+    Quantity::new(StackHistory::UPLIFT_LEAST_M, milli("m"), Digits::Trimmed(2))
+}
+
+/// A length to the tenth of a millimetre.
+fn tenths_mm(length_m: f64) -> Quantity {
+    Quantity::new(length_m, milli("m"), Digits::Fixed(1))
+}
+
+/// A time to the tenth of a millisecond: that of a step.
+fn step_s(at_s: f64) -> Quantity {
+    Quantity::new(at_s, Unit::si("s"), Digits::Fixed(4))
+}

@@ -1,0 +1,111 @@
+//! What is said of a stack under a motion: how it ended, joint by joint, in time.
+
+mod ending;
+mod run;
+mod tables;
+
+pub(crate) use ending::findings;
+pub(crate) use run::points_a_side;
+
+use crate::document::{Block, Document, TextStyle, Tone, document_text, findings_text};
+use crate::figures::{StackPlot, stack_after};
+use crate::simulated::{Simulated, capitalised, motion_section};
+use dolmen_words::{Sentence, Template, messages};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::stack::StackSimulation;
+
+messages! {
+    /// The head and figures of a simulated stack.
+    pub(crate) enum Shown in "stack-simulation" {
+        Head => { en: "Simulated earthquake", ko: "지진응답 시뮬레이션" },
+        After => { en: "The stack at the end of the motion.", ko: "지진동 종료 시의 적층 구조." },
+        AfterMeaning => {
+            en: "Colours are the larger of peak opening and peak slip of each joint.",
+            ko: "접합면의 색은 최대 벌어짐과 최대 미끄러짐 중 큰 값이다.",
+        },
+        Top => { en: "Displacement of the highest stone.", ko: "최상부 부재의 변위." },
+        TopMeaning => { en: "Against the ground, from rest.", ko: "지반에 대한 상대 변위." },
+        Opening => { en: "Opening of the joints.", ko: "접합면의 벌어짐." },
+        OpeningMeaning => {
+            en: "The largest gap at a corner, of the joints that opened most.",
+            ko: "모서리의 최대 틈이며, 가장 크게 벌어진 접합면들만 표시하였다.",
+        },
+        Slip => { en: "Slip of the joints.", ko: "접합면의 미끄러짐." },
+        SlipMeaning => {
+            en: "Shift at the middle of the joint, of the joints that slipped most.",
+            ko: "접합면 중심의 이동량이며, 가장 크게 미끄러진 접합면들만 표시하였다.",
+        },
+        Yaw => { en: "Yaw of the joints.", ko: "접합면의 수평 회전." },
+        YawMeaning => {
+            en: "Turn about the vertical, of the joints that turned most.",
+            ko: "연직축에 대한 회전각이며, 가장 크게 회전한 접합면들만 표시하였다.",
+        },
+    }
+}
+
+/// The sentences on simulated stacks as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 4] = [
+    ending::Ending::TEMPLATES,
+    Shown::TEMPLATES,
+    tables::Tables::TEMPLATES,
+    run::Run::TEMPLATES,
+];
+
+/// How it ended; in full each joint and the balance of energy.
+pub fn simulation_text(simulation: &StackSimulation, style: TextStyle) -> String {
+    if !style.is_full {
+        return findings_text(findings(simulation).iter().filter(|of| of.is_key), style);
+    }
+    let mut document = Document::default();
+    ended(&mut document, simulation);
+    details(&mut document, simulation);
+    document_text(&document, style)
+}
+
+/// The section of the structure as given, and its variants beside it.
+pub(crate) fn sections(answer: &ProjectReport) -> Document<'_> {
+    let mut document = Document::default();
+    if let Some(simulation) = answer.stack_simulation() {
+        ended(&mut document, simulation);
+        motion_section(&mut document, &simulation.motion);
+        details(&mut document, simulation);
+        if let Some(table) = tables::versions(answer) {
+            document.put(Block::Table(table));
+        }
+    }
+    document
+}
+
+fn ended(document: &mut Document<'_>, simulation: &StackSimulation) {
+    document.heading(Shown::Head);
+    let said = capitalised(ending::ending(simulation));
+    document.put(match ending::tone(simulation) {
+        Tone::Bad => Block::Warning(said),
+        Tone::Good | Tone::Warn | Tone::Plain | Tone::Unknown => Block::Paragraph(vec![said]),
+    });
+}
+
+fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {
+    document.figure(
+        vec![Shown::After.into(), Shown::AfterMeaning.into()],
+        |language| stack_after(simulation, language),
+    );
+    document.put(Block::Table(tables::joints(simulation)));
+    document.paragraph(run::top(simulation));
+    for plot in StackPlot::ALL {
+        document.figure(caption(plot), move |language| {
+            plot.draw(simulation, language).unwrap_or_default()
+        });
+    }
+    run::section(document, simulation);
+}
+
+fn caption(plot: StackPlot) -> Vec<Sentence> {
+    match plot {
+        StackPlot::Ground => vec![Simulated::Ground.into(), Simulated::GroundMeaning.into()],
+        StackPlot::Top => vec![Shown::Top.into(), Shown::TopMeaning.into()],
+        StackPlot::Opening => vec![Shown::Opening.into(), Shown::OpeningMeaning.into()],
+        StackPlot::Slip => vec![Shown::Slip.into(), Shown::SlipMeaning.into()],
+        StackPlot::Yaw => vec![Shown::Yaw.into(), Shown::YawMeaning.into()],
+    }
+}

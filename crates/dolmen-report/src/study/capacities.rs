@@ -1,0 +1,168 @@
+//! Capacities by value of each input.
+
+use super::words::{Words, both, bounded, g, name, of_all, reached, state, unit_g};
+use crate::document::{Block, Cell, Column, Document, Table};
+use dolmen::assess::Reached;
+use dolmen_words::{Sentence, Unit, messages};
+use dolmen_work::study::{LevelRow, SCANS_OF_TAILS, StudyAnswer, StudyKind, input_words};
+
+messages! {
+    /// Capacities.
+    pub(crate) enum Capacities in "study.capacities" {
+        Stack => {
+            en: "Peak acceleration of the ground at which a stone first falls.",
+            ko: "부재가 처음 낙하하는 최대지반가속도.",
+        },
+        Chain => {
+            en: "Peak acceleration of the ground at which the chain first falls.",
+            ko: "처음 전도되는 최대지반가속도.",
+        },
+        Frame => {
+            en: "Peak acceleration of the ground at which a storey first leans by more than 10 %.",
+            ko: "층간변위가 처음 층고의 10 %를 넘는 최대지반가속도.",
+        },
+        Building => {
+            en: "Peak acceleration of the ground at which a storey first drifts beyond the last limit.",
+            ko: "층간변위가 처음 최종 한계를 넘는 최대지반가속도.",
+        },
+        Meaning { scans: usize } => {
+            en: "“>”: not up to the largest that was tried. 5 % and 95 % are said of {scans} scans and more.",
+            ko: "‘>’는 시도한 최대 크기까지 일어나지 않은 경우이다. 5 %와 95 %는 증분해석 {scans}건 이상에서만 제시한다.",
+        },
+        StackStates => {
+            en: "DS1 to DS3: medians, to a step of the scan; “≤”: reached at the least size that was tried.",
+            ko: "DS1–DS3은 중앙값이며 증분해석의 간격까지 구하였다. ‘≤’는 시도한 최소 크기에서 이미 도달한 경우이다.",
+        },
+        OneState => {
+            en: "The milder state is a median; “≤”: reached at the least size that was tried.",
+            ko: "경미한 상태의 값은 중앙값이며, ‘≤’는 시도한 최소 크기에서 이미 도달한 경우이다.",
+        },
+        BuildingStates => {
+            en: "A linear building drifts in proportion: limits are medians, exact up to the largest size that was tried; beyond yielding they say little.",
+            ko: "선형 건물의 층간변위는 지진동에 비례한다. 한계는 중앙값이며 시도한 최대 크기까지 정확하나, 항복 이후에는 의미가 적다.",
+        },
+        NoSlip => {
+            en: "Slips: no storey slipped before the frame leaned too far, so there is no such state.",
+            ko: "골조가 한계를 넘기 전에 미끄러진 층이 없으므로 미끄러짐 상태는 없다.",
+        },
+        Scans => { en: "scans", ko: "증분해석" },
+        Fell => { en: "fell", ko: "붕괴" },
+        Least => { en: "least", ko: "최소" },
+        Low => { en: "5 %", ko: "5 %" },
+        Median => { en: "median", ko: "중앙값" },
+        High => { en: "95 %", ko: "95 %" },
+        SurvivedAbove => { en: "survived above", ko: "더 큰 지진동에서 유지" },
+        Unusable => { en: "unusable", ko: "사용 불가" },
+        Variant { value: Sentence } => { en: "variant {value}", ko: "대안 {value}" },
+        At { input: Sentence, value: Sentence } => { en: "{input} = {value}", ko: "{input} = {value}" },
+        All => { en: "all", ko: "전체" },
+        FellAtLeast { at_once: usize, all: Sentence } => {
+            en: "{at_once} of {all} fell at the least size that was asked for; what lies below was only halved, and falls there may have been passed over: scan smaller sizes.",
+            ko: "{all} 중 {at_once}건이 요청한 최소 크기에서 붕괴하였다. 그 아래는 반씩 줄여 가며 확인하였을 뿐이므로 더 작은 붕괴를 지나쳤을 수 있다. 더 작은 크기부터 해석해야 한다.",
+        },
+        SurvivedLarger { above: usize, all: Sentence } => {
+            en: "{above} of {all} survived a size of shaking above the first fall: one critical acceleration says little.",
+            ko: "{all} 중 {above}건은 처음 붕괴한 크기보다 더 큰 지진동을 견뎠으므로, 임계가속도 하나로는 판단할 수 없다.",
+        },
+    }
+}
+
+/// The table, and what it rests on.
+pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
+    document.put(Block::Table(table(answer)));
+    document.note(match answer.kind {
+        StudyKind::Stack => Capacities::StackStates,
+        StudyKind::Building => Capacities::BuildingStates,
+        StudyKind::Frame if !answer.has_state(0) => Capacities::NoSlip,
+        StudyKind::Frame | StudyKind::Chain => Capacities::OneState,
+    });
+}
+
+/// How many states milder than the last have columns.
+fn milder(kind: StudyKind) -> usize {
+    match kind {
+        StudyKind::Stack | StudyKind::Building => 3,
+        StudyKind::Frame | StudyKind::Chain => 1,
+    }
+}
+
+fn table(answer: &StudyAnswer) -> Table {
+    let in_g = |head: Sentence| Column::numbers(head, unit_g(answer));
+    let plain = |head: Capacities| Column::numbers(head, Unit::ratio());
+    let mut columns = vec![
+        Column::words(Words::Input),
+        plain(Capacities::Scans),
+        plain(Capacities::Fell),
+        in_g(Capacities::Least.into()),
+        in_g(Capacities::Low.into()),
+        in_g(Capacities::Median.into()),
+        in_g(Capacities::High.into()),
+    ];
+    columns.extend((0..milder(answer.kind)).map(|of| in_g(state(answer, of))));
+    columns.push(plain(Capacities::SurvivedAbove));
+    let what = match answer.kind {
+        StudyKind::Stack => Capacities::Stack,
+        StudyKind::Chain => Capacities::Chain,
+        StudyKind::Frame => Capacities::Frame,
+        StudyKind::Building => Capacities::Building,
+    };
+    let scans = SCANS_OF_TAILS;
+    let levels = answer.levels();
+    Table {
+        caption: vec![what.into(), Capacities::Meaning { scans }.into()],
+        rows: levels
+            .iter()
+            .map(|level| row(answer, level, columns.len()))
+            .collect(),
+        columns,
+    }
+}
+
+fn row(answer: &StudyAnswer, level: &LevelRow, columns: usize) -> Vec<Cell> {
+    let (usable, all) = (level.usable(), level.scans.len());
+    let mut row = vec![Cell::words(level_words(answer, level)), of_all(usable, all)];
+    if usable == 0 {
+        row.push(Cell::Number(None));
+        row.push(Cell::BadWords(Capacities::Unusable.into()));
+        row.resize(columns, Cell::Number(None));
+        return row;
+    }
+    row.push(of_all(level.fell(), usable));
+    row.push(reached(answer, level.least_m_s2()));
+    row.extend([0.05, 0.5, 0.95].map(|p| reached(answer, level.quantile_m_s2(3, p))));
+    row.extend((0..milder(answer.kind)).map(|of| match answer.has_state(of) {
+        true => milder_median(answer, level.quantile_m_s2(of, 0.5)),
+        false => Cell::Number(None),
+    }));
+    row.push(of_all(level.survived_above(), usable));
+    row
+}
+
+/// The input with its value, as it is written.
+fn level_words(answer: &StudyAnswer, level: &LevelRow) -> Sentence {
+    let value = name(&level.text);
+    match (level.input, level.text.as_str()) {
+        (Some(input), _) => {
+            let input = both(|language| input_words(&answer.inputs[input].path, language));
+            Capacities::At { input, value }.into()
+        }
+        (None, "all") => Capacities::All.into(),
+        (None, _) if answer.study.variants.len() > 1 => Capacities::Variant { value }.into(),
+        (None, _) => value,
+    }
+}
+
+/// As [`reached`], marked where it is reached at the least peak that was tried, or below.
+fn milder_median(answer: &StudyAnswer, value_m_s2: Option<Reached>) -> Cell {
+    const ROUNDING: f64 = 1e-9;
+    let tried = answer.runs.iter().map(|run| run.peak_ground_acceleration_m_s2);
+    let least = tried.fold(f64::INFINITY, f64::min);
+    match value_m_s2 {
+        Some(Reached::At(value))
+            if answer.kind != StudyKind::Building && value <= least * (1.0 + ROUNDING) =>
+        {
+            Cell::words(bounded("≤", &g(answer, value)))
+        }
+        other => reached(answer, other),
+    }
+}

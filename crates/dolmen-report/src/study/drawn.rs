@@ -1,0 +1,74 @@
+//! The figures of a study.
+
+use crate::document::Document;
+use crate::figures::study_figures;
+use dolmen_words::{Language, Sentence, messages};
+use dolmen_work::study::StudyAnswer;
+use std::cell::OnceCell;
+use std::rc::Rc;
+
+/// Figures of one study that a page takes; all of them lie in the folder of the study. Chosen here.
+const FIGURES_MOST: usize = 8;
+
+messages! {
+    /// Captions.
+    pub(crate) enum Drawn in "study.figures" {
+        Capacity => { en: "Capacity against an input.", ko: "입력변수에 따른 내진성능." },
+        CapacityDots => {
+            en: "Every dot one scan; medians and the range of 5 to 95 %.",
+            ko: "점은 증분해석 1건이며, 중앙값과 5–95 % 범위를 함께 표시하였다.",
+        },
+        Survived => { en: "What failed and what survived.", ko: "붕괴한 경우와 견딘 경우." },
+        SurvivedDots => {
+            en: "Every dot one simulation; survived sizes can lie above ones that were not.",
+            ko: "점은 해석 1회이며, 붕괴한 크기보다 큰 지진동을 견디기도 한다.",
+        },
+        Fragility => { en: "Fragility.", ko: "취약도." },
+        FragilityBands => {
+            en: "The probability that a state is reached, by the peak of the ground; bands of resampled motions.",
+            ko: "최대지반가속도에 따른 손상상태 도달 확률과 지반운동 재표집에 따른 범위.",
+        },
+        Growth => { en: "As the shaking grows.", ko: "지진동 증가에 따른 변화." },
+        GrowthOf => {
+            en: "Largest over the storeys, or links and joints.",
+            ko: "층(또는 부재·접합면) 중 최댓값.",
+        },
+        Harmonic => { en: "Rest and motion.", ko: "고착과 움직임." },
+        HarmonicShare => {
+            en: "Share of the time in which a storey slips, or a joint opens or slips, under a harmonic ground.",
+            ko: "조화 지반운동에서 층이 미끄러지거나 접합면이 벌어지거나 미끄러지는 시간의 비율.",
+        },
+        Release => { en: "Let go from a large displacement.", ko: "큰 변위에서의 자유진동." },
+        ReleaseDots => { en: "Each dot one swing.", ko: "점은 반주기 1회." },
+    }
+}
+
+/// The first figures; each language is drawn once for all of them.
+pub(super) fn section<'a>(document: &mut Document<'a>, answer: &'a StudyAnswer) {
+    let english = study_figures(answer, Language::English);
+    let captions: Vec<Vec<Sentence>> = english.iter().map(|figure| caption(&figure.name)).collect();
+    let drawn = Rc::new([OnceCell::from(svgs(english)), OnceCell::new()]);
+    for (at, caption) in captions.into_iter().enumerate().take(FIGURES_MOST) {
+        let drawn = Rc::clone(&drawn);
+        document.figure(caption, move |language| {
+            let all = drawn[language.pick(0, 1)].get_or_init(|| svgs(study_figures(answer, language)));
+            all.get(at).cloned().unwrap_or_default()
+        });
+    }
+}
+
+fn svgs(figures: Vec<crate::figures::Figure>) -> Vec<String> {
+    figures.into_iter().map(|figure| figure.svg).collect()
+}
+
+fn caption(name: &str) -> Vec<Sentence> {
+    let both = match name.split('-').next().unwrap_or_default() {
+        "capacity" => [Drawn::Capacity, Drawn::CapacityDots],
+        "survived" => [Drawn::Survived, Drawn::SurvivedDots],
+        "fragility" => [Drawn::Fragility, Drawn::FragilityBands],
+        "growth" => [Drawn::Growth, Drawn::GrowthOf],
+        "harmonic" => [Drawn::Harmonic, Drawn::HarmonicShare],
+        _ => [Drawn::Release, Drawn::ReleaseDots],
+    };
+    both.map(Sentence::from).to_vec()
+}

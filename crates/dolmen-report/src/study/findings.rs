@@ -1,0 +1,103 @@
+//! What decides in a study: capacity, doubts about it, trends, the worst state.
+
+use super::words::{Words, g, state};
+use super::{doubts, hazard, run, scatter, trends};
+use crate::document::{Finding, Tone};
+use dolmen::assess::Reached;
+use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::study::{LevelRow, StudyAnswer};
+
+messages! {
+    /// Findings on a study.
+    pub(crate) enum Found in "study.findings" {
+        NoneFell { scans: Sentence, state: Sentence, largest: Quantity } => {
+            en: "None of {scans} reached “{state}”, up to {largest}.",
+            ko: "{scans} 모두 {largest}까지 ‘{state}’ 상태에 이르지 않았다.",
+        },
+        Fell { fell: usize, scans: Sentence, state: Sentence, least: Quantity } => {
+            en: "{fell} of {scans} reached “{state}”, the weakest at {least}.",
+            ko: "{scans} 중 {fell}건이 ‘{state}’ 상태에 이르렀으며, 그 최소 가속도는 {least}이다.",
+        },
+        Median { state: Sentence, theta: Quantity, beta: Quantity } => {
+            en: "Half of the scans reach “{state}” by {theta} (scatter of the logarithm β = {beta}).",
+            ko: "증분해석의 절반이 {theta}까지 ‘{state}’ 상태에 이른다(대수 표준편차 β = {beta}).",
+        },
+    }
+}
+
+/// The findings, doubts first.
+pub(crate) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
+    let mut all: Vec<Finding> = run::doubts(answer)
+        .into_iter()
+        .map(|doubt| Finding::key(Tone::Bad, doubt))
+        .collect();
+    if answer.study.scan.is_none() {
+        return all;
+    }
+    all.extend(capacity(answer));
+    all.extend(
+        doubts::doubts(answer)
+            .into_iter()
+            .map(|said| Finding::key(Tone::Warn, said)),
+    );
+    all.extend(doubts::survived_larger(answer).map(|said| Finding::key(Tone::Plain, said)));
+    all.extend(median(answer));
+    let crossings = scatter::crossings(answer, answer.fragilities());
+    all.extend(crossings.into_iter().map(|said| Finding::new(Tone::Warn, said)));
+    all.extend(hazard::extrapolated(answer).map(|said| Finding::key(Tone::Warn, said)));
+    all.extend(trends::findings(answer));
+    all
+}
+
+/// How many reached the last state, and the least peak that did it.
+fn capacity(answer: &StudyAnswer) -> Option<Finding> {
+    let capacities = answer.capacities();
+    let usable = capacities.iter().filter(|scan| scan.verdict.is_usable());
+    let all = LevelRow {
+        input: None,
+        text: String::new(),
+        value: None,
+        scans: usable.cloned().collect(),
+    };
+    let scans = match all.scans.len() {
+        0 => return None,
+        1 => Words::OneScan.into(),
+        count => Words::Scans { count }.into(),
+    };
+    let state = state(answer, answer.kind.states().len() - 1);
+    let said = match all.least_m_s2()? {
+        Reached::Above(largest) => {
+            let largest = g(answer, largest);
+            Found::NoneFell {
+                scans,
+                state,
+                largest,
+            }
+        }
+        Reached::At(least) => {
+            let (fell, least) = (all.fell(), g(answer, least));
+            Found::Fell {
+                fell,
+                scans,
+                state,
+                least,
+            }
+        }
+    };
+    Some(Finding::key(Tone::Plain, said))
+}
+
+/// The median of the worst state that has a curve, of a single combination.
+fn median(answer: &StudyAnswer) -> Option<Finding> {
+    let [one] = answer.fragilities() else {
+        return None;
+    };
+    let mut worst = one.states.iter().rev();
+    let (of, fit) = worst.find_map(|own| Some((own.state, own.by_acceleration.as_ref().ok()?)))?;
+    let said = Found::Median {
+        state: state(answer, of),
+        theta: g(answer, fit.curve.theta()),
+        beta: Quantity::ratio(fit.curve.beta(), 2),
+    };
+    Some(Finding::key(Tone::Plain, said))
+}

@@ -1,0 +1,234 @@
+//! Fragility curves of a study, and the rates at which states are reached.
+
+use super::hazard;
+use super::words::{CONFIDENCE, Words, both, count, fixed, g, of_all, of_case, state, unit_g};
+use super::{joints, measures, scatter};
+use crate::document::{Block, Cell, Column, Document, Table};
+use dolmen::assess::{AssessError, FragilityFit};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer, YEARS};
+use std::collections::BTreeSet;
+
+/// Combinations in the tables; all are in fragility.csv.
+const SHOWN_MOST: usize = 8;
+/// Beyond this a β says nothing: the state is reached within e^±10 of its median. Chosen here.
+const BETA_SAID: f64 = 10.0;
+
+messages! {
+    /// Fragility.
+    pub(crate) enum Curves in "study.fragility" {
+        Head => { en: "Fragility", ko: "취약도" },
+        TooFew { motions: Sentence } => {
+            en: "No fragility curves: usable scans of {motions} a combination of inputs, 3 motions or more are needed.",
+            ko: "취약도 곡선을 구할 수 없다. 입력 조합당 사용할 수 있는 증분해석이 {motions}뿐이며, 입력지진 3개 이상이 필요하다.",
+        },
+        Caption => { en: "Fragility curves, lognormal in the peak acceleration of the ground.", ko: "최대지반가속도의 대수정규분포로 나타낸 취약도." },
+        CaptionWithRisk => { en: "Fragility and risk, lognormal in the peak acceleration of the ground.", ko: "최대지반가속도의 대수정규분포로 나타낸 취약도와 위험도." },
+        Meaning => {
+            en: "θ is the peak acceleration of the ground that half of the scans reach the state by (θ_v: their peak velocity), β the scatter of its logarithm, each with its 95 % interval; enough: motions by which θ is known to 10 % (one standard error), not said of fewer than 7, of which β is hardly known.",
+            ko: "θ는 증분해석의 절반이 해당 상태에 이르는 최대지반가속도(θ_v는 최대지반속도), β는 대수 표준편차이며 각각의 95 % 신뢰구간을 함께 제시한다. 충분한 수: θ의 표준오차가 10 %가 되는 입력지진의 수이며, β를 거의 알 수 없는 7개 미만에서는 제시하지 않는다.",
+        },
+        RiskMeaning => {
+            en: "In brackets the annual rate at the ends of both intervals; beyond the hazard: the share of a rate that comes from shaking for which no hazard was given.",
+            ko: "괄호는 두 신뢰구간의 끝에서의 연간 초과율이다. 재해도 범위 밖: 재해도가 주어지지 않은 지진동에서 나온 초과율의 비율.",
+        },
+        Reached => { en: "reached", ko: "도달" },
+        Theta => { en: "θ", ko: "θ" },
+        Interval => { en: "95 %", ko: "95 %" },
+        Beta => { en: "β", ko: "β" },
+        BetaVelocity => { en: "β of velocity", ko: "β (속도)" },
+        Enough => { en: "enough", ko: "충분한 수" },
+        Rate => { en: "rate a year", ko: "연간 초과율" },
+        Beyond => { en: "beyond the hazard", ko: "재해도 범위 밖" },
+        InYears => { en: "in 50 years", ko: "50년 확률" },
+        RateBetween { rate: Quantity, least: Quantity, most: Quantity } => {
+            en: "{rate} ({least} – {most})",
+            ko: "{rate} ({least} – {most})",
+        },
+        RateFrom { rate: Quantity, least: Quantity } => { en: "{rate} (from {least} on)", ko: "{rate} ({least} 이상)" },
+        More { more: usize } => { en: "And {more} more: fragility.csv.", ko: "그 밖의 {more}개 조합은 fragility.csv에 있다." },
+        Bounds => {
+            en: "Where none or all reached a state, or its scatter is below the steps of the scan: what is known with 95 % confidence, and no curve.",
+            ko: "도달한 경우가 없거나 모두 도달하였을 때, 또는 산포가 증분 간격보다 작을 때에는 95 % 신뢰수준에서 알 수 있는 범위만 제시하고 곡선은 제시하지 않는다.",
+        },
+    }
+}
+
+/// Curves with what they rest on; why there are none where too few motions were run.
+pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
+    let found = answer.fragilities();
+    if found.is_empty() {
+        return;
+    }
+    document.subheading(Curves::Head);
+    if found.iter().flat_map(|one| &one.states).all(is_too_few) {
+        document.paragraph(Curves::TooFew {
+            motions: motions(found),
+        });
+        return;
+    }
+    let shown = &found[..found.len().min(SHOWN_MOST)];
+    document.put(Block::Table(table(answer, shown)));
+    if found.len() > shown.len() {
+        let more = found.len() - shown.len();
+        document.note(Curves::More { more });
+    }
+    if shown.iter().flat_map(|one| &one.states).any(is_bounded) {
+        document.note(Curves::Bounds);
+    }
+    scatter::section(document, answer, shown);
+    hazard::section(document, answer);
+    measures::section(document, answer);
+    joints::section(document, answer);
+}
+
+fn is_too_few(state: &StateFragility) -> bool {
+    matches!(state.by_acceleration, Err(AssessError::TooFewMotions { .. }))
+}
+
+fn is_bounded(state: &StateFragility) -> bool {
+    matches!(state.by_acceleration, Err(AssessError::NoFragility(_)))
+}
+
+/// The most motions behind one state of a combination.
+fn motions(found: &[CombinationFragility]) -> Sentence {
+    let each = found.iter().flat_map(|one| &one.states).map(|state| {
+        let different: BTreeSet<&usize> = state.motions.iter().collect();
+        different.len()
+    });
+    match each.max().unwrap_or(0) {
+        1 => Words::OneMotion.into(),
+        count => Words::Motions { count }.into(),
+    }
+}
+
+fn table(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Table {
+    let has_risk = answer.hazard.is_some();
+    let in_g = unit_g(answer);
+    let plain = |head: Curves| Column::numbers(head, Unit::ratio());
+    let mut columns = vec![
+        Column::words(Words::State),
+        plain(Curves::Reached),
+        Column::numbers(Curves::Theta, in_g.clone()),
+        Column::numbers(Curves::Interval, in_g),
+        plain(Curves::Beta),
+        plain(Curves::Interval),
+        Column::numbers(Sentence::of_symbol("θ_v"), Unit::si("m/s")),
+        plain(Curves::BetaVelocity),
+        plain(Curves::Enough),
+    ];
+    let mut caption = vec![Curves::Caption.into(), Curves::Meaning.into()];
+    if has_risk {
+        columns.push(Column::numbers(Curves::Rate, thousandths()));
+        let percent = |head: Curves| Column::numbers(head, Unit::percent());
+        columns.extend([percent(Curves::Beyond), percent(Curves::InYears)]);
+        caption[0] = Curves::CaptionWithRisk.into();
+        caption.push(Curves::RiskMeaning.into());
+    }
+    let mut rows = Vec::new();
+    for one in shown {
+        for own in &one.states {
+            let state = of_case(answer, state(answer, own.state), one.job);
+            let mut row = vec![Cell::words(state)];
+            row.extend(curve(answer, own));
+            row.extend(risk(own).into_iter().filter(|_| has_risk));
+            rows.push(row);
+        }
+    }
+    Table {
+        caption,
+        columns,
+        rows,
+    }
+}
+
+/// From "reached" to "enough".
+fn curve(answer: &StudyAnswer, own: &StateFragility) -> Vec<Cell> {
+    let mut cells = vec![of_all(own.reached(), own.observations.len())];
+    match &own.by_acceleration {
+        Ok(fit) => cells.extend(fitted(answer, fit)),
+        Err(why) => {
+            cells.push(Cell::words(both(|language| answer.bound_words(why, language))));
+            cells.extend([Cell::Number(None), Cell::Number(None), Cell::Number(None)]);
+        }
+    }
+    let velocity = own.by_velocity();
+    let median =
+        velocity.map(|fit| Quantity::new(fit.curve.theta(), Unit::si("m/s"), Digits::Significant(3)));
+    cells.push(Cell::Number(median));
+    cells.push(Cell::Number(velocity.map(|fit| fixed(fit.curve.beta(), 2))));
+    cells.push(own.motions_enough().map_or(Cell::Number(None), count));
+    cells
+}
+
+fn fitted(answer: &StudyAnswer, fit: &FragilityFit) -> [Cell; 4] {
+    let theta = fit
+        .theta_interval(CONFIDENCE)
+        .ok()
+        .map(|interval| Words::Interval {
+            lower: bare(g(answer, interval.lower)),
+            upper: bare(g(answer, interval.upper)),
+        });
+    let beta = fit.beta_interval(CONFIDENCE).ok().map(|interval| {
+        let lower = fixed(interval.lower, 2);
+        match interval.upper > BETA_SAID {
+            true => Words::OpenInterval {
+                lower,
+                upper: fixed(BETA_SAID, 0),
+            },
+            false => Words::Interval {
+                lower,
+                upper: fixed(interval.upper, 2),
+            },
+        }
+    });
+    let interval = |words: Option<Words>| words.map_or(Cell::Number(None), Cell::words);
+    [
+        Cell::number(g(answer, fit.curve.theta())),
+        interval(theta),
+        Cell::number(fixed(fit.curve.beta(), 2)),
+        interval(beta),
+    ]
+}
+
+/// Rates a year are small.
+fn thousandths() -> Unit {
+    Unit {
+        symbol: "10⁻³".to_owned(),
+        factor: 1e3,
+    }
+}
+
+/// Without its unit, which the column names.
+fn bare(mut quantity: Quantity) -> Quantity {
+    quantity.unit.symbol.clear();
+    quantity
+}
+
+/// The annual rate, what of it comes from beyond the hazard, and the probability in 50 years.
+fn risk(own: &StateFragility) -> [Cell; 3] {
+    let Some(risk) = own.risk else {
+        return [Cell::Number(None), Cell::Number(None), Cell::Number(None)];
+    };
+    let rated = |rate: f64, digits| Quantity::new(rate, thousandths(), Digits::Significant(digits));
+    let rate = rated(risk.annual_rate, 2);
+    let end = |value: f64| bare(rated(value, 1));
+    let rate = match own.rate_interval {
+        None => Cell::number(rate),
+        Some([least, most]) if most.is_finite() => Cell::words(Curves::RateBetween {
+            rate: bare(rate),
+            least: end(least),
+            most: end(most),
+        }),
+        Some([least, _]) => Cell::words(Curves::RateFrom {
+            rate: bare(rate),
+            least: end(least),
+        }),
+    };
+    let beyond = Quantity::percent(risk.share_below_points + risk.share_above_points, 2);
+    [
+        rate,
+        Cell::number(beyond),
+        Cell::number(Quantity::percent(risk.probability_in(YEARS), 2)),
+    ]
+}

@@ -1,0 +1,102 @@
+//! What β is made of, and curves that cross.
+
+use super::words::{CONFIDENCE, fixed, g, of_case, state};
+use crate::document::{Block, Document};
+use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
+
+messages! {
+    /// Scatter and crossings.
+    pub(crate) enum Scatter in "study.scatter" {
+        Split { state: Sentence, motions: Quantity, inputs: Quantity, lower: Quantity, upper: Quantity } => {
+            en: "β of {state}: {motions} from motion to motion, {inputs} ({lower} to {upper}) from what is not known of the structure.",
+            ko: "{state}의 β: 입력지진에 의한 값 {motions}, 구조물의 불확실성에 의한 값 {inputs}({lower}–{upper}).",
+        },
+        Without { without: usize, samples: usize } => {
+            en: "{without} of {samples} samples have no curve.",
+            ko: "표본 {samples}개 중 {without}개는 곡선이 없다.",
+        },
+        NotSplit => {
+            en: "Where β is not split: fewer than three samples have a curve of their own, or more than a tenth of them have none.",
+            ko: "β를 나누지 못한 경우는 곡선이 있는 표본이 3개 미만이거나 표본의 10분의 1 넘게 곡선이 없는 경우이다.",
+        },
+        CrossBelow { mild: Sentence, severe: Sentence, at: Quantity, probability: Quantity } => {
+            en: "The curves of {mild} and {severe} cross at {at}, where both have {probability}: below it the worse state is called likelier than the milder one, which cannot be.",
+            ko: "{mild}와(과) {severe}의 곡선이 {at}(확률 {probability})에서 교차한다. 그보다 작은 지진동에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
+        },
+        CrossAbove { mild: Sentence, severe: Sentence, at: Quantity, probability: Quantity } => {
+            en: "The curves of {mild} and {severe} cross at {at}, where both have {probability}: above it the worse state is called likelier than the milder one, which cannot be.",
+            ko: "{mild}와(과) {severe}의 곡선이 {at}(확률 {probability})에서 교차한다. 그보다 큰 지진동에서는 심한 상태의 확률이 더 크게 나타나므로 사용할 수 없다.",
+        },
+    }
+}
+
+/// β split where inputs are drawn, and a warning a crossing.
+pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer, shown: &[CombinationFragility]) {
+    let mut points = Vec::new();
+    for one in shown {
+        for own in &one.states {
+            points.extend(split(answer, one, own));
+        }
+    }
+    if !points.is_empty() {
+        document.put(Block::List(points));
+    }
+    let is_open = |state: &StateFragility| state.scatter.is_none() && state.by_acceleration.is_ok();
+    let drawn = answer.study.samples.is_some_and(|samples| samples > 1);
+    if drawn && shown.iter().flat_map(|one| &one.states).any(is_open) {
+        document.note(Scatter::NotSplit);
+    }
+    for crossing in crossings(answer, shown) {
+        document.put(Block::Warning(crossing.into()));
+    }
+}
+
+fn split(answer: &StudyAnswer, one: &CombinationFragility, own: &StateFragility) -> Vec<Sentence> {
+    let Some(split) = &own.scatter else {
+        return Vec::new();
+    };
+    let Ok(interval) = split.of_inputs_interval(CONFIDENCE) else {
+        return Vec::new();
+    };
+    let said = Scatter::Split {
+        state: of_case(answer, state(answer, own.state), one.job),
+        motions: fixed(split.of_motions, 2),
+        inputs: fixed(split.of_inputs, 2),
+        lower: fixed(interval.lower, 2),
+        upper: fixed(interval.upper, 2),
+    };
+    let without = (split.without_curve > 0).then_some(Scatter::Without {
+        without: split.without_curve,
+        samples: split.without_curve + split.samples,
+    });
+    std::iter::once(said).chain(without).map(Sentence::from).collect()
+}
+
+/// Pairs of curves that cross where it matters.
+pub(super) fn crossings(answer: &StudyAnswer, shown: &[CombinationFragility]) -> Vec<Scatter> {
+    let mut found = Vec::new();
+    for one in shown {
+        for (mild, severe, crossing, is_below) in one.crossings() {
+            let mild = of_case(answer, state(answer, mild), one.job);
+            let severe = state(answer, severe);
+            let at = g(answer, crossing.intensity);
+            let probability = fixed(crossing.probability, 2);
+            found.push(match is_below {
+                true => Scatter::CrossBelow {
+                    mild,
+                    severe,
+                    at,
+                    probability,
+                },
+                false => Scatter::CrossAbove {
+                    mild,
+                    severe,
+                    at,
+                    probability,
+                },
+            });
+        }
+    }
+    found
+}

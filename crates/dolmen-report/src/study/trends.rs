@@ -1,0 +1,194 @@
+//! Trends of the capacity with each input, all else equal.
+
+use super::words::{Words, both, count, fixed, of_all, scans};
+use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use dolmen::assess::{Direction, Reached, reached_quantile};
+use dolmen_words::{Quantity, Sentence, Unit, messages};
+use dolmen_work::study::{SCANS_OF_TAILS, StudyAnswer, TrendAnswer, TrendVerdict, input_words};
+
+messages! {
+    /// Trends.
+    pub(crate) enum Trends in "study.trends" {
+        Caption => { en: "Trends of the capacity, all else equal.", ko: "다른 조건이 같을 때 내진성능의 경향." },
+        Meaning => {
+            en: "Kendall's rank correlation τ of the medians, and what chance alone would give.",
+            ko: "중앙값의 켄달 순위상관계수 τ와 우연만으로 나타날 수 있는 크기.",
+        },
+        EachMeaning { scans: usize } => {
+            en: "Same way: in how many motions, directions and samples τ has this sign, and τ from the least to the largest of them (from {scans} on the 5 and 95 % of them).",
+            ko: "같은 방향: 입력지진·방향·표본별 τ의 부호가 같은 개수와 그 최소–최대({scans}개 이상이면 5–95 %).",
+        },
+        Expected => { en: "expected", ko: "예상" },
+        Verdict => { en: "verdict", ko: "판정" },
+        Tau => { en: "τ", ko: "τ" },
+        Chance => { en: "± by chance", ko: "± 우연" },
+        Pairs => { en: "pairs", ko: "쌍" },
+        SameWay => { en: "same way", ko: "같은 방향" },
+        Range => { en: "τ of each", ko: "개별 τ" },
+        CapacityRises => { en: "the capacity rises with it", ko: "값이 클수록 내진성능 증가" },
+        CapacityFalls => { en: "the capacity falls with it", ko: "값이 클수록 내진성능 감소" },
+        Nothing => { en: "nothing", ko: "없음" },
+        Rises => { en: "rises", ko: "증가" },
+        Falls => { en: "falls", ko: "감소" },
+        NoTrend => { en: "no trend seen", ko: "경향 없음" },
+        Holds => { en: "holds", ko: "성립" },
+        NotSeen => { en: "not seen", ko: "확인 안 됨" },
+        Contradicted => { en: "contradicted", ko: "반대" },
+        OfPart { used: usize, all: Sentence } => {
+            en: "Trends are of {used} of {all}.",
+            ko: "경향은 {all} 중 {used}건으로 구하였다.",
+        },
+        Found { input: Sentence, expected: Sentence, verdict: Sentence, tau: Quantity, chance: Quantity, pairs: usize } => {
+            en: "{input}: {expected}: {verdict} (τ = {tau}, ± {chance} by chance, pairs: {pairs}).",
+            ko: "{input}: {expected}: {verdict}(τ = {tau}, 우연 ± {chance}, 쌍 {pairs}개).",
+        },
+        FoundAlone { input: Sentence, verdict: Sentence, tau: Quantity, chance: Quantity, pairs: usize } => {
+            en: "Capacity against {input}: {verdict} (τ = {tau}, ± {chance} by chance, pairs: {pairs}).",
+            ko: "{input}에 따른 내진성능: {verdict}(τ = {tau}, 우연 ± {chance}, 쌍 {pairs}개).",
+        },
+    }
+}
+
+/// Trends that have pairs to compare; those of runs as they are read cannot fail.
+fn known(answer: &StudyAnswer) -> Vec<TrendAnswer> {
+    let mut found = answer.trends().unwrap_or_default();
+    found.retain(|trend| trend.of_medians.pairs > 0);
+    found
+}
+
+/// The table; nothing without a trend.
+pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
+    let found = known(answer);
+    if found.is_empty() {
+        return;
+    }
+    let with_each = found.iter().any(|trend| trend.of_each.len() > 1);
+    let mut columns = vec![
+        Column::words(Words::Input),
+        Column::words(Trends::Expected),
+        Column::words(Trends::Verdict),
+    ];
+    let mut heads = vec![Trends::Tau, Trends::Chance, Trends::Pairs];
+    let mut caption = vec![Trends::Caption.into(), Trends::Meaning.into()];
+    if with_each {
+        heads.extend([Trends::SameWay, Trends::Range]);
+        let scans = SCANS_OF_TAILS;
+        caption.push(Trends::EachMeaning { scans }.into());
+    }
+    columns.extend(heads.into_iter().map(|head| Column::numbers(head, Unit::ratio())));
+    let row = |trend: &TrendAnswer| {
+        let tau = &trend.of_medians;
+        let mut row = vec![
+            Cell::words(input(answer, trend)),
+            Cell::words(expected(trend).unwrap_or(Trends::Nothing.into())),
+            match verdict(trend) {
+                contradicted @ Trends::Contradicted => Cell::BadWords(contradicted.into()),
+                other => Cell::words(other),
+            },
+            Cell::number(fixed(tau.tau, 2)),
+            Cell::number(fixed(tau.tau_by_chance, 2)),
+            count(tau.pairs),
+        ];
+        if with_each {
+            row.extend(each(trend));
+        }
+        row
+    };
+    document.put(Block::Table(Table {
+        rows: found.iter().map(row).collect(),
+        caption,
+        columns,
+    }));
+    let (left_out, all) = (answer.left_out(), answer.jobs());
+    if left_out > 0 {
+        let used = all - left_out;
+        document.note(Trends::OfPart {
+            used,
+            all: scans(all),
+        });
+    }
+}
+
+/// A sentence a trend.
+pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
+    let one = |trend: &TrendAnswer| {
+        let tau = &trend.of_medians;
+        let (input, pairs) = (input(answer, trend), tau.pairs);
+        let (size, chance) = (fixed(tau.tau, 2), fixed(tau.tau_by_chance, 2));
+        let said = verdict(trend);
+        let tone = match said {
+            Trends::Contradicted => Tone::Warn,
+            _ => Tone::Plain,
+        };
+        let verdict = said.into();
+        let said = match expected(trend) {
+            Some(expected) => Trends::Found {
+                input,
+                expected,
+                verdict,
+                tau: size,
+                chance,
+                pairs,
+            },
+            None => Trends::FoundAlone {
+                input,
+                verdict,
+                tau: size,
+                chance,
+                pairs,
+            },
+        };
+        Finding::key(tone, said)
+    };
+    known(answer).iter().map(one).collect()
+}
+
+fn input(answer: &StudyAnswer, trend: &TrendAnswer) -> Sentence {
+    both(|language| input_words(&answer.inputs[trend.input].path, language))
+}
+
+/// What was expected, in the words of the file if it has any.
+fn expected(trend: &TrendAnswer) -> Option<Sentence> {
+    let (expected, _) = trend.expected.as_ref()?;
+    Some(match (&expected.words, expected.direction) {
+        (Some(names), _) => both(|language| language.pick(names.english(), names.korean()).to_owned()),
+        (None, Direction::Rising) => Trends::CapacityRises.into(),
+        (None, Direction::Falling) => Trends::CapacityFalls.into(),
+    })
+}
+
+fn verdict(trend: &TrendAnswer) -> Trends {
+    match (&trend.expected, trend.of_medians.direction()) {
+        (Some((_, TrendVerdict::Holds)), _) => Trends::Holds,
+        (Some((_, TrendVerdict::NotSeen)), _) => Trends::NotSeen,
+        (Some((_, TrendVerdict::Contradicted)), _) => Trends::Contradicted,
+        (None, Some(Direction::Rising)) => Trends::Rises,
+        (None, Some(Direction::Falling)) => Trends::Falls,
+        (None, None) => Trends::NoTrend,
+    }
+}
+
+/// In how many motions, directions and samples it goes the same way, and how far they differ.
+fn each(trend: &TrendAnswer) -> [Cell; 2] {
+    if trend.of_each.len() < 2 {
+        return [Cell::Number(None), Cell::Number(None)];
+    }
+    let way = match (&trend.expected, trend.of_medians.tau > 0.0) {
+        (Some((expected, _)), _) => expected.direction,
+        (None, true) => Direction::Rising,
+        (None, false) => Direction::Falling,
+    };
+    let values: Vec<Reached> = trend.of_each.iter().copied().map(Reached::At).collect();
+    let ends = match values.len() < SCANS_OF_TAILS {
+        true => [0.0, 1.0],
+        false => [0.05, 0.95],
+    };
+    let [lower, upper] = ends.map(|p| {
+        let end = reached_quantile(&values, p).map_or(f64::NAN, Reached::value);
+        fixed(end, 2)
+    });
+    [
+        of_all(trend.same_way(way), trend.of_each.len()),
+        Cell::words(Words::Interval { lower, upper }),
+    ]
+}

@@ -1,0 +1,146 @@
+//! What decides about dampers: what is worse than none, what lacks room, and what the best brings.
+
+use super::words::{of_none, part, point_ratio, under_words};
+use crate::building::{millimetres, name, significant};
+use crate::document::{Finding, Tone};
+use dolmen::damper::Choice;
+use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer};
+
+messages! {
+    /// Findings on dampers.
+    pub(crate) enum Found in "tune.findings" {
+        Worse { damper: String, list: Vec<Sentence> } => {
+            en: "Damper {damper} makes points worse than no damper: {list} of the motion without it.",
+            ko: "제진장치 {damper}은(는) 비제어보다 응답을 키운다: 비제어 대비 {list}.",
+        },
+        BeyondRoom { damper: String, under: Sentence, needed: Quantity, has: Quantity } => {
+            en: "Damper {damper} is beyond its room under {under}: it needs {needed} each way and has {has}.",
+            ko: "제진장치 {damper}의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다({under}).",
+        },
+        BeyondRoomAlone { damper: String, under: Sentence, needed: Quantity, has: Quantity } => {
+            en: "Damper {damper} by itself is beyond its room under {under}: it needs {needed} each way and has {has}.",
+            ko: "제진장치 {damper}만 있을 때의 행정 {needed}이(가) 여유 공간 {has}을(를) 넘는다({under}).",
+        },
+        RoomUnjudged => {
+            en: "The room of a damper is given, and the file has no motion or site to hold it against; the loads here have no size.",
+            ko: "제진장치의 여유 공간은 주어졌으나 비교할 지진동이나 부지 스펙트럼이 없다. 여기의 하중은 크기가 정해져 있지 않다.",
+        },
+        Compared { damper: String, given: Quantity, rule: Quantity, best: Quantity } => {
+            en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best.",
+            ko: "제진장치 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 최적 위치와 동조 {best}.",
+        },
+        ComparedKept { damper: String, given: Quantity, rule: Quantity, best: Quantity, most: Quantity } => {
+            en: "Damper {damper}: {given} of the motion without it as in the file, {rule} at the place of the rule, {best} placed and tuned best, where {most} of its stroke was asked for.",
+            ko: "제진장치 {damper}: 비제어 대비 입력 상태 {given}, 논문의 규칙에 따른 위치 {rule}, 행정을 입력 상태의 {most}배로 제한하여 구한 최적 위치와 동조 {best}.",
+        },
+        ComparedTogether { given: Quantity, best: Quantity } => {
+            en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together.",
+            ko: "제진장치 전체: 비제어 대비 입력 상태 {given}, 위치와 동조 동시 최적 {best}.",
+        },
+        ComparedTogetherKept { given: Quantity, best: Quantity, most: Quantity } => {
+            en: "All dampers together: {given} of the motion without them as in the file, {best} placed and tuned best together, where {most} of the strokes was asked for.",
+            ko: "제진장치 전체: 비제어 대비 입력 상태 {given}, 행정을 입력 상태의 {most}배로 제한하여 구한 위치와 동조 동시 최적 {best}.",
+        },
+    }
+}
+
+/// Of each damper alone and of all together.
+pub(crate) fn findings(tunings: &[&TuneAnswer], together: &[&TogetherAnswer]) -> Vec<Finding> {
+    let mut all: Vec<Finding> = tunings.iter().flat_map(|answer| of_one(answer)).collect();
+    all.extend(together.iter().flat_map(|answer| of_all(answer)));
+    let mut rooms = tunings.iter().map(|answer| &answer.room);
+    let mut others = together.iter().map(|answer| &answer.room);
+    if rooms.any(RoomCheck::is_unjudged) || others.any(RoomCheck::is_unjudged) {
+        all.push(Finding::key(Tone::Unknown, Found::RoomUnjudged));
+    }
+    all
+}
+
+fn of_one(answer: &TuneAnswer) -> Vec<Finding> {
+    let comparison = &answer.comparison;
+    let worse = comparison.row(Choice::Given).map(|row| answer.worse(row));
+    let list = worse.unwrap_or_default().into_iter();
+    let list: Vec<Sentence> = list
+        .map(|(point, ratio)| point_ratio(name(&point.name), ratio, 3))
+        .collect();
+    let mut all = Vec::new();
+    if !list.is_empty() {
+        let damper = answer.damper.clone();
+        all.push(Finding::key(Tone::Bad, Found::Worse { damper, list }));
+    }
+    all.extend(beyond_room(&answer.room, answer.others > 0, |row| {
+        let row = comparison.rows.get(row);
+        row.is_some_and(|row| row.choice == Choice::Given)
+    }));
+    let ratio = |choice| {
+        let row = comparison.row(choice)?;
+        Some(of_none(row.cost / comparison.cost_without, 3))
+    };
+    if let (Some(given), Some(best), Some(rule)) =
+        (ratio(Choice::Given), ratio(Choice::Best), ratio(Choice::Rule))
+    {
+        let damper = answer.damper.clone();
+        let said = match answer.stroke_most.map(part) {
+            None => Found::Compared {
+                damper,
+                given,
+                rule,
+                best,
+            },
+            Some(most) => Found::ComparedKept {
+                damper,
+                given,
+                rule,
+                best,
+                most,
+            },
+        };
+        all.push(Finding::key(Tone::Plain, said));
+    }
+    all
+}
+
+fn of_all(answer: &TogetherAnswer) -> Vec<Finding> {
+    let mut all = beyond_room(&answer.room, false, |row| {
+        let row = answer.rows.get(row);
+        row.is_some_and(|row| row.choice == TogetherChoice::Given)
+    });
+    let ratio = |choice: TogetherChoice| {
+        let row = answer.rows.iter().find(|row| row.choice == choice)?;
+        Some(of_none(answer.cost_ratio(row), 3))
+    };
+    if let (Some(given), Some(best)) = (ratio(TogetherChoice::Given), ratio(TogetherChoice::Best)) {
+        let said = match answer.stroke_most.map(part) {
+            None => Found::ComparedTogether { given, best },
+            Some(most) => Found::ComparedTogetherKept { given, best, most },
+        };
+        all.push(Finding::key(Tone::Plain, said));
+    }
+    all
+}
+
+/// Dampers as in the file that need more room than they have; `alone`: without the others of the file.
+fn beyond_room(room: &RoomCheck, alone: bool, is_given: impl Fn(usize) -> bool) -> Vec<Finding> {
+    let beyond = room.beyond().filter(|of| is_given(of.row));
+    let said = beyond.map(|of| {
+        let (damper, under) = (of.damper.clone(), under_words(of));
+        let needed = significant(of.stroke_m, millimetres(), 4);
+        let has = significant(of.room_m, millimetres(), 4);
+        match alone {
+            true => Found::BeyondRoomAlone {
+                damper,
+                under,
+                needed,
+                has,
+            },
+            false => Found::BeyondRoom {
+                damper,
+                under,
+                needed,
+                has,
+            },
+        }
+    });
+    said.map(|said| Finding::key(Tone::Bad, said)).collect()
+}

@@ -1,0 +1,93 @@
+//! What is said of dampers beside the rule and the best: findings, a section a damper, and all of them together.
+
+mod choices;
+mod findings;
+mod remarks;
+mod together;
+mod tunings;
+mod words;
+
+pub(crate) use findings::findings;
+
+use crate::document::{Document, Finding, TextStyle, document_text, findings_text, heading_text};
+use dolmen_words::{Sentence, Template, messages};
+use dolmen_work::building::{TogetherAnswer, TuneAnswer};
+
+messages! {
+    /// Heads of the sections.
+    pub(crate) enum Heads in "tune.heads" {
+        Damper { damper: String } => { en: "Damper: {damper}", ko: "제진장치: {damper}" },
+        Together => { en: "All dampers together", ko: "제진장치 전체" },
+        TogetherOf { variant: String } => { en: "All dampers together: {variant}", ko: "제진장치 전체: {variant}" },
+    }
+}
+
+/// The sentences on dampers as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 7] = [
+    words::Words::TEMPLATES,
+    findings::Found::TEMPLATES,
+    Heads::TEMPLATES,
+    choices::Choices::TEMPLATES,
+    tunings::Tunings::TEMPLATES,
+    together::Together::TEMPLATES,
+    remarks::Remark::TEMPLATES,
+];
+
+/// A section a damper, then all of a version together.
+pub(crate) fn sections<'a>(tunings: &[&'a TuneAnswer], together: &[&TogetherAnswer]) -> Document<'a> {
+    let mut document = Document::default();
+    for answer in tunings {
+        document.heading(head(answer));
+        one(&mut document, answer);
+    }
+    for answer in together {
+        document.heading(head_together(answer));
+        together::section(&mut document, answer);
+    }
+    document
+}
+
+fn head(answer: &TuneAnswer) -> Heads {
+    Heads::Damper {
+        damper: answer.damper.clone(),
+    }
+}
+
+fn head_together(answer: &TogetherAnswer) -> Heads {
+    match answer.variant.clone() {
+        None => Heads::Together,
+        Some(variant) => Heads::TogetherOf { variant },
+    }
+}
+
+fn one<'a>(document: &mut Document<'a>, answer: &'a TuneAnswer) {
+    choices::lead(document, answer);
+    choices::section(document, answer);
+    tunings::section(document, answer);
+    tunings::out_of_tune(document, answer);
+    remarks::of_one(document, answer);
+}
+
+/// A damper beside the rule and the best, for a terminal.
+pub fn tune_text(answer: &TuneAnswer, style: TextStyle) -> String {
+    let mut document = Document::default();
+    one(&mut document, answer);
+    text(head(answer), &findings(&[answer], &[]), &document, style)
+}
+
+/// All dampers of a building at once, for a terminal.
+pub fn together_text(answer: &TogetherAnswer, style: TextStyle) -> String {
+    let mut document = Document::default();
+    together::section(&mut document, answer);
+    text(head_together(answer), &findings(&[], &[answer]), &document, style)
+}
+
+/// What decides, and all the rest where it is asked for.
+fn text(head: Heads, findings: &[Finding], document: &Document<'_>, style: TextStyle) -> String {
+    let shown = findings.iter().filter(|of| of.is_key || style.is_full);
+    let mut out = heading_text(&Sentence::from(head).text(style.language)) + &findings_text(shown, style);
+    if style.is_full {
+        out += &document_text(document, style);
+    }
+    out
+}

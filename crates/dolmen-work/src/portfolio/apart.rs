@@ -1,0 +1,67 @@
+//! What of a ranking must not be overlooked.
+
+use super::answer::PortfolioAnswer;
+
+/// Places by which falls alone must differ to be spoken of: a third of all. Chosen here.
+const PART_APART: f64 = 1.0 / 3.0;
+
+/// A structure whose place by falls alone is far from its place by the state.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct FallsApart<'a> {
+    /// Its name.
+    pub name: &'a str,
+    /// Its place by the state.
+    pub rank: usize,
+    /// Its place by falls alone.
+    pub by_falls: usize,
+}
+
+impl FallsApart<'_> {
+    /// Places by which falls alone put it further back; negative if further ahead.
+    fn behind(&self) -> f64 {
+        self.by_falls as f64 - self.rank as f64
+    }
+}
+
+/// Structures without a hazard, by name, where others have one: why rates do not order them. Empty if all have one, or none.
+pub fn without_hazard(answer: &PortfolioAnswer) -> Vec<&str> {
+    let lacking = answer.entries.iter().filter(|entry| entry.hazard.is_none());
+    let lacking: Vec<&str> = lacking.map(|entry| entry.name.as_str()).collect();
+    match lacking.len() == answer.entries.len() {
+        true => Vec::new(),
+        false => lacking,
+    }
+}
+
+/// Structures, by name, whose hazard the table gave although their project has its own.
+pub fn hazards_replaced(answer: &PortfolioAnswer) -> Vec<&str> {
+    let replaced = answer.entries.iter().filter(|entry| entry.hazard_replaced);
+    replaced.map(|entry| entry.name.as_str()).collect()
+}
+
+/// Structures that by falls alone stand far further ahead than by the state, the first to fall first.
+pub fn falls_first(answer: &PortfolioAnswer) -> Vec<FallsApart<'_>> {
+    let mut found = apart(answer, |behind, least| -behind >= least);
+    found.sort_by_key(|one| one.by_falls);
+    found
+}
+
+/// Structures that falls alone would put far further back than the state does, the worst first.
+pub fn misjudged(answer: &PortfolioAnswer) -> Vec<FallsApart<'_>> {
+    match answer.state {
+        3 => Vec::new(),
+        _ => apart(answer, |behind, least| behind >= least),
+    }
+}
+
+fn apart(answer: &PortfolioAnswer, is_far: impl Fn(f64, f64) -> bool) -> Vec<FallsApart<'_>> {
+    let least = (PART_APART * answer.entries.len() as f64).max(1.0);
+    let each = answer.rows().filter_map(|(place, entry, _)| {
+        Some(FallsApart {
+            name: &entry.name,
+            rank: place.rank,
+            by_falls: answer.by_falls.get(place.candidate).copied().flatten()?,
+        })
+    });
+    each.filter(|one| is_far(one.behind(), least)).collect()
+}
