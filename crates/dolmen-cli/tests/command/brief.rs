@@ -60,6 +60,7 @@ fn holds_a_brief_answer_is_a_headline_and_at_most_15_lines() {
                 );
             }
             let lines: Vec<&str> = answer.stdout.lines().collect();
+            assert!(lines.len() <= 22, "{example}: {}", answer.stdout);
             let verdict = lines
                 .iter()
                 .position(|line| line.starts_with("VERDICT") || line.starts_with("판정"));

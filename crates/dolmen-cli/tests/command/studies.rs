@@ -345,7 +345,7 @@ fn holds_a_refused_run_is_a_row_with_its_reason() {
         line.unwrap().split_whitespace().collect::<Vec<_>>().join(" ")
     };
     assert!(
-        level("joint.friction = -1").contains("-1 0 of 2 – unusable – – –"),
+        level("joint.friction = -1").contains("-1 0 of 2 – unusable – –"),
         "{}",
         level("joint.friction = -1")
     );

@@ -42,7 +42,10 @@ pub fn check_text(answer: &CheckAnswer, style: TextStyle) -> String {
             "",
             style.columns(),
         );
-        return out + &notes_text(&answer.project, style);
+        return match style.is_full {
+            true => out + &notes_text(&answer.project, style),
+            false => out + &brief_text(&findings(answer), &answer.project, style),
+        };
     };
     let judgement = judge_check(answer);
     for judged in judgement.versions.iter().take(1) {
