@@ -166,7 +166,7 @@ mod tests {
         );
         assert_eq!(
             text(&table, 24),
-            "                  margin\n  part       k     of it\n  석당간  1.50      2.00\n  ab      10.2         –\n"
+            "                margin\n  part       k   of it\n  석당간  1.50    2.00\n  ab      10.2       –\n"
         );
         for head in ["one", "two", "three"] {
             table.columns.push(numbers(head));
