@@ -176,6 +176,6 @@ mod tests {
         }
         let narrow = text(&table, 24);
         assert!(narrow.lines().all(|line| line.width() <= 24), "{narrow}");
-        assert_eq!(narrow.matches("석당간").count(), 3, "{narrow}");
+        assert_eq!(narrow.matches("석당간").count(), 4, "{narrow}");
     }
 }
