@@ -52,7 +52,7 @@ pub struct DemandAnswer {
 }
 
 /// The spectrum at a first period.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct SpectralAt {
     /// "x", "weak"; "all" for a structure that is the same in all.
     pub direction: String,
@@ -91,7 +91,7 @@ impl TiltCheck {
 }
 
 /// A measured frequency that the model does not have.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
 pub struct FrequencyContradiction {
     /// The survey.
     pub survey: String,
@@ -204,7 +204,7 @@ pub struct VariantAnswer {
 }
 
 /// The load factor under inputs drawn from their distributions.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, serde::Serialize)]
 pub struct Sampled {
     /// Probability that the structure falls (λ ≤ 1).
     pub unstable: Probability,

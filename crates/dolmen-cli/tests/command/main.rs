@@ -14,6 +14,7 @@ mod frames;
 mod import_circles;
 mod imports;
 mod judgements;
+mod keys;
 mod layout;
 mod safety;
 mod sentences;

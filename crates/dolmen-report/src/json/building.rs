@@ -2,8 +2,9 @@
 
 use super::judgement::judgement;
 use super::simulation::motion_json;
+use super::with::with;
 use dolmen::damper::DamperKind;
-use dolmen::dynamics::{BuildingPeaks, HistoryMethod, Peak};
+use dolmen::dynamics::{BuildingPeaks, HistoryMethod};
 use dolmen_project::BuiltDamper;
 use dolmen_work::building::BuildingSimulation;
 use dolmen_work::building::{
@@ -37,16 +38,7 @@ pub(super) fn building(answer: &BuildingAnswer) -> Value {
 
 fn standing(standing: &StandingBuilding) -> Value {
     let modes = standing.modes.modes.iter().zip(&standing.damping_ratios);
-    let modes = modes.map(|(mode, damping_ratio)| {
-        json!({
-            "frequency_hz": mode.frequency_hz, "omega_rad_s": mode.omega_rad_s, "damping_ratio": damping_ratio,
-            "shape": mode.shape, "participation": mode.participation, "effective_mass": mode.effective_mass,
-            "energy_shares": mode.energy_shares, "coupling": mode.coupling, "repeated": mode.repeated,
-            "centres": mode.centres.iter().map(|centre| centre.map(|c| json!({
-                "r_x_m": c.r_x_m, "r_y_m": c.r_y_m, "x_m": c.x_m, "y_m": c.y_m,
-            }))).collect::<Vec<_>>(),
-        })
-    });
+    let modes = modes.map(|(mode, damping_ratio)| with(mode, json!({ "damping_ratio": damping_ratio })));
     json!({
         "modes": modes.collect::<Vec<_>>(),
         "total_mass": standing.modes.total_mass,
@@ -65,7 +57,7 @@ fn standing(standing: &StandingBuilding) -> Value {
 }
 
 pub(super) fn damper(damper: &BuiltDamper) -> Value {
-    let mut value = json!({
+    let value = json!({
         "name": damper.name, "kind": damper.word(),
         "floor": damper.floor, "x_m": damper.place_m[0], "y_m": damper.place_m[1], "direction": damper.direction.unit(),
         "mode": damper.tuned_to.map(|tuned| tuned.mode), "mass_ratio": damper.tuned_to.map(|tuned| tuned.mass_ratio),
@@ -91,18 +83,13 @@ pub(super) fn damper(damper: &BuiltDamper) -> Value {
             "to_floor": damper.to.map(|to| to.0), "to_place_m": damper.to.map(|to| to.1),
         }),
     };
-    if let (Some(value), Value::Object(rest)) = (value.as_object_mut(), rest) {
-        value.extend(rest);
-    }
-    value
+    with(&value, rest)
 }
 
 fn spectral(spectral: &BuildingSpectral) -> Value {
     let [sum, srss, cqc] = spectral.base_shear_n;
     json!({
-        "modes": spectral.modes.iter().map(|mode| json!({
-            "period_s": mode.period_s, "damping_ratio": mode.damping_ratio, "acceleration_m_s2": mode.acceleration_m_s2,
-        })).collect::<Vec<_>>(),
+        "modes": spectral.modes,
         "base_shear_n": { "absolute_sum": sum, "srss": srss, "cqc": cqc },
         "base_torque_n_m": spectral.base_torque_n_m,
         "base_shear_least_favourable": spectral.least_favourable.map(|of| json!({
@@ -116,9 +103,7 @@ fn spectral(spectral: &BuildingSpectral) -> Value {
 
 fn damped(damped: &DampedSpectral) -> Value {
     json!({
-        "modes": damped.modes.iter().map(|mode| json!({
-            "period_s": mode.period_s, "damping_ratio": mode.damping_ratio, "acceleration_m_s2": mode.acceleration_m_s2,
-        })).collect::<Vec<_>>(),
+        "modes": damped.modes,
         "base_shear_n": damped.base_shear_n,
         "base_torque_n_m": damped.base_torque_n_m,
         "displacement_m": damped.displacement_m,
@@ -153,7 +138,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "dampers": simulation.dampers.iter().map(damper).collect::<Vec<_>>(),
         "peaks": peaks(&history.peaks, simulation),
         "peaks_without_dampers": simulation.without_dampers.as_ref().map(|other| peaks(&other.peaks, simulation)),
-        "dashpot_forces_n": simulation.dashpot_forces_n().iter().map(|force| force.as_ref().map(peak)).collect::<Vec<_>>(),
+        "dashpot_forces_n": simulation.dashpot_forces_n(),
         "points": points.collect::<Vec<_>>(),
         "drift_ratio": simulation.drift().ratio,
         "drift_at": if simulation.drift().at_corner { "corner" } else { "centre_of_mass" },
@@ -168,31 +153,24 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
     })
 }
 
-fn peak(peak: &Peak) -> Value {
-    json!({ "value": peak.value, "at_s": peak.at_s })
-}
-
 fn peaks(peaks: &BuildingPeaks, simulation: &BuildingSimulation) -> Value {
     let floors = peaks.floors.iter().zip(&peaks.storeys).zip(&simulation.floors);
     let floors = floors.map(|((floor, storey), name)| {
         json!({
             "floor": name,
-            "displacement_x_m": peak(&floor.displacement_x_m), "displacement_y_m": peak(&floor.displacement_y_m),
-            "rotation_rad": peak(&floor.rotation_rad),
-            "drift_x_m": peak(&storey.drift_x_m), "drift_y_m": peak(&storey.drift_y_m), "twist_rad": peak(&storey.twist_rad),
-            "edge_drift_x_m": storey.edge_drift_x_m.as_ref().map(peak), "edge_drift_y_m": storey.edge_drift_y_m.as_ref().map(peak),
-            "resultant_drift": {
-                "size_m": storey.resultant.size_m, "at_s": storey.resultant.at_s, "place_m": storey.resultant.place_m,
-                "direction_deg": storey.resultant.direction_degrees,
-            },
+            "displacement_x_m": floor.displacement_x_m, "displacement_y_m": floor.displacement_y_m,
+            "rotation_rad": floor.rotation_rad,
+            "drift_x_m": storey.drift_x_m, "drift_y_m": storey.drift_y_m, "twist_rad": storey.twist_rad,
+            "edge_drift_x_m": storey.edge_drift_x_m, "edge_drift_y_m": storey.edge_drift_y_m,
+            "resultant_drift": storey.resultant,
         })
     });
     json!({
         "floors": floors.collect::<Vec<_>>(),
-        "strokes_m": peaks.strokes_m.iter().map(peak).collect::<Vec<_>>(),
-        "stroke_rates_m_s": peaks.stroke_rates_m_s.iter().map(peak).collect::<Vec<_>>(),
+        "strokes_m": peaks.strokes_m,
+        "stroke_rates_m_s": peaks.stroke_rates_m_s,
         "stroke_names": simulation.stroke_names(),
-        "base_shear_x_n": peak(&peaks.base_shear_n[0]), "base_shear_y_n": peak(&peaks.base_shear_n[1]),
-        "base_torque_n_m": peak(&peaks.base_torque_n_m),
+        "base_shear_x_n": peaks.base_shear_n[0], "base_shear_y_n": peaks.base_shear_n[1],
+        "base_torque_n_m": peaks.base_torque_n_m,
     })
 }

@@ -1,8 +1,8 @@
 //! What an earthquake asks for, as JSON.
 
 use crate::demand::{ground_word, type_word};
-use dolmen::assess::demand::{ShakenDirection, SiteParameters, SpectrumBranches, StackDemandCheck};
-use dolmen::stability::stack::{Comparison, DemandVerdict, LimitKind, Threshold};
+use dolmen::assess::demand::{ShakenDirection, SiteParameters, StackDemandCheck};
+use dolmen::stability::stack::{DemandVerdict, LimitKind, Threshold};
 use dolmen_work::state::DemandAnswer;
 use serde_json::{Value, json};
 
@@ -17,9 +17,7 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "peak_ground_acceleration_m_s2": site.peak_ground_acceleration_m_s2,
         "vertical": site.vertical.map(|v| json!({ "ratio": v.ratio, "verified": v.verified })),
         "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "spectral": answer.spectral.iter().map(|at| json!({
-            "direction": at.direction, "period_s": at.period_s, "damping_ratio": at.damping_ratio, "acceleration_m_s2": at.acceleration_m_s2,
-        })).collect::<Vec<_>>(),
+        "spectral": answer.spectral,
         "refused": answer.refused,
         "stack": answer.stack.as_ref().map(stack),
         "near_below": DemandVerdict::NEAR_BELOW,
@@ -47,7 +45,7 @@ fn parameters(parameters: &SiteParameters) -> Value {
             "amplification_one_second": amplification.one_second,
             "design_short_period_g": design.map(|design| design.short_period_g),
             "design_one_second_g": design.map(|design| design.one_second_g),
-            "branches": self::branches(branches),
+            "branches": branches,
         } }),
         SiteParameters::Eurocode {
             ground_acceleration_g,
@@ -62,7 +60,7 @@ fn parameters(parameters: &SiteParameters) -> Value {
             "spectrum_type": type_word(*spectrum),
             "ground": ground_word(*ground),
             "soil_factor": soil_factor,
-            "branches": self::branches(branches),
+            "branches": branches,
         } }),
         SiteParameters::Table {
             rows,
@@ -72,20 +70,10 @@ fn parameters(parameters: &SiteParameters) -> Value {
     }
 }
 
-fn branches(branches: &SpectrumBranches) -> Value {
-    json!({
-        "ground_m_s2": branches.ground_m_s2,
-        "plateau_m_s2": branches.plateau_m_s2,
-        "rise_s": branches.rise_s,
-        "plateau_s": branches.plateau_s,
-        "displacement_s": branches.displacement_s,
-    })
-}
-
 fn stack(stack: &StackDemandCheck) -> Value {
     let at = |threshold: &Option<Threshold>| threshold.as_ref().map(|t| t.acceleration_m_s2);
     json!({
-        "verdict": stack.verdict.words(),
+        "verdict": stack.verdict,
         "vertical_acceleration_m_s2": stack.vertical_acceleration_m_s2,
         "rows": stack.rows.iter().map(|row| json!({
             "direction": match row.direction {
@@ -97,11 +85,11 @@ fn stack(stack: &StackDemandCheck) -> Value {
             "capacity_with_vertical_m_s2": at(&row.capacity_with_vertical),
             "period_s": row.period_s,
             "amplification": row.amplification,
-            "rigid": comparison(&row.comparison.rigid),
-            "elastic_published": row.comparison.elastic.as_ref().map(comparison),
+            "rigid": row.comparison.rigid,
+            "elastic_published": row.comparison.elastic,
             "elastic_by_modes": row.by_modes.as_ref().map(|by_modes| json!({
                 "ratio": by_modes.ratio,
-                "verdict": by_modes.verdict.words(),
+                "verdict": by_modes.verdict,
                 "first": by_modes.first.as_ref().map(|(kind, above)| json!({
                     "kind": match kind {
                         LimitKind::Uplift => "tipping",
@@ -110,15 +98,7 @@ fn stack(stack: &StackDemandCheck) -> Value {
                     "above": above,
                 })),
             })),
-            "verdict": row.verdict.words(),
+            "verdict": row.verdict,
         })).collect::<Vec<_>>(),
-    })
-}
-
-fn comparison(comparison: &Comparison) -> Value {
-    json!({
-        "demand_m_s2": comparison.demand_m_s2,
-        "ratio": comparison.ratio,
-        "verdict": comparison.verdict.words(),
     })
 }

@@ -1,10 +1,10 @@
 //! `dolmen identify` as JSON.
 
-use super::check::{modes, project};
+use super::check::project;
+use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
 use dolmen::signal::Channel;
-use dolmen::structure::{Choice, Convention, StiffnessRange, StiffnessSolution, Visibility};
 use dolmen_words::advice::Advice;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::IdentifyAnswer;
@@ -30,7 +30,7 @@ fn survey(survey: &SurveyAnswer) -> Value {
 }
 
 fn setups(setups: &SetupsAnswer) -> Value {
-    let agreement = |a: &Agreement| json!({ "spread": a.spread, "chi_squared": a.chi_squared, "p": a.p, "differs": a.differs() });
+    let agreement = |of: &Agreement| with(of, json!({ "differs": of.differs() }));
     let merged = |m: &MergedMode| {
         json!({
             "frequency_hz": m.frequency_hz,
@@ -116,10 +116,7 @@ fn settings(settings: &Settings, modes: &Modes) -> Value {
 }
 
 fn decay(decay: &Decay) -> Value {
-    let at = |a: &AtAmplitude| {
-        json!({ "time_s": a.time_s, "amplitude": a.amplitude, "frequency_hz": a.frequency_hz, "damping_ratio": a.damping_ratio, "damping_ratio_sd": a.damping_ratio_sd,
-        "degrees_of_freedom": a.degrees_of_freedom, "half_width_95": a.half_width_95().ok() })
-    };
+    let at = |of: &AtAmplitude| with(of, json!({ "half_width_95": of.half_width_95().ok() }));
     let mode = |m: &ModeDecay| json!({ "frequency_hz": m.frequency_hz, "poles_hz": m.poles_hz, "sd_over_white": m.over_white, "damping_follows": m.damping_follows, "swings": m.swings.iter().map(at).collect::<Vec<_>>() });
     json!({
         "explained": decay.explained,
@@ -165,56 +162,16 @@ fn stiffness(answer: &StiffnessAnswer) -> Value {
     let found = &answer.solutions;
     json!({
         "direction": answer.direction,
-        "convention": answer.convention.map(|convention| match convention {
-            Convention::Drift => "drift",
-            Convention::Grounded => "grounded",
-        }),
+        "convention": answer.convention,
         "unit": if answer.convention.is_some() { "N/m" } else { "N m/rad" },
         "frequencies_hz": answer.frequencies_hz,
         "with_shapes": answer.with_shapes,
-        "choice": match found.choice {
-            Choice::One => "one",
-            Choice::Bounded => "bounded",
-            Choice::Indistinguishable => "indistinguishable",
-            Choice::Underdetermined => "underdetermined",
-            Choice::Impossible => "impossible",
-        },
+        "choice": found.choice,
         "load_factors": answer.load_factors,
         "peaks_below_hz": answer.peaks_below_hz,
-        "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
-        "visibility": found.visibility.as_ref().map(visibility),
+        "solutions": found.solutions,
+        "visibility": found.visibility,
         "starts": found.starts,
         "notes": found.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
-    })
-}
-
-fn solution(solution: &StiffnessSolution) -> Value {
-    json!({
-        "stiffness": solution.stiffness,
-        "stiffness_sd": solution.stiffness_sd,
-        "stiffness_bounds": solution.stiffness_bounds.as_ref().map(|bounds| {
-            bounds.iter().map(|bound| json!({ "lower": bound.lower, "upper": bound.upper })).collect::<Vec<_>>()
-        }),
-        "stiffness_range": solution.stiffness_range.as_ref().map(range),
-        "modes": modes(&solution.modes),
-        "misfit": solution.misfit,
-        "stands": solution.stands,
-    })
-}
-
-fn visibility(visibility: &Visibility) -> Value {
-    json!({
-        "singular_values": visibility.singular_values,
-        "seen": visibility.seen,
-        "free_directions": visibility.free_directions,
-    })
-}
-
-fn range(range: &StiffnessRange) -> Value {
-    json!({
-        "half_width_hz": range.half_width_hz,
-        "lower": range.lower,
-        "upper": range.upper,
-        "exists_throughout": range.exists_throughout,
     })
 }

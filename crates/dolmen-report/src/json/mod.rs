@@ -17,6 +17,7 @@ mod stack;
 mod study;
 mod study_state;
 mod tune;
+mod with;
 
 pub use building::building_simulation_json;
 pub use chain_simulation::chain_simulation_json;

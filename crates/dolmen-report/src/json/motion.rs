@@ -1,6 +1,5 @@
 //! What `dolmen motion` found, as JSON.
 
-use dolmen::signal::SpectrumMisfit;
 use dolmen_records::motions::{ComponentReading, Orientation};
 use dolmen_work::motion::{MotionReport, MotionSeries};
 use serde_json::{Value, json};
@@ -19,19 +18,15 @@ pub fn motion_report_json(report: &MotionReport) -> Value {
             "damping_ratio": answer.damping_ratio,
             "factor": answer.matched.factor,
             "rounds": answer.matched.rounds,
-            "misfit_before": misfit(&answer.matched.before),
-            "misfit": misfit(&answer.matched.after),
-            "misfit_below": misfit(&answer.outside[0]),
-            "misfit_above": misfit(&answer.outside[1]),
+            "misfit_before": answer.matched.before,
+            "misfit": answer.matched.after,
+            "misfit_below": answer.outside[0],
+            "misfit_above": answer.outside[1],
             "period_s": answer.matched.periods_s,
             "target_acceleration_m_s2": answer.matched.target_m_s2,
             "pseudo_acceleration_m_s2": answer.matched.matched_m_s2,
         })),
     })
-}
-
-fn misfit(misfit: &SpectrumMisfit) -> Value {
-    json!({ "root_mean_square": misfit.root_mean_square, "lowest": misfit.lowest, "highest": misfit.highest })
 }
 
 fn channel(channel: &ComponentReading) -> Value {

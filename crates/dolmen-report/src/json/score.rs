@@ -1,6 +1,6 @@
 //! The six-factor score as JSON.
 
-use dolmen::assess::{EffectVerdict, Factor, Ranking};
+use dolmen::assess::Factor;
 use dolmen_work::score::{SCORE_STATES, ScoreAnswer, ScoreQuality};
 use serde_json::{Map, Value, json};
 
@@ -40,7 +40,6 @@ pub fn score_json(answer: &ScoreAnswer) -> Value {
 
 /// What the score is worth, state by state.
 pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
-    let ranking = |found: Ranking| json!({ "kendall_tau": found.kendall_tau, "worst_fifth_found": found.worst_fifth_found });
     let states = qualities.iter().map(|one| {
         let shares = one.shares.shares.iter();
         json!({
@@ -55,20 +54,11 @@ pub fn score_quality_json(qualities: &[ScoreQuality], designs: usize) -> Value {
                 "to": effect.to,
                 "ln_change": effect.ln_change,
                 "ln_change_sd": effect.ln_change_sd,
-                "as_published": match effect.verdict {
-                    EffectVerdict::Holds => "holds",
-                    EffectVerdict::Contradicted => "contradicted",
-                    EffectVerdict::NotSeen => "not seen",
-                },
+                "as_published": effect.verdict,
             })).collect::<Vec<_>>(),
             "explained": one.shares.explained,
             "correlation_of_slendernesses": one.slenderness_correlation,
-            "held_out": {
-                "parts": one.held_out.parts,
-                "score": ranking(one.held_out.score),
-                "equal_weights": ranking(one.held_out.equal_weights),
-                "slenderness_angle": ranking(one.held_out.slenderness_angle),
-            },
+            "held_out": one.held_out,
         })
     });
     json!({ "designs": designs, "states": states.collect::<Vec<_>>() })

@@ -1,6 +1,7 @@
 //! A simulation, as JSON.
 
 use super::judgement::judgement;
+use super::with::with;
 use crate::stack_simulation::points_a_side;
 use dolmen::blocks::Outcome;
 use dolmen::signal::Component;
@@ -144,9 +145,8 @@ fn blocks(simulation: &StackSimulation) -> Vec<Value> {
 fn energy(simulation: &StackSimulation) -> Value {
     let history = &simulation.history;
     let end = history.energy.last().copied().unwrap_or_default();
-    json!({
-        "input_j": end.input_j, "kinetic_j": end.kinetic_j, "potential_j": end.potential_j, "stored_j": end.stored_j,
-        "friction_j": end.friction_j, "damping_j": end.damping_j, "clipping_j": end.clipping_j,
-        "made_j": history.energy_made_j, "made_ratio": history.energy_made_ratio(),
-    })
+    with(
+        &end,
+        json!({ "made_j": history.energy_made_j, "made_ratio": history.energy_made_ratio() }),
+    )
 }

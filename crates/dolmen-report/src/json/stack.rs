@@ -1,6 +1,6 @@
 //! The check of a stack, as JSON.
 
-use dolmen::stability::stack::{CutLimits, Governing, LimitKind, Threshold};
+use dolmen::stability::stack::CutLimits;
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_work::state::{MODES_SHOWN, StackAnswer, StackFrequencies};
 use serde_json::{Value, json};
@@ -22,15 +22,15 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "cuts": limits.cuts.iter().map(|cut| self::cut(cut, names(&cut.cut.blocks))).collect::<Vec<_>>(),
         "standing": limits.standing.to_string(),
         "gravity_margin": limits.gravity_margin,
-        "verdict": check.verdict.word(),
-        "capacity": check.capacity.as_ref().map(threshold),
+        "verdict": check.verdict,
+        "capacity": check.capacity,
         "frequencies": answer.frequencies.as_ref().map(frequencies),
         "period_of_thumb_s": check.period_of_thumb.period_s,
         "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "uplift": limits.uplift.as_ref().map(governing),
-        "sliding": limits.sliding.as_ref().map(governing),
-        "governing": limits.governing.as_ref().map(governing),
-        "governing_with_ties": limits.governing_with_ties.as_ref().map(governing),
+        "uplift": limits.uplift,
+        "sliding": limits.sliding,
+        "governing": limits.governing,
+        "governing_with_ties": limits.governing_with_ties,
         "soil_factor": limits.soil_factor,
         "statically_determinate": limits.statically_determinate,
         "not_planar": limits.not_planar.iter().map(names).collect::<Vec<_>>(),
@@ -79,26 +79,10 @@ fn cut(cut: &CutLimits, blocks: Vec<Option<&str>>) -> Value {
         "resultant_m": cut.resultant_m,
         "depth_m": cut.depth_m,
         "gravity_margin": cut.gravity_margin,
-        "uplift": cut.uplift.as_ref().map(threshold),
-        "uplift_with_ties": cut.uplift_with_ties.as_ref().map(threshold),
-        "sliding": cut.sliding.as_ref().map(threshold),
-        "sliding_with_ties": cut.sliding_with_ties.as_ref().map(threshold),
+        "uplift": cut.uplift,
+        "uplift_with_ties": cut.uplift_with_ties,
+        "sliding": cut.sliding,
+        "sliding_with_ties": cut.sliding_with_ties,
         "standing": cut.standing.to_string(),
-    })
-}
-
-fn threshold(threshold: &Threshold) -> Value {
-    json!({
-        "acceleration_m_s2": threshold.acceleration_m_s2,
-        "acceleration_g": threshold.acceleration_g,
-        "direction": threshold.direction,
-    })
-}
-
-fn governing(governing: &Governing) -> Value {
-    json!({
-        "kind": match governing.kind { LimitKind::Uplift => "uplift", LimitKind::Sliding => "sliding" },
-        "cut": governing.cut,
-        "threshold": threshold(&governing.threshold),
     })
 }

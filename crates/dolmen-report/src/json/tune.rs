@@ -1,6 +1,6 @@
 //! A damper beside the rule and the best, as JSON.
 
-use dolmen::damper::{Compared, DesignEnd, Goal, MapCell, PlacedDamper, RobustnessPoint};
+use dolmen::damper::{Compared, Goal, MapCell, RobustnessPoint};
 use dolmen_work::building::{RoomCheck, TogetherAnswer, TogetherChoice, TuneAnswer, TuneLoad};
 use serde_json::{Value, json};
 
@@ -57,7 +57,7 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
             "corner_hz": match answer.load { TuneLoad::Wind { corner_hz } => Some(corner_hz), _ => None },
             "ground_hz": match answer.load { TuneLoad::Ground { ground_hz } => Some(ground_hz), _ => None },
         },
-        "goal": goal_word(answer.goal),
+        "goal": answer.goal,
         "stroke_most": answer.stroke_most, "off_by": answer.off_by,
         "prepared_frequencies_apart": comparison.apart,
         "points": answer.points.iter().zip(&comparison.without).map(|(point, without)| json!({
@@ -76,24 +76,17 @@ pub fn tune_json(answer: &TuneAnswer) -> Value {
     })
 }
 
-fn damper_json(damper: &PlacedDamper) -> Value {
-    json!({
-        "place_m": damper.place_m, "direction_degrees": damper.direction_degrees, "mass_kg": damper.mass_kg,
-        "frequency_hz": damper.frequency_hz, "damping_ratio": damper.damping_ratio, "length_ratio": damper.length_ratio,
-    })
-}
-
 fn row_json(answer: &TuneAnswer, row: &Compared) -> Value {
     json!({
         "choice": row.choice.name(),
-        "damper": damper_json(&row.damper),
+        "damper": row.damper,
         "point_rms": row.judged.point_rms,
         "point_ratio": answer.ratios(row),
         "worse_than_none": !answer.worse(row).is_empty(),
         "stroke_rms_m": row.judged.stroke_rms_m[0],
         "cost": row.cost,
         "cost_ratio": row.cost / answer.comparison.cost_without,
-        "end": row.end.map(end_word),
+        "end": row.end,
     })
 }
 
@@ -116,7 +109,7 @@ pub fn together_json(answer: &TogetherAnswer) -> Value {
             "dampers": row.dampers.iter().map(super::building::damper).collect::<Vec<_>>(),
             "point_rms": row.point_rms, "point_ratio": answer.ratios(row), "stroke_rms_m": row.stroke_rms_m,
             "cost": row.cost, "cost_ratio": answer.cost_ratio(row),
-            "end": row.end.map(end_word),
+            "end": row.end,
         })
     });
     json!({
@@ -124,7 +117,7 @@ pub fn together_json(answer: &TogetherAnswer) -> Value {
         "name": { "en": answer.name.en, "ko": answer.name.ko },
         "variant": answer.variant,
         "load": { "kind": answer.load.name(), "directions_degrees": answer.load_directions_degrees },
-        "goal": goal_word(answer.goal),
+        "goal": answer.goal,
         "stroke_most": answer.stroke_most,
         "points": answer.points.iter().map(|(point, degrees)| json!({
             "name": point.name, "floor": point.floor, "place_m": point.place_m, "direction_degrees": degrees,
@@ -142,20 +135,4 @@ fn room_json(room: &RoomCheck) -> Vec<Value> {
         })
     });
     each.collect()
-}
-
-fn goal_word(goal: Goal) -> &'static str {
-    match goal {
-        Goal::LargestRms => "largest_rms",
-        Goal::MeanSquare => "mean_square",
-        Goal::LargestPeak => "largest_peak",
-    }
-}
-
-fn end_word(end: DesignEnd) -> &'static str {
-    match end {
-        DesignEnd::Optimum => "optimum",
-        DesignEnd::Limit => "limit",
-        DesignEnd::Stalled => "stalled",
-    }
 }

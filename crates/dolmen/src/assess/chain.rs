@@ -6,6 +6,7 @@ use crate::structure::{Chain, NaturalMode};
 
 /// All that can be said of a chain at once.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainCheck {
     /// From weights and lengths alone.
     pub limits: ChainLimits,

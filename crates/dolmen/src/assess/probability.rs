@@ -8,6 +8,7 @@ const CONFIDENCE: f64 = 0.95;
 
 /// How often something happened among independent samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Probability {
     /// Samples in which it happened.
     pub count: usize,

@@ -2,6 +2,7 @@
 
 /// What lowering one link's centroid does: the published criterion beside the truth (Choi 2021, Table 3).
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CentroidEffect {
     /// Link, from 1 at the bottom.
     pub link: usize,
@@ -19,6 +20,7 @@ pub struct CentroidEffect {
 
 /// Sensitivity of a result to one input: d ln(result) / d ln(input), by central difference.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Sensitivity {
     /// Path of the input in the project file, `links[1].weight`.
     pub input: String,

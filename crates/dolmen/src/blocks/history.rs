@@ -107,6 +107,7 @@ impl JointHistory {
 
 /// The balance of energy at one time, all from the start, J.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Energy {
     /// Of motion, in the frame of the ground.
     pub kinetic_j: f64,

@@ -9,6 +9,8 @@ use crate::numeric::{Minimax, Piece, Worst, all_by_differences, by_differences, 
 
 /// What is to be made small.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Goal {
     /// The largest standard deviation of all points.
     #[default]
@@ -85,6 +87,8 @@ impl Default for DesignOptions {
 
 /// How a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum DesignEnd {
     /// At an optimum: no step of 1e-6 in ln f, ln ζ or of the floor's size brings anything.
     Optimum,

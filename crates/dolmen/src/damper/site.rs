@@ -16,8 +16,10 @@ pub struct DamperSite {
 
 /// A mass damper or a liquid column on a floor.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct PlacedDamper {
     /// Which site, from 0.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub site: usize,
     /// x and y in plan, m.
     pub place_m: [f64; 2],

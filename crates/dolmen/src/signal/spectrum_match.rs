@@ -64,6 +64,7 @@ impl Default for SpectrumMatch {
 
 /// How far a spectrum is from its target: ordinate / target − 1 over the periods.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumMisfit {
     /// Root of the mean square.
     pub root_mean_square: f64,

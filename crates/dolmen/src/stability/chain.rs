@@ -5,6 +5,7 @@ use super::Verdict;
 /// What the weights and lengths alone say: no joint stiffness is needed. All vectors lowest joint first, N m/rad.
 /// A side support is not counted.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainLimits {
     /// G_i, gravity moment per rotation of link i with all links above it.
     pub gravity_moment_n_m_rad: Vec<f64>,
@@ -31,6 +32,7 @@ pub struct ChainLimits {
 
 /// One joint of a chain with known stiffness.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct JointStability {
     /// k_i, N m/rad.
     pub stiffness_n_m_rad: f64,
@@ -51,6 +53,7 @@ pub struct JointStability {
 
 /// A chain with known joint stiffness.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ChainStability {
     /// Lowest joint first.
     pub joints: Vec<JointStability>,

@@ -13,6 +13,7 @@ use dolmen_linalg::{LinalgError, Matrix, cholesky, generalized_symmetric_eigen, 
 
 /// One storey of a frame with known stiffness.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StoreyStability {
     /// k_i, N/m.
     pub stiffness_n_m: f64,
@@ -27,6 +28,7 @@ pub struct StoreyStability {
 
 /// A frame with known storey stiffness.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FrameStability {
     /// Lowest storey first.
     pub storeys: Vec<StoreyStability>,

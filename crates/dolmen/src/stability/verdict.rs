@@ -2,6 +2,8 @@
 
 /// Whether a structure stands under its own weight.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Verdict {
     /// The load factor is at least [`Verdict::MARGINAL_BELOW`].
     Stable,

@@ -29,6 +29,7 @@ pub struct MeasuredMode {
 
 /// Range of each stiffness while every frequency stays within a half-width of what was measured.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessRange {
     /// Half-width of each frequency, Hz, by frequency.
     pub half_width_hz: Vec<f64>,
@@ -43,6 +44,7 @@ pub struct StiffnessRange {
 
 /// How far one stiffness can lie from the best fit, both ends of a 95 % interval.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessBounds {
     /// Smallest stiffness; `None` if the data allow any.
     pub lower: Option<f64>,
@@ -52,6 +54,7 @@ pub struct StiffnessBounds {
 
 /// One set of stiffnesses that explains the measured modes.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct StiffnessSolution {
     /// Stiffness of each joint (N m/rad) or storey (N/m), lowest first.
     pub stiffness: Vec<f64>,
@@ -87,6 +90,8 @@ impl StiffnessSolution {
 
 /// What the data allow to say about which solution is the true one.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Choice {
     /// One solution explains the data. Any other found has a misfit that is not accepted, or (data with standard
     /// deviations, given or assumed) a chi-squared beyond the best by more than 10.83, 99.9 % of one degree of freedom.
@@ -105,6 +110,7 @@ pub enum Choice {
 /// Which stiffnesses the sensors see: singular values of the Jacobian d(data)/d(ln k), data in units of their sd
 /// (given or assumed; relative for frequencies alone without sd).
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Visibility {
     /// Singular values, descending; as many as unknowns (zeros where there are fewer data).
     pub singular_values: Vec<f64>,

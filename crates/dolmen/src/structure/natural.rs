@@ -2,6 +2,7 @@
 
 /// One natural mode of an undamped structure.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct NaturalMode {
     /// ω², (rad/s)²: negative if the structure falls in this shape.
     pub omega_squared: f64,

@@ -11,6 +11,7 @@ use crate::numeric::{student_detectable, student_two_sided, student_two_sided_qu
 
 /// What the test says of one difference.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Evidence {
     /// Standard deviation of the relative difference.
     pub sd: f64,
@@ -32,6 +33,7 @@ pub struct Evidence {
 
 /// How a number differs between two surveys.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Difference {
     /// (after - expected) / before; what temperature explains is taken out of it.
     pub relative: f64,

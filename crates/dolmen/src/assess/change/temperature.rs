@@ -32,6 +32,7 @@ pub enum TemperatureEffect {
 
 /// A frequency as a line over temperature, by least squares.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct FittedTemperature {
     /// Relative change per °C, of the frequency of the earlier survey compared.
     pub per_c: f64,

@@ -84,6 +84,7 @@ impl fmt::Display for Unverified {
 
 /// Ends of the branches of a code's spectrum, for a damping ratio of 5 %.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectrumBranches {
     /// At T = 0, m/s²: soil included.
     pub ground_m_s2: f64,

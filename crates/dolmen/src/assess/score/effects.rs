@@ -13,12 +13,16 @@ const CONFIDENCE: f64 = 0.9;
 
 /// What is to be said of a direction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum EffectVerdict {
     /// The capacity moves as published.
+    #[cfg_attr(feature = "serde", serde(rename = "holds"))]
     Holds,
     /// It moves the other way.
+    #[cfg_attr(feature = "serde", serde(rename = "contradicted"))]
     Contradicted,
     /// It moves by less than can be told from chance.
+    #[cfg_attr(feature = "serde", serde(rename = "not seen"))]
     NotSeen,
 }
 

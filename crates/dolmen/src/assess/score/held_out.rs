@@ -10,6 +10,7 @@ const WORST: f64 = 0.2;
 
 /// How well predicted capacities put pagodas into the order of the simulated ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Ranking {
     /// Kendall's τ of predicted and simulated capacity, −1 to 1.
     pub kendall_tau: f64,
@@ -19,6 +20,7 @@ pub struct Ranking {
 
 /// The score on designs held out, beside plainer scores.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct HeldOut {
     /// Parts that the designs were dealt to; each is predicted from the others.
     pub parts: usize,

@@ -2,6 +2,7 @@
 
 /// A largest value, and when.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Peak {
     /// The value of largest size, with its sign.
     pub value: f64,
@@ -39,6 +40,7 @@ pub struct StoreyPeak {
 
 /// A largest drift as a vector: along x and y at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ResultantDrift {
     /// Its length, m.
     pub size_m: f64,
@@ -47,6 +49,7 @@ pub struct ResultantDrift {
     /// Where on the floor above, in plan, m.
     pub place_m: [f64; 2],
     /// Where it points, degrees from x toward y, −180 to 180.
+    #[cfg_attr(feature = "serde", serde(rename = "direction_deg"))]
     pub direction_degrees: f64,
 }
 

@@ -87,6 +87,7 @@ pub struct LeastFavourable {
 
 /// One mode in a spectrum.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct SpectralMode {
     /// Period, s.
     pub period_s: f64,

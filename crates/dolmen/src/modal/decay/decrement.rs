@@ -45,6 +45,7 @@ impl Default for Decrement {
 
 /// Frequency and damping at one size of swing.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct AtAmplitude {
     /// Middle of the swings, s from the first sample.
     pub time_s: f64,

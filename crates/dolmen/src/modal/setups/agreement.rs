@@ -5,6 +5,7 @@ use crate::numeric::chi_squared_above;
 
 /// Whether the setups agree on one number.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Agreement {
     /// Deviation of the single setups about their mean, √(Σ (x - mean)²/(S - 1)).
     pub spread: f64,

@@ -68,6 +68,7 @@ impl ObservedPoint {
 
 /// A mode as one occasion shows it, whoever found it.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ObservedMode {
     /// Natural frequency, Hz.
     pub frequency_hz: f64,
@@ -78,10 +79,12 @@ pub struct ObservedMode {
     /// Its standard deviation.
     pub damping_ratio_sd: Option<f64>,
     /// Degrees of freedom of the standard deviations; infinite where they are taken as known.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub degrees_of_freedom: f64,
     /// The direction that it is known to move in, or "torsion": modes of two different ones are never a pair. `None`: not known.
     pub direction: Option<String>,
     /// Its shape; empty if only the frequency is known.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub shape: Vec<ObservedPoint>,
 }
 

@@ -24,14 +24,19 @@ pub struct SpectralDemand {
 
 /// Capacity against demand, in fixed words.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub enum DemandVerdict {
     /// Capacity is below the demand.
+    #[cfg_attr(feature = "serde", serde(rename = "below demand"))]
     Below,
     /// Capacity is above the demand, by less than [`DemandVerdict::NEAR_BELOW`].
+    #[cfg_attr(feature = "serde", serde(rename = "near demand"))]
     Near,
     /// Capacity is at least [`DemandVerdict::NEAR_BELOW`] times the demand.
+    #[cfg_attr(feature = "serde", serde(rename = "above demand"))]
     Above,
     /// Something needed is not known.
+    #[cfg_attr(feature = "serde", serde(rename = "unknown"))]
     Unknown,
 }
 
@@ -66,8 +71,10 @@ impl DemandVerdict {
 
 /// One capacity against one demand.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Comparison {
     /// Acceleration at which it begins to rock or slide, m/s²; `None` if it does not stand at all.
+    #[cfg_attr(feature = "serde", serde(skip))]
     pub capacity_m_s2: Option<f64>,
     /// Acceleration asked for, m/s².
     pub demand_m_s2: f64,

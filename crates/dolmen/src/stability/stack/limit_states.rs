@@ -92,6 +92,8 @@ impl CutLimits {
 
 /// What begins first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum LimitKind {
     /// A joint opens: what is above rocks.
     Uplift,
@@ -101,6 +103,7 @@ pub enum LimitKind {
 
 /// What begins first, where and when.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Governing {
     /// Uplift or sliding.
     pub kind: LimitKind,

@@ -2,6 +2,7 @@
 
 /// A horizontal acceleration at which something begins, in the direction where it begins soonest.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Threshold {
     /// Acceleration, m/s²; infinite if no acceleration reaches it.
     pub acceleration_m_s2: f64,

@@ -24,6 +24,7 @@ const REPEATED: f64 = 1e-6;
 
 /// The point about which a floor turns in a mode.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ModeCentre {
     /// From the centre of mass of the floor along x, m: −φ_y/φ_θ.
     pub r_x_m: f64,
@@ -37,6 +38,7 @@ pub struct ModeCentre {
 
 /// One natural mode.
 #[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct BuildingMode {
     /// ω, rad/s.
     pub omega_rad_s: f64,

@@ -13,6 +13,8 @@ use crate::structure::StructureError;
 
 /// What the spring k_i acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
 pub enum Convention {
     /// The storey drift Y_i − Y_{i−1}: a storey of columns.
     Drift,

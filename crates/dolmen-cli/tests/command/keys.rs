@@ -1,0 +1,81 @@
+// SOURCE     what the verbs print with --json for the examples.
+// GOAL       The keys of JSON are a promise: one that goes, comes or is renamed shows here. No number is without a value by accident.
+// TOLERANCE  keys by name; values are held by other tests. To take over a wished change: DOLMEN_WRITE_KEYS=1, then read the difference.
+
+use super::verbs::{Scratch, root};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::fs;
+
+const COMMANDS: [&str; 24] = [
+    "check examples/naju_flagpole --samples 20 --sensitivity",
+    "check examples/heunginjimun_gate",
+    "check examples/three_storey_pagoda --sensitivity",
+    "check examples/piled_blocks",
+    "check examples/p10",
+    "check examples/twisting_floor",
+    "check examples/several_dampers",
+    "check examples/palisaden",
+    "identify examples/naju_flagpole",
+    "identify examples/heunginjimun_gate",
+    "identify examples/struck_column",
+    "compare examples/gate_through_the_seasons",
+    "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
+    "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
+    "simulate examples/naju_flagpole --variant wedged --motion el-centro-1940-ns --keep-first 2",
+    "simulate examples/heunginjimun_gate --variant soft_below --motion el-centro-1940-ns --keep-first 2",
+    "simulate examples/several_dampers --motion el-centro-1940-ns --keep-first 2",
+    "tune examples/twisting_floor",
+    "tune examples/several_dampers",
+    "motion --motion el-centro-1940-ns --spectrum",
+    "motion --motion el-centro-1940-ns --match --site S4 --zone 1 --years 2400",
+    "score examples/pagodas_of_figure_19",
+    "study examples/naju_flagpole --study growth",
+    "rank examples/portfolio/pagodas.csv",
+];
+
+/// Every key with the way to it: "state.check.chain.modes[].frequency_hz".
+fn gather(value: &Value, path: &str, keys: &mut BTreeSet<String>) {
+    match value {
+        Value::Object(fields) => {
+            for (name, field) in fields {
+                let path = format!("{path}.{name}");
+                gather(field, &path, keys);
+                keys.insert(path);
+            }
+        }
+        Value::Array(items) => {
+            for item in items {
+                gather(item, &format!("{path}[]"), keys);
+            }
+        }
+        Value::Null | Value::Bool(_) | Value::Number(_) | Value::String(_) => {}
+    }
+}
+
+#[test]
+fn regress_json_has_the_keys_that_it_had() {
+    let scratch = Scratch::with_examples("keys");
+    let mut keys = BTreeSet::new();
+    for command in COMMANDS {
+        let verb = command.split(' ').next().unwrap();
+        let answer = scratch.briefly(&format!("{command} --json --quiet"));
+        let found: Value = serde_json::from_str(&answer.stdout)
+            .unwrap_or_else(|error| panic!("{command}: {error}: {}{}", answer.stdout, answer.stderr));
+        gather(&found, verb, &mut keys);
+    }
+    let found: String = keys.iter().map(|key| format!("{key}\n")).collect();
+    let file = root().join("crates/dolmen-cli/tests/command/keys.txt");
+    if std::env::var_os("DOLMEN_WRITE_KEYS").is_some() {
+        fs::write(&file, &found).unwrap();
+    }
+    let held = fs::read_to_string(&file).unwrap();
+    let lines = |text: &str| text.lines().map(str::to_owned).collect::<BTreeSet<_>>();
+    let (held, found) = (lines(&held), lines(&found));
+    let gone: Vec<&String> = held.difference(&found).collect();
+    let come: Vec<&String> = found.difference(&held).collect();
+    assert!(
+        gone.is_empty() && come.is_empty(),
+        "gone: {gone:?}, come: {come:?}"
+    );
+}
