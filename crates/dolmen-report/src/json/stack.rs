@@ -33,7 +33,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "governing_with_ties": limits.governing_with_ties,
         "soil_factor": limits.soil_factor,
         "statically_determinate": limits.statically_determinate,
-        "not_planar": limits.not_planar.iter().map(names).collect::<Vec<_>>(),
+        "undecided": limits.undecided.iter().map(names).collect::<Vec<_>>(),
     })
 }
 

@@ -49,7 +49,7 @@ pub(super) fn section(document: &mut Document<'_>, check: &StackCheck) {
     document.put(Block::Table(table(check)));
     document.note(Limits::Meaning);
     document.note(Limits::FirstMotion);
-    match check.limits.not_planar.len() {
+    match check.limits.undecided.len() {
         0 => {}
         1 => document.note(Limits::NotPlanarOne),
         parts => document.note(Limits::NotPlanar { parts }),

@@ -44,5 +44,5 @@ pub use score::{
     shapley_shares, unlike_trained,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
-pub use stack::{StackCheck, StackCheckOptions, StackNote, check_stack};
+pub use stack::{MARGINAL_BELOW_G, StackCheck, StackCheckOptions, StackNote, check_stack};
 pub use trends::{Direction, Trend, trend};

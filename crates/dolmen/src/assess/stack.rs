@@ -147,6 +147,9 @@ impl fmt::Display for StackNote {
     }
 }
 
+/// Horizontal acceleration, over gravity, below which a stack that stands is "marginal": a tilt of the ground of 1.1°, which a
+/// survey can miss. Chosen here.
+pub const MARGINAL_BELOW_G: f64 = 0.02;
 /// By how much the limit analysis may be lower before it is said; what the solver loses is 1e-8. Chosen here.
 const LOWER: f64 = 1e-4;
 /// By how much both bounds of the limit analysis may differ before it is said: three digits are printed. Chosen here.
@@ -320,10 +323,14 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
     }
     check.capacity = least;
     // forces were found that balance the weight: it stands
-    check.verdict = check
+    let by_joints = check
         .limits
         .gravity_margin
-        .map_or(Verdict::Unknown, Verdict::of_gravity_margin);
+        .map_or(Verdict::Stable, Verdict::of_gravity_margin);
+    check.verdict = match least {
+        Some(least) if least.acceleration_g < MARGINAL_BELOW_G => by_joints.max(Verdict::Marginal),
+        _ => by_joints,
+    };
     Ok(())
 }
 

@@ -1,6 +1,7 @@
 //! Every published number and every exact law that this crate must reproduce; one file for one source.
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
+mod assemblies;
 mod building_damper_spectra;
 mod building_dampers;
 mod building_history;

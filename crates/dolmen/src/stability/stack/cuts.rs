@@ -16,8 +16,6 @@ pub struct Cut {
     pub blocks: Vec<usize>,
     /// The joints that carry them, all in one plane, ascending.
     pub joints: Vec<usize>,
-    /// Joints of an upright plane between them and blocks below: they are left out of the balance.
-    pub beside: Vec<usize>,
 }
 
 /// All cuts of a stack.
@@ -25,8 +23,9 @@ pub struct Cut {
 pub struct Cuts {
     /// Lowest joint first.
     pub cuts: Vec<Cut>,
-    /// Blocks that would move together but rest on joints of different planes: only a limit analysis can judge them.
-    pub not_planar: Vec<Vec<usize>>,
+    /// Blocks that would move together but rest on joints of different planes, or lean on blocks beside them: their balance
+    /// leaves forces open, so only a limit analysis can judge them.
+    pub undecided: Vec<Vec<usize>>,
     /// Whether every block rests on one joint and none stands beside it: then equilibrium alone gives the force in each
     /// joint, and the cuts leave nothing out.
     pub statically_determinate: bool,
@@ -43,12 +42,13 @@ pub(crate) fn is_statically_determinate(stack: &Stack) -> bool {
 /// carried(A) = A and all blocks that stand on A, on what stands on A, …
 /// cuts: connected parts of carried({upper block of j}) for each joint j that carries,
 ///       and of carried({upper blocks of all joints in the plane of j}); each once
-/// kept if all joints between the part and the blocks below lie in one plane (1°, 5 mm)
+/// kept if all joints between the part and the other blocks lie in one plane below it (1°, 5 mm)
 /// ```
 ///
 /// # Limits
 /// In a stack where each block rests on one other these are all cuts there are. Where stones share their load
-/// (a storey of several, an arch) other mechanisms exist, and every cut is then an upper bound of the true limit.
+/// (a storey of several, an arch) other mechanisms exist, and every cut is then an upper bound of the true limit. A part with
+/// a joint left out of its balance would be neither an upper nor a lower bound: it is undecided.
 pub fn cuts(stack: &Stack) -> Cuts {
     let joints = stack.joints();
     let carrying: Vec<usize> = (0..joints.len())
@@ -56,7 +56,7 @@ pub fn cuts(stack: &Stack) -> Cuts {
         .collect();
     let mut found = Cuts {
         cuts: Vec::new(),
-        not_planar: Vec::new(),
+        undecided: Vec::new(),
         statically_determinate: is_statically_determinate(stack),
     };
     let mut parts: Vec<Vec<usize>> = Vec::new();
@@ -77,25 +77,25 @@ pub fn cuts(stack: &Stack) -> Cuts {
         let mut cut = Cut {
             blocks,
             joints: Vec::new(),
-            beside: Vec::new(),
         };
+        let mut leans = false;
         for (index, joint) in joints.iter().enumerate() {
             let above = cut.blocks.contains(&joint.upper);
             let below = !matches!(joint.lower, Body::Block(block) if cut.blocks.contains(&block));
             if carries(joint) && above && below {
                 cut.joints.push(index);
             } else if !carries(joint) && above == below {
-                cut.beside.push(index);
+                leans = true;
             }
         }
         let planar = cut
             .joints
             .iter()
             .all(|&joint| same_plane(&joints[cut.joints[0]], &joints[joint]));
-        if planar {
+        if planar && !leans {
             found.cuts.push(cut);
         } else {
-            found.not_planar.push(cut.blocks);
+            found.undecided.push(cut.blocks);
         }
     }
     let height = |cut: &Cut| joints[cut.joints[0]].origin_m[2];

@@ -138,7 +138,7 @@ pub struct StackLimitStates {
     /// Horizontal acceleration that the soil's rotation under static loads adds to every part, m/s².
     pub soil_offset_m_s2: [f64; 2],
     /// Groups of blocks that rest on joints of different planes and are not judged here.
-    pub not_planar: Vec<Vec<usize>>,
+    pub undecided: Vec<Vec<usize>>,
     /// Whether equilibrium alone gives the force in each joint. If not, every threshold here is an upper bound, and
     /// a limit analysis decides.
     pub statically_determinate: bool,

@@ -75,7 +75,7 @@ pub fn stack_limits(stack: &Stack, options: &StackLimits) -> Result<StackLimitSt
         governing_with_ties: None,
         soil_factor: soil.factor,
         soil_offset_m_s2: soil.offset,
-        not_planar: found.not_planar,
+        undecided: found.undecided,
         statically_determinate: found.statically_determinate,
     };
     summarise(&mut states);

@@ -8,7 +8,7 @@ use glam::DVec3;
 /// Ties and side supports lie no farther than this from the bounds of the blocks that they hold, m. Our choice: clamps lie on the outside of stones.
 const PIECE_REACH_M: f64 = 0.1;
 
-/// A joint carries weight if its normal rises at least this much, as sine: also the steep joints of an arch. Chosen here.
+/// A block lies on a joint whose normal rises at least this much, as sine; with a steeper one it leans. Chosen here.
 const RISE_LEAST: f64 = 0.05;
 
 /// One stone.
@@ -311,19 +311,30 @@ impl Stack {
         Ok(())
     }
 
-    /// Every block must reach the ground through joints that rise.
+    /// Every block must reach the ground through joints, and lie on one or lean between several: whether it then stands is
+    /// for equilibrium to say.
     fn check_carried(&self) -> Result<(), StackError> {
+        let leans: Vec<bool> = (0..self.blocks.len())
+            .map(|block| {
+                let own = |joint: &&Joint| joint.upper == block || joint.lower == Body::Block(block);
+                self.joints.iter().filter(own).count() > 1
+            })
+            .collect();
         let mut carried = vec![false; self.blocks.len()];
         loop {
             let mut changed = false;
             for joint in &self.joints {
-                let lower = match joint.lower {
-                    Body::Ground => true,
-                    Body::Block(block) => carried[block],
+                let Body::Block(lower) = joint.lower else {
+                    changed |= !std::mem::replace(&mut carried[joint.upper], true);
+                    continue;
                 };
-                if lower && joint.axes[2][2] >= RISE_LEAST && !carried[joint.upper] {
-                    carried[joint.upper] = true;
-                    changed = true;
+                let on_it = carried[lower] && (joint.axes[2][2] >= RISE_LEAST || leans[joint.upper]);
+                let beside_it = carried[joint.upper] && leans[lower];
+                if on_it {
+                    changed |= !std::mem::replace(&mut carried[joint.upper], true);
+                }
+                if beside_it {
+                    changed |= !std::mem::replace(&mut carried[lower], true);
                 }
             }
             if !changed {
