@@ -41,6 +41,8 @@ pub enum WarningKind {
     AxialFromMasses,
     /// Values of the joints of a stack that are not given: Dolmen's own are taken.
     JointDefaults,
+    /// A surveyed tilt that the model does not lean by.
+    SurveyTilt,
     /// A probable slip that `allow` lets pass.
     Allowed,
     /// An entry of `allow` that nothing needed.

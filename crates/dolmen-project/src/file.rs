@@ -90,6 +90,9 @@ pub(super) struct FileRaw {
     pub(super) site: Option<At<SiteRaw>>,
     /// Studies by name, for `dolmen study`: [study.NAME].
     pub(super) study: Option<BTreeMap<String, At<StudyRaw>>>,
+    /// kind = "stack": whose tilt the model leans by: "latest" (the latest survey with a date and a tilt; if not given), "none", or
+    /// the name of a survey.
+    pub(super) as_surveyed: Option<At<String>>,
     /// What was measured, by occasion: [survey.2010-05-12].
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
     /// How two surveys are compared, for `dolmen compare`.

@@ -56,7 +56,7 @@ pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
 pub use stack::{
     BedPart, BlockPart, ContactPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
-    ShapePart, SideSupportPart, StackFault, StackPart, TiePart, TopPart,
+    ShapePart, SideSupportPart, StackFault, StackPart, SurveyedLean, TiePart, TopPart,
 };
 pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,

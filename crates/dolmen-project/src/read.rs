@@ -20,7 +20,7 @@ use super::schema::{SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
 use super::site::{motions, site};
 use super::slips;
-use super::stack::stack;
+use super::stack::{lean, stack};
 use super::study::studies;
 use super::survey::{change, surveys};
 use super::units::STANDARD_GRAVITY_M_S2;
@@ -263,9 +263,10 @@ fn of_raw(
             }
             frame(&mut reader, &raw, gravity_m_s2, &surveyed).map(Structure::Frame)
         }
-        Some(KindRaw::Stack) => {
-            stack(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Stack(Box::new(part)))
-        }
+        Some(KindRaw::Stack) => stack(&mut reader, &raw, gravity_m_s2).map(|mut part| {
+            lean(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
+            Structure::Stack(Box::new(part))
+        }),
         Some(KindRaw::Building) => {
             building(&mut reader, &raw, gravity_m_s2).map(|part| Structure::Building(Box::new(part)))
         }

@@ -55,6 +55,7 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
             "contacts",
             "ties",
             "side_supports",
+            "as_surveyed",
         ],
     ),
     ("building", &["floors", "p_delta", "damping", "damper", "points"]),

@@ -109,6 +109,12 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
 
 /// The tilts of the last survey that states any, against the uplift limit of the joints of a chain or stack; of others it is not known.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
+    // what leans in the model is in its limits already
+    if let Structure::Stack(part) = &project.structure
+        && (part.lean.is_some() || part.carries_own_lean())
+    {
+        return Vec::new();
+    }
     let Some(survey) = project
         .surveys
         .iter()

@@ -7,7 +7,7 @@ use dolmen::blocks::{MatchedFrequency, StackMode};
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::DemandVerdict;
 use dolmen::structure::stack::Stack;
-use dolmen_project::{Names, Quantity};
+use dolmen_project::{Names, Quantity, SurveyedLean};
 
 /// The result whose sensitivities are given.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -123,6 +123,8 @@ pub struct StackAnswer {
     pub stack: Stack,
     /// Does it stand, and at what horizontal acceleration does it begin to move.
     pub check: StackCheck,
+    /// How it leans as surveyed.
+    pub lean: Option<SurveyedLean>,
     /// Natural frequencies on the springs of its joints; `None` if it does not stand.
     pub frequencies: Option<StackFrequencies>,
 }

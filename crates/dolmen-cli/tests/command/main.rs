@@ -24,6 +24,7 @@ mod simulations;
 mod stacks;
 mod studies;
 mod supply;
+mod surveyed_lean;
 mod training;
 mod tunings;
 mod untrusted;

@@ -4,6 +4,8 @@ use super::part::{
     BedPart, BlockPart, ContactPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
     StackPart,
 };
+use super::surveyed_lean::Turn;
+use super::vectors::{centroid, unit_normal};
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::stack::{
     BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
@@ -246,50 +248,6 @@ impl Top {
     }
 }
 
-fn minus(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
-}
-
-/// Twice the area of a triangle, along its normal.
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    let part = |j: usize, k: usize| a[j] * b[k] - a[k] * b[j];
-    [part(1, 2), part(2, 0), part(0, 1)]
-}
-
-fn length(a: [f64; 3]) -> f64 {
-    a.iter().map(|part| part * part).sum::<f64>().sqrt()
-}
-
-/// The triangles that a convex polygon falls into.
-fn triangles(corners: &[[f64; 3]]) -> impl Iterator<Item = [[f64; 3]; 3]> {
-    let fan = corners.windows(2).skip(1);
-    fan.map(|pair| [corners[0], pair[0], pair[1]])
-}
-
-/// Unit normal of a convex polygon; counterclockwise about it.
-fn unit_normal(corners: &[[f64; 3]]) -> [f64; 3] {
-    let mut sum = [0.0; 3];
-    for [a, b, c] in triangles(corners) {
-        let area = cross(minus(b, a), minus(c, a));
-        sum = [sum[0] + area[0], sum[1] + area[1], sum[2] + area[2]];
-    }
-    let size = length(sum);
-    sum.map(|part| part / size)
-}
-
-/// Centroid of the area of a convex polygon, m.
-fn centroid(corners: &[[f64; 3]]) -> [f64; 3] {
-    let (mut area, mut first) = (0.0, [0.0; 3]);
-    for [a, b, c] in triangles(corners) {
-        let part = length(cross(minus(b, a), minus(c, a)));
-        area += part;
-        for axis in 0..3 {
-            first[axis] += part * (a[axis] + b[axis] + c[axis]) / 3.0;
-        }
-    }
-    first.map(|moment| moment / area)
-}
-
 impl StackPart {
     /// The stack, each input with the value that `pick` chooses.
     ///
@@ -323,11 +281,15 @@ impl StackPart {
                 .map_err(|why| StackFault::part("pagoda".to_owned(), why))?
                 .blocks;
         }
+        let turn = self.lean.as_ref().and_then(|lean| lean.turn(&blocks));
+        if let Some(turn) = turn {
+            blocks = blocks.into_iter().map(|block| turn.block(block)).collect();
+        }
         let around = self.joint.over(JointMaterial::default(), pick);
         let stack = Stack::new(blocks, around, self.gravity_m_s2).map_err(|why| self.locate(why))?;
         self.check_beds(&stack)?;
         let stack = self.with_materials(stack, around, pick)?;
-        self.with_pieces(stack, pick)
+        self.with_pieces(stack, turn, pick)
     }
 
     /// Every block must touch what the file says it stands on.
@@ -407,14 +369,15 @@ impl StackPart {
         Ok(stack)
     }
 
-    fn with_pieces(&self, mut stack: Stack, pick: Pick<'_>) -> Result<Stack, StackFault> {
+    fn with_pieces(&self, mut stack: Stack, turn: Option<Turn>, pick: Pick<'_>) -> Result<Stack, StackFault> {
         for (i, part) in self.ties.iter().enumerate() {
             let path = format!("ties[{}]", i + 1);
+            let position_m = part.position.each_ref().map(&mut *pick);
             let tie = Tie {
                 lower: part.lower,
                 upper: part.upper,
-                position_m: part.position.each_ref().map(&mut *pick),
-                axis: part.axis,
+                position_m: turn.map_or(position_m, |turn| turn.point(position_m)),
+                axis: turn.map_or(part.axis, |turn| turn.way(part.axis)),
                 axial_stiffness_n_m: part.axial_stiffness.as_ref().map_or(0.0, &mut *pick),
                 shear_stiffness_n_m: pick(&part.shear_stiffness),
                 tension_strength_n: part.tension_strength.as_ref().map_or(0.0, &mut *pick),

@@ -5,17 +5,22 @@ mod block;
 mod body;
 mod build;
 mod file;
+mod lean;
 mod pagoda;
 mod part;
 mod read;
 mod shape;
 mod slips;
+mod surveyed_lean;
+mod vectors;
 
 pub use build::StackFault;
 pub(crate) use file::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
+pub(crate) use lean::lean;
 pub use part::{
     BedPart, BlockPart, ContactPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
     ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
 };
 pub(crate) use read::stack;
 pub(crate) use slips::judge_stack;
+pub use surveyed_lean::SurveyedLean;

@@ -1,5 +1,6 @@
 //! The stack of a project file.
 
+use super::surveyed_lean::SurveyedLean;
 use crate::quantity::Quantity;
 use dolmen::structure::stack::{Body, Solid};
 
@@ -235,8 +236,24 @@ pub struct StackPart {
     pub ties: Vec<TiePart>,
     /// What stands beside blocks.
     pub side_supports: Vec<SideSupportPart>,
+    /// How it leans as surveyed; `None` if upright, or if blocks carry their own tilt.
+    pub lean: Option<SurveyedLean>,
     /// Acceleration of gravity, m/s².
     pub gravity_m_s2: f64,
+}
+
+impl StackPart {
+    /// Whether its blocks carry their own tilt, offset or coordinates, so that a surveyed tilt is not added to them.
+    pub fn carries_own_lean(&self) -> bool {
+        self.blocks.iter().any(BlockPart::has_own_place)
+    }
+}
+
+impl BlockPart {
+    /// Whether it says itself where it is off its place: tilt, offset, or coordinates of the site.
+    pub(super) fn has_own_place(&self) -> bool {
+        self.offset.is_some() || self.tilt.iter().any(Option::is_some) || self.shape.keeps_its_place()
+    }
 }
 
 impl ShapePart {

@@ -79,6 +79,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         contacts: contacts?,
         ties: ties?,
         side_supports: side_supports?,
+        lean: None,
         gravity_m_s2,
     };
     warn_of_defaults(reader, &stack);

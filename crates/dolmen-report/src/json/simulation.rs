@@ -1,6 +1,7 @@
 //! A simulation, as JSON.
 
 use super::judgement::judgement;
+use super::stack::lean;
 use super::with::with;
 use crate::stack_simulation::points_a_side;
 use dolmen::blocks::Outcome;
@@ -19,6 +20,7 @@ pub fn simulation_json(simulation: &StackSimulation) -> Value {
         "variant": simulation.variant,
         "judgement": judgement(&judge_stack_run(simulation)),
         "motion": motion_json(&simulation.motion),
+        "lean_as_surveyed": simulation.lean.as_ref().map(lean),
         "law": law.name(),
         "contact_points_a_side": points_a_side(law.contact_rule()),
         "contact_points": history.contact_points,

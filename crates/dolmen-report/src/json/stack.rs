@@ -2,6 +2,7 @@
 
 use dolmen::stability::stack::CutLimits;
 use dolmen::structure::stack::{Body, Stack};
+use dolmen_project::SurveyedLean;
 use dolmen_work::state::{MODES_SHOWN, StackAnswer, StackFrequencies};
 use serde_json::{Value, json};
 
@@ -17,6 +18,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
             "centroid_m": block.solid.centroid_m(), "bounds_m": block.solid.bounds_m(),
         })).collect::<Vec<_>>(),
         "joints": joints(stack),
+        "lean_as_surveyed": answer.lean.as_ref().map(lean),
         "height_m": stack.height_m(),
         "mass_kg": stack.mass_kg(),
         "cuts": limits.cuts.iter().map(|cut| self::cut(cut, names(&cut.cut.blocks))).collect::<Vec<_>>(),
@@ -35,6 +37,11 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "statically_determinate": limits.statically_determinate,
         "undecided": limits.undecided.iter().map(names).collect::<Vec<_>>(),
     })
+}
+
+/// The survey and the slope that the model takes from it.
+pub(super) fn lean(of: &SurveyedLean) -> Value {
+    json!({ "survey": of.survey, "slope": of.slope })
 }
 
 fn frequencies(frequencies: &StackFrequencies) -> Value {

@@ -1,5 +1,6 @@
 //! What a stack's check says in plain words.
 
+use super::lean::lean;
 use super::notes::note;
 use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
@@ -45,6 +46,7 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         let (moves, at) = (joint_moves(&check.limits, with), at(&with.threshold));
         all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
     }
+    all.extend(answer.lean.as_ref().map(lean));
     all.extend(check.notes.iter().map(noted));
     all
 }

@@ -2,6 +2,7 @@
 
 mod findings;
 mod frequencies;
+mod lean;
 mod limits;
 mod notes;
 mod standing;
@@ -10,6 +11,7 @@ mod verdict;
 mod words;
 
 pub(crate) use findings::findings;
+pub(crate) use lean::lean;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
 
@@ -54,9 +56,10 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 9] = [
+pub(crate) const TEMPLATES: [&[Template]; 10] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
+    lean::Leaning::TEMPLATES,
     standing::Reason::TEMPLATES,
     notes::Notes::TEMPLATES,
     words::Words::TEMPLATES,

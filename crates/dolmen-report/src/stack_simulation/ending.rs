@@ -3,6 +3,7 @@
 use super::run::{Run, made_too_much};
 use crate::document::{Finding, Tone};
 use crate::simulated::{Simulated, cut, milli, seconds};
+use crate::stack::lean;
 use dolmen::blocks::{Outcome, StackHistory};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
@@ -72,6 +73,7 @@ pub(crate) fn findings(simulation: &StackSimulation) -> Vec<Finding> {
         ending: ending(simulation),
     };
     let mut all = vec![Finding::key(tone(simulation), said)];
+    all.extend(simulation.lean.as_ref().map(lean));
     all.extend(made_too_much(simulation).map(|said| Finding::key(Tone::Warn, said)));
     if is_sensitive(&simulation.history.outcome) {
         all.push(Finding::key(Tone::Plain, Run::OneCase));

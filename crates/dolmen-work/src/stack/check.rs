@@ -14,6 +14,7 @@ pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, Wor
     Ok(StackAnswer {
         stack,
         check,
+        lean: part.lean.clone(),
         frequencies,
     })
 }

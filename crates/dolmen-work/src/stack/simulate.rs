@@ -65,6 +65,7 @@ pub(crate) fn simulate(
         name: version.project.name.clone(),
         variant: version.variant.map(str::to_owned),
         stack,
+        lean: part.lean.clone(),
         motion,
         law,
         history,

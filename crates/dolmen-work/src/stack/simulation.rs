@@ -6,7 +6,7 @@ use dolmen::blocks::{ContactLaw, Outcome, Pose, StackHistory};
 use dolmen::signal::Component;
 use dolmen::stability::stack::StackLimitStates;
 use dolmen::structure::stack::{Body, Stack};
-use dolmen_project::Names;
+use dolmen_project::{Names, SurveyedLean};
 
 /// A simulation of a stack and its inputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,6 +19,8 @@ pub struct StackSimulation {
     pub variant: Option<String>,
     /// The stack.
     pub stack: Stack,
+    /// How it leans as surveyed.
+    pub lean: Option<SurveyedLean>,
     /// The motion of its base.
     pub motion: MotionAnswer,
     /// The law of contact, with the options of the run.

@@ -1,0 +1,122 @@
+// SOURCE     the same lean written on every block: a block's own tilt turns it about its base, and the next stands on its top.
+// GOAL       The tilt of a survey leans a stack in check, simulate and study as the same lean on its parts does.
+// TOLERANCE  1e-9 of the first motion; what a history shows is as sensitive as rocking is, so 1e-6 of its peaks.
+
+use super::verbs::Scratch;
+use serde_json::Value;
+use std::fs;
+
+const STONES: [(&str, f64, f64); 4] = [
+    ("base", 1.2, 0.4),
+    ("body", 0.7, 1.3),
+    ("roof", 1.1, 0.3),
+    ("top", 0.5, 0.6),
+];
+
+/// A tower whose lean stands on each block, or in a survey.
+fn project(tilt_on_blocks: bool, more: &str) -> String {
+    let lean = if tilt_on_blocks {
+        ", tilt = { x = \"1/40\", y = \"-1/60\" }"
+    } else {
+        ""
+    };
+    let blocks: String = STONES
+        .iter()
+        .map(|(name, width, height)| {
+            format!("  {{ name = \"{name}\", width = {width}, height = {height}{lean} }},\n")
+        })
+        .collect();
+    let survey = match tilt_on_blocks {
+        true => "",
+        false => "[survey.2025-09-10]\ntilt = { x = \"1/40\", y = \"-1/60\" }\n",
+    };
+    format!(
+        "schema = 1\nkind = \"stack\"\nname = \"Tower\"\ndensity = 2600\n{more}joint = {{ friction = 0.7 }}\nblocks = [\n{blocks}]\n{survey}\
+         [study.height]\nvary = {{ \"joint.friction\" = [0.6, 0.8] }}\nmotions = [\"el-centro-1940-ns\"]\nscale = [0.5, 1.5]\n"
+    )
+}
+
+fn json(scratch: &Scratch, words: &str) -> Value {
+    let answer = scratch.dolmen(words);
+    serde_json::from_str(&answer.stdout).unwrap_or_else(|error| panic!("{words}: {error}: {}", answer.stderr))
+}
+
+#[test]
+fn exact_a_surveyed_tilt_is_the_same_lean_on_every_block() {
+    let scratch = Scratch::new("surveyed-lean");
+    fs::write(scratch.path().join("survey.toml"), project(false, "")).unwrap();
+    fs::write(scratch.path().join("blocks.toml"), project(true, "")).unwrap();
+    fs::write(
+        scratch.path().join("none.toml"),
+        project(false, "as_surveyed = \"none\"\n"),
+    )
+    .unwrap();
+    let number = |found: &Value, path: &str| found.pointer(path).and_then(Value::as_f64).unwrap();
+    let capacity = |file: &str| {
+        let found = json(&scratch, &format!("check {file} --json"));
+        number(&found, "/state/check/stack/capacity/acceleration_g")
+    };
+    let (surveyed, on_blocks, upright) = (
+        capacity("survey.toml"),
+        capacity("blocks.toml"),
+        capacity("none.toml"),
+    );
+    assert!((surveyed - on_blocks).abs() < 1e-9, "{surveyed} {on_blocks}");
+    assert!(upright > surveyed + 0.02, "{upright} {surveyed}");
+    let peaks = |file: &str| {
+        let found = json(
+            &scratch,
+            &format!("simulate {file} --motion el-centro-1940-ns --keep-first 3 --json"),
+        );
+        let joints = found["joints"].as_array().unwrap().clone();
+        joints
+            .iter()
+            .map(|joint| joint["peak_opening_m"].as_f64().unwrap())
+            .collect::<Vec<_>>()
+    };
+    for (a, b) in peaks("survey.toml").iter().zip(peaks("blocks.toml")) {
+        assert!((a - b).abs() <= 1e-6 * b.max(1e-3), "{a} {b}");
+    }
+    let survived = |file: &str| {
+        let found = json(
+            &scratch,
+            &format!("study {file} --study height --json --quiet -o {file}-runs"),
+        );
+        let levels = found["levels"].as_array().unwrap().clone();
+        assert!(!levels.is_empty());
+        levels
+    };
+    assert_eq!(survived("survey.toml"), survived("blocks.toml"));
+}
+
+#[test]
+fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
+    let scratch = Scratch::new("surveyed-lean-said");
+    let said = |more: &str, from: &str, to: &str| {
+        let text = project(false, more).replace(from, to);
+        fs::write(scratch.path().join("p.toml"), text).unwrap();
+        let answer = scratch.dolmen("check p.toml");
+        format!("{}{}", answer.words(), answer.stderr)
+    };
+    let leans = said("", "", "");
+    assert!(
+        leans.contains("leans as survey 2025-09-10 found it, tilt x 1/40, y -1/60"),
+        "{leans}"
+    );
+    assert!(!said("as_surveyed = \"none\"\n", "", "").contains("found it"));
+    let own = said("", "name = \"top\",", "name = \"top\", offset = [\"5 mm\", 0],");
+    assert!(
+        own.contains("not added to the model: its blocks carry their own"),
+        "{own}"
+    );
+    let steep = said("", "x = \"1/40\"", "x = \"1/9\"");
+    assert!(steep.contains("leans by 5° at most"), "{steep}");
+    let unknown = said("as_surveyed = \"2024\"\n", "", "");
+    assert!(
+        unknown.contains("must be one of \"latest\", \"none\", \"2025-09-10\""),
+        "{unknown}"
+    );
+    // a survey without a date counts only where it is named
+    let undated = said("", "[survey.2025-09-10]", "[survey.before-the-repair]");
+    assert!(!undated.contains("found it"), "{undated}");
+}
