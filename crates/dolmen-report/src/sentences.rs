@@ -5,8 +5,9 @@ use crate::brief_rows::BriefRows;
 use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
 use crate::{
-    building, building_simulation, chain, change, check, demand, frame, frame_simulation, identification,
-    modal, motion, processing, rank, score, simulated, stack, stack_simulation, study, text, tune,
+    building, building_simulation, chain, change, check, demand, figures, frame, frame_simulation,
+    identification, modal, motion, processing, rank, score, simulated, stack, stack_simulation, study, text,
+    tune,
 };
 use dolmen_words::Template;
 
@@ -39,6 +40,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(motion::TEMPLATES);
     groups.extend(score::TEMPLATES);
     groups.extend(rank::TEMPLATES);
+    groups.extend(figures::TEMPLATES);
     groups.into_iter().flatten().copied().collect()
 }
 

@@ -7,6 +7,7 @@ use super::sampled;
 use super::variants::{section as variants_section, title};
 use crate::brief::{all_findings_text, brief_text, note_text, notes_text};
 use crate::document::{Document, Finding, TextStyle, document_text, findings_text, heading_text, wrapped};
+use crate::figures::Shaking;
 use crate::{building, chain, demand, frame, stack};
 use dolmen_project::Structure;
 use dolmen_words::message::Both;
@@ -155,7 +156,7 @@ fn sections_text(structure: &Structure, state: &State, style: TextStyle) -> Stri
     let sections = match (structure, &state.check) {
         (Structure::Chain(part), Check::Chain(check)) => chain::sections(part, check),
         (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
-        (_, Check::Stack(answer)) => stack::sections(answer, &state.spring_fits, None),
+        (_, Check::Stack(answer)) => stack::sections(answer, &state.spring_fits, Shaking::default()),
         (_, Check::Building(answer)) => building::sections(answer),
         (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
     };

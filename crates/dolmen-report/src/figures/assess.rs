@@ -5,6 +5,7 @@ use super::ink::{
     Anchor, BLACK, BLUE, GREY, Label, Line, ORANGE, SKY, Shape, VERMILLION, verdict_colour, verdict_shape,
 };
 use super::plot::{Key, Plot};
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::assess::Probability;
 use dolmen::stability::Verdict;
 use dolmen_words::Language;
@@ -31,7 +32,7 @@ pub fn load_factor_distribution(
         .copied()
         .chain(marks.into_iter().flatten())
         .collect();
-    let x = Axis::around(language.pick("Load factor λ (–)", "하중배율 λ (–)"), &all, 8);
+    let x = Axis::around(say(Axes::LoadFactor, language), &all, 8);
     let bars = ((finite.len() as f64).sqrt() as usize).clamp(BARS_LEAST, BARS_MOST);
     let (least, most) = finite
         .iter()
@@ -45,12 +46,7 @@ pub fn load_factor_distribution(
         counts[bar] += 1;
     }
     let tallest = counts.iter().copied().max().unwrap_or(0).max(1) as f64;
-    let y = Axis::linear(
-        language.pick("Samples (–)", "표본 수 (–)"),
-        0.0,
-        1.12 * tallest,
-        4,
-    );
+    let y = Axis::linear(say(Axes::Samples, language), 0.0, 1.12 * tallest, 4);
     let mut plot = Plot::new([680.0, 300.0], x, y);
     if plot.x.from < 1.0 {
         plot.block([plot.x.from, 0.0], [1.0, plot.y.to], VERMILLION, 0.12);
@@ -71,19 +67,19 @@ pub fn load_factor_distribution(
         plot.upright(nominal, Line::new(BLACK, 1.8));
         let words = format!(
             "{} λ = {}",
-            language.pick("nominal", "기준값"),
+            say(Signs::Nominal, language),
             number::beside_one(nominal, 4)
         );
         plot.key(Key::Line(Line::new(BLACK, 1.8)), words);
     }
     plot.key(
         Key::Line(Line::new(VERMILLION, 1.8)),
-        language.pick("λ = 1: falls", "λ = 1: 전도"),
+        say(Signs::FactorOneFalls, language),
     );
     let marginal = format!(
         "λ = {}: {}",
         number::significant(Verdict::MARGINAL_BELOW, 2),
-        language.pick("below it marginal", "미만이면 여유 부족")
+        say(Signs::BelowItMarginal, language)
     );
     plot.key(Key::Line(Line::new(ORANGE, 1.8).dashed()), marginal);
     let share = format!(
@@ -101,17 +97,17 @@ pub fn load_factor_distribution(
         "{} / {} {}, {}{}% {}",
         falls.count,
         falls.samples,
-        language.pick("samples", "표본"),
+        say(Signs::Samples, language),
         number::trimmed(100.0 * falls.confidence, 3),
         number::NARROW_SPACE,
-        language.pick("interval", "신뢰구간")
+        say(Signs::Interval, language)
     );
     plot.text(
         [plot.x.to, plot.y.to],
         [-6.0, 31.0],
         Label::new(counted, Anchor::End).small(),
     );
-    plot.svg(language.pick("Distribution of the load factor", "하중배율의 분포"))
+    plot.svg(say(Titles::DistributionOfTheLoadFactor, language))
 }
 
 /// One variant in [`variants_compared`].
@@ -134,11 +130,8 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
         .collect();
     all.extend([1.0, Verdict::MARGINAL_BELOW]);
     let finite: Vec<f64> = all.into_iter().filter(|v| v.is_finite()).collect();
-    let name = language.pick(
-        "Load factor λ and margins k/k_min (–)",
-        "하중배율 λ 및 여유도 k/k_min (–)",
-    );
-    let x = Axis::logarithmic(name, &finite);
+    let name = say(Axes::FactorAndMargins, language);
+    let x = Axis::logarithmic(name, &finite, language);
     let mut plot = Plot::new([680.0, 96.0 + 44.0 * rows.len() as f64], x, Axis::rows(&rows));
     plot.block([plot.x.from, plot.y.from], [1.0, plot.y.to], VERMILLION, 0.12);
     plot.upright(1.0, Line::new(VERMILLION, 1.6));
@@ -155,27 +148,27 @@ pub fn variants_compared(variants: &[VariantDot], language: Language) -> String 
             let label = Label::new(number::beside_one(load_factor, 4), Anchor::Start).bold();
             plot.text(at, [11.0, 0.0], label);
         } else {
-            let unknown = Label::new(language.pick("unknown", "미상"), Anchor::Start);
+            let unknown = Label::new(say(Signs::Unknown, language), Anchor::Start);
             plot.text([1.0, row + 0.14], [10.0, 0.0], unknown);
         }
     }
     plot.key(
         Key::Dot(Shape::Circle, BLUE),
-        language.pick("λ (coloured by verdict)", "λ (판정별 색)"),
+        say(Signs::FactorByVerdict, language),
     );
     plot.key(
         Key::Dot(Shape::Ring, GREY),
-        language.pick("margins of joints or storeys", "접합면·층의 여유도"),
+        say(Signs::MarginsOfJointsOrStoreys, language),
     );
     plot.key(
         Key::Line(Line::new(VERMILLION, 1.6)),
-        language.pick("1: falls", "1: 전도"),
+        say(Signs::OneFalls, language),
     );
     let marginal = format!(
         "{}: {}",
         number::significant(Verdict::MARGINAL_BELOW, 2),
-        language.pick("below it marginal", "미만이면 여유 부족")
+        say(Signs::BelowItMarginal, language)
     );
     plot.key(Key::Line(Line::new(ORANGE, 1.6).dashed()), marginal);
-    plot.svg(language.pick("Variants compared", "대안 비교"))
+    plot.svg(say(Titles::VariantsCompared, language))
 }

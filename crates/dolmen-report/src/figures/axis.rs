@@ -1,6 +1,7 @@
 //! Axes: range, ticks at round numbers, and the name with its unit.
 
-use dolmen_words::number;
+use super::words::{Axes, say};
+use dolmen_words::{Language, number};
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 use std::ops::Range;
 
@@ -78,8 +79,8 @@ impl Axis {
         Self::linear(name, least - room, most + room, wanted)
     }
 
-    /// A logarithmic axis around these values; those that are not positive are left out.
-    pub(crate) fn logarithmic(name: impl Into<String>, values: &[f64]) -> Self {
+    /// A logarithmic axis around these values, named as one; those that are not positive are left out.
+    pub(crate) fn logarithmic(name: impl Into<String>, values: &[f64], language: Language) -> Self {
         let positive: Vec<f64> = values.iter().copied().filter(|v| *v > 0.0).collect();
         let (least, most) = bounds(&positive);
         let (least, most) = if least > 0.0 { (least, most) } else { (0.1, 10.0) };
@@ -110,7 +111,7 @@ impl Axis {
             }
         }
         Axis {
-            name: name.into(),
+            name: say(Axes::Logarithmic { name: name.into() }, language),
             from,
             to,
             scale: Scale::Logarithmic,
@@ -222,11 +223,11 @@ mod tests {
     #[test]
     fn exact_logarithmic_ticks_name_powers() {
         assert_eq!(
-            texts(&Axis::logarithmic("", &[1.9, 739.0])),
+            texts(&Axis::logarithmic("", &[1.9, 739.0], Language::English)),
             ["2", "5", "10", "20", "50", "100", "200", "500"]
         );
         assert_eq!(
-            texts(&Axis::logarithmic("", &[1e-3, 1e3])),
+            texts(&Axis::logarithmic("", &[1e-3, 1e3], Language::English)),
             ["0.001", "0.01", "0.1", "1", "10", "100", "1000"]
         );
     }
@@ -237,7 +238,7 @@ mod tests {
             Axis::around("", &[], 5),
             Axis::linear("", 3.0, 3.0, 5),
             Axis::around("", &[3.0], 5),
-            Axis::logarithmic("", &[f64::NAN]),
+            Axis::logarithmic("", &[f64::NAN], Language::English),
         ] {
             assert!(axis.to > axis.from, "{axis:?}");
             let at = axis.map(&axis.to, (0, 100));

@@ -2,6 +2,7 @@
 
 use super::ink::{Anchor, BLACK, BLUE, GREEN, GREY, Label, Line, ORANGE, PURPLE, STONE, Shape, VERMILLION};
 use super::scene::Scene;
+use super::words::{Signs, Titles, say};
 use dolmen_words::Language;
 use dolmen_words::number::significant;
 use dolmen_work::building::StandingBuilding;
@@ -98,11 +99,11 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
     let mut words = Words {
         at: [size_px[0] + 8.0, 30.0],
     };
-    let title = language.pick("top floor, walls below it", "최상층 바닥과 그 아래 벽체");
+    let title = say(Signs::TopFloorWallsBelowIt, language);
     words.line(&mut scene, None, title.to_owned());
     let place = |at: [f64; 2]| format!("({}, {}) m", short(at[0]), short(at[1]));
     scene.marker(view.px(floor.centre_m), Shape::Circle, 5.5, BLACK);
-    let mass = language.pick("centre of mass", "질량 중심");
+    let mass = say(Signs::CentreOfMass, language);
     words.line(
         &mut scene,
         Some((Shape::Circle, BLACK)),
@@ -111,7 +112,7 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
     if let Some(rigidity) = storey.stiffness.centre_of_rigidity_m() {
         let (at, _) = view.kept(rigidity);
         scene.marker(at, Shape::Cross, 6.0, PURPLE);
-        let rigid = language.pick("centre of rigidity", "강성 중심");
+        let rigid = say(Signs::CentreOfRigidity, language);
         words.line(
             &mut scene,
             Some((Shape::Cross, PURPLE)),
@@ -120,10 +121,10 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
     }
     for (j, mode) in standing.modes.modes.iter().take(MODES_DRAWN).enumerate() {
         let colour = MODE_COLOURS[j];
-        let name = language.pick(format!("mode {}", j + 1), format!("{}차 모드", j + 1));
+        let name = say(Signs::ModeOfNumber { number: j + 1 }, language);
         let hertz = significant(mode.frequency_hz, 3);
         let Some(centre) = mode.centres.last().copied().flatten() else {
-            let none = language.pick("no centre: it does not turn", "중심 없음: 비틀림이 없다");
+            let none = say(Signs::NoCentre, language);
             words.line(&mut scene, None, format!("{name}, {hertz}\u{202f}Hz: {none}"));
             continue;
         };
@@ -169,15 +170,15 @@ pub fn building_plan(standing: &StandingBuilding, language: Language) -> String 
             scene.arrow(at, to, 8.0, line);
         }
         scene.marker(at, Shape::Square, 5.0, ORANGE);
-        let word = language.pick("damper", "제진장치");
-        let floor = language.pick(format!("floor {}", damper.floor), format!("{}층", damper.floor));
+        let word = say(Signs::Damper, language);
+        let floor = say(Signs::Floor { floor: damper.floor }, language);
         words.line(
             &mut scene,
             Some((Shape::Square, ORANGE)),
             format!("{word} {} ({floor})", damper.name),
         );
     }
-    scene.svg(language.pick("Plan with the centres of the modes", "모드 중심을 표시한 평면도"))
+    scene.svg(say(Titles::PlanWithTheCentresOfTheModes, language))
 }
 
 fn short(value: f64) -> String {

@@ -3,6 +3,7 @@
 use super::Figure;
 use super::frame_histories::ground;
 use super::stack_histories::{Series, plot};
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::BuildingHistory;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
@@ -58,58 +59,33 @@ impl BuildingPlot {
 
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &BuildingSimulation, language: Language) -> Option<String> {
-        let (axis, title) = self.words(simulation, language);
-        plot(&self.series(simulation, language), axis, language, &title)
+        let (axis, title) = self.words(simulation);
+        plot(&self.series(simulation, language), axis, language, title)
     }
 
     /// The name of the axis, and the title.
-    fn words(self, simulation: &BuildingSimulation, language: Language) -> (&'static str, String) {
-        let acceleration = language.pick("Acceleration (g)", "가속도 (g)");
-        let displacement = language.pick("Displacement (mm)", "변위 (mm)");
+    fn words(self, simulation: &BuildingSimulation) -> (Axes, Titles) {
+        let acceleration = Axes::Acceleration;
+        let displacement = Axes::Displacement;
         match self {
-            Self::Ground => (
-                acceleration,
-                language
-                    .pick("Acceleration of the ground", "지반 가속도")
-                    .to_owned(),
-            ),
+            Self::Ground => (acceleration, Titles::AccelerationOfTheGround),
             Self::Top(axis) => (
                 displacement,
-                language.pick(
-                    format!("Displacement of the top floor along {}", AXES[axis]),
-                    format!("최상층의 {} 방향 변위", AXES[axis]),
-                ),
+                Titles::TopFloorAlong {
+                    axis: AXES[axis].to_owned(),
+                },
             ),
-            Self::Rotation => (
-                language.pick("Rotation (mrad)", "회전 (mrad)"),
-                language
-                    .pick("Rotation of the top floor", "최상층의 회전")
-                    .to_owned(),
-            ),
-            Self::BaseShear => (
-                language.pick("Base shear (kN)", "밑면전단력 (kN)"),
-                language.pick("Base shear", "밑면전단력").to_owned(),
-            ),
-            Self::Strokes => (
-                language.pick("Stroke (mm)", "행정 (mm)"),
-                language
-                    .pick("Travel of the dampers", "제진장치의 행정")
-                    .to_owned(),
-            ),
+            Self::Rotation => (Axes::Rotation, Titles::RotationOfTheTopFloor),
+            Self::BaseShear => (Axes::BaseShear, Titles::BaseShear),
+            Self::Strokes => (Axes::Stroke, Titles::TravelOfTheDampers),
             Self::Point(i) => {
                 let name = &simulation.points[i].name;
-                let title = language.pick(
-                    format!("Displacement of point {name}"),
-                    format!("{name} 지점의 변위"),
-                );
+                let title = Titles::DisplacementOfPoint { name: name.clone() };
                 (displacement, title)
             }
             Self::Acceleration(i) => {
                 let name = &simulation.points[i].name;
-                let title = language.pick(
-                    format!("Acceleration of point {name}, with that of the ground"),
-                    format!("{name} 지점의 절대가속도"),
-                );
+                let title = Titles::AccelerationOfPoint { name: name.clone() };
                 (acceleration, title)
             }
         }
@@ -121,18 +97,18 @@ impl BuildingPlot {
         match self {
             Self::Ground => acting(simulation),
             Self::Top(axis) => {
-                let with = language.pick("with dampers", "제진장치 있음");
-                let without = language.pick("without dampers", "제진장치 없음");
+                let with = Signs::WithDampers;
+                let without = Signs::WithoutDampers;
                 match &simulation.without_dampers {
                     Some(other) => vec![
-                        coordinate(other, top + axis, without),
-                        coordinate(history, top + axis, with),
+                        coordinate(other, top + axis, say(without, language)),
+                        coordinate(history, top + axis, say(with, language)),
                     ],
                     None => vec![coordinate(history, top + axis, AXES[axis])],
                 }
             }
             Self::Rotation => {
-                let name = language.pick("top floor", "최상층");
+                let name = say(Signs::TopFloor, language);
                 vec![coordinate(history, top + 2, name)]
             }
             Self::BaseShear => [0, 1]
@@ -144,7 +120,7 @@ impl BuildingPlot {
             Self::Strokes => {
                 let names = simulation.stroke_names().into_iter().enumerate();
                 names
-                    .map(|(d, name)| coordinate(history, top + 3 + d, &name))
+                    .map(|(d, name)| coordinate(history, top + 3 + d, name))
                     .collect()
             }
             Self::Point(i) => {
@@ -183,14 +159,14 @@ fn acting(simulation: &BuildingSimulation) -> Vec<Series> {
 }
 
 /// A coordinate of the building, mm or mrad.
-fn coordinate(history: &BuildingHistory, row: usize, name: &str) -> Series {
+fn coordinate(history: &BuildingHistory, row: usize, name: impl Into<String>) -> Series {
     over_time(history, name, |step| 1e3 * history.coordinates[(row, step)])
 }
 
-fn over_time(history: &BuildingHistory, name: &str, value: impl Fn(usize) -> f64) -> Series {
+fn over_time(history: &BuildingHistory, name: impl Into<String>, value: impl Fn(usize) -> f64) -> Series {
     let steps = 0..history.length();
     Series {
-        name: name.to_owned(),
+        name: name.into(),
         points: steps.map(|step| [history.time_s(step), value(step)]).collect(),
     }
 }

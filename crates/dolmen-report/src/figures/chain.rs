@@ -7,6 +7,7 @@ use super::ink::{
 };
 use super::plot::{Key, Plot};
 use super::scene::Scene;
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::assess::CentroidEffect;
 use dolmen::stability::{ChainLimits, ChainStability, Verdict};
 use dolmen::structure::{Chain, Inertia};
@@ -59,9 +60,9 @@ pub fn chain_elevation(
     scene.line([52.0, bottom], [52.0, top], Line::new(GREY, 1.0));
     scene.text(
         [8.0, 10.0],
-        &Label::new(language.pick("Height (m)", "높이 (m)"), Anchor::Start).small(),
+        &Label::new(say(Axes::Height, language), Anchor::Start).small(),
     );
-    let margin_head = language.pick("joint: margin k/k_min", "접합면: 여유도 k/k_min");
+    let margin_head = say(Signs::JointMargin, language);
     scene.text([432.0, 10.0], &Label::new(margin_head, Anchor::End).small());
 
     let mut base_m = 0.0;
@@ -89,7 +90,7 @@ pub fn chain_elevation(
             Line::new(BLACK, 1.0),
         );
 
-        let name = part_name(names, i, language.pick("link", "부재"));
+        let name = part_name(names, i, &say(Signs::Link, language));
         let middle = 0.5 * (low + high);
         scene.text(
             [axis + 44.0, middle - 8.0],
@@ -114,8 +115,8 @@ pub fn chain_elevation(
             (Some(_), Some(margin)) => Verdict::of_load_factor(margin),
         };
         let words = match (joint, margin) {
-            (None, _) => language.pick("unknown", "미상").to_string(),
-            (Some(_), None) => language.pick("falls", "전도").to_string(),
+            (None, _) => say(Signs::StiffnessUnknown, language),
+            (Some(_), None) => say(Signs::Falls, language),
             (Some(_), Some(margin)) => number::beside_one(margin, 3),
         };
         scene.line([axis + half + 12.0, low], [330.0, low], Line::new(LIGHT, 1.0));
@@ -126,21 +127,15 @@ pub fn chain_elevation(
         base_m += link.length_m;
     }
     let note = if links.iter().all(|l| given_width(l).is_some()) {
-        language.pick(
-            "⊕ centre of mass; heights and widths to scale",
-            "⊕ 무게 중심; 높이와 폭은 축척에 맞음",
-        )
+        say(Signs::ToScale, language)
     } else {
-        language.pick(
-            "⊕ centre of mass; heights to scale, widths schematic",
-            "⊕ 무게 중심; 높이는 축척에 맞고 폭은 모식도",
-        )
+        say(Signs::HeightsToScaleWidthsSchematic, language)
     };
     scene.text(
         [8.0, bottom + 32.0],
         &Label::new(note, Anchor::Start).small().coloured(GREY),
     );
-    scene.svg(language.pick("Elevation of the chain with its joints", "접합면을 표시한 입면도"))
+    scene.svg(say(Titles::ElevationOfTheChainWithItsJoints, language))
 }
 
 /// Stiffness limits of every joint on a logarithmic axis: the published critical stiffness k_cr, the published P·H, the
@@ -172,11 +167,11 @@ pub fn stiffness_limits(
     .collect();
     let unit = number::prefix(&all, "N·m/rad");
     let scaled: Vec<f64> = all.iter().map(|k| k * unit.factor).collect();
-    let name = language.pick("Rotational stiffness", "회전강성");
-    let x = Axis::logarithmic(format!("{name} ({})", unit.unit), &scaled);
+    let name = say(Axes::RotationalStiffness, language);
+    let x = Axis::logarithmic(format!("{name} ({})", unit.unit), &scaled, language);
     let count = limits.necessary_n_m_rad.len();
     let rows: Vec<String> = (1..=count)
-        .map(|i| format!("{} {i}", language.pick("joint", "접합면")))
+        .map(|i| format!("{} {i}", say(Signs::Joint, language)))
         .collect();
     let size = [680.0, 96.0 + 46.0 * count as f64];
     let mut plot = Plot::new(size, x, Axis::rows(&rows));
@@ -209,42 +204,26 @@ pub fn stiffness_limits(
         plot.sized_dot(at(joint.stiffness_n_m_rad, -0.17), Shape::Circle, 5.0, BLUE);
     }
     let keys = [
-        (
-            Shape::Triangle,
-            VERMILLION,
-            "published k_cr (unsafe)",
-            "발표된 임계강성 k_cr (불안전측)",
-        ),
-        (
-            Shape::Bar,
-            BLACK,
-            "exact limit M, other joints rigid",
-            "정확한 한계 M (다른 접합면 강체)",
-        ),
-        (Shape::Square, ORANGE, "published P·H", "발표된 좌굴 임계강성 P·H"),
+        (Shape::Triangle, VERMILLION, Signs::PublishedLimitUnsafe),
+        (Shape::Bar, BLACK, Signs::ExactLimitOthersRigid),
+        (Shape::Square, ORANGE, Signs::PublishedBuckling),
     ];
-    for (shape, colour, english, korean) in keys {
-        plot.key(Key::Dot(shape, colour), language.pick(english, korean));
+    for (shape, colour, words) in keys {
+        plot.key(Key::Dot(shape, colour), say(words, language));
     }
-    let falls = language.pick(
-        "falls whatever the other joints are",
-        "다른 접합면과 무관하게 전도",
-    );
+    let falls = say(Signs::FallsWhateverTheOthersAre, language);
     plot.key(Key::Block(VERMILLION, 0.13), falls);
     if stability.is_some() {
         plot.key(
             Key::Dot(Shape::Circle, BLUE),
-            language.pick("given k", "주어진 강성 k"),
+            say(Signs::GivenStiffness, language),
         );
         if !least.is_empty() {
-            let words = language.pick(
-                "least k, other joints as given",
-                "최소 k (다른 접합면은 주어진 값)",
-            );
+            let words = say(Signs::LeastStiffness, language);
             plot.key(Key::Dot(Shape::Ring, BLUE), words);
         }
     }
-    plot.svg(language.pick("Stiffness limits of each joint", "접합면별 강성 한계"))
+    plot.svg(say(Titles::StiffnessLimitsOfEachJoint, language))
 }
 
 /// What lowering one centroid does to each joint: change of the published k_cr beside that of the exact limit M, per
@@ -263,10 +242,10 @@ pub fn centroid_effect(limits: &ChainLimits, effect: &CentroidEffect, language: 
     let exact = change(&effect.necessary_n_m_rad, &limits.necessary_n_m_rad);
     let mut all = [published.clone(), exact.clone()].concat();
     all.push(0.0);
-    let name = language.pick("Change of the limit (%)", "한계값의 변화 (%)");
+    let name = say(Axes::ChangeOfTheLimit, language);
     let x = Axis::around(name, &all, 6);
     let rows: Vec<String> = (1..=exact.len())
-        .map(|i| format!("{} {i}", language.pick("joint", "접합면")))
+        .map(|i| format!("{} {i}", say(Signs::Joint, language)))
         .collect();
     let mut plot = Plot::new([345.0, 92.0 + 30.0 * exact.len() as f64], x, Axis::rows(&rows));
     plot.upright(0.0, Line::new(BLACK, 1.2));
@@ -278,13 +257,10 @@ pub fn centroid_effect(limits: &ChainLimits, effect: &CentroidEffect, language: 
     }
     plot.key(
         Key::Dot(Shape::Triangle, VERMILLION),
-        language.pick("published k_cr", "발표된 k_cr"),
+        say(Signs::PublishedLimit, language),
     );
-    plot.key(
-        Key::Dot(Shape::Circle, BLUE),
-        language.pick("exact limit M", "정확한 한계 M"),
-    );
-    plot.svg(language.pick("Effect of a lower centre of mass", "무게 중심을 낮춘 효과"))
+    plot.key(Key::Dot(Shape::Circle, BLUE), say(Signs::ExactLimit, language));
+    plot.svg(say(Titles::EffectOfALowerCentreOfMass, language))
 }
 
 /// The name of a part, or its kind and number.

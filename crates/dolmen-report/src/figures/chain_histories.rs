@@ -3,6 +3,7 @@
 use super::Figure;
 use super::frame_histories::{ground, loops, rows_of_bands};
 use super::stack_histories::{Series, plot};
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::ChainEnergy;
 use dolmen_words::Language;
 use dolmen_work::chain::ChainSimulation;
@@ -49,8 +50,8 @@ impl ChainPlot {
         match self {
             Self::Ground => {
                 let (motion, component) = simulation.motion.as_ref()?;
-                let title = language.pick("Acceleration of the ground", "지반 가속도");
-                let name = language.pick("Acceleration (g)", "가속도 (g)");
+                let title = Titles::AccelerationOfTheGround;
+                let name = Axes::Acceleration;
                 plot(&[ground(&motion.motion, *component)], name, language, title)
             }
             Self::Rotations => rotations(simulation, language),
@@ -87,11 +88,8 @@ fn rotations(simulation: &ChainSimulation, language: Language) -> Option<String>
             points: over_time(&history.rotation_rad[link]),
         })
         .collect();
-    let title = language.pick(
-        "Rotation of the links from the vertical",
-        "각 부재의 연직 기준 회전각",
-    );
-    let name = language.pick("Rotation (mrad)", "회전각 (mrad)");
+    let title = Titles::RotationOfTheLinksFromTheVertical;
+    let name = Axes::LinkRotation;
     plot(&links, name, language, title)
 }
 
@@ -99,37 +97,28 @@ fn hysteresis(simulation: &ChainSimulation, joint: usize, language: Language) ->
     let history = &simulation.history;
     let across: Vec<f64> = history.across_rad(joint).iter().map(|x| 1e3 * x).collect();
     let moment: Vec<f64> = history.joint_moment_n_m[joint].iter().map(|x| 1e-3 * x).collect();
-    let names = [
-        language.pick("Rotation across the joint (mrad)", "접합면 회전각 (mrad)"),
-        language.pick("Moment (kN·m)", "모멘트 (kN·m)"),
-    ];
-    let title = language.pick("Moment against rotation", "모멘트-회전각 이력곡선");
-    loops(names, [&across, &moment], (joint, simulation.link(joint)), title)
+    let names = [Axes::RotationAcrossTheJoint, Axes::Moment];
+    let title = Titles::MomentAgainstRotation;
+    loops(
+        names,
+        [&across, &moment],
+        (joint, simulation.link(joint)),
+        title,
+        language,
+    )
 }
 
 fn openings(simulation: &ChainSimulation, language: Language) -> String {
     let each = simulation.history.uplifts.iter();
     let open: Vec<_> = each.map(|u| (u.joint, [u.from_s, u.to_s])).collect();
-    let words = [
-        language.pick("open", "벌어짐"),
-        language.pick(
-            "When the joint below each link was open",
-            "부재 아래 접합면이 벌어진 시각",
-        ),
-    ];
+    let words = (Signs::Open, Titles::WhenJointsOpen);
     rows_of_bands(&simulation.links, &open, simulation.duration_s(), words, language)
 }
 
 fn slips(simulation: &ChainSimulation, language: Language) -> String {
     let each = simulation.history.slips.iter();
     let slips: Vec<_> = each.map(|s| (s.joint, [s.from_s, s.to_s])).collect();
-    let words = [
-        language.pick("turns", "회전"),
-        language.pick(
-            "When the joint below each link turned against its friction",
-            "부재 아래 접합면이 마찰을 이기고 회전한 시각",
-        ),
-    ];
+    let words = (Signs::Turns, Titles::WhenJointsTurned);
     rows_of_bands(
         &simulation.links,
         &slips,
@@ -141,8 +130,8 @@ fn slips(simulation: &ChainSimulation, language: Language) -> String {
 
 fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {
     let history = &simulation.history;
-    let part = |name: &str, value: fn(&ChainEnergy) -> f64| Series {
-        name: name.to_owned(),
+    let part = |name: Signs, value: fn(&ChainEnergy) -> f64| Series {
+        name: say(name, language),
         points: history
             .times_s
             .iter()
@@ -151,21 +140,16 @@ fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {
             .collect(),
     };
     let mut parts = vec![
-        part(language.pick("put in", "입력"), |e| e.input_j),
-        part(language.pick("taken by dashpots", "점성 소산"), |e| {
-            e.damping_j
+        part(Signs::PutIn, |e| e.input_j),
+        part(Signs::TakenByDashpots, |e| e.damping_j),
+        part(Signs::MovingSpringsAndWeight, |e| {
+            e.kinetic_j + e.springs_j + e.gravity_j
         }),
-        part(
-            language.pick("moving, in springs and weight", "운동·탄성·위치"),
-            |e| e.kinetic_j + e.springs_j + e.gravity_j,
-        ),
     ];
     if simulation.model.has_friction() {
-        parts.push(part(language.pick("taken by friction", "마찰 소산"), |e| {
-            e.friction_j
-        }));
+        parts.push(part(Signs::TakenByFriction, |e| e.friction_j));
     }
-    let name = language.pick("Energy (kJ)", "에너지 (kJ)");
-    let title = language.pick("Where the energy went", "에너지 수지");
+    let name = Axes::Energy;
+    let title = Titles::WhereTheEnergyWent;
     plot(&parts, name, language, title)
 }

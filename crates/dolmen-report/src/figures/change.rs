@@ -3,6 +3,7 @@
 use super::axis::Axis;
 use super::ink::{BLUE, GREY, LIGHT, Line, Shape, VERMILLION};
 use super::plot::{Key, Plot};
+use super::words::{Axes, Modal, Titles, say};
 use dolmen::assess::SurveyChange;
 use dolmen_words::Language;
 
@@ -26,11 +27,7 @@ pub fn survey_changes(change: &SurveyChange, language: Language) -> String {
         .rev()
         .map(|mode| format!("{:.3} Hz", mode.from.frequency_hz))
         .collect();
-    let x = Axis::around(
-        language.pick("Change of the frequency (%)", "고유진동수의 변화 (%)"),
-        &values,
-        8,
-    );
+    let x = Axis::around(say(Axes::ChangeOfTheFrequency, language), &values, 8);
     let mut plot = Plot::new([640.0, 110.0 + 30.0 * names.len() as f64], x, Axis::rows(&names));
     for (row, mode) in change.modes.iter().rev().enumerate() {
         let (row, r) = (row as f64, 100.0 * mode.frequency.relative);
@@ -57,20 +54,14 @@ pub fn survey_changes(change: &SurveyChange, language: Language) -> String {
     if any(true) {
         plot.key(
             Key::Dot(Shape::Diamond, VERMILLION),
-            language.pick("changed beyond chance", "우연을 넘는 변화"),
+            say(Modal::ChangedBeyondChance, language),
         );
     }
     if any(false) {
-        plot.key(
-            Key::Dot(Shape::Circle, BLUE),
-            language.pick("no change shown", "변화가 확인되지 않음"),
-        );
+        plot.key(Key::Dot(Shape::Circle, BLUE), say(Modal::NoChangeShown, language));
     }
     if any(true) || any(false) {
-        plot.key(
-            Key::Block(LIGHT, 1.0),
-            language.pick("smaller changes could be missed", "놓칠 수 있는 작은 변화"),
-        );
+        plot.key(Key::Block(LIGHT, 1.0), say(Modal::SmallerChangesMissed, language));
     }
-    plot.svg(language.pick("What changed between two surveys", "두 조사 사이의 변화"))
+    plot.svg(say(Titles::WhatChangedBetweenTwoSurveys, language))
 }

@@ -3,6 +3,7 @@
 use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, PURPLE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::assess::demand::ShakenDirection;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::Language;
@@ -63,13 +64,8 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
     });
     let highest = curves.iter().flat_map(|(_, curve)| curve.iter().map(|p| p[1]));
     let top = highest.chain(capacity).fold(0.1, f64::max);
-    let x = Axis::linear(language.pick("Period (s)", "주기 (s)"), 0.0, most_s, 8);
-    let y = Axis::linear(
-        language.pick("Spectral acceleration (g)", "응답 가속도 (g)"),
-        0.0,
-        1.1 * top,
-        6,
-    );
+    let x = Axis::linear(say(Axes::Period, language), 0.0, most_s, 8);
+    let y = Axis::linear(say(Axes::SpectralAcceleration, language), 0.0, 1.1 * top, 6);
     let mut plot = Plot::new([620.0, 320.0], x, y);
     let several = curves.len() > 1;
     for ((zeta, curve), colour) in curves.into_iter().zip([BLUE, PURPLE].into_iter().cycle()) {
@@ -79,11 +75,8 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
         plot.key(
             Key::Line(line),
             match several {
-                true => language.pick(
-                    format!("demand, {percent} % damping"),
-                    format!("요구, 감쇠비 {percent} %"),
-                ),
-                false => language.pick("demand", "요구").to_owned(),
+                true => say(Signs::DemandAtDamping { percent }, language),
+                false => say(Signs::Demand, language),
             },
         );
     }
@@ -103,8 +96,8 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
     if capacity.is_some() {
         plot.key(
             Key::Line(Line::new(GREEN, 1.6).dashed()),
-            language.pick("begins to move", "거동 시작"),
+            say(Signs::BeginsToMove, language),
         );
     }
-    plot.svg(language.pick("Design spectrum", "설계 응답 스펙트럼"))
+    plot.svg(say(Titles::DesignSpectrum, language))
 }

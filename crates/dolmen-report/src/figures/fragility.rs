@@ -5,6 +5,7 @@ use super::axis::Axis;
 use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::study_size::SIZE_PX;
+use super::words::{Axes, Studied, Titles, say};
 use dolmen::assess::Observation;
 use dolmen_words::Language;
 use dolmen_work::study::{CombinationFragility, StateFragility, StudyAnswer};
@@ -40,13 +41,8 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
         .filter_map(|state| state.by_acceleration.as_ref().ok());
     let theta = thetas.map(|fit| fit.curve.theta() / g).fold(0.0, f64::max);
     let most = (1.6 * theta).min(largest).max(0.5 * largest);
-    let x = Axis::linear(
-        language.pick("Peak ground acceleration (g)", "최대지반가속도 (g)"),
-        0.0,
-        most,
-        8,
-    );
-    let y = Axis::linear(language.pick("Probability", "확률"), 0.0, 1.0, 5);
+    let x = Axis::linear(say(Axes::PeakGroundAcceleration, language), 0.0, most, 8);
+    let y = Axis::linear(say(Axes::Probability, language), 0.0, 1.0, 5);
     let mut plot = Plot::new(SIZE_PX, x, y);
     let at = |i: usize| most * i as f64 / POINTS as f64;
     let mut has_no_band = false;
@@ -81,18 +77,12 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
     if !words.is_empty() {
         plot.note(&words);
     }
-    plot.note(language.pick(
-        "Lines: lognormal curves of largest likelihood; bands: 90 % of resampled motions; dots: share of the scans that had reached the state by then",
-        "실선: 최우추정 대수정규 곡선, 띠: 지진동 재표집의 90 %, 점: 그때까지 해당 상태에 이른 해석의 비율",
-    ));
+    plot.note(say(Studied::CurvesBandsDots, language));
     if has_no_band {
-        plot.note(language.pick(
-            "No band: more than a tenth of the resampled motions allow no curve",
-            "띠 없음: 재표집의 1/10 넘게 곡선을 정할 수 없음",
-        ));
+        plot.note(say(Studied::NoBand, language));
     }
     plot.note(&answer.method(language));
-    plot.svg(language.pick("Fragility", "취약도"))
+    plot.svg(say(Titles::Fragility, language))
 }
 
 fn ends(seen: Observation) -> [f64; 2] {

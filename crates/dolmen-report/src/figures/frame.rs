@@ -3,6 +3,7 @@
 use super::chain::part_name;
 use super::ink::{Anchor, BLACK, BLUE, GREY, Label, Line, STONE, verdict_colour, verdict_shape};
 use super::scene::Scene;
+use super::words::{Signs, Titles, say};
 use dolmen::stability::{FrameStability, Verdict};
 use dolmen::structure::Frame;
 use dolmen_words::Language;
@@ -73,11 +74,11 @@ pub fn frame_sketch(
 
         let mass = format!("m{} = {}", subscript(i + 1), mass_unit.trimmed(storey.mass_kg, 4));
         scene.text([282.0, high], &Label::new(mass, Anchor::Start));
-        let name = part_name(names, i, language.pick("storey", "층"));
+        let name = part_name(names, i, &say(Signs::Storey, language));
         scene.text([282.0, middle - 9.0], &Label::new(name, Anchor::Start).bold());
         let axial = format!(
             "{} N{} = {}",
-            language.pick("axial force", "축력"),
+            say(Signs::AxialForce, language),
             subscript(i + 1),
             force_unit.trimmed(storey.axial_n, 4)
         );
@@ -94,7 +95,7 @@ pub fn frame_sketch(
                 verdict_colour(verdict),
             );
             let margin = storey.margin.map_or("–".into(), |m| number::beside_one(m, 3));
-            let words = language.pick("margin k/k_min", "여유도 k/k_min");
+            let words = say(Signs::Margin, language);
             scene.text(
                 [300.0, middle + 25.0],
                 &Label::new(format!("{words} {margin}"), Anchor::Start).small(),
@@ -110,14 +111,11 @@ pub fn frame_sketch(
     }
     scene.text(
         [8.0, top - 22.0],
-        &Label::new(
-            language.pick("heights to scale", "높이는 축척에 맞음"),
-            Anchor::Start,
-        )
-        .small()
-        .coloured(GREY),
+        &Label::new(say(Signs::HeightsToScale, language), Anchor::Start)
+            .small()
+            .coloured(GREY),
     );
-    scene.svg(language.pick("Sketch of the frame", "골조 모식도"))
+    scene.svg(say(Titles::SketchOfTheFrame, language))
 }
 
 /// A horizontal zigzag of this length from a point to the right.

@@ -5,6 +5,7 @@ use super::axis::Axis;
 use super::ink::{GREY, Line, SERIES};
 use super::plot::{Key, Plot};
 use super::stack_histories::{Series, plot};
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::FrameEnergy;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::{Component, GroundMotion};
@@ -64,13 +65,8 @@ impl FramePlot {
         match self {
             Self::Ground => {
                 let ground = ground(&simulation.motion.motion, simulation.component);
-                let title = language.pick("Acceleration of the ground", "지반 가속도");
-                plot(
-                    &[ground],
-                    language.pick("Acceleration (g)", "가속도 (g)"),
-                    language,
-                    title,
-                )
+                let title = Titles::AccelerationOfTheGround;
+                plot(&[ground], Axes::Acceleration, language, title)
             }
             Self::Levels => levels(simulation, language),
             Self::Loop(storey) => Some(hysteresis(simulation, storey, language)),
@@ -105,38 +101,27 @@ fn levels(simulation: &FrameSimulation, language: Language) -> Option<String> {
             points: over_time(simulation, &simulation.history.displacement_m[level], 1e3),
         })
         .collect();
-    let name = language.pick("Displacement (mm)", "변위 (mm)");
-    let title = language.pick("Displacement at the top of each storey", "각 층 상단의 변위");
+    let name = Axes::Displacement;
+    let title = Titles::DisplacementAtTheTopOfEachStorey;
     plot(&levels, name, language, title)
 }
 
 fn energy(simulation: &FrameSimulation, language: Language) -> Option<String> {
-    let part = |name: &str, value: fn(&FrameEnergy) -> f64| {
+    let part = |name: Signs, value: fn(&FrameEnergy) -> f64| {
         let values: Vec<f64> = simulation.history.energy.iter().map(value).collect();
         Series {
-            name: name.to_owned(),
+            name: say(name, language),
             points: over_time(simulation, &values, 1e-3),
         }
     };
     let parts = [
-        part(language.pick("put in", "입력"), |e| e.input_j),
-        part(language.pick("taken by friction", "마찰 소산"), |e| {
-            e.friction_j
-        }),
-        part(language.pick("taken by dashpots", "점성 소산"), |e| {
-            e.damping_j
-        }),
-        part(language.pick("moving and in springs", "운동·탄성"), |e| {
-            e.kinetic_j + e.stored_j
-        }),
+        part(Signs::PutIn, |e| e.input_j),
+        part(Signs::TakenByFriction, |e| e.friction_j),
+        part(Signs::TakenByDashpots, |e| e.damping_j),
+        part(Signs::MovingAndInSprings, |e| e.kinetic_j + e.stored_j),
     ];
-    let name = language.pick("Energy (kJ)", "에너지 (kJ)");
-    plot(
-        &parts,
-        name,
-        language,
-        language.pick("Where the energy went", "에너지 수지"),
-    )
+    let name = Axes::Energy;
+    plot(&parts, name, language, Titles::WhereTheEnergyWent)
 }
 
 /// Force of a storey against its drift.
@@ -152,35 +137,36 @@ fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -
         .iter()
         .map(|f| 1e-3 * f)
         .collect();
-    let names = [
-        language.pick("Drift (mm)", "층간변위 (mm)"),
-        language.pick("Force of the storey (kN)", "층 전단력 (kN)"),
-    ];
-    let title = language.pick("Force against drift", "층 전단력-층간변위 이력곡선");
+    let names = [Axes::Drift, Axes::ForceOfTheStorey];
+    let title = Titles::ForceAgainstDrift;
     loops(
         names,
         [&drift, &force],
         (storey, &simulation.storeys[storey]),
         title,
+        language,
     )
 }
 
 /// Values against each other, as one line; its number among others and its name.
 pub(super) fn loops(
-    names: [&str; 2],
+    names: [Axes; 2],
     [x_values, y_values]: [&[f64]; 2],
     (number, name): (usize, &str),
-    title: &str,
+    title: Titles,
+    language: Language,
 ) -> String {
-    let around = |name: &str, values: &[f64]| {
-        let axis = Axis::around(name, values, 5);
+    let around = |name: Axes, values: &[f64]| {
+        let name = say(name, language);
+        let axis = Axis::around(name.as_str(), values, 5);
         if axis.to - axis.from < 1e-6 {
             Axis::linear(name, -1.0, 1.0, 4)
         } else {
             axis
         }
     };
-    let (x, y) = (around(names[0], x_values), around(names[1], y_values));
+    let [x_name, y_name] = names;
+    let (x, y) = (around(x_name, x_values), around(y_name, y_values));
     let (x_ends, y_ends) = ([x.from, x.to], [y.from, y.to]);
     let mut plot = Plot::new(LOOP_PX, x, y);
     plot.line(vec![[x_ends[0], 0.0], [x_ends[1], 0.0]], Line::new(GREY, 0.6));
@@ -191,7 +177,7 @@ pub(super) fn loops(
         line,
     );
     plot.key(Key::Line(Line { width: 2.2, ..line }), name);
-    plot.svg(title)
+    plot.svg(say(title, language))
 }
 
 /// When each storey slipped: a band a storey.
@@ -203,10 +189,7 @@ fn bands(simulation: &FrameSimulation, language: Language) -> String {
         .iter()
         .map(|s| (s.storey, [s.from_s, s.to_s]))
         .collect();
-    let words = [
-        language.pick("slips", "미끄러짐"),
-        language.pick("When each storey slipped", "층별 미끄러짐 시각"),
-    ];
+    let words = (Signs::Slips, Titles::WhenEachStoreySlipped);
     rows_of_bands(&simulation.storeys, &each, end, words, language)
 }
 
@@ -215,11 +198,11 @@ pub(super) fn rows_of_bands(
     names: &[String],
     bands: &[(usize, [f64; 2])],
     end_s: f64,
-    [word, title]: [&str; 2],
+    (word, title): (Signs, Titles),
     language: Language,
 ) -> String {
     let size = [BANDS_PX, 90.0 + BAND_PX * names.len() as f64];
-    let x = Axis::linear(language.pick("Time (s)", "시간 (s)"), 0.0, end_s, 10);
+    let x = Axis::linear(say(Axes::Time, language), 0.0, end_s, 10);
     let mut plot = Plot::new(size, x, Axis::rows(names));
     for (part, [from_s, to_s]) in bands {
         let (row, colour) = (*part as f64, SERIES[part % SERIES.len()]);
@@ -229,6 +212,6 @@ pub(super) fn rows_of_bands(
         let row = part as f64;
         plot.line(vec![[0.0, row], [end_s, row]], Line::new(GREY, 0.5));
     }
-    plot.key(Key::Block(SERIES[0], 0.8), word);
-    plot.svg(title)
+    plot.key(Key::Block(SERIES[0], 0.8), say(word, language));
+    plot.svg(say(title, language))
 }

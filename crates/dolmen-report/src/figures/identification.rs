@@ -1,5 +1,6 @@
 //! All figures of an identification, named for files.
 
+use super::words::{Modal, say};
 use super::{ShapePanel, mode_shapes, moving_shapes, sensor_shapes, singular_values, stabilization};
 use dolmen::structure::{Convention, MeasuredMode};
 use dolmen_project::{Project, Quantity, Structure};
@@ -125,7 +126,7 @@ pub(crate) fn solution_shapes(
                     .all(|other| apart(mode.frequency_hz) <= apart(other.frequency_hz))
             });
             panels.push(ShapePanel {
-                title: format!("{} · {} {}", letter(i), language.pick("mode", "모드"), j + 1),
+                title: format!("{} · {} {}", letter(i), say(Modal::Mode, language), j + 1),
                 mode,
                 measured: nearest.map_or(&[], |m| m.shape.as_slice()),
             });

@@ -6,6 +6,7 @@ use super::ink::{
 };
 use super::plot::{Key, Plot};
 use super::scene::Scene;
+use super::words::{Axes, Modal, Titles, say};
 use dolmen::modal::{ModalAnalysis, Modes, Stability};
 use dolmen_words::Language;
 use dolmen_words::number;
@@ -53,8 +54,8 @@ pub fn singular_values(analysis: &ModalAnalysis, language: Language) -> String {
     let within = lines.iter().flatten().filter(|p| p[0] >= low).map(|p| p[1]);
     let most = within.clone().fold(f64::NEG_INFINITY, f64::max);
     let shown: Vec<f64> = within.filter(|v| *v > most - DEPTH_DB).collect();
-    let x = Axis::linear(language.pick("Frequency (Hz)", "진동수 (Hz)"), 0.0, end, 8);
-    let y = Axis::around(language.pick("Singular value (dB)", "특이값 (dB)"), &shown, 5);
+    let x = Axis::linear(say(Axes::Frequency, language), 0.0, end, 8);
+    let y = Axis::around(say(Axes::SingularValue, language), &shown, 5);
     let mut plot = Plot::new([WIDTH_PX, 310.0], x, y);
     mark_modes(&mut plot, &analysis.modes);
     for (rank, points) in lines.iter().enumerate().rev() {
@@ -74,11 +75,11 @@ pub fn singular_values(analysis: &ModalAnalysis, language: Language) -> String {
         };
         plot.key(
             Key::Line(Line::new(colour, 1.6)),
-            format!("{} {}", language.pick("singular value", "특이값"), rank + 1),
+            format!("{} {}", say(Modal::SingularValue, language), rank + 1),
         );
     }
     mode_key(&mut plot, language);
-    plot.svg(language.pick("Singular values of the spectral matrix", "스펙트럼 행렬의 특이값"))
+    plot.svg(say(Titles::SingularValues, language))
 }
 
 /// The stabilisation diagram: poles of every order by what became of them, over the first singular value, with the chosen
@@ -103,13 +104,8 @@ pub fn stabilization(analysis: &ModalAnalysis, language: Language) -> String {
             .filter(|p| p.pole.frequency_hz <= end)
     };
     let order_most = poles().map(|p| p.pole.order).max().unwrap_or(2) as f64;
-    let x = Axis::linear(language.pick("Frequency (Hz)", "진동수 (Hz)"), 0.0, end, 8);
-    let y = Axis::linear(
-        language.pick("Model order (–)", "모델 차수 (–)"),
-        0.0,
-        order_most + 2.0,
-        6,
-    );
+    let x = Axis::linear(say(Axes::Frequency, language), 0.0, end, 8);
+    let y = Axis::linear(say(Axes::ModelOrder, language), 0.0, order_most + 2.0, 6);
     let mut plot = Plot::new([WIDTH_PX, 390.0], x, y);
     plot.y.grid = false;
 
@@ -147,34 +143,25 @@ pub fn stabilization(analysis: &ModalAnalysis, language: Language) -> String {
             plot.sized_dot(at, shape, size, colour);
         }
     }
-    plot.key(
-        Key::Dot(Shape::Circle, BLUE),
-        language.pick("stable pole", "안정 극점"),
-    );
+    plot.key(Key::Dot(Shape::Circle, BLUE), say(Modal::StablePole, language));
     plot.key(
         Key::Dot(Shape::Ring, ORANGE),
-        language.pick("damping or shape changes", "감쇠비·모드형상 변동"),
+        say(Modal::DampingOrShapeChanges, language),
     );
     plot.key(
         Key::Dot(Shape::Cross, GREY),
-        language.pick("frequency changes", "진동수 변동"),
+        say(Modal::FrequencyChanges, language),
     );
     plot.key(
         Key::Dot(Shape::Cross, LIGHT),
-        language.pick(
-            "damping, complexity or scatter impossible",
-            "감쇠비·복소성·산포 부적합",
-        ),
+        say(Modal::ImpossiblePole, language),
     );
     plot.key(
         Key::Line(Line::new(GREY, 1.1).faint(0.55)),
-        language.pick(
-            "first singular value (dB, own scale)",
-            "첫째 특이값 (dB, 별도 축척)",
-        ),
+        say(Modal::FirstSingularValue, language),
     );
     mode_key(&mut plot, language);
-    plot.svg(language.pick("Stabilisation diagram", "안정화 다이어그램"))
+    plot.svg(say(Titles::StabilisationDiagram, language))
 }
 
 /// What became of a pole, as drawn.
@@ -276,7 +263,7 @@ impl Plan {
                     middle[1] - scale * (p[1] - 0.5 * (y0 + y1)),
                 ]
             };
-            let title = format!("{} {}", language.pick("mode", "모드"), m + 1);
+            let title = format!("{} {}", say(Modal::Mode, language), m + 1);
             let frequency = format!(
                 "{}{}Hz",
                 number::significant(mode.frequency_hz, 4),
@@ -319,7 +306,7 @@ impl Plan {
         }
         let extent = format!(
             "{} {} × {}{}m",
-            language.pick("plan, sensors over", "평면, 센서 범위"),
+            say(Modal::PlanSensorsOver, language),
             number::trimmed(x1 - x0, 3),
             number::trimmed(y1 - y0, 3),
             number::NARROW_SPACE
@@ -328,7 +315,7 @@ impl Plan {
             [across as f64 * PANEL, y],
             &Label::new(extent, Anchor::End).small().coloured(GREY),
         );
-        scene.svg(language.pick("Mode shapes in plan", "평면상의 모드형상"))
+        scene.svg(say(Titles::ModeShapesInPlan, language))
     }
 
     fn colour(&self, level: f64) -> &'static str {
@@ -357,12 +344,7 @@ fn around(places: &[[f64; 3]]) -> Vec<[f64; 3]> {
 /// One row a channel, one colour a mode: for records without places.
 fn bars(modes: &Modes, language: Language) -> String {
     let names: Vec<String> = modes.channels.iter().rev().map(|c| c.name.clone()).collect();
-    let x = Axis::linear(
-        language.pick("Shape component (–)", "모드형상 성분 (–)"),
-        -1.1,
-        1.1,
-        5,
-    );
+    let x = Axis::linear(say(Axes::ShapeComponent, language), -1.1, 1.1, 5);
     let mut plot = Plot::new(
         [WIDTH_PX, 96.0 + 30.0 * names.len() as f64],
         x,
@@ -388,13 +370,13 @@ fn bars(modes: &Modes, language: Language) -> String {
         }
         let words = format!(
             "{} {}: {} Hz",
-            language.pick("mode", "모드"),
+            say(Modal::Mode, language),
             m + 1,
             number::significant(mode.frequency_hz, 4)
         );
         plot.key(Key::Dot(shapes[m % shapes.len()], colour), words);
     }
-    plot.svg(language.pick("Mode shapes by channel", "채널별 모드형상"))
+    plot.svg(say(Titles::ModeShapesByChannel, language))
 }
 
 /// Where the frequency axis ends: a little above the highest mode looked for, never above the spectrum.
@@ -437,10 +419,7 @@ fn mark_modes(plot: &mut Plot, modes: &Modes) {
 }
 
 fn mode_key(plot: &mut Plot, language: Language) {
-    plot.key(
-        Key::Line(Line::new(GREEN, 1.6)),
-        language.pick("chosen mode ± sd", "선정된 모드 ± 표준편차"),
-    );
+    plot.key(Key::Line(Line::new(GREEN, 1.6)), say(Modal::ChosenMode, language));
 }
 
 /// Points of one line in dB up to `end_hz`, thinned so that each peak stays: the largest of every few.

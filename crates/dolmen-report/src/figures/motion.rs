@@ -5,6 +5,7 @@ use super::axis::Axis;
 use super::ink::{BLACK, Line, SERIES};
 use super::plot::{Key, Plot};
 use super::stack_histories::{Series, plot};
+use super::words::{Axes, Titles, say};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::Language;
 use dolmen_work::motion::{MotionReport, MotionSeries};
@@ -17,18 +18,14 @@ pub fn motion_figures(report: &MotionReport, language: Language) -> Vec<Figure> 
     let names = [
         (
             "acceleration",
-            language.pick("Acceleration (g)", "가속도 (g)"),
-            language.pick("Acceleration of the ground", "지반 가속도"),
+            Axes::Acceleration,
+            Titles::AccelerationOfTheGround,
         ),
-        (
-            "velocity",
-            language.pick("Velocity (m/s)", "속도 (m/s)"),
-            language.pick("Velocity of the ground", "지반 속도"),
-        ),
+        ("velocity", Axes::Velocity, Titles::VelocityOfTheGround),
         (
             "displacement",
-            language.pick("Displacement (m)", "변위 (m)"),
-            language.pick("Displacement of the ground", "지반 변위"),
+            Axes::GroundDisplacement,
+            Titles::DisplacementOfTheGround,
         ),
     ];
     let mut figures = Vec::new();
@@ -104,23 +101,15 @@ fn spectrum(report: &MotionReport, language: Language) -> Option<Figure> {
         .flat_map(|(_, points, _)| points.iter().map(|p| p[1]))
         .collect();
     let most = values.iter().fold(0.0_f64, |most, v| most.max(*v));
-    let x = Axis::logarithmic(language.pick("Period (s)", "주기 (s)"), &periods);
-    let y = Axis::linear(
-        language.pick("Pseudo-acceleration (g)", "의사 가속도 (g)"),
-        0.0,
-        1.08 * most,
-        6,
-    );
+    let x = Axis::logarithmic(say(Axes::Period, language), &periods, language);
+    let y = Axis::linear(say(Axes::PseudoAcceleration, language), 0.0, 1.08 * most, 6);
     let mut plot = Plot::new(SPECTRUM_PX, x, y);
     for (name, points, line) in lines {
         plot.line(points, line);
         plot.key(Key::Line(Line { width: 2.2, ..line }), name);
     }
     let percent = dolmen_words::number::trimmed(100.0 * damping, 2);
-    let title = match language {
-        Language::English => format!("Response spectrum, damping {percent} %"),
-        Language::Korean => format!("응답 스펙트럼, 감쇠비 {percent} %"),
-    };
+    let title = say(Titles::ResponseSpectrum { percent }, language);
     Some(Figure {
         name: "spectrum".to_owned(),
         svg: plot.svg(&title),

@@ -2,6 +2,7 @@
 
 use super::ink::{Anchor, BLUE, GREY, LIGHT, Label, Line};
 use super::scene::Scene;
+use super::words::{Modal, Titles, say};
 use dolmen::modal::Modes;
 use dolmen_words::Language;
 use dolmen_words::number;
@@ -46,7 +47,7 @@ pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
     for (m, mode) in shown.iter().enumerate() {
         let left = (m % ACROSS) as f64 * PANEL_PX + 0.5 * PANEL_PX;
         let top = (m / ACROSS) as f64 * panel_px;
-        let title = format!("{} {}", language.pick("mode", "모드"), m + 1);
+        let title = format!("{} {}", say(Modal::Mode, language), m + 1);
         scene.text([left, top + 14.0], &Label::new(title, Anchor::Middle).bold());
         let frequency = format!(
             "{}{}Hz",
@@ -80,7 +81,7 @@ pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
             scene.moving_circle(&moving, PERIOD_S, 3.0, Line::new(GREY, 1.2));
         }
     }
-    Some(scene.svg(language.pick("Mode shapes, moving", "움직이는 모드형상")))
+    Some(scene.svg(say(Titles::ModeShapesMoving, language)))
 }
 
 fn paper([x, y, z]: [f64; 3]) -> [f64; 2] {

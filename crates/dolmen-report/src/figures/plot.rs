@@ -98,9 +98,9 @@ impl Plot {
     }
 
     /// Words below the plot, in as many lines as they need; it grows by them.
-    pub(crate) fn note(&mut self, words: &str) {
+    pub(crate) fn note(&mut self, words: impl AsRef<str>) {
         let mut lines: Vec<String> = Vec::new();
-        for word in words.split_inclusive(' ') {
+        for word in words.as_ref().split_inclusive(' ') {
             let fits = |line: &String| {
                 let whole = Label::new(format!("{line}{word}"), Anchor::Start).small();
                 whole.width() + 24.0 < self.width
@@ -155,7 +155,8 @@ impl Plot {
     }
 
     /// The SVG. `title` is what a reader who cannot see it is told.
-    pub(crate) fn svg(&self, title: &str) -> String {
+    pub(crate) fn svg(&self, title: impl AsRef<str>) -> String {
+        let title = title.as_ref();
         let view = [self.width * FINE, self.height * FINE];
         let mut drawn = String::new();
         let outcome = {

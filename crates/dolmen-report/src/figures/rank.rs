@@ -3,6 +3,7 @@
 use super::axis::Axis;
 use super::ink::{BLUE, GREY, Line, ORANGE, Shape};
 use super::plot::{Key, Plot};
+use super::words::{Axes, Studied, Titles, say};
 use dolmen::assess::{Known, KnownCapacity, Place};
 use dolmen_words::Language;
 use dolmen_work::portfolio::{Basis, PortfolioAnswer, PortfolioEntry, state_words};
@@ -33,13 +34,7 @@ pub fn ranking(answer: &PortfolioAnswer, language: Language) -> String {
         }
         names.push(format!("{}. {name}", place.rank));
     }
-    let x = Axis::logarithmic(
-        language.pick(
-            "Peak ground acceleration that half of the motions need (g)",
-            "지진파의 절반이 상태에 이르는 최대지반가속도 (g)",
-        ),
-        &values,
-    );
+    let x = Axis::logarithmic(say(Axes::MedianCapacity, language), &values, language);
     let height = 110.0 + 24.0 * names.len() as f64;
     let mut plot = Plot::new([720.0, height], x, Axis::rows(&names));
     for (row, (_, entry, known)) in drawn.iter().rev().enumerate() {
@@ -56,8 +51,18 @@ pub fn ranking(answer: &PortfolioAnswer, language: Language) -> String {
         plot.sized_dot([middle, row], shape(known.known), 4.5, colour);
     }
     let state = state_words(answer.state, language);
-    let study = language.pick(format!("{state}, own study"), format!("{state}, 개별 해석"));
-    let score = language.pick(format!("{state}, score"), format!("{state}, 점수"));
+    let study = say(
+        Studied::OwnStudy {
+            state: state.to_owned(),
+        },
+        language,
+    );
+    let score = say(
+        Studied::OfScore {
+            state: state.to_owned(),
+        },
+        language,
+    );
     for (colour, words, of) in [(BLUE, study, true), (ORANGE, score, false)] {
         if drawn
             .iter()
@@ -72,24 +77,21 @@ pub fn ranking(answer: &PortfolioAnswer, language: Language) -> String {
     if drawn.iter().any(|(_, entry, known)| {
         known.known != Known::Found || entry.states[3].is_some_and(|falls| falls.known != Known::Found)
     }) {
-        plot.key(
-            Key::Dot(Shape::Triangle, GREY),
-            language.pick("a bound: it lies further out", "한계값: 실제는 그 바깥"),
-        );
+        plot.key(Key::Dot(Shape::Triangle, GREY), say(Studied::Bound, language));
     }
-    plot.note(language.pick(
-        "Lines: 90 % of what is not known of the median",
-        "선: 중앙값의 90 % 불확실 구간",
-    ));
+    plot.note(say(Studied::NinetyPercentLines, language));
     let not_drawn = answer.ranked.places.len().saturating_sub(DRAWN_MOST);
     let without = answer.left_out.len();
     if not_drawn + without > 0 {
-        plot.note(&language.pick(
-            format!("Not drawn: {not_drawn} of later places, {without} without a place"),
-            format!("그림에 없는 구조물: 뒤 순위 {not_drawn}기, 순위 없음 {without}기"),
+        plot.note(say(
+            Studied::NotDrawn {
+                later: not_drawn,
+                without,
+            },
+            language,
         ));
     }
-    plot.svg(language.pick("Structures ranked", "구조물 순위"))
+    plot.svg(say(Titles::StructuresRanked, language))
 }
 
 fn shape(known: Known) -> Shape {

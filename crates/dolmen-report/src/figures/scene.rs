@@ -158,7 +158,8 @@ impl Scene {
     }
 
     /// The whole drawing. `title` is what a reader who cannot see it is told.
-    pub(crate) fn svg(&self, title: &str) -> String {
+    pub(crate) fn svg(&self, title: impl AsRef<str>) -> String {
+        let title = title.as_ref();
         wrapped(
             self.width,
             self.height,

@@ -2,6 +2,7 @@
 
 use super::ink::{Anchor, BLUE, GREY, LIGHT, Label, Line, Shape, VERMILLION};
 use super::scene::Scene;
+use super::words::{Axes, Modal, Titles, say};
 use dolmen::structure::{NaturalMode, ShapePoint};
 use dolmen_words::Language;
 use dolmen_words::number;
@@ -56,7 +57,7 @@ pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language)
                 };
                 scene.text([left - 11.0, y(*height)], &Label::new(text, Anchor::End).small());
             }
-            let name = language.pick("Height (m)", "높이 (m)");
+            let name = say(Axes::Height, language);
             scene.text([2.0, base + 20.0], &Label::new(name, Anchor::Start).small());
         }
         let falls = panel.mode.omega_squared <= 0.0;
@@ -66,7 +67,7 @@ pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language)
             &Label::new(&panel.title, Anchor::Middle).bold(),
         );
         let frequency = if falls {
-            language.pick("falls (ω² ≤ 0)", "전도 (ω² ≤ 0)").to_string()
+            say(Modal::NegativeModeFalls, language)
         } else {
             format!(
                 "{}{}Hz",
@@ -105,7 +106,7 @@ pub fn mode_shapes(heights_m: &[f64], panels: &[ShapePanel], language: Language)
             scene.marker([x, y(point.height_m)], Shape::Ring, 4.5, VERMILLION);
         }
     }
-    scene.svg(language.pick("Mode shapes with frequencies", "모드형상과 고유진동수"))
+    scene.svg(say(Titles::ModeShapesWithFrequencies, language))
 }
 
 /// The factor under which measured points lie closest to the computed shape.

@@ -3,6 +3,7 @@
 use super::ink::{Anchor, BLUE, GREY, Label, Line, ORANGE, TEXT, VERMILLION};
 use super::scene::Scene;
 use super::stack_view::{Camera, Moved, Placed, bounds, painted, placed};
+use super::words::{Signs, Titles, say};
 use dolmen::blocks::{JointHistory, Outcome, StackHistory};
 use dolmen::structure::stack::{Body, Joint, Stack};
 use dolmen_words::Language;
@@ -265,7 +266,7 @@ pub fn stack_view(stack: &Stack, language: Language) -> String {
     names(&mut scene, stack, &blocks, &frame, NAMES_PX);
     scale_bar(&mut scene, [NAMES_PX + 110.0, foot + 30.0], frame.scale);
     axes(&mut scene, [NAMES_PX + 40.0, foot + 36.0], &camera);
-    scene.svg(language.pick("The stack", "적층 구조"))
+    scene.svg(say(Titles::TheStack, language))
 }
 
 /// A round factor by which to enlarge residual displacements; `None` where there are none, or they are large as they are.
@@ -329,15 +330,10 @@ pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
     let legend_at = (foot + 58.0).max(names_end.max(joints_end) + 24.0);
     let mut scene = Scene::new(right + 232.0, legend_at + 14.0);
     let heads = [
-        language
-            .pick("at the end, true scale", "종료 시점, 실제 축척")
-            .to_owned(),
+        say(Signs::AtTheEndTrueScale, language),
         times.map_or(String::new(), |times| {
             let times = number::trimmed(times, 3);
-            language.pick(
-                format!("residual displacements × {times}"),
-                format!("잔류 변위 {times}배 확대"),
-            )
+            say(Signs::DisplacementsEnlarged { times }, language)
         }),
     ];
     let mut last = None;
@@ -368,7 +364,7 @@ pub fn stack_after(simulation: &StackSimulation, language: Language) -> String {
         );
     }
     legend(&mut scene, [left, legend_at], language);
-    scene.svg(language.pick("The stack after the motion", "지진동 이후의 적층 구조"))
+    scene.svg(say(Titles::TheStackAfterTheMotion, language))
 }
 
 /// Peak opening and slip of each joint, right of a view.
@@ -398,7 +394,7 @@ fn joint_column(
         FIRST_JOINT_PX,
         last_row(wanted.len(), FIRST_JOINT_PX, frame.foot[1]),
     );
-    let head = language.pick("peak opening and slip, mm", "최대 벌어짐·미끄러짐 (mm)");
+    let head = say(Signs::PeakOpeningAndSlip, language);
     scene.text(
         [column + 20.0, 14.0],
         &Label::new(head, Anchor::Start).small().coloured(GREY),
@@ -412,10 +408,7 @@ fn joint_column(
         let chip = [[8.0, -5.0], [18.0, -5.0], [18.0, 5.0], [8.0, 5.0]].map(|p| [column + p[0], row + p[1]]);
         scene.polygon(&chip, colour, Line::new(colour, 0.5));
         let (opening, slip) = (millimetres(joint.peak_opening_m), millimetres(joint.peak_slip_m));
-        let words = language.pick(
-            format!("opening {opening}, slip {slip}"),
-            format!("벌어짐 {opening}, 미끄러짐 {slip}"),
-        );
+        let words = say(Signs::OpeningAndSlip { opening, slip }, language);
         scene.text([column + 25.0, *row], &Label::new(words, Anchor::Start).small());
     }
 }
@@ -431,7 +424,7 @@ fn millimetres(value_m: f64) -> String {
 
 /// What the colours of joints mean.
 fn legend(scene: &mut Scene, at: [f64; 2], language: Language) {
-    let head = language.pick("joints, larger of both:", "접합면 (둘 중 큰 값):");
+    let head = say(Signs::LargerOfBoth, language);
     let label = Label::new(head, Anchor::Start).small();
     let mut x = at[0] + label.width() + 14.0;
     scene.text(at, &label);

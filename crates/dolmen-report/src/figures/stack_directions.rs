@@ -1,8 +1,10 @@
 //! At what acceleration a stack begins to move, by direction.
 
 use super::axis::Axis;
-use super::ink::{BLUE, GREEN, Line, ORANGE, Shape, VERMILLION};
+use super::ink::{BLUE, GREEN, Line, ORANGE, Shape};
 use super::plot::{Key, Plot};
+use super::shaking::Shaking;
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::stability::stack::StackLimitStates;
 use dolmen_words::Language;
 use std::f64::consts::TAU;
@@ -11,7 +13,7 @@ use std::f64::consts::TAU;
 const DIRECTIONS: usize = 360;
 
 /// Limits by direction: the acceleration of the part's inertia at which some joint opens, in every direction of the plan, and at
-/// which one slides where that is soonest. `demand_g`, if given, is what the ground does. Nothing where equilibrium alone does not
+/// which one slides where that is soonest. `shaking` is what the ground does. Nothing where equilibrium alone does not
 /// give the forces, or it does not stand.
 ///
 /// # Limits
@@ -21,7 +23,7 @@ const DIRECTIONS: usize = 360;
 /// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 12, for two directions.
 pub fn stack_directions(
     limits: &StackLimitStates,
-    demand_g: Option<f64>,
+    shaking: &Shaking,
     gravity_m_s2: f64,
     language: Language,
 ) -> Option<String> {
@@ -48,33 +50,33 @@ pub fn stack_directions(
     }
     let circle = |g: f64| -> Vec<[f64; 2]> { (0..=DIRECTIONS).map(|k| along(unit(k), g)).collect() };
     let slides = limits.sliding.map(|sliding| sliding.threshold.acceleration_g);
+    let levels = shaking.levels();
     let far = rocks.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
     let most = 1.12
-        * [Some(far), slides, demand_g]
-            .into_iter()
-            .flatten()
+        * levels
+            .iter()
+            .map(|level| level.peak_g)
+            .chain([far])
+            .chain(slides)
             .fold(0.05, f64::max);
-    let axis = |name: &str| Axis::linear(name, -most, most, 6);
+    let axis = |name: String| Axis::linear(name, -most, most, 6);
     let mut plot = Plot::new(
         [480.0, 470.0],
-        axis(language.pick("Acceleration along x (g)", "x 방향 가속도 (g)")),
-        axis(language.pick("Acceleration along y (g)", "y 방향 가속도 (g)")),
+        axis(say(Axes::AccelerationAlongX, language)),
+        axis(say(Axes::AccelerationAlongY, language)),
     );
     plot.line(rocks, Line::new(BLUE, 1.8));
-    plot.key(Key::Line(Line::new(BLUE, 1.8)), language.pick("rocks", "로킹"));
+    plot.key(Key::Line(Line::new(BLUE, 1.8)), say(Signs::Rocks, language));
     if let Some(slides) = slides {
         plot.line(circle(slides), Line::new(ORANGE, 1.8).dashed());
         plot.key(
             Key::Line(Line::new(ORANGE, 1.8).dashed()),
-            language.pick("slides", "미끄러짐"),
+            say(Signs::Slides, language),
         );
     }
-    if let Some(demand) = demand_g {
-        plot.line(circle(demand), Line::new(VERMILLION, 1.6));
-        plot.key(
-            Key::Line(Line::new(VERMILLION, 1.6)),
-            language.pick("peak of the ground", "지반 최대 가속도"),
-        );
+    for level in levels {
+        plot.line(circle(level.peak_g), level.line);
+        plot.key(Key::Line(level.line), say(level.words, language));
     }
     if let Some(first) = &limits.governing {
         let threshold = &first.threshold;
@@ -83,10 +85,7 @@ pub fn stack_directions(
             Shape::Diamond,
             GREEN,
         );
-        plot.key(
-            Key::Dot(Shape::Diamond, GREEN),
-            language.pick("first of all", "최초 거동"),
-        );
+        plot.key(Key::Dot(Shape::Diamond, GREEN), say(Signs::FirstOfAll, language));
     }
-    Some(plot.svg(language.pick("Limits by direction", "방향별 한계")))
+    Some(plot.svg(say(Titles::LimitsByDirection, language)))
 }

@@ -4,6 +4,7 @@ use super::Figure;
 use super::axis::Axis;
 use super::ink::{GREY, Line, SERIES};
 use super::plot::{Key, Plot};
+use super::words::{Axes, Titles, say};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Component;
 use dolmen_words::Language;
@@ -48,15 +49,16 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// A plot of some lines over time; nothing if there is no line.
-pub(super) fn plot(series: &[Series], name: &str, language: Language, title: &str) -> Option<String> {
+pub(super) fn plot(series: &[Series], axis: Axes, language: Language, title: Titles) -> Option<String> {
+    let name = say(axis, language);
     let end = series.first()?.points.last()?[0];
     let mut values: Vec<f64> = series
         .iter()
         .flat_map(|s| s.points.iter().map(|p| p[1]))
         .collect();
     values.push(0.0);
-    let x = Axis::linear(language.pick("Time (s)", "시간 (s)"), 0.0, end, 10);
-    let mut y = Axis::around(name, &values, 4);
+    let x = Axis::linear(say(Axes::Time, language), 0.0, end, 10);
+    let mut y = Axis::around(name.as_str(), &values, 4);
     if y.to - y.from < 1e-6 {
         y = Axis::linear(name, -1.0, 1.0, 4); // nothing moved: a flat line on a scale that says so
     }
@@ -67,7 +69,7 @@ pub(super) fn plot(series: &[Series], name: &str, language: Language, title: &st
         plot.line(thinned(&series.points), line);
         plot.key(Key::Line(Line { width: 2.2, ..line }), series.name.as_str());
     }
-    Some(plot.svg(title))
+    Some(plot.svg(say(title, language)))
 }
 
 /// A figure of a simulated stack over time.
@@ -99,30 +101,30 @@ impl StackPlot {
         let (series, axis, title) = match self {
             Self::Ground => (
                 ground_series(simulation),
-                language.pick("Acceleration (g)", "가속도 (g)"),
-                language.pick("Acceleration of the ground", "지반 가속도"),
+                Axes::Acceleration,
+                Titles::AccelerationOfTheGround,
             ),
             Self::Top => (
                 top_series(simulation),
-                language.pick("Displacement (mm)", "변위 (mm)"),
-                language.pick("Displacement of the highest stone", "최상부 부재의 변위"),
+                Axes::Displacement,
+                Titles::DisplacementOfTheHighestStone,
             ),
             Self::Opening => (
                 joint_series(simulation, |joint, sample| 1e3 * joint.opening_m[sample]),
-                language.pick("Opening (mm)", "벌어짐 (mm)"),
-                language.pick("Opening of the joints", "접합면의 벌어짐"),
+                Axes::Opening,
+                Titles::OpeningOfTheJoints,
             ),
             Self::Slip => (
                 joint_series(simulation, |joint, sample| {
                     1e3 * joint.slip_m[sample][0].hypot(joint.slip_m[sample][1])
                 }),
-                language.pick("Slip (mm)", "미끄러짐 (mm)"),
-                language.pick("Slip of the joints", "접합면의 미끄러짐"),
+                Axes::Slip,
+                Titles::SlipOfTheJoints,
             ),
             Self::Yaw => (
                 joint_series(simulation, |joint, sample| 1e3 * joint.yaw_rad[sample]),
-                language.pick("Yaw (mrad)", "수평 회전 (mrad)"),
-                language.pick("Yaw of the joints", "접합면의 수평 회전"),
+                Axes::Yaw,
+                Titles::YawOfTheJoints,
             ),
         };
         plot(&series, axis, language, title)

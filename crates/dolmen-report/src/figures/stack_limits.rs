@@ -3,9 +3,10 @@
 use super::axis::Axis;
 use super::ink::{Anchor, BLUE, GREEN, GREY, Label, Line, ORANGE, Shape, VERMILLION};
 use super::plot::{Key, Plot};
+use super::shaking::Shaking;
+use super::words::{Axes, Signs, Titles, say};
 use dolmen::stability::stack::{CutLimits, StackLimitStates, Threshold};
 use dolmen_words::Language;
-use dolmen_words::number;
 
 /// Width and height of the plotting area, px, about: for names that would lie on each other.
 const AREA_PX: f64 = 550.0;
@@ -21,7 +22,7 @@ fn finite(threshold: Option<Threshold>) -> Option<f64> {
 pub(crate) fn above_words(above: &str, language: Language) -> String {
     let name = above.replace('\'', "");
     if name == "the ground" {
-        language.pick(name, "지반".to_owned())
+        say(Signs::Ground, language)
     } else {
         name
     }
@@ -29,11 +30,12 @@ pub(crate) fn above_words(above: &str, language: Language) -> String {
 
 /// Which acceleration moves what stands on each joint, after Fig. 10 of the paper: on the slope a/g = B/H it rocks, on the
 /// level a/g = μ it slides. B/H is tan α: from the centroid of what stands on the joint the way to the nearer edge over the
-/// height. `demand_g`, if given, is what the ground does.
+/// height. `shaking` is what the ground does.
 ///
 /// # Source
 /// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 10.
-pub fn stack_governing(limits: &StackLimitStates, demand_g: Option<f64>, language: Language) -> String {
+pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: Language) -> String {
+    let levels = shaking.levels();
     let points: Vec<(f64, f64, &CutLimits)> = limits
         .cuts
         .iter()
@@ -42,17 +44,13 @@ pub fn stack_governing(limits: &StackLimitStates, demand_g: Option<f64>, languag
     let slides = points.iter().map(|p| p.1).fold(0.0, f64::max);
     let rocks = points.iter().map(|p| p.0).fold(0.0, f64::max);
     let most = 1.12 * rocks.max(slides).min(4.0 * slides.max(0.05));
-    let tall = 1.15 * slides.max(demand_g.unwrap_or(0.0)).max(0.05);
-    let x = Axis::linear(
-        language.pick(
-            "B/H of what stands on the joint (–)",
-            "접합면 상부의 폭/높이 비 B/H (–)",
-        ),
-        0.0,
-        most,
-        8,
-    );
-    let y = Axis::linear(language.pick("Acceleration (g)", "가속도 (g)"), 0.0, tall, 6);
+    let tall = 1.15
+        * levels
+            .iter()
+            .fold(slides, |most, level| level.peak_g.max(most))
+            .max(0.05);
+    let x = Axis::linear(say(Axes::WidthOverHeight, language), 0.0, most, 8);
+    let y = Axis::linear(say(Axes::Acceleration, language), 0.0, tall, 6);
     let mut plot = Plot::new([620.0, 360.0], x, y);
     let mut frictions: Vec<f64> = points.iter().map(|p| p.1).collect();
     frictions.sort_by(f64::total_cmp);
@@ -64,8 +62,8 @@ pub fn stack_governing(limits: &StackLimitStates, demand_g: Option<f64>, languag
     for mu in &frictions {
         plot.line(vec![[0.0, *mu], [most, *mu]], Line::new(ORANGE, 1.8).dashed());
     }
-    if let Some(demand) = demand_g {
-        plot.line(vec![[0.0, demand], [most, demand]], Line::new(VERMILLION, 1.6));
+    for level in &levels {
+        plot.line(vec![[0.0, level.peak_g], [most, level.peak_g]], level.line);
     }
     let mut named: Vec<[f64; 3]> = Vec::new();
     for (rock, slide, cut) in &points {
@@ -94,22 +92,21 @@ pub fn stack_governing(limits: &StackLimitStates, demand_g: Option<f64>, languag
     }
     plot.key(
         Key::Line(Line::new(BLUE, 1.8)),
-        language.pick("rocks: a/g = B/H", "로킹: a/g = B/H"),
+        say(Signs::RocksOnSlope, language),
     );
-    let slides = language.pick("slides: a/g = μ", "미끄러짐: a/g = μ");
+    let slides = say(Signs::SlidesOnLevel, language);
     plot.key(Key::Line(Line::new(ORANGE, 1.8).dashed()), slides);
-    if demand_g.is_some() {
-        let words = language.pick("peak of the ground", "지반 최대 가속도");
-        plot.key(Key::Line(Line::new(VERMILLION, 1.6)), words);
+    for level in levels {
+        plot.key(Key::Line(level.line), say(level.words, language));
     }
-    plot.svg(language.pick("What governs each joint", "접합면별 지배 거동"))
+    plot.svg(say(Titles::WhatGovernsEachJoint, language))
 }
 
 /// Capacity of each joint, lowest at the bottom, against the peak of the ground, after Fig. 12 of the paper.
 ///
 /// # Source
 /// Kim, N., Koo, I. Y. & Hong, S. G. (2018), Fig. 12.
-pub fn stack_capacity(limits: &StackLimitStates, demand_g: Option<f64>, language: Language) -> String {
+pub fn stack_capacity(limits: &StackLimitStates, shaking: &Shaking, language: Language) -> String {
     let rows: Vec<String> = limits
         .cuts
         .iter()
@@ -121,23 +118,17 @@ pub fn stack_capacity(limits: &StackLimitStates, demand_g: Option<f64>, language
         .flat_map(|c| [finite(c.uplift), finite(c.sliding)])
         .flatten()
         .collect();
-    all.extend(demand_g.filter(|g| *g > 0.0));
-    let name = language.pick(
-        "Horizontal acceleration of first motion (g)",
-        "움직임이 시작되는 수평 가속도 (g)",
-    );
-    let x = Axis::logarithmic(name, &all);
+    let levels = shaking.levels();
+    all.extend(levels.iter().map(|level| level.peak_g));
+    let name = say(Axes::FirstMotion, language);
+    let x = Axis::logarithmic(name, &all, language);
     let mut plot = Plot::new([700.0, 92.0 + 24.0 * rows.len() as f64], x, Axis::rows(&rows));
-    if let Some(demand) = demand_g.filter(|g| *g > plot.x.from) {
-        plot.block([plot.x.from, plot.y.from], [demand, plot.y.to], VERMILLION, 0.10);
-        plot.upright(demand, Line::new(VERMILLION, 1.8));
-        let words = format!(
-            "{} {}{}g",
-            language.pick("peak of the ground", "지반 최대"),
-            number::trimmed(demand, 3),
-            number::NARROW_SPACE
-        );
-        plot.key(Key::Line(Line::new(VERMILLION, 1.8)), words);
+    if let Some(ground) = shaking.ground_g().filter(|g| *g > plot.x.from) {
+        plot.block([plot.x.from, plot.y.from], [ground, plot.y.to], VERMILLION, 0.10);
+    }
+    for level in levels {
+        plot.upright(level.peak_g, level.line);
+        plot.key(Key::Line(level.line), say(level.words, language));
     }
     for (row, cut) in limits.cuts.iter().enumerate() {
         let row = row as f64;
@@ -155,15 +146,9 @@ pub fn stack_capacity(limits: &StackLimitStates, demand_g: Option<f64>, language
     if let Some(first) = &limits.governing {
         let at = [first.threshold.acceleration_g, first.cut as f64];
         plot.sized_dot(at, Shape::Bar, 5.0, GREEN);
-        plot.key(
-            Key::Dot(Shape::Bar, GREEN),
-            language.pick("first of all", "최초 거동"),
-        );
+        plot.key(Key::Dot(Shape::Bar, GREEN), say(Signs::FirstOfAll, language));
     }
-    plot.key(Key::Dot(Shape::Circle, BLUE), language.pick("rocks", "로킹"));
-    plot.key(
-        Key::Dot(Shape::Diamond, ORANGE),
-        language.pick("slides", "미끄러짐"),
-    );
-    plot.svg(language.pick("Capacity of each joint", "접합면별 저항 가속도"))
+    plot.key(Key::Dot(Shape::Circle, BLUE), say(Signs::Rocks, language));
+    plot.key(Key::Dot(Shape::Diamond, ORANGE), say(Signs::Slides, language));
+    plot.svg(say(Titles::CapacityOfEachJoint, language))
 }

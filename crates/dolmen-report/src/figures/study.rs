@@ -7,6 +7,7 @@ use super::ink::{BLUE, GREY, Line, ORANGE, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::study_growth::growth_figures;
 use super::study_size::SIZE_PX;
+use super::words::{Axes, Studied, Titles, say};
 use dolmen::assess::{Reached, Trial};
 use dolmen_words::Language;
 use dolmen_work::study::{LevelRow, RunOutcome, StudyAnswer, StudyKind, input_words};
@@ -35,12 +36,9 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
                     )
                 }
                 None if answer.study.variants.len() > 1 => {
-                    ("all".to_owned(), language.pick("variant", "대안").to_owned())
+                    ("all".to_owned(), say(Studied::Variant, language))
                 }
-                None => (
-                    "all".to_owned(),
-                    language.pick("nothing is varied", "변수 없음").to_owned(),
-                ),
+                None => ("all".to_owned(), say(Studied::NothingIsVaried, language)),
             };
             add(
                 format!("capacity-{name}"),
@@ -111,14 +109,8 @@ fn wide(rows: &[LevelRow]) -> [f64; 2] {
 fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Language) -> String {
     let largest = largest_g(answer);
     let y_name = match answer.kind {
-        StudyKind::Stack | StudyKind::Chain => language.pick(
-            "First fall: peak ground acceleration (g)",
-            "최초 낙하: 최대지반가속도 (g)",
-        ),
-        StudyKind::Frame | StudyKind::Building => language.pick(
-            "Drift limit: peak ground acceleration (g)",
-            "층간변위 한계: 최대지반가속도 (g)",
-        ),
+        StudyKind::Stack | StudyKind::Chain => say(Axes::FirstFall, language),
+        StudyKind::Frame | StudyKind::Building => say(Axes::DriftLimit, language),
     };
     let y = Axis::linear(y_name, 0.0, 1.06 * largest, 6);
     let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
@@ -173,29 +165,26 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
         .filter_map(|(i, row)| Some([i as f64, at(row.quantile_m_s2(3, 0.5))?]))
         .collect();
     plot.line(joined, Line::new(VERMILLION, 1.0).dashed());
-    plot.key(
-        Key::Dot(Shape::Circle, BLUE),
-        language.pick("one scan", "해석 1건"),
-    );
+    plot.key(Key::Dot(Shape::Circle, BLUE), say(Studied::OneScan, language));
     plot.key(
         Key::Dot(Shape::Triangle, GREY),
-        language.pick("not up to the largest tried", "최대 입력까지 낙하 없음"),
+        say(Studied::NotReached, language),
     );
     if left_out {
         plot.key(
             Key::Line(Line::new(GREY, 1.2).dashed()),
-            language.pick("unusable: somewhere here", "사용 불가: 이 범위"),
+            say(Studied::Unusable, language),
         );
     }
     plot.key(
         Key::Line(Line::new(VERMILLION, 2.2)),
-        language.pick("median", "중앙값"),
+        say(Studied::Median, language),
     );
     if tails {
-        plot.key(Key::Block(SKY, 0.4), language.pick("5 to 95 %", "5–95 %"));
+        plot.key(Key::Block(SKY, 0.4), say(Studied::FiveToNinetyFive, language));
     }
     explain(&mut plot, answer, language);
-    plot.svg(language.pick("Capacity against an input", "입력변수에 따른 내진성능"))
+    plot.svg(say(Titles::CapacityAgainstAnInput, language))
 }
 
 /// Every run: what fell and what survived, at which peak, by level.
@@ -208,7 +197,7 @@ fn survived(
 ) -> String {
     let largest = largest_g(answer);
     let y = Axis::linear(
-        language.pick("Peak ground acceleration (g)", "최대지반가속도 (g)"),
+        say(Axes::PeakGroundAcceleration, language),
         0.0,
         1.04 * largest,
         6,
@@ -252,62 +241,53 @@ fn survived(
     }
     match answer.kind {
         StudyKind::Stack => {
-            plot.key(
-                Key::Dot(Shape::Circle, SKY),
-                language.pick("nothing moved", "움직임 없음"),
-            );
+            plot.key(Key::Dot(Shape::Circle, SKY), say(Studied::NothingMoved, language));
             plot.key(Key::Dot(Shape::Circle, BLUE), "DS1, DS2");
             plot.key(Key::Dot(Shape::Square, ORANGE), "DS3");
-            plot.key(Key::Dot(Shape::Cross, VERMILLION), language.pick("fell", "낙하"));
+            plot.key(Key::Dot(Shape::Cross, VERMILLION), say(Studied::Fell, language));
         }
         StudyKind::Chain => {
-            plot.key(
-                Key::Dot(Shape::Circle, SKY),
-                language.pick("no joint moved", "접합면 움직임 없음"),
-            );
+            plot.key(Key::Dot(Shape::Circle, SKY), say(Studied::NoJointMoved, language));
             plot.key(
                 Key::Dot(Shape::Circle, BLUE),
-                language.pick("joints opened or slipped", "접합면 벌어짐·미끄러짐"),
-            );
-            plot.key(Key::Dot(Shape::Cross, VERMILLION), language.pick("fell", "전도"));
-        }
-        StudyKind::Frame => {
-            plot.key(Key::Dot(Shape::Circle, SKY), language.pick("stuck", "고착"));
-            plot.key(
-                Key::Dot(Shape::Circle, BLUE),
-                language.pick("slipped", "미끄러짐"),
+                say(Studied::JointsOpenedOrSlipped, language),
             );
             plot.key(
                 Key::Dot(Shape::Cross, VERMILLION),
-                language.pick("beyond the drift limit", "층간변위 한계 초과"),
+                say(Studied::FellOver, language),
+            );
+        }
+        StudyKind::Frame => {
+            plot.key(Key::Dot(Shape::Circle, SKY), say(Studied::Stuck, language));
+            plot.key(Key::Dot(Shape::Circle, BLUE), say(Studied::Slipped, language));
+            plot.key(
+                Key::Dot(Shape::Cross, VERMILLION),
+                say(Studied::BeyondTheDriftLimit, language),
             );
         }
         StudyKind::Building => {
             plot.key(
                 Key::Dot(Shape::Circle, SKY),
-                language.pick("below every limit", "모든 한계 이내"),
+                say(Studied::BelowEveryLimit, language),
             );
             plot.key(
                 Key::Dot(Shape::Circle, BLUE),
-                language.pick("limits 1, 2", "한계 1, 2 초과"),
+                say(Studied::LimitsOneAndTwo, language),
             );
             plot.key(
                 Key::Dot(Shape::Square, ORANGE),
-                language.pick("limit 3", "한계 3 초과"),
+                say(Studied::LimitThree, language),
             );
             plot.key(
                 Key::Dot(Shape::Cross, VERMILLION),
-                language.pick("limit 4", "한계 4 초과"),
+                say(Studied::LimitFour, language),
             );
         }
     }
     let unusable = |outcome: RunOutcome| outcome.trial() == Trial::Unknown;
     if answer.outcomes().into_keys().any(unusable) {
-        plot.key(
-            Key::Dot(Shape::Ring, GREY),
-            language.pick("no result", "결과 없음"),
-        );
+        plot.key(Key::Dot(Shape::Ring, GREY), say(Studied::NoResult, language));
     }
     explain(&mut plot, answer, language);
-    plot.svg(language.pick("What fell and what survived", "낙하와 생존"))
+    plot.svg(say(Titles::WhatFellAndWhatSurvived, language))
 }

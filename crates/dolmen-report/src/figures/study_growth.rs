@@ -5,6 +5,7 @@ use super::axis::Axis;
 use super::ink::{Anchor, BLUE, GREY, Label, Line, SERIES, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::study_size::SIZE_PX;
+use super::words::{Axes, Growth, Studied, Titles, say};
 use dolmen_words::Language;
 use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind};
 
@@ -22,14 +23,9 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
     let mut figures = Vec::new();
     let mut add = |name: String, svg: String| figures.push(Figure { name, svg });
     if answer.study.scan.is_some() {
-        let told = grown(answer.kind, language)
-            .iter()
-            .filter(|(name, ..)| is_reached(answer, name));
-        for (name, label, factor) in told {
-            add(
-                format!("growth-{name}"),
-                growth(answer, name, (label, *factor), language),
-            );
+        let told = grown(answer.kind).into_iter();
+        for one in told.filter(|one| is_reached(answer, one.measure)) {
+            add(format!("growth-{}", one.measure), growth(answer, one, language));
         }
     }
     for map in &answer.maps {
@@ -42,10 +38,7 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
     }
     let released: Vec<&ResponseMaps> = answer.maps.iter().filter(|map| !map.release.is_empty()).collect();
     if !released.is_empty() {
-        let frequency = (
-            language.pick("Apparent frequency (Hz)", "겉보기 진동수 (Hz)"),
-            1.0,
-        );
+        let frequency = (Axes::ApparentFrequency, 1.0);
         add(
             "release-frequency".to_owned(),
             release(
@@ -55,7 +48,7 @@ pub(super) fn growth_figures(answer: &StudyAnswer, language: Language) -> Vec<Fi
                 language,
             ),
         );
-        let damping = (language.pick("Equivalent damping (%)", "등가감쇠비 (%)"), 100.0);
+        let damping = (Axes::EquivalentDamping, 100.0);
         add(
             "release-damping".to_owned(),
             release(
@@ -79,58 +72,44 @@ fn is_reached(answer: &StudyAnswer, measure: &str) -> bool {
         .any(|run| of(run).is_some_and(|value| value > NOTHING))
 }
 
-/// The numbers of a run that are drawn as the shaking grows, with their labels and the factor to the label's unit.
-fn grown(kind: StudyKind, language: Language) -> &'static [(&'static str, &'static str, f64)] {
-    match (kind, language) {
-        (StudyKind::Stack, Language::English) => &[
-            (
-                "peak_rocking_ratio",
-                "Rocking of a joint over its slenderness angle",
-                1.0,
-            ),
-            (
-                "residual_slip_ratio",
-                "Offset left, % of the joint's width",
-                100.0,
-            ),
+/// A number of the runs that is drawn as the shaking grows.
+struct Grown {
+    /// Its name among the measures of a run.
+    measure: &'static str,
+    axis: Growth,
+    /// To the unit of the axis.
+    factor: f64,
+}
+
+/// The numbers of a run that are drawn as the shaking grows.
+fn grown(kind: StudyKind) -> Vec<Grown> {
+    let all = match kind {
+        StudyKind::Stack => vec![
+            ("peak_rocking_ratio", Growth::RockingRatio, 1.0),
+            ("residual_slip_ratio", Growth::ResidualSlip, 100.0),
         ],
-        (StudyKind::Stack, Language::Korean) => &[
-            ("peak_rocking_ratio", "접합면 로킹각 / 세장각", 1.0),
-            ("residual_slip_ratio", "잔류 변위 (접합면 폭의 %)", 100.0),
+        StudyKind::Frame => vec![
+            ("peak_drift_m", Growth::PeakDrift, 1e3),
+            ("slipping_share", Growth::SlippingTime, 100.0),
+            ("residual_drift_m", Growth::ResidualDrift, 1e3),
         ],
-        (StudyKind::Frame, Language::English) => &[
-            ("peak_drift_m", "Largest drift (mm)", 1e3),
-            ("slipping_share", "Slips, % of the time", 100.0),
-            ("residual_drift_m", "Drift left (mm)", 1e3),
+        StudyKind::Chain => vec![
+            ("peak_top_displacement_m", Growth::TopDisplacement, 1e3),
+            ("peak_joint_rotation_rad", Growth::JointRotation, 1e3),
+            ("open_share", Growth::OpenTime, 100.0),
         ],
-        (StudyKind::Frame, Language::Korean) => &[
-            ("peak_drift_m", "최대 층간변위 (mm)", 1e3),
-            ("slipping_share", "미끄러짐 시간 비율 (%)", 100.0),
-            ("residual_drift_m", "잔류 층간변위 (mm)", 1e3),
+        StudyKind::Building => vec![
+            ("peak_corner_drift_ratio", Growth::DriftRatio, 100.0),
+            ("peak_stroke_m", Growth::Stroke, 1e3),
         ],
-        (StudyKind::Chain, Language::English) => &[
-            ("peak_top_displacement_m", "Top moves (mm)", 1e3),
-            (
-                "peak_joint_rotation_rad",
-                "Largest turn across a joint (mrad)",
-                1e3,
-            ),
-            ("open_share", "A joint is open, % of the time", 100.0),
-        ],
-        (StudyKind::Chain, Language::Korean) => &[
-            ("peak_top_displacement_m", "최상단 변위 (mm)", 1e3),
-            ("peak_joint_rotation_rad", "접합면 최대 회전각 (mrad)", 1e3),
-            ("open_share", "접합면 벌어짐 시간 비율 (%)", 100.0),
-        ],
-        (StudyKind::Building, Language::English) => &[
-            ("peak_corner_drift_ratio", "Largest drift, % of the height", 100.0),
-            ("peak_stroke_m", "Stroke of the dampers (mm)", 1e3),
-        ],
-        (StudyKind::Building, Language::Korean) => &[
-            ("peak_corner_drift_ratio", "최대 층간변위 (층고의 %)", 100.0),
-            ("peak_stroke_m", "제진장치 행정 (mm)", 1e3),
-        ],
-    }
+    };
+    let each = all.into_iter();
+    each.map(|(measure, axis, factor)| Grown {
+        measure,
+        axis,
+        factor,
+    })
+    .collect()
 }
 
 /// Share of slipping of a storey, or of opening and slipping of a joint, over frequency and acceleration of the ground.
@@ -138,31 +117,19 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
     let gravity = answer.gravity_m_s2;
     let name = map.parts.get(part).map_or("", String::as_str);
     let is_chain = answer.kind == StudyKind::Chain;
-    let [still, moves, fell, title] = match (is_chain, language) {
-        (false, Language::English) => [
-            "white: stuck",
-            "slips, up to 5 %",
-            "drift limit",
-            "Share of the time in which a storey slips",
-        ],
-        (false, Language::Korean) => [
-            "흰색: 고착",
-            "미끄러짐 5 % 이하",
-            "층간변위 한계",
-            "미끄러짐 시간 비율",
-        ],
-        (true, Language::English) => [
-            "white: closed and stuck",
-            "opens or slips, up to 5 %",
-            "falls",
-            "Share of the time in which a joint is open or slips",
-        ],
-        (true, Language::Korean) => [
-            "흰색: 닫힘·고착",
-            "벌어짐·미끄러짐 5 % 이하",
-            "전도",
-            "접합면 벌어짐·미끄러짐 시간 비율",
-        ],
+    let (still, moves, fell, title) = match is_chain {
+        false => (
+            Studied::WhiteStuck,
+            Studied::SlipsUpToFive,
+            Studied::AtDriftLimit,
+            Titles::SlippingShare,
+        ),
+        true => (
+            Studied::WhiteClosed,
+            Studied::MovesUpToFive,
+            Studied::FellOver,
+            Titles::MovingShare,
+        ),
     };
     let mut frequencies: Vec<f64> = map.harmonic.iter().map(|point| point.frequency_hz).collect();
     let mut accelerations: Vec<f64> = map
@@ -184,15 +151,11 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
         ]
     };
     let ([x0, x1], [y0, y1]) = (range(&fx), range(&fy));
-    let x = Axis::linear(
-        language.pick("Frequency of the ground (Hz)", "지반 진동수 (Hz)"),
-        x0,
-        x1,
-        8,
-    );
+    let x = Axis::linear(say(Axes::FrequencyOfTheGround, language), x0, x1, 8);
     let mut y = Axis::logarithmic(
-        language.pick("Acceleration of the ground (g)", "지반 가속도 (g)"),
+        say(Axes::AccelerationOfTheGround, language),
         &accelerations,
+        language,
     );
     (y.from, y.to) = (y0, y1);
     y.ticks.retain(|tick| (y0..=y1).contains(&tick.at));
@@ -222,28 +185,35 @@ fn harmonic(answer: &StudyAnswer, map: &ResponseMaps, part: usize, language: Lan
             plot.sized_dot([point.frequency_hz, acceleration], Shape::Ring, 2.0, GREY);
         }
     }
-    plot.key(Key::Block(SKY, 0.0), still);
+    plot.key(Key::Block(SKY, 0.0), say(still, language));
+    let moves = say(moves, language);
     for (least, colour, opacity) in SHARES {
         let text = if least == 0.0 {
-            moves.to_owned()
+            moves.clone()
         } else {
             format!("> {:.0} %", 100.0 * least)
         };
         plot.key(Key::Block(colour, opacity), text);
     }
-    plot.key(Key::Block(VERMILLION, 0.85), fell);
-    plot.key(Key::Dot(Shape::Ring, GREY), language.pick("not steady", "비정상"));
+    plot.key(Key::Block(VERMILLION, 0.85), say(fell, language));
+    plot.key(Key::Dot(Shape::Ring, GREY), say(Studied::NotSteady, language));
     let words = if map.label.is_empty() {
         name.to_owned()
     } else {
         format!("{name}, {}", map.label)
     };
     plot.text([x1, y0], [-8.0, -14.0], Label::new(words, Anchor::End).bold());
-    plot.svg(title)
+    plot.svg(say(title, language))
 }
 
 /// One number of the runs that did not end in a fall against the peak of the ground, a line a scan; falls stand on the upper edge.
-fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), language: Language) -> String {
+fn growth(answer: &StudyAnswer, grown: Grown, language: Language) -> String {
+    let Grown {
+        measure,
+        axis,
+        factor,
+    } = grown;
+    let label = say(axis, language);
     const NAMED_MOST: usize = SERIES.len();
     let scans: Vec<(usize, Vec<[f64; 2]>)> = answer
         .runs
@@ -269,11 +239,8 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
         .map(|run| run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2)
         .collect();
     let most = all.iter().map(|point| point[1]).fold(1e-9, f64::max);
-    let x = Axis::logarithmic(
-        language.pick("Peak ground acceleration (g)", "최대지반가속도 (g)"),
-        &peaks,
-    );
-    let mut plot = Plot::new(SIZE_PX, x, Axis::linear(label, 0.0, 1.16 * most, 6));
+    let x = Axis::logarithmic(say(Axes::PeakGroundAcceleration, language), &peaks, language);
+    let mut plot = Plot::new(SIZE_PX, x, Axis::linear(label.clone(), 0.0, 1.16 * most, 6));
     let few = scans.len() <= NAMED_MOST;
     for (i, (job, points)) in scans.into_iter().enumerate() {
         let colour = if few { SERIES[i % SERIES.len()] } else { SKY };
@@ -310,7 +277,7 @@ fn growth(answer: &StudyAnswer, measure: &str, (label, factor): (&str, f64), lan
         fractiles(&mut plot, answer, (measure, factor), 1.04 * most, language);
     }
     if answer.runs.iter().any(|run| falls(answer.kind, run)) {
-        plot.key(Key::Dot(Shape::Cross, GREY), language.pick("fell", "전도"));
+        plot.key(Key::Dot(Shape::Cross, GREY), say(Studied::FellOver, language));
     }
     plot.svg(label)
 }
@@ -356,7 +323,7 @@ fn fractiles(
     }
     plot.key(
         Key::Line(Line::new(VERMILLION, 2.0)),
-        language.pick("median; 16 % and 84 %", "중앙값, 16 %와 84 %"),
+        say(Studied::MedianWithSpread, language),
     );
 }
 
@@ -384,7 +351,7 @@ fn edges(values: &[f64]) -> Vec<f64> {
 /// One number of the swings of releases against their amplitude.
 fn release(
     maps: &[&ResponseMaps],
-    (name, factor): (&str, f64),
+    (axis, factor): (Axes, f64),
     value: impl Fn(&dolmen::dynamics::AtAmplitude) -> f64,
     language: Language,
 ) -> String {
@@ -398,11 +365,9 @@ fn release(
     let all: Vec<[f64; 2]> = maps.iter().flat_map(|map| points(map)).collect();
     let of = |k: usize| -> Vec<f64> { all.iter().map(|point| point[k]).collect() };
     let most = of(1).into_iter().fold(0.0, f64::max);
-    let x = Axis::logarithmic(
-        language.pick("Amplitude at the top (mm)", "상단 진폭 (mm)"),
-        &of(0),
-    );
-    let y = Axis::linear(name, 0.0, 1.1 * most, 6);
+    let x = Axis::logarithmic(say(Axes::AmplitudeAtTheTop, language), &of(0), language);
+    let name = say(axis, language);
+    let y = Axis::linear(name.as_str(), 0.0, 1.1 * most, 6);
     let mut plot = Plot::new(SIZE_PX, x, y);
     for (i, map) in maps.iter().enumerate() {
         let colour = SERIES[i % SERIES.len()];
@@ -412,7 +377,7 @@ fn release(
         }
         plot.line(own, Line::new(colour, 1.2));
         let label = if map.label.is_empty() {
-            language.pick("release", "자유진동").to_owned()
+            say(Studied::Release, language)
         } else {
             map.label.clone()
         };

@@ -5,6 +5,7 @@ use super::axis::Axis;
 use super::ink::{Anchor, BLACK, BLUE, GREEN, GREY, Label, Line, SERIES, Shape, VERMILLION};
 use super::plot::{Key, Plot};
 use super::scene::Scene;
+use super::words::{Axes, Studied, Titles, say};
 use dolmen::damper::{Choice, MapCell};
 use dolmen_words::Language;
 use dolmen_work::building::TuneAnswer;
@@ -48,18 +49,9 @@ fn along(answer: &TuneAnswer, language: Language) -> (String, impl Fn(&MapCell) 
     let degrees = answer.direction_degrees.rem_euclid(180.0);
     let (sin, cos) = degrees.to_radians().sin_cos();
     let name = match degrees {
-        90.0 => language
-            .pick("x of the damper (m)", "제진장치의 x 위치 (m)")
-            .to_owned(),
-        0.0 => language
-            .pick("y of the damper (m)", "제진장치의 y 위치 (m)")
-            .to_owned(),
-        _ => language
-            .pick(
-                "Place of the damper across its direction (m)",
-                "진동 방향에 직각인 제진장치 위치 (m)",
-            )
-            .to_owned(),
+        90.0 => say(Axes::XOfTheDamper, language),
+        0.0 => say(Axes::YOfTheDamper, language),
+        _ => say(Axes::PlaceOfDamperAcross, language),
     };
     let unit = if degrees == 0.0 { [0.0, 1.0] } else { [sin, -cos] };
     (name, move |cell: &MapCell| {
@@ -88,7 +80,7 @@ fn position(answer: &TuneAnswer, language: Language) -> String {
         places.iter().copied().fold(f64::NEG_INFINITY, f64::max),
     ];
     let x = Axis::linear(name, ends[0], ends[1], 10);
-    let y_name = language.pick("RMS over that without a damper", "비제어 대비 RMS 비");
+    let y_name = say(Axes::RmsRatio, language);
     let mut plot = Plot::new(SIZE_PX, x, Axis::linear(y_name, 0.0, 1.06 * largest, 6));
     plot.line(
         vec![[ends[0], 1.0], [ends[1], 1.0]],
@@ -102,16 +94,13 @@ fn position(answer: &TuneAnswer, language: Language) -> String {
     }
     plot.key(
         Key::Line(Line::new(GREY, 2.0)),
-        language.pick("tuned as in the file", "입력한 동조"),
+        say(Studied::TunedAsInTheFile, language),
     );
     plot.key(
         Key::Line(Line::new(GREY, 1.6).dashed()),
-        language.pick("tuned best at each place", "위치마다 최적 동조"),
+        say(Studied::TunedBestAtEachPlace, language),
     );
-    plot.svg(language.pick(
-        "Motion of the points against the place of the damper",
-        "제진장치 위치에 따른 관측점의 RMS",
-    ))
+    plot.svg(say(Titles::MotionByPlace, language))
 }
 
 /// The floor: the goal for each place of the damper, tuned best there; the damper, the rule, the best; centre of the mode.
@@ -191,15 +180,18 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
             keys.push((
                 Shape::Ring,
                 GREY,
-                language.pick(format!("centre of mode {mode}"), format!("{mode}차 모드 중심")),
+                say(Studied::CentreOfMode { number: mode }, language),
             ));
         } else {
             keys.push((
                 Shape::Ring,
                 GREY,
-                language.pick(
-                    format!("centre of mode {mode}: x = {:.2} m, off the floor", centre[0]),
-                    format!("{mode}차 모드 중심: x = {:.2} m (평면 밖)", centre[0]),
+                say(
+                    Studied::CentreOffTheFloor {
+                        number: mode,
+                        x: format!("{:.2}", centre[0]),
+                    },
+                    language,
                 ),
             ));
         }
@@ -209,19 +201,19 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
             Choice::Given,
             Shape::Square,
             BLACK,
-            language.pick("as in the file", "입력한 위치"),
+            say(Studied::AsInTheFile, language),
         ),
         (
             Choice::Rule,
             Shape::Triangle,
             VERMILLION,
-            language.pick("the rule", "논문의 규칙"),
+            say(Studied::TheRule, language),
         ),
         (
             Choice::Best,
             Shape::Diamond,
             GREEN,
-            language.pick("placed and tuned best", "최적 위치와 동조"),
+            say(Studied::PlacedAndTunedBest, language),
         ),
     ] {
         if let Some(row) = comparison.row(choice) {
@@ -239,7 +231,7 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
         down += 22.0;
     }
     down += 14.0;
-    let heading = language.pick("goal over that without", "목표값의 비제어 대비 비");
+    let heading = say(Axes::GoalRatio, language);
     scene.text(
         [left - 6.0, down],
         &Label::new(heading, Anchor::Start).small().bold(),
@@ -270,10 +262,7 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
         let [a, b] = px(at);
         scene.text([a - 6.0, b], &Label::new(format!("{value}"), Anchor::End).small());
     }
-    scene.svg(language.pick(
-        "What a damper does at each place of the floor, tuned best there",
-        "평면 위치별 제어 효과(위치마다 최적 동조)",
-    ))
+    scene.svg(say(Titles::DamperByPlace, language))
 }
 
 /// The goal with the frequency and the damping off.
@@ -291,10 +280,10 @@ fn robustness(answer: &TuneAnswer, language: Language) -> String {
         .iter()
         .map(|point| 100.0 * (point.factor - 1.0))
         .fold([0.0_f64; 2], |[low, high], v| [low.min(v), high.max(v)]);
-    let x = Axis::linear(language.pick("Off by (%)", "오차 (%)"), ends[0], ends[1], 8);
+    let x = Axis::linear(say(Axes::OffBy, language), ends[0], ends[1], 8);
     let margin = 0.08 * (largest - least).max(0.02);
     let y = Axis::linear(
-        language.pick("Goal over that without a damper", "목표값의 비제어 대비 비"),
+        say(Axes::GoalRatio, language),
         least - margin,
         largest + margin,
         6,
@@ -313,15 +302,15 @@ fn robustness(answer: &TuneAnswer, language: Language) -> String {
                 .collect();
             plot.line(points, line);
             let which = match k {
-                0 => language.pick("as in the file", "입력한 제진장치"),
-                _ => language.pick("placed and tuned best", "최적 위치와 동조"),
+                0 => say(Studied::AsInTheFileDamper, language),
+                _ => say(Studied::PlacedAndTunedBest, language),
             };
             let what = match frequency {
-                true => language.pick("frequency off", "진동수 오차"),
-                false => language.pick("damping off", "감쇠 오차"),
+                true => say(Studied::FrequencyOff, language),
+                false => say(Studied::DampingOff, language),
             };
             plot.key(Key::Line(line), format!("{which}, {what}"));
         }
     }
-    plot.svg(language.pick("What being out of tune costs", "동조 오차에 따른 제어 효과"))
+    plot.svg(say(Titles::WhatBeingOutOfTuneCosts, language))
 }

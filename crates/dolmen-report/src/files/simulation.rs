@@ -69,7 +69,11 @@ pub fn simulation_files(simulation: &Simulation, language: Language) -> Result<V
 
 fn stack(simulation: &StackSimulation, language: Language) -> Result<Vec<NamedFile>, PoseError> {
     let stack = &simulation.stack;
-    let (limits, peak_g) = (&simulation.limits, Some(simulation.peak_horizontal_g()));
+    let limits = &simulation.limits;
+    let shaking = figures::Shaking {
+        motion: Some(simulation.peak_horizontal_g()),
+        ..Default::default()
+    };
     let mut files = vec![
         NamedFile::new("joints.csv", joints_csv(simulation)),
         NamedFile::new("poses.csv", poses_csv(simulation)),
@@ -79,8 +83,8 @@ fn stack(simulation: &StackSimulation, language: Language) -> Result<Vec<NamedFi
         NamedFile::new("stack.json", stack_json(stack)),
         NamedFile::new("stack.3ddat", stack_3dec(stack)),
         NamedFile::svg("after", &figures::stack_after(simulation, language)),
-        NamedFile::svg("governing", &figures::stack_governing(limits, peak_g, language)),
-        NamedFile::svg("capacity", &figures::stack_capacity(limits, peak_g, language)),
+        NamedFile::svg("governing", &figures::stack_governing(limits, &shaking, language)),
+        NamedFile::svg("capacity", &figures::stack_capacity(limits, &shaking, language)),
     ];
     files.extend(paraview(simulation)?);
     Ok(files)

@@ -16,7 +16,7 @@ pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
 
 use crate::document::Document;
-use crate::figures::{stack_capacity, stack_directions, stack_governing, stack_view};
+use crate::figures::{Shaking, stack_capacity, stack_directions, stack_governing, stack_view};
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::state::{SpringFit, StackAnswer};
@@ -44,8 +44,8 @@ messages! {
             ko: "접합면별 저항 가속도(아래가 최하단). 여러 부재가 함께 더 일찍 움직일 수 있다(위의 표).",
         },
         CapacityTinted => {
-            en: "In the tinted part the ground alone moves it; elastic joints amplify what the ground does.",
-            ko: "바탕색 범위에서는 지반 가속도만으로 움직이며, 탄성 접합면은 지반 가속도를 증폭시킨다.",
+            en: "In the tinted part the ground alone moves it. Elastic joints amplify what the ground does; where that is known, a line shows it for the weakest joint.",
+            ko: "바탕색 범위에서는 지반 가속도만으로 움직인다. 탄성 접합면은 지반 가속도를 증폭시키며, 알려진 경우 가장 약한 접합면에 대한 값을 선으로 표시한다.",
         },
         Directions => { en: "Limits by direction.", ko: "방향별 한계." },
         DirectionsMeaning => {
@@ -69,16 +69,19 @@ pub(crate) const TEMPLATES: [&[Template]; 10] = [
     variants::Variants::TEMPLATES,
 ];
 
-/// The peak of the ground that figures show, over gravity: of the motion that was run, else of the site.
-pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Option<f64> {
-    let simulated_g = whole.stack_simulation().map(|run| run.peak_horizontal_g());
-    let site = whole.state().and_then(|state| state.demand.as_ref());
-    let site_m_s2 = site.and_then(|demand| demand.site.peak_ground_acceleration_m_s2);
-    simulated_g.or(site_m_s2.map(|peak| peak / answer.stack.gravity_m_s2()))
+/// What the ground does in the figures: what the site demands, and the peak of the motion that was run.
+pub(crate) fn peak_g(whole: &ProjectReport, answer: &StackAnswer) -> Shaking {
+    let demand = whole.state().and_then(|state| state.demand.as_ref());
+    let gravity_m_s2 = answer.stack.gravity_m_s2();
+    let site = demand.map(|demand| Shaking::of_site(&demand.site, demand.stack.as_ref(), gravity_m_s2));
+    Shaking {
+        motion: whole.stack_simulation().map(|run| run.peak_horizontal_g()),
+        ..site.unwrap_or_default()
+    }
 }
 
-/// The sections of a stack; `peak_g` is what the ground does, if that is known.
-pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], peak_g: Option<f64>) -> Document<'a> {
+/// The sections of a stack; `shaking` is what the ground does.
+pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking: Shaking) -> Document<'a> {
     let check = &answer.check;
     let mut document = Document::default();
     document.heading(Drawn::Head);
@@ -88,13 +91,13 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], peak_g: 
     limits::section(&mut document, check);
     let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];
     document.figure(caption, move |language| {
-        stack_governing(&check.limits, peak_g, language)
+        stack_governing(&check.limits, &shaking, language)
     });
     let caption = vec![Drawn::Capacity.into(), Drawn::CapacityTinted.into()];
     document.figure(caption, move |language| {
-        stack_capacity(&check.limits, peak_g, language)
+        stack_capacity(&check.limits, &shaking, language)
     });
-    directions(&mut document, answer, peak_g);
+    directions(&mut document, answer, shaking);
     frequencies::section(&mut document, answer, fits);
     document
 }
@@ -114,9 +117,9 @@ fn parts(answer: &StackAnswer) -> Drawn {
     }
 }
 
-fn directions<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, peak_g: Option<f64>) {
+fn directions<'a>(document: &mut Document<'a>, answer: &'a StackAnswer, shaking: Shaking) {
     let (limits, gravity_m_s2) = (&answer.check.limits, answer.stack.gravity_m_s2());
-    let draw = move |language| stack_directions(limits, peak_g, gravity_m_s2, language);
+    let draw = move |language| stack_directions(limits, &shaking, gravity_m_s2, language);
     if draw(dolmen_words::Language::English).is_some() {
         let caption = vec![Drawn::Directions.into(), Drawn::DirectionsMeaning.into()];
         document.figure(caption, move |language| draw(language).unwrap_or_default());
