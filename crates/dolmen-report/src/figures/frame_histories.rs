@@ -205,8 +205,8 @@ pub(super) fn rows_of_bands(
     let x = Axis::linear(say(Axes::Time, language), 0.0, end_s, 10);
     let mut plot = Plot::new(size, x, Axis::rows(names));
     for (part, [from_s, to_s]) in bands {
-        let (row, colour) = (*part as f64, SERIES[part % SERIES.len()]);
-        plot.block([*from_s, row - 0.32], [*to_s, row + 0.32], colour, 0.8);
+        let row = *part as f64;
+        plot.block([*from_s, row - 0.32], [*to_s, row + 0.32], SERIES[0], 0.8);
     }
     for part in 0..names.len() {
         let row = part as f64;

@@ -63,6 +63,9 @@ pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
             let [u, v] = paper(at);
             [left + scale * (u - middle[0]), centre - scale * (v - middle[1])]
         };
+        if m % ACROSS == 0 {
+            axes(&mut scene, [left - 0.5 * PANEL_PX + 20.0, top + panel_px - 12.0]);
+        }
         let shape: Vec<[f64; 2]> = mode.shape.iter().map(|z| [z.re, z.im]).collect();
         let pictures = frame.pictures(&shape, swing_px / scale);
         for wire in &frame.wires {
@@ -82,6 +85,23 @@ pub fn moving_shapes(modes: &Modes, language: Language) -> Option<String> {
         }
     }
     Some(scene.svg(say(Titles::ModeShapesMoving, language)))
+}
+
+/// Which way x, y and z run on paper.
+fn axes(scene: &mut Scene, at: [f64; 2]) {
+    for (name, way) in [
+        ("x", [1.0, 0.0, 0.0]),
+        ("y", [0.0, 1.0, 0.0]),
+        ("z", [0.0, 0.0, 1.0]),
+    ] {
+        let [u, v] = paper(way);
+        let from_here = |px: f64| [at[0] + px * u, at[1] - px * v];
+        scene.arrow(at, from_here(18.0), 5.0, Line::new(GREY, 1.0));
+        scene.text(
+            from_here(26.0),
+            &Label::new(name, Anchor::Middle).small().coloured(GREY),
+        );
+    }
 }
 
 fn paper([x, y, z]: [f64; 3]) -> [f64; 2] {

@@ -206,18 +206,32 @@ pub(super) fn marker_strokes(shape: Shape, size: f64) -> Vec<Vec<[f64; 2]>> {
     }
 }
 
-/// The names of limits with their subscripts set as such: k_cr. No letter of Unicode is a lowered c.
+/// Subscripts set as such: of k_cr and k_min, and of numbers, whose letters of Unicode are specks in Korean fonts.
 fn with_subscripts(body: &str) -> String {
-    let mut body = body.to_string();
-    for (name, letter, below) in [("k_cr", "k", "cr"), ("k_min", "k", "min")] {
-        if body.contains(name) {
-            let set = format!(
-                "{letter}<tspan dy=\"0.28em\" font-size=\"75%\">{below}</tspan><tspan dy=\"-0.21em\">\u{200b}</tspan>"
-            );
-            body = body.replace(name, &set);
+    let set = |below: &str| {
+        format!(
+            "<tspan dy=\"0.28em\" font-size=\"75%\">{below}</tspan><tspan dy=\"-0.21em\">\u{200b}</tspan>"
+        )
+    };
+    let body = body
+        .replace("k_cr", &format!("k{}", set("cr")))
+        .replace("k_min", &format!("k{}", set("min")));
+    let mut written = String::with_capacity(body.len());
+    let mut digits = String::new();
+    for letter in body.chars().chain(['\n']) {
+        match letter {
+            '₀'..='₉' => digits.extend(char::from_digit(u32::from(letter) - u32::from('₀'), 10)),
+            _ => {
+                if !digits.is_empty() {
+                    written += &set(&digits);
+                    digits.clear();
+                }
+                written.push(letter);
+            }
         }
     }
-    body
+    written.pop();
+    written
 }
 
 /// Text made safe between tags and in attributes.

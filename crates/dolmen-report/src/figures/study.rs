@@ -1,7 +1,7 @@
 //! Figures of a study: capacity against each input, and what fell and what survived at which shaking.
 
 use super::Figure;
-use super::axis::{Axis, Tick};
+use super::axis::Axis;
 use super::fragility::fragility_figures;
 use super::ink::{BLUE, GREY, Line, ORANGE, SKY, Shape, VERMILLION};
 use super::plot::{Key, Plot};
@@ -77,28 +77,70 @@ fn largest_g(answer: &StudyAnswer) -> f64 {
     peaks.filter(|peak| peak.is_finite()).fold(0.0, f64::max) / answer.gravity_m_s2
 }
 
-/// The levels of an input side by side: places, and the axis.
-fn level_axis(rows: &[LevelRow], label: &str, language: Language) -> Axis {
-    let shown = |text: &str| {
-        let text = text.trim_matches('"');
-        let short: String = text.chars().take(16).collect();
-        if short.len() < text.len() {
-            format!("{short}…")
-        } else {
-            short
+/// Where the levels of an input stand: numbers at their values, words side by side.
+struct Levels {
+    axis: Axis,
+    places: Vec<f64>,
+    /// Room of one level along the axis.
+    step: f64,
+}
+
+impl Levels {
+    fn of(rows: &[LevelRow], label: &str, language: Language) -> Self {
+        let numbers: Option<Vec<f64>> = rows.iter().map(|row| row.text.parse().ok()).collect();
+        match numbers.filter(|numbers| numbers.iter().all(|v| v.is_finite())) {
+            Some(values) if values.len() > 1 => Self::at_values(values, label),
+            _ => Self::side_by_side(rows, label, language),
         }
-    };
-    let mut axis = Axis::linear(label, -0.6, rows.len() as f64 - 0.4, 4);
-    axis.grid = false;
-    axis.ticks = rows
-        .iter()
-        .enumerate()
-        .map(|(i, row)| Tick {
-            at: i as f64,
-            text: shown(row.shown(language)),
-        })
-        .collect();
-    axis
+    }
+
+    fn at_values(values: Vec<f64>, label: &str) -> Self {
+        /// Levels that lie closer than this part of the span would be too thin to see.
+        const STEP_LEAST: f64 = 0.04;
+        let mut sorted = values.clone();
+        sorted.sort_by(f64::total_cmp);
+        let span = sorted[sorted.len() - 1] - sorted[0];
+        let closest = sorted
+            .windows(2)
+            .map(|pair| pair[1] - pair[0])
+            .fold(span, f64::min);
+        let step = closest.max(STEP_LEAST * span);
+        let mut axis = Axis::linear(
+            label,
+            sorted[0] - 0.6 * step,
+            sorted[sorted.len() - 1] + 0.6 * step,
+            8,
+        );
+        axis.grid = false;
+        Levels {
+            axis,
+            places: values,
+            step,
+        }
+    }
+
+    fn side_by_side(rows: &[LevelRow], label: &str, language: Language) -> Self {
+        /// Characters of a level on its axis.
+        const SHOWN_MOST: usize = 16;
+        let shown = |text: &str| {
+            let text = text.trim_matches('"');
+            let short: String = text.chars().take(SHOWN_MOST).collect();
+            if short.len() < text.len() {
+                format!("{short}…")
+            } else {
+                short
+            }
+        };
+        let names: Vec<String> = rows.iter().map(|row| shown(row.shown(language))).collect();
+        Levels {
+            axis: Axis {
+                name: label.to_owned(),
+                ..Axis::rows(&names)
+            },
+            places: (0..rows.len()).map(|i| i as f64).collect(),
+            step: 1.0,
+        }
+    }
 }
 
 fn wide(rows: &[LevelRow]) -> [f64; 2] {
@@ -109,11 +151,13 @@ fn wide(rows: &[LevelRow]) -> [f64; 2] {
 fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Language) -> String {
     let largest = largest_g(answer);
     let y_name = match answer.kind {
-        StudyKind::Stack | StudyKind::Chain => say(Axes::FirstFall, language),
+        StudyKind::Stack => say(Axes::FirstFall, language),
+        StudyKind::Chain => say(Axes::FirstOverturning, language),
         StudyKind::Frame | StudyKind::Building => say(Axes::DriftLimit, language),
     };
     let y = Axis::linear(y_name, 0.0, 1.06 * largest, 6);
-    let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
+    let Levels { axis, places, step } = Levels::of(rows, label, language);
+    let mut plot = Plot::new(wide(rows), axis, y);
     let g = answer.gravity_m_s2;
     let at = |found: Option<Reached>| {
         let reached = found.filter(|found| found.is_reached());
@@ -122,16 +166,16 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
     let above = |found: Option<Reached>| found.map(|found| at(Some(found)).unwrap_or(1.03 * largest));
     let (mut tails, mut left_out) = (false, false);
     for (i, row) in rows.iter().enumerate() {
-        let place = i as f64;
+        let place = places[i];
         let tail = |probability| above(row.quantile_m_s2(3, probability));
         if let (Some(low), Some(high)) = (tail(0.05), tail(0.95)) {
-            plot.block([place - 0.3, low], [place + 0.3, high], SKY, 0.25);
+            plot.block([place - 0.3 * step, low], [place + 0.3 * step, high], SKY, 0.25);
             tails = true;
         }
         let count = row.scans.len();
         let spread = |k: usize| match count {
             0 | 1 => 0.0,
-            _ => SPREAD * (2.0 * k as f64 / (count - 1) as f64 - 1.0),
+            _ => step * SPREAD * (2.0 * k as f64 / (count - 1) as f64 - 1.0),
         };
         let usable = row.first_m_s2(3);
         for (k, value) in usable.iter().enumerate() {
@@ -154,16 +198,17 @@ fn capacity(answer: &StudyAnswer, rows: &[LevelRow], label: &str, language: Lang
         }
         if let Some(median) = at(row.quantile_m_s2(3, 0.5)) {
             plot.line(
-                vec![[place - 0.3, median], [place + 0.3, median]],
+                vec![[place - 0.3 * step, median], [place + 0.3 * step, median]],
                 Line::new(VERMILLION, 2.2),
             );
         }
     }
-    let joined: Vec<[f64; 2]> = rows
+    let mut joined: Vec<[f64; 2]> = rows
         .iter()
         .enumerate()
-        .filter_map(|(i, row)| Some([i as f64, at(row.quantile_m_s2(3, 0.5))?]))
+        .filter_map(|(i, row)| Some([places[i], at(row.quantile_m_s2(3, 0.5))?]))
         .collect();
+    joined.sort_by(|a, b| a[0].total_cmp(&b[0]));
     plot.line(joined, Line::new(VERMILLION, 1.0).dashed());
     plot.key(Key::Dot(Shape::Circle, BLUE), say(Studied::OneScan, language));
     plot.key(
@@ -202,7 +247,8 @@ fn survived(
         1.04 * largest,
         6,
     );
-    let mut plot = Plot::new(wide(rows), level_axis(rows, label, language), y);
+    let Levels { axis, places, step } = Levels::of(rows, label, language);
+    let mut plot = Plot::new(wide(rows), axis, y);
     let level_of = |job: usize| {
         let case = answer.case(job);
         rows.iter().position(|row| match input {
@@ -222,12 +268,12 @@ fn survived(
         let own = &columns[level];
         let column = own.iter().position(|job| *job == run.job).unwrap_or(0) as f64;
         let spread = if own.len() > 1 {
-            0.38 * (2.0 * column / (own.len() - 1) as f64 - 1.0)
+            0.38 * step * (2.0 * column / (own.len() - 1) as f64 - 1.0)
         } else {
             0.0
         };
         let at = [
-            level as f64 + spread,
+            places[level] + spread,
             run.peak_ground_acceleration_m_s2 / answer.gravity_m_s2,
         ];
         let (shape, size, colour) = match (run.outcome.trial(), run.damage_state) {

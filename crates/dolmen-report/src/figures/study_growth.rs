@@ -7,7 +7,7 @@ use super::plot::{Key, Plot};
 use super::study_size::SIZE_PX;
 use super::words::{Axes, Growth, Studied, Titles, say};
 use dolmen_words::Language;
-use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind};
+use dolmen_work::study::{ResponseMaps, Run, RunOutcome, StudyAnswer, StudyKind, input_words};
 
 /// Colours of a share, the least first: from nothing to all of the time.
 const SHARES: [(f64, &str, f64); 5] = [
@@ -261,12 +261,9 @@ fn growth(answer: &StudyAnswer, grown: Grown, language: Language) -> String {
         }
         if few {
             let case = answer.case(job);
-            let words: Vec<&str> = case
-                .variant
-                .iter()
-                .chain(&case.texts)
-                .map(String::as_str)
-                .collect();
+            let inputs = answer.inputs.iter().zip(&case.texts);
+            let varied = inputs.map(|(input, text)| format!("{} {text}", input_words(&input.path, language)));
+            let words: Vec<String> = case.variant.iter().cloned().chain(varied).collect();
             plot.key(
                 Key::Line(Line::new(colour, 2.2)),
                 format!("{} {}", words.join(", "), answer.motion_of(job)),
@@ -277,7 +274,11 @@ fn growth(answer: &StudyAnswer, grown: Grown, language: Language) -> String {
         fractiles(&mut plot, answer, (measure, factor), 1.04 * most, language);
     }
     if answer.runs.iter().any(|run| falls(answer.kind, run)) {
-        plot.key(Key::Dot(Shape::Cross, GREY), say(Studied::FellOver, language));
+        let fell = match answer.kind {
+            StudyKind::Stack => Studied::Fell,
+            StudyKind::Chain | StudyKind::Frame | StudyKind::Building => Studied::FellOver,
+        };
+        plot.key(Key::Dot(Shape::Cross, GREY), say(fell, language));
     }
     plot.svg(label)
 }

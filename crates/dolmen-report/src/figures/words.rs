@@ -46,6 +46,7 @@ messages! {
         Yaw => { en: "Yaw (mrad)", ko: "수평 회전 (mrad)" },
         WidthOverHeight => { en: "B/H of what stands on the joint (–)", ko: "접합면 상부의 폭/높이 비 B/H (–)" },
         FirstFall => { en: "First fall: peak ground acceleration (g)", ko: "최초 낙하: 최대지반가속도 (g)" },
+        FirstOverturning => { en: "First fall: peak ground acceleration (g)", ko: "최초 전도: 최대지반가속도 (g)" },
         DriftLimit => { en: "Drift limit: peak ground acceleration (g)", ko: "층간변위 한계: 최대지반가속도 (g)" },
         ApparentFrequency => { en: "Apparent frequency (Hz)", ko: "겉보기 진동수 (Hz)" },
         EquivalentDamping => { en: "Equivalent damping (%)", ko: "등가감쇠비 (%)" },
