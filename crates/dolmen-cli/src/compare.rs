@@ -11,7 +11,6 @@ use anyhow::Result;
 use dolmen_report::files::change_files;
 use dolmen_report::json::change_json;
 use dolmen_report::text::change_text;
-use dolmen_words::Language;
 use dolmen_work::compare::{CompareOptions, compare};
 
 pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
@@ -32,7 +31,7 @@ pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
         ))?;
     }
     if let Some(folder) = &options.output {
-        Outputs::of(manner, &found).folder(folder, &change_files(&answer, Language::English))?;
+        Outputs::of(manner, &found).folder(folder, &change_files(&answer, manner.language()))?;
         if !manner.quiet {
             note!("change.svg and change.json are in {}", folder.display());
         }

@@ -18,7 +18,7 @@ fn columns(line: &str) -> usize {
         .sum()
 }
 
-fn examples() -> Vec<String> {
+pub(super) fn examples() -> Vec<String> {
     let all = fs::read_dir(root().join("examples"))
         .unwrap()
         .map(|entry| entry.unwrap().path());
@@ -28,21 +28,6 @@ fn examples() -> Vec<String> {
         .collect();
     names.sort();
     names
-}
-
-/// Three English words one after the other, outside quotes.
-fn english_in(line: &str) -> bool {
-    let is_word = |word: &str| word.len() > 1 && word.bytes().all(|b| b.is_ascii_lowercase());
-    let mut quoted = false;
-    let words: Vec<bool> = line
-        .split_whitespace()
-        .map(|word| {
-            let own = quoted || word.contains(['‘', '“', '`', '"']);
-            quoted ^= word.chars().filter(|c| "‘’“”`\"".contains(*c)).count() % 2 == 1;
-            !own && is_word(word.trim_matches([',', '.', ';', ':', '(', ')']))
-        })
-        .collect();
-    words.windows(3).any(|three| three.iter().all(|is| *is))
 }
 
 #[test]
@@ -73,27 +58,6 @@ fn holds_a_brief_answer_is_a_headline_and_at_most_15_lines() {
                     answer.stdout
                 );
             }
-        }
-    }
-}
-
-#[test]
-fn holds_no_english_sentence_stands_in_a_korean_check() {
-    assert!(english_in("이것은 not one sentence.") && !english_in("접합면 ‘one two three four’ 및 k_cr"));
-    let scratch = Scratch::with_examples("korean");
-    for example in examples() {
-        let answer = scratch.dolmen(&format!(
-            "check {example} --full --language ko --allow-outside --sensitivity"
-        ));
-        let foreign = answer.stderr.contains("--sensitivity");
-        let answer = match foreign {
-            true => scratch.briefly(&format!("check {example} --full --language ko --allow-outside")),
-            false => answer,
-        };
-        // the file's own words stand in the first lines, as it has them
-        let said = answer.stdout.lines().skip_while(|line| !line.starts_with("판정"));
-        for line in said.filter(|line| !line.contains("출처")) {
-            assert!(!english_in(line), "{example}: {line}");
         }
     }
 }

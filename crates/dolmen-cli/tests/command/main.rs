@@ -15,6 +15,7 @@ mod import_circles;
 mod imports;
 mod judgements;
 mod keys;
+mod korean;
 mod layout;
 mod safety;
 mod sentences;

@@ -23,8 +23,11 @@ const BEYOND_RANGE: f64 = 1.08;
 /// Singular values more than this below the largest are cut off, dB.
 const DEPTH_DB: f64 = 90.0;
 
-/// Numbers of modes closer than this stand below each other, px.
+/// Numbers of modes closer than this stand above each other, px.
 const NUMBER_PX: f64 = 18.0;
+
+/// Height of a row of numbers, px.
+const NUMBER_ROW_PX: f64 = 14.0;
 
 /// Rows in which they stand.
 const NUMBER_STEPS: f64 = 4.0;
@@ -390,11 +393,11 @@ fn end_hz(analysis: &ModalAnalysis) -> f64 {
     }
 }
 
-/// Lines at the modes with bands of ± their standard deviation, numbered at the top.
+/// Lines at the modes with bands of ± their standard deviation, numbered above the plot.
 fn mark_modes(plot: &mut Plot, modes: &Modes) {
     let (low, high) = (plot.y.from, plot.y.to);
     let px = |hz: f64| (hz - plot.x.from) / (plot.x.to - plot.x.from) * (plot.width - plot.left - plot.right);
-    // Numbers of neighbours would cover each other: they step down.
+    // Numbers of neighbours would cover each other: they step up.
     let mut steps: Vec<f64> = Vec::new();
     for (m, mode) in modes.modes.iter().enumerate() {
         let near = m > 0 && px(mode.frequency_hz) - px(modes.modes[m - 1].frequency_hz) < NUMBER_PX;
@@ -405,16 +408,18 @@ fn mark_modes(plot: &mut Plot, modes: &Modes) {
         };
         steps.push(step);
     }
+    plot.head = NUMBER_ROW_PX * (1.0 + steps.iter().copied().fold(0.0, f64::max));
+    plot.height += plot.head;
     for ((m, mode), step) in modes.modes.iter().enumerate().zip(steps) {
         let frequency = mode.frequency_hz;
         if let Some(sd) = mode.frequency_sd_hz {
             plot.block([frequency - sd, low], [frequency + sd, high], GREEN, 0.25);
         }
         plot.upright(frequency, Line::new(GREEN, 1.1));
-        let label = Label::new((m + 1).to_string(), Anchor::Start)
+        let label = Label::new((m + 1).to_string(), Anchor::Middle)
             .bold()
             .coloured(GREEN);
-        plot.text([frequency, high], [3.0, 8.0 + 14.0 * step], label);
+        plot.text([frequency, high], [0.0, -8.0 - NUMBER_ROW_PX * step], label);
     }
 }
 

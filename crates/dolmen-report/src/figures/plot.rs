@@ -69,6 +69,8 @@ pub(crate) struct Plot {
     pub(crate) height: f64,
     /// Room left of the plotting area for tick texts and the axis' name, px.
     pub(crate) left: f64,
+    /// Room above it, px.
+    pub(crate) head: f64,
     /// Room right of it, px.
     pub(crate) right: f64,
     pub(crate) x: Axis,
@@ -88,6 +90,7 @@ impl Plot {
             width: size[0],
             height: size[1],
             left,
+            head: 0.0,
             right: 16.0,
             x,
             y,
@@ -185,7 +188,7 @@ impl Plot {
 
     fn draw(&self, area: &Area) -> Drawn {
         let rows = self.legend_rows();
-        let top = 10.0 + rows.len() as f64 * LEGEND_PX;
+        let top = 10.0 + rows.len() as f64 * LEGEND_PX + self.head;
         let named = if self.x.name.is_empty() { 0.0 } else { 20.0 };
         let end = self.height - NOTE_PX * self.notes.len() as f64;
         let bottom = end - 24.0 - named;

@@ -1,10 +1,11 @@
 //! What the ground does, as named lines in the figures of a stack.
 
 use super::ink::{BLACK, Line, PURPLE, VERMILLION};
-use super::words::Shaken;
+use super::plot::{Key, Plot};
+use super::words::{Shaken, say};
 use dolmen::assess::demand::SiteDemand;
 use dolmen::assess::demand::{ShakenDirection, StackDemandCheck};
-use dolmen_words::number;
+use dolmen_words::{Language, number};
 
 /// What the ground does, over gravity; what is not known is not drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -25,6 +26,17 @@ pub(super) struct Level {
     pub(super) peak_g: f64,
     pub(super) line: Line,
     pub(super) words: Shaken,
+}
+
+impl Level {
+    /// Its name in the legend; below the plot where it lies beyond the end of the axis.
+    pub(super) fn named(self, plot: &mut Plot, end_g: f64, language: Language) {
+        let words = say(self.words, language);
+        match self.peak_g <= end_g {
+            true => plot.key(Key::Line(self.line), words),
+            false => plot.note(say(Shaken::BeyondTheAxis { level: words }, language)),
+        }
+    }
 }
 
 impl Shaking {

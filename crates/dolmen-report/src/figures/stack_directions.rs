@@ -50,14 +50,11 @@ pub fn stack_directions(
     }
     let circle = |g: f64| -> Vec<[f64; 2]> { (0..=DIRECTIONS).map(|k| along(unit(k), g)).collect() };
     let slides = limits.sliding.map(|sliding| sliding.threshold.acceleration_g);
-    let levels = shaking.levels();
     let far = rocks.iter().map(|[x, y]| x.hypot(*y)).fold(0.0, f64::max);
     let most = 1.12
-        * levels
-            .iter()
-            .map(|level| level.peak_g)
-            .chain([far])
-            .chain(slides)
+        * [Some(far), slides, shaking.ground_g()]
+            .into_iter()
+            .flatten()
             .fold(0.05, f64::max);
     let axis = |name: String| Axis::linear(name, -most, most, 6);
     let mut plot = Plot::new(
@@ -74,9 +71,11 @@ pub fn stack_directions(
             say(Signs::Slides, language),
         );
     }
-    for level in levels {
-        plot.line(circle(level.peak_g), level.line);
-        plot.key(Key::Line(level.line), say(level.words, language));
+    for level in shaking.levels() {
+        if level.peak_g <= most {
+            plot.line(circle(level.peak_g), level.line);
+        }
+        level.named(&mut plot, most, language);
     }
     if let Some(first) = &limits.governing {
         let threshold = &first.threshold;

@@ -44,11 +44,7 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
     let slides = points.iter().map(|p| p.1).fold(0.0, f64::max);
     let rocks = points.iter().map(|p| p.0).fold(0.0, f64::max);
     let most = 1.12 * rocks.max(slides).min(4.0 * slides.max(0.05));
-    let tall = 1.15
-        * levels
-            .iter()
-            .fold(slides, |most, level| level.peak_g.max(most))
-            .max(0.05);
+    let tall = 1.15 * shaking.ground_g().unwrap_or(0.0).max(slides).max(0.05);
     let x = Axis::linear(say(Axes::WidthOverHeight, language), 0.0, most, 8);
     let y = Axis::linear(say(Axes::Acceleration, language), 0.0, tall, 6);
     let mut plot = Plot::new([620.0, 360.0], x, y);
@@ -62,7 +58,7 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
     for mu in &frictions {
         plot.line(vec![[0.0, *mu], [most, *mu]], Line::new(ORANGE, 1.8).dashed());
     }
-    for level in &levels {
+    for level in levels.iter().filter(|level| level.peak_g <= tall) {
         plot.line(vec![[0.0, level.peak_g], [most, level.peak_g]], level.line);
     }
     let mut named: Vec<[f64; 3]> = Vec::new();
@@ -97,7 +93,7 @@ pub fn stack_governing(limits: &StackLimitStates, shaking: &Shaking, language: L
     let slides = say(Signs::SlidesOnLevel, language);
     plot.key(Key::Line(Line::new(ORANGE, 1.8).dashed()), slides);
     for level in levels {
-        plot.key(Key::Line(level.line), say(level.words, language));
+        level.named(&mut plot, tall, language);
     }
     plot.svg(say(Titles::WhatGovernsEachJoint, language))
 }

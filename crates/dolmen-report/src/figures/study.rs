@@ -59,7 +59,7 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
 fn explain(plot: &mut Plot, answer: &StudyAnswer, language: Language) {
     plot.note(&answer.method(language));
     for note in &answer.notes {
-        plot.note(note);
+        plot.note(note.text(language));
     }
 }
 

@@ -7,7 +7,7 @@ use super::plot::{Key, Plot};
 use super::scene::Scene;
 use super::words::{Axes, Studied, Titles, say};
 use dolmen::damper::{Choice, MapCell};
-use dolmen_words::Language;
+use dolmen_words::{Language, number};
 use dolmen_work::building::TuneAnswer;
 
 const SIZE_PX: [f64; 2] = [680.0, 400.0];
@@ -189,35 +189,39 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
                 say(
                     Studied::CentreOffTheFloor {
                         number: mode,
-                        x: format!("{:.2}", centre[0]),
+                        x: number::fixed(centre[0], 2),
                     },
                     language,
                 ),
             ));
         }
     }
-    for (choice, shape, colour, words) in [
+    // the smaller ones lie on the larger: none hides where all are at one place
+    for (choice, shape, size, colour, words) in [
         (
             Choice::Given,
             Shape::Square,
+            8.0,
             BLACK,
             say(Studied::AsInTheFile, language),
         ),
         (
             Choice::Rule,
             Shape::Triangle,
+            6.0,
             VERMILLION,
             say(Studied::TheRule, language),
         ),
         (
             Choice::Best,
             Shape::Diamond,
+            4.0,
             GREEN,
             say(Studied::PlacedAndTunedBest, language),
         ),
     ] {
         if let Some(row) = comparison.row(choice) {
-            scene.marker(px(row.damper.place_m), shape, 6.0, colour);
+            scene.marker(px(row.damper.place_m), shape, size, colour);
             let value = format!("{words}: {:.4}", over(row.cost));
             keys.push((shape, colour, value));
         }
@@ -255,12 +259,15 @@ fn plan(answer: &TuneAnswer, language: Language) -> String {
         let [a, b] = px(at);
         scene.text(
             [a, b + 16.0],
-            &Label::new(format!("{value} m"), Anchor::Middle).small(),
+            &Label::new(number::trimmed(value, 3) + " m", Anchor::Middle).small(),
         );
     }
     for (value, at) in [(y[0], [x[0], y[0]]), (y[1], [x[0], y[1]])] {
         let [a, b] = px(at);
-        scene.text([a - 6.0, b], &Label::new(format!("{value}"), Anchor::End).small());
+        scene.text(
+            [a - 6.0, b],
+            &Label::new(number::trimmed(value, 3) + " m", Anchor::End).small(),
+        );
     }
     scene.svg(say(Titles::DamperByPlace, language))
 }

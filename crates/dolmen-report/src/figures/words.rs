@@ -195,6 +195,7 @@ messages! {
         Site { peak: String } => { en: "peak that the site demands: {peak}", ko: "부지의 설계 최대지반가속도: {peak}" },
         WithVertical { peak: String } => { en: "the same with its vertical shaking: {peak}", ko: "수직 지진동을 함께 고려: {peak}" },
         ByModes { peak: String } => { en: "on elastic joints, weakest joint: {peak}", ko: "탄성 접합면의 증폭 고려(최약 접합면): {peak}" },
+        BeyondTheAxis { level: String } => { en: "Beyond the axis, {level}", ko: "축 범위 밖, {level}" },
         Motion { peak: String } => { en: "peak of the motion that was run: {peak}", ko: "해석한 지반운동의 최댓값: {peak}" },
     }
 }

@@ -38,7 +38,7 @@ pub fn study_json(answer: &StudyAnswer) -> Result<Value, AssessError> {
             "severe_offset_ratio": study.damage.severe_offset_ratio, "severe_rocking_ratio": study.damage.severe_rocking_ratio,
         })),
         "noise_seed": study.artificial.map(|made| made.seed),
-        "notes": answer.notes,
+        "notes": answer.notes.iter().map(|note| &note.english).collect::<Vec<_>>(),
         "inputs": inputs.collect::<Vec<_>>(),
         "cases": answer.cases.len(),
         "samples": study.samples,

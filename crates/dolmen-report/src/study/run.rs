@@ -3,6 +3,7 @@
 use super::words::{Words, both, g, name, scans};
 use crate::document::{Block, Document};
 use dolmen_project::Scan;
+use dolmen_words::message::Both;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::study::{RunOutcome, ScanVerdict, StudyAnswer, StudyKind};
 
@@ -58,7 +59,7 @@ messages! {
             en: "Not finished: {missing} of {jobs} are missing; the same command goes on from here. What follows is of the part that is done.",
             ko: "미완료: {jobs} 중 {missing}건이 끝나지 않았다. 같은 명령으로 이어서 해석할 수 있으며, 아래 결과는 완료된 부분만의 것이다.",
         },
-        Note { note: String } => { en: "{note}.", ko: "[영문] {note}." },
+        Note { note: Both } => { en: "{note}.", ko: "{note}." },
     }
 }
 

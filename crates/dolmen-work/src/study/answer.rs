@@ -8,6 +8,7 @@ use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
 use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
 use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
 /// One input of the runs: varied, or drawn.
@@ -54,7 +55,7 @@ pub struct StudyAnswer {
     /// Version of the program.
     pub version: String,
     /// What is to be known of the project file: values that it does not give, and others.
-    pub notes: Vec<String>,
+    pub notes: Vec<Both>,
     /// Inputs, the varied ones first.
     pub inputs: Vec<InputColumn>,
     /// Cases: samples of the first combination, then of the next.

@@ -20,6 +20,7 @@ use dolmen_project::{
 };
 use dolmen_records::Files;
 use dolmen_words::Language;
+use dolmen_words::message::Both;
 use rayon::prelude::*;
 
 /// Most scans of a study: more do not fit into memory with their results. Chosen here.
@@ -334,21 +335,27 @@ impl<'o> Plan<'o> {
     }
 
     /// Warnings of the file, each with its line.
-    fn notes(&self) -> Vec<String> {
+    fn notes(&self) -> Vec<Both> {
         let warnings = self.opened.project.warnings.iter();
-        let warnings = warnings.map(|warning| {
-            format!(
+        let warnings = warnings.map(|warning| Both {
+            english: format!(
                 "line {}: {}",
                 warning.line,
                 warning.message.text(Language::English)
-            )
+            ),
+            korean: format!("{}행: {}", warning.line, warning.message.text(Language::Korean)),
         });
-        let mut notes: Vec<String> = warnings.collect();
+        let mut notes: Vec<Both> = warnings.collect();
         if let (StudyKind::Building, Some([x, y])) = (self.kind, self.axis_of_file()) {
-            notes.push(format!(
-                "every motion shakes along one axis, {:.0} deg from x, and across it nothing is studied: give directions, or motions of two components",
-                y.atan2(x).to_degrees() + 0.0
-            ));
+            let degrees = y.atan2(x).to_degrees() + 0.0;
+            notes.push(Both {
+                english: format!(
+                    "every motion shakes along one axis, {degrees:.0} deg from x, and across it nothing is studied: give directions, or motions of two components"
+                ),
+                korean: format!(
+                    "모든 지반운동이 x축에서 {degrees:.0}° 방향의 한 축으로만 작용하며 그 직각 방향은 검토되지 않는다. directions를 주거나 두 성분의 지반운동을 준다"
+                ),
+            });
         }
         notes
     }
