@@ -337,3 +337,19 @@ fn survived(
     explain(&mut plot, answer, language);
     plot.svg(say(Titles::WhatFellAndWhatSurvived, language))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_levels_stand_at_their_values_and_keep_room_of_their_closest_neighbours() {
+        let levels = Levels::at_values(vec![0.7, 0.3, 0.4], "friction");
+        assert_eq!(levels.places, [0.7, 0.3, 0.4]);
+        assert!((levels.step - 0.1).abs() < 1e-12);
+        assert!((levels.axis.from - 0.24).abs() < 1e-12 && (levels.axis.to - 0.76).abs() < 1e-12);
+        // a step of nothing would hide the levels: 4 % of the span
+        let close = Levels::at_values(vec![0.0, 0.001, 1.0], "friction");
+        assert!((close.step - 0.04).abs() < 1e-12);
+    }
+}
