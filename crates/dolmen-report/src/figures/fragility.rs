@@ -81,7 +81,7 @@ fn curves(answer: &StudyAnswer, one: &CombinationFragility, language: Language) 
     if has_no_band {
         plot.note(say(Studied::NoBand, language));
     }
-    plot.note(&answer.method(language));
+    plot.note(answer.method(language));
     plot.svg(say(Titles::Fragility, language))
 }
 

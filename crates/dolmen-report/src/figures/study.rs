@@ -57,7 +57,7 @@ pub fn study_figures(answer: &StudyAnswer, language: Language) -> Vec<Figure> {
 
 /// Says below the plot how it was computed.
 fn explain(plot: &mut Plot, answer: &StudyAnswer, language: Language) {
-    plot.note(&answer.method(language));
+    plot.note(answer.method(language));
     for note in &answer.notes {
         plot.note(note.text(language));
     }
