@@ -9,7 +9,9 @@ use dolmen::signal::{Component, GroundMotion};
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 use dolmen_project::Names;
-use dolmen_report::figures::{stack_after, stack_capacity, stack_governing, stack_histories, stack_view};
+use dolmen_report::figures::{
+    Shaking, stack_after, stack_capacity, stack_governing, stack_histories, stack_view,
+};
 use dolmen_report::film::{FILM_STEP_S, stack_film};
 use dolmen_report::json::simulation_json;
 use dolmen_report::tables::{energy_csv, joints_csv, poses_csv};
@@ -262,7 +264,7 @@ fn holds_figures_speak_both_languages_and_escape_names() {
                 "at the end, true scale",
                 "residual displacements × ",
                 "slides: a/g = μ",
-                "peak of the ground",
+                "peak of the motion that was run: 0.600",
             ],
         ),
         (
@@ -271,15 +273,19 @@ fn holds_figures_speak_both_languages_and_escape_names() {
                 "종료 시점, 실제 축척",
                 "배 확대",
                 "미끄러짐: a/g = μ",
-                "지반 최대",
+                "해석한 지반운동의 최댓값: 0.600",
             ],
         ),
     ] {
+        let shaking = Shaking {
+            motion: Some(0.6),
+            ..Shaking::default()
+        };
         let mut all = vec![
             stack_view(&simulation.stack, language),
             stack_after(&simulation, language),
-            stack_governing(&limits, Some(0.6), language),
-            stack_capacity(&limits, Some(0.6), language),
+            stack_governing(&limits, &shaking, language),
+            stack_capacity(&limits, &shaking, language),
         ];
         let histories = stack_histories(&simulation, language);
         assert_eq!(histories.len(), 5);
