@@ -248,7 +248,8 @@ pub(crate) struct StudyWhere {
 #[derive(Debug, Args)]
 pub(crate) struct GroundMotionVerb {
     /// Files of acceleration (AT2, COSMOS, CSMIP, K-NET, ESM, SAC, miniSEED, CSV), one a component: x, y, z in this order, or
-    /// named as in y=FILE
+    /// named as in y=FILE; --motion-file says the same
+    #[arg(conflicts_with = "motion_file")]
     pub(crate) files: Vec<String>,
     #[command(flatten)]
     pub(crate) motion: Motion,
@@ -263,19 +264,19 @@ pub(crate) struct GroundMotionVerb {
     #[arg(long = "match", requires = "site")]
     pub(crate) matched: bool,
     /// Site of the demand: S1 to S5 (KDS), A to E (Eurocode 8)
-    #[arg(long, default_value = "")]
+    #[arg(long, default_value = "", requires = "matched")]
     pub(crate) site: String,
     /// Seismic zone of KDS 17 10 00: 1 or 2
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "matched")]
     pub(crate) zone: u8,
     /// Return period of KDS 17 10 00, years
-    #[arg(long, default_value_t = 2400)]
+    #[arg(long, default_value_t = 2400, requires = "matched")]
     pub(crate) years: u32,
     /// Design ground acceleration on rock of Eurocode 8, g
-    #[arg(long, value_name = "G")]
+    #[arg(long, value_name = "G", requires = "matched")]
     pub(crate) ground_acceleration: Option<f64>,
     /// Type of the spectrum of Eurocode 8: 1 or 2
-    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2))]
+    #[arg(long, default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=2), requires = "matched")]
     pub(crate) spectrum_type: u8,
     /// Make a motion instead of reading one; its peak is --peak, its step --sample-step (.01 s without)
     #[arg(long, value_enum, conflicts_with_all = ["files", "motion_file", "name"])]

@@ -19,7 +19,7 @@ use std::path::Path;
 fn options_of(options: &Options, manner: &Manner) -> Result<MotionOptions> {
     let files = match options.make {
         Some(_) => &[][..],
-        None => &options.files,
+        None => named_files(options),
     };
     Ok(MotionOptions {
         request: request::motion(&options.motion, files, manner)?,
@@ -51,8 +51,16 @@ fn options_of(options: &Options, manner: &Manner) -> Result<MotionOptions> {
     })
 }
 
+/// The files, however they are named.
+fn named_files(options: &Options) -> &[String] {
+    match options.files.is_empty() {
+        true => &options.motion.motion_file,
+        false => &options.files,
+    }
+}
+
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
-    let outputs = Outputs::new(manner).keeping_motion(&options.files);
+    let outputs = Outputs::new(manner).keeping_motion(named_files(options));
     if let Some(file) = &options.convert {
         outputs.refuse(file)?;
     }

@@ -4,14 +4,11 @@
 
 use super::error::Fault;
 use super::schema_tree::Tree;
+use dolmen_words::nearest;
 use std::borrow::Cow;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
-
-/// Similarity (Jaro–Winkler, 1 is equal) from which a known key is offered for an unknown one, our choice: "lenght"
-/// and "length" have 0.96, "weight" and "height" 0.89, "stifness" and "stiffness" 0.98, "tilt" and "title" 0.85.
-pub(super) const SIMILARITY_LEAST: f64 = 0.8;
 
 /// Longest value that a message repeats, in characters.
 const ECHO_MOST: usize = 48;
@@ -456,11 +453,4 @@ fn alternatives(words: &[&str]) -> String {
         Some((last, others)) => format!("{} or {last}", others.join(", ")),
         None => String::new(),
     }
-}
-
-/// The most similar of the known words, if any is similar enough.
-fn nearest<'a>(word: &str, known: impl Iterator<Item = &'a str>) -> Option<&'a str> {
-    let scored = known.map(|known| (strsim::jaro_winkler(word, known), known));
-    let near = scored.filter(|(score, _)| *score >= SIMILARITY_LEAST);
-    near.max_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, known)| known)
 }

@@ -27,6 +27,7 @@ use super::units::STANDARD_GRAVITY_M_S2;
 use super::warned::Warned;
 use dolmen::structure::StructureError;
 use dolmen_records::{Files, NoFiles};
+use dolmen_words::nearest;
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -118,6 +119,9 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
             read_variants.extend(variant((text, files), name, patch, (&root, &span), &mut faults));
         }
     }
+    if let Some(project) = project.as_ref().filter(|_| faults.is_empty()) {
+        faults.extend(unknown_variants(project, &read_variants));
+    }
     match project {
         Some(mut project) if faults.is_empty() => {
             project.variants = read_variants;
@@ -125,6 +129,33 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
         }
         _ => Err(faults),
     }
+}
+
+/// Variants that studies name and the file does not have.
+fn unknown_variants(project: &Project, variants: &[Variant]) -> Vec<Fault> {
+    let known: Vec<&str> = variants.iter().map(|variant| variant.name.as_str()).collect();
+    let mut faults = Vec::new();
+    for study in &project.studies {
+        for (i, name) in study.variants.iter().enumerate() {
+            if known.contains(&name.as_str()) {
+                continue;
+            }
+            let path = format!("study.{}.variants[{}]", study.name, i + 1);
+            let span = project.spans.get(&path).cloned().unwrap_or(0..0);
+            let fault = Fault::new(span, &path, format!("there is no variant \"{name}\""));
+            let help = match nearest(name, known.iter().copied()) {
+                Some(near) => format!("did you mean \"{near}\"?"),
+                None => format!("write [variant.{name}], or take it out"),
+            };
+            faults.push(match known.is_empty() {
+                true => fault.help(help),
+                false => fault
+                    .allowed(format!("must be one of {}", known.join(", ")))
+                    .help(help),
+            });
+        }
+    }
+    faults
 }
 
 /// A fault of TOML itself.

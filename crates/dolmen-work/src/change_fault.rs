@@ -1,6 +1,6 @@
 //! Why surveys cannot be compared.
 
-use crate::known::or_none;
+use crate::known::known_beside;
 use dolmen::assess::AssessError;
 
 /// Why surveys cannot be compared.
@@ -9,7 +9,7 @@ pub enum ChangeFault {
     /// There is no survey of that name.
     #[error(
         "there is no survey \"{given}\" with frequencies, modes or records: the file has {}",
-        or_none(known)
+        known_beside(given, known)
     )]
     NoSurvey {
         /// The name given.

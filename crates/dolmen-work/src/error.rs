@@ -1,7 +1,7 @@
 //! Why a verb cannot answer.
 
 use crate::change_fault::ChangeFault;
-use crate::known::or_none;
+use crate::known::known_beside;
 use crate::motion::MotionRequestError;
 use crate::portfolio::PortfolioError;
 use crate::score::ScoreDesignsError;
@@ -127,7 +127,7 @@ pub enum WorkError {
     #[error("the load factor of a sample is not a number: it must not be counted as standing")]
     SampleNotANumber,
     /// There is no such variant.
-    #[error("there is no variant \"{name}\": the file has {}", or_none(known))]
+    #[error("there is no variant \"{name}\": the file has {}", known_beside(name, known))]
     NoSuchVariant {
         /// The name.
         name: String,
@@ -135,7 +135,7 @@ pub enum WorkError {
         known: String,
     },
     /// There is no such survey.
-    #[error("there is no survey \"{name}\": the file has {}", or_none(known))]
+    #[error("there is no survey \"{name}\": the file has {}", known_beside(name, known))]
     NoSuchSurvey {
         /// The name.
         name: String,
@@ -217,7 +217,10 @@ pub enum WorkError {
         direction: String,
     },
     /// There is no such direction.
-    #[error("there is no direction \"{direction}\": the file has {}", or_none(known))]
+    #[error(
+        "there is no direction \"{direction}\": the file has {}",
+        known_beside(direction, known)
+    )]
     NoSuchDirection {
         /// The name.
         direction: String,

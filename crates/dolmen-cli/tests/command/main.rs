@@ -17,6 +17,7 @@ mod judgements;
 mod keys;
 mod korean;
 mod layout;
+mod names;
 mod safety;
 mod sentences;
 #[cfg(unix)]

@@ -1,11 +1,11 @@
 //! Blocks of a stack by their names.
 
 use super::file::BlockRaw;
-use crate::check::SIMILARITY_LEAST;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
 use dolmen::structure::stack::Body;
+use dolmen_words::nearest;
 use std::ops::Range;
 
 /// The word for what everything stands on in the end.
@@ -57,13 +57,9 @@ pub(super) fn body(
     }
     let (span, path) = place;
     let fault = Fault::new(span.clone(), path, format!("{path} = \"{name}\" is no {which}"));
-    let scored = known
-        .iter()
-        .map(|known| (strsim::jaro_winkler(name, known), known));
-    let near = scored.max_by(|a, b| a.0.total_cmp(&b.0));
-    let help = match near {
-        Some((score, near)) if score >= SIMILARITY_LEAST => format!("did you mean \"{near}\"?"),
-        _ => format!("write the name of a block as it stands in blocks, or \"{GROUND}\""),
+    let help = match nearest(name, known.iter().map(String::as_str)) {
+        Some(near) => format!("did you mean \"{near}\"?"),
+        None => format!("write the name of a block as it stands in blocks, or \"{GROUND}\""),
     };
     reader.fault(fault.allowed("unknown name").help(help));
     None

@@ -91,6 +91,9 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
             items.map(|item| (item.value.as_str(), &item.span)),
         );
     }
+    for (i, variant) in given.variants.iter().flat_map(|list| &list.value).enumerate() {
+        reader.mark(&format!("{path}.variants[{}]", i + 1), &variant.span);
+    }
     let turns = given.directions.iter().flat_map(|list| &list.value);
     once(
         reader,

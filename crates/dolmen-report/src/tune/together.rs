@@ -19,6 +19,10 @@ messages! {
             en: "Load: {load}, along {directions}, independently.",
             ko: "하중: {load}, {directions} 방향에 서로 독립적으로 작용.",
         },
+        PeaksNotSought => {
+            en: "Largest amplitudes were asked for; of several dampers at once they are not sought, and the largest standard deviation stands in their place.",
+            ko: "최대 진폭을 목표로 지정하였으나 여러 감쇠기의 동시 설계에서는 이를 구하지 않으며, 대신 최대 표준편차를 최소화하였다.",
+        },
         Goal { goal: Sentence } => { en: "Made small: {goal}.", ko: "최소화하는 값: {goal}." },
         StrokeMost { most: Quantity } => {
             en: "What is designed keeps to {most} of the strokes of the file's dampers.",
@@ -63,7 +67,8 @@ fn lead(answer: &TogetherAnswer) -> Vec<Sentence> {
     let kept = answer
         .stroke_most
         .map(|most| Together::StrokeMost { most: part(most) });
-    let said = [acts, goal].into_iter().chain(kept);
+    let peaks = answer.peaks_not_sought.then_some(Together::PeaksNotSought);
+    let said = [acts, goal].into_iter().chain(peaks).chain(kept);
     said.map(Sentence::from).collect()
 }
 

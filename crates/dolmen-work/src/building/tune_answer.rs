@@ -255,6 +255,8 @@ pub struct TogetherAnswer {
     pub points: Vec<(TunePoint, f64)>,
     /// What is made small: standard deviations.
     pub goal: Goal,
+    /// Whether largest amplitudes were asked for, which are not sought for several dampers at once.
+    pub peaks_not_sought: bool,
     /// What is designed keeps to this stroke, over those of the file's dampers.
     pub stroke_most: Option<f64>,
     /// Without, given, each alone, all but each, tuned, placed, shared.

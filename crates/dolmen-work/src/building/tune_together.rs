@@ -78,6 +78,7 @@ pub(crate) fn of_all(
         load_directions_degrees: loaded,
         points,
         goal: all.goal,
+        peaks_not_sought: options.goal == Goal::LargestPeak,
         stroke_most: options.stroke_most,
         rows,
         room,

@@ -1,5 +1,6 @@
 //! Why a motion that is asked for cannot be had.
 
+use crate::known::known_beside;
 use dolmen::signal::Component;
 use thiserror::Error;
 
@@ -8,8 +9,9 @@ use thiserror::Error;
 pub enum MotionRequestError {
     /// There is no such motion.
     #[error(
-        "there is no motion \"{name}\": known are {known}; other motions come from files with --motion-file, or stand in the project file as \
-         [motion.{name}]"
+        "there is no motion \"{name}\": known are {}; other motions come from files with --motion-file, or stand in the project file as \
+         [motion.{name}]",
+        known_beside(name, known)
     )]
     NoSuchMotion {
         /// The name.
@@ -18,7 +20,10 @@ pub enum MotionRequestError {
         known: String,
     },
     /// There is no such motion among those that Dolmen carries.
-    #[error("there is no built-in motion \"{name}\": known are {known}")]
+    #[error(
+        "there is no built-in motion \"{name}\": known are {}",
+        known_beside(name, known)
+    )]
     NoBuiltInMotion {
         /// The name.
         name: String,

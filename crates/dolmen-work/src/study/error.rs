@@ -1,13 +1,13 @@
 //! Why a study cannot be run, or its runs cannot be used.
 
-use crate::known::or_none;
+use crate::known::known_beside;
 use thiserror::Error;
 
 /// Why a study cannot be run, or its runs cannot be used.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum StudyError {
     /// There is no such study.
-    #[error("there is no study \"{name}\": the file has {}", or_none(known))]
+    #[error("there is no study \"{name}\": the file has {}", known_beside(name, known))]
     NoSuchStudy {
         /// The name.
         name: String,
