@@ -3,7 +3,7 @@
 use super::bed::bed;
 use super::body::body;
 use super::file::{BlockRaw, OnRaw, OpeningRaw};
-use super::part::{BlockPart, OpeningPart};
+use super::part::{BlockPart, OpeningPart, ShapePart};
 use super::shape::shape;
 use crate::error::Fault;
 use crate::file_number::{At, QuantityRaw};
@@ -37,7 +37,13 @@ pub(super) fn block(
         &format!("{path}.openings"),
         opening,
     );
-    let on = on(reader, block, index, names);
+    let on = on(
+        reader,
+        block,
+        index,
+        names,
+        shape.as_ref().is_some_and(ShapePart::keeps_its_place),
+    );
     let at = plan(reader, block.at.as_ref(), &format!("{path}.at"));
     let offset = plan(reader, block.offset.as_ref(), &format!("{path}.offset"));
     let rotation_path = format!("{path}.rotation");
@@ -96,10 +102,20 @@ fn opening(reader: &mut Reader, raw: &At<OpeningRaw>, path: &str) -> Option<Open
     })
 }
 
-/// What a block stands on: what it says, else the block before it, else the ground.
-fn on(reader: &mut Reader, block: &BlockRaw, index: usize, names: &[String]) -> Option<Vec<Body>> {
+/// What a block stands on: what it says, else the block before it, else the ground; one that keeps its place stands on
+/// whatever it touches.
+fn on(
+    reader: &mut Reader,
+    block: &BlockRaw,
+    index: usize,
+    names: &[String],
+    keeps_its_place: bool,
+) -> Option<Vec<Body>> {
     let Some(on) = &block.on else {
-        return Some(vec![index.checked_sub(1).map_or(Body::Ground, Body::Block)]);
+        return Some(match keeps_its_place {
+            true => Vec::new(),
+            false => vec![index.checked_sub(1).map_or(Body::Ground, Body::Block)],
+        });
     };
     let path = format!("blocks[{}].on", index + 1);
     let given: Vec<&str> = match &on.value {
@@ -113,24 +129,13 @@ fn on(reader: &mut Reader, block: &BlockRaw, index: usize, names: &[String]) -> 
     }
     let mut bodies = Vec::with_capacity(given.len());
     for name in given {
-        let later = names[index..].iter().any(|later| later == name);
-        if later && !names[..index].iter().any(|before| before == name) {
-            let message = format!("{path} = \"{name}\" does not stand before it in the list");
+        if name == names[index] {
+            let message = format!("{path} = \"{name}\" is the block itself");
             let fault = Fault::new(on.span.clone(), &path, message);
-            reader.fault(
-                fault
-                    .allowed("must be a block before it")
-                    .help("list the blocks lowest first"),
-            );
+            reader.fault(fault.allowed("needs the name of another block, or \"ground\""));
             return None;
         }
-        bodies.push(body(
-            reader,
-            name,
-            (&on.span, &path),
-            &names[..index],
-            "block before it",
-        )?);
+        bodies.push(body(reader, name, (&on.span, &path), names, "block")?);
     }
     Some(bodies)
 }

@@ -256,8 +256,9 @@ impl StackPart {
     /// # Errors
     /// None with the file's own values, which are checked on reading; [`StackFault`] if picked ones are impossible.
     pub fn build(&self, pick: Pick<'_>) -> Result<Stack, StackFault> {
-        let mut blocks: Vec<Block> = Vec::with_capacity(self.blocks.len());
-        for (i, part) in self.blocks.iter().enumerate() {
+        let mut placed: Vec<Option<Block>> = vec![None; self.blocks.len()];
+        for i in self.lowest_first() {
+            let part = &self.blocks[i];
             let mut solid = part.shape.solid(pick).map_err(|why| at_block(i, why))?;
             for (k, opening) in part.openings.iter().enumerate() {
                 let path = format!("blocks[{}].openings[{}]", i + 1, k + 1);
@@ -266,14 +267,15 @@ impl StackPart {
                     .and_then(|opening| solid.with_opening(&opening));
                 solid = cut.map_err(|why| StackFault::part(path, why))?;
             }
-            let placement = part.placement(&blocks, pick);
+            let placement = part.placement(&placed, pick);
             let density = part.density.as_ref().or(self.density.as_ref());
-            blocks.push(Block {
+            placed[i] = Some(Block {
                 name: part.name.clone(),
                 solid: solid.placed(&placement),
                 density_kg_m3: density.map_or(f64::NAN, &mut *pick), // refused by the stack
             });
         }
+        let mut blocks: Vec<Block> = placed.into_iter().flatten().collect();
         if let Some(factors) = &self.pagoda {
             let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
             let made = factors.made(density, pick);
@@ -290,6 +292,40 @@ impl StackPart {
         self.check_beds(&stack)?;
         let stack = self.with_materials(stack, around, pick)?;
         self.with_pieces(stack, turn, pick)
+    }
+
+    /// The blocks in an order in which each comes after those that it stands on; blocks that stand on each other in a
+    /// ring, which reading refuses, come in the order of the file.
+    fn lowest_first(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = Vec::with_capacity(self.blocks.len());
+        let mut listed = vec![false; self.blocks.len()];
+        loop {
+            let ready = |i: &usize| {
+                let known = |body: &Body| match body {
+                    Body::Ground => true,
+                    Body::Block(lower) => listed[*lower],
+                };
+                !listed[*i] && self.blocks[*i].on.iter().all(known)
+            };
+            let next = (0..self.blocks.len()).find(ready);
+            let Some(next) = next.or_else(|| listed.iter().position(|listed| !listed)) else {
+                return order;
+            };
+            listed[next] = true;
+            order.push(next);
+        }
+    }
+
+    /// A block that stands, over others, on itself.
+    pub(super) fn ring(&self) -> Option<usize> {
+        let order = self.lowest_first();
+        let place = |block: usize| order.iter().position(|other| *other == block);
+        order.iter().copied().find(|&block| {
+            self.blocks[block].on.iter().any(|body| match body {
+                Body::Ground => false,
+                Body::Block(lower) => place(*lower) > place(block),
+            })
+        })
     }
 
     /// Every block must touch what the file says it stands on.
@@ -409,9 +445,9 @@ impl StackPart {
                 let (first, second) = (index(first), index(second));
                 first.max(second).map(|i| format!("blocks[{}]", i + 1))
             }
-            StackError::Floating { block: name, .. } | StackError::Name { name } => {
-                index(name).map(|i| format!("blocks[{}]", i + 1))
-            }
+            StackError::Floating { block: name, .. }
+            | StackError::JointUsed { upper: name, .. }
+            | StackError::Name { name } => index(name).map(|i| format!("blocks[{}]", i + 1)),
             StackError::Material { .. } => Some("joint".to_owned()),
             _ => None,
         };
@@ -423,7 +459,7 @@ impl StackPart {
 
 impl BlockPart {
     /// Where it goes, the blocks before it standing where they stand.
-    fn placement(&self, before: &[Block], pick: Pick<'_>) -> Placement {
+    fn placement(&self, before: &[Option<Block>], pick: Pick<'_>) -> Placement {
         if self.shape.keeps_its_place() {
             return Placement::default();
         }
@@ -432,7 +468,12 @@ impl BlockPart {
             .iter()
             .map(|body| match body {
                 Body::Ground => Top::GROUND,
-                Body::Block(lower) => Top::of(&before[*lower].solid).unwrap_or(Top::GROUND),
+                Body::Block(lower) => {
+                    let stone = before[*lower].as_ref();
+                    stone
+                        .and_then(|stone| Top::of(&stone.solid))
+                        .unwrap_or(Top::GROUND)
+                }
             })
             .collect();
         let mean =

@@ -133,7 +133,7 @@ pub(crate) struct BlockRaw {
     pub(super) openings: Option<Vec<At<OpeningRaw>>>,
     /// Density; that of the stack if not given.
     pub(super) density: Option<At<QuantityRaw>>,
-    /// What it stands on: a block above it in the list, several, or "ground"; the one before it if not given.
+    /// What it stands on: a block, several, or "ground"; the one before it if not given, with coordinates = "site" what it touches.
     pub(super) on: Option<At<OnRaw>>,
     /// Where the centre of its base stands in plan, [x, y]; the middle of what it stands on if not given.
     pub(super) at: Option<At<Vec<At<QuantityRaw>>>>,

@@ -158,7 +158,7 @@ pub struct BlockPart {
     pub openings: Vec<OpeningPart>,
     /// Density, kg/m³; `None` that of the stack.
     pub density: Option<Quantity>,
-    /// What it stands on: blocks before it, or the ground.
+    /// What it stands on: blocks, or the ground; none if it keeps its place and the file does not say.
     pub on: Vec<Body>,
     /// Plan position of the centre of its base, m; `None` the middle of what it stands on.
     pub at: Option<[Quantity; 2]>,

@@ -82,6 +82,16 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         lean: None,
         gravity_m_s2,
     };
+    if let Some(block) = stack.ring() {
+        let path = format!("blocks[{}].on", block + 1);
+        let message = format!(
+            "'{}' stands, over the blocks below it, on itself",
+            stack.blocks[block].name
+        );
+        let fault = Fault::new(list[block].span.clone(), &path, message);
+        reader.fault(fault.help("let one of them stand on \"ground\""));
+        return None;
+    }
     warn_of_defaults(reader, &stack);
     Some(stack)
 }

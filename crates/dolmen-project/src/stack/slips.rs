@@ -1,10 +1,11 @@
 //! Probable slips in a stack.
 
-use super::part::{BedPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
+use super::part::{BedPart, BlockPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{beside_neighbour, guess, median_of_others, odd_ones, unit_of, within};
 use crate::written::short;
+use dolmen::structure::stack::Body;
 
 /// A dimension of a block over the median of the others', either way: a spire of 80 mm on slabs of 2 m has 1/25.
 const SIZE_RATIO_MOST: f64 = 30.0;
@@ -31,9 +32,15 @@ const PAGODA_HEIGHT_M: (f64, f64) = (0.3, 60.0);
 /// tan α of a pagoda: far outside what stands or was ever built.
 const SLENDERNESS_ANGLE: (f64, f64) = (0.05, 1.5);
 
+/// A top stone over a first one, in width, above which the list seems to begin with the top. Ours.
+const WIDER_MOST: f64 = 3.0;
+/// Stones of a list whose order is judged.
+const STONES_LEAST: usize = 4;
+
 pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     judge_sizes(reader, stack);
     judge_extents(reader, stack);
+    judge_order(reader, stack);
     if let Some(pagoda) = &stack.pagoda {
         judge_pagoda(reader, pagoda);
     }
@@ -50,6 +57,39 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     }
     for contact in &stack.contacts {
         judge_bed(reader, &contact.joint);
+    }
+}
+
+/// A list that begins with the top: each stone then stands, in silence, on a smaller one.
+fn judge_order(reader: &mut Reader, stack: &StackPart) {
+    let listed = |(i, block): (usize, &BlockPart)| {
+        let before = i.checked_sub(1).map_or(Body::Ground, Body::Block);
+        block.on == [before] && !block.shape.keeps_its_place()
+    };
+    if stack.blocks.len() < STONES_LEAST || !stack.blocks.iter().enumerate().all(listed) {
+        return;
+    }
+    let width = |block: &BlockPart| {
+        let solid = block.shape.solid(&mut Quantity::nominal).ok()?;
+        let [low, high] = solid.bounds_m();
+        Some((high[0] - low[0]).max(high[1] - low[1]))
+    };
+    let (Some(first), Some(last)) = (stack.blocks.first(), stack.blocks.last()) else {
+        return;
+    };
+    let (Some(first_m), Some(last_m)) = (width(first), width(last)) else {
+        return;
+    };
+    if last_m > WIDER_MOST * first_m {
+        let message = format!(
+            "blocks: the last stone, '{}', stands on top and is {} m wide, the first, '{}', stands on the ground and is {} m",
+            last.name,
+            short(last_m),
+            first.name,
+            short(first_m)
+        );
+        let help = "list the stones lowest first, or say with on what each stands on";
+        reader.slip("blocks", message, help.to_owned());
     }
 }
 

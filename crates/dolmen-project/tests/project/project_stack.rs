@@ -333,7 +333,7 @@ error: blocks[3].name = "body" is also the name of blocks[2]
         (
             ("offset = [0.01, 0]", "on = \"bodi\""),
             r##"
-error: blocks[3].on = "bodi" is no block before it
+error: blocks[3].on = "bodi" is no block
   --> project.toml:9:66
    |
  9 |   { name = "roof", width = 2.35, depth = 2.0, height = 0.3, on = "bodi" },
@@ -344,12 +344,7 @@ error: blocks[3].on = "bodi" is no block before it
         (
             ("height = 0.5 }", "height = 0.5, on = \"roof\" }"),
             r##"
-error: blocks[1].on = "roof" does not stand before it in the list
-  --> project.toml:7:52
-   |
- 7 |   { name = "base", width = 2.4, height = 0.5, on = "roof" },
-   |                                                    ^^^^^^ must be a block before it
-   = help: list the blocks lowest first
+error: blocks[2].on: 'body' stands, over the blocks below it, on itself
 "##,
         ),
         (
@@ -456,4 +451,72 @@ error: blocks[3].offset[1] = -0.01 m has a scatter
         }
     }
     assert!(wrong.is_empty(), "{wrong}");
+}
+
+#[test]
+fn holds_stones_that_say_what_they_stand_on_come_in_any_order() {
+    let upside = r#"[
+  { name = "roof", width = 2.35, depth = 2.0, height = 0.3, offset = [0.01, 0], on = "body" },
+  { name = "base", width = 2.4, height = 0.5, on = "ground" },
+  { name = "body", shape = "frustum", width = 1.2, top_width = 1.1, height = 1.0, on = "base" },
+]
+"#;
+    let list = &STACK[STACK.find("blocks = ").unwrap() + "blocks = ".len()..];
+    let (given, turned) = (built(STACK), built(&STACK.replace(list, upside)));
+    assert_eq!(turned.joints().len(), 3);
+    for block in given.blocks() {
+        let same = turned
+            .blocks()
+            .iter()
+            .find(|other| other.name == block.name)
+            .unwrap();
+        assert_eq!(same.solid, block.solid);
+    }
+}
+
+#[test]
+fn refuses_a_list_that_begins_with_the_top() {
+    let top_first = r#"[
+  { name = "bowl", width = 0.4, height = 0.2 },
+  { name = "roof", width = 1.2, height = 0.3 },
+  { name = "body", width = 1.0, height = 0.8 },
+  { name = "base", width = 2.4, height = 0.5 },
+]
+"#;
+    let list = &STACK[STACK.find("blocks = ").unwrap() + "blocks = ".len()..];
+    let said = parse_project(&STACK.replace(list, top_first), "project.toml")
+        .unwrap_err()
+        .to_string();
+    assert!(
+        said.contains(
+            "the last stone, 'base', stands on top and is 2.4 m wide, the first, 'bowl', stands on the ground and is 0.4 m"
+        ) && said.contains("list the stones lowest first"),
+        "{said}"
+    );
+}
+
+/// Two cubes of points where a site has them, the upper one listed first and no `on`: the joint is where they touch.
+#[test]
+fn holds_stones_of_a_site_stand_on_what_they_touch() {
+    let cube = |low: f64| {
+        let corners = (0..8).map(|i| {
+            let [x, y, z] = [i & 1, (i >> 1) & 1, i >> 2].map(f64::from);
+            format!("[{x}, {y}, {}]", z + low)
+        });
+        corners.collect::<Vec<_>>().join(", ")
+    };
+    let stones = format!(
+        "[\n  {{ name = \"high\", shape = \"points\", coordinates = \"site\", points = [{}] }},\n  \
+         {{ name = \"low\", shape = \"points\", coordinates = \"site\", points = [{}] }},\n]\n",
+        cube(1.0),
+        cube(0.0)
+    );
+    let list = &STACK[STACK.find("blocks = ").unwrap() + "blocks = ".len()..];
+    let stack = built(&STACK.replace(list, &stones));
+    let ends: Vec<_> = stack
+        .joints()
+        .iter()
+        .map(|joint| (joint.lower, joint.upper))
+        .collect();
+    assert_eq!(ends, [(Body::Block(1), 0), (Body::Ground, 1)]);
 }

@@ -1,6 +1,6 @@
 //! Where two convex solids touch: the pair of faces with the largest common patch.
 
-use super::{Body, Joint, JointMaterial, Polygon, Solid};
+use super::{Body, Joint, JointMaterial, Polygon, ScannedJoint, Solid};
 use glam::DVec3;
 
 /// Beds closer than this touch, m: surveyed dimensions and dressed stone are not better. Chosen here. What is left of a
@@ -12,14 +12,67 @@ const PARALLEL: f64 = 0.996_194_7;
 /// Patches smaller than this part of the smaller face are an edge or corner that touches. Chosen here.
 const PATCH_LEAST: f64 = 1e-6;
 
+/// Beds of scans touch up to this many standard deviations of their noise. Chosen here.
+const GAP_NOISE: f64 = 3.0;
+/// Least part of a patch that must be flat stone of both scans. Chosen here: less is an edge, or a guess.
+pub(super) const USED_LEAST: f64 = 0.3;
+
 /// A common patch of two solids.
 pub(super) struct Bed {
     origin: DVec3,
     axes: [DVec3; 3],
     patch: Polygon,
+    gap_m: f64,
+    scanned: Option<ScannedJoint>,
 }
 
 impl Bed {
+    /// The part of the patch that is flat stone, if that is too little to be a joint.
+    pub(super) fn barely_used(&self) -> Option<f64> {
+        let used = self.scanned?.used_ratio;
+        (used < USED_LEAST).then_some(used)
+    }
+
+    /// With what the scans of its faces tell of it.
+    fn scanned(mut self, faces: &[(&Solid, usize)]) -> Self {
+        let scans = faces
+            .iter()
+            .filter_map(|(solid, face)| Some((*solid, *face, solid.scan()?)));
+        let area = self.patch.moments().area_m2;
+        let (mut used_ratio, mut roughness_m, mut any) = (1.0_f64, 0.0_f64, false);
+        for (solid, face, scan) in scans {
+            any = true;
+            roughness_m = roughness_m.max(scan.noise_m);
+            used_ratio = used_ratio.min(self.area_m2(solid, scan.triangles.get(face)) / area);
+        }
+        self.scanned = any.then_some(ScannedJoint {
+            used_ratio,
+            gap_m: self.gap_m,
+            roughness_m,
+        });
+        self
+    }
+
+    /// Area of the triangles of a scan that lie over the patch, in its plane, m².
+    fn area_m2(&self, solid: &Solid, triangles: Option<&Vec<usize>>) -> f64 {
+        let [first, second, normal] = self.axes;
+        let each = triangles.into_iter().flatten().map(|&number| {
+            let corners = solid.mesh[number].map(|v| {
+                let from = v - self.origin;
+                [from.dot(first), from.dot(second)]
+            });
+            let [a, b, c] = solid.mesh[number];
+            let up = (b - a).cross(c - a).dot(normal) >= 0.0;
+            let corners_m = if up {
+                corners.to_vec()
+            } else {
+                corners.iter().rev().copied().collect()
+            };
+            Polygon { corners_m }.clipped(&self.patch).moments().area_m2
+        });
+        each.fold(0.0, std::ops::Add::add)
+    }
+
     /// Rise of its normal, as sine.
     pub(super) fn rises(&self) -> f64 {
         self.axes[2].z
@@ -35,6 +88,8 @@ impl Bed {
             patch: Polygon {
                 corners_m: corners.map(|corner| [corner[0], -corner[1]]).collect(),
             },
+            gap_m: self.gap_m,
+            scanned: self.scanned,
         }
     }
 
@@ -46,6 +101,7 @@ impl Bed {
             axes: self.axes.map(Into::into),
             patch: self.patch,
             material,
+            scanned: self.scanned,
         }
     }
 }
@@ -73,12 +129,13 @@ pub(crate) fn face_in_plane(solid: &Solid, face: usize, origin: DVec3, axes: &[D
 
 /// The bed between `lower` (the ground if `None`) and `upper`, its normal from the first to the second.
 pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
-    let mut best: Option<(f64, Bed)> = None;
-    let mut offer = |area: f64, bed: Bed| {
-        if best.as_ref().is_none_or(|(most, _)| area > *most) {
-            best = Some((area, bed));
+    let mut best: Option<(f64, Bed, [Option<usize>; 2])> = None;
+    let mut offer = |area: f64, bed: Bed, faces: [Option<usize>; 2]| {
+        if best.as_ref().is_none_or(|(most, ..)| area > *most) {
+            best = Some((area, bed, faces));
         }
     };
+    let allowed_m = lower.map_or(0.0, gap_allowed_m).max(gap_allowed_m(upper));
     for below in 0..upper.faces().len() {
         let down = upper.normal(below);
         let Some(lower) = lower else {
@@ -88,9 +145,10 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
                 let corner = DVec3::from(upper.vertices_m()[upper.faces()[below][0]]);
                 let patch = face_in_plane(upper, below, corner, &axes);
                 let area = patch.moments().area_m2;
-                let bed = bed_of(patch, corner, axes);
-                if bed.origin.z.abs() <= BED_GAP_M {
-                    offer(area, bed);
+                let mut bed = bed_of(patch, corner, axes);
+                bed.gap_m = bed.origin.z;
+                if bed.gap_m.abs() <= allowed_m {
+                    offer(area, bed, [None, Some(below)]);
                 }
             }
             continue;
@@ -112,13 +170,28 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
             }
             let gap = height_over(upper, below, &patch, origin, &axes)
                 - height_over(lower, above, &patch, origin, &axes);
-            if gap.abs() <= BED_GAP_M {
+            if gap.abs() <= allowed_m {
                 let lift = axes[2] * height_over(lower, above, &patch, origin, &axes);
-                offer(area, bed_of(patch, origin + lift, axes));
+                let mut bed = bed_of(patch, origin + lift, axes);
+                bed.gap_m = gap;
+                offer(area, bed, [Some(above), Some(below)]);
             }
         }
     }
-    best.map(|(_, bed)| bed)
+    let (_, bed, [above, below]) = best?;
+    let faces: Vec<(&Solid, usize)> = lower
+        .zip(above)
+        .into_iter()
+        .chain(below.map(|b| (upper, b)))
+        .collect();
+    Some(bed.scanned(&faces))
+}
+
+/// Gap within which a bed of a stone touches another, m.
+pub(super) fn gap_allowed_m(solid: &Solid) -> f64 {
+    solid
+        .scan()
+        .map_or(BED_GAP_M, |scan| BED_GAP_M.max(GAP_NOISE * scan.noise_m))
 }
 
 /// The vertical itself for what differs from it by round-off.
@@ -164,5 +237,7 @@ fn bed_of(patch: Polygon, origin: DVec3, axes: [DVec3; 3]) -> Bed {
         origin: origin + axes[0] * centroid[0] + axes[1] * centroid[1],
         axes,
         patch: Polygon { corners_m },
+        gap_m: 0.0,
+        scanned: None,
     }
 }

@@ -174,6 +174,37 @@ pub enum StackError {
         /// That of its hull, m³.
         hull_volume_m3: f64,
     },
+    /// A scan whose flat faces bound no body like it.
+    #[error(
+        "the surface of the mesh is uneven (its vertices scatter by {:.2} mm), and its flat faces bound {}, not its own {volume_m3:.5} m³: the \
+         stone is not convex, or too worn or curved for beds to be found in it; cut it into convex parts, scan its beds more closely, \
+         or give it as a box, frustum or solid of points",
+        1e3 * noise_m, bounded(*fitted_m3)
+    )]
+    MeshUneven {
+        /// Standard deviation of its vertices off their neighbours, m.
+        noise_m: f64,
+        /// Volume of the mesh, m³.
+        volume_m3: f64,
+        /// Volume that the fitted planes bound, m³; `None` if none.
+        fitted_m3: Option<f64>,
+    },
+    /// Two fitted beds of which too little is stone.
+    #[error(
+        "the joint of '{upper}' on '{lower}': only {:.0} % of the overlap of their beds is flat stone, but it must be {:.0} %: scan these \
+         beds more closely, or give the stones as solids of points",
+        100.0 * used, 100.0 * allowed
+    )]
+    JointUsed {
+        /// The upper block.
+        upper: String,
+        /// What it stands on.
+        lower: String,
+        /// Area of both beds that is there, over their overlap.
+        used: f64,
+        /// What is allowed.
+        allowed: f64,
+    },
     /// A cut that leaves nothing.
     #[error(
         "nothing is left of the stone behind the plane through {point_m:?} with normal {normal:?}: move the plane or turn its normal round"
@@ -284,6 +315,10 @@ pub enum StackError {
         /// The value given, m.
         given: [f64; 3],
     },
+}
+
+fn bounded(volume_m3: Option<f64>) -> String {
+    volume_m3.map_or("nothing".to_owned(), |volume| format!("{volume:.5} m³"))
 }
 
 fn place(at: [f64; 3]) -> String {

@@ -26,4 +26,17 @@ pub struct Joint {
     pub patch: Polygon,
     /// Friction, bond, springs, damping.
     pub material: JointMaterial,
+    /// How well the scans of its stones know it; `None` if neither is a scan with noise.
+    pub scanned: Option<ScannedJoint>,
+}
+
+/// What scans tell of a joint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ScannedJoint {
+    /// Area of both beds that is flat stone there, over the patch: the lesser of the two, at most 1.
+    pub used_ratio: f64,
+    /// From the fitted plane of the lower bed up to that of the upper, m; negative if they pass through each other.
+    pub gap_m: f64,
+    /// Standard deviation of the vertices of both stones off their fitted planes, m: the larger.
+    pub roughness_m: f64,
 }

@@ -1,7 +1,8 @@
 //! Solids from closed triangle meshes: a scan's own mass, contact by its convex hull.
 
+use super::scan::fitted;
 use super::solid::moments_of;
-use super::{Solid, StackError};
+use super::{Scan, Solid, StackError};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -56,8 +57,17 @@ impl Solid {
                 hull_volume_m3,
             });
         }
-        let mut solid = hull.with_moments(volume, centroid, second);
-        solid.mesh = soup;
+        let [low, high] = hull.bounds_m().map(DVec3::from);
+        let flat_m = 2.0 * super::hull::FLAT * (high - low).max_element();
+        let (contact, scan) = match fitted(vertices_m, triangles, &hull, volume, flat_m)? {
+            None => (hull, None),
+            Some(fit) => {
+                let (noise_m, triangles) = (fit.noise_m, fit.triangles);
+                (fit.solid, Some(Box::new(Scan { noise_m, triangles })))
+            }
+        };
+        let mut solid = contact.with_moments(volume, centroid, second);
+        (solid.mesh, solid.scan) = (soup, scan);
         Ok(solid)
     }
 

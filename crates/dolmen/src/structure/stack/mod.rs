@@ -11,15 +11,16 @@ mod opening;
 mod overlap;
 mod pagoda;
 mod polygon;
+mod scan;
 mod shapes;
 mod solid;
 mod stack_of_blocks;
 
 pub use beds::BED_GAP_M;
 pub use error::StackError;
-pub use joint::{Body, Joint};
+pub use joint::{Body, Joint, ScannedJoint};
 pub use material::JointMaterial;
 pub use pagoda::{Pagoda, PagodaFactors, PagodaSlenderness, pagoda};
 pub use polygon::{Polygon, PolygonMoments};
-pub use solid::{Placement, Solid};
+pub use solid::{Placement, Scan, Solid};
 pub use stack_of_blocks::{Block, SideSupport, Stack, Tie};

@@ -15,6 +15,17 @@ pub struct Solid {
     pub(super) openings: Vec<Solid>,
     /// The surface of its stone where that is not its hull: triangles, outward; empty otherwise.
     pub(super) mesh: Vec<[DVec3; 3]>,
+    /// What was found in a mesh with noise; its faces are fitted planes then.
+    pub(super) scan: Option<Box<Scan>>,
+}
+
+/// The faces of a scanned stone.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Scan {
+    /// Standard deviation of its vertices off the planes of its faces, m.
+    pub noise_m: f64,
+    /// Of each face of the solid, the triangles of its mesh that lie in it.
+    pub(super) triangles: Vec<Vec<usize>>,
 }
 
 /// Where a solid goes: turned about the origin of its own coordinates, then shifted.
@@ -96,11 +107,17 @@ impl Solid {
             second_m5: [[0.0; 3]; 3],
             openings: Vec::new(),
             mesh: Vec::new(),
+            scan: None,
         };
         let (volume, centroid, second) = moments_of(solid.hull_triangles().into_iter(), DVec3::from(near));
         (solid.volume_m3, solid.centroid_m) = (volume, centroid.into());
         solid.second_m5 = second.to_cols_array_2d();
         solid
+    }
+
+    /// What was found in it if it is a scan with noise.
+    pub fn scan(&self) -> Option<&Scan> {
+        self.scan.as_deref()
     }
 
     /// Triangles of its hull, outward.
@@ -167,6 +184,7 @@ impl Solid {
                 .iter()
                 .map(|t| t.map(|v| rotation * v + shift))
                 .collect(),
+            scan: self.scan.clone(),
         }
     }
 

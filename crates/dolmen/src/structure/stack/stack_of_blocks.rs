@@ -1,6 +1,6 @@
 //! The stack: blocks that touch in joints, checked once.
 
-use super::beds::{BED_GAP_M, bed};
+use super::beds::{BED_GAP_M, Bed, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
 use super::{Body, Joint, JointMaterial, Solid, StackError};
 use glam::DVec3;
@@ -105,6 +105,7 @@ impl Stack {
         let mut joints = Vec::new();
         for (upper, block) in blocks.iter().enumerate() {
             if let Some(bed) = bed(None, &block.solid) {
+                check_used(&bed, "the ground", &block.name)?;
                 joints.push(bed.joint(Body::Ground, upper, material));
             } else {
                 let sunk = -block.solid.bounds_m()[0][2];
@@ -117,6 +118,7 @@ impl Stack {
                     continue;
                 }
                 if let Some(bed) = bed(Some(&other.solid), &block.solid) {
+                    check_used(&bed, &other.name, &block.name)?;
                     joints.push(if bed.rises() > -RISE_LEAST {
                         bed.joint(Body::Block(lower), upper, material)
                     } else {
@@ -368,6 +370,19 @@ impl Stack {
     }
 }
 
+/// A joint of scans must be flat stone for the most part.
+fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
+    match bed.barely_used() {
+        None => Ok(()),
+        Some(used) => Err(StackError::JointUsed {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
+            used,
+            allowed: USED_LEAST,
+        }),
+    }
+}
+
 fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
     StackError::Overlap {
         first: first.to_owned(),
@@ -379,8 +394,9 @@ fn overlap(first: &str, second: &str, depth_m: f64) -> StackError {
 
 /// Whether the bounding boxes of two solids are farther apart than a bed's gap.
 fn apart(a: &Solid, b: &Solid) -> bool {
+    let gap_m = gap_allowed_m(a).max(gap_allowed_m(b));
     let (a, b) = (a.bounds_m(), b.bounds_m());
-    (0..3).any(|axis| a[0][axis] > b[1][axis] + BED_GAP_M || b[0][axis] > a[1][axis] + BED_GAP_M)
+    (0..3).any(|axis| a[0][axis] > b[1][axis] + gap_m || b[0][axis] > a[1][axis] + gap_m)
 }
 
 fn check_direction(quantity: &'static str, given: [f64; 3]) -> Result<(), StackError> {

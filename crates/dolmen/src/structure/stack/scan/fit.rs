@@ -1,0 +1,331 @@
+//! The contact body of a scanned stone: its fitted faces and where they meet, not the hull of noisy vertices.
+
+use super::half_spaces::body;
+use super::plane::Plane;
+use super::regions::{Region, regions};
+use super::surface::Surface;
+use crate::structure::stack::{Solid, StackError};
+use glam::DVec3;
+
+/// Distance within which a vertex lies in a plane, m, at least; in a small stone 1/100 of its size. Dressed stone is not flatter.
+const TOLERANCE_M: f64 = 0.003;
+/// The same in standard deviations of the noise.
+const TOLERANCE_NOISE: f64 = 4.0;
+/// A face may lie no farther inside than this in standard deviations: the mean of what noise adds to an outermost vertex.
+const OUTERMOST_NOISE: f64 = 2.0;
+/// Triangle normals are taken as they are where noise turns them by less than this, rad.
+const TURN_RAW_RAD: f64 = 0.03;
+/// Volume of the fitted body over that of the mesh, less 1, at most: more is a stone that is not convex. Chosen here.
+const VOLUME_MOST: f64 = 0.02;
+/// Rounds in which worn edges and corners are cut.
+const BEVELS: usize = 8;
+/// Planes of a fitted body at most.
+const PLANES_MOST: usize = 400;
+/// A plane with more than this part of the hull's corners outside of it belongs to a re-entrant corner.
+const OUTSIDE_MOST: f64 = 0.05;
+
+/// Normals closer than this are of one plane: 0.06°.
+const ONE_PLANE: f64 = 1e-3;
+
+/// A stone as its fitted planes bound it.
+pub(crate) struct Fitted {
+    /// The body that carries contact.
+    pub(crate) solid: Solid,
+    /// Of each of its faces, the triangles that lie in it.
+    pub(crate) triangles: Vec<Vec<usize>>,
+    /// Standard deviation of the vertices of faces off their planes, m.
+    pub(crate) noise_m: f64,
+}
+
+/// The fitted body of a mesh; `None` for one without noise, whose hull is exact.
+///
+/// # Errors
+/// [`StackError::MeshUneven`] if no planes bound a body of the volume of the mesh.
+pub(crate) fn fitted(
+    vertices_m: &[[f64; 3]],
+    triangles: &[[usize; 3]],
+    hull: &Solid,
+    volume_m3: f64,
+    flat_m: f64,
+) -> Result<Option<Fitted>, StackError> {
+    let surface = Surface::new(vertices_m, triangles);
+    if surface.is_modelled(flat_m) && is_merged(hull, flat_m) {
+        return Ok(None);
+    }
+    let noise = surface.noise_m();
+    let edge = surface.edge_m;
+    let [low, high] = hull.bounds_m().map(DVec3::from);
+    let size = (high - low).max_element();
+    let smooth = (1.6 * edge).max(5.5 * (noise * edge).sqrt());
+    let mut radii = vec![0.0];
+    if smooth < 0.25 * size {
+        let raw_first = 2.0 * noise < TURN_RAW_RAD * edge;
+        radii.insert(usize::from(raw_first), smooth);
+    }
+    let mut closest: Option<f64> = None;
+    for radius in radii {
+        let spread = if radius > 0.0 { noise } else { 0.0 };
+        let tolerance = TOLERANCE_M.min(0.01 * size).max(TOLERANCE_NOISE * spread);
+        let found = regions(&surface, &surface.smoothed(radius), tolerance);
+        let Some(fit) = bounded(&surface, found, hull, tolerance) else {
+            continue;
+        };
+        let off = fit.solid.volume_m3() / volume_m3 - 1.0;
+        if off.abs() <= VOLUME_MOST {
+            return Ok(Some(fit));
+        }
+        if closest.is_none_or(|least| off.abs() < least.abs()) {
+            closest = Some(off);
+        }
+    }
+    Err(StackError::MeshUneven {
+        noise_m: noise,
+        volume_m3,
+        fitted_m3: closest.map(|off| volume_m3 * (1.0 + off)),
+    })
+}
+
+/// Whether no two faces of a hull lie in one plane: of a face of many points some facets may be left beside it.
+fn is_merged(hull: &Solid, flat_m: f64) -> bool {
+    let mut planes: Vec<(DVec3, f64)> = (0..hull.faces().len())
+        .map(|face| {
+            let normal = hull.normal(face);
+            let corner = DVec3::from(hull.vertices_m()[hull.faces()[face][0]]);
+            (normal, normal.dot(corner))
+        })
+        .collect();
+    planes.sort_by(|a, b| a.0.x.total_cmp(&b.0.x));
+    planes.iter().enumerate().all(|(number, (normal, offset_m))| {
+        let near = planes[number + 1..]
+            .iter()
+            .take_while(|other| other.0.x - normal.x <= ONE_PLANE);
+        near.into_iter().all(|(other, other_m)| {
+            normal.distance(*other) > ONE_PLANE || (offset_m - other_m).abs() > 2.0 * flat_m
+        })
+    })
+}
+
+/// The body behind the planes of all outer faces, its worn edges and corners cut.
+fn bounded(surface: &Surface, found: Vec<Region>, hull: &Solid, tolerance_m: f64) -> Option<Fitted> {
+    let corners: Vec<DVec3> = hull.vertices_m().iter().copied().map(DVec3::from).collect();
+    let outer = |region: &Region| {
+        let beyond = |p: &&DVec3| region.plane.height_m(**p) > tolerance_m;
+        (corners.iter().filter(beyond).count() as f64) <= OUTSIDE_MOST * corners.len() as f64
+    };
+    let faces: Vec<Region> = found.into_iter().filter(outer).collect();
+    let noise_m = roughness_m(surface, &faces);
+    let [low, high] = hull.bounds_m().map(DVec3::from);
+    let (centre, size) = (0.5 * (low + high), (high - low).max_element());
+    let mut planes: Vec<Plane> = faces.iter().map(|face| face.plane).collect();
+    let worn = (0.002 * size).max(3.0 * noise_m);
+    let mut solid = body(&planes, centre, size).ok()?;
+    for _ in 0..BEVELS {
+        let before = planes.len();
+        planes.extend(bevels(&solid, &corners, worn, OUTERMOST_NOISE * noise_m));
+        if planes.len() == before || planes.len() > PLANES_MOST {
+            break;
+        }
+        solid = body(&planes, centre, size).ok()?;
+    }
+    let triangles = (0..solid.faces().len()).map(|number| {
+        let (normal, on) = (solid.normal(number), solid.vertices_m()[solid.faces()[number][0]]);
+        let same = |face: &&Region| {
+            face.plane.normal.dot(normal) > 1.0 - 1e-9
+                && face.plane.height_m(DVec3::from(on)).abs() <= 1e-5 * size
+        };
+        faces
+            .iter()
+            .find(same)
+            .map_or(Vec::new(), |face| face.triangles.clone())
+    });
+    let triangles = triangles.collect();
+    Some(Fitted {
+        solid,
+        triangles,
+        noise_m,
+    })
+}
+
+/// Root mean square distance of the corners of triangles from their planes, m.
+fn roughness_m(surface: &Surface, faces: &[Region]) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    for face in faces {
+        for &t in &face.triangles {
+            for corner in surface.corners(t) {
+                sum += face.plane.height_m(corner).powi(2);
+                count += 1.0;
+            }
+        }
+    }
+    match count > 0.0 {
+        true => (sum / count).sqrt(),
+        false => 0.0,
+    }
+}
+
+/// Planes that cut what sticks out of the stone by more than `worn_m`: at each edge and corner of the body, across the
+/// mean of the normals there, `inside_m` within the outermost vertex.
+fn bevels(solid: &Solid, corners: &[DVec3], worn_m: f64, inside_m: f64) -> Vec<Plane> {
+    let mut at: Vec<(Vec<usize>, DVec3)> = Vec::new();
+    for (vertex, &place) in solid.vertices_m().iter().enumerate() {
+        let meets = (0..solid.faces().len()).filter(|&f| solid.faces()[f].contains(&vertex));
+        at.push((meets.collect(), DVec3::from(place)));
+    }
+    let mut spots: Vec<(DVec3, DVec3)> = Vec::new();
+    for (first, (faces, place)) in at.iter().enumerate() {
+        spots.push((faces.iter().map(|&f| solid.normal(f)).sum(), *place));
+        for (other, end) in at.iter().skip(first + 1) {
+            let shared: Vec<usize> = faces.iter().copied().filter(|f| other.contains(f)).collect();
+            if shared.len() == 2 {
+                spots.push((
+                    shared.iter().map(|&f| solid.normal(f)).sum(),
+                    0.5 * (*place + *end),
+                ));
+            }
+        }
+    }
+    let mut cut: Vec<Plane> = Vec::new();
+    for (direction, place) in spots {
+        let normal = direction.normalize_or_zero();
+        let outermost = corners
+            .iter()
+            .map(|c| normal.dot(*c))
+            .fold(f64::NEG_INFINITY, f64::max);
+        if normal != DVec3::ZERO && normal.dot(place) > outermost + worn_m {
+            cut.push(Plane {
+                normal,
+                offset_m: outermost - inside_m,
+            });
+        }
+    }
+    cut
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::structure::stack::{Block, Joint, JointMaterial, Placement, Solid, Stack};
+    use std::collections::BTreeMap;
+
+    /// Normal draws of a linear congruential generator, by the sum of twelve uniform ones.
+    struct Draws(u64);
+
+    impl Draws {
+        fn normal(&mut self) -> f64 {
+            let mut uniform = || {
+                self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+                (self.0 >> 11) as f64 / (1u64 << 53) as f64
+            };
+            (0..12).map(|_| uniform()).sum::<f64>() - 6.0
+        }
+    }
+
+    /// A box with its base centred on the origin, each side n × n squares, turned by 0.1 rad, shifted, and noisy; `worn`
+    /// ones are hollow below but for their rim.
+    fn scan(size: [f64; 3], n: usize, z: f64, noise_m: f64, worn: bool) -> Result<Solid, String> {
+        let mut draws = Draws(7);
+        let mut numbers: BTreeMap<[usize; 3], usize> = BTreeMap::new();
+        let (mut vertices, mut triangles) = (Vec::new(), Vec::new());
+        for axis in 0..3 {
+            for end in [0, n] {
+                for (i, j) in (0..n * n).map(|k| (k / n, k % n)) {
+                    let mut corner = |a: usize, b: usize| {
+                        let mut key = [0; 3];
+                        (key[axis], key[(axis + 1) % 3], key[(axis + 2) % 3]) = (end, a, b);
+                        *numbers.entry(key).or_insert_with(|| {
+                            let [u, v, mut w] = key.map(|k| k as f64 / n as f64);
+                            if worn && w == 0.0 && u > 0.0 && u < 1.0 && v > 0.0 && v < 1.0 {
+                                w = 0.3;
+                            }
+                            vertices.push([size[0] * (u - 0.5), size[1] * (v - 0.5), size[2] * w]);
+                            vertices.len() - 1
+                        })
+                    };
+                    let [a, b, c, d] = [
+                        corner(i, j),
+                        corner(i + 1, j),
+                        corner(i + 1, j + 1),
+                        corner(i, j + 1),
+                    ];
+                    for t in [[a, b, c], [a, c, d]] {
+                        triangles.push(if end == 0 { [t[0], t[2], t[1]] } else { t });
+                    }
+                }
+            }
+        }
+        let (sin, cos) = 0.1_f64.sin_cos();
+        for v in &mut vertices {
+            *v = [cos * v[0] - sin * v[1], sin * v[0] + cos * v[1], v[2] + z]
+                .map(|x| x + noise_m * draws.normal());
+        }
+        Solid::mesh(&vertices, &triangles).map_err(|why| why.to_string())
+    }
+
+    fn joints(solids: [Solid; 2]) -> Vec<Joint> {
+        let block = |(number, solid): (usize, Solid)| Block {
+            name: format!("stone {number}"),
+            solid,
+            density_kg_m3: 2600.0,
+        };
+        let blocks = solids.into_iter().enumerate().map(block).collect();
+        let stack = Stack::new(blocks, JointMaterial::default(), 9.81).unwrap_or_else(|why| panic!("{why}"));
+        stack.joints().to_vec()
+    }
+
+    /// Beds of two boxes of 0.6 × 0.5 × 0.4 m and 0.5 × 0.4 × 0.6 m: area and place of each joint, by arithmetic.
+    #[test]
+    fn exact_beds_of_boxes_with_noise() {
+        for noise_m in [0.0, 1e-5, 1e-4, 1e-3, 2e-3] {
+            let found = joints([
+                scan([0.6, 0.5, 0.4], 12, 0.0, noise_m, false).unwrap(),
+                scan([0.5, 0.4, 0.6], 12, 0.4, noise_m, false).unwrap(),
+            ]);
+            assert_eq!(found.len(), 2);
+            let tolerance = 1e-9 + 1.5 * noise_m;
+            for (joint, [width, depth, height]) in found.iter().zip([[0.6, 0.5, 0.0], [0.5, 0.4, 0.4]]) {
+                let (cos, sin) = (0.1_f64.cos(), 0.1_f64.sin());
+                for (direction, half) in [([cos, sin], 0.5 * width), ([-sin, cos], 0.5 * depth)] {
+                    for sign in [1.0, -1.0] {
+                        let direction = direction.map(|part| sign * part);
+                        let at = [-joint.origin_m[0], -joint.origin_m[1]]; // the axis of the stone
+                        let reach = joint.patch.reach_m(at, direction);
+                        assert!((reach - half).abs() < tolerance, "{noise_m}: {reach} for {half}");
+                    }
+                }
+                assert!(
+                    (joint.origin_m[2] - height).abs() < tolerance,
+                    "{noise_m}: {:?}",
+                    joint.origin_m
+                );
+                let Some(known) = joint.scanned else {
+                    assert_eq!(noise_m, 0.0, "an exact hull");
+                    continue;
+                };
+                assert!((known.used_ratio - 1.0).abs() < 0.05, "{known:?}");
+                let scatter = known.roughness_m / noise_m;
+                assert!((0.7..1.3).contains(&scatter), "{known:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_a_stone_that_is_hollow_below() {
+        let said = scan([0.6, 0.5, 0.4], 12, 0.0, 5e-4, true).unwrap_err();
+        assert!(
+            said.contains("the stone is not convex, or too worn or curved"),
+            "{said}"
+        );
+    }
+
+    /// A bed of eight corners alone: 0.01 mm off, its hull is in triangles.
+    #[test]
+    fn exact_bed_of_eight_corners_with_noise() {
+        let upright = |z: f64| scan([0.4, 0.4, 1.0], 1, z, 1e-5, false).unwrap();
+        let place = Placement {
+            position_m: [0.0, 0.0, 1.0],
+            ..Placement::default()
+        };
+        for joint in joints([upright(0.0), upright(0.0).placed(&place)]) {
+            assert!((joint.patch.moments().area_m2 - 0.16).abs() < 1e-4);
+        }
+    }
+}

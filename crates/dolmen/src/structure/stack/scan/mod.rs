@@ -1,0 +1,9 @@
+//! Scanned stones: the planes of their dressed faces, found in meshes whose vertices carry noise.
+
+mod fit;
+mod half_spaces;
+mod plane;
+mod regions;
+mod surface;
+
+pub(super) use fit::fitted;

@@ -1,0 +1,147 @@
+//! A closed triangle mesh with its neighbours, the noise of its vertices and normals smoothed over it.
+
+use glam::DVec3;
+
+/// A turn between neighbours below this is no edge that anybody models, rad: 3°, a cylinder of 120 sides. Chosen here.
+const TURN_MODELLED_RAD: f64 = 0.052;
+/// The same of triangles that may be a bed, rad: 8°. Sides of drums turn by less, beds by nothing. Chosen here.
+const TURN_BED_RAD: f64 = 0.14;
+/// Rise of the normal of what may be a bed as its stone stands, as sine: 20° from level.
+const BED_RISE: f64 = 0.94;
+/// Median over standard deviation of the size of a normal variable.
+const MEDIAN_OF_NORMAL: f64 = 0.6745;
+
+/// A mesh as the fit of planes needs it.
+pub(super) struct Surface {
+    pub(super) vertices: Vec<DVec3>,
+    pub(super) triangles: Vec<[usize; 3]>,
+    /// The triangle beyond the edge from corner i to the next.
+    pub(super) across: Vec<[usize; 3]>,
+    /// Normals of triangles with their areas as length, m².
+    pub(super) areas: Vec<DVec3>,
+    /// Median length of an edge, m.
+    pub(super) edge_m: f64,
+}
+
+impl Surface {
+    /// The surface of a closed mesh: every edge has two triangles.
+    pub(super) fn new(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Self {
+        let vertices: Vec<DVec3> = vertices_m.iter().copied().map(DVec3::from).collect();
+        let mut sides: Vec<([usize; 2], usize, usize)> = Vec::with_capacity(3 * triangles.len());
+        let mut areas = Vec::with_capacity(triangles.len());
+        let mut lengths = Vec::with_capacity(3 * triangles.len());
+        for (number, t) in triangles.iter().enumerate() {
+            let [a, b, c] = t.map(|corner| vertices[corner]);
+            areas.push(0.5 * (b - a).cross(c - a));
+            for edge in 0..3 {
+                let (from, to) = (t[edge], t[(edge + 1) % 3]);
+                sides.push(([from.min(to), from.max(to)], number, edge));
+                lengths.push(vertices[from].distance(vertices[to]));
+            }
+        }
+        sides.sort_unstable();
+        let mut across = vec![[0; 3]; triangles.len()];
+        for pair in sides.chunks_exact(2) {
+            across[pair[0].1][pair[0].2] = pair[1].1;
+            across[pair[1].1][pair[1].2] = pair[0].1;
+        }
+        Surface {
+            vertices,
+            triangles: triangles.to_vec(),
+            across,
+            areas,
+            edge_m: median(&mut lengths),
+        }
+    }
+
+    pub(super) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+        self.triangles[triangle].map(|corner| self.vertices[corner])
+    }
+
+    pub(super) fn centre(&self, triangle: usize) -> DVec3 {
+        let [a, b, c] = self.corners(triangle);
+        (a + b + c) / 3.0
+    }
+
+    /// Whether no two neighbours are nearly but not quite in one plane, which only noise and fine curvature make.
+    pub(super) fn is_modelled(&self, flat_m: f64) -> bool {
+        (0..self.triangles.len()).all(|t| {
+            let normal = self.areas[t].normalize_or_zero();
+            let on = self.corners(t)[0];
+            self.across[t].iter().all(|&beyond| {
+                let other = self.areas[beyond].normalize_or_zero();
+                let level = normal.z.abs().min(other.z.abs()) > BED_RISE;
+                let most = if level { TURN_BED_RAD } else { TURN_MODELLED_RAD };
+                let flat = || {
+                    let heights = self.corners(beyond).map(|p| normal.dot(p - on).abs());
+                    heights.iter().all(|&height| height <= flat_m)
+                };
+                normal.dot(other) < most.cos() || flat()
+            })
+        })
+    }
+
+    /// Standard deviation of the vertices off the surface, m: of each from the mean of its neighbours along its normal,
+    /// the median of all, as of a normal variable. Curvature within one edge counts as noise.
+    pub(super) fn noise_m(&self) -> f64 {
+        let mut sums = vec![(DVec3::ZERO, DVec3::ZERO, 0.0); self.vertices.len()];
+        for (t, corners) in self.triangles.iter().enumerate() {
+            for edge in 0..3 {
+                let sum = &mut sums[corners[edge]];
+                sum.0 += self.areas[t];
+                sum.1 += self.vertices[corners[(edge + 1) % 3]]; // each neighbour once round the vertex
+                sum.2 += 1.0;
+            }
+        }
+        let off = |(v, (normal, neighbours, count)): (&DVec3, &(DVec3, DVec3, f64))| {
+            if *count < 3.0 {
+                return None;
+            }
+            let height = normal.normalize_or_zero().dot(*v - *neighbours / *count);
+            Some(height.abs() / (1.0 + 1.0 / count).sqrt())
+        };
+        let mut heights: Vec<f64> = self.vertices.iter().zip(&sums).filter_map(off).collect();
+        median(&mut heights) / MEDIAN_OF_NORMAL
+    }
+
+    /// Unit normals of triangles from all area within `radius_m` that hangs together with each, and how flat it is there
+    /// (length of the sum over the sum of lengths).
+    pub(super) fn smoothed(&self, radius_m: f64) -> Vec<(DVec3, f64)> {
+        let centres: Vec<DVec3> = (0..self.triangles.len()).map(|t| self.centre(t)).collect();
+        let mut seen = vec![usize::MAX; self.triangles.len()];
+        let mut reached: Vec<usize> = Vec::new();
+        let near = radius_m * radius_m;
+        (0..self.triangles.len())
+            .map(|seed| {
+                reached.clear();
+                reached.push(seed);
+                seen[seed] = seed;
+                let (mut sum, mut total, mut at) = (DVec3::ZERO, 0.0, 0);
+                while let Some(&t) = reached.get(at) {
+                    at += 1;
+                    sum += self.areas[t];
+                    total += self.areas[t].length();
+                    for &beyond in &self.across[t] {
+                        if seen[beyond] != seed && centres[beyond].distance_squared(centres[seed]) <= near {
+                            seen[beyond] = seed;
+                            reached.push(beyond);
+                        }
+                    }
+                }
+                (
+                    sum.normalize_or_zero(),
+                    sum.length() / total.max(f64::MIN_POSITIVE),
+                )
+            })
+            .collect()
+    }
+}
+
+/// The middle value; 0 of none.
+pub(super) fn median(values: &mut [f64]) -> f64 {
+    let middle = values.len() / 2;
+    match values.is_empty() {
+        true => 0.0,
+        false => *values.select_nth_unstable_by(middle, f64::total_cmp).1,
+    }
+}
