@@ -85,7 +85,7 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     if let Some(block) = stack.ring() {
         let path = format!("blocks[{}].on", block + 1);
         let message = format!(
-            "'{}' stands, over the blocks below it, on itself",
+            "{path}: '{}' stands, over the blocks below it, on itself",
             stack.blocks[block].name
         );
         let fault = Fault::new(list[block].span.clone(), &path, message);

@@ -344,7 +344,12 @@ error: blocks[3].on = "bodi" is no block
         (
             ("height = 0.5 }", "height = 0.5, on = \"roof\" }"),
             r##"
-error: blocks[2].on: 'body' stands, over the blocks below it, on itself
+error: blocks[1].on: 'base' stands, over the blocks below it, on itself
+  --> project.toml:7:3
+   |
+ 7 |   { name = "base", width = 2.4, height = 0.5, on = "roof" },
+   |   ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+   = help: let one of them stand on "ground"
 "##,
         ),
         (
