@@ -8,7 +8,7 @@ use std::collections::VecDeque;
 /// Cosine of the angle within which a normal joins a region, 15°. Chosen here: smoothed normals scatter by 3° to 5°.
 const JOINS: f64 = 0.965_9;
 /// Cosine of the angle beyond which a smoothed normal cannot be of a plane's face, 45°.
-const FACES: f64 = 0.707_1;
+const FACES: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Regions smaller than this part of the surface are no face. Chosen here: worn corners.
 const AREA_LEAST: f64 = 0.004;
 /// Two regions whose normals are closer than this, as cosine of 8°, may be one face.
