@@ -35,6 +35,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "governing_with_ties": limits.governing_with_ties,
         "soil_factor": limits.soil_factor,
         "statically_determinate": limits.statically_determinate,
+        "mechanism": check.analysis.as_ref().and_then(|analysis| analysis.mechanism.as_ref()),
         "undecided": limits.undecided.iter().map(names).collect::<Vec<_>>(),
     })
 }

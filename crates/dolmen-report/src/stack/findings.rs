@@ -1,6 +1,7 @@
 //! What a stack's check says in plain words.
 
 use super::lean::lean;
+use super::mechanism::moving;
 use super::notes::note;
 use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
@@ -20,6 +21,10 @@ messages! {
             en: "Several stones move together first, towards {direction}; a limit analysis finds it.",
             ko: "여러 부재가 {direction} 방향으로 함께 먼저 움직인다(한계해석 결과).",
         },
+        TogetherAt { direction: Sentence, joints: Sentence } => {
+            en: "Several stones move together first, towards {direction}: {joints}; a limit analysis finds it.",
+            ko: "여러 부재가 {direction} 방향으로 함께 먼저 움직인다: {joints}(한계해석 결과).",
+        },
         WithTies { moves: Sentence, at: Sentence } => {
             en: "With every tie at its strength first {moves}, at {at}.",
             ko: "모든 연결재가 강도까지 작용하면 {at}에서 가장 먼저 {moves}.",
@@ -38,7 +43,11 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         }
         (_, Some(together)) => {
             let direction = direction(together.direction);
-            all.push(Finding::key(Tone::Plain, Found::Together { direction }));
+            let found = match moving(answer) {
+                Some(joints) => Found::TogetherAt { direction, joints },
+                None => Found::Together { direction },
+            };
+            all.push(Finding::key(Tone::Plain, found));
         }
         (None, None) => {}
     }
@@ -57,6 +66,7 @@ fn noted(of: &StackNote) -> Finding {
         StackNote::SharedLoad
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
+        | StackNote::FrictionCarries
         | StackNote::StrengthNotInAnalysis
         | StackNote::SideSupportsLeftOut
         | StackNote::CohesionCounted

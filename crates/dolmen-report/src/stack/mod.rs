@@ -4,6 +4,7 @@ mod findings;
 mod frequencies;
 mod lean;
 mod limits;
+mod mechanism;
 mod notes;
 mod standing;
 mod variants;
@@ -65,6 +66,7 @@ pub(crate) const TEMPLATES: [&[Template]; 10] = [
     words::Words::TEMPLATES,
     Drawn::TEMPLATES,
     limits::Limits::TEMPLATES,
+    mechanism::Moving::TEMPLATES,
     frequencies::Frequencies::TEMPLATES,
     variants::Variants::TEMPLATES,
 ];
@@ -89,6 +91,7 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
         stack_view(&answer.stack, language)
     });
     limits::section(&mut document, check);
+    mechanism::section(&mut document, answer);
     let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];
     document.figure(caption, move |language| {
         stack_governing(&check.limits, &shaking, language)

@@ -27,6 +27,10 @@ messages! {
             en: "Joint by joint it seems to stand, but no forces in the joints balance its weight and static loads.",
             ko: "접합면별로는 서 있는 것으로 보이나, 자중과 정하중에 평형을 이루는 접합력이 존재하지 않는다.",
         },
+        FrictionCarries => {
+            en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",
+            ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며, 미끄러지는 접합면은 다른 힘을 택할 수 있으므로 서 있음을 증명하지는 않는다. 자중에 대한 시간이력 해석을 하지 않았으므로 판정은 '여유 부족'을 넘지 않는다.",
+        },
         NoStrength => {
             en: "The limit analysis knows no compressive strength: with stones that share their load the capacity is an upper bound.",
             ko: "한계해석은 압축강도를 고려하지 않는다. 하중을 나누어 지지하는 부재의 저항 가속도는 상한이다.",
@@ -83,6 +87,7 @@ pub(super) fn note(of: &StackNote) -> Sentence {
             analysis: in_g(*analysis_g),
         },
         StackNote::AnalysisFalls => Notes::Falls,
+        StackNote::FrictionCarries => Notes::FrictionCarries,
         StackNote::StrengthNotInAnalysis => Notes::NoStrength,
         StackNote::SideSupportsLeftOut => Notes::NoSideSupports,
         StackNote::CohesionCounted => Notes::Cohesion,

@@ -1,10 +1,12 @@
 //! The verdict on a stack, and what it means.
 
+use super::mechanism::moving;
 use super::standing::standing;
-use super::words::{DIGITS, at, margin};
+use super::words::{DIGITS, at, in_g, margin};
+use dolmen::assess::MARGINAL_BELOW_G;
 use dolmen::stability::Verdict;
-use dolmen::stability::stack::Standing;
-use dolmen_words::{Quantity, Sentence, messages};
+use dolmen::stability::stack::{LimitAnalysisStatus, Standing};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::state::StackAnswer;
 
 messages! {
@@ -18,13 +20,25 @@ messages! {
             en: "Margin without shaking {margin}; what moves it first is not known.",
             ko: "지진이 없을 때의 여유도 {margin}; 최초 거동은 알 수 없다.",
         },
+        Admissible { at: Sentence, tilt: Quantity } => {
+            en: "An admissible state exists: forces in the joints balance the weight. It begins to move at {at} horizontal, or on ground that tilts by {tilt}.",
+            ko: "허용 가능한 평형 상태가 존재한다(접합력이 자중과 평형을 이룬다). 수평 가속도 {at} 또는 지반 기울기 {tilt}에서 움직이기 시작한다.",
+        },
+        FallsTogether { moving: Sentence } => {
+            en: "It does not stand without shaking: no forces in the joints balance the weight; {moving}.",
+            ko: "지진이 없어도 서 있지 못한다: 자중과 평형을 이루는 접합력이 존재하지 않는다; {moving}.",
+        },
+        FallsSomehow => {
+            en: "It does not stand without shaking: no forces in the joints balance the weight.",
+            ko: "지진이 없어도 서 있지 못한다: 자중과 평형을 이루는 접합력이 존재하지 않는다.",
+        },
         Falls { why: Sentence } => {
             en: "It does not stand without shaking: {why}.",
             ko: "지진이 없어도 서 있지 못한다: {why}.",
         },
-        Thresholds { limit: Quantity, below: Quantity } => {
-            en: "stable: margin ≥ {limit} · marginal: below {below} · unstable: it does not stand. The margin is what is left, without shaking, of the way from the middle of a joint to its edge, or of friction. An earthquake is not in this verdict.",
-            ko: "안정: 여유도 ≥ {limit} · 여유 부족: {below} 미만 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다.",
+        Thresholds { limit: Quantity, below: Quantity, least: Quantity } => {
+            en: "stable: margin ≥ {limit} · marginal: below {below}, moves below {least}, or friction carries stones that share their load · unstable: it does not stand. The margin is what is left, without shaking, of the way from the middle of a joint to its edge, or of friction. An earthquake is not in this verdict.",
+            ko: "안정: 여유도 ≥ {limit} · 여유 부족: {below} 미만이거나 {least} 미만에서 움직이거나, 하중을 나누어 지지하는 부재를 마찰이 지탱함 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다.",
         },
     }
 }
@@ -33,7 +47,22 @@ messages! {
 pub(crate) fn banner(answer: &StackAnswer) -> Sentence {
     let limits = &answer.check.limits;
     let margin = margin(limits.gravity_margin);
+    let analysis = answer.check.analysis.as_ref().map(|analysis| analysis.status);
+    let falls = analysis == Some(LimitAnalysisStatus::DoesNotStand);
     let said = match (&limits.standing, &answer.check.capacity) {
+        (Standing::Stands, _) if falls => match moving(answer) {
+            Some(moving) => Judged::FallsTogether { moving },
+            None => Judged::FallsSomehow,
+        },
+        // gravity turned by a tilt has its tangent as horizontal part
+        (Standing::Stands, Some(capacity)) if !limits.statically_determinate => Judged::Admissible {
+            at: at(capacity),
+            tilt: Quantity::new(
+                capacity.acceleration_g.atan().to_degrees(),
+                Unit::si("°"),
+                Digits::Significant(DIGITS),
+            ),
+        },
         (Standing::Stands, Some(capacity)) => Judged::Moves {
             margin,
             at: at(capacity),
@@ -50,6 +79,7 @@ pub(crate) fn thresholds() -> Sentence {
     Judged::Thresholds {
         below: limit.clone(),
         limit,
+        least: in_g(MARGINAL_BELOW_G),
     }
     .into()
 }

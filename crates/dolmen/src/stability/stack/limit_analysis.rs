@@ -8,6 +8,7 @@
 //! | C | – | cohesion × area of the joint, shared alike by its corners | N |
 
 use super::Threshold;
+use super::limit_mechanism::{falling, swaying};
 use super::limit_options::{Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking};
 use super::limit_pieces::{Act, Law, Piece, pieces};
 use super::limit_programme::{ACCELERATION_MOST, Answer, Within};
@@ -78,6 +79,7 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
     pieces.sort_by_key(|piece| std::cmp::Reverse(piece.equations()));
     let mut result = LimitAnalysisResult {
         status: LimitAnalysisStatus::Unlimited,
+        mechanism: None,
         at_least_g: f64::INFINITY,
         residual: 0.0,
         solved: 0,
@@ -85,6 +87,7 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
         equations: 0,
     };
     let mut least = (ACCELERATION_MOST * (1.0 - 1e-6), [1.0, 0.0]);
+    let mut moves = None;
     for piece in &pieces {
         let found = match direction {
             None => {
@@ -107,14 +110,19 @@ pub fn limit_analysis(stack: &Stack, options: &LimitAnalysis) -> Result<LimitAna
         if !found.stands {
             result.status = LimitAnalysisStatus::DoesNotStand;
             result.at_least_g = 0.0;
+            result.mechanism = falling(stack, piece)?;
             return Ok(result);
         }
         result.at_least_g = result.at_least_g.min(found.at_least);
         if found.bound < least.0 {
             least = (found.bound, found.towards);
+            moves = Some(piece);
             let gravity = stack.gravity_m_s2();
             result.status = LimitAnalysisStatus::Limited(Threshold::new(least.0 * gravity, gravity, least.1));
         }
+    }
+    if let Some(piece) = moves {
+        result.mechanism = swaying(stack, piece, least.1)?;
     }
     Ok(result)
 }

@@ -1,6 +1,6 @@
 //! What a limit analysis is asked, and what it answers.
 
-use super::{StackLoads, Threshold};
+use super::{Mechanism, StackLoads, Threshold};
 
 /// What holds besides friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -51,6 +51,8 @@ pub struct SwayingForces {
 pub struct LimitAnalysisResult {
     /// How it ended.
     pub status: LimitAnalysisStatus,
+    /// How it begins to move: at the limit, or at once if it does not stand. `None` if nothing moves it, or it stands on an edge.
+    pub mechanism: Option<Mechanism>,
     /// Acceleration below which forces in the joints were found for every direction looked at, over gravity.
     pub at_least_g: f64,
     /// Largest error of any solution, over the weight (times the size) of what it balances: balance of forces and moments,

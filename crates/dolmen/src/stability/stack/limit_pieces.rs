@@ -2,6 +2,7 @@
 
 use super::SwayingForces;
 use super::cuts::{carried, carries};
+use super::limit_mechanism::BodyMotion;
 use super::limit_programme::{Column, Programme, Push, Within};
 use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
@@ -62,10 +63,22 @@ struct Balance {
     about: DVec3,
     /// All the weight that its block carries, N.
     weight: f64,
+    /// The blocks that it balances together.
+    blocks: Vec<usize>,
+}
+
+/// How the six velocities of a balance in a programme become those of its blocks.
+struct Moves {
+    blocks: Vec<usize>,
+    about: DVec3,
+    weight: f64,
 }
 
 /// Blocks and forces that depend on each other.
 pub(super) struct Piece {
+    moves: Vec<Moves>,
+    length: f64,
+    units: Vec<f64>,
     at_rest: Vec<f64>,
     shaking: [Vec<f64>; 2],
     pushes: Vec<Push>,
@@ -75,6 +88,37 @@ pub(super) struct Piece {
 impl Piece {
     pub(super) fn equations(&self) -> usize {
         self.at_rest.len()
+    }
+
+    /// Loads at rest, six a balance.
+    pub(super) fn at_rest(&self) -> &[f64] {
+        &self.at_rest
+    }
+
+    /// What its joints and ties can do.
+    pub(super) fn pushes(&self) -> &[Push] {
+        &self.pushes
+    }
+
+    /// The unit of force of each push, N.
+    pub(super) fn units(&self) -> &[f64] {
+        &self.units
+    }
+
+    /// The motions that each block of the stack takes part in, from the velocities of a programme.
+    pub(super) fn motions(&self, velocities: &[f64], count: usize) -> Vec<Vec<BodyMotion>> {
+        let mut motions = vec![Vec::new(); count];
+        for (moves, six) in self.moves.iter().zip(velocities.chunks_exact(6)) {
+            let motion = BodyMotion {
+                velocity: DVec3::new(six[0], six[1], six[2]) / moves.weight,
+                spin: DVec3::new(six[3], six[4], six[5]) / (moves.weight * self.length),
+                about: moves.about,
+            };
+            for &block in &moves.blocks {
+                motions[block].push(motion);
+            }
+        }
+        motions
     }
 
     /// Turns and mirrors in plan that leave what it can bear as it is.
@@ -165,6 +209,7 @@ pub(super) fn pieces(
                 load,
                 about: loads[block].centroid(),
                 weight: together(loads, &groups[block]).mass * gravity,
+                blocks,
             }
         })
         .collect();
@@ -180,6 +225,7 @@ pub(super) fn pieces(
             let row_of = |block: usize| within.binary_search(&block).ok().map(|at| 6 * at);
             let mut own = Vec::new();
             let mut pushes = Vec::new();
+            let mut units = Vec::new();
             for act in acts {
                 let ends = ends(act.link);
                 let Some(&(first, _)) = ends.first().filter(|end| piece_of[end.0] == piece) else {
@@ -210,10 +256,21 @@ pub(super) fn pieces(
                     }
                     Law::Pull(strength) => Push::Pull(column(-normal), strength / unit),
                 });
+                units.push(unit);
                 own.push((act, ends));
             }
             let balances: Vec<&Balance> = within.iter().map(|&block| &balances[block]).collect();
             let mut made = Piece {
+                moves: balances
+                    .iter()
+                    .map(|balance| Moves {
+                        blocks: balance.blocks.clone(),
+                        about: balance.about,
+                        weight: balance.weight,
+                    })
+                    .collect(),
+                length: scale.length,
+                units,
                 at_rest: Vec::new(),
                 shaking: [Vec::new(), Vec::new()],
                 // what sways differently is not looked at for its mirrors

@@ -80,6 +80,7 @@ pub(super) struct Programme {
     right: Vec<f64>,
     cones: Vec<SupportedConeT<f64>>,
     within: Within,
+    rows: usize,
 }
 
 impl Programme {
@@ -124,14 +125,7 @@ impl Programme {
         }
         let right = vec![0.0; build.next];
         let matrix = build.matrix();
-        let settings = DefaultSettings {
-            verbose: false,
-            presolve_enable: false,
-            tol_gap_abs: SOUGHT,
-            tol_gap_rel: SOUGHT,
-            tol_feas: SOUGHT,
-            ..DefaultSettings::default()
-        };
+        let settings = settings();
         let none = CscMatrix::zeros((matrix.n, matrix.n));
         let solver = DefaultSolver::new(&none, &build.costs, &matrix, &right, &build.cones, settings);
         Ok(Programme {
@@ -141,6 +135,7 @@ impl Programme {
             right,
             cones: build.cones,
             within,
+            rows,
         })
     }
 
@@ -190,6 +185,13 @@ impl Programme {
             )));
         }
         Ok(Answer::Reaches(Support { point, bound, missed }))
+    }
+
+    /// The mechanism that bounds how far the balanced accelerations reach along ν; `None` if nothing is balanced.
+    pub(super) fn mechanism(&mut self, towards: [f64; 2]) -> Result<Option<Vec<f64>>, StabilityError> {
+        let answer = self.support(towards)?;
+        let velocities = &self.solver.solution.x[..self.rows];
+        Ok((answer != Answer::Falls).then(|| velocities.to_vec()))
     }
 
     /// A mechanism that gains energy whatever the acceleration: checked, then believed.
@@ -258,6 +260,61 @@ impl Programme {
         }
         most
     }
+}
+
+fn settings() -> DefaultSettings<f64> {
+    DefaultSettings {
+        verbose: false,
+        presolve_enable: false,
+        tol_gap_abs: SOUGHT,
+        tol_gap_rel: SOUGHT,
+        tol_feas: SOUGHT,
+        ..DefaultSettings::default()
+    }
+}
+
+/// The velocities [rows] of the mechanism that gains most while its corners open by 1 together: the dual of the least pull, alike
+/// at every corner, that would hold loads at rest. `None` if it gains no more than rounding.
+pub(super) fn least_pull(
+    at_rest: &[f64],
+    pushes: &[Push],
+    units: &[f64],
+) -> Result<Option<Vec<f64>>, StabilityError> {
+    let rows = at_rest.len();
+    let mut build = Build {
+        columns: vec![Vec::new(); rows],
+        costs: at_rest.iter().map(|load| -load).collect(),
+        cones: Vec::new(),
+        next: 0,
+    };
+    let most = units.iter().copied().fold(0.0, f64::max);
+    let mut opens = vec![0.0; rows];
+    for (push, unit) in pushes.iter().zip(units) {
+        build.push(push);
+        if let Push::Cone([normal, ..]) | Push::Normal(normal) = push {
+            for &(row, value) in normal {
+                opens[row] -= value * most / unit;
+            }
+        }
+    }
+    let opens = opens.into_iter().enumerate();
+    build.row(&opens.filter(|(_, value)| value.abs() > ROUNDING).collect());
+    build.cones.push(SupportedConeT::NonnegativeConeT(1));
+    let mut right = vec![0.0; build.next];
+    right[build.next - 1] = 1.0;
+    let matrix = build.matrix();
+    let none = CscMatrix::zeros((matrix.n, matrix.n));
+    let mut solver = DefaultSolver::new(&none, &build.costs, &matrix, &right, &build.cones, settings());
+    solver.solve();
+    let solution = &solver.solution;
+    if !matches!(solution.status, SolverStatus::Solved | SolverStatus::AlmostSolved) {
+        return Err(refused(&format!(
+            "{:?} after {} steps, while looking for the mechanism that falls",
+            solution.status, solution.iterations
+        )));
+    }
+    let gains = -dot(&build.costs, &solution.x);
+    Ok((gains > MISSED_MOST).then(|| solution.x[..rows].to_vec()))
 }
 
 /// The programme while it grows.

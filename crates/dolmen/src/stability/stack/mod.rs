@@ -6,6 +6,7 @@ mod cuts;
 mod demand;
 mod half_plane;
 mod limit_analysis;
+mod limit_mechanism;
 mod limit_options;
 mod limit_pieces;
 mod limit_programme;
@@ -32,6 +33,7 @@ pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
 pub use limit_analysis::limit_analysis;
+pub use limit_mechanism::{JointMotion, Mechanism, MovingJoint};
 pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
