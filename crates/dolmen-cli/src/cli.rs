@@ -95,6 +95,10 @@ pub(crate) enum Kind {
     Gate,
     /// Stone pagoda: a stack of blocks
     Pagoda,
+    /// Stone arch: voussoirs on abutments
+    Arch,
+    /// Stone wall: courses in running bond
+    Wall,
     /// Building that twists: rigid floors on walls
     Building,
     /// Measured only: vibration records without a model

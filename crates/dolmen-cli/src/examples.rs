@@ -20,6 +20,8 @@ fn example_of(kind: Kind) -> &'static str {
         Kind::Flagpole => "naju_flagpole",
         Kind::Gate => "heunginjimun_gate",
         Kind::Pagoda => "three_storey_pagoda",
+        Kind::Arch => "arch",
+        Kind::Wall => "wall",
         Kind::Building => "twisting_floor",
         Kind::Survey => "palisaden",
     }
@@ -71,11 +73,14 @@ pub(crate) fn run(options: &New, manner: &Manner) -> Result<Outcome> {
         );
         println!("Next: put your own numbers in it (its README.md says what each means), then");
         let verb = match options.kind {
-            Kind::Flagpole | Kind::Pagoda | Kind::Building => "check",
+            Kind::Flagpole | Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building => "check",
             Kind::Gate | Kind::Survey => "identify",
         };
         println!("    dolmen {verb} {shown}");
-        let motion = if matches!(options.kind, Kind::Pagoda | Kind::Building) {
+        let motion = if matches!(
+            options.kind,
+            Kind::Pagoda | Kind::Arch | Kind::Wall | Kind::Building
+        ) {
             " --motion el-centro-1940-ns"
         } else {
             ""

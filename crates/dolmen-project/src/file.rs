@@ -8,7 +8,7 @@ use super::file_names::NamesRaw;
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 use super::site::{MotionRaw, SiteRaw};
-use super::stack::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
+use super::stack::{ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw};
 use super::study::StudyRaw;
 use super::survey::{ChangeRaw, SurveyRaw};
 use schemars::JsonSchema;
@@ -64,6 +64,10 @@ pub(super) struct FileRaw {
     pub(super) blocks: Option<At<Vec<At<BlockRaw>>>>,
     /// kind = "stack": a pagoda made from six factors, instead of blocks.
     pub(super) pagoda: Option<At<PagodaRaw>>,
+    /// kind = "stack": an arch of voussoirs, instead of blocks.
+    pub(super) arch: Option<At<ArchRaw>>,
+    /// kind = "stack": a wall in running bond, instead of blocks.
+    pub(super) wall: Option<At<StoneWallRaw>>,
     /// kind = "stack": density of the blocks that have none of their own.
     pub(super) density: Option<At<QuantityRaw>>,
     /// kind = "stack": what acts in every joint that does not say it itself.

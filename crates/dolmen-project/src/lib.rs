@@ -55,8 +55,9 @@ pub use safe_text::texts;
 pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
 pub use stack::{
-    BedPart, BlockPart, ContactPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
-    ShapePart, SideSupportPart, StackFault, StackPart, SurveyedLean, TiePart, TopPart,
+    ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
+    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart, SurveyedLean,
+    TiePart, TopPart,
 };
 pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,

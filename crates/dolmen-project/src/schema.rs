@@ -24,7 +24,7 @@ pub fn json_schema() -> Value {
         let all: Vec<Value> = KEYS_OF_KIND
             .iter()
             .map(|(kind, keys)| match *kind {
-                "stack" => blocks_or_pagoda(),
+                "stack" => blocks_or_made(),
                 kind => needs(kind, keys[0]),
             })
             .collect();
@@ -33,15 +33,15 @@ pub fn json_schema() -> Value {
     schema
 }
 
-/// A stack has blocks, or a pagoda that makes them.
-fn blocks_or_pagoda() -> Value {
+/// A stack has blocks, or a pagoda, an arch or a wall that makes them.
+fn blocks_or_made() -> Value {
     json!({
         "if": { "properties": { "kind": { "const": "stack" } }, "required": ["kind"] },
-        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }] },
+        "then": { "oneOf": [{ "required": ["blocks"] }, { "required": ["pagoda"] }, { "required": ["arch"] }, { "required": ["wall"] }] },
     })
 }
 
-/// Keys that belong to one kind only; the first is required there (of a stack, it or pagoda).
+/// Keys that belong to one kind only; the first is required there (of a stack, it or what makes blocks).
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     ("chain", &["links", "joints", "cap", "damping_ratio"]),
     ("frame", &["storeys", "axial", "convention", "direction"]),
@@ -50,6 +50,8 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
         &[
             "blocks",
             "pagoda",
+            "arch",
+            "wall",
             "density",
             "joint",
             "contacts",

@@ -1,8 +1,8 @@
 //! From the stack of a project file to the stack of the science: where each block goes, and what acts in each joint.
 
 use super::part::{
-    BedPart, BlockPart, ContactPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame, ShapePart,
-    StackPart,
+    BedPart, BlockPart, ContactPart, MadePart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
+    ShapePart, StackPart,
 };
 use super::surveyed_lean::Turn;
 use super::vectors::{centroid, unit_normal};
@@ -283,6 +283,14 @@ impl StackPart {
                 .map_err(|why| StackFault::part("pagoda".to_owned(), why))?
                 .blocks;
         }
+        if let Some(part) = &self.made {
+            let density = self.density.as_ref().map_or(f64::NAN, &mut *pick);
+            let made = match part {
+                MadePart::Arch(arch) => arch.made(density, pick),
+                MadePart::Wall(wall) => wall.made(density, pick),
+            };
+            blocks = made.map_err(|why| StackFault::part(self.made_by().to_owned(), why))?;
+        }
         let turn = self.lean.as_ref().and_then(|lean| lean.turn(&blocks));
         if let Some(turn) = turn {
             blocks = blocks.into_iter().map(|block| turn.block(block)).collect();
@@ -326,6 +334,16 @@ impl StackPart {
                 Body::Block(lower) => place(*lower) > place(block),
             })
         })
+    }
+
+    /// The key that makes its blocks.
+    pub(super) fn made_by(&self) -> &'static str {
+        match (&self.pagoda, &self.made) {
+            (Some(_), _) => "pagoda",
+            (None, Some(MadePart::Arch(_))) => "arch",
+            (None, Some(MadePart::Wall(_))) => "wall",
+            (None, None) => "blocks",
+        }
     }
 
     /// Every block must touch what the file says it stands on.
@@ -451,8 +469,7 @@ impl StackPart {
             StackError::Material { .. } => Some("joint".to_owned()),
             _ => None,
         };
-        let all = if self.pagoda.is_some() { "pagoda" } else { "blocks" };
-        let path = path.unwrap_or_else(|| all.to_owned());
+        let path = path.unwrap_or_else(|| self.made_by().to_owned());
         StackFault::part(path, why)
     }
 }

@@ -55,6 +55,51 @@ pub(crate) struct PagodaRaw {
     pub(super) body_base_height_ratio: Option<At<QuantityRaw>>,
 }
 
+/// An arch of flat-faced voussoirs.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ArchRaw {
+    /// Clear span of the inner line at the springing.
+    #[schemars(required)]
+    pub(super) span: Option<At<QuantityRaw>>,
+    /// Rise of the inner line: half the span, a round arch, if not given; less is a segment of a circle, more a pointed arch.
+    pub(super) rise: Option<At<QuantityRaw>>,
+    /// Thickness of the ring, along the joints.
+    #[schemars(required)]
+    pub(super) thickness: Option<At<QuantityRaw>>,
+    /// Along y.
+    #[schemars(required)]
+    pub(super) depth: Option<At<QuantityRaw>>,
+    /// Number of voussoirs, 2 to 400; an odd number has a keystone.
+    #[schemars(required)]
+    pub(super) voussoirs: Option<At<i64>>,
+    /// Height of the springing above the ground, on two abutments; 0, on the ground, if not given.
+    pub(super) springing_height: Option<At<QuantityRaw>>,
+    /// Width of the abutments; twice the thickness if not given.
+    pub(super) abutment: Option<At<QuantityRaw>>,
+}
+
+/// A wall one stone thick, in running bond.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct StoneWallRaw {
+    /// Along x.
+    #[schemars(required)]
+    pub(super) length: Option<At<QuantityRaw>>,
+    /// Along y.
+    #[schemars(required)]
+    pub(super) thickness: Option<At<QuantityRaw>>,
+    /// Number of courses, 1 to 100.
+    #[schemars(required)]
+    pub(super) courses: Option<At<i64>>,
+    /// Height of a course.
+    #[schemars(required)]
+    pub(super) course_height: Option<At<QuantityRaw>>,
+    /// Length of a whole stone.
+    #[schemars(required)]
+    pub(super) stone_length: Option<At<QuantityRaw>>,
+}
+
 /// Names of one or several blocks.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(untagged)]

@@ -6,6 +6,7 @@ mod body;
 mod build;
 mod file;
 mod lean;
+mod made;
 mod pagoda;
 mod part;
 mod read;
@@ -15,11 +16,14 @@ mod surveyed_lean;
 mod vectors;
 
 pub use build::StackFault;
-pub(crate) use file::{BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, TieRaw};
+pub(crate) use file::{
+    ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw,
+};
 pub(crate) use lean::lean;
 pub use part::{
-    BedPart, BlockPart, ContactPart, MeshPart, OpeningPart, PagodaPart, PagodaSlendernessPart, PointsFrame,
-    ShapePart, SideSupportPart, StackPart, TiePart, TopPart,
+    ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
+    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackPart, StoneWallPart, TiePart,
+    TopPart,
 };
 pub(crate) use read::stack;
 pub(crate) use slips::judge_stack;

@@ -104,6 +104,49 @@ pub struct PagodaPart {
     pub body_base_height_ratio: Option<Quantity>,
 }
 
+/// An arch of voussoirs; `None` as the file's key says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ArchPart {
+    /// Clear span of the inner line, m.
+    pub span: Quantity,
+    /// Rise of the inner line, m; `None` half the span.
+    pub rise: Option<Quantity>,
+    /// Thickness along the joints, m.
+    pub thickness: Quantity,
+    /// Along y, m.
+    pub depth: Quantity,
+    /// Number of voussoirs.
+    pub voussoirs: u32,
+    /// Height of the springing, m; `None` on the ground.
+    pub springing_height: Option<Quantity>,
+    /// Width of the abutments, m; `None` twice the thickness.
+    pub abutment: Option<Quantity>,
+}
+
+/// A wall in running bond.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StoneWallPart {
+    /// Along x, m.
+    pub length: Quantity,
+    /// Along y, m.
+    pub thickness: Quantity,
+    /// Number of courses.
+    pub courses: u32,
+    /// Height of a course, m.
+    pub course_height: Quantity,
+    /// Length of a whole stone, m.
+    pub stone_length: Quantity,
+}
+
+/// What makes the blocks of a stack, if the file does not list them.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MadePart {
+    /// An arch of voussoirs.
+    Arch(ArchPart),
+    /// A wall in running bond.
+    Wall(StoneWallPart),
+}
+
 /// The top of a frustum.
 #[derive(Clone, Debug, PartialEq)]
 pub struct TopPart {
@@ -226,6 +269,8 @@ pub struct StackPart {
     pub blocks: Vec<BlockPart>,
     /// What makes the blocks, if the file does not list them.
     pub pagoda: Option<PagodaPart>,
+    /// What else makes the blocks, if neither the file nor a pagoda does.
+    pub made: Option<MadePart>,
     /// Density of the blocks that have none of their own, kg/m³.
     pub density: Option<Quantity>,
     /// What acts in every joint that does not say it itself.
@@ -345,6 +390,11 @@ impl StackPart {
         self.joint.inputs(all);
         if let Some(pagoda) = &self.pagoda {
             pagoda.inputs(all);
+        }
+        match &self.made {
+            Some(MadePart::Arch(arch)) => arch.inputs(all),
+            Some(MadePart::Wall(wall)) => wall.inputs(all),
+            None => {}
         }
         for block in &self.blocks {
             block.shape.inputs(all);

@@ -4,8 +4,9 @@ use super::bed::bed;
 use super::block::block;
 use super::body::{block_index, body, names};
 use super::file::{BlockRaw, ContactRaw, SideSupportRaw, TieRaw};
+use super::made::{arch_part, wall_part};
 use super::pagoda::pagoda;
-use super::part::{BedPart, BlockPart, ContactPart, SideSupportPart, StackPart, TiePart};
+use super::part::{BedPart, BlockPart, ContactPart, MadePart, SideSupportPart, StackPart, TiePart};
 use crate::content::WarningKind;
 use crate::error::Fault;
 use crate::file::FileRaw;
@@ -17,43 +18,62 @@ use crate::warned::Warned;
 use crate::way::way;
 
 pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
-    if let (Some(list), Some(_)) = (&raw.blocks, &raw.pagoda) {
-        let fault = Fault::new(
-            list.span.clone(),
-            "blocks",
-            "the file has both blocks and a pagoda",
-        );
-        reader.fault(fault.help("keep one of them: a pagoda makes its own blocks"));
+    let makers: Vec<&str> = [
+        raw.blocks.as_ref().map(|_| "blocks"),
+        raw.pagoda.as_ref().map(|_| "a pagoda"),
+        raw.arch.as_ref().map(|_| "an arch"),
+        raw.wall.as_ref().map(|_| "a wall"),
+    ]
+    .into_iter()
+    .flatten()
+    .collect();
+    if let [first, second, ..] = makers[..] {
+        let (path, span) = match (&raw.blocks, &raw.pagoda, &raw.arch, &raw.wall) {
+            (Some(list), ..) => ("blocks", list.span.clone()),
+            (None, Some(pagoda), ..) => ("pagoda", pagoda.span.clone()),
+            (None, None, Some(arch), _) => ("arch", arch.span.clone()),
+            (None, None, None, wall) => ("wall", wall.as_ref().map_or(0..0, |wall| wall.span.clone())),
+        };
+        let fault = Fault::new(span, path, format!("the file has both {first} and {second}"));
+        reader.fault(fault.help(format!("keep one of them: {second} makes its own blocks")));
         return None;
     }
-    let (list, made) = match (&raw.blocks, &raw.pagoda) {
-        (Some(list), _) => {
-            if !countable(reader, list, "blocks") {
-                return None;
-            }
-            reader.mark("blocks", &list.span);
-            (list.value.as_slice(), None)
-        }
-        (None, Some(factors)) => (&[] as &[At<BlockRaw>], Some(pagoda(reader, factors)?)),
-        (None, None) => {
-            let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first; or pagoda = { storeys = 3, … }";
-            missing(reader, "blocks", "a stack needs blocks", help);
+    let mut list: &[At<BlockRaw>] = &[];
+    let (mut pagoda_part, mut made, mut made_names) = (None, None, None);
+    if let Some(given) = &raw.blocks {
+        if !countable(reader, given, "blocks") {
             return None;
         }
-    };
+        reader.mark("blocks", &given.span);
+        list = given.value.as_slice();
+    } else if let Some(factors) = &raw.pagoda {
+        let (part, names) = pagoda(reader, factors)?;
+        (pagoda_part, made_names) = (Some(part), Some(names));
+    } else if let Some(dimensions) = &raw.arch {
+        let (part, names) = arch_part(reader, dimensions)?;
+        (made, made_names) = (Some(MadePart::Arch(part)), Some(names));
+    } else if let Some(dimensions) = &raw.wall {
+        let (part, names) = wall_part(reader, dimensions)?;
+        (made, made_names) = (Some(MadePart::Wall(part)), Some(names));
+    } else {
+        let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first; or pagoda = { storeys = 3, … }, arch = { … }, wall = { … }";
+        missing(reader, "blocks", "a stack needs blocks", help);
+        return None;
+    }
     let density = reader.quantity(raw.density.as_ref(), "density", Measure::Density, Bound::Positive);
     let joint = bed(reader, raw.joint.as_ref(), "joint");
-    let (pagoda, names) = match made {
-        Some((part, names)) => (Some(part), names),
-        None => (None, names(reader, list)),
+    let names = match made_names {
+        Some(names) => names,
+        None => names(reader, list),
     };
     let numbered = list.iter().enumerate();
     let blocks: Vec<Option<BlockPart>> = numbered.map(|(i, raw)| block(reader, raw, i, &names)).collect();
     if density.is_none() && !reader.is_reported("density") {
         without_density(reader, list);
-        if pagoda.is_some() {
+        if list.is_empty() {
             let help = "write density = 2600 at the top level (granite, kg/m3)";
-            missing(reader, "density", "the stones of a pagoda need a density", help);
+            let what = format!("the stones of {} need a density", makers.join(", "));
+            missing(reader, "density", &what, help);
         }
     }
     let contacts = listed(
@@ -73,7 +93,8 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     );
     let stack = StackPart {
         blocks: blocks.into_iter().collect::<Option<_>>()?,
-        pagoda,
+        pagoda: pagoda_part,
+        made,
         density,
         joint: joint?,
         contacts: contacts?,
@@ -227,11 +248,7 @@ fn warn_of_defaults(reader: &mut Reader, stack: &StackPart) {
     if !taken.is_empty() {
         let taken = taken.join(", ");
         let path = if joint == &BedPart::default() {
-            if stack.pagoda.is_some() {
-                "pagoda"
-            } else {
-                "blocks"
-            }
+            stack.made_by()
         } else {
             "joint"
         };

@@ -1,5 +1,6 @@
 //! Stacks of stone: blocks, the joints between them, and what ties and holds them.
 
+mod arch;
 mod beds;
 mod cut;
 mod error;
@@ -15,7 +16,9 @@ mod scan;
 mod shapes;
 mod solid;
 mod stack_of_blocks;
+mod wall;
 
+pub use arch::{ArchFactors, arch};
 pub use beds::BED_GAP_M;
 pub use error::StackError;
 pub use joint::{Body, Joint, ScannedJoint};
@@ -24,3 +27,4 @@ pub use pagoda::{Pagoda, PagodaFactors, PagodaSlenderness, pagoda};
 pub use polygon::{Polygon, PolygonMoments};
 pub use solid::{Placement, Scan, Solid};
 pub use stack_of_blocks::{Block, SideSupport, Stack, Tie};
+pub use wall::{WallFactors, wall};

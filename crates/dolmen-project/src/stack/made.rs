@@ -1,0 +1,153 @@
+//! Arches and walls from their dimensions, as they are written and as the science makes them.
+
+use super::file::{ArchRaw, StoneWallRaw};
+use super::part::{ArchPart, StoneWallPart};
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::measure::{Bound, Measure};
+use crate::quantity::{Pick, Quantity};
+use crate::reader::Reader;
+use dolmen::structure::stack::{ArchFactors, Block, StackError, WallFactors, arch, wall};
+
+/// Most voussoirs: as the science allows.
+const VOUSSOIRS_MOST: usize = 400;
+/// Most courses: as the science allows.
+const COURSES_MOST: usize = 100;
+/// Density only to try the dimensions with, kg/m³: names and sizes do not depend on it.
+const ANY_DENSITY_KG_M3: f64 = 2600.0;
+/// Width of an abutment over the thickness of the arch, if it is not given. Chosen here.
+const ABUTMENT: f64 = 2.0;
+
+/// An arch and the names of its stones; what its dimensions cannot make together is refused here.
+pub(super) fn arch_part(reader: &mut Reader, raw: &At<ArchRaw>) -> Option<(ArchPart, Vec<String>)> {
+    reader.mark("arch", &raw.span);
+    let before = reader.faults.len();
+    let given = &raw.value;
+    let voussoirs = reader.count(given.voussoirs.as_ref(), "arch.voussoirs", 2, VOUSSOIRS_MOST);
+    let mut of = |raw, key: &str, bound| reader.quantity(raw, &format!("arch.{key}"), Measure::Length, bound);
+    let span = of(given.span.as_ref(), "span", Bound::Positive);
+    let rise = of(given.rise.as_ref(), "rise", Bound::Positive);
+    let thickness = of(given.thickness.as_ref(), "thickness", Bound::Positive);
+    let depth = of(given.depth.as_ref(), "depth", Bound::Positive);
+    let springing_height = of(
+        given.springing_height.as_ref(),
+        "springing_height",
+        Bound::NotNegative,
+    );
+    let abutment = of(given.abutment.as_ref(), "abutment", Bound::Positive);
+    (reader.faults.len() == before).then_some(())?;
+    let part = ArchPart {
+        span: span?,
+        rise,
+        thickness: thickness?,
+        depth: depth?,
+        voussoirs: voussoirs.and_then(|count| u32::try_from(count).ok())?,
+        springing_height,
+        abutment,
+    };
+    let made = part.made(ANY_DENSITY_KG_M3, &mut Quantity::nominal);
+    let names = tried(reader, raw.span.clone(), "arch", made)?;
+    Some((part, names))
+}
+
+/// A wall and the names of its stones.
+pub(super) fn wall_part(reader: &mut Reader, raw: &At<StoneWallRaw>) -> Option<(StoneWallPart, Vec<String>)> {
+    reader.mark("wall", &raw.span);
+    let before = reader.faults.len();
+    let given = &raw.value;
+    let courses = reader.count(given.courses.as_ref(), "wall.courses", 1, COURSES_MOST);
+    let mut of =
+        |raw, key: &str| reader.quantity(raw, &format!("wall.{key}"), Measure::Length, Bound::Positive);
+    let length = of(given.length.as_ref(), "length");
+    let thickness = of(given.thickness.as_ref(), "thickness");
+    let course_height = of(given.course_height.as_ref(), "course_height");
+    let stone_length = of(given.stone_length.as_ref(), "stone_length");
+    (reader.faults.len() == before).then_some(())?;
+    let part = StoneWallPart {
+        length: length?,
+        thickness: thickness?,
+        courses: courses.and_then(|count| u32::try_from(count).ok())?,
+        course_height: course_height?,
+        stone_length: stone_length?,
+    };
+    let made = part.made(ANY_DENSITY_KG_M3, &mut Quantity::nominal);
+    let names = tried(reader, raw.span.clone(), "wall", made)?;
+    Some((part, names))
+}
+
+/// The names of what was made, or the fault at the key that the science names.
+fn tried(
+    reader: &mut Reader,
+    span: std::ops::Range<usize>,
+    kind: &str,
+    made: Result<Vec<Block>, StackError>,
+) -> Option<Vec<String>> {
+    let why = match made {
+        Ok(blocks) => return Some(blocks.into_iter().map(|block| block.name).collect()),
+        Err(why) => why,
+    };
+    let path = match &why {
+        StackError::Dimension { quantity, .. } => format!("{kind}.{}", quantity.trim_end_matches("_m")),
+        _ => kind.to_owned(),
+    };
+    let place = match reader.place(&path) {
+        none if none.is_empty() => span, // a default that does not go with the others
+        place => place,
+    };
+    reader.fault(Fault::new(place, &path, format!("{kind}: {why}")));
+    None
+}
+
+impl ArchPart {
+    /// Its stones, each dimension with the value that `pick` chooses.
+    ///
+    /// # Errors
+    /// [`StackError`] for dimensions that cannot be together.
+    pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
+        let (span_m, thickness_m) = (pick(&self.span), pick(&self.thickness));
+        arch(&ArchFactors {
+            span_m,
+            rise_m: self.rise.as_ref().map_or(0.5 * span_m, &mut *pick),
+            thickness_m,
+            depth_m: pick(&self.depth),
+            voussoirs: self.voussoirs,
+            springing_height_m: self.springing_height.as_ref().map_or(0.0, &mut *pick),
+            abutment_m: self.abutment.as_ref().map_or(ABUTMENT * thickness_m, &mut *pick),
+            density_kg_m3,
+        })
+    }
+
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.push(&self.span);
+        all.extend(&self.rise);
+        all.extend([&self.thickness, &self.depth]);
+        all.extend(&self.springing_height);
+        all.extend(&self.abutment);
+    }
+}
+
+impl StoneWallPart {
+    /// Its stones, each dimension with the value that `pick` chooses.
+    ///
+    /// # Errors
+    /// [`StackError`] for dimensions that cannot be together.
+    pub fn made(&self, density_kg_m3: f64, pick: Pick<'_>) -> Result<Vec<Block>, StackError> {
+        wall(&WallFactors {
+            length_m: pick(&self.length),
+            thickness_m: pick(&self.thickness),
+            courses: self.courses,
+            course_height_m: pick(&self.course_height),
+            stone_length_m: pick(&self.stone_length),
+            density_kg_m3,
+        })
+    }
+
+    pub(super) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.extend([
+            &self.length,
+            &self.thickness,
+            &self.course_height,
+            &self.stone_length,
+        ]);
+    }
+}

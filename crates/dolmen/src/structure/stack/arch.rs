@@ -1,0 +1,271 @@
+//! Arches of voussoirs from their span and rise.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | s, h | `span_m`, `rise_m` | of the inner line: clear span at the springing, rise above it | m |
+//! | t | `thickness_m` | from the inner to the outer line, along the joints | m |
+//! | r | `radius` | of the inner line | m |
+//! | x_c, z_c | `centre` | centre of the left half's circle, from the middle of the springing line | m |
+//! | θ | `angle` | of a joint about that centre, from the horizontal on the left | rad |
+
+use super::{Block, Solid, StackError};
+use std::f64::consts::FRAC_PI_2;
+
+/// Most voussoirs. Chosen here: a check of so many takes a second.
+const VOUSSOIRS_MOST: u32 = 400;
+
+/// What makes an arch.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ArchFactors {
+    /// Clear span of the inner line at the springing, m.
+    pub span_m: f64,
+    /// Rise of the inner line above the springing, m: half the span is a round arch, less a segment of a circle, more two arcs with
+    /// their centres on the springing line (pointed).
+    pub rise_m: f64,
+    /// Thickness along the joints, m.
+    pub thickness_m: f64,
+    /// Depth, along y, m.
+    pub depth_m: f64,
+    /// Voussoirs, 2 to 400; an odd number has a keystone.
+    pub voussoirs: u32,
+    /// Height of the springing above the ground, m; 0: the arch stands on the ground, which only round and pointed ones can.
+    pub springing_height_m: f64,
+    /// Width of the abutments at their foot, m, at least the thickness; of no effect without height.
+    pub abutment_m: f64,
+    /// Density, kg/m³.
+    pub density_kg_m3: f64,
+}
+
+/// Circles of an arch: the left half, and its mirror image.
+struct Circles {
+    centre: [f64; 2],
+    radius: f64,
+    thickness: f64,
+    /// Angle of the springing and of the crown.
+    angles: [f64; 2],
+    lift: f64,
+}
+
+/// An arch of flat-faced voussoirs, equal along the inner line, from left to right, with its abutments last.
+///
+/// ```text
+/// r = (s²/4 + h²) / (2h) if h ≤ s/2, centre at (0, h − r);   r = (s²/4 + h²) / s if more, centre at (r − s/2, 0)
+/// joints along the radii; at the crown of a pointed arch upright
+/// ```
+///
+/// # Errors
+/// [`StackError::Dimension`] for a factor out of its range.
+///
+/// # Limits
+/// Faces are flat: n = 9 has 5 % less rise between its corners than the curve. Abutments are one stone each.
+///
+/// # Example
+/// ```
+/// use dolmen::structure::stack::{ArchFactors, arch};
+/// let made = arch(&ArchFactors {
+///     span_m: 1.9, rise_m: 0.95, thickness_m: 0.1, depth_m: 0.3, voussoirs: 9,
+///     springing_height_m: 0.0, abutment_m: 0.5, density_kg_m3: 2600.0,
+/// })?;
+/// assert_eq!((made.len(), made[4].name.as_str()), (9, "keystone"));
+/// # Ok::<(), dolmen::structure::stack::StackError>(())
+/// ```
+pub fn arch(factors: &ArchFactors) -> Result<Vec<Block>, StackError> {
+    check(factors)?;
+    let circles = circles(factors);
+    let count = factors.voussoirs;
+    let block = |name: String, corners: &[[f64; 2]]| -> Result<Block, StackError> {
+        let half = 0.5 * factors.depth_m;
+        let sides = [-half, half];
+        let each = sides
+            .iter()
+            .flat_map(|y| corners.iter().map(move |[x, z]| [*x, *y, *z]));
+        Ok(Block {
+            name,
+            solid: Solid::convex(&each.collect::<Vec<_>>())?,
+            density_kg_m3: factors.density_kg_m3,
+        })
+    };
+    let mut blocks = Vec::new();
+    for index in 0..count {
+        let name = match 2 * index + 1 == count {
+            true => "keystone".to_owned(),
+            false => format!("voussoir {}", index + 1),
+        };
+        let [start, end] = [index, index + 1].map(|joint| circles.joint(f64::from(joint) / f64::from(count)));
+        blocks.push(block(name, &[start[0], start[1], end[1], end[0]])?);
+    }
+    if factors.springing_height_m > 0.0 {
+        for (name, share, side) in [("left abutment", 0.0, -1.0), ("right abutment", 1.0, 1.0)] {
+            let [inner, outer] = circles.joint(share);
+            let back = side * (0.5 * factors.span_m + factors.abutment_m);
+            let foot = [[inner[0], 0.0], [back, 0.0]];
+            blocks.push(block(
+                name.to_owned(),
+                &[foot[0], foot[1], [back, outer[1]], outer, inner],
+            )?);
+        }
+    }
+    Ok(blocks)
+}
+
+fn check(factors: &ArchFactors) -> Result<(), StackError> {
+    let refuse = |quantity, given, allowed| {
+        Err(StackError::Dimension {
+            quantity,
+            given,
+            allowed,
+        })
+    };
+    for (quantity, given) in [
+        ("span_m", factors.span_m),
+        ("rise_m", factors.rise_m),
+        ("thickness_m", factors.thickness_m),
+        ("depth_m", factors.depth_m),
+        ("abutment_m", factors.abutment_m),
+        ("density_kg_m3", factors.density_kg_m3),
+    ] {
+        if !(given > 0.0 && given.is_finite()) {
+            return refuse(quantity, given, "a positive number");
+        }
+    }
+    if !(2..=VOUSSOIRS_MOST).contains(&factors.voussoirs) {
+        return refuse("voussoirs", f64::from(factors.voussoirs), "2 to 400");
+    }
+    let lift = factors.springing_height_m;
+    if !(lift >= 0.0 && lift.is_finite()) {
+        return refuse("springing_height_m", lift, "0 or a positive number");
+    }
+    let segmental = factors.rise_m < (0.5 - 1e-9) * factors.span_m;
+    if segmental && lift == 0.0 {
+        let allowed =
+            "positive for a rise below half the span: such an arch pushes outwards and needs abutments";
+        return refuse("springing_height_m", lift, allowed);
+    }
+    if lift > 0.0 && factors.abutment_m < factors.thickness_m {
+        return refuse(
+            "abutment_m",
+            factors.abutment_m,
+            "the thickness of the arch or more",
+        );
+    }
+    Ok(())
+}
+
+fn circles(factors: &ArchFactors) -> Circles {
+    let (half, rise) = (0.5 * factors.span_m, factors.rise_m);
+    let squares = half * half + rise * rise;
+    let (centre, radius) = match rise <= half {
+        true => ([0.0, rise - squares / (2.0 * rise)], squares / (2.0 * rise)),
+        false => ([squares / (2.0 * half) - half, 0.0], squares / (2.0 * half)),
+    };
+    Circles {
+        centre,
+        radius,
+        thickness: factors.thickness_m,
+        angles: [
+            (-centre[1] / radius).asin(),
+            match rise <= half {
+                true => FRAC_PI_2,
+                false => (centre[0] / radius).acos(),
+            },
+        ],
+        lift: factors.springing_height_m,
+    }
+}
+
+impl Circles {
+    /// Inner and outer end of the joint at a share of the way from the left springing to the right.
+    fn joint(&self, share: f64) -> [[f64; 2]; 2] {
+        let [first, crown] = self.angles;
+        let left = share.min(1.0 - share);
+        let outer = self.radius + self.thickness;
+        let ends = if left >= 0.5 * (1.0 - 1e-12) {
+            // upright, from the inner to the outer line
+            [self.radius, outer].map(|radius| {
+                [
+                    0.0,
+                    (radius * radius - self.centre[0].powi(2)).sqrt() + self.centre[1],
+                ]
+            })
+        } else {
+            let angle = first + 2.0 * left * (crown - first);
+            let (sin, cos) = angle.sin_cos();
+            [self.radius, outer].map(|radius| [self.centre[0] - radius * cos, self.centre[1] + radius * sin])
+        };
+        let side = if share > 0.5 { -1.0 } else { 1.0 };
+        ends.map(|[x, z]| [side * x, z + self.lift])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{JointMaterial, Stack};
+    use super::*;
+
+    fn factors(rise_m: f64, voussoirs: u32, springing_height_m: f64) -> ArchFactors {
+        ArchFactors {
+            span_m: 3.0,
+            rise_m,
+            thickness_m: 0.45,
+            depth_m: 1.0,
+            voussoirs,
+            springing_height_m,
+            abutment_m: 1.0,
+            density_kg_m3: 2500.0,
+        }
+    }
+
+    #[test]
+    fn exact_round_arch_has_the_area_of_its_polygons() {
+        // each voussoir lies between two chords of the same angle: ½ (R² − r²) sin π/n
+        let blocks = arch(&factors(1.5, 15, 0.0)).unwrap();
+        let known = 0.5 * (1.95_f64.powi(2) - 1.5 * 1.5) * (std::f64::consts::PI / 15.0).sin();
+        assert_eq!((blocks.len(), blocks[7].name.as_str()), (15, "keystone"));
+        for block in &blocks {
+            assert!((block.solid.volume_m3() - known).abs() < 1e-12, "{}", block.name);
+        }
+        let [low, high] = blocks[7].solid.bounds_m();
+        assert!((low[0] + high[0]).abs() < 1e-12);
+    }
+
+    #[test]
+    fn holds_arches_of_every_rise_join_stone_to_stone() {
+        // n voussoirs and two abutments: n + 1 joints of the arch, and each abutment on the ground
+        for (rise, lift) in [
+            (0.5, 1.0),
+            (1.0, 0.3),
+            (1.5, 0.0),
+            (1.5, 2.0),
+            (2.2, 0.0),
+            (2.6, 1.0),
+        ] {
+            for count in [6, 7, 24, 51] {
+                let blocks = arch(&factors(rise, count, lift)).unwrap();
+                let stack = Stack::new(blocks, JointMaterial::default(), 9.81).unwrap();
+                let expected = count as usize + if lift > 0.0 { 3 } else { 1 };
+                assert_eq!(stack.joints().len(), expected, "{rise} {lift} {count}");
+                // the inner line rises as far as asked, at a joint of the crown
+                let crown = stack.blocks()[count as usize / 2].solid.vertices_m();
+                let near = crown.iter().filter(|v| v[0].abs() < 1e-9).map(|v| v[2]);
+                let least = near.fold(f64::INFINITY, f64::min);
+                assert!(
+                    count % 2 == 1 || (least - rise - lift).abs() < 1e-9,
+                    "{rise} {count}: {least}"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn refuses_what_is_no_arch() {
+        let flat = arch(&factors(0.5, 9, 0.0)).unwrap_err();
+        assert!(flat.to_string().contains("needs abutments"), "{flat}");
+        let none = arch(&factors(1.5, 1, 0.0)).unwrap_err();
+        assert!(none.to_string().contains("2 to 400"), "{none}");
+        let narrow = ArchFactors {
+            abutment_m: 0.4,
+            ..factors(1.5, 9, 1.0)
+        };
+        assert!(arch(&narrow).is_err());
+    }
+}
