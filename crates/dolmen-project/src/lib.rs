@@ -56,8 +56,8 @@ pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
 pub use stack::{
     ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
-    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart, SurveyedLean,
-    TiePart, TopPart,
+    PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,
+    SurveyedLean, TiePart, TopPart,
 };
 pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,

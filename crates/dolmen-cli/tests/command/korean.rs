@@ -39,8 +39,14 @@ fn cites(line: &str) -> bool {
         || line.split('(').skip(1).any(is_year)
 }
 
-/// Parts of a pagoda that is given by its proportions, and a motion that is made.
-const NAMES: [&str; 3] = ["upper base cover", "lower base cover", "Ricker wavelet, period"];
+/// Parts of a pagoda and an arch that are given by their proportions, and a motion that is made.
+const NAMES: [&str; 5] = [
+    "upper base cover",
+    "lower base cover",
+    "left abutment",
+    "right abutment",
+    "Ricker wavelet, period",
+];
 
 /// The strings of a project file or the cells of a table, the longest first: they are the user's own.
 fn own_words(file: &Path) -> Vec<String> {

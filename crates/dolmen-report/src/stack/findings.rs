@@ -63,10 +63,10 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
 fn noted(of: &StackNote) -> Finding {
     match of {
         StackNote::AnalysisFalls => Finding::key(Tone::Bad, note(of)),
+        StackNote::FrictionCarries => Finding::key(Tone::Warn, note(of)),
         StackNote::SharedLoad
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
-        | StackNote::FrictionCarries
         | StackNote::StrengthNotInAnalysis
         | StackNote::SideSupportsLeftOut
         | StackNote::CohesionCounted

@@ -57,7 +57,7 @@ messages! {
 }
 
 /// The sentences on stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 10] = [
+pub(crate) const TEMPLATES: [&[Template]; 11] = [
     verdict::Judged::TEMPLATES,
     findings::Found::TEMPLATES,
     lean::Leaning::TEMPLATES,

@@ -1,7 +1,7 @@
 //! All cases, source by source.
 
 use super::{
-    Case, ValidationError, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction,
+    Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction,
     fragility, free_decay, hwang_min_hong, joined, kim_koo_hong_2018, owen_prieur_2017, park_min_2010,
     pyoma2, rigid_blocks, second_methods, setups, survey_change,
 };
@@ -24,6 +24,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
         park_min_2010::cases()?,
         kim_koo_hong_2018::cases()?,
         rigid_blocks::cases(),
+        arches::cases()?,
         dry_friction::cases()?,
         hwang_min_hong::cases()?,
         chopra_2017::cases()?,

@@ -7,58 +7,13 @@
 
 use super::limit_pieces::Piece;
 use super::limit_programme::{Within, least_pull};
+use super::mechanism::{BodyMotion, JointMotion, Mechanism, MovingJoint};
 use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Joint, Stack};
 use glam::DVec3;
 
 /// Motions of a joint below this part of the largest are not named. Chosen here: what the solver loses is 1e-8.
 const NAMED_LEAST: f64 = 1e-3;
-
-/// What a joint does in a mechanism.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
-pub enum JointMotion {
-    /// It opens, about an edge or as a whole.
-    Opens,
-    /// It slides and stays closed.
-    Slides,
-    /// It slides on an edge or corner and opens elsewhere.
-    OpensAndSlides,
-}
-
-/// A joint that moves in a mechanism.
-#[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct MovingJoint {
-    /// Which joint of the stack.
-    pub joint: usize,
-    /// What it does.
-    pub motion: JointMotion,
-    /// Middle of the corners that stay closed, m: about it the joint turns, or on it it slides. `None` if it opens as a whole.
-    pub closed_at_m: Option<[f64; 3]>,
-}
-
-/// How a stack begins to move: the joints between its rigid parts, ascending.
-#[derive(Clone, Debug, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Mechanism {
-    /// Every joint that opens or slides; the others stay as they are.
-    pub joints: Vec<MovingJoint>,
-}
-
-/// How a body moves in a mechanism.
-#[derive(Clone, Copy)]
-pub(super) struct BodyMotion {
-    pub(super) velocity: DVec3,
-    pub(super) spin: DVec3,
-    pub(super) about: DVec3,
-}
-
-impl BodyMotion {
-    fn at(&self, point: DVec3) -> DVec3 {
-        self.velocity + self.spin.cross(point - self.about)
-    }
-}
 
 /// The mechanism in which a piece that does not stand falls.
 ///

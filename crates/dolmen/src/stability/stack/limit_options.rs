@@ -1,6 +1,7 @@
 //! What a limit analysis is asked, and what it answers.
 
-use super::{Mechanism, StackLoads, Threshold};
+use super::mechanism::Mechanism;
+use super::{StackLoads, Threshold};
 
 /// What holds besides friction.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

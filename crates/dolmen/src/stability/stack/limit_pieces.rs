@@ -2,10 +2,10 @@
 
 use super::SwayingForces;
 use super::cuts::{carried, carries};
-use super::limit_mechanism::BodyMotion;
 use super::limit_programme::{Column, Programme, Push, Within};
 use super::limit_region::{Symmetry, group, turned};
 use super::loads::{Load, together};
+use super::mechanism::BodyMotion;
 use crate::stability::StabilityError;
 use crate::structure::stack::{Body, Stack};
 use glam::DVec3;

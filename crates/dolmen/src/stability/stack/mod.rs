@@ -13,6 +13,7 @@ mod limit_programme;
 mod limit_region;
 mod limit_states;
 mod loads;
+mod mechanism;
 mod part;
 mod pressure;
 mod resistance;
@@ -33,12 +34,12 @@ pub use demand::{
     Comparison, DemandComparison, DemandVerdict, SpectralDemand, StackDemand, compare_with_demand,
 };
 pub use limit_analysis::limit_analysis;
-pub use limit_mechanism::{JointMotion, Mechanism, MovingJoint};
 pub use limit_options::{
     Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, Shaking, SwayingForces,
 };
 pub use limit_states::{CutLimits, EdgeLimit, Governing, LimitKind, StackLimitStates};
 pub use loads::{PointForce, StackLoads, Wind};
+pub use mechanism::{JointMotion, Mechanism, MovingJoint};
 pub use pressure::{JointPressure, no_tension_pressure};
 pub use resistance::Resistance;
 pub use rocking::{
