@@ -3,6 +3,8 @@
 //! `cargo run --release -p dolmen --example made_scans [TOWERS]` prints a row for each noise: towers, those answered, the
 //! largest difference of first motion and how many differ by more than 2 %, and the refusals.
 
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a measurement")]
+
 use dolmen::assess::{StackCheckOptions, check_stack};
 use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
 use std::collections::BTreeMap;

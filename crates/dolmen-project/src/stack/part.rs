@@ -142,9 +142,9 @@ pub struct StoneWallPart {
 #[derive(Clone, Debug, PartialEq)]
 pub enum MadePart {
     /// An arch of voussoirs.
-    Arch(ArchPart),
+    Arch(Box<ArchPart>),
     /// A wall in running bond.
-    Wall(StoneWallPart),
+    Wall(Box<StoneWallPart>),
 }
 
 /// The top of a frustum.

@@ -51,10 +51,10 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         (pagoda_part, made_names) = (Some(part), Some(names));
     } else if let Some(dimensions) = &raw.arch {
         let (part, names) = arch_part(reader, dimensions)?;
-        (made, made_names) = (Some(MadePart::Arch(part)), Some(names));
+        (made, made_names) = (Some(MadePart::Arch(Box::new(part))), Some(names));
     } else if let Some(dimensions) = &raw.wall {
         let (part, names) = wall_part(reader, dimensions)?;
-        (made, made_names) = (Some(MadePart::Wall(part)), Some(names));
+        (made, made_names) = (Some(MadePart::Wall(Box::new(part))), Some(names));
     } else {
         let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first; or pagoda = { storeys = 3, … }, arch = { … }, wall = { … }";
         missing(reader, "blocks", "a stack needs blocks", help);

@@ -215,11 +215,11 @@ fn reproduces_the_least_thickness_of_arches() {
     }
 }
 
-/// Joints of a mechanism with what they do, and in the plane where they stay closed.
-fn moving(
-    plane: &Plane,
-    options: &LimitAnalysis,
-) -> (LimitAnalysisStatus, Vec<(JointMotion, Option<[f64; 2]>)>) {
+/// Joints with what they do, and in the plane where they stay closed.
+type Moving = Vec<(JointMotion, Option<[f64; 2]>)>;
+
+/// The joints of a mechanism.
+fn moving(plane: &Plane, options: &LimitAnalysis) -> (LimitAnalysisStatus, Moving) {
     let result = limit_analysis(&plane.stack().unwrap(), options).unwrap();
     let joints = result.mechanism.unwrap().joints.into_iter();
     let joints = joints.map(|joint| (joint.motion, joint.closed_at_m.map(|[x, _, z]| [x, z])));
