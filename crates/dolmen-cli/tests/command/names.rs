@@ -90,3 +90,19 @@ fn refuses_what_a_motion_without_a_match_would_ignore() {
         plain.stderr
     );
 }
+
+#[test]
+fn holds_a_restitution_that_springs_do_not_use_is_said() {
+    let scratch = Scratch::new("names-restitution");
+    let text = "schema = 1\nkind = \"stack\"\nname = \"Stone\"\ndensity = 2600\njoint = { friction = 0.6, restitution = 0.4 }\n\
+                blocks = [{ name = \"stone\", width = 0.5, height = 1 }]\n";
+    fs::write(scratch.path().join("p.toml"), text).unwrap();
+    let run = |law: &str| {
+        scratch.briefly(&format!(
+            "simulate p.toml --motion el-centro-1940-ns --keep-first 1 --law {law}"
+        ))
+    };
+    let said = "restitution given for the joints is not used";
+    assert!(run("springs").words().contains(said), "{}", run("springs").stdout);
+    assert!(!run("rigid").words().contains(said));
+}

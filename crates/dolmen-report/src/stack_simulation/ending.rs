@@ -4,7 +4,7 @@ use super::run::{Run, made_too_much};
 use crate::document::{Finding, Tone};
 use crate::simulated::{Simulated, cut, milli, seconds};
 use crate::stack::lean;
-use dolmen::blocks::{Outcome, StackHistory};
+use dolmen::blocks::{ContactLaw, Outcome, StackHistory};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
 
@@ -75,10 +75,21 @@ pub(crate) fn findings(simulation: &StackSimulation) -> Vec<Finding> {
     let mut all = vec![Finding::key(tone(simulation), said)];
     all.extend(simulation.lean.as_ref().map(lean));
     all.extend(made_too_much(simulation).map(|said| Finding::key(Tone::Warn, said)));
+    if leaves_restitution_out(simulation) {
+        all.push(Finding::key(Tone::Warn, Run::RestitutionUnused));
+    }
     if is_sensitive(&simulation.history.outcome) {
         all.push(Finding::key(Tone::Plain, Run::OneCase));
     }
     all
+}
+
+fn leaves_restitution_out(simulation: &StackSimulation) -> bool {
+    let joints = simulation.stack.joints();
+    match simulation.law {
+        ContactLaw::Springs(_) => joints.iter().any(|joint| joint.material.restitution > 0.0),
+        ContactLaw::Rigid(_) => false,
+    }
 }
 
 /// Whether stones moved against each other so far that small differences of the input count.

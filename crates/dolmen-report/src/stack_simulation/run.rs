@@ -36,6 +36,10 @@ messages! {
             en: "Contacts made {made} of the most energy put in, more than {limit}: do not use this run, try half the step.",
             ko: "접촉에서 생겨난 에너지가 지반이 한 일의 최댓값의 {made}(으)로 허용값 {limit}을(를) 넘는다. 이 해석 결과는 쓰지 말고 시간 간격을 반으로 줄여 다시 해석한다.",
         },
+        RestitutionUnused => {
+            en: "The restitution given for the joints is not used by contact springs, whose impacts lose what damping_ratio says; --law rigid uses it.",
+            ko: "접합면의 반발계수(restitution)는 접촉 스프링 해석에 쓰이지 않는다. 충돌의 에너지 손실은 damping_ratio가 정하며, 반발계수는 --law rigid에서 쓰인다.",
+        },
         OneCase => {
             en: "A stack that rocks is sensitive to every input: one run is one case, not a probability.",
             ko: "로킹하는 적층 구조는 모든 입력에 민감하다. 한 번의 해석은 하나의 사례일 뿐 확률이 아니다.",
