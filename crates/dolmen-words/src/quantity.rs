@@ -139,6 +139,8 @@ impl Quantity {
     pub fn text(&self) -> String {
         match self.unit.symbol.as_str() {
             "" => self.number(),
+            // the sign of degrees stands at its number (ISO 80000-1)
+            "°" => format!("{}°", self.number()),
             symbol => format!("{}{NARROW_SPACE}{symbol}", self.number()),
         }
     }
