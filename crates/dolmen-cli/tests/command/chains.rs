@@ -291,3 +291,12 @@ fn holds_a_run_cut_short_on_the_way_down_is_no_verdict() {
     );
     assert_eq!(json(&scratch, words, 3)["outcome"]["kind"], "still leaning");
 }
+
+#[test]
+fn holds_a_simulated_chain_says_that_a_surveyed_tilt_is_not_in_it() {
+    let scratch = Scratch::with_examples("chain_tilt");
+    let run = "simulate examples/naju_flagpole --variant wedged --motion el-centro --keep-first 1";
+    let said = "The run starts plumb: the tilt of survey 2011-restored (x 1/177, y 1/540) is not in it";
+    assert!(scratch.briefly(run).words().contains(said));
+    assert!(scratch.dolmen(run).words().contains(said));
+}

@@ -1,6 +1,6 @@
 //! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
 
-use super::simulation_ending::{ending, finding, title};
+use super::simulation_ending::{ending, simulation_findings, tilt_left_out, title};
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
 use crate::document::{Block, Document, TextStyle, document_text, findings_text};
@@ -43,7 +43,7 @@ messages! {
 /// How it ended; in full each link and joint and the balance of energy.
 pub fn chain_simulation_text(simulation: &ChainSimulation, style: TextStyle) -> String {
     if !style.is_full {
-        return findings_text([&finding(simulation)], style);
+        return findings_text(&simulation_findings(&[simulation]), style);
     }
     let mut document = Document::default();
     ended(&mut document, simulation);
@@ -79,6 +79,9 @@ fn ended(document: &mut Document<'_>, simulation: &ChainSimulation) {
         true => Block::Warning(said),
         false => Block::Paragraph(vec![said]),
     });
+    document
+        .blocks
+        .extend(tilt_left_out(simulation).map(|found| Block::Note(found.sentence)));
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a ChainSimulation) {

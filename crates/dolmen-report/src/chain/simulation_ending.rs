@@ -44,6 +44,10 @@ messages! {
             en: "‘{name}’ leaned further out than in the time before and went on.",
             ko: "‘{name}’의 회전각이 계속 커지고 있었다.",
         },
+        TiltLeftOut { survey: String, tilt: String } => {
+            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner.",
+            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다.",
+        },
         WordStood => { en: "stood", ko: "안정 유지" },
         WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
         WordFell => { en: "fell", ko: "전도" },
@@ -55,7 +59,15 @@ messages! {
 
 /// How each ended, as findings.
 pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Finding> {
-    simulations.iter().map(|simulation| finding(simulation)).collect()
+    let each = simulations.iter();
+    each.flat_map(|simulation| [finding(simulation)].into_iter().chain(tilt_left_out(simulation)))
+        .collect()
+}
+
+pub(super) fn tilt_left_out(simulation: &ChainSimulation) -> Option<Finding> {
+    let left_out = simulation.tilt_left_out.as_ref()?;
+    let (survey, tilt) = (left_out.survey.clone(), left_out.written.clone());
+    Some(Finding::key(Tone::Warn, Ending::TiltLeftOut { survey, tilt }))
 }
 
 /// How it ended, and of which version under which motion.

@@ -6,4 +6,4 @@ mod simulation;
 pub(crate) mod stiffness;
 pub(crate) mod study;
 
-pub use simulation::ChainSimulation;
+pub use simulation::{ChainSimulation, TiltLeftOut};

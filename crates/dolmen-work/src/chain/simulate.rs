@@ -1,6 +1,6 @@
 //! A chain pushed, or on a moving ground, up to its fall.
 
-use super::ChainSimulation;
+use super::{ChainSimulation, TiltLeftOut};
 use crate::error::WorkError;
 use crate::frame::simulate::horizontal;
 use crate::motion::MotionAnswer;
@@ -95,6 +95,7 @@ pub(crate) fn simulate(
         push_rad: options.push_rad,
         options: run,
         growth,
+        tilt_left_out: TiltLeftOut::of(&version.project.surveys),
         history,
     })
 }

@@ -3,7 +3,7 @@
 use crate::motion::MotionAnswer;
 use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun};
 use dolmen::signal::Component;
-use dolmen_project::Names;
+use dolmen_project::{Names, Survey};
 
 /// A simulation of a chain in one plane, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -30,8 +30,32 @@ pub struct ChainSimulation {
     pub first_frequency_hz: Option<f64>,
     /// How fast it left the vertical; `None` if it stands by itself.
     pub growth: Option<ChainGrowth>,
+    /// A surveyed tilt that the run does not start from.
+    pub tilt_left_out: Option<TiltLeftOut>,
     /// What happened.
     pub history: ChainHistory,
+}
+
+/// A tilt that was measured and is not in the model.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct TiltLeftOut {
+    /// The survey.
+    pub survey: String,
+    /// As written, by direction: "x 1/177, y 1/540".
+    pub written: String,
+}
+
+impl TiltLeftOut {
+    /// That of the last survey that states any.
+    pub(crate) fn of(surveys: &[Survey]) -> Option<Self> {
+        let survey = surveys.iter().rev().find(|survey| !survey.tilt.is_empty())?;
+        let each = survey.tilt.iter();
+        let written = each.map(|(direction, tilt)| format!("{direction} {}", tilt.written));
+        Some(TiltLeftOut {
+            survey: survey.name.clone(),
+            written: written.collect::<Vec<_>>().join(", "),
+        })
+    }
 }
 
 impl ChainSimulation {
