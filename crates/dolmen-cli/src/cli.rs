@@ -427,9 +427,9 @@ pub(crate) struct Report {
     /// Project files, or folders that hold project.toml: one report for all of them
     #[arg(required = true)]
     pub(crate) projects: Vec<PathBuf>,
-    /// Where to write it
+    /// Where to write it: a page (.html) or a workbook of its tables for Excel (.xlsx); may be given for each
     #[arg(long, short, value_name = "FILE", default_value = "report.html")]
-    pub(crate) output: PathBuf,
+    pub(crate) output: Vec<PathBuf>,
     /// Draw the inputs that carry a cov this many times
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(0..=10_000_000))]
     pub(crate) samples: u32,

@@ -14,6 +14,7 @@ use anyhow::{Result, bail};
 use dolmen_project::Project;
 use dolmen_report::html::{Imprint, NotReported, html};
 use dolmen_report::text::project_line;
+use dolmen_report::xlsx::workbook;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{Verb, first_status, judge};
 use dolmen_work::motion::MotionRequest;
@@ -29,6 +30,27 @@ fn imprint(date: Option<String>) -> Imprint {
     Imprint {
         program: concat!("dolmen ", env!("CARGO_PKG_VERSION")).to_owned(),
         date,
+    }
+}
+
+/// What a report is written as.
+#[derive(Clone, Copy)]
+enum Format {
+    Html,
+    Xlsx,
+}
+
+impl Format {
+    /// By the extension of a file; a page where there is none, as of a pipe.
+    fn of(file: &Path) -> Result<Self> {
+        let extension = file.extension().map(|of| of.to_string_lossy().to_lowercase());
+        match extension.as_deref() {
+            None | Some("html" | "htm") => Ok(Format::Html),
+            Some("xlsx") => Ok(Format::Xlsx),
+            Some(other) => bail!(
+                "a report is not written as .{other}: -o takes a page (.html) or a workbook (.xlsx); a PDF comes from printing the page"
+            ),
+        }
     }
 }
 
@@ -82,7 +104,11 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             Err(_) => outputs.keeping(path).keeping(&path.join("project.toml")),
         };
     }
-    outputs.refuse(&options.output)?;
+    let mut formats = Vec::new();
+    for output in &options.output {
+        outputs.refuse(output)?;
+        formats.push((output, Format::of(output)?));
+    }
     let (mut answers, mut others, mut faults) = (Vec::new(), Vec::new(), Vec::new());
     for (path, found) in each {
         let answer = found.and_then(|found| whole(&found, sampling, &motion, manner));
@@ -105,15 +131,16 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             others.len()
         );
     }
-    let page = html(
-        &answers,
-        &others,
-        manner.language(),
-        &imprint(options.date.clone()),
-    );
-    outputs.file(&options.output, page.as_bytes())?;
-    if !manner.quiet {
-        files::say(&format!("{}\n", options.output.display()))?;
+    let (language, imprint) = (manner.language(), imprint(options.date.clone()));
+    for (output, format) in formats {
+        let bytes = match format {
+            Format::Html => html(&answers, &others, language, &imprint).into_bytes(),
+            Format::Xlsx => workbook(&answers, &others, language, &imprint)?,
+        };
+        outputs.file(output, &bytes)?;
+        if !manner.quiet {
+            files::say(&format!("{}\n", output.display()))?;
+        }
     }
     let statuses = answers
         .iter()

@@ -34,6 +34,8 @@ mod study;
 pub mod tables;
 pub mod text;
 mod tune;
+mod whole;
+pub mod xlsx;
 
 pub use check::check_text;
 pub use document::TextStyle;

@@ -31,3 +31,4 @@ mod training;
 mod tunings;
 mod untrusted;
 mod verbs;
+mod workbooks;

@@ -91,6 +91,11 @@ impl<'a> Document<'a> {
         self.blocks.push(block);
     }
 
+    /// Adds the blocks of another behind these.
+    pub(crate) fn append(&mut self, other: Document<'a>) {
+        self.blocks.extend(other.blocks);
+    }
+
     /// Adds the head of a section.
     pub(crate) fn heading(&mut self, head: impl Into<Sentence>) {
         self.put(Block::Heading(head.into()));

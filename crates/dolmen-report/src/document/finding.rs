@@ -14,6 +14,17 @@ pub(crate) enum Tone {
 }
 
 impl Tone {
+    /// The sign that stands before it, for those who see no colours.
+    pub(crate) fn sign(self) -> char {
+        match self {
+            Tone::Good => '●',
+            Tone::Warn => '◆',
+            Tone::Bad => '✕',
+            Tone::Plain => '-',
+            Tone::Unknown => '○',
+        }
+    }
+
     /// As a verdict is marked.
     pub(crate) fn of(verdict: Verdict) -> Self {
         match verdict {

@@ -1,6 +1,7 @@
 //! A document as a part of a page.
 
 use super::blocks::{Block, Cell, Document, Figure, Table};
+use super::finding::{Finding, Tone};
 use dolmen_words::{Language, Sentence};
 use maud::{Markup, PreEscaped, html};
 
@@ -10,6 +11,25 @@ const WHOLE_ROWS: usize = 8;
 /// The blocks, in a language.
 pub(crate) fn document_html(document: &Document<'_>, language: Language) -> Markup {
     html! { @for block in &document.blocks { (block_html(block, language)) } }
+}
+
+/// Findings as a list, each marked by its tone.
+pub(crate) fn findings_html(findings: &[Finding], language: Language) -> Markup {
+    html! {
+        ul.findings { @for finding in findings {
+            li class=(class(finding.tone)) { (finding.sentence.text(language)) }
+        } }
+    }
+}
+
+fn class(tone: Tone) -> &'static str {
+    match tone {
+        Tone::Good => "good",
+        Tone::Warn => "warn",
+        Tone::Bad => "bad",
+        Tone::Plain => "plain",
+        Tone::Unknown => "unknown",
+    }
 }
 
 fn block_html(block: &Block<'_>, language: Language) -> Markup {

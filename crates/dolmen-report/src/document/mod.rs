@@ -8,6 +8,6 @@ mod text_table;
 
 pub(crate) use blocks::{Block, Cell, Column, Document, Figure, Table};
 pub(crate) use finding::{Finding, Tone};
-pub(crate) use html::document_html;
+pub(crate) use html::{document_html, findings_html};
 pub use text::TextStyle;
 pub(crate) use text::{document_text, findings_text, heading_text, wrapped};

@@ -1,7 +1,7 @@
 //! A document for a terminal: plain characters, wrapped to its width.
 
 use super::blocks::{Block, Cell, Document};
-use super::finding::{Finding, Tone};
+use super::finding::Finding;
 use super::text_table::table_text;
 use dolmen_words::number::NARROW_SPACE;
 use dolmen_words::{Language, Sentence};
@@ -91,7 +91,7 @@ pub(crate) fn heading_text(head: &str) -> String {
 /// Findings, a mark before each.
 pub(crate) fn findings_text<'a>(findings: impl IntoIterator<Item = &'a Finding>, style: TextStyle) -> String {
     let said = |finding: &Finding| {
-        let mark = format!("  {} ", sign(finding.tone));
+        let mark = format!("  {} ", finding.tone.sign());
         let code = finding.code.map_or_else(String::new, |code| format!(" [{code}]"));
         wrapped(
             &(finding.sentence.text(style.language) + &code),
@@ -101,16 +101,6 @@ pub(crate) fn findings_text<'a>(findings: impl IntoIterator<Item = &'a Finding>,
         )
     };
     findings.into_iter().map(said).collect()
-}
-
-fn sign(tone: Tone) -> char {
-    match tone {
-        Tone::Good => '●',
-        Tone::Warn => '◆',
-        Tone::Bad => '✕',
-        Tone::Plain => '-',
-        Tone::Unknown => '○',
-    }
 }
 
 fn joined(sentences: &[Sentence], language: Language) -> String {

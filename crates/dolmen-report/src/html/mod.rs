@@ -1,7 +1,5 @@
 //! One self-contained HTML page, English or Korean, that an engineer hands over.
 
-mod finding;
-mod findings;
 mod given;
 mod page;
 mod rank;
@@ -13,4 +11,5 @@ pub(crate) mod words;
 mod tests;
 
 pub use page::{Imprint, NotReported, html};
+pub(crate) use page::{headline_line, project_name};
 pub use rank::ranking_html;

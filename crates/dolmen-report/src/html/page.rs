@@ -1,15 +1,13 @@
 //! The page: head, verdict, findings, sections, method, evidence.
 
+use super::given;
 use super::style::STYLE;
 use super::words::{colour_class, judgement_sign, thresholds};
-use super::{findings, given};
-use crate::check::{scatter_sections, title, variants_section};
-use crate::document::document_html;
+use crate::check::title;
+use crate::document::{document_html, findings_html};
 use crate::mark::GENERATOR;
-use crate::{
-    building, building_simulation, chain, change, demand, frame, frame_simulation, identification, modal,
-    stack, stack_simulation, study, tune,
-};
+use crate::stack;
+use crate::whole::{all_findings, whole_document};
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
 use dolmen_words::Language;
@@ -18,7 +16,7 @@ use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
     Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
 };
-use dolmen_work::state::{Check, StackAnswer, State};
+use dolmen_work::state::{Check, State};
 use maud::{DOCTYPE, Markup, PreEscaped, html as markup};
 
 /// Who made the page, and when.
@@ -50,7 +48,7 @@ pub fn html(
     imprint: &Imprint,
 ) -> String {
     let title = match (answers, others) {
-        ([one], []) => name(one, language).to_string(),
+        ([one], []) => project_name(one, language).to_string(),
         _ => language.pick("Reports", "보고서 모음").to_string(),
     };
     let body = markup! {
@@ -96,8 +94,8 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
             h1 { (language.pick("Reports", "보고서 모음")) }
             ol { @for (i, answer) in answers.iter().enumerate() {
                 li {
-                    a href=(format!("#report-{}", i + 1)) { (name(answer, language)) }
-                    @if answer.state().is_some() { ": " (summary(answer, language)) }
+                    a href=(format!("#report-{}", i + 1)) { (project_name(answer, language)) }
+                    @if answer.state().is_some() { ": " (headline_line(answer, language)) }
                 }
             } }
             @for other in others {
@@ -111,7 +109,7 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
 }
 
 /// A project in the list: the sign of the worst colour, the words of its headline, why, and variants that are worse.
-fn summary(answer: &ProjectReport, language: Language) -> String {
+pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
     if let Some(headline) = judgement.headline() {
@@ -124,7 +122,8 @@ fn summary(answer: &ProjectReport, language: Language) -> String {
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
 }
 
-fn name(answer: &ProjectReport, language: Language) -> &str {
+/// The name of a project in a language.
+pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
     language.pick(answer.project.name.english(), answer.project.name.korean())
 }
 
@@ -150,8 +149,8 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Mar
     markup! {
         header {
             p.kicker { (kind) }
-            h1 { (name(answer, language)) }
-            @if other != name(answer, language) { p.sub { (other) } }
+            h1 { (project_name(answer, language)) }
+            @if other != project_name(answer, language) { p.sub { (other) } }
             p.sub {
                 @if let Some(date) = &imprint.date { (date) " · " }
                 (imprint.program)
@@ -159,43 +158,11 @@ fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Mar
         }
         @if let Some(state) = answer.state() { (banner(answer, state, language)) }
         h2 { (language.pick("Findings", "검토 결과 요약")) }
-        (findings::list(answer, language))
+        (findings_html(&all_findings(answer), language))
         (given::section(answer, language))
-        @match (&project.structure, answer.state().map(|s| &s.check)) {
-            (Structure::Chain(part), Some(Check::Chain(check))) => (document_html(&chain::sections(part, check), language)),
-            (Structure::Frame(part), Some(Check::Frame(all))) => (document_html(&frame::sections(part, all), language)),
-            (Structure::Stack(_), Some(Check::Stack(check))) => (stack_sections(answer, check, language)),
-            (Structure::Building(_), Some(Check::Building(check))) => (document_html(&building::sections(check), language)),
-            _ => {}
-        }
-        @if let Some(demand) = answer.state().and_then(|state| state.demand.as_ref()) { (document_html(&demand::sections(demand), language)) }
-        (document_html(&stack_simulation::sections(answer), language))
-        (document_html(&frame_simulation::sections(&answer.frame_simulations()), language))
-        (document_html(&chain::simulation_sections(&answer.chain_simulations()), language))
-        (document_html(&tune::sections(&answer.tunings(), &answer.together()), language))
-        (document_html(&building_simulation::sections(&answer.building_simulations()), language))
-        @for found in answer.studies() { (document_html(&study::sections(found), language)) }
-        @if let Some(check) = answer.check() { (document_html(&variants_section(check), language)) }
-        @if let Some(check) = answer.check() { (document_html(&scatter_sections(check), language)) }
-        @for survey in answer.surveys() {
-            (document_html(&modal::sections(survey), language))
-        }
-        @if let Some(found) = answer.change() { (document_html(&change::sections(project, found), language)) }
-        (document_html(&identification::sections(project, answer.surveys()), language))
+        (document_html(&whole_document(answer), language))
         (method(answer, language))
         (evidence(answer, language, imprint))
-    }
-}
-
-/// A stack and its variants.
-fn stack_sections(whole: &ProjectReport, answer: &StackAnswer, language: Language) -> Markup {
-    let fits = whole.state().map_or(&[][..], |state| &state.spring_fits);
-    let compared = whole
-        .state()
-        .map(|state| stack::comparison(state, whole.variants()));
-    markup! {
-        (document_html(&stack::sections(answer, fits, stack::peak_g(whole, answer)), language))
-        @if let Some(compared) = compared { (document_html(&compared, language)) }
     }
 }
 

@@ -1,0 +1,61 @@
+//! What was given, as tables.
+
+use super::headed::{Headed, verbatim};
+use super::words::Workbook;
+use crate::check::title;
+use crate::document::{Cell, Column, Table};
+use crate::html::words::{evidence_word, path_words, unit_text};
+use dolmen_project::Quantity as Input;
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Quantity, Sentence, Unit};
+use dolmen_work::answer::ProjectReport;
+
+/// Digits of a value as the project file may have written it.
+const DIGITS: usize = 6;
+
+/// The inputs of the structure, then those of each variant that differ.
+pub(super) fn inputs_tables(answer: &ProjectReport) -> Vec<Headed> {
+    let headed = |caption: Sentence, inputs: &[&Input]| Headed {
+        head: Workbook::Inputs {}.into(),
+        warnings: Vec::new(),
+        table: inputs_table(caption, inputs),
+    };
+    let own = answer.project.inputs();
+    let mut all = vec![headed(Workbook::InputsCaption {}.into(), &own)];
+    for variant in answer.variants() {
+        let inputs: Vec<&Input> = variant.own_inputs.iter().collect();
+        let variant = title(variant);
+        all.push(headed(Workbook::InputsOf { variant }.into(), &inputs));
+    }
+    all.retain(|headed| !headed.table.rows.is_empty());
+    all
+}
+
+fn inputs_table(caption: Sentence, inputs: &[&Input]) -> Table {
+    Table {
+        caption: vec![caption],
+        columns: vec![
+            Column::words(Workbook::Input {}),
+            Column::words(Workbook::Source {}),
+            Column::words(Workbook::AsWritten {}),
+            Column::words(Workbook::Unit {}),
+            Column::numbers(Workbook::Value {}, Unit::ratio()),
+            Column::numbers(Workbook::Scatter {}, Unit::percent()),
+            Column::words(Workbook::Note {}),
+        ],
+        rows: inputs.iter().map(|input| row(input)).collect(),
+    }
+}
+
+fn row(input: &Input) -> Vec<Cell> {
+    let both = |text: Both| Cell::words(Workbook::Verbatim { text });
+    vec![
+        both(Both::of(|language| path_words(&input.path, language))),
+        both(Both::of(|language| evidence_word(input.source, language))),
+        verbatim(&input.written),
+        verbatim(&unit_text(input.unit)),
+        Cell::number(Quantity::new(input.value, Unit::ratio(), Digits::Trimmed(DIGITS))),
+        Cell::Number(input.cov.map(|cov| Quantity::percent(cov, 2))),
+        verbatim(input.note.as_deref().unwrap_or_default()),
+    ]
+}

@@ -1,0 +1,104 @@
+//! A report as a workbook for Excel and LibreOffice: a summary, and every table on a sheet of its own with its numbers as numbers.
+
+mod headed;
+mod inputs;
+mod sheet;
+mod summary;
+mod tables;
+mod words;
+
+pub(crate) use words::Workbook;
+
+use crate::html::{Imprint, NotReported};
+use dolmen_words::Language;
+use dolmen_work::answer::ProjectReport;
+use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook as Book, XlsxError};
+use sheet::{Styles, write_table};
+use summary::{Listed, Summary};
+
+/// Excel keeps a date in every file; this one stands where none is given, so that the same input gives the same bytes.
+const NO_DATE: (u16, u8, u8) = (2000, 1, 1);
+
+/// A workbook that could not be written.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("the workbook could not be made: {0}")]
+pub struct WorkbookFault(String);
+
+impl From<XlsxError> for WorkbookFault {
+    fn from(fault: XlsxError) -> Self {
+        WorkbookFault(fault.to_string())
+    }
+}
+
+/// The report on one or more projects as the bytes of an XLSX file.
+///
+/// The first sheet holds the headlines and findings and lists the other sheets: the inputs and every table of the report, one a sheet. Numbers
+/// stand at full precision in the unit of their column and are formatted with the digits that the page shows; a standard deviation has a column
+/// of its own. Figures are left to the page. The same input gives the same bytes.
+///
+/// # Errors
+/// If the writer refuses, as for more rows than a sheet holds (1,048,576).
+pub fn workbook(
+    answers: &[ProjectReport],
+    others: &[NotReported],
+    language: Language,
+    imprint: &Imprint,
+) -> Result<Vec<u8>, WorkbookFault> {
+    let mut book = Book::new();
+    let styles = Styles::new();
+    book.set_properties(&properties(answers, language, imprint)?);
+    // the summary stands first, and is written when the sheets that it lists are there
+    let summary_name = Summary::sheet_name(language);
+    book.add_worksheet().set_name(&summary_name)?;
+    let mut summary = Summary::new(answers, others, imprint);
+    for (number, answer) in answers.iter().enumerate() {
+        for table in tables::tables(answer) {
+            let name = sheet_name(book.worksheets().len(), &table.head.text(language));
+            let sheet = book.add_worksheet().set_name(&name)?;
+            write_table(sheet, &table, &summary_name, language, &styles)?;
+            summary.list(
+                number,
+                Listed {
+                    sheet: name,
+                    caption: table.caption_text(language),
+                },
+            );
+        }
+    }
+    summary.write(book.worksheet_from_index(0)?, language, &styles)?;
+    Ok(book.save_to_buffer()?)
+}
+
+fn properties(
+    answers: &[ProjectReport],
+    language: Language,
+    imprint: &Imprint,
+) -> Result<DocProperties, XlsxError> {
+    let (year, month, day) = NO_DATE;
+    let given = imprint
+        .date
+        .as_deref()
+        .and_then(|date| ExcelDateTime::parse_from_str(date).ok());
+    let date = match given {
+        Some(date) => date,
+        None => ExcelDateTime::from_ymd(year, month, day)?,
+    };
+    Ok(DocProperties::new()
+        .set_title(summary::title(answers, language))
+        .set_author(&imprint.program)
+        .set_creation_datetime(&date))
+}
+
+/// "3 Joints": at most 31 characters, none that Excel refuses, no two the same.
+fn sheet_name(number: usize, head: &str) -> String {
+    const CHARACTERS_MOST: usize = 31;
+    let allowed = head
+        .chars()
+        .filter(|c| !"[]:*?/\\'".contains(*c) && !c.is_control());
+    let name: String = format!("{number} ")
+        .chars()
+        .chain(allowed)
+        .take(CHARACTERS_MOST)
+        .collect();
+    name.trim_end().to_owned()
+}

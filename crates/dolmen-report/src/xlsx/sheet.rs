@@ -1,0 +1,308 @@
+//! One table on one sheet.
+
+use super::headed::Headed;
+use super::words::Workbook;
+use crate::document::{Cell, Column, Tone};
+use dolmen_words::message::Both;
+use dolmen_words::{Language, Quantity, Sentence};
+use rust_xlsxwriter::{Color, Format, FormatAlign, FormatBorder, Url, Worksheet, XlsxError};
+use unicode_width::UnicodeWidthStr;
+
+/// Most characters that a cell of Excel holds.
+const CHARACTERS_MOST: usize = 32_767;
+/// Widths of columns, in characters.
+const WIDTH_LEAST: usize = 8;
+const WIDTH_MOST: usize = 60;
+
+/// What falls or must not be used, as on the page.
+const BAD: Color = Color::RGB(0x00B3_261E);
+/// The ground of heads.
+const HEAD_GROUND: Color = Color::RGB(0x00EE_F1F4);
+
+/// The formats of a workbook.
+pub(super) struct Styles {
+    pub(super) title: Format,
+    pub(super) caption: Format,
+    pub(super) words: Format,
+    head_words: Format,
+    head_number: Format,
+    warning: Format,
+    bad_words: Format,
+    number: Format,
+}
+
+impl Styles {
+    pub(super) fn new() -> Self {
+        let words = Format::new()
+            .set_text_wrap()
+            .set_align(FormatAlign::Left)
+            .set_align(FormatAlign::Top);
+        let head = Format::new()
+            .set_bold()
+            .set_text_wrap()
+            .set_align(FormatAlign::Top)
+            .set_border_bottom(FormatBorder::Thin)
+            .set_background_color(HEAD_GROUND);
+        Styles {
+            title: Format::new().set_bold().set_font_size(16),
+            caption: Format::new().set_bold(),
+            head_words: head.clone().set_align(FormatAlign::Left),
+            head_number: head.set_align(FormatAlign::Right),
+            warning: Format::new().set_font_color(BAD).set_bold(),
+            bad_words: words.clone().set_font_color(BAD).set_bold(),
+            number: Format::new()
+                .set_align(FormatAlign::Right)
+                .set_align(FormatAlign::Top),
+            words,
+        }
+    }
+}
+
+impl Styles {
+    /// Of the head of a column.
+    fn head(&self, shown: &Shown<'_>) -> &Format {
+        match shown {
+            Shown::Value(_, column) if column.is_words => &self.head_words,
+            Shown::Value(..) | Shown::Deviation(..) => &self.head_number,
+        }
+    }
+
+    /// Of words in a column: beside numbers they stand as numbers do.
+    fn words_in(&self, column: &Column) -> &Format {
+        match column.is_words {
+            true => &self.words,
+            false => &self.number,
+        }
+    }
+}
+
+/// A column of the sheet: one of the table, or the deviations of one.
+enum Shown<'a> {
+    Value(usize, &'a Column),
+    Deviation(usize, &'a Column),
+}
+
+/// Writes the caption, the heads with their units, and the rows.
+pub(super) fn write_table(
+    sheet: &mut Worksheet,
+    headed: &Headed,
+    summary: &str,
+    language: Language,
+    styles: &Styles,
+) -> Result<(), XlsxError> {
+    let back = Url::new(format!("internal:'{summary}'!A1"))
+        .set_text(Sentence::from(Workbook::Back {}).text(language));
+    write_words(sheet, (0, 0), &headed.head.text(language), &styles.title)?;
+    write_words(sheet, (1, 0), &headed.caption_text(language), &styles.caption)?;
+    sheet.write_url(2, 0, back)?;
+    let mut head_row = 3;
+    for warning in &headed.warnings {
+        let words = format!("{} {}", Tone::Bad.sign(), warning.text(language));
+        write_words(sheet, (head_row, 0), &words, &styles.warning)?;
+        head_row += 1;
+    }
+    let mut lines = vec![1; headed.table.rows.len() + 1];
+    for (at, shown) in (0..).zip(shown(headed)) {
+        let texts = texts(&shown, headed, language);
+        let width = column_width(&texts);
+        sheet.set_column_width(at, characters(width))?;
+        for (most, text) in lines.iter_mut().zip(&texts) {
+            *most = lines_of(text, width).max(*most);
+        }
+        let head = texts.first().map_or("", String::as_str);
+        write_words(sheet, (head_row, at), head, styles.head(&shown))?;
+        for (row, cells) in (head_row + 1..).zip(&headed.table.rows) {
+            match &shown {
+                Shown::Value(column, of) => {
+                    let words = styles.words_in(of);
+                    write_cell(sheet, (row, at), cells.get(*column), (language, words), styles)?;
+                }
+                Shown::Deviation(column, _) => {
+                    write_deviation(sheet, (row, at), cells.get(*column), styles)?;
+                }
+            }
+        }
+    }
+    for (row, lines) in (head_row..).zip(lines) {
+        sheet.set_row_height(row, row_height(lines))?;
+    }
+    sheet.set_freeze_panes(head_row + 1, 0)?;
+    sheet
+        .set_landscape()
+        .set_print_fit_to_pages(1, 0)
+        .set_repeat_rows(head_row, head_row)?;
+    Ok(())
+}
+
+/// The columns, and behind each that holds deviations one for them.
+fn shown(headed: &Headed) -> Vec<Shown<'_>> {
+    let table = &headed.table;
+    let mut all = Vec::new();
+    for (index, column) in table.columns.iter().enumerate() {
+        all.push(Shown::Value(index, column));
+        let mut cells = table.rows.iter().filter_map(|row| row.get(index));
+        if cells.any(|cell| quantity(cell).is_some_and(|q| q.sd_si.is_some())) {
+            all.push(Shown::Deviation(index, column));
+        }
+    }
+    all
+}
+
+fn head(shown: &Shown<'_>, language: Language) -> String {
+    match shown {
+        Shown::Value(_, column) => column.text(language),
+        Shown::Deviation(_, column) => {
+            let head = Both::of(|language| column.text(language));
+            Sentence::from(Workbook::Deviation { head }).text(language)
+        }
+    }
+}
+
+fn quantity(cell: &Cell) -> Option<&Quantity> {
+    match cell {
+        Cell::Number(quantity) => quantity.as_ref(),
+        Cell::Bad(quantity) | Cell::Rises(quantity) => Some(quantity),
+        Cell::Words(_) | Cell::BadWords(_) => None,
+    }
+}
+
+/// The head and the cells of a column as they are read.
+fn texts(shown: &Shown<'_>, headed: &Headed, language: Language) -> Vec<String> {
+    let cells = headed.table.rows.iter().map(|row| match shown {
+        Shown::Value(column, _) => row.get(*column).map(|cell| cell.text(language)),
+        Shown::Deviation(..) => None,
+    });
+    let head = std::iter::once(head(shown, language));
+    head.chain(cells.map(Option::unwrap_or_default)).collect()
+}
+
+/// A column holds its cells and, in two lines, its head.
+fn column_width(texts: &[String]) -> usize {
+    let head = texts.first().map_or(0, |head| head.width().div_ceil(2));
+    let cells = texts.iter().skip(1).map(|text| text.width()).max();
+    (cells.unwrap_or(0).max(head) + 3).clamp(WIDTH_LEAST, WIDTH_MOST)
+}
+
+/// Lines that a text takes in a column; words at the ends of lines leave room.
+pub(super) fn lines_of(text: &str, width: usize) -> usize {
+    let room = width.saturating_sub(3).max(1);
+    text.width().div_ceil(room).max(1)
+}
+
+/// The height of a row in points.
+pub(super) fn row_height(lines: usize) -> f64 {
+    const POINTS_A_LINE: f64 = 15.0;
+    const POINTS_MOST: f64 = 409.0; // of a row in Excel
+    (characters(lines) * POINTS_A_LINE).min(POINTS_MOST)
+}
+
+/// A count as a width or height.
+pub(super) fn characters(count: usize) -> f64 {
+    u32::try_from(count).map_or(f64::from(u32::MAX), f64::from)
+}
+
+/// Writes a cell; words in the language and format of its column.
+fn write_cell(
+    sheet: &mut Worksheet,
+    at: (u32, u16),
+    cell: Option<&Cell>,
+    (language, words): (Language, &Format),
+    styles: &Styles,
+) -> Result<(), XlsxError> {
+    let Some(cell) = cell else { return Ok(()) };
+    match quantity(cell).filter(|quantity| shown_value(quantity).is_finite()) {
+        Some(quantity) => {
+            let mut format = styles
+                .number
+                .clone()
+                .set_num_format(number_format(cell, quantity));
+            if cell.is_bad() {
+                format = format.set_font_color(BAD).set_bold();
+            }
+            sheet
+                .write_number_with_format(at.0, at.1, shown_value(quantity), &format)
+                .map(|_| ())
+        }
+        None if cell.is_bad() => write_words(sheet, at, &cell.text(language), &styles.bad_words),
+        None => {
+            let text = cell.text(language);
+            match signed_number(&text) {
+                Some(value) => {
+                    let digits = decimals(&text);
+                    let format = styles
+                        .number
+                        .clone()
+                        .set_num_format(format!("+{digits};-{digits};{digits}"));
+                    sheet
+                        .write_number_with_format(at.0, at.1, value, &format)
+                        .map(|_| ())
+                }
+                None => write_words(sheet, at, &text, words),
+            }
+        }
+    }
+}
+
+/// A change as the page writes it, "+1.38": a number with the digits that are shown.
+fn signed_number(text: &str) -> Option<f64> {
+    let is_signed = text.starts_with(['+', '−']);
+    let value = is_signed.then(|| text.replace('−', "-").parse::<f64>().ok());
+    value.flatten().filter(|value| value.is_finite())
+}
+
+fn write_deviation(
+    sheet: &mut Worksheet,
+    at: (u32, u16),
+    cell: Option<&Cell>,
+    styles: &Styles,
+) -> Result<(), XlsxError> {
+    let Some((cell, quantity)) = cell.and_then(|cell| quantity(cell).map(|of| (cell, of))) else {
+        return Ok(());
+    };
+    if let Some(sd) = quantity.sd_si.filter(|sd| sd.is_finite()) {
+        let format = styles
+            .number
+            .clone()
+            .set_num_format(number_format(cell, quantity));
+        sheet.write_number_with_format(at.0, at.1, sd * quantity.unit.factor, &format)?;
+    }
+    Ok(())
+}
+
+/// The digits that the page shows, as Excel writes them: "0.000".
+fn number_format(cell: &Cell, quantity: &Quantity) -> String {
+    let digits = decimals(&quantity.number());
+    match cell {
+        Cell::Rises(_) => format!("{digits}\" ↑\""),
+        Cell::Words(_) | Cell::BadWords(_) | Cell::Number(_) | Cell::Bad(_) => digits,
+    }
+}
+
+/// As many digits behind the point as a text shows, the last of "1.88 ± 0.04".
+fn decimals(text: &str) -> String {
+    let last = text.rsplit(' ').next().unwrap_or_default();
+    let is_plain = last.chars().all(|c| c.is_ascii_digit() || ".+-−".contains(c));
+    match last.split_once('.') {
+        _ if !is_plain => "General".to_owned(),
+        Some((_, decimals)) => format!("0.{}", "0".repeat(decimals.len())),
+        None => "0".to_owned(),
+    }
+}
+
+/// Writes words, never as a formula; what no cell holds is cut.
+pub(super) fn write_words(
+    sheet: &mut Worksheet,
+    at: (u32, u16),
+    text: &str,
+    format: &Format,
+) -> Result<(), XlsxError> {
+    let cut: String = text.chars().take(CHARACTERS_MOST).collect();
+    sheet
+        .write_string_with_format(at.0, at.1, cut, format)
+        .map(|_| ())
+}
+
+/// The value of a cell as a workbook holds it: in the unit in which it is shown.
+fn shown_value(quantity: &Quantity) -> f64 {
+    quantity.value_si * quantity.unit.factor
+}
