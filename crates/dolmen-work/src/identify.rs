@@ -7,7 +7,9 @@ use crate::opened::Opened;
 use crate::progress::{Progress, Stage};
 use crate::record;
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
-use dolmen::modal::{Identify, MergeSetups, Modes, identify as modes_of, joint_setups, merge_setups};
+use dolmen::modal::{
+    Criteria, Identify, MergeSetups, Modes, identify as modes_of, joint_setups, merge_setups,
+};
 use dolmen::signal::{Channel, Record};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
@@ -242,6 +244,17 @@ fn options(source: &RecordSource, channels: &[Channel]) -> Result<Identify, Work
         frequency_high_hz: source.modal.frequency_high_hz,
         block_rows: source.modal.block_rows,
         order_most: source.modal.order_most,
+        criteria: Criteria {
+            damping_ratio_least: source
+                .modal
+                .damping_least
+                .unwrap_or(defaults.criteria.damping_ratio_least),
+            damping_ratio_most: source
+                .modal
+                .damping_most
+                .unwrap_or(defaults.criteria.damping_ratio_most),
+            ..defaults.criteria
+        },
         modes_wanted: source.modal.modes_wanted,
         ..defaults
     })

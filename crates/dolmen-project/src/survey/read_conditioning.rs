@@ -6,7 +6,7 @@ use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
 use crate::written::short;
-use dolmen::modal::{Harmonics, Method};
+use dolmen::modal::{Criteria, Harmonics, Method};
 use std::ops::Range;
 
 /// Order of one filter pass if none is given, as is usual.
@@ -111,6 +111,31 @@ fn ordered(
     None
 }
 
+/// The range of damping in which a pole is a mode, for the methods that judge poles by it.
+fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64>; 2] {
+    let (least, most) = (raw.damping_least.as_ref(), raw.damping_most.as_ref());
+    if let (Some(MethodRaw::Fdd | MethodRaw::Efdd | MethodRaw::Fsdd | MethodRaw::Era), Some(given)) =
+        (raw.method, least.or(most))
+    {
+        let message = format!("{path}: damping_least and damping_most are not used by this method");
+        let fault = Fault::new(given.span.clone(), path, message);
+        reader.fault(fault.allowed("leave them out, or choose ssi-cov, ssi-data, plscf or bayoma"));
+    }
+    let defaults = Criteria::default();
+    let range = [
+        reader.within(least, &format!("{path}.damping_least"), 0.0, 1.0),
+        reader.within(most, &format!("{path}.damping_most"), 0.0, 1.0),
+    ];
+    if let Some(given) = most.or(least) {
+        let pair = (
+            range[0].unwrap_or(defaults.damping_ratio_least),
+            range[1].unwrap_or(defaults.damping_ratio_most),
+        );
+        ordered(reader, pair, &given.span, path, ("damping_least", "damping_most"));
+    }
+    range
+}
+
 pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalChoice {
     let low = raw.frequency_low_hz.as_ref();
     let high = raw.frequency_high_hz.as_ref();
@@ -125,6 +150,7 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
             ("frequency_low_hz", "frequency_high_hz"),
         );
     }
+    let [damping_least, damping_most] = damping_range(reader, raw, path);
     let picks = raw.pick_hz.iter().flatten().enumerate();
     let pick_hz = picks
         .filter_map(|(i, pick)| reader.within(Some(pick), &format!("{path}.pick_hz[{i}]"), 0.0, RATE_MOST_HZ))
@@ -156,6 +182,8 @@ pub(super) fn modal(reader: &mut Reader, raw: &ModalRaw, path: &str) -> ModalCho
         }),
         frequency_low_hz,
         frequency_high_hz,
+        damping_least,
+        damping_most,
         order_most: count(&raw.order_most, "order_most", 2),
         block_rows: count(&raw.block_rows, "block_rows", 2),
         modes_wanted: count(&raw.modes_wanted, "modes_wanted", 1),

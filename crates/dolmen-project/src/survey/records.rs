@@ -82,6 +82,10 @@ pub struct ModalChoice {
     pub frequency_low_hz: Option<f64>,
     /// Highest frequency of interest, Hz.
     pub frequency_high_hz: Option<f64>,
+    /// Least damping ratio of a mode.
+    pub damping_least: Option<f64>,
+    /// Largest damping ratio of a mode.
+    pub damping_most: Option<f64>,
     /// Largest model order.
     pub order_most: Option<usize>,
     /// Block rows of the Hankel matrix.

@@ -440,7 +440,7 @@ channels = [
   { column = "ch3", direction = [3, 0, 4], leave_out = true },
 ]
 conditioning = { cut = { from_s = 10, to_s = 610 }, detrend_degree = 1, band_pass = { low_hz = 0.5, high_hz = 20 }, decimate_factor = 4 }
-modal = { frequency_high_hz = 10, order_most = 40, modes_wanted = 3 }
+modal = { frequency_high_hz = 10, order_most = 40, modes_wanted = 3, damping_least = 0.0005 }
 "#
     );
     let project = read(&text);
@@ -476,4 +476,22 @@ modal = { frequency_high_hz = 10, order_most = 40, modes_wanted = 3 }
     );
     assert_eq!(conditioning.band_pass.unwrap().order, 4);
     assert_eq!(records.modal.modes_wanted, Some(3));
+    assert_eq!(
+        (records.modal.damping_least, records.modal.damping_most),
+        (Some(0.0005), None)
+    );
+    for (written, said) in [
+        (
+            "damping_least = 0.2",
+            "damping_least = 0.2 is not below damping_most = 0.15",
+        ),
+        ("damping_least = 2", "must be 0 to 1"),
+        (
+            "damping_most = 0.1, method = \"fdd\"",
+            "are not used by this method",
+        ),
+    ] {
+        let fault = refused(&text.replace("damping_least = 0.0005", written));
+        assert!(fault.contains(said), "{written}: {fault}");
+    }
 }

@@ -14,7 +14,8 @@
 //            mode is itself known to 16 % from 20 seeds, so the root mean square over all modes is held to 0.8 … 1.25.
 
 use dolmen::modal::{
-    Harmonics, Identify, MadeMode, MadeRecord, Method, Modes, Note, ReferenceCase, assurance, identify,
+    Criteria, Harmonics, Identify, MadeMode, MadeRecord, Method, Modes, Note, ReferenceCase, assurance,
+    identify,
 };
 use dolmen::signal::{Channel, Quantity, Record};
 use dolmen_linalg::Complex64;
@@ -451,4 +452,39 @@ fn holds_80_seconds_give_the_first_mode_with_fewer_blocks_and_say_so() {
         message.starts_with("the record is short: standard deviations come from "),
         "{message}"
     );
+}
+
+/// Steel and single stones go below the damping at which a pole is taken for a machine: there the user says how low.
+#[test]
+fn holds_a_mode_damped_by_less_than_usual_is_found_when_asked_for() {
+    let mode = |frequency_hz, damping_ratio, shape: [f64; 4]| MadeMode {
+        frequency_hz,
+        damping_ratio,
+        shape: shape.to_vec(),
+    };
+    let weak = mode(3.1, 0.0008, [0.3, 0.6, 0.8, 1.0]);
+    let made = MadeRecord {
+        modes: vec![weak.clone(), mode(8.3, 0.01, [-0.8, -0.9, 0.2, 1.0])],
+        duration_s: 1200.0,
+        seed: 3,
+        ..MadeRecord::default()
+    };
+    let record = made.make().unwrap();
+    let hz = |options: &Identify| identify(&record, options).unwrap().modes;
+    let usual = hz(&Identify::default());
+    assert_eq!(usual.modes.len(), 1, "{:?}", usual.modes[0].frequency_hz);
+    let criteria = Criteria {
+        damping_ratio_least: 0.0003,
+        ..Criteria::default()
+    };
+    let found = hz(&Identify {
+        criteria,
+        ..Identify::default()
+    });
+    matched(&made.modes, &found, made.seed);
+    let sd = found.modes[0].frequency_sd_hz.unwrap();
+    let off = (found.modes[0].frequency_hz - weak.frequency_hz).abs();
+    assert!(off < 3.0 * sd && sd < 0.002, "{off} Hz off, {sd} Hz stated");
+    let ratio = found.modes[0].damping_ratio.unwrap() / weak.damping_ratio;
+    assert!((ratio - 1.0).abs() < 0.6, "{ratio} of the damping");
 }
