@@ -45,6 +45,8 @@ pub enum WarningKind {
     SurveyTilt,
     /// A probable slip that `allow` lets pass.
     Allowed,
+    /// A pattern that looks like a slip and may be right: in the first lines of every answer.
+    Doubtful,
     /// An entry of `allow` that nothing needed.
     AllowedInVain,
 }

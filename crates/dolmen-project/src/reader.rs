@@ -1,6 +1,7 @@
 //! What reading needs everywhere: units, places, faults, and numbers made into quantities.
 
 use super::content::{Warning, WarningKind};
+use super::doubted::Doubted;
 use super::error::Fault;
 use super::file::{KindRaw, UnitsRaw};
 use super::file_number::{At, EvidenceRaw, NumberRaw, QuantityRaw};
@@ -10,6 +11,7 @@ use super::units::{Dimension, Unit, UnitError, parse_unit, split_number, tilt_ra
 use super::warned::Warned;
 use super::written::{short, with_unit};
 use dolmen_records::Files;
+use dolmen_words::Sentence;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -150,12 +152,24 @@ impl<'f> Reader<'f> {
         self.fault(fault.allowed("probably a slip").help(help));
     }
 
+    /// A pattern that looks like a slip but may be right: a warning, or nothing where `allow` names it.
+    pub(super) fn doubt(&mut self, path: &str, doubted: Doubted) {
+        match self.allow.iter_mut().find(|(allowed, _)| allowed.value == path) {
+            Some((_, used)) => *used = true,
+            None => self.put(WarningKind::Doubtful, path, doubted.into()),
+        }
+    }
+
     pub(super) fn warn(&mut self, kind: WarningKind, path: &str, warned: Warned) {
+        self.put(kind, path, warned.into());
+    }
+
+    fn put(&mut self, kind: WarningKind, path: &str, message: Sentence) {
         let warning = Warning {
             kind,
             line: 0,
             path: path.to_owned(),
-            message: warned.into(),
+            message,
         };
         self.warnings.push((self.place(path), warning));
     }

@@ -22,6 +22,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(chain::TEMPLATES);
     groups.extend(check::TEMPLATES);
     groups.push(dolmen_project::Warned::TEMPLATES);
+    groups.push(dolmen_project::Doubted::TEMPLATES);
     groups.extend(frame::TEMPLATES);
     groups.extend(demand::TEMPLATES);
     groups.extend(simulated::TEMPLATES);

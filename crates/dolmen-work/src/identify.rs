@@ -10,7 +10,7 @@ use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer,
 use dolmen::modal::{
     Criteria, Identify, MergeSetups, Modes, identify as modes_of, joint_setups, merge_setups,
 };
-use dolmen::signal::{Channel, Record};
+use dolmen::signal::{Channel, Record, doubt_sensors};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_records::Files;
@@ -227,6 +227,7 @@ fn of_record(
         unit: opened.unit,
         remarks: opened.remarks,
         faults: opened.faults,
+        doubts: doubt_sensors(&opened.record),
         analysis,
     };
     Ok((answer, opened.record))

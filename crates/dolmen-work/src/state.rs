@@ -103,6 +103,13 @@ pub struct FrequencyContradiction {
     pub computed_hz: f64,
 }
 
+impl FrequencyContradiction {
+    /// The slip that gives just this ratio; `None` if there is none.
+    pub fn likely(&self) -> Option<dolmen_project::Doubted> {
+        dolmen_project::likely(self.measured_hz, self.computed_hz)
+    }
+}
+
 /// The check, by kind of structure.
 #[derive(Clone, Debug)]
 pub enum Check {

@@ -1,7 +1,7 @@
 //! What was identified from one survey.
 
 use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note};
-use dolmen::signal::ChannelFault;
+use dolmen::signal::{ChannelFault, SensorDoubt};
 use dolmen::structure::{Convention, StiffnessSolutions};
 
 /// What the sensors lack.
@@ -141,6 +141,8 @@ pub struct RecordAnswer {
     pub remarks: Vec<String>,
     /// What looked wrong with channels.
     pub faults: Vec<ChannelFault>,
+    /// What its sensors say against each other.
+    pub doubts: Vec<SensorDoubt>,
     /// Spectrum, stabilisation and modes.
     pub analysis: ModalAnalysis,
 }

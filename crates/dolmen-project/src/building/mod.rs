@@ -2,6 +2,7 @@
 
 mod built_damper;
 mod damper;
+mod doubts;
 mod file;
 mod floor_number;
 mod part;
@@ -12,6 +13,7 @@ mod slips_damper;
 
 pub use built_damper::{BuiltDamper, Stroke, TunedTo, strokes_of};
 pub use damper::{DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, MassPart, MovingPart};
+pub(crate) use doubts::doubt_building;
 pub(crate) use file::{DamperRaw, DampingRaw, FloorRaw, WatchedRaw};
 pub use part::{
     BuildingPart, DampingPart, FloorPart, GyrationPart, StoreyStiffnessPart, WallPart, WatchedPart,

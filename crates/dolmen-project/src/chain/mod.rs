@@ -1,11 +1,13 @@
 //! Chains: rigid links on rotational springs.
 
+mod doubts;
 mod file;
 mod friction;
 mod part;
 mod read;
 mod slips;
 
+pub(crate) use doubts::doubt_chain;
 pub(crate) use file::{CapRaw, JointRaw, LinkRaw};
 pub use part::{Cap, ChainPart, JointFrictionPart, JointPart, LinkPart};
 pub(crate) use read::chain;

@@ -1,11 +1,13 @@
 //! Frames: rigid storeys on lateral springs.
 
+mod doubts;
 mod file;
 mod friction;
 mod part;
 mod read;
 mod slips;
 
+pub(crate) use doubts::doubt_frame;
 pub(crate) use file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 pub use part::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
 pub(crate) use read::frame;

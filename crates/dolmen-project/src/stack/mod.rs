@@ -4,6 +4,7 @@ mod bed;
 mod block;
 mod body;
 mod build;
+mod doubts;
 mod file;
 mod lean;
 mod made;
@@ -16,6 +17,7 @@ mod surveyed_lean;
 mod vectors;
 
 pub use build::StackFault;
+pub(crate) use doubts::doubt_stack;
 pub(crate) use file::{
     ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw,
 };

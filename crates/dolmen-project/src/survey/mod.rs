@@ -1,5 +1,6 @@
 //! Surveys: what was measured, and the records of it.
 
+mod doubts;
 mod file;
 mod part;
 mod read;
@@ -7,6 +8,7 @@ mod read_conditioning;
 mod read_records;
 mod records;
 
+pub(crate) use doubts::doubt_surveys;
 pub(crate) use file::{ChangeRaw, SurveyRaw};
 pub use part::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
 pub(crate) use read::{change, surveys};

@@ -324,6 +324,7 @@ fn survey() -> ProjectReport {
             unit: String::new(),
             remarks: vec![],
             faults: vec![],
+            doubts: vec![],
             analysis,
         }),
         stiffness: vec![],

@@ -11,6 +11,8 @@ pub struct MotionAnswer {
     pub files: Vec<(Component, String)>,
     /// Largest absolute acceleration of each component as read, m/s².
     pub peaks_read_m_s2: Vec<(Component, f64)>,
+    /// The angle it was turned by, rad, where one was typed.
+    pub turned_rad: Option<f64>,
 }
 
 /// A base line drifts where the last displacement is more than this part of the largest, and that more than this, m. Chosen here.

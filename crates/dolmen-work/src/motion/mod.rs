@@ -2,6 +2,7 @@
 
 mod acting;
 mod answer;
+mod doubt;
 mod error;
 mod measured;
 mod prepare;
@@ -9,6 +10,7 @@ mod request;
 
 pub use acting::{MotionAnswer, base_line_drifts};
 pub use answer::{MatchAnswer, MotionReport, MotionSeries};
+pub use doubt::MotionDoubt;
 pub use error::MotionRequestError;
 pub use measured::{Demand, MadeMotion, MotionOptions, MotionShape, motion};
 pub(crate) use prepare::prepared;

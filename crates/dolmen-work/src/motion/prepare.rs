@@ -93,6 +93,7 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
         From::Files(named) => from_files(named, &wanted, project)?,
     };
     answer.motion = changed(answer.motion, &wanted)?;
+    answer.turned_rad = request.turn_deg.map(f64::to_radians);
     Ok(answer)
 }
 
@@ -193,6 +194,7 @@ fn of_files(motion: GroundMotion, files: Vec<(Component, String)>) -> MotionAnsw
         .map(|(component, _)| (*component, motion.component_peak_m_s2(*component)));
     MotionAnswer {
         peaks_read_m_s2: peaks.collect(),
+        turned_rad: None,
         motion,
         files,
     }

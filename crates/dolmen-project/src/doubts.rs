@@ -1,0 +1,162 @@
+//! Probable slips that the numbers alone cannot prove: patterns over all parts, damping, and measured frequencies against those of the
+//! model. They are warnings, in the first lines of every answer; `allow` silences them.
+
+use super::building::{DampingPart, doubt_building};
+use super::chain::{ChainPart, doubt_chain};
+use super::content::Structure;
+use super::doubted::Doubted;
+use super::frame::{FramePart, doubt_frame};
+use super::quantity::Quantity;
+use super::reader::Reader;
+use super::site::{MotionPart};
+use super::stack::doubt_stack;
+use super::survey::{ModeKind, Survey, doubt_surveys};
+use super::usual_numbers::{hertz, ratio};
+use dolmen::structure::NaturalMode;
+use std::f64::consts::{PI, TAU};
+
+/// Damping ratios between which structures lie with room; masonry in strong shaking reaches 0.1.
+const DAMPING: [f64; 2] = [0.001, 0.15];
+/// How near to a factor the ratio of two frequencies is named after it, in logarithms. Ours.
+const NEAR: f64 = 0.15;
+/// Relative difference of an angle in degrees from a round part of π, below which it looks like radians. Ours: 1.57 has 5e-4.
+const ROUND: f64 = 2e-3;
+
+/// Doubts of what has been read without fault.
+pub(super) fn doubt(
+    reader: &mut Reader,
+    structure: Option<&Structure>,
+    surveys: &[Survey],
+    motions: &[MotionPart],
+) {
+    match structure {
+        Some(Structure::Chain(chain)) => {
+            doubt_chain(reader, chain);
+            damping(reader, chain.damping_ratio.iter());
+            chain_frequencies(reader, chain, surveys);
+        }
+        Some(Structure::Frame(frame)) => {
+            doubt_frame(reader, frame);
+            damping(reader, frame.directions.iter().filter_map(|of| of.damping_ratio.as_ref()));
+            frame_frequencies(reader, frame, surveys);
+        }
+        Some(Structure::Stack(stack)) => doubt_stack(reader, stack),
+        Some(Structure::Building(building)) => {
+            doubt_building(reader, building);
+            match &building.damping {
+                Some(DampingPart::Modal(ratios)) => damping(reader, ratios.iter().take(1)),
+                Some(DampingPart::Rayleigh(pairs)) => damping(reader, pairs.iter().map(|[_, ratio]| ratio)),
+                Some(DampingPart::Caughey(_)) | None => {}
+            }
+        }
+        Some(Structure::Survey) | None => {}
+    }
+    for survey in surveys {
+        damping(reader, survey.modes.values().flatten().filter_map(|mode| mode.damping_ratio.as_ref()));
+    }
+    doubt_surveys(reader, surveys);
+    for motion in motions {
+        turn(reader, motion);
+    }
+}
+
+fn damping<'a>(reader: &mut Reader, ratios: impl Iterator<Item = &'a Quantity>) {
+    for given in ratios {
+        let (path, value) = (given.path.clone(), ratio(given.value));
+        if given.value >= DAMPING[1] {
+            reader.doubt(&given.path, Doubted::DampingHigh { path, value });
+        } else if given.value > 0.0 && given.value < DAMPING[0] {
+            reader.doubt(&given.path, Doubted::DampingLow { path, value });
+        }
+    }
+}
+
+/// Whether an angle in degrees is π/6, π/4, π/3, π/2 or a whole number of those, as radians are written.
+pub fn looks_like_radians(degrees: f64) -> bool {
+    let parts = [PI / 6.0, PI / 4.0];
+    degrees != 0.0
+        && degrees.abs() <= TAU * (1.0 + ROUND)
+        && parts.iter().any(|part| {
+            let whole = (degrees / part).round();
+            whole != 0.0 && (degrees - whole * part).abs() < ROUND * part
+        })
+}
+
+fn turn(reader: &mut Reader, motion: &MotionPart) {
+    let Some(degrees) = motion.turn_rad.map(f64::to_degrees) else { return };
+    if looks_like_radians(degrees) {
+        let path = format!("motion.{}.turn", motion.name);
+        reader.doubt(&path, Doubted::TurnRadians { path: path.clone(), degrees: ratio(degrees) });
+    }
+}
+
+fn chain_frequencies(reader: &mut Reader, part: &ChainPart, surveys: &[Survey]) {
+    let modes = part.build(&mut Quantity::nominal).ok().and_then(|chain| {
+        let stiffness = part.stiffness_n_m_rad(&mut Quantity::nominal)?;
+        chain.natural_modes(&stiffness).ok()
+    });
+    for direction in surveyed(surveys) {
+        frequencies(reader, modes.as_deref().unwrap_or_default(), &direction, surveys);
+    }
+}
+
+fn frame_frequencies(reader: &mut Reader, part: &FramePart, surveys: &[Survey]) {
+    for direction in &part.directions {
+        let modes = part.build(&mut Quantity::nominal).ok().and_then(|frame| {
+            let stiffness: Vec<f64> = direction.stiffness.as_ref()?.iter().map(Quantity::nominal).collect();
+            frame.natural_modes(&stiffness).ok()
+        });
+        frequencies(reader, modes.as_deref().unwrap_or_default(), &direction.name, surveys);
+    }
+}
+
+fn surveyed(surveys: &[Survey]) -> Vec<String> {
+    let mut names: Vec<String> = surveys.iter().flat_map(|survey| survey.modes.keys().cloned()).collect();
+    names.sort();
+    names.dedup();
+    names
+}
+
+/// Every measured mode against that of the same number.
+fn frequencies(reader: &mut Reader, modes: &[NaturalMode], direction: &str, surveys: &[Survey]) {
+    for survey in surveys {
+        let listed = survey.modes.get(direction).into_iter().flatten();
+        let sways = listed.filter(|mode| mode.kind == ModeKind::Translation);
+        for (measured, model) in sways.zip(modes) {
+            let (measured_hz, model_hz) = (measured.frequency.value, model.frequency_hz);
+            if let Some(likely) = likely(measured_hz, model_hz) {
+                let path = measured.frequency.path.clone();
+                let doubted = Doubted::Frequency {
+                    path: path.clone(),
+                    measured: hertz(measured_hz),
+                    model: hertz(model_hz),
+                    likely: likely.into(),
+                };
+                reader.doubt(&path, doubted);
+            }
+        }
+    }
+}
+
+/// What a measured frequency that is not that of the model may be instead; `None` where no slip gives their ratio, or they agree.
+pub fn likely(measured_hz: f64, model_hz: f64) -> Option<Doubted> {
+    if !(measured_hz > 0.0 && model_hz > 0.0) {
+        return None;
+    }
+    let near = |value: f64, factor: f64| (value / factor).ln().abs() < NEAR;
+    let ratio = measured_hz / model_hz;
+    let either = |factor: f64| near(ratio, factor) || near(1.0 / ratio, factor);
+    if near(ratio, TAU) {
+        Some(Doubted::RadiansPerSecond)
+    } else if near(measured_hz * model_hz, 1.0) && ratio.ln().abs() > 3.0 * NEAR {
+        Some(Doubted::Period)
+    } else if either(180.0_f64.sqrt() / PI.sqrt()) {
+        Some(Doubted::PerDegree)
+    } else if either(10.0_f64.sqrt()) {
+        Some(Doubted::Tenfold)
+    } else if either(1000.0_f64.sqrt()) {
+        Some(Doubted::Thousandfold)
+    } else {
+        None
+    }
+}

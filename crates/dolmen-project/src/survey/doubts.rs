@@ -1,0 +1,102 @@
+//! Patterns over surveys that look like a slip: sensors far from the others, frequencies unlike those of other surveys, large tilts.
+
+use super::part::{ModeKind, Survey, SurveyMode};
+use super::records::{ChannelSource, RecordSource};
+use crate::doubted::Doubted;
+use crate::reader::Reader;
+use crate::usual_numbers::{hertz, metres, ratio};
+
+/// Distance of a sensor from the middle of the others, m; none stands so far away on one structure. Ours.
+const AWAY_MOST_M: f64 = 500.0;
+/// A tilt of 5.7°: towers at their end lean by less.
+const TILT_MOST: f64 = 0.1;
+/// A frequency over the median of the same mode of the other surveys, either way. Ours: damage to collapse halves one.
+const UNLIKE: f64 = 1.9;
+/// Surveys that must agree with each other.
+const SURVEYS_LEAST: usize = 3;
+/// Samples a second of a vibration record, Hz.
+const RATE_HZ: [f64; 2] = [5.0, 20_000.0];
+
+pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
+    for survey in surveys {
+        for source in survey.records.iter().chain(&survey.setups) {
+            let path = format!("survey.{}.records", survey.name);
+            sensors(reader, source, &path);
+            rate(reader, source, &path);
+        }
+        for (direction, tilt) in &survey.tilt {
+            if tilt.ratio.abs() > TILT_MOST {
+                let path = format!("survey.{}.tilt.{direction}", survey.name);
+                let degrees = ratio(tilt.ratio.atan().to_degrees());
+                reader.doubt(&path, Doubted::LargeTilt { path: path.clone(), degrees });
+            }
+        }
+        modes(reader, survey, surveys);
+    }
+}
+
+fn rate(reader: &mut Reader, source: &RecordSource, path: &str) {
+    let path = format!("{path}.sampling_rate");
+    if let Some(rate_hz) = source.sampling_rate_hz
+        && !(RATE_HZ[0]..=RATE_HZ[1]).contains(&rate_hz)
+    {
+        let message = format!("{path} is {rate_hz} Hz, but vibration is recorded at {} to {} Hz", RATE_HZ[0], RATE_HZ[1]);
+        let help = match rate_hz < RATE_HZ[0] {
+            true => format!("is it the step in s? A step of {rate_hz} s is a rate of \"{} Hz\"", 1.0 / rate_hz),
+            false => "is it in Hz, not kHz?".to_owned(),
+        };
+        reader.slip(&path, message, help);
+    }
+}
+
+fn sensors(reader: &mut Reader, source: &RecordSource, path: &str) {
+    let places: Vec<(&ChannelSource, [f64; 3])> =
+        source.channels.iter().filter_map(|channel| Some((channel, channel.position_m?))).collect();
+    for (at, (channel, place)) in places.iter().enumerate() {
+        let median = |axis: usize| {
+            let mut others: Vec<f64> =
+                places.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, (_, of))| of[axis]).collect();
+            others.sort_by(f64::total_cmp);
+            others.get(others.len() / 2).copied().unwrap_or(0.0)
+        };
+        let from_others = (0..3).map(|axis| (place[axis] - median(axis)).powi(2)).sum::<f64>().sqrt();
+        let from_origin = place.iter().map(|of| of * of).sum::<f64>().sqrt();
+        if from_others > AWAY_MOST_M || (from_others == 0.0 || places.len() > 1) && from_origin > 10.0 * AWAY_MOST_M {
+            let name = match (&channel.name, &channel.column) {
+                (Some(name), _) | (None, super::records::Column::Name(name)) => name.clone(),
+                (None, super::records::Column::Number(number)) => format!("ch{number}"),
+            };
+            let path = format!("{path}.channels {name}");
+            let away = metres(from_others.max(from_origin));
+            reader.doubt(&path, Doubted::SensorFar { path: path.clone(), away });
+        }
+    }
+}
+
+/// Modes of a direction by their number against those of the other surveys.
+fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
+    let numbered = |survey: &Survey, direction: &str| -> Vec<f64> {
+        let modes = survey.modes.get(direction).into_iter().flatten();
+        let sways = modes.filter(|mode| mode.kind == ModeKind::Translation);
+        sways.map(|mode: &SurveyMode| mode.frequency.value).collect()
+    };
+    for (direction, listed) in &survey.modes {
+        let sways = listed.iter().filter(|mode| mode.kind == ModeKind::Translation);
+        for (number, mode) in sways.enumerate() {
+            let others = surveys.iter().filter(|other| other.name != survey.name);
+            let mut same: Vec<f64> =
+                others.filter_map(|other| numbered(other, direction).get(number).copied()).collect();
+            same.sort_by(f64::total_cmp);
+            if same.len() < SURVEYS_LEAST - 1 {
+                continue;
+            }
+            let usual = same[same.len() / 2];
+            let against = mode.frequency.value / usual;
+            if against > UNLIKE || against < 1.0 / UNLIKE {
+                let path = &mode.frequency.path;
+                let (measured, others) = (hertz(mode.frequency.value), hertz(usual));
+                reader.doubt(path, Doubted::SurveysDiffer { path: path.clone(), measured, others });
+            }
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! What looks wrong with a motion: its unit, its step or its angle.
+
+use super::acting::MotionAnswer;
+use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen::signal::{Component, GroundMotion};
+use dolmen_project::looks_like_radians;
+
+/// A probable slip of a motion that may be right.
+#[derive(Clone, Debug, PartialEq)]
+pub enum MotionDoubt {
+    /// A file holds a peak that hardly any record has.
+    ReadStrong {
+        /// The component.
+        component: Component,
+        /// Its peak, g.
+        peak_g: f64,
+    },
+    /// A file holds a peak that nobody would feel.
+    ReadWeak {
+        /// The component.
+        component: Component,
+        /// Its peak, g.
+        peak_g: f64,
+    },
+    /// What acts is stronger than hardly any record.
+    ActsStrong {
+        /// Its peak, g.
+        peak_g: f64,
+    },
+    /// What acts would not be felt.
+    ActsWeak {
+        /// Its peak, g.
+        peak_g: f64,
+    },
+    /// Its time step makes it swing too slowly or too fast for an earthquake.
+    Step {
+        /// The component.
+        component: Component,
+        /// The step, s.
+        step_s: f64,
+        /// Swings through zero and back a second, Hz.
+        swings_hz: f64,
+    },
+    /// It is turned by a round part of π, in degrees.
+    TurnRadians {
+        /// The angle, degrees.
+        degrees: f64,
+    },
+}
+
+/// Peak above which a motion is doubted, g. Chosen here: fewer than one in a thousand records of damaging earthquakes exceed it.
+const STRONG_G: f64 = 1.5;
+/// Peak of a file below which its unit is doubted, and of what acts, g. Chosen here: people feel 0.003 g.
+const READ_WEAK_G: f64 = 0.004;
+const ACTS_WEAK_G: f64 = 0.0005;
+/// Mean frequency of swinging through zero, Hz. Chosen here: records of earthquakes have 0.5 to 25.
+const SWINGS_HZ: [f64; 2] = [0.1, 32.0];
+
+impl MotionAnswer {
+    /// What looks wrong with it, each with the numbers that say so.
+    pub fn doubts(&self) -> Vec<MotionDoubt> {
+        let mut doubts: Vec<MotionDoubt> = self.peaks_read_m_s2.iter().filter_map(|(of, peak)| read(*of, *peak)).collect();
+        let acting = [Component::X, Component::Y, Component::Z].map(|of| self.motion.component_peak_m_s2(of));
+        let peak_g = acting.into_iter().fold(0.0, f64::max) / STANDARD_GRAVITY_M_S2;
+        if doubts.is_empty() && peak_g > STRONG_G {
+            doubts.push(MotionDoubt::ActsStrong { peak_g });
+        } else if doubts.is_empty() && peak_g < ACTS_WEAK_G {
+            doubts.push(MotionDoubt::ActsWeak { peak_g });
+        }
+        let given = self.files.iter().map(|(component, _)| *component);
+        doubts.extend(given.filter_map(|component| step(&self.motion, component)));
+        if let Some(degrees) = self.turned_rad.map(f64::to_degrees).filter(|degrees| looks_like_radians(*degrees)) {
+            doubts.push(MotionDoubt::TurnRadians { degrees });
+        }
+        doubts
+    }
+}
+
+fn read(component: Component, peak_m_s2: f64) -> Option<MotionDoubt> {
+    let peak_g = peak_m_s2 / STANDARD_GRAVITY_M_S2;
+    if peak_g > STRONG_G {
+        Some(MotionDoubt::ReadStrong { component, peak_g })
+    } else if peak_g > 0.0 && peak_g < READ_WEAK_G && component != Component::Z {
+        Some(MotionDoubt::ReadWeak { component, peak_g })
+    } else {
+        None
+    }
+}
+
+fn step(motion: &GroundMotion, component: Component) -> Option<MotionDoubt> {
+    let samples = motion.acceleration_m_s2(component);
+    let crossings = samples.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
+    let swings_hz = 0.5 * crossings as f64 / motion.duration_s();
+    let is_odd = crossings > 0 && !(SWINGS_HZ[0]..=SWINGS_HZ[1]).contains(&swings_hz);
+    is_odd.then_some(MotionDoubt::Step { component, step_s: motion.time_step_s(), swings_hz })
+}

@@ -1,0 +1,115 @@
+//! SOURCE: `data/slips.csv`, slips of units and habits that people make, as edits of the shipped examples.
+//! GOAL: nine of ten are refused, or warned of where the answer begins.
+
+use crate::edit::{Slip, edited};
+use crate::folder::{Folder, root};
+use dolmen_words::Language;
+use dolmen_work::motion::{GivenFile, MotionRequest};
+use dolmen_work::{CheckOptions, IdentifyOptions, Opened, Silent, SimulateOptions, check, identify, prepare, told};
+use std::collections::BTreeMap;
+use std::path::Path;
+
+fn slips() -> Vec<Slip> {
+    let mut table = csv::Reader::from_path(root().join("data/slips.csv")).unwrap();
+    let rows = table.records().map(|row| {
+        let row = row.unwrap();
+        let cell = |at: usize| row[at].to_owned();
+        Slip { class: cell(0), file: cell(1), edit: cell(2), find: cell(3), replace: cell(4), says: cell(5) }
+    });
+    rows.collect()
+}
+
+/// El Centro as a file without unit and times, its numbers multiplied.
+fn el_centro(factor: f64) -> Vec<u8> {
+    let path = root().join("data/el_centro_1940_ns/el_centro_1940_ns.csv");
+    let text = std::fs::read_to_string(path).unwrap();
+    let values = text.lines().skip(1).map(|line| line.split_once(',').unwrap().1.parse::<f64>().unwrap());
+    let lines: Vec<String> = values.map(|value| format!("{}", value * factor)).collect();
+    format!("acceleration\n{}\n", lines.join("\n")).into_bytes()
+}
+
+fn request(slip: &Slip) -> MotionRequest {
+    let mut request = MotionRequest::default();
+    for word in slip.find.split(';').chain(slip.replace.split(';')) {
+        let (flag, value) = word.split_once('=').unwrap();
+        match flag {
+            "motion" => request.name = Some(value.to_owned()),
+            "file" => {
+                let bytes = el_centro(value.parse().unwrap());
+                request.files = vec![GivenFile { component: None, name: "motion.csv".to_owned(), bytes }];
+                request.sample_step_s = Some(0.02);
+            }
+            "unit" => request.unit = Some(value.to_owned()),
+            "sample-step" => request.sample_step_s = value.parse().ok(),
+            "scale" => request.scale = value.parse().ok(),
+            "peak" => request.peak = Some(value.to_owned()),
+            "turn" => request.turn_deg = value.parse().ok(),
+            other => panic!("flag {other}"),
+        }
+    }
+    request
+}
+
+/// All that is said of a project with a slip in it.
+fn said(slip: &Slip) -> String {
+    let path = root().join(&slip.file);
+    let text = edited(&std::fs::read_to_string(&path).unwrap(), slip);
+    let files = Folder(path.parent().unwrap_or(Path::new("")).to_owned());
+    said_of(slip, text, &files).unwrap_or_else(|why| format!("{} error", told(&why)))
+}
+
+fn said_of(slip: &Slip, text: String, files: &Folder) -> Result<String, dolmen_work::WorkError> {
+    let opened = Opened::read(text, slip.file.clone(), files)?;
+    let project = &opened.project;
+    let mut said = String::new();
+    let variants = project.variants.iter().flat_map(|variant| &variant.project.warnings);
+    for warning in project.warnings.iter().chain(variants) {
+        if warning.kind == dolmen_project::WarningKind::Doubtful {
+            said += &format!("{}: {}\n", warning.path, warning.message.text(Language::English));
+        }
+    }
+    let motion = match (slip.edit.as_str(), slip.class.as_str(), project.motions.first()) {
+        ("flag", ..) => Some(request(slip)),
+        (_, "motion", Some(motion)) => Some(MotionRequest::named(&motion.name)),
+        _ => None,
+    };
+    if let Some(motion) = motion {
+        let options = SimulateOptions { motion, ..SimulateOptions::default() };
+        let prepared = prepare(&opened, &options, files)?;
+        for doubt in prepared.motion().unwrap().doubts() {
+            said += &format!("motion: {doubt:?}\n");
+        }
+    }
+    if slip.class == "sensors and records" {
+        for survey in identify(&opened, &IdentifyOptions::default(), files, &Silent)?.surveys {
+            for doubt in survey.records.iter().flat_map(|record| &record.doubts) {
+                said += &format!("{doubt:?}\n");
+            }
+        }
+    }
+    if slip.says == "contradict" {
+        let state = check(&opened, &CheckOptions::default())?.state.unwrap();
+        said += &format!("contradictions: {:?}\n", state.contradictions);
+    }
+    Ok(said)
+}
+
+#[test]
+fn holds_nine_of_ten_slips_are_caught() {
+    let mut classes: BTreeMap<String, [usize; 2]> = BTreeMap::new();
+    let (mut missed, slips) = (Vec::new(), slips());
+    for slip in &slips {
+        let said = said(slip);
+        let is_caught = said.to_lowercase().contains(&slip.says);
+        let count = classes.entry(slip.class.clone()).or_default();
+        count[0] += usize::from(is_caught);
+        count[1] += 1;
+        if !is_caught {
+            missed.push(format!("{}: {} | {} -> {} | {said}", slip.class, slip.file, slip.find, slip.replace));
+        }
+    }
+    let table: String = classes.iter().map(|(class, [caught, all])| format!("| {class} | {caught} of {all} |\n")).collect();
+    let caught = slips.len() - missed.len();
+    println!("{table}\n{caught} of {}\n{}", slips.len(), missed.join("\n"));
+    assert!(slips.len() >= 200 && 10 * caught >= 9 * slips.len(), "{caught} of {}", slips.len());
+}
