@@ -94,6 +94,14 @@ messages! {
             en: "{path} is {degrees}°, a round part of π read as degrees: is the angle in radians?",
             ko: "{path}이(가) {degrees}°로 π의 배수를 도(°)로 읽은 값과 같다. 라디안이 아닌가?",
         },
+        TurnedFar { path: String, degrees: Quantity } => {
+            en: "{path}: the stone is turned by {degrees}°: is the angle in degrees, not rad?",
+            ko: "{path}: 부재가 {degrees}° 회전하였다. rad가 아니라 도(°) 단위가 아닌가?",
+        },
+        Sways { frequency: Quantity, height: Quantity } => {
+            en: "floors: a building {height} high would sway at {frequency}, and buildings have about 10 to 100 Hz over their height in m: is the stiffness in N/mm, kN/mm or kN/m, and the mass in t?",
+            ko: "floors: 높이 {height}인 건물의 1차 고유진동수가 {frequency}이다. 보통 높이(m)로 나눈 10~100 Hz이다. 강성(N/mm, kN/mm, kN/m)과 질량(t)의 단위가 맞는가?",
+        },
         InVariant { variant: String, said: Sentence } => {
             en: "in variant {variant}: {said}",
             ko: "대안 {variant}: {said}",

@@ -8,7 +8,7 @@ use super::doubted::Doubted;
 use super::frame::{FramePart, doubt_frame};
 use super::quantity::Quantity;
 use super::reader::Reader;
-use super::site::{MotionPart};
+use super::site::MotionPart;
 use super::stack::doubt_stack;
 use super::survey::{ModeKind, Survey, doubt_surveys};
 use super::usual_numbers::{hertz, ratio};
@@ -37,7 +37,10 @@ pub(super) fn doubt(
         }
         Some(Structure::Frame(frame)) => {
             doubt_frame(reader, frame);
-            damping(reader, frame.directions.iter().filter_map(|of| of.damping_ratio.as_ref()));
+            damping(
+                reader,
+                frame.directions.iter().filter_map(|of| of.damping_ratio.as_ref()),
+            );
             frame_frequencies(reader, frame, surveys);
         }
         Some(Structure::Stack(stack)) => doubt_stack(reader, stack),
@@ -52,7 +55,14 @@ pub(super) fn doubt(
         Some(Structure::Survey) | None => {}
     }
     for survey in surveys {
-        damping(reader, survey.modes.values().flatten().filter_map(|mode| mode.damping_ratio.as_ref()));
+        damping(
+            reader,
+            survey
+                .modes
+                .values()
+                .flatten()
+                .filter_map(|mode| mode.damping_ratio.as_ref()),
+        );
     }
     doubt_surveys(reader, surveys);
     for motion in motions {
@@ -83,10 +93,18 @@ pub fn looks_like_radians(degrees: f64) -> bool {
 }
 
 fn turn(reader: &mut Reader, motion: &MotionPart) {
-    let Some(degrees) = motion.turn_rad.map(f64::to_degrees) else { return };
+    let Some(degrees) = motion.turn_rad.map(f64::to_degrees) else {
+        return;
+    };
     if looks_like_radians(degrees) {
         let path = format!("motion.{}.turn", motion.name);
-        reader.doubt(&path, Doubted::TurnRadians { path: path.clone(), degrees: ratio(degrees) });
+        reader.doubt(
+            &path,
+            Doubted::TurnRadians {
+                path: path.clone(),
+                degrees: ratio(degrees),
+            },
+        );
     }
 }
 
@@ -103,15 +121,28 @@ fn chain_frequencies(reader: &mut Reader, part: &ChainPart, surveys: &[Survey]) 
 fn frame_frequencies(reader: &mut Reader, part: &FramePart, surveys: &[Survey]) {
     for direction in &part.directions {
         let modes = part.build(&mut Quantity::nominal).ok().and_then(|frame| {
-            let stiffness: Vec<f64> = direction.stiffness.as_ref()?.iter().map(Quantity::nominal).collect();
+            let stiffness: Vec<f64> = direction
+                .stiffness
+                .as_ref()?
+                .iter()
+                .map(Quantity::nominal)
+                .collect();
             frame.natural_modes(&stiffness).ok()
         });
-        frequencies(reader, modes.as_deref().unwrap_or_default(), &direction.name, surveys);
+        frequencies(
+            reader,
+            modes.as_deref().unwrap_or_default(),
+            &direction.name,
+            surveys,
+        );
     }
 }
 
 fn surveyed(surveys: &[Survey]) -> Vec<String> {
-    let mut names: Vec<String> = surveys.iter().flat_map(|survey| survey.modes.keys().cloned()).collect();
+    let mut names: Vec<String> = surveys
+        .iter()
+        .flat_map(|survey| survey.modes.keys().cloned())
+        .collect();
     names.sort();
     names.dedup();
     names

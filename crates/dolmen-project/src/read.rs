@@ -4,6 +4,8 @@ use super::building::{buildable as building_buildable, building};
 use super::chain::chain;
 use super::check::SchemaCheck;
 use super::content::{Project, Structure, Variant, Warning, WarningKind};
+use super::doubted::Doubted;
+use super::doubts;
 use super::error::{Fault, ProjectError};
 use super::file::{FileRaw, KindRaw};
 use super::file_names::NamesRaw;
@@ -19,8 +21,6 @@ use super::safe_text::unsafe_text;
 use super::schema::{SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
 use super::site::{motions, site};
-use super::doubted::Doubted;
-use super::doubts;
 use super::slips;
 use super::stack::{lean, stack};
 use super::study::studies;
@@ -126,7 +126,9 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
     }
     match project {
         Some(mut project) if faults.is_empty() => {
-            let own = read_variants.iter().flat_map(|variant| doubts_of(variant, &project));
+            let own = read_variants
+                .iter()
+                .flat_map(|variant| doubts_of(variant, &project));
             let own: Vec<Warning> = own.collect();
             project.warnings.extend(own);
             project.variants = read_variants;
@@ -140,13 +142,26 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
 fn doubts_of(variant: &Variant, project: &Project) -> Vec<Warning> {
     let is_new = |warning: &&Warning| {
         warning.kind == WarningKind::Doubtful
-            && !project.warnings.iter().any(|own| own.kind == warning.kind && own.message == warning.message)
+            && !project
+                .warnings
+                .iter()
+                .any(|own| own.kind == warning.kind && own.message == warning.message)
     };
     let in_variant = |warning: &Warning| Warning {
-        message: Doubted::InVariant { variant: variant.name.clone(), said: warning.message.clone() }.into(),
+        message: Doubted::InVariant {
+            variant: variant.name.clone(),
+            said: warning.message.clone(),
+        }
+        .into(),
         ..warning.clone()
     };
-    variant.project.warnings.iter().filter(is_new).map(in_variant).collect()
+    variant
+        .project
+        .warnings
+        .iter()
+        .filter(is_new)
+        .map(in_variant)
+        .collect()
 }
 
 /// Variants that studies name and the file does not have.

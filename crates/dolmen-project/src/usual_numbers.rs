@@ -17,6 +17,9 @@ pub(crate) fn hertz(value: f64) -> Quantity {
 }
 
 pub(crate) fn tonnes_per_m2(kg_per_m2: f64) -> Quantity {
-    let unit = Unit { symbol: "t/m²".to_owned(), factor: 1e-3 };
+    let unit = Unit {
+        symbol: "t/m²".to_owned(),
+        factor: 1e-3,
+    };
     Quantity::new(kg_per_m2, unit, DIGITS)
 }

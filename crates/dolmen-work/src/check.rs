@@ -42,7 +42,8 @@ pub fn check(opened: &Opened, options: &CheckOptions) -> Result<CheckAnswer, Wor
     let mut state = state_of(project, options.sampling)?;
     if let Some(state) = &mut state {
         state.contradictions = contradictions(project, state);
-        state.spring_fits = kinds::spring_fits(&state.check, &project.surveys)?;
+        state.spring_fits = kinds::spring_fits(&state.check, &project.surveys)
+            .within(|| "springs that would have the measured frequencies of the surveys".to_owned())?;
     }
     let mut variants = Vec::new();
     for variant in &project.variants {

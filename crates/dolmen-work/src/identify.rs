@@ -8,9 +8,9 @@ use crate::progress::{Progress, Stage};
 use crate::record;
 use crate::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 use dolmen::modal::{
-    Criteria, Identify, MergeSetups, Modes, identify as modes_of, joint_setups, merge_setups,
+    Criteria, Identify, MergeSetups, Modes, doubt_sensors, identify as modes_of, joint_setups, merge_setups,
 };
-use dolmen::signal::{Channel, Record, doubt_sensors};
+use dolmen::signal::{Channel, Record};
 use dolmen::structure::{StiffnessNote, directional_modes};
 use dolmen_project::{Merge, ModeKind, Project, Quantity, RecordSource, Structure, Survey};
 use dolmen_records::Files;
@@ -227,7 +227,7 @@ fn of_record(
         unit: opened.unit,
         remarks: opened.remarks,
         faults: opened.faults,
-        doubts: doubt_sensors(&opened.record),
+        doubts: doubt_sensors(&opened.record, &analysis.modes.modes),
         analysis,
     };
     Ok((answer, opened.record))

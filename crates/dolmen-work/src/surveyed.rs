@@ -1,7 +1,7 @@
 //! What was identified from one survey.
 
-use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note};
-use dolmen::signal::{ChannelFault, SensorDoubt};
+use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt};
+use dolmen::signal::ChannelFault;
 use dolmen::structure::{Convention, StiffnessSolutions};
 
 /// What the sensors lack.

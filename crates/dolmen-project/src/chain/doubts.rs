@@ -37,11 +37,19 @@ struct Chain<'a> {
 }
 
 pub(crate) fn doubt_chain(reader: &mut Reader, part: &ChainPart) {
-    let masses_kg: Vec<f64> = part.links.iter().map(|link| mass_kg(&link.heaviness, part.gravity_m_s2)).collect();
+    let masses_kg: Vec<f64> = part
+        .links
+        .iter()
+        .map(|link| mass_kg(&link.heaviness, part.gravity_m_s2))
+        .collect();
     let lengths = part.links.iter().map(|link| link.length.value);
     let chain = Chain {
         part,
-        per_length: masses_kg.iter().zip(lengths.clone()).map(|(mass, length)| mass / length).collect(),
+        per_length: masses_kg
+            .iter()
+            .zip(lengths.clone())
+            .map(|(mass, length)| mass / length)
+            .collect(),
         masses_kg,
         height_m: lengths.sum(),
     };
@@ -61,7 +69,12 @@ fn order(reader: &mut Reader, chain: &Chain<'_>) {
         && grows
         && last / first > UPWARDS
     {
-        reader.doubt("links", Doubted::ChainOrder { ratio: ratio(last / first) });
+        reader.doubt(
+            "links",
+            Doubted::ChainOrder {
+                ratio: ratio(last / first),
+            },
+        );
     }
 }
 
@@ -75,7 +88,9 @@ fn centroids(reader: &mut Reader, chain: &Chain<'_>) {
 }
 
 fn sides(reader: &mut Reader, chain: &Chain<'_>) {
-    let Some(lowest) = chain.per_length.first() else { return };
+    let Some(lowest) = chain.per_length.first() else {
+        return;
+    };
     let side_m = (lowest / STONE_KG_M3).sqrt();
     let (width, height) = (metres(side_m), metres(chain.height_m));
     let share = side_m / chain.height_m;
@@ -93,7 +108,13 @@ fn neighbours(reader: &mut Reader, chain: &Chain<'_>) {
         let against = own / (below * above).sqrt();
         if against > NEIGHBOURS || against < 1.0 / NEIGHBOURS {
             let path = &chain.part.links[middle].heaviness.quantity().path;
-            reader.doubt(path, Doubted::LinkOdd { path: path.clone(), ratio: ratio(against) });
+            reader.doubt(
+                path,
+                Doubted::LinkOdd {
+                    path: path.clone(),
+                    ratio: ratio(against),
+                },
+            );
         }
     }
 }
@@ -101,7 +122,9 @@ fn neighbours(reader: &mut Reader, chain: &Chain<'_>) {
 fn beds(reader: &mut Reader, chain: &Chain<'_>) {
     let each = chain.part.links.iter().zip(&chain.per_length);
     let ratios: Vec<f64> = each
-        .filter_map(|(link, per_length)| Some(link.bed_width.as_ref()?.value / (per_length / STONE_KG_M3).sqrt()))
+        .filter_map(|(link, per_length)| {
+            Some(link.bed_width.as_ref()?.value / (per_length / STONE_KG_M3).sqrt())
+        })
         .collect();
     if ratios.is_empty() {
         return;
@@ -121,9 +144,11 @@ fn joints(reader: &mut Reader, chain: &Chain<'_>) {
         let height_m = links[i..].iter().map(|link| link.length.value).sum::<f64>();
         joints[i].stiffness.value / (weight_n * height_m)
     };
-    let (least, most) = (0..count).map(share).fold((f64::INFINITY, 0.0_f64), |(least, most), of| {
-        (least.min(of), most.max(of))
-    });
+    let (least, most) = (0..count)
+        .map(share)
+        .fold((f64::INFINITY, 0.0_f64), |(least, most), of| {
+            (least.min(of), most.max(of))
+        });
     if count > 0 && most < SHARE[0] {
         reader.doubt("joints", Doubted::WeakJoints { share: ratio(most) });
     } else if count > 0 && least > SHARE[1] {

@@ -12,11 +12,19 @@ const NEAR: f64 = 0.35;
 
 /// Axial forces over weights, of all storeys together: a sum of what each storey's columns carry.
 pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
-    let forces: Vec<f64> = part.storeys.iter().filter_map(|storey| Some(storey.axial_force.as_ref()?.value)).collect();
+    let forces: Vec<f64> = part
+        .storeys
+        .iter()
+        .filter_map(|storey| Some(storey.axial_force.as_ref()?.value))
+        .collect();
     if part.axial == Axial::FromMasses || forces.len() != part.storeys.len() {
         return;
     }
-    let masses: Vec<f64> = part.storeys.iter().map(|storey| mass_kg(&storey.heaviness, part.gravity_m_s2)).collect();
+    let masses: Vec<f64> = part
+        .storeys
+        .iter()
+        .map(|storey| mass_kg(&storey.heaviness, part.gravity_m_s2))
+        .collect();
     let above = |values: &[f64], i: usize| values[i..].iter().sum::<f64>();
     let shares: Vec<f64> = (0..forces.len())
         .map(|i| {
@@ -27,7 +35,11 @@ pub(crate) fn doubt_frame(reader: &mut Reader, part: &FramePart) {
             force / (above(&masses, i) * part.gravity_m_s2)
         })
         .collect();
-    let near = |factor: f64| shares.iter().all(|share| *share > 0.0 && (share / factor).ln().abs() < NEAR);
+    let near = |factor: f64| {
+        shares
+            .iter()
+            .all(|share| *share > 0.0 && (share / factor).ln().abs() < NEAR)
+    };
     if near(STANDARD_GRAVITY_M_S2) || near(1.0 / STANDARD_GRAVITY_M_S2) {
         let mean = shares.iter().sum::<f64>() / shares.len() as f64;
         reader.doubt("storeys", Doubted::AxialFactor { ratio: ratio(mean) });

@@ -13,16 +13,34 @@ const STONES_LEAST: usize = 5;
 const WIDER_PAIRS: f64 = 0.4;
 /// Friction of stone on stone that nobody has measured; sliding bearings lie below.
 const FRICTION_LEAST: f64 = 0.15;
+/// A stone that has turned by more than this, rad, does not rest as it was laid. Ours: an eighth of a circle.
+const TURNED_MOST_RAD: f64 = std::f64::consts::FRAC_PI_4 * 1.01;
 /// By how much the lowest joint may give way under the stones, m. Ours: dry rubble closes by 1 mm.
 const SINKS_MOST_M: f64 = 0.003;
 
 pub(crate) fn doubt_stack(reader: &mut Reader, part: &StackPart) {
     order(reader, part);
     let joints = part.blocks.iter().map(|block| &block.joint);
-    for bed in std::iter::once(&part.joint).chain(joints).chain(part.contacts.iter().map(|of| &of.joint)) {
+    for bed in std::iter::once(&part.joint)
+        .chain(joints)
+        .chain(part.contacts.iter().map(|of| &of.joint))
+    {
         friction(reader, bed);
     }
     sinks(reader, part);
+    for rotation in part.blocks.iter().filter_map(|block| block.rotation.as_ref()) {
+        if rotation.value.abs() > TURNED_MOST_RAD {
+            let path = &rotation.path;
+            let degrees = ratio(rotation.value.to_degrees());
+            reader.doubt(
+                path,
+                Doubted::TurnedFar {
+                    path: path.clone(),
+                    degrees,
+                },
+            );
+        }
+    }
 }
 
 fn width_m(block: &BlockPart) -> Option<f64> {
@@ -48,30 +66,52 @@ fn order(reader: &mut Reader, part: &StackPart) {
     if part.blocks.len() < STONES_LEAST || !part.blocks.iter().enumerate().all(on_the_last) {
         return;
     }
-    let Some(widths) = part.blocks.iter().map(width_m).collect::<Option<Vec<f64>>>() else { return };
+    let Some(widths) = part.blocks.iter().map(width_m).collect::<Option<Vec<f64>>>() else {
+        return;
+    };
     let pairs = (0..widths.len()).flat_map(|i| (0..i).map(move |below| (below, i)));
-    let signs = pairs.map(|(below, i)| (widths[i] - widths[below]).partial_cmp(&0.0).map_or(0, |order| order as i32));
+    let signs = pairs.map(|(below, i)| {
+        (widths[i] - widths[below])
+            .partial_cmp(&0.0)
+            .map_or(0, |order| order as i32)
+    });
     let (sum, count) = signs.fold((0, 0), |(sum, count), sign| (sum + sign, count + 1));
     let tau = f64::from(sum) / f64::from(count.max(1));
     if tau > WIDER_PAIRS {
-        reader.doubt("blocks", Doubted::StackOrder { share: ratio(100.0 * tau) });
+        reader.doubt(
+            "blocks",
+            Doubted::StackOrder {
+                share: ratio(100.0 * tau),
+            },
+        );
     }
 }
 
 fn friction(reader: &mut Reader, bed: &BedPart) {
-    for friction in &bed.friction {
-        if friction.value < FRICTION_LEAST {
-            let path = &friction.path;
-            reader.doubt(path, Doubted::FrictionLow { path: path.clone(), value: ratio(friction.value) });
-        }
+    if let Some(friction) = bed.friction.as_ref().filter(|of| of.value < FRICTION_LEAST) {
+        let path = &friction.path;
+        reader.doubt(
+            path,
+            Doubted::FrictionLow {
+                path: path.clone(),
+                value: ratio(friction.value),
+            },
+        );
     }
 }
 
 /// ρ g H over the stiffness per area: what the lowest joint gives way by under a column of all stones.
 fn sinks(reader: &mut Reader, part: &StackPart) {
-    let (Some(density), Some(stiffness)) = (&part.density, &part.joint.normal_stiffness) else { return };
+    let (Some(density), Some(stiffness)) = (&part.density, &part.joint.normal_stiffness) else {
+        return;
+    };
     let height_m: f64 = part.blocks.iter().map(height_m).fold(0.0, f64::max).max(
-        match part.blocks.iter().enumerate().all(|(i, block)| i == 0 || block.on == [Body::Block(i - 1)]) {
+        match part
+            .blocks
+            .iter()
+            .enumerate()
+            .all(|(i, block)| i == 0 || block.on == [Body::Block(i - 1)])
+        {
             true => part.blocks.iter().map(height_m).sum(),
             false => 0.0,
         },
@@ -79,6 +119,12 @@ fn sinks(reader: &mut Reader, part: &StackPart) {
     let sinks_m = density.value * part.gravity_m_s2 * height_m / stiffness.value;
     if sinks_m > SINKS_MOST_M {
         let path = &stiffness.path;
-        reader.doubt(path, Doubted::SoftBed { path: path.clone(), sinks: metres(sinks_m) });
+        reader.doubt(
+            path,
+            Doubted::SoftBed {
+                path: path.clone(),
+                sinks: metres(sinks_m),
+            },
+        );
     }
 }

@@ -1,6 +1,6 @@
 //! Probable slips in a stack.
 
-use super::part::{BedPart, BlockPart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
+use super::part::{BedPart, BlockPart, MadePart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{beside_neighbour, guess, median_of_others, odd_ones, unit_of, within};
@@ -13,8 +13,8 @@ const SIZE_RATIO_MOST: f64 = 30.0;
 const SIZE_M: (f64, f64) = (0.005, 50.0);
 /// A block of usual size, m: of two unlike blocks the one further from it is doubted.
 const SIZE_USUAL_M: f64 = 1.0;
-/// Density of a block, kg/m³: cork to lead, with room.
-const DENSITY_KG_M3: (f64, f64) = (150.0, 15_000.0);
+/// Density of a block, kg/m³: light timber to lead, with room.
+const DENSITY_KG_M3: (f64, f64) = (350.0, 15_000.0);
 /// Friction coefficient: a greased sliding bearing to interlocking rubble.
 const FRICTION: (f64, f64) = (0.03, 2.0);
 /// Stiffness of a joint per area, Pa/m: rubble in clay to ground beds of granite.
@@ -25,6 +25,13 @@ const STIFFNESS_USUAL_PA_M: f64 = 1e9;
 const STIFFNESS_RATIO: (f64, f64) = (0.01, 2.0);
 /// Strength of a bond, Pa: lime mortar has 1e4 to 1e6.
 const STRENGTH_MOST_PA: f64 = 2e7;
+
+/// Span and depth of an arch, m: a model to the longest spans of stone, 146 m.
+const ARCH_SPAN_M: (f64, f64) = (0.03, 200.0);
+/// Length of a wall, m.
+const WALL_LENGTH_M: (f64, f64) = (0.03, 1000.0);
+/// A stone of an arch or wall, m.
+const STONE_M: (f64, f64) = (0.01, 10.0);
 
 /// Height of all storeys of a pagoda, m: a model to the highest ever built.
 const PAGODA_HEIGHT_M: (f64, f64) = (0.3, 60.0);
@@ -41,6 +48,9 @@ pub(crate) fn judge_stack(reader: &mut Reader, stack: &StackPart) {
     judge_sizes(reader, stack);
     judge_extents(reader, stack);
     judge_order(reader, stack);
+    if let Some(made) = &stack.made {
+        judge_made(reader, made);
+    }
     if let Some(pagoda) = &stack.pagoda {
         judge_pagoda(reader, pagoda);
     }
@@ -90,6 +100,38 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
         );
         let help = "list the stones lowest first, or say with on what each stands on";
         reader.slip("blocks", message, help.to_owned());
+    }
+}
+
+/// An arch or wall larger or smaller than any.
+fn judge_made(reader: &mut Reader, made: &MadePart) {
+    let bounds = match made {
+        MadePart::Arch(arch) => vec![
+            (Some(&arch.span), ARCH_SPAN_M),
+            (Some(&arch.thickness), STONE_M),
+            (Some(&arch.depth), ARCH_SPAN_M),
+            (arch.springing_height.as_ref(), ARCH_SPAN_M),
+        ],
+        MadePart::Wall(wall) => vec![
+            (Some(&wall.length), WALL_LENGTH_M),
+            (Some(&wall.thickness), STONE_M),
+            (Some(&wall.course_height), STONE_M),
+            (Some(&wall.stone_length), STONE_M),
+        ],
+    };
+    for (given, range) in bounds {
+        if let Some(given) = given.filter(|given| given.value != 0.0 && !within(given.value, range)) {
+            let (least, most) = range;
+            let message = format!(
+                "{} = {}, but it is {least} to {most} m",
+                given.path, given.written
+            );
+            reader.slip(
+                &given.path,
+                message,
+                guess(given.value / SIZE_USUAL_M, unit_of(given)),
+            );
+        }
     }
 }
 
@@ -208,7 +250,7 @@ fn judge_density(reader: &mut Reader, density: &Quantity) {
     let help = if in_tonnes {
         format!("did you mean \"{} t/m3\"?", short(density.value))
     } else {
-        "2600 kg/m3 and 2.6 t/m3 are the same".to_owned()
+        "2600 kg/m3, 2.6 t/m3 and a unit weight of 25.5 kN/m3 are the same: is it in kg/m3?".to_owned()
     };
     reader.slip(&density.path, message, help);
 }

@@ -28,7 +28,13 @@ pub(crate) fn doubt_surveys(reader: &mut Reader, surveys: &[Survey]) {
             if tilt.ratio.abs() > TILT_MOST {
                 let path = format!("survey.{}.tilt.{direction}", survey.name);
                 let degrees = ratio(tilt.ratio.atan().to_degrees());
-                reader.doubt(&path, Doubted::LargeTilt { path: path.clone(), degrees });
+                reader.doubt(
+                    &path,
+                    Doubted::LargeTilt {
+                        path: path.clone(),
+                        degrees,
+                    },
+                );
             }
         }
         modes(reader, survey, surveys);
@@ -40,9 +46,15 @@ fn rate(reader: &mut Reader, source: &RecordSource, path: &str) {
     if let Some(rate_hz) = source.sampling_rate_hz
         && !(RATE_HZ[0]..=RATE_HZ[1]).contains(&rate_hz)
     {
-        let message = format!("{path} is {rate_hz} Hz, but vibration is recorded at {} to {} Hz", RATE_HZ[0], RATE_HZ[1]);
+        let message = format!(
+            "{path} is {rate_hz} Hz, but vibration is recorded at {} to {} Hz",
+            RATE_HZ[0], RATE_HZ[1]
+        );
         let help = match rate_hz < RATE_HZ[0] {
-            true => format!("is it the step in s? A step of {rate_hz} s is a rate of \"{} Hz\"", 1.0 / rate_hz),
+            true => format!(
+                "is it the step in s? A step of {rate_hz} s is a rate of \"{} Hz\"",
+                1.0 / rate_hz
+            ),
             false => "is it in Hz, not kHz?".to_owned(),
         };
         reader.slip(&path, message, help);
@@ -50,25 +62,43 @@ fn rate(reader: &mut Reader, source: &RecordSource, path: &str) {
 }
 
 fn sensors(reader: &mut Reader, source: &RecordSource, path: &str) {
-    let places: Vec<(&ChannelSource, [f64; 3])> =
-        source.channels.iter().filter_map(|channel| Some((channel, channel.position_m?))).collect();
+    let places: Vec<(&ChannelSource, [f64; 3])> = source
+        .channels
+        .iter()
+        .filter_map(|channel| Some((channel, channel.position_m?)))
+        .collect();
     for (at, (channel, place)) in places.iter().enumerate() {
         let median = |axis: usize| {
-            let mut others: Vec<f64> =
-                places.iter().enumerate().filter(|(i, _)| *i != at).map(|(_, (_, of))| of[axis]).collect();
+            let mut others: Vec<f64> = places
+                .iter()
+                .enumerate()
+                .filter(|(i, _)| *i != at)
+                .map(|(_, (_, of))| of[axis])
+                .collect();
             others.sort_by(f64::total_cmp);
             others.get(others.len() / 2).copied().unwrap_or(0.0)
         };
-        let from_others = (0..3).map(|axis| (place[axis] - median(axis)).powi(2)).sum::<f64>().sqrt();
+        let from_others = (0..3)
+            .map(|axis| (place[axis] - median(axis)).powi(2))
+            .sum::<f64>()
+            .sqrt();
         let from_origin = place.iter().map(|of| of * of).sum::<f64>().sqrt();
-        if from_others > AWAY_MOST_M || (from_others == 0.0 || places.len() > 1) && from_origin > 10.0 * AWAY_MOST_M {
+        if from_others > AWAY_MOST_M
+            || (from_others == 0.0 || places.len() > 1) && from_origin > 10.0 * AWAY_MOST_M
+        {
             let name = match (&channel.name, &channel.column) {
                 (Some(name), _) | (None, super::records::Column::Name(name)) => name.clone(),
                 (None, super::records::Column::Number(number)) => format!("ch{number}"),
             };
             let path = format!("{path}.channels {name}");
             let away = metres(from_others.max(from_origin));
-            reader.doubt(&path, Doubted::SensorFar { path: path.clone(), away });
+            reader.doubt(
+                &path,
+                Doubted::SensorFar {
+                    path: path.clone(),
+                    away,
+                },
+            );
         }
     }
 }
@@ -84,8 +114,9 @@ fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
         let sways = listed.iter().filter(|mode| mode.kind == ModeKind::Translation);
         for (number, mode) in sways.enumerate() {
             let others = surveys.iter().filter(|other| other.name != survey.name);
-            let mut same: Vec<f64> =
-                others.filter_map(|other| numbered(other, direction).get(number).copied()).collect();
+            let mut same: Vec<f64> = others
+                .filter_map(|other| numbered(other, direction).get(number).copied())
+                .collect();
             same.sort_by(f64::total_cmp);
             if same.len() < SURVEYS_LEAST - 1 {
                 continue;
@@ -95,7 +126,14 @@ fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
             if against > UNLIKE || against < 1.0 / UNLIKE {
                 let path = &mode.frequency.path;
                 let (measured, others) = (hertz(mode.frequency.value), hertz(usual));
-                reader.doubt(path, Doubted::SurveysDiffer { path: path.clone(), measured, others });
+                reader.doubt(
+                    path,
+                    Doubted::SurveysDiffer {
+                        path: path.clone(),
+                        measured,
+                        others,
+                    },
+                );
             }
         }
     }

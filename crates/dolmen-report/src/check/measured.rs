@@ -34,6 +34,7 @@ messages! {
             en: "The measured tilt of {tilt} in direction {direction} (survey {survey}) compares with {limit}, at which a bed stands on its edge; beds begin to open at a third of that.",
             ko: "{direction} 방향 실측 기울기 {tilt}({survey} 조사)는 접합면이 모서리로만 지지되는 한계 {limit}보다 작다. 접합면은 그 3분의 1에서 벌어지기 시작한다.",
         },
+        Likely { contradicted: Sentence, likely: Sentence } => { en: "{contradicted} {likely}", ko: "{contradicted} {likely}" },
         Contradicted { survey: String, measured: Quantity, direction: String, computed: Quantity } => {
             en: "Survey {survey} measured {measured} in direction {direction}; this model has {computed}. Its stiffness or mass is not that of the structure measured, and the verdict is on the model.",
             ko: "{survey} 조사의 {direction} 방향 실측 고유진동수는 {measured}이나 해석 모델은 {computed}이다. 모델의 강성 또는 질량이 실제와 다르며, 판정은 모델에 대한 것이다.",
@@ -109,15 +110,19 @@ fn tilt(of: &TiltCheck, check: &Check) -> Finding {
 
 fn contradiction(found: &FrequencyContradiction) -> Finding {
     let frequency = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(4));
-    Finding::key(
-        Tone::Bad,
-        Measured::Contradicted {
-            survey: found.survey.clone(),
-            measured: frequency(found.measured_hz),
-            direction: found.direction.clone(),
-            computed: frequency(found.computed_hz),
-        },
-    )
+    let contradicted = Measured::Contradicted {
+        survey: found.survey.clone(),
+        measured: frequency(found.measured_hz),
+        direction: found.direction.clone(),
+        computed: frequency(found.computed_hz),
+    };
+    match found.likely() {
+        None => Finding::key(Tone::Bad, contradicted),
+        Some(likely) => {
+            let (contradicted, likely) = (contradicted.into(), likely.into());
+            Finding::key(Tone::Bad, Measured::Likely { contradicted, likely })
+        }
+    }
 }
 
 #[cfg(test)]

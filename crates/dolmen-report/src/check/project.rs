@@ -4,13 +4,17 @@ use crate::document::{TextStyle, wrapped};
 use dolmen::structure::stack::Body;
 use dolmen_project::{
     Axial, BuildingPart, ChainPart, FramePart, Heaviness, Pick, Project, Quantity as Input, StackPart,
-    Structure,
+    Structure, WarningKind,
 };
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 messages! {
     /// The size of a structure.
     pub(crate) enum Size in "check.size" {
+        Doubtful { line: usize, said: Sentence } => {
+            en: "! PROBABLY A SLIP, line {line}: {said}",
+            ko: "! 입력 오류 의심, {line}행: {said}",
+        },
         Chain { links: usize, height: Quantity, weight: Quantity, gravity: Quantity } => {
             en: "chain, links: {links}, {height} high, {weight}, g {gravity}",
             ko: "체인 모델, 부재 {links}개, 높이 {height}, 무게 {weight}, g {gravity}",
@@ -67,6 +71,16 @@ pub(crate) fn project_text(project: &Project, file: &str, style: TextStyle) -> S
     if let Some(source) = project.source.as_ref().filter(|_| style.is_full) {
         out += &line(Size::Source {
             source: source.clone(),
+        });
+    }
+    for doubtful in project
+        .warnings
+        .iter()
+        .filter(|warning| warning.kind == WarningKind::Doubtful)
+    {
+        out += &line(Size::Doubtful {
+            line: doubtful.line,
+            said: doubtful.message.clone(),
         });
     }
     out

@@ -3,7 +3,7 @@
 use super::steps::step_words;
 use super::values::frequency;
 use crate::document::{Finding, Tone};
-use dolmen::modal::{Mode, Note};
+use dolmen::modal::{Mode, Note, SensorDoubt};
 use dolmen::signal::Processing;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
@@ -11,6 +11,18 @@ use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, SurveyAnswer};
 messages! {
     /// Findings on modes.
     pub(crate) enum Found in "modal.findings" {
+        Twins { first: String, second: String, likeness: Quantity } => {
+            en: "PROBABLY A SLIP: {first} and {second} stand at one place in one direction and move differently (likeness {likeness}, 1 for the same motion): one direction, place or scale is wrong, or one sensor is.",
+            ko: "입력 오류 의심: {first}와(과) {second}은(는) 같은 위치와 방향의 센서이나 움직임이 다르다(유사도 {likeness}, 같으면 1). 방향, 위치 또는 배율 중 하나가 틀렸거나 센서 하나가 불량이다.",
+        },
+        Turned { channel: String, unexplained: Quantity, changed: Quantity } => {
+            en: "PROBABLY A SLIP: {unexplained} % of the lowest mode shapes is no motion of a rigid floor, and {changed} % with the sign of {channel} changed: is that sensor mounted the other way round?",
+            ko: "입력 오류 의심: 저차 모드형상의 {unexplained} %가 강체 바닥의 운동이 아니며 {channel}의 부호를 바꾸면 {changed} %이다. 이 센서의 방향이 반대가 아닌가?",
+        },
+        Swapped { first: String, second: String, unexplained: Quantity, changed: Quantity } => {
+            en: "PROBABLY A SLIP: {unexplained} % of the lowest mode shapes is no motion of a rigid floor, and {changed} % with {first} and {second} exchanged: are their columns, places or cables exchanged?",
+            ko: "입력 오류 의심: 저차 모드형상의 {unexplained} %가 강체 바닥의 운동이 아니며 {first}와(과) {second}을(를) 맞바꾸면 {changed} %이다. 두 센서의 열, 위치 또는 케이블이 바뀐 것이 아닌가?",
+        },
         None { minutes: Quantity, channels: Sentence } => {
             en: "No mode was found in {minutes} minutes of {channels}.",
             ko: "{minutes}분, {channels}의 기록에서 모드를 찾지 못하였다.",
@@ -110,6 +122,40 @@ fn frequencies(modes: &[Mode]) -> Values {
     Values(modes.iter().map(frequency).collect())
 }
 
+/// What sensors say against each other, and the likely fix.
+fn sensor(doubt: &SensorDoubt) -> Found {
+    let share = |of: f64| Quantity::ratio(100.0 * of, 2);
+    match doubt {
+        SensorDoubt::Twins {
+            channels: [first, second],
+            likeness,
+        } => Found::Twins {
+            first: first.clone(),
+            second: second.clone(),
+            likeness: Quantity::ratio(*likeness, 2),
+        },
+        SensorDoubt::Turned {
+            channel,
+            unexplained,
+            changed,
+        } => Found::Turned {
+            channel: channel.clone(),
+            unexplained: share(*unexplained),
+            changed: share(*changed),
+        },
+        SensorDoubt::Swapped {
+            channels: [first, second],
+            unexplained,
+            changed,
+        } => Found::Swapped {
+            first: first.clone(),
+            second: second.clone(),
+            unexplained: share(*unexplained),
+            changed: share(*changed),
+        },
+    }
+}
+
 /// Lost samples and faults of channels.
 fn doubts(record: &RecordAnswer) -> Vec<Finding> {
     let lost = |step: &Processing| matches!(step, Processing::LongestSpan { .. });
@@ -129,6 +175,12 @@ fn doubts(record: &RecordAnswer) -> Vec<Finding> {
         count => Some(Found::Faults { count }),
     };
     all.extend(faults.map(|found| Finding::key(Tone::Warn, found).with_code("channel-fault")));
+    all.extend(
+        record
+            .doubts
+            .iter()
+            .map(|doubt| Finding::key(Tone::Warn, sensor(doubt)).with_code("sensor-slip")),
+    );
     all
 }
 

@@ -6,7 +6,7 @@ use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen::signal::Processing;
 use dolmen::signal::{Component, GroundMotion};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
-use dolmen_work::motion::MotionAnswer;
+use dolmen_work::motion::{MotionAnswer, MotionDoubt};
 
 messages! {
     /// The motion of the ground.
@@ -24,6 +24,30 @@ messages! {
         File => { en: "file", ko: "파일" },
         PeakRead => { en: "peak as read", ko: "원기록 최대" },
         Peak => { en: "peak as it acts", ko: "적용 최대" },
+        ReadStrong { component: String, peak: Quantity, by_gravity: Quantity, by_gal: Quantity } => {
+            en: "PROBABLY A SLIP: {component} is read with a peak of {peak}, which hardly any record has. In m/s² the file would have {by_gravity}, in gal {by_gal}: give its unit with --unit.",
+            ko: "입력 오류 의심: {component} 성분을 최대 {peak}로 읽었으며 이런 기록은 거의 없다. 파일이 m/s² 단위라면 {by_gravity}, gal 단위라면 {by_gal}이다. --unit으로 단위를 준다.",
+        },
+        ReadWeak { component: String, peak: Quantity, by_metres: Quantity, by_gal: Quantity } => {
+            en: "PROBABLY A SLIP: {component} is read with a peak of {peak}, which nobody would feel. If the numbers read as gal are m/s², it is {by_metres}, if they are g, {by_gal}: give their unit with --unit.",
+            ko: "입력 오류 의심: {component} 성분을 최대 {peak}로 읽었으며 이는 느낄 수 없는 크기이다. gal로 읽은 값이 m/s²라면 {by_metres}, g라면 {by_gal}이다. --unit으로 단위를 준다.",
+        },
+        ActsStrong { peak: Quantity } => {
+            en: "PROBABLY A SLIP: a motion of {peak} acts, more than in nearly all records ever made. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
+            ko: "입력 오류 의심: 최대 {peak}의 지진동이 작용하며 이는 거의 모든 계측 기록보다 크다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
+        },
+        ActsWeak { peak: Quantity } => {
+            en: "PROBABLY A SLIP: a motion of only {peak} acts, which nobody would feel. Is the factor or the unit of the peak right (1 g is 9.81 m/s² or 981 gal)?",
+            ko: "입력 오류 의심: 최대 {peak}의 지진동만 작용하며 이는 느낄 수 없는 크기이다. 배율 또는 최대값의 단위(1 g = 9.81 m/s² = 981 gal)가 맞는가?",
+        },
+        Step { component: String, step: Quantity, swings: Quantity } => {
+            en: "PROBABLY A SLIP: with a step of {step} {component} swings at {swings} on average, and earthquakes swing at 0.5 to 25 Hz. Is the step in s, and not a rate in Hz or in ms?",
+            ko: "입력 오류 의심: 표본 간격 {step}에서 {component} 성분은 평균 {swings}로 진동하며 지진동은 0.5~25 Hz이다. 표본 간격이 초 단위가 맞는가(표본화 진동수 Hz 또는 ms가 아닌가)?",
+        },
+        TurnRadians { degrees: Quantity, meant: Quantity } => {
+            en: "PROBABLY A SLIP: it is turned by {degrees}°, a round part of π. If that is in radians, write {meant}.",
+            ko: "입력 오류 의심: {degrees}° 회전하였으며 이는 π의 배수이다. 라디안이라면 {meant}°로 적는다.",
+        },
         Drifts { component: String, away: Quantity } => {
             en: "{component} ends {away} away, near its largest displacement: the base line drifts, or the ground moved for good; take it off with --baseline or --high-pass.",
             ko: "{component} 성분의 변위가 {away}에서 끝나며 이는 최대 변위에 가깝다. 기선이 표류하였거나 지반이 영구 이동한 기록이다. 기선 표류라면 --baseline 또는 --high-pass로 제거한다.",
@@ -34,8 +58,52 @@ messages! {
 /// The motion, and what to know of its base line.
 pub(crate) fn motion_section(document: &mut Document<'_>, answer: &MotionAnswer) {
     document.put(Block::Table(motion_table(answer)));
+    for doubt in answer.doubts() {
+        document.note(doubted(&doubt));
+    }
     for (component, away_m) in answer.drifting_m() {
         document.note(drift(component.name(), away_m));
+    }
+}
+
+/// What looks wrong with a motion, and the likely fix.
+pub(crate) fn doubted(doubt: &MotionDoubt) -> Motion {
+    let in_g = |peak_g: f64| {
+        let unit = Unit {
+            symbol: "g".to_owned(),
+            factor: 1.0,
+        };
+        Quantity::new(peak_g, unit, Digits::Significant(3))
+    };
+    let name = |component: Component| component.name().to_owned();
+    match *doubt {
+        MotionDoubt::ReadStrong { component, peak_g } => Motion::ReadStrong {
+            component: name(component),
+            peak: in_g(peak_g),
+            by_gravity: in_g(peak_g / STANDARD_GRAVITY_M_S2),
+            by_gal: in_g(peak_g / (100.0 * STANDARD_GRAVITY_M_S2)),
+        },
+        MotionDoubt::ReadWeak { component, peak_g } => Motion::ReadWeak {
+            component: name(component),
+            peak: in_g(peak_g),
+            by_metres: in_g(peak_g * 100.0),
+            by_gal: in_g(peak_g * 100.0 * STANDARD_GRAVITY_M_S2),
+        },
+        MotionDoubt::ActsStrong { peak_g } => Motion::ActsStrong { peak: in_g(peak_g) },
+        MotionDoubt::ActsWeak { peak_g } => Motion::ActsWeak { peak: in_g(peak_g) },
+        MotionDoubt::Step {
+            component,
+            step_s,
+            swings_hz,
+        } => Motion::Step {
+            component: name(component),
+            step: Quantity::new(step_s, Unit::si("s"), Digits::Significant(3)),
+            swings: Quantity::new(swings_hz, Unit::si("Hz"), Digits::Significant(3)),
+        },
+        MotionDoubt::TurnRadians { degrees } => Motion::TurnRadians {
+            degrees: Quantity::ratio(degrees, 4),
+            meant: Quantity::ratio(degrees.to_degrees(), 3),
+        },
     }
 }
 

@@ -54,6 +54,7 @@ fn simulation() -> StackSimulation {
         motion: MotionAnswer {
             files: vec![(Component::X, "pulse.csv".into())],
             peaks_read_m_s2: vec![(Component::X, 5.884)],
+            turned_rad: None,
             motion,
         },
         law: ContactLaw::Springs(options),

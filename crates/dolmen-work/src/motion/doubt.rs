@@ -59,7 +59,11 @@ const SWINGS_HZ: [f64; 2] = [0.1, 32.0];
 impl MotionAnswer {
     /// What looks wrong with it, each with the numbers that say so.
     pub fn doubts(&self) -> Vec<MotionDoubt> {
-        let mut doubts: Vec<MotionDoubt> = self.peaks_read_m_s2.iter().filter_map(|(of, peak)| read(*of, *peak)).collect();
+        let mut doubts: Vec<MotionDoubt> = self
+            .peaks_read_m_s2
+            .iter()
+            .filter_map(|(of, peak)| read(*of, *peak))
+            .collect();
         let acting = [Component::X, Component::Y, Component::Z].map(|of| self.motion.component_peak_m_s2(of));
         let peak_g = acting.into_iter().fold(0.0, f64::max) / STANDARD_GRAVITY_M_S2;
         if doubts.is_empty() && peak_g > STRONG_G {
@@ -69,7 +73,11 @@ impl MotionAnswer {
         }
         let given = self.files.iter().map(|(component, _)| *component);
         doubts.extend(given.filter_map(|component| step(&self.motion, component)));
-        if let Some(degrees) = self.turned_rad.map(f64::to_degrees).filter(|degrees| looks_like_radians(*degrees)) {
+        if let Some(degrees) = self
+            .turned_rad
+            .map(f64::to_degrees)
+            .filter(|degrees| looks_like_radians(*degrees))
+        {
             doubts.push(MotionDoubt::TurnRadians { degrees });
         }
         doubts
@@ -92,5 +100,9 @@ fn step(motion: &GroundMotion, component: Component) -> Option<MotionDoubt> {
     let crossings = samples.windows(2).filter(|pair| pair[0] * pair[1] < 0.0).count();
     let swings_hz = 0.5 * crossings as f64 / motion.duration_s();
     let is_odd = crossings > 0 && !(SWINGS_HZ[0]..=SWINGS_HZ[1]).contains(&swings_hz);
-    is_odd.then_some(MotionDoubt::Step { component, step_s: motion.time_step_s(), swings_hz })
+    is_odd.then_some(MotionDoubt::Step {
+        component,
+        step_s: motion.time_step_s(),
+        swings_hz,
+    })
 }

@@ -3,9 +3,12 @@
 
 use crate::edit::{Slip, edited};
 use crate::folder::{Folder, root};
+use dolmen_project::{MotionSource, WarningKind};
 use dolmen_words::Language;
 use dolmen_work::motion::{GivenFile, MotionRequest};
-use dolmen_work::{CheckOptions, IdentifyOptions, Opened, Silent, SimulateOptions, check, identify, prepare, told};
+use dolmen_work::{
+    CheckOptions, IdentifyOptions, Opened, Silent, SimulateOptions, check, identify, prepare, told,
+};
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -14,7 +17,14 @@ fn slips() -> Vec<Slip> {
     let rows = table.records().map(|row| {
         let row = row.unwrap();
         let cell = |at: usize| row[at].to_owned();
-        Slip { class: cell(0), file: cell(1), edit: cell(2), find: cell(3), replace: cell(4), says: cell(5) }
+        Slip {
+            class: cell(0),
+            file: cell(1),
+            edit: cell(2),
+            find: cell(3),
+            replace: cell(4),
+            says: cell(5),
+        }
     });
     rows.collect()
 }
@@ -23,7 +33,10 @@ fn slips() -> Vec<Slip> {
 fn el_centro(factor: f64) -> Vec<u8> {
     let path = root().join("data/el_centro_1940_ns/el_centro_1940_ns.csv");
     let text = std::fs::read_to_string(path).unwrap();
-    let values = text.lines().skip(1).map(|line| line.split_once(',').unwrap().1.parse::<f64>().unwrap());
+    let values = text
+        .lines()
+        .skip(1)
+        .map(|line| line.split_once(',').unwrap().1.parse::<f64>().unwrap());
     let lines: Vec<String> = values.map(|value| format!("{}", value * factor)).collect();
     format!("acceleration\n{}\n", lines.join("\n")).into_bytes()
 }
@@ -36,7 +49,11 @@ fn request(slip: &Slip) -> MotionRequest {
             "motion" => request.name = Some(value.to_owned()),
             "file" => {
                 let bytes = el_centro(value.parse().unwrap());
-                request.files = vec![GivenFile { component: None, name: "motion.csv".to_owned(), bytes }];
+                request.files = vec![GivenFile {
+                    component: None,
+                    name: "motion.csv".to_owned(),
+                    bytes,
+                }];
                 request.sample_step_s = Some(0.02);
             }
             "unit" => request.unit = Some(value.to_owned()),
@@ -62,9 +79,12 @@ fn said_of(slip: &Slip, text: String, files: &Folder) -> Result<String, dolmen_w
     let opened = Opened::read(text, slip.file.clone(), files)?;
     let project = &opened.project;
     let mut said = String::new();
-    let variants = project.variants.iter().flat_map(|variant| &variant.project.warnings);
+    let variants = project
+        .variants
+        .iter()
+        .flat_map(|variant| &variant.project.warnings);
     for warning in project.warnings.iter().chain(variants) {
-        if warning.kind == dolmen_project::WarningKind::Doubtful {
+        if warning.kind == WarningKind::Doubtful {
             said += &format!("{}: {}\n", warning.path, warning.message.text(Language::English));
         }
     }
@@ -74,7 +94,10 @@ fn said_of(slip: &Slip, text: String, files: &Folder) -> Result<String, dolmen_w
         _ => None,
     };
     if let Some(motion) = motion {
-        let options = SimulateOptions { motion, ..SimulateOptions::default() };
+        let options = SimulateOptions {
+            motion,
+            ..SimulateOptions::default()
+        };
         let prepared = prepare(&opened, &options, files)?;
         for doubt in prepared.motion().unwrap().doubts() {
             said += &format!("motion: {doubt:?}\n");
@@ -105,11 +128,78 @@ fn holds_nine_of_ten_slips_are_caught() {
         count[0] += usize::from(is_caught);
         count[1] += 1;
         if !is_caught {
-            missed.push(format!("{}: {} | {} -> {} | {said}", slip.class, slip.file, slip.find, slip.replace));
+            missed.push(format!(
+                "{}: {} | {} -> {} | {said}",
+                slip.class, slip.file, slip.find, slip.replace
+            ));
         }
     }
-    let table: String = classes.iter().map(|(class, [caught, all])| format!("| {class} | {caught} of {all} |\n")).collect();
+    let table: String = classes
+        .iter()
+        .map(|(class, [caught, all])| format!("| {class} | {caught} of {all} |\n"))
+        .collect();
     let caught = slips.len() - missed.len();
     println!("{table}\n{caught} of {}\n{}", slips.len(), missed.join("\n"));
-    assert!(slips.len() >= 200 && 10 * caught >= 9 * slips.len(), "{caught} of {}", slips.len());
+    assert!(
+        slips.len() >= 200 && 10 * caught >= 9 * slips.len(),
+        "{caught} of {}",
+        slips.len()
+    );
+}
+
+#[test]
+fn holds_no_example_is_doubted() {
+    let examples = root().join("examples");
+    let folders = std::fs::read_dir(examples)
+        .unwrap()
+        .map(|folder| folder.unwrap().path());
+    let listed = folders.flat_map(|folder| std::fs::read_dir(folder).into_iter().flatten());
+    let mut files: Vec<_> = listed.map(|file| file.unwrap().path()).collect();
+    files.retain(|file| file.extension().is_some_and(|ending| ending == "toml"));
+    assert!(files.len() > 20, "{}", files.len());
+    for path in files {
+        let text = std::fs::read_to_string(&path).unwrap();
+        let folder = Folder(path.parent().unwrap().to_owned());
+        let opened = Opened::read(text, path.display().to_string(), &folder).unwrap();
+        let doubts = opened
+            .project
+            .warnings
+            .iter()
+            .filter(|warning| warning.kind == WarningKind::Doubtful);
+        assert_eq!(
+            doubts
+                .map(|of| of.message.text(Language::English))
+                .collect::<Vec<_>>(),
+            [""; 0],
+            "{}",
+            opened.file
+        );
+        // motions that have to be fetched are not there
+        for part in opened
+            .project
+            .motions
+            .iter()
+            .filter(|part| matches!(part.from, MotionSource::BuiltIn(_)))
+        {
+            let options = SimulateOptions {
+                motion: MotionRequest::named(&part.name),
+                ..SimulateOptions::default()
+            };
+            let prepared = prepare(&opened, &options, &folder).unwrap();
+            assert_eq!(
+                prepared.motion().unwrap().doubts(),
+                [],
+                "{} {}",
+                opened.file,
+                part.name
+            );
+        }
+        for survey in identify(&opened, &IdentifyOptions::default(), &folder, &Silent)
+            .unwrap()
+            .surveys
+        {
+            let doubts = survey.records.iter().flat_map(|record| &record.doubts);
+            assert_eq!(doubts.count(), 0, "{}", opened.file);
+        }
+    }
 }

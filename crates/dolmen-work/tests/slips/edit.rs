@@ -39,7 +39,9 @@ pub(crate) fn edited(text: &str, slip: &Slip) -> String {
 /// Where a number that begins at a byte ends.
 fn end_of_number(text: &str, from: usize) -> usize {
     let is_number = |c: char| c.is_ascii_digit() || c == '.';
-    text[from..].find(|c| !is_number(c)).map_or(text.len(), |length| from + length)
+    text[from..]
+        .find(|c| !is_number(c))
+        .map_or(text.len(), |length| from + length)
 }
 
 /// Every number of a key, bare, in a list or with its evidence, times a factor.
@@ -65,7 +67,10 @@ fn scaled(text: &str, key: &str, factor: f64) -> String {
         }
         rest = &rest[end..];
         // the second number of a list
-        if out.ends_with(|c: char| c.is_ascii_digit()) && rest.starts_with(", ") && rest[2..].starts_with(|c: char| c.is_ascii_digit()) {
+        if out.ends_with(|c: char| c.is_ascii_digit())
+            && rest.starts_with(", ")
+            && rest[2..].starts_with(|c: char| c.is_ascii_digit())
+        {
             let end = end_of_number(rest, 2);
             let second: f64 = rest[2..end].parse().unwrap();
             out += &format!(", {}", second * factor);
@@ -108,8 +113,15 @@ fn mirrored(text: &str) -> String {
     let of = |line: &str| {
         let (_, _, length) = number(line, "length = ")?;
         let (from, end, centroid) = number(line, "centroid = ")?;
-        Some(format!("{}{:.4}{}", &line[..from], length - centroid, &line[end..]))
+        Some(format!(
+            "{}{:.4}{}",
+            &line[..from],
+            length - centroid,
+            &line[end..]
+        ))
     };
-    let each = text.lines().map(|line| of(line).unwrap_or_else(|| line.to_owned()));
+    let each = text
+        .lines()
+        .map(|line| of(line).unwrap_or_else(|| line.to_owned()));
     each.collect::<Vec<_>>().join("\n") + "\n"
 }

@@ -3,3 +3,4 @@
 mod caught;
 mod edit;
 mod folder;
+mod plausible;

@@ -13,6 +13,7 @@ mod options;
 mod pass;
 mod products;
 mod quality;
+mod sensors;
 mod settings;
 mod setups;
 mod spectrum;
@@ -28,6 +29,7 @@ pub use modes::{Method, Mode, Modes};
 pub use notes::{LateClock, Note, Tone};
 pub use options::{Harmonics, Identify};
 pub use quality::{Kurtosis, band_kurtosis};
+pub use sensors::{SensorDoubt, doubt_sensors};
 pub use settings::Settings;
 pub(crate) use setups::shared;
 pub use setups::{

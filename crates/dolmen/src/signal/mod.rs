@@ -20,7 +20,6 @@ mod record;
 mod response_spectrum;
 mod scale;
 mod sections;
-mod sensors;
 mod spectra;
 mod spectrum_match;
 
@@ -42,6 +41,5 @@ pub use pulse::{PulseShape, pulse};
 pub use record::{Channel, LostSpan, Processing, Quantity, Record};
 pub use response_spectrum::{SpectralOrdinate, response_spectrum};
 pub use scale::scale;
-pub use sensors::{SensorDoubt, doubt_sensors};
 pub use spectra::{CrossSpectra, Welch, cross_spectra};
 pub use spectrum_match::{MatchedMotion, SpectrumMatch, SpectrumMisfit, match_spectrum};

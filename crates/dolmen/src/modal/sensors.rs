@@ -1,0 +1,331 @@
+//! Sensors that contradict each other: two of one place and direction that move differently, one turned round, or two exchanged on a floor
+//! that moves as a rigid body in its lowest modes.
+//!
+//! | symbol | code | meaning |
+//! |:--|:--|:--|
+//! | φ | `shapes` | shapes of the lowest modes at the horizontal sensors of one floor, brought to length 1 |
+//! | G | `motions` | what unit motions of the floor (along x, along y, a turn about z) give at the sensors: d_x, d_y, d_y p_x - d_x p_y |
+//! | r | `unexplained` | mean of 1 - \|Gᵀ φ\|² with G made orthonormal: share of the shapes that no rigid floor has |
+
+use super::modes::Mode;
+use crate::signal::{Channel, Record};
+use dolmen_linalg::Complex64;
+
+/// What sensors say against each other.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SensorDoubt {
+    /// Two sensors of one place and direction move differently.
+    Twins {
+        /// Their names.
+        channels: [String; 2],
+        /// 2 a·b / (a·a + b·b): 1 for the same motion, less where one is smaller or unlike.
+        likeness: f64,
+    },
+    /// With the sign of one sensor changed, a floor moves as a rigid body.
+    Turned {
+        /// Its name.
+        channel: String,
+        /// Share of the motion that no rigid floor has.
+        unexplained: f64,
+        /// The same with the sign changed.
+        changed: f64,
+    },
+    /// With two sensors exchanged, a floor moves as a rigid body.
+    Swapped {
+        /// Their names.
+        channels: [String; 2],
+        /// Share of the motion that no rigid floor has.
+        unexplained: f64,
+        /// The same with the two exchanged.
+        changed: f64,
+    },
+}
+
+/// Sensors nearer than this, m, and within 10° of one direction measure one thing. Ours.
+const ONE_PLACE_M: f64 = 0.02;
+const ONE_DIRECTION: f64 = 0.985;
+/// Likeness, 2 a·b / (a·a + b·b), below which twins contradict each other. Ours: noise a third of the motion in each gives 0.9.
+const TWINS_LEAST: f64 = 0.85;
+/// Heights within this are one floor, m. Ours.
+const ONE_FLOOR_M: f64 = 0.5;
+/// Fewest sensors of a floor: three give its motion, and two more are needed to name the wrong one.
+const SENSORS_LEAST: usize = 5;
+/// Lowest modes that are looked at, and the fewest that may say so. Ours: higher ones bend floors.
+const MODES_MOST: usize = 3;
+const MODES_LEAST: usize = 2;
+/// Share of the shapes above which a floor is not rigid as its sensors are described, by how much the change must lessen it, and by how much
+/// the second-best change must be worse. Ours: the roof of Palisaden has 0.008, and 0.17 and more with one sensor turned.
+const UNEXPLAINED: f64 = 0.05;
+const LESSENS: f64 = 4.0;
+const CLEARLY: f64 = 2.0;
+
+/// What the sensors of a record say against each other.
+///
+/// # Limits
+/// Two sensors that are exchanged with alike motion are not seen, nor is one alone at its height. A floor that is not rigid is left alone
+/// unless one single change explains it.
+pub fn doubt_sensors(record: &Record, modes: &[Mode]) -> Vec<SensorDoubt> {
+    let channels = record.channels();
+    let mut doubts = twins(record);
+    if !doubts.is_empty() {
+        return doubts;
+    }
+    let mut left: Vec<usize> = (0..channels.len())
+        .filter(|&i| is_horizontal(&channels[i]))
+        .collect();
+    while let Some(&first) = left.first() {
+        let height = |i: usize| channels[i].position_m.map_or(f64::NAN, |place| place[2]);
+        let (floor, rest) = left
+            .iter()
+            .partition(|&&i| (height(i) - height(first)).abs() <= ONE_FLOOR_M);
+        left = rest;
+        doubts.extend(floor_doubt(channels, modes, &floor));
+    }
+    doubts
+}
+
+fn is_horizontal(channel: &Channel) -> bool {
+    channel.position_m.is_some()
+        && channel
+            .direction
+            .is_some_and(|direction| direction[2].abs() < 0.1)
+}
+
+fn twins(record: &Record) -> Vec<SensorDoubt> {
+    let channels = record.channels();
+    let mut doubts = Vec::new();
+    for second in 0..channels.len() {
+        for first in 0..second {
+            let (a, b) = (&channels[first], &channels[second]);
+            let (Some(p), Some(q), Some(d), Some(e)) = (a.position_m, b.position_m, a.direction, b.direction)
+            else {
+                continue;
+            };
+            let apart_m = (0..3).map(|axis| (p[axis] - q[axis]).powi(2)).sum::<f64>().sqrt();
+            let along: f64 = (0..3).map(|axis| d[axis] * e[axis]).sum();
+            if apart_m > ONE_PLACE_M || along.abs() < ONE_DIRECTION {
+                continue;
+            }
+            let of = covariance(record, &[first, second]);
+            let likeness = 2.0 * along.signum() * of[0][1] / (of[0][0] + of[1][1]);
+            if likeness < TWINS_LEAST {
+                doubts.push(SensorDoubt::Twins {
+                    channels: [a.name.clone(), b.name.clone()],
+                    likeness,
+                });
+            }
+        }
+    }
+    doubts
+}
+
+/// Sums of products of the samples with the mean taken off.
+fn covariance(record: &Record, channels: &[usize]) -> Vec<Vec<f64>> {
+    let centred: Vec<Vec<f64>> = channels
+        .iter()
+        .map(|&i| {
+            let samples = record.samples(i);
+            let mean = samples.iter().sum::<f64>() / samples.len() as f64;
+            samples.iter().map(|x| x - mean).collect()
+        })
+        .collect();
+    let product = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(x, y)| x * y).sum();
+    centred
+        .iter()
+        .map(|a| centred.iter().map(|b| product(a, b)).collect())
+        .collect()
+}
+
+/// A change of the channels of a floor.
+#[derive(Clone, Copy)]
+enum Change {
+    Turned(usize),
+    Swapped([usize; 2]),
+}
+
+fn floor_doubt(channels: &[Channel], modes: &[Mode], floor: &[usize]) -> Option<SensorDoubt> {
+    let shapes: Vec<Vec<Complex64>> = modes
+        .iter()
+        .take(MODES_MOST)
+        .filter_map(|mode| shape_of(mode, channels.len(), floor))
+        .collect();
+    if floor.len() < SENSORS_LEAST || shapes.len() < MODES_LEAST {
+        return None;
+    }
+    let motions = orthonormal(motions(channels, floor))?;
+    let as_is = unexplained(&shapes, &motions, None);
+    if as_is < UNEXPLAINED {
+        return None;
+    }
+    let count = floor.len();
+    let turned = (0..count).map(Change::Turned);
+    let swapped = (0..count).flat_map(|j| (0..j).map(move |i| Change::Swapped([i, j])));
+    let mut changes: Vec<(f64, Change)> = turned
+        .chain(swapped)
+        .map(|change| (unexplained(&shapes, &motions, Some(change)), change))
+        .collect();
+    changes.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let [(changed, best), (second, _), ..] = changes[..] else {
+        return None;
+    };
+    if changed * LESSENS > as_is || changed * CLEARLY > second {
+        return None;
+    }
+    let name = |i: usize| channels[floor[i]].name.clone();
+    Some(match best {
+        Change::Turned(i) => SensorDoubt::Turned {
+            channel: name(i),
+            unexplained: as_is,
+            changed,
+        },
+        Change::Swapped([i, j]) => SensorDoubt::Swapped {
+            channels: [name(i), name(j)],
+            unexplained: as_is,
+            changed,
+        },
+    })
+}
+
+/// Unit motions of a rigid floor at its sensors.
+fn motions(channels: &[Channel], floor: &[usize]) -> [Vec<f64>; 3] {
+    let mut all = [Vec::new(), Vec::new(), Vec::new()];
+    for &i in floor {
+        let (Some([x, y, _]), Some([dx, dy, _])) = (channels[i].position_m, channels[i].direction) else {
+            continue;
+        };
+        all[0].push(dx);
+        all[1].push(dy);
+        all[2].push(dy * x - dx * y);
+    }
+    all
+}
+
+/// The same space by orthonormal vectors (Gram and Schmidt); `None` where the sensors do not span it.
+fn orthonormal(vectors: [Vec<f64>; 3]) -> Option<Vec<Vec<f64>>> {
+    let mut all: Vec<Vec<f64>> = Vec::new();
+    for mut vector in vectors {
+        let before = vector.iter().map(|x| x * x).sum::<f64>();
+        for other in &all {
+            let along: f64 = vector.iter().zip(other).map(|(x, y)| x * y).sum();
+            vector.iter_mut().zip(other).for_each(|(x, y)| *x -= along * y);
+        }
+        let size = vector.iter().map(|x| x * x).sum::<f64>();
+        (size > 1e-6 * before).then_some(())?;
+        vector.iter_mut().for_each(|x| *x /= size.sqrt());
+        all.push(vector);
+    }
+    Some(all)
+}
+
+/// The shape at the sensors of a floor, of length 1; `None` where it is not of these channels or does not move there.
+fn shape_of(mode: &Mode, channels: usize, floor: &[usize]) -> Option<Vec<Complex64>> {
+    if mode.shape.len() != channels {
+        return None;
+    }
+    let shape: Vec<Complex64> = floor.iter().map(|&i| mode.shape[i]).collect();
+    let size = shape.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+    (size > 0.0).then(|| shape.iter().map(|x| x / size).collect())
+}
+
+/// Share of the shapes that no rigid floor has.
+fn unexplained(shapes: &[Vec<Complex64>], motions: &[Vec<f64>], change: Option<Change>) -> f64 {
+    let place = |i: usize| match change {
+        Some(Change::Swapped([a, b])) if i == a => b,
+        Some(Change::Swapped([a, b])) if i == b => a,
+        Some(Change::Swapped(_) | Change::Turned(_)) | None => i,
+    };
+    let sign = |i: usize| {
+        if matches!(change, Some(Change::Turned(of)) if of == i) {
+            -1.0
+        } else {
+            1.0
+        }
+    };
+    let along = |shape: &[Complex64], motion: &[f64]| {
+        (0..shape.len())
+            .map(|i| shape[place(i)] * (sign(i) * motion[i]))
+            .sum::<Complex64>()
+            .norm_sqr()
+    };
+    let explained = |shape: &Vec<Complex64>| motions.iter().map(|motion| along(shape, motion)).sum::<f64>();
+    1.0 - shapes.iter().map(explained).sum::<f64>() / shapes.len() as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Two sensors at each of three corners of a floor of 10 by 8 m, at one height.
+    fn corners() -> Vec<Channel> {
+        let places = [[0.0, 0.0], [10.0, 0.0], [3.0, 8.0]];
+        let both = |at: usize| [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0]].map(|direction| (at, direction));
+        let each = (0..3).flat_map(both);
+        each.map(|(at, direction)| Channel {
+            position_m: Some([places[at][0], places[at][1], 12.0]),
+            direction: Some(direction),
+            ..Channel::named(format!("{at}{}", if direction[0] == 1.0 { "x" } else { "y" }))
+        })
+        .collect()
+    }
+
+    /// The field of a rigid body, u = a - θ y, v = b + θ x, written out by hand and not by `motions`.
+    fn rigid(a: f64, b: f64, theta: f64) -> Vec<Complex64> {
+        let each = [[0.0, 0.0], [10.0, 0.0], [3.0, 8.0]].into_iter();
+        each.flat_map(|[x, y]| [a - theta * y, b + theta * x])
+            .map(|u| Complex64::new(u, 0.0))
+            .collect()
+    }
+
+    fn shapes() -> Vec<Vec<Complex64>> {
+        let unit = |shape: Vec<Complex64>| {
+            let size = shape.iter().map(|x| x.norm_sqr()).sum::<f64>().sqrt();
+            shape.iter().map(|x| x / size).collect::<Vec<_>>()
+        };
+        [
+            rigid(1.0, 0.2, 0.01),
+            rigid(-0.1, 1.0, 0.03),
+            rigid(0.5, -0.6, 0.15),
+        ]
+        .map(unit)
+        .to_vec()
+    }
+
+    #[test]
+    fn exact_a_rigid_floor_is_explained_whole_and_every_sensor_turned_is_named() {
+        let channels = corners();
+        let floor: Vec<usize> = (0..6).collect();
+        let motions = orthonormal(motions(&channels, &floor)).unwrap();
+        assert!(unexplained(&shapes(), &motions, None).abs() < 1e-12);
+        for wrong in 0..6 {
+            let mut turned = shapes();
+            turned.iter_mut().for_each(|shape| shape[wrong] = -shape[wrong]);
+            let named = best(&turned, &motions);
+            assert!(
+                matches!(named, (Change::Turned(of), left) if of == wrong && left.abs() < 1e-12),
+                "{wrong}"
+            );
+        }
+    }
+
+    #[test]
+    fn exact_two_sensors_exchanged_are_named() {
+        let (channels, floor) = (corners(), (0..6).collect::<Vec<_>>());
+        let motions = orthonormal(motions(&channels, &floor)).unwrap();
+        for pair in [[0, 1], [1, 4], [2, 5], [3, 4]] {
+            let mut swapped = shapes();
+            swapped.iter_mut().for_each(|shape| shape.swap(pair[0], pair[1]));
+            let named = best(&swapped, &motions);
+            assert!(
+                matches!(named, (Change::Swapped(of), left) if of == pair && left.abs() < 1e-12),
+                "{pair:?}"
+            );
+        }
+    }
+
+    fn best(shapes: &[Vec<Complex64>], motions: &[Vec<f64>]) -> (Change, f64) {
+        let swaps = (0..6).flat_map(|j| (0..j).map(move |i| Change::Swapped([i, j])));
+        let all = (0..6).map(Change::Turned).chain(swaps);
+        let tried = all.map(|change| (change, unexplained(shapes, motions, Some(change))));
+        tried.min_by(|a, b| a.1.total_cmp(&b.1)).unwrap()
+    }
+}
