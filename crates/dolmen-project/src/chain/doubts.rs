@@ -106,7 +106,7 @@ fn neighbours(reader: &mut Reader, chain: &Chain<'_>) {
     for middle in 1..chain.per_length.len().saturating_sub(1) {
         let [below, own, above] = [middle - 1, middle, middle + 1].map(|i| chain.per_length[i]);
         let against = own / (below * above).sqrt();
-        if against > NEIGHBOURS || against < 1.0 / NEIGHBOURS {
+        if !(1.0 / NEIGHBOURS..=NEIGHBOURS).contains(&against) {
             let path = &chain.part.links[middle].heaviness.quantity().path;
             reader.doubt(
                 path,

@@ -123,7 +123,7 @@ fn modes(reader: &mut Reader, survey: &Survey, surveys: &[Survey]) {
             }
             let usual = same[same.len() / 2];
             let against = mode.frequency.value / usual;
-            if against > UNLIKE || against < 1.0 / UNLIKE {
+            if !(1.0 / UNLIKE..=UNLIKE).contains(&against) {
                 let path = &mode.frequency.path;
                 let (measured, others) = (hertz(mode.frequency.value), hertz(usual));
                 reader.doubt(

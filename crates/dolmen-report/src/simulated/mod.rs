@@ -4,7 +4,7 @@ mod motion;
 mod names;
 mod units;
 
-pub(crate) use motion::{motion_section, steps_of};
+pub(crate) use motion::{doubted, motion_section, steps_of};
 pub(crate) use names::{Simulated, capitalised, cut, under, version_name};
 pub(crate) use units::{energy_unit, kilo, left, milli, millimetres, milliradians, seconds};
 

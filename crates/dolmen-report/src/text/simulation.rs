@@ -2,10 +2,10 @@
 
 use crate::brief::notes_text;
 use crate::check::project_text;
-use crate::document::{Document, TextStyle, document_text};
-use crate::simulated::motion_section;
+use crate::document::{Document, TextStyle, document_text, wrapped};
+use crate::simulated::{doubted, motion_section};
 use dolmen_project::Project;
-use dolmen_words::{Template, messages};
+use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::motion::MotionAnswer;
 
 messages! {
@@ -34,7 +34,11 @@ pub fn simulation_inputs_text(
     if let Some(motion) = motion {
         motion_section(&mut document, motion);
     }
-    let head = project_text(project, file, style);
+    let mut head = project_text(project, file, style);
+    for doubt in motion.iter().flat_map(|motion| motion.doubts()) {
+        let said = Sentence::from(doubted(&doubt)).text(style.language);
+        head += &wrapped(&said, "  ! ", "    ", style.columns());
+    }
     match style.is_full {
         true => head + &document_text(&document, style) + &notes_text(project, style),
         false => head + "\n",

@@ -110,7 +110,7 @@ fn said_of(slip: &Slip, text: String, files: &Folder) -> Result<String, dolmen_w
             }
         }
     }
-    if slip.says == "contradict" {
+    if ["contradict", "measured frequenc"].contains(&slip.says.as_str()) {
         let state = check(&opened, &CheckOptions::default())?.state.unwrap();
         said += &format!("contradictions: {:?}\n", state.contradictions);
     }
@@ -118,32 +118,33 @@ fn said_of(slip: &Slip, text: String, files: &Folder) -> Result<String, dolmen_w
 }
 
 #[test]
-fn holds_nine_of_ten_slips_are_caught() {
+fn holds_nine_of_ten_slips_are_caught_as_the_book_says() {
     let mut classes: BTreeMap<String, [usize; 2]> = BTreeMap::new();
     let (mut missed, slips) = (Vec::new(), slips());
     for slip in &slips {
-        let said = said(slip);
-        let is_caught = said.to_lowercase().contains(&slip.says);
+        let is_caught = said(slip).to_lowercase().contains(&slip.says);
         let count = classes.entry(slip.class.clone()).or_default();
         count[0] += usize::from(is_caught);
         count[1] += 1;
         if !is_caught {
             missed.push(format!(
-                "{}: {} | {} -> {} | {said}",
-                slip.class, slip.file, slip.find, slip.replace
+                "- `{}`: `{}` → `{}`\n",
+                slip.file, slip.find, slip.replace
             ));
         }
     }
-    let table: String = classes
+    let (caught, all) = (slips.len() - missed.len(), slips.len());
+    let rows: String = classes
         .iter()
         .map(|(class, [caught, all])| format!("| {class} | {caught} of {all} |\n"))
         .collect();
-    let caught = slips.len() - missed.len();
-    println!("{table}\n{caught} of {}\n{}", slips.len(), missed.join("\n"));
+    let table = format!("{rows}| **all** | **{caught} of {all}** |\n");
+    let missed = missed.concat();
+    assert!(all >= 200 && 10 * caught >= 9 * all, "{table}\n{missed}");
+    let book = std::fs::read_to_string(root().join("docs/notices.md")).unwrap();
     assert!(
-        slips.len() >= 200 && 10 * caught >= 9 * slips.len(),
-        "{caught} of {}",
-        slips.len()
+        book.contains(&table) && book.contains(&missed),
+        "docs/notices.md must say\n{table}\n{missed}"
     );
 }
 
