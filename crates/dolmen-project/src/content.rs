@@ -64,6 +64,18 @@ pub struct Warning {
     pub message: Sentence,
 }
 
+impl Warning {
+    /// A warning whose line is not known yet.
+    pub(super) fn new(kind: WarningKind, path: &str, message: Sentence) -> Self {
+        Warning {
+            kind,
+            line: 0,
+            path: path.to_owned(),
+            message,
+        }
+    }
+}
+
 /// The same structure with parts of the file replaced: `[variant.NAME]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Variant {

@@ -165,12 +165,7 @@ impl<'f> Reader<'f> {
     }
 
     fn put(&mut self, kind: WarningKind, path: &str, message: Sentence) {
-        let warning = Warning {
-            kind,
-            line: 0,
-            path: path.to_owned(),
-            message,
-        };
+        let warning = Warning::new(kind, path, message);
         self.warnings.push((self.place(path), warning));
     }
 
@@ -182,19 +177,11 @@ impl<'f> Reader<'f> {
     /// The warnings, by line; entries of `allow` that nothing needed are among them.
     pub(super) fn take_warnings(&mut self, text: &str) -> Vec<Warning> {
         let mut all = std::mem::take(&mut self.warnings);
-        for (path, used) in &self.allow {
-            if !used {
-                let message = Warned::AllowedInVain {
-                    path: path.value.clone(),
-                };
-                let warning = Warning {
-                    kind: WarningKind::AllowedInVain,
-                    line: 0,
-                    path: "allow".to_owned(),
-                    message: message.into(),
-                };
-                all.push((path.span.clone(), warning));
-            }
+        for (path, _) in self.allow.iter().filter(|(_, used)| !used) {
+            let path_in_vain = path.value.clone();
+            let said = Warned::AllowedInVain { path: path_in_vain };
+            let warning = Warning::new(WarningKind::AllowedInVain, "allow", said.into());
+            all.push((path.span.clone(), warning));
         }
         for (span, warning) in &mut all {
             warning.line = Fault::new(span.clone(), "", "").locate(text).line;

@@ -214,7 +214,6 @@ fn alarms(kind: fn(&mut Draw) -> String) -> Vec<String> {
 
 fn lets_pass(kind: fn(&mut Draw) -> String) {
     let alarms = alarms(kind);
-    println!("{} of {DRAWN}", alarms.len());
     assert!(
         alarms.len() <= ALARMS_MOST,
         "{} of {DRAWN}:\n{}",
