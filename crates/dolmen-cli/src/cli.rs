@@ -427,7 +427,8 @@ pub(crate) struct Report {
     /// Project files, or folders that hold project.toml: one report for all of them
     #[arg(required = true)]
     pub(crate) projects: Vec<PathBuf>,
-    /// Where to write it: a page (.html) or a workbook of its tables for Excel (.xlsx); may be given for each
+    /// Where to write it: a page (.html), a document (.pdf, where built in) or a workbook of its tables for Excel (.xlsx); may be
+    /// given for each
     #[arg(long, short, value_name = "FILE", default_value = "report.html")]
     pub(crate) output: Vec<PathBuf>,
     /// Draw the inputs that carry a cov this many times

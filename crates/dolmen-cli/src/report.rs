@@ -11,9 +11,13 @@ use crate::study_folder::journals_beside;
 use crate::typed::Typed;
 use crate::{examples, files, open, request, tools};
 use anyhow::{Result, bail};
+#[cfg(feature = "pdf")]
+use dolmen_print::{Sheets, pdf};
 use dolmen_project::Project;
 use dolmen_report::html::{Imprint, NotReported, html};
 use dolmen_report::text::project_line;
+#[cfg(feature = "pdf")]
+use dolmen_report::typeset::{Typeset, typeset};
 use dolmen_report::xlsx::workbook;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{Verb, first_status, judge};
@@ -37,6 +41,8 @@ fn imprint(date: Option<String>) -> Imprint {
 #[derive(Clone, Copy)]
 enum Format {
     Html,
+    #[cfg(feature = "pdf")]
+    Pdf,
     Xlsx,
 }
 
@@ -47,8 +53,14 @@ impl Format {
         match extension.as_deref() {
             None | Some("html" | "htm") => Ok(Format::Html),
             Some("xlsx") => Ok(Format::Xlsx),
+            #[cfg(feature = "pdf")]
+            Some("pdf") => Ok(Format::Pdf),
+            #[cfg(not(feature = "pdf"))]
+            Some("pdf") => bail!(
+                "this dolmen was built without PDF: build it with `--features pdf`, or write a page (.html) and print it from a browser"
+            ),
             Some(other) => bail!(
-                "a report is not written as .{other}: -o takes a page (.html) or a workbook (.xlsx); a PDF comes from printing the page"
+                "a report is not written as .{other}: -o takes a page (.html), a document (.pdf) or a workbook (.xlsx)"
             ),
         }
     }
@@ -135,6 +147,8 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     for (output, format) in formats {
         let bytes = match format {
             Format::Html => html(&answers, &others, language, &imprint).into_bytes(),
+            #[cfg(feature = "pdf")]
+            Format::Pdf => printed(typeset(&answers, &others, language, &imprint), manner)?,
             Format::Xlsx => workbook(&answers, &others, language, &imprint)?,
         };
         outputs.file(output, &bytes)?;
@@ -154,6 +168,21 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         );
     }
     Ok(Outcome::Judged(status))
+}
+
+/// The bytes of a PDF, and a note of what could not be printed.
+#[cfg(feature = "pdf")]
+fn printed(source: Typeset, manner: &Manner) -> Result<Vec<u8>> {
+    let Typeset { main, files } = source;
+    let printed = pdf(Sheets { main, files })?;
+    if !printed.without_glyph.is_empty() && !manner.quiet {
+        let each: String = printed.without_glyph.iter().take(20).collect();
+        note!(
+            "the PDF shows {} characters as boxes, its fonts do not have them: {each}",
+            printed.without_glyph.len()
+        );
+    }
+    Ok(printed.bytes)
 }
 
 pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {

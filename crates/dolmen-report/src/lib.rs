@@ -34,6 +34,7 @@ mod study;
 pub mod tables;
 pub mod text;
 mod tune;
+pub mod typeset;
 mod whole;
 pub mod xlsx;
 

@@ -20,7 +20,8 @@ const CHAPTERS: [&str; 11] = [
     "validation",
 ];
 /// Crates, lowest first, with the crates each may name.
-const CRATES: [(&str, &[&str]); 8] = [
+const CRATES: [(&str, &[&str]); 9] = [
+    ("dolmen-print", &[]),
     ("dolmen-linalg", &[]),
     ("dolmen", &["dolmen-linalg"]),
     ("dolmen-words", &["dolmen"]),
@@ -46,6 +47,7 @@ const CRATES: [(&str, &[&str]); 8] = [
             "dolmen",
             "dolmen-words",
             "dolmen-records",
+            "dolmen-print",
             "dolmen-project",
             "dolmen-work",
             "dolmen-report",

@@ -18,6 +18,7 @@ mod keys;
 mod korean;
 mod layout;
 mod names;
+mod prints;
 mod safety;
 mod sentences;
 #[cfg(unix)]

@@ -3,7 +3,7 @@
 use super::table::{Cell, table};
 use super::words::{evidence_word, path_words, unit_text};
 use crate::check::title;
-use dolmen_project::{Project, Quantity};
+use dolmen_project::{Project, Quantity, Survey};
 use dolmen_words::Language;
 use dolmen_words::number;
 use dolmen_work::answer::ProjectReport;
@@ -100,26 +100,49 @@ fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language) -> Mark
 fn surveys(project: &Project, language: Language) -> Markup {
     html! {
         @for survey in &project.surveys {
-            h3 { (language.pick("Survey", "조사")) " " (survey.name) }
+            h3 { (survey_head(survey, language)) }
             ul {
-                @if let Some(note) = &survey.note { li { (note) } }
-                @if let Some(source) = &survey.source { li { (language.pick("Source: ", "출처: ")) (source) } }
-                @if let Some(temperature) = survey.temperature_c {
-                    li { (language.pick("Air temperature ", "기온 ")) (number::significant(temperature, 3)) "\u{202f}°C" }
-                } @else {
-                    li { (language.pick("Air temperature: unknown", "기온: 미상")) }
-                }
-                @if let Some(datum) = &survey.datum { li { (language.pick("Datum: ", "기준점: ")) (datum) } }
-                @if !survey.tilt.is_empty() {
-                    li { (language.pick("Tilt: ", "기울기: "))
-                        @for (i, (direction, tilt)) in survey.tilt.iter().enumerate() {
-                            @if i > 0 { ", " } (direction) " " (tilt.written)
-                        } }
-                }
+                @for line in survey_lines(survey, language) { li { (line) } }
                 @if let Some(records) = &survey.records {
                     li { (language.pick("Vibration records: ", "진동 기록: ")) code { (records.file) } }
                 }
             }
         }
     }
+}
+
+/// The head over what was given with a survey.
+pub(crate) fn survey_head(survey: &Survey, language: Language) -> String {
+    format!("{} {}", language.pick("Survey", "조사"), survey.name)
+}
+
+/// What was given with a survey beside its records.
+pub(crate) fn survey_lines(survey: &Survey, language: Language) -> Vec<String> {
+    let mut lines: Vec<String> = survey.note.iter().cloned().collect();
+    if let Some(source) = &survey.source {
+        lines.push(format!("{}{source}", language.pick("Source: ", "출처: ")));
+    }
+    lines.push(match survey.temperature_c {
+        Some(temperature) => format!(
+            "{}{}\u{202f}°C",
+            language.pick("Air temperature ", "기온 "),
+            number::significant(temperature, 3)
+        ),
+        None => language.pick("Air temperature: unknown", "기온: 미상").to_owned(),
+    });
+    if let Some(datum) = &survey.datum {
+        lines.push(format!("{}{datum}", language.pick("Datum: ", "기준점: ")));
+    }
+    if !survey.tilt.is_empty() {
+        let each = survey.tilt.iter();
+        let each: Vec<String> = each
+            .map(|(direction, tilt)| format!("{direction} {}", tilt.written))
+            .collect();
+        lines.push(format!(
+            "{}{}",
+            language.pick("Tilt: ", "기울기: "),
+            each.join(", ")
+        ));
+    }
+    lines
 }

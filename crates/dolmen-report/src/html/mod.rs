@@ -1,6 +1,9 @@
 //! One self-contained HTML page, English or Korean, that an engineer hands over.
 
-mod given;
+pub(crate) mod front;
+pub(crate) mod given;
+mod imprint;
+pub(crate) mod method;
 mod page;
 mod rank;
 mod style;
@@ -8,8 +11,9 @@ mod table;
 pub(crate) mod words;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
-pub use page::{Imprint, NotReported, html};
-pub(crate) use page::{headline_line, project_name};
+pub(crate) use front::{headline_line, project_name};
+pub use imprint::{Imprint, NotReported};
+pub use page::html;
 pub use rank::ranking_html;

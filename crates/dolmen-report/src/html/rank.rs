@@ -1,6 +1,7 @@
 //! A ranked portfolio as a page.
 
-use super::page::{Imprint, whole};
+use super::imprint::Imprint;
+use super::page::whole;
 use crate::document::document_html;
 use crate::rank::sections;
 use dolmen_words::Language;

@@ -40,7 +40,7 @@ storeys = [
 ]
 "#;
 
-fn pole(joints: &str) -> ProjectReport {
+pub(crate) fn pole(joints: &str) -> ProjectReport {
     let text = POLE.replace("links = [", &format!("joints = {joints}\nlinks = ["));
     let project = parse_project(&text, "dolmen.toml").unwrap();
     let Structure::Chain(part) = &project.structure else {
@@ -52,7 +52,7 @@ fn pole(joints: &str) -> ProjectReport {
 }
 
 /// Two roots of the gate's inverse; nothing chooses between them.
-fn gate() -> ProjectReport {
+pub(crate) fn gate() -> ProjectReport {
     let project = parse_project(GATE, "dolmen.toml").unwrap();
     let Structure::Frame(part) = &project.structure else {
         panic!("not a frame");
@@ -307,7 +307,7 @@ fn holds_the_same_answer_gives_the_same_page() {
 }
 
 /// A made record of two floors, 1.1 and 4.2 Hz, as a survey without a model.
-fn survey() -> ProjectReport {
+pub(crate) fn survey() -> ProjectReport {
     let record = ReferenceCase::ShearChain.made(11).unwrap().make().unwrap();
     let analysis = identify(&record, &Identify::default()).unwrap();
     let text = "schema = 1\nkind = \"survey\"\nname = { en = \"Tower\", ko = \"탑\" }\n\

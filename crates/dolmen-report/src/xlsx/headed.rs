@@ -6,10 +6,10 @@ use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence};
 
 /// A table, the head under which it stands, and what its section warns of before it.
-pub(super) struct Headed {
-    pub(super) head: Sentence,
-    pub(super) warnings: Vec<Sentence>,
-    pub(super) table: Table,
+pub(crate) struct Headed {
+    pub(crate) head: Sentence,
+    pub(crate) warnings: Vec<Sentence>,
+    pub(crate) table: Table,
 }
 
 impl Headed {

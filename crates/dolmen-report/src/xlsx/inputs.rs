@@ -14,7 +14,7 @@ use dolmen_work::answer::ProjectReport;
 const DIGITS: usize = 6;
 
 /// The inputs of the structure, then those of each variant that differ.
-pub(super) fn inputs_tables(answer: &ProjectReport) -> Vec<Headed> {
+pub(crate) fn inputs_tables(answer: &ProjectReport) -> Vec<Headed> {
     let headed = |caption: Sentence, inputs: &[&Input]| Headed {
         head: Workbook::Inputs {}.into(),
         warnings: Vec::new(),

@@ -7,6 +7,7 @@ mod summary;
 mod tables;
 mod words;
 
+pub(crate) use inputs::inputs_tables;
 pub(crate) use words::Workbook;
 
 use crate::html::{Imprint, NotReported};

@@ -1,0 +1,237 @@
+//! What stands before and behind the sections of a report, in a language: its kind and name, what the answers come to, method and sources.
+
+use super::imprint::Imprint;
+use super::words::{judgement_sign, thresholds};
+use crate::check::title;
+use crate::stack;
+use dolmen::stability::Verdict;
+use dolmen_project::{Quantity, Structure};
+use dolmen_words::Language;
+use dolmen_words::number::beside_one;
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::judgement::{
+    Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
+};
+use dolmen_work::state::{Check, State};
+
+/// What the answers on a project come to.
+pub(crate) struct Banner {
+    pub(crate) colour: Colour,
+    /// For those who see no colours.
+    pub(crate) sign: &'static str,
+    /// The words of the headline.
+    pub(crate) words: String,
+    /// What must be read with the words: variants that are worse, what an earthquake does, contradictions.
+    pub(crate) first: Vec<String>,
+    /// The number that decides.
+    pub(crate) sentence: String,
+    /// How many values are assumed, if any are.
+    pub(crate) assumed: Option<String>,
+    /// What the words mean, with their thresholds.
+    pub(crate) scale: String,
+}
+
+/// What a report on a structure is about.
+pub(crate) fn kind_words(structure: &Structure, language: Language) -> &'static str {
+    match structure {
+        Structure::Chain(_) => language.pick(
+            "Stability of a chain of rigid links",
+            "강체 링크 체인 모델의 안정성 검토",
+        ),
+        Structure::Frame(_) => language.pick(
+            "Stability of a frame of rigid storeys",
+            "강체 층 골조 모델의 안정성 검토",
+        ),
+        Structure::Stack(_) => language.pick("Stability of a stack of stones", "적층 석조물의 안정성 검토"),
+        Structure::Building(_) => language.pick(
+            "Stability and twist of a building of rigid floors",
+            "강체 바닥 건물 모델의 안정성과 비틀림 검토",
+        ),
+        Structure::Survey => language.pick("Modes from ambient vibration", "상시진동 계측에 의한 모드 분석"),
+    }
+}
+
+/// The name of a project in a language.
+pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
+    language.pick(answer.project.name.english(), answer.project.name.korean())
+}
+
+/// A project in the list: the sign of the worst colour, the words of its headline, why, and variants that are worse.
+pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
+    let judgement = judge(&answer.answers);
+    let mut all = Vec::new();
+    if let Some(headline) = judgement.headline() {
+        all.push(headline.words(language).join(" · "));
+        let word = headline.earthquake_word().word(language);
+        let reasons = shaken(headline, &answer.project.structure, language);
+        all.extend(reasons.into_iter().filter(|reason| reason != word));
+    }
+    all.extend(worse(answer, &judgement, language));
+    format!("{} {}", judgement_sign(&judgement), all.join("; "))
+}
+
+/// What an earthquake does to a version that is not above demand, a word each.
+fn shaken(judged: &VersionJudgement, structure: &Structure, language: Language) -> Vec<String> {
+    let findings = judged.earthquake.iter();
+    let worse = findings.filter(|of| of.word.colour() != Colour::Green);
+    let mut words = Vec::new();
+    for said in worse.map(|of| reason(of, structure, language)) {
+        if !words.contains(&said) {
+            words.push(said);
+        }
+    }
+    words
+}
+
+fn reason(of: &EarthquakeFinding, structure: &Structure, language: Language) -> String {
+    let word = of.word.word(language);
+    let motion = of.motion.as_deref();
+    match (&of.decided_by, motion) {
+        (DecidedBy::Fall, Some(motion)) if matches!(structure, Structure::Stack(_)) => language.pick(
+            format!("a stone falls under {motion}"),
+            format!("{motion} 작용 시 낙하"),
+        ),
+        (DecidedBy::Fall, Some(motion)) => language.pick(
+            format!("it falls under {motion}"),
+            format!("{motion} 작용 시 전도"),
+        ),
+        (DecidedBy::Drift, Some(motion)) if of.word == Earthquake::BelowDemand => language.pick(
+            format!("it leans too far under {motion}"),
+            format!("{motion} 작용 시 과대 변위"),
+        ),
+        (DecidedBy::Room { part }, motion) => {
+            let word = match of.word {
+                Earthquake::BelowDemand => language.pick("beyond its room", "여유 공간 초과"),
+                _ => word,
+            };
+            let under: Vec<&str> = [Some(part.as_str()), motion].into_iter().flatten().collect();
+            format!("{word} ({})", under.join(", "))
+        }
+        (DecidedBy::DamageState(state), Some(motion)) => format!("{word} ({motion}, DS{state})"),
+        (_, Some(motion)) => format!("{word} ({motion})"),
+        (_, None) => word.to_owned(),
+    }
+}
+
+/// Variants that are worse than the structure as it is, with their words.
+fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> Vec<String> {
+    let each = judgement.worse().map(|judged| {
+        let name = judged.variant.as_deref().unwrap_or_default();
+        let own = answer.variants().iter().find(|variant| variant.name == name);
+        let title = own.map(title);
+        let title = title.as_ref().map_or(name, |title| title.text(language));
+        let words = judged.words(language).join(" · ");
+        language.pick(
+            format!("Variant “{title}”: {words}"),
+            format!("대안 ‘{title}’: {words}"),
+        )
+    });
+    each.collect()
+}
+
+/// What the answers on a project come to, in a language.
+pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) -> Banner {
+    let verdict = state.verdict();
+    let judgement = judge(&answer.answers);
+    let headline = judgement.headline();
+    let words = headline.map_or_else(Vec::new, |of| of.words(language));
+    let shaken = headline.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
+    let stack = match &state.check {
+        Check::Stack(answer) => Some(answer),
+        _ => None,
+    };
+    let factor_words = || match state.load_factor().filter(|_| verdict != Verdict::Unknown) {
+        Some(load_factor) => format!("λ = {}.", beside_one(load_factor, 4)),
+        None if state.load_factor() == Some(f64::INFINITY) => language
+            .pick("No gravity load is given.", "축력이 주어지지 않음.")
+            .into(),
+        None => language
+            .pick("Stiffness is not given.", "강성이 주어지지 않음.")
+            .into(),
+    };
+    let sentence = stack.map_or_else(factor_words, |answer| stack::banner(answer).text(language));
+    // What a survey assumes touches stiffness from vibration, not this verdict.
+    let structural = |q: &&Quantity| q.is_assumed() && !q.path.starts_with("survey.");
+    let inputs = answer.project.inputs();
+    let assumed = if verdict == Verdict::Unknown {
+        0
+    } else {
+        inputs.into_iter().filter(structural).count()
+    };
+    let mut first: Vec<String> = worse(answer, &judgement, language)
+        .into_iter()
+        .map(|line| format!("{line}."))
+        .collect();
+    if !shaken.is_empty() {
+        let lead = language.pick(
+            "Without shaking only. With shaking: ",
+            "지진이 없을 때에 한함. 지진 시: ",
+        );
+        first.push(format!("{lead}{}.", shaken.join("; ")));
+    }
+    first.extend(state.contradictions.iter().map(|c| {
+        language.pick(
+            format!(
+                "A survey contradicts this model: {} measured {:.3} Hz, the model has {:.3} Hz.",
+                c.survey, c.measured_hz, c.computed_hz
+            ),
+            format!(
+                "조사 결과가 이 모델과 일치하지 않는다. {} 조사의 실측 {:.3} Hz, 모델 {:.3} Hz.",
+                c.survey, c.measured_hz, c.computed_hz
+            ),
+        )
+    }));
+    Banner {
+        colour: judgement.colour(),
+        sign: judgement_sign(&judgement),
+        words: words.join(" · "),
+        first,
+        sentence,
+        assumed: (assumed > 0).then(|| {
+            language.pick(
+                format!("This rests on {assumed} assumed values; see the findings."),
+                format!("가정값 {assumed}개에 의존한다(결과 요약 참조)."),
+            )
+        }),
+        scale: match stack {
+            Some(_) => stack::thresholds().text(language),
+            None => thresholds(language),
+        },
+    }
+}
+
+/// The program, the seed, the input and the papers that a report rests on.
+pub(crate) fn sources(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Vec<String> {
+    let mut all = vec![format!(
+        "{}{}",
+        language.pick("Computed by ", "계산 프로그램: "),
+        imprint.program
+    )];
+    if let Some(sampled) = answer.state().and_then(|state| state.sampled.as_ref()) {
+        let lead = language.pick("Seed of the samples: ", "표본 추출 시드: ");
+        all.push(format!("{lead}{}", sampled.unstable.seed));
+    }
+    if let Some(source) = &answer.project.source {
+        all.push(format!("{}{source}", language.pick("Input: ", "입력 자료: ")));
+    }
+    all.extend(papers(&answer.project.structure, language));
+    all
+}
+
+fn papers(structure: &Structure, language: Language) -> Vec<String> {
+    match structure {
+        Structure::Chain(_) => vec![["최재성 (2021) 5개의 연결부를 가지는 역진자형 석조문화재의 동적 해석모델 및 안정성 연구 / Choi, J.-S. (2021) A study on dynamic analysis model and stability of stone cultural properties of inverted pendulum type with 5 joints. ", language.pick("The published criterion: eqs 38–43, Tables 1–3.", "발표된 기준: 식 38–43, 표 1–3.")].concat()],
+        Structure::Frame(_) => vec![["박성아, 민경원 (2010) 흥인지문의 쿨롱 마찰력을 도입한 단순 해석모델 / Park, S.-A., Min, K.-W. (2010) Simple structural model of Heunginjimun with Coulomb friction. ", language.pick("The printed stiffness: eq. 7.", "논문의 강성: 식 7.")].concat()],
+        Structure::Stack(_) => vec![["Kim, N., Koo, I. Y. & Hong, S. G. (2018) Assessment factors for seismic performance of multi-block stone pagodas. ", language.pick("Rocking and sliding of joints: sec. 3, Figs 10 and 12; joint stiffness: Fig. 17.", "접합면의 로킹과 미끄러짐: 3절, 그림 10, 12; 접합면 강성: 그림 17.")].concat(), "Housner, G. W. (1963) The behavior of inverted pendulum structures during earthquakes. Bull. Seism. Soc. Am. 53(2):403–417.".to_owned()],
+        Structure::Building(_) => vec![["황재승, 민경원, 홍성목: 동적 하중을 받는 횡-비틀림 방향이 조합된 고층건물의 진동 제어에 관한 연구 / Hwang, J.-S., Min, K.-W. & Hong, S.-M. Control of coupled lateral torsional vibration of tall building under dynamic lateral loads. ", language.pick("Mode centre: eq. 12.", "모드 중심: 식 12.")].concat(), "Der Kiureghian, A. (1981) A response spectrum method for random vibration analysis of MDF systems. Earthquake Engng Struct. Dyn. 9:419–435.".to_owned()],
+        Structure::Survey => Vec::new(),
+    }
+}
+
+/// What stands at the end of every report.
+pub(crate) fn closing(language: Language) -> &'static str {
+    language.pick(
+            "The same input gives the same numbers. This page supports the judgement of an engineer; it does not replace it.",
+            "같은 입력은 같은 결과를 준다. 이 보고서는 기술자의 판단을 돕기 위한 것이며 이를 대신하지 않는다.",
+        )
+}

@@ -1,0 +1,103 @@
+//! Blocks as calls.
+
+use super::literal::{array, literal};
+use super::parts::Parts;
+use crate::document::{Block, Cell, Document, Figure, Table};
+use dolmen_words::{Language, Sentence};
+
+impl Parts {
+    /// The blocks of a document, in their order.
+    pub(super) fn document(&mut self, document: &Document<'_>) {
+        for block in &document.blocks {
+            self.block(block);
+        }
+    }
+
+    fn block(&mut self, block: &Block<'_>) {
+        let language = self.language;
+        match block {
+            Block::Heading(head) => self.heading(1, &head.text(language)),
+            Block::Subheading(head) => self.heading(2, &head.text(language)),
+            Block::Paragraph(sentences) => self.call("par", &joined(sentences, language)),
+            Block::Warning(sentence) => self.call("warning", &sentence.text(language)),
+            Block::Note(sentence) => self.call("note", &sentence.text(language)),
+            Block::List(points) => self.list(points.iter().map(|point| point.text(language))),
+            Block::KeyValues(rows) => {
+                let row = |(key, cell): &(Sentence, Cell)| {
+                    let value = marked(cell, &cell.whole(language));
+                    format!("({}, {value})", literal(&key.text(language)))
+                };
+                let each: Vec<String> = rows.iter().map(row).collect();
+                self.line(&format!("#pairs({})", each.join(", ")));
+            }
+            Block::Table(table) => self.table(table),
+            Block::Figures(figures) => self.figures(figures),
+        }
+    }
+
+    /// A table; none where it has no column.
+    pub(super) fn table(&mut self, table: &Table) {
+        let language = self.language;
+        if table.columns.is_empty() {
+            return;
+        }
+        let heads = array(table.columns.iter().map(|column| literal(&column.text(language))));
+        let words = array(table.columns.iter().map(|column| column.is_words.to_string()));
+        let rows = table
+            .rows
+            .iter()
+            .map(|row| array(row.iter().map(|cell| marked(cell, &cell.text(language)))));
+        let rows: Vec<String> = rows.collect();
+        self.line(&format!(
+            "#numbers(columns: {heads}, words: {words}, caption: {}, {})",
+            caption(&table.caption, language),
+            rows.join(", ")
+        ));
+    }
+
+    fn figures(&mut self, figures: &[Figure<'_>]) {
+        let language = self.language;
+        let each: Vec<String> = figures
+            .iter()
+            .map(|figure| {
+                let file = self.figure_file(&(figure.draw)(language));
+                let lead = figure.caption.first();
+                format!(
+                    "drawing({}, alt: {}, caption: {})",
+                    literal(&file),
+                    literal(&lead.map_or(String::new(), |lead| lead.text(language))),
+                    caption(&figure.caption, language)
+                )
+            })
+            .collect();
+        match each.as_slice() {
+            [one] => self.line(&format!("#{one}")),
+            several => self.line(&format!("#beside({})", several.join(", "))),
+        }
+    }
+}
+
+/// What stands in a cell, marked where it must not be used.
+fn marked(cell: &Cell, text: &str) -> String {
+    match cell.is_bad() {
+        true => format!("bad({})", literal(text)),
+        false => literal(text),
+    }
+}
+
+/// The first sentence stands out.
+fn caption(sentences: &[Sentence], language: Language) -> String {
+    match sentences {
+        [] => "none".to_owned(),
+        [lead, rest @ ..] => format!(
+            "said({}, {})",
+            literal(&lead.text(language)),
+            literal(&joined(rest, language))
+        ),
+    }
+}
+
+fn joined(sentences: &[Sentence], language: Language) -> String {
+    let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
+    each.join(" ")
+}

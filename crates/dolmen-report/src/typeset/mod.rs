@@ -1,0 +1,86 @@
+//! A report as the source of a Typst document: calls of its prelude's functions, and figures as files of their own.
+
+mod blocks;
+mod literal;
+mod parts;
+
+#[cfg(test)]
+mod tests;
+
+use crate::html::{Imprint, NotReported, project_name};
+use dolmen_words::Language;
+use dolmen_work::answer::ProjectReport;
+use literal::literal;
+use parts::Parts;
+
+/// How a report looks: the functions that its source calls.
+const PRELUDE: &str = include_str!("prelude.typ");
+
+/// The source of a Typst document.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Typeset {
+    /// What is compiled.
+    pub main: String,
+    /// The files that it names, each with its bytes: the prelude, and figures as SVG.
+    pub files: Vec<(String, Vec<u8>)>,
+}
+
+/// The report on one or more projects as the source of a Typst document, which needs the fonts Pretendard Regular, SemiBold and Bold.
+///
+/// Each project begins with a cover and what the answers come to; contents follow where there is one project. The same input gives the same
+/// source. A date that is not written as 2026-05-12 is printed and not kept as the document's.
+pub fn typeset(
+    answers: &[ProjectReport],
+    others: &[NotReported],
+    language: Language,
+    imprint: &Imprint,
+) -> Typeset {
+    let title = match (answers, others) {
+        ([one], []) => project_name(one, language),
+        _ => language.pick("Reports", "보고서 모음"),
+    };
+    let mut parts = Parts::new(language);
+    parts.line("#import \"prelude.typ\": *");
+    parts.line(&format!(
+        "#show: report.with(language: {}, title: {}, kind: {}, program: {}, date: {})",
+        literal(language.code()),
+        literal(title),
+        literal(parts::running_head(answers, language)),
+        literal(&imprint.program),
+        document_date(imprint.date.as_deref()),
+    ));
+    for answer in answers {
+        parts.project(answer, imprint, answers.len() == 1);
+    }
+    parts.not_reported(others);
+    let mut files = vec![("prelude.typ".to_owned(), PRELUDE.as_bytes().to_vec())];
+    let (main, figures) = parts.finish();
+    files.extend(figures);
+    Typeset { main, files }
+}
+
+/// "2026-05-12" as Typst's date.
+fn document_date(date: Option<&str>) -> String {
+    let numbers: Option<Vec<u16>> =
+        date.and_then(|date| date.split('-').map(|part| part.parse().ok()).collect());
+    match numbers.as_deref() {
+        Some([year, month @ 1..=12, day @ 1..=28]) => {
+            format!("datetime(year: {year}, month: {month}, day: {day})")
+        }
+        Some([year, month, day @ 29..=31]) if *day <= days(*year, *month) => {
+            format!("datetime(year: {year}, month: {month}, day: {day})")
+        }
+        _ => "none".to_owned(),
+    }
+}
+
+fn days(year: u16, month: u16) -> u16 {
+    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
+    match month {
+        1 | 3 | 5 | 7 | 8 | 10 | 12 => 31,
+        4 | 6 | 9 | 11 => 30,
+        2 if leap => 29,
+        2 => 28,
+        _ => 0,
+    }
+}
