@@ -1,13 +1,14 @@
 // SOURCE     Kim, Koo & Hong (2018), eqs 9 and 16, section 3.4; Livesley (1978) for the limit analysis; P10 and P20 of this
 //            crate, made for comparisons.
-// GOAL       The least tan α over all joints names where a stack opens and when; limit analysis finds the same.
+// GOAL       The least tan α over all joints names where a stack opens and when; limit analysis finds the same. Stones given by rounded
+//            corners have the joints of the exact ones.
 // PARAMETERS P10 and P20, friction .6 and .3, g 9.80665 m/s².
 // PUBLISHED  uplift of P10 at .324 g, of P20 at .251 g; P10 with μ = .3 slides at .300 g.
 // TOLERANCE  half a unit of the last digit; 1e-8 between both ways: what a solution of the limit analysis misses is 1e-9.
 
 use dolmen::assess::{StackCheckOptions, check_stack};
 use dolmen::stability::stack::{LimitAnalysisStatus, LimitKind};
-use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack};
+use dolmen::structure::stack::{Block, JointMaterial, Placement, Solid, Stack, StackError};
 use dolmen::validation::{p10, p20};
 
 fn thresholds(stack: &Stack) -> (LimitKind, f64, f64) {
@@ -78,4 +79,67 @@ fn exact_a_leaning_stone_slides_and_tips_down_its_own_bed() {
             }
         }
     }
+}
+
+/// A block 0.6 × 0.8 × 1.1 m on a base 1.2 × 1.4 × 0.5 m, both turned by the angle and given by their corners in whole units.
+fn turned_pair(yaw_rad: f64, unit_m: f64, ridge_m: f64) -> Result<Stack, StackError> {
+    let block = |name: &str, [width, depth, height]: [f64; 3], z: f64| {
+        let solid = Solid::cuboid(width, depth, height).unwrap();
+        let solid = solid.placed(&Placement {
+            yaw_rad,
+            tilt: [0.013, -0.008],
+            position_m: [0.0, 0.0, z],
+        });
+        let mut corners = solid.vertices_m().to_vec();
+        if ridge_m > 0.0 && name == "base" {
+            let tops = corners.iter().filter(|corner| corner[2] > 0.25);
+            let middle = tops.fold([0.0; 3], |sum, corner| {
+                [0, 1, 2].map(|i| sum[i] + corner[i] / 4.0)
+            });
+            corners.push([middle[0], middle[1], middle[2] + ridge_m]);
+        }
+        let rounded = corners
+            .iter()
+            .map(|corner| corner.map(|x| (x / unit_m).round() * unit_m));
+        Block {
+            name: name.into(),
+            solid: Solid::convex(&rounded.collect::<Vec<_>>()).unwrap(),
+            density_kg_m3: 2600.0,
+        }
+    };
+    let blocks = vec![
+        block("base", [1.2, 1.4, 0.5], 0.0),
+        block("stone", [0.6, 0.8, 1.1], 0.5),
+    ];
+    Stack::new(blocks, JointMaterial::with_friction(0.7), 9.80665)
+}
+
+#[test]
+fn exact_stones_given_by_rounded_corners_move_first_as_those_known_exactly() {
+    for case in 0..12 {
+        let yaw_rad = 0.26 * f64::from(case);
+        let (_, known, _) = thresholds(&turned_pair(yaw_rad, 1e-9, 0.0).unwrap());
+        for unit_m in [1e-3, 1e-4, 1e-5] {
+            let (_, found, _) = thresholds(&turned_pair(yaw_rad, unit_m, 0.0).unwrap());
+            assert!(
+                (found / known - 1.0).abs() < 6.0 * unit_m + 1e-6,
+                "{case} {unit_m}: {found} {known}"
+            );
+        }
+    }
+}
+
+#[test]
+fn refuses_a_bed_of_several_facets() {
+    // three millimetres higher in the middle than the plane of its corners, to a hundredth of a millimetre
+    let fault = turned_pair(0.3, 1e-5, 3e-3).unwrap_err();
+    let StackError::JointFacets {
+        upper, lower, share, ..
+    } = &fault
+    else {
+        panic!("{fault}")
+    };
+    assert_eq!((upper.as_str(), lower.as_str()), ("stone", "base"));
+    assert!((0.2..0.6).contains(share), "{share}");
+    assert!(fault.to_string().contains("largest is"), "{fault}");
 }

@@ -17,12 +17,18 @@ const GAP_NOISE: f64 = 3.0;
 /// Least part of a patch that must be flat stone of both scans. Chosen here: less is an edge, or a guess.
 pub(super) const USED_LEAST: f64 = 0.3;
 
+/// Least part of the area of all patches of two bodies that their joint, the largest, must have. Chosen here: with less,
+/// the stones touch on a bed that is not flat, and one facet of it is not where they turn.
+pub(super) const FACET_LEAST: f64 = 0.98;
+
 /// A common patch of two solids.
 pub(super) struct Bed {
     origin: DVec3,
     axes: [DVec3; 3],
     patch: Polygon,
     gap_m: f64,
+    /// Its area over that of all patches of the two solids.
+    share: f64,
     scanned: Option<ScannedJoint>,
 }
 
@@ -31,6 +37,11 @@ impl Bed {
     pub(super) fn barely_used(&self) -> Option<f64> {
         let used = self.scanned?.used_ratio;
         (used < USED_LEAST).then_some(used)
+    }
+
+    /// The part of all patches that this one is, if that is too little to stand for all.
+    pub(super) fn is_facet(&self) -> Option<f64> {
+        (self.scanned.is_none() && self.share < FACET_LEAST).then_some(self.share)
     }
 
     /// With what the scans of its faces tell of it.
@@ -89,6 +100,7 @@ impl Bed {
                 corners_m: corners.map(|corner| [corner[0], -corner[1]]).collect(),
             },
             gap_m: self.gap_m,
+            share: self.share,
             scanned: self.scanned,
         }
     }
@@ -130,7 +142,9 @@ pub(crate) fn face_in_plane(solid: &Solid, face: usize, origin: DVec3, axes: &[D
 /// The bed between `lower` (the ground if `None`) and `upper`, its normal from the first to the second.
 pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
     let mut best: Option<(f64, Bed, [Option<usize>; 2])> = None;
+    let mut total = 0.0;
     let mut offer = |area: f64, bed: Bed, faces: [Option<usize>; 2]| {
+        total += area;
         if best.as_ref().is_none_or(|(most, ..)| area > *most) {
             best = Some((area, bed, faces));
         }
@@ -178,7 +192,8 @@ pub(super) fn bed(lower: Option<&Solid>, upper: &Solid) -> Option<Bed> {
             }
         }
     }
-    let (_, bed, [above, below]) = best?;
+    let (area, mut bed, [above, below]) = best?;
+    bed.share = area / total;
     let faces: Vec<(&Solid, usize)> = lower
         .zip(above)
         .into_iter()
@@ -238,6 +253,7 @@ fn bed_of(patch: Polygon, origin: DVec3, axes: [DVec3; 3]) -> Bed {
         axes,
         patch: Polygon { corners_m },
         gap_m: 0.0,
+        share: 1.0,
         scanned: None,
     }
 }

@@ -205,6 +205,22 @@ pub enum StackError {
         /// What is allowed.
         allowed: f64,
     },
+    /// Two stones that touch on several facets, none of which stands for all.
+    #[error(
+        "'{upper}' touches '{lower}' on several facets, of which the largest is {:.0} % of what touches, but it must be {:.0} %: give the \
+         points of each bed in one plane, rounded to whole 1, 0.1 or 0.01 mm, or one of the plain shapes",
+        100.0 * share, 100.0 * allowed
+    )]
+    JointFacets {
+        /// The upper block.
+        upper: String,
+        /// What it stands on.
+        lower: String,
+        /// Area of the largest facet over that of all.
+        share: f64,
+        /// What is allowed.
+        allowed: f64,
+    },
     /// A cut that leaves nothing.
     #[error(
         "nothing is left of the stone behind the plane through {point_m:?} with normal {normal:?}: move the plane or turn its normal round"

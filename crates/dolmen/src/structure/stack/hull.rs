@@ -8,6 +8,7 @@
 //! | q | `GRID` | cells over the largest extent | – |
 //! | (b − a) × (c − a) · (p − a) | `side` | six times the volume of a tetrahedron, > 0 if p is outside abc | cells³ |
 
+use super::scan::Plane;
 use super::{Solid, StackError};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -19,6 +20,17 @@ const GRID: f64 = 1_099_511_627_776.0;
 /// Distance from a plane within which corners lie in it, relative to the largest extent; corners closer to each other are
 /// one; a thinner solid is flat. A micrometre for a stone of one metre. Chosen here.
 pub(super) const FLAT: f64 = 1e-6;
+
+/// Units that coordinates are rounded to, m: where all are whole multiples, none is better known. Chosen here: surveys and
+/// drawings give 1 mm to 0.01 mm.
+const UNITS_M: [f64; 3] = [1e-3, 1e-4, 1e-5];
+/// A face is never flattened by more than this part of the largest extent. Chosen here: 5 mm of a stone of one metre.
+const FLATTENED_MOST: f64 = 0.005;
+/// Cosine of the largest angle between a facet and the face of rounded corners that it joins: chamfers keep their own.
+const ALIGNED_LEAST: f64 = 0.5;
+/// A corner this many tolerances off the plane so far may still lie in the plane of all: a fourth corner of a
+/// parallelogram carries the rounding of the other three. Chosen here.
+const REACH: f64 = 4.0;
 
 type Cell = [i64; 3];
 
@@ -36,14 +48,16 @@ impl Solid {
     /// The convex hull of points, of uniform density.
     ///
     /// Corners within 1e-6 of the largest extent of a plane share one face, and corners closer than that are one: eight
-    /// points of a box known to a nanometre give six faces.
+    /// points of a box known to a nanometre give six faces. Where all coordinates are whole multiples of 1, 0.1 or 0.01 mm
+    /// they are taken as rounded: corners share a face if the plane fitted to them passes each within that unit (and
+    /// within 0.005 of the largest extent).
     ///
     /// # Errors
     /// [`StackError::Position`] for a point that is not finite, [`StackError::Points`] for fewer than four,
     /// [`StackError::Flat`] if all lie in a plane or on a line within 1e-6 of the largest extent.
     ///
     /// # Limits
-    /// Faces are flat within 1e-6 of the largest extent. Points that no corner of the hull needs are dropped.
+    /// Faces are flat within 1e-6 of the largest extent, or within the rounding of the points. Points that no corner of the hull needs are dropped.
     ///
     /// # Source
     /// C. B. Barber, D. P. Dobkin, H. Huhdanpaa (1996), ACM Transactions on Mathematical Software 22, 469–483.
@@ -59,6 +73,11 @@ impl Solid {
     /// # Ok::<(), dolmen::structure::stack::StackError>(())
     /// ```
     pub fn convex(points_m: &[[f64; 3]]) -> Result<Self, StackError> {
+        Solid::convex_of(points_m, rounding_m(points_m))
+    }
+
+    /// The convex hull, its faces flat within `rounding_m` or 1e-6 of the largest extent, whichever is more.
+    pub(super) fn convex_of(points_m: &[[f64; 3]], rounding_m: f64) -> Result<Self, StackError> {
         for &given in points_m {
             if !given.iter().all(|value| value.is_finite()) {
                 let quantity = "a point of a convex hull";
@@ -81,10 +100,23 @@ impl Solid {
         let points: Vec<DVec3> = kept.into_iter().map(|i| points[i]).collect();
         let hull = Hull::of(&points, low, size)?;
         let triangles = hull.triangles();
-        let faces = merged(&points, &triangles, near);
+        let flat = near.max(rounding_m.min(FLATTENED_MOST * size));
+        let faces = merged(&points, &triangles, flat, near);
         let faces = faces.unwrap_or_else(|| triangles.iter().map(|t| t.to_vec()).collect());
         Ok(with_used_corners(&points, &faces))
     }
+}
+
+/// The unit that all coordinates are whole multiples of, m; 0 if they have more digits.
+fn rounding_m(points_m: &[[f64; 3]]) -> f64 {
+    const ROUND_OFF: f64 = 1e-6;
+    let whole = |unit: &&f64| {
+        let cells = points_m.iter().flatten().map(|value| value / **unit);
+        cells
+            .into_iter()
+            .all(|cell| (cell - cell.round()).abs() <= ROUND_OFF)
+    };
+    UNITS_M.iter().find(whole).copied().unwrap_or_default()
 }
 
 /// The corners that no earlier one is near, in the order of x.
@@ -280,8 +312,8 @@ fn first_tetrahedron(points: &[DVec3], thin: f64) -> Option<[usize; 4]> {
 }
 
 /// Triangles of one plane joined into faces; `None` if their edge is no single loop.
-fn merged(points: &[DVec3], triangles: &[[usize; 3]], near: f64) -> Option<Vec<Vec<usize>>> {
-    let group = groups(points, triangles, near);
+fn merged(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> Option<Vec<Vec<usize>>> {
+    let group = groups(points, triangles, flat, exact);
     let mut met: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
     for (triangle, &group) in triangles.iter().zip(&group) {
         for &corner in triangle {
@@ -331,8 +363,8 @@ pub(super) fn edge_owners(triangles: &[[usize; 3]]) -> BTreeMap<(usize, usize), 
     edges.collect()
 }
 
-/// The number of the plane each triangle lies in: planes are taken from the largest triangle on.
-fn groups(points: &[DVec3], triangles: &[[usize; 3]], near: f64) -> Vec<usize> {
+/// The number of the face each triangle lies in: faces are grown from the largest triangle on.
+fn groups(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> Vec<usize> {
     let normal = |t: &[usize; 3]| (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
     let normals: Vec<DVec3> = triangles.iter().map(normal).collect();
     let mut by_area: Vec<usize> = (0..triangles.len()).collect();
@@ -349,27 +381,90 @@ fn groups(points: &[DVec3], triangles: &[[usize; 3]], near: f64) -> Vec<usize> {
         if group[seed] != usize::MAX {
             continue;
         }
-        let (plane, on) = (normals[seed].normalize_or_zero(), points[triangles[seed][0]]);
         group[seed] = count;
-        let mut reached = vec![seed];
-        while let Some(triangle) = reached.pop() {
-            for edge in 0..3 {
-                let [from, to] = [0, 1].map(|i| triangles[triangle][(edge + i) % 3]);
-                let Some(&beyond) = owner.get(&(to, from)) else {
-                    continue;
-                };
-                let flat = triangles[beyond]
-                    .iter()
-                    .all(|&i| plane.dot(points[i] - on).abs() <= near);
-                if group[beyond] == usize::MAX && flat && plane.dot(normals[beyond]) >= 0.0 {
-                    group[beyond] = count;
-                    reached.push(beyond);
+        let mut face = Face::of(points, triangles[seed], normals[seed], flat, exact);
+        let (mut own, mut at, mut plane_moved) = (vec![seed], 0, false);
+        loop {
+            while at < own.len() {
+                let triangle = own[at];
+                at += 1;
+                for edge in 0..3 {
+                    let [from, to] = [0, 1].map(|i| triangles[triangle][(edge + i) % 3]);
+                    let Some(&beyond) = owner.get(&(to, from)) else {
+                        continue;
+                    };
+                    if group[beyond] == usize::MAX
+                        && let Some(moved) = face.takes(triangles[beyond], normals[beyond])
+                    {
+                        group[beyond] = count;
+                        own.push(beyond);
+                        plane_moved |= moved;
+                    }
                 }
             }
+            if !std::mem::take(&mut plane_moved) {
+                break;
+            }
+            at = 0; // what did not lie in the plane before may do so now
         }
         count += 1;
     }
     group
+}
+
+/// A face while it grows.
+struct Face<'a> {
+    points: &'a [DVec3],
+    corners: BTreeSet<usize>,
+    plane: Plane,
+    flat: f64,
+    exact: f64,
+}
+
+impl<'a> Face<'a> {
+    fn of(points: &'a [DVec3], triangle: [usize; 3], normal: DVec3, flat: f64, exact: f64) -> Self {
+        let normal = normal.normalize_or_zero();
+        let plane = Plane {
+            normal,
+            offset_m: normal.dot(points[triangle[0]]),
+        };
+        Face {
+            points,
+            corners: triangle.into(),
+            plane,
+            flat,
+            exact,
+        }
+    }
+
+    /// Takes a triangle in if its corners lie in one plane with all others; whether the plane moved, `None` if not taken.
+    fn takes(&mut self, triangle: [usize; 3], normal: DVec3) -> Option<bool> {
+        let height = |plane: &Plane, i: usize| plane.height_m(self.points[i]).abs();
+        let farthest = triangle
+            .map(|i| height(&self.plane, i))
+            .into_iter()
+            .fold(0.0, f64::max);
+        let aligned = self.plane.normal.dot(normal);
+        let least = if farthest <= self.exact {
+            0.0
+        } else {
+            ALIGNED_LEAST * normal.length()
+        };
+        if farthest > REACH * self.flat || aligned < least {
+            return None;
+        }
+        let moved = farthest > self.flat;
+        if moved {
+            let all = || self.corners.iter().copied().chain(triangle);
+            let plane = Plane::weighted(|| all().map(|i| (1.0, self.points[i])), self.plane.normal)?;
+            if all().any(|i| height(&plane, i) > self.flat) {
+                return None;
+            }
+            self.plane = plane;
+        }
+        self.corners.extend(triangle);
+        Some(moved)
+    }
 }
 
 #[cfg(test)]
@@ -427,6 +522,55 @@ mod tests {
             assert!((solid.volume_m3() - 0.7 * 1.1 * 0.4).abs() < 1e-8);
             assert!(solid.faces().iter().all(|face| face.len() == 4));
         }
+    }
+
+    /// Boxes and frusta turned about odd axes, their corners rounded as surveys round them: six faces, each of its area.
+    #[test]
+    fn exact_rounded_corners_of_turned_boxes_have_six_faces() {
+        for case in 1..=60_u32 {
+            let odd = |k: f64| (f64::from(case) * k).sin();
+            let taper = 1.0 - 0.3 * odd(7.3).abs();
+            let size = [0.7 + 0.3 * odd(1.1), 0.9 + 0.3 * odd(2.3), 0.5 + 0.2 * odd(3.7)];
+            let top = [taper * size[0], taper * size[1]];
+            let exact = Solid::frustum([size[0], size[1]], top, size[2]).unwrap();
+            let axis = DVec3::new(odd(5.1), odd(6.7), odd(8.9)).normalize();
+            let turn = glam::DMat3::from_axis_angle(axis, 3.0 * odd(4.3));
+            for unit in [1e-3, 1e-4, 0.0] {
+                let rounded = |v: &[f64; 3]| {
+                    let turned = (turn * DVec3::from(*v)).to_array();
+                    turned.map(|x| if unit > 0.0 { (x / unit).round() * unit } else { x })
+                };
+                let points: Vec<[f64; 3]> = exact.vertices_m().iter().map(rounded).collect();
+                let solid = Solid::convex(&points).unwrap();
+                assert_eq!(
+                    (solid.faces().len(), solid.vertices_m().len()),
+                    (6, 8),
+                    "{case} {unit}"
+                );
+                assert!((solid.volume_m3() / exact.volume_m3() - 1.0).abs() < 1e-9 + 6.0 * unit);
+                for face in 0..6 {
+                    let normal = turn * exact.normal(face);
+                    let nearest = (0..6).map(|f| solid.normal(f).distance(normal));
+                    assert!(nearest.fold(f64::INFINITY, f64::min) < 1e-9 + 5.0 * unit);
+                }
+            }
+        }
+    }
+
+    /// A chamfer of 5 mm and a plate of 2 mm are no rounding.
+    #[test]
+    fn holds_chamfers_and_thin_plates_keep_their_faces() {
+        let mut chamfered = Vec::new();
+        for (x, y) in [(0.0, 0.0), (0.6, 0.0), (0.6, 0.4), (0.0, 0.4)] {
+            let inward = |v: f64, most: f64| if v == 0.0 { 0.005 } else { most - 0.005 };
+            chamfered.extend([[x, y, 0.0], [x, y, 0.295]]);
+            chamfered.push([inward(x, 0.6), inward(y, 0.4), 0.3]);
+        }
+        assert_eq!(Solid::convex(&chamfered).unwrap().faces().len(), 10);
+        let plate = Solid::cuboid(1.0, 0.5, 0.002).unwrap();
+        let plate = Solid::convex(plate.vertices_m()).unwrap();
+        assert_eq!(plate.faces().len(), 6);
+        assert!((plate.volume_m3() - 0.001).abs() < 1e-15);
     }
 
     #[test]

@@ -45,7 +45,7 @@ impl Solid {
             .map(|t| t.map(|i| DVec3::from(vertices_m[i])))
             .collect();
         let used: Vec<[f64; 3]> = soup.iter().flatten().map(|&v| v.into()).collect();
-        let hull = Solid::convex(&used)?;
+        let hull = Solid::convex_of(&used, 0.0)?;
         let (volume, centroid, second) = moments_of(soup.iter().copied(), DVec3::from(hull.centroid_m()));
         let hull_volume_m3 = hull.volume_m3();
         if volume < FILL_LEAST * hull_volume_m3 {

@@ -1,6 +1,6 @@
 //! The stack: blocks that touch in joints, checked once.
 
-use super::beds::{BED_GAP_M, Bed, USED_LEAST, bed, gap_allowed_m};
+use super::beds::{BED_GAP_M, Bed, FACET_LEAST, USED_LEAST, bed, gap_allowed_m};
 use super::overlap::overlap_depth;
 use super::{Body, Joint, JointMaterial, Solid, StackError};
 use glam::DVec3;
@@ -81,7 +81,7 @@ impl Stack {
     ///
     /// # Errors
     /// [`StackError`] for no blocks, names that repeat, density, gravity or material out of range, blocks that overlap by
-    /// more than [`BED_GAP_M`], and blocks that no joint carries.
+    /// more than [`BED_GAP_M`] or touch on several facets of a bed that is not flat, and blocks that no joint carries.
     ///
     /// # Limits
     /// Contact is of convex hulls: a hollow or re-entrant stone must be given as several. Two bodies share one joint, of
@@ -370,8 +370,16 @@ impl Stack {
     }
 }
 
-/// A joint of scans must be flat stone for the most part.
+/// A joint must be one flat patch, and of scans flat stone for the most part.
 fn check_used(bed: &Bed, lower: &str, upper: &str) -> Result<(), StackError> {
+    if let Some(share) = bed.is_facet() {
+        return Err(StackError::JointFacets {
+            upper: upper.to_owned(),
+            lower: lower.to_owned(),
+            share,
+            allowed: FACET_LEAST,
+        });
+    }
     match bed.barely_used() {
         None => Ok(()),
         Some(used) => Err(StackError::JointUsed {

@@ -7,3 +7,4 @@ mod regions;
 mod surface;
 
 pub(super) use fit::fitted;
+pub(super) use plane::Plane;

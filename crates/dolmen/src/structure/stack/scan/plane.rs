@@ -1,26 +1,22 @@
-//! Planes fitted to triangles by area-weighted least squares.
+//! Planes of least squares, of triangles by their area or of points.
 
 use super::surface::Surface;
 use glam::DVec3;
 
 /// The plane n·x = d with its outward unit normal.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Plane {
-    pub(super) normal: DVec3,
-    pub(super) offset_m: f64,
+pub(in crate::structure::stack) struct Plane {
+    pub(in crate::structure::stack) normal: DVec3,
+    pub(in crate::structure::stack) offset_m: f64,
 }
 
 impl Plane {
     /// Height of a point over it, m; positive outside.
-    pub(super) fn height_m(&self, point: DVec3) -> f64 {
+    pub(in crate::structure::stack) fn height_m(&self, point: DVec3) -> f64 {
         self.normal.dot(point) - self.offset_m
     }
 
     /// The plane of least squares of the heights of the corners of triangles, each with a third of its area.
-    ///
-    /// ```text
-    /// min over a, b, c of Σ w (z − a x − b y − c)²      in axes about the normal before, x and y from the centroid
-    /// ```
     pub(super) fn of(surface: &Surface, triangles: &[usize], before: DVec3) -> Option<Plane> {
         let corners = || {
             triangles.iter().flat_map(|&t| {
@@ -28,7 +24,19 @@ impl Plane {
                 surface.corners(t).map(|point| (weight, point))
             })
         };
-        let (total, first) = corners().fold((0.0, DVec3::ZERO), |(total, first), (w, p)| {
+        Plane::weighted(corners, before)
+    }
+
+    /// The plane of least squares of points with weights.
+    ///
+    /// ```text
+    /// min over a, b, c of Σ w (z − a x − b y − c)²      in axes about the normal before, x and y from the centroid
+    /// ```
+    pub(in crate::structure::stack) fn weighted<I>(points: impl Fn() -> I, before: DVec3) -> Option<Plane>
+    where
+        I: Iterator<Item = (f64, DVec3)>,
+    {
+        let (total, first) = points().fold((0.0, DVec3::ZERO), |(total, first), (w, p)| {
             (total + w, first + p * w)
         });
         if total <= 0.0 {
@@ -40,7 +48,7 @@ impl Plane {
             let along = normal.any_orthonormal_vector();
             let across = normal.cross(along);
             let (mut xx, mut xy, mut yy, mut xz, mut yz) = (0.0, 0.0, 0.0, 0.0, 0.0);
-            for (w, p) in corners() {
+            for (w, p) in points() {
                 let from = p - centre;
                 let (x, y, z) = (from.dot(along), from.dot(across), from.dot(normal));
                 xx += w * x * x;
