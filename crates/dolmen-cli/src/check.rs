@@ -3,16 +3,17 @@
 use crate::cli::Check as Options;
 use crate::manner::Manner;
 use crate::outcome::Outcome;
+use crate::say::{say, say_json};
 use crate::typed::Typed;
-use crate::{files, open};
 use anyhow::Result;
+use dolmen_folder::Found;
 use dolmen_report::check_text;
 use dolmen_report::json::check_json;
 use dolmen_work::judgement::{Verb, judge_check};
 use dolmen_work::{CheckOptions, FlagVerb, Sampling, check};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
-    let found = open::project(&options.project, manner)?;
+    let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Check, &[&found.opened.project])?;
     let how = CheckOptions {
         sampling: options.samples.map(|samples| Sampling {
@@ -23,9 +24,9 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     };
     let answer = check(&found.opened, &how)?;
     if manner.json {
-        files::say_json(&check_json(&answer))?;
+        say_json(&check_json(&answer))?;
     } else {
-        files::say(&check_text(&answer, manner.style()))?;
+        say(&check_text(&answer, manner.style()))?;
     }
     Ok(Outcome::Judged(judge_check(&answer).exit_status(Verb::Check)))
 }

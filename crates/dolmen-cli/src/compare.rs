@@ -4,26 +4,26 @@ use crate::cli::Compare;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
 use crate::progress::Terminal;
-use crate::{files, open};
+use crate::say::{say, say_json};
 use anyhow::Result;
+use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::change_files;
 use dolmen_report::json::change_json;
 use dolmen_report::text::change_text;
 use dolmen_work::compare::{CompareOptions, compare};
 
 pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
-    let found = open::project(&options.project, manner)?;
+    let found = Found::open(&options.project, manner.access())?;
     let how = CompareOptions {
         from: options.from.clone(),
         to: options.to.clone(),
     };
     let answer = compare(&found.opened, &how, &found.files, &Terminal::new(manner.quiet))?;
     if manner.json {
-        files::say_json(&change_json(&answer.project, &answer.file, &answer.change))?;
+        say_json(&change_json(&answer.project, &answer.file, &answer.change))?;
     } else {
-        files::say(&change_text(
+        say(&change_text(
             &answer.project,
             &answer.file,
             &answer.change,
@@ -31,7 +31,7 @@ pub(crate) fn run(options: &Compare, manner: &Manner) -> Result<Outcome> {
         ))?;
     }
     if let Some(folder) = &options.output {
-        Outputs::of(manner, &found).folder(folder, &change_files(&answer, manner.language()))?;
+        Outputs::of(manner.access(), &found).folder(folder, &change_files(&answer, manner.language()))?;
         if !manner.quiet {
             note!("change.svg and change.json are in {}", folder.display());
         }

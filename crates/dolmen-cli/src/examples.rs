@@ -1,7 +1,6 @@
 //! `dolmen new`: the shipped examples, and a project started from one.
 
 use crate::cli::{Kind, New};
-use crate::files;
 use crate::manner::Manner;
 use crate::outcome::Outcome;
 use anyhow::{Context as _, Result};
@@ -36,7 +35,7 @@ pub(crate) fn copy_example(name: &str, directory: &Path) -> Result<()> {
     let each = example
         .files()
         .filter_map(|file| Some((name(file)?, file.contents())));
-    files::fill_fresh(directory, &each.collect::<Vec<_>>())
+    dolmen_folder::fill_fresh(directory, &each.collect::<Vec<_>>())
 }
 
 /// The files of an example.

@@ -4,28 +4,29 @@ use crate::cli::Identify as Options;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
 use crate::progress::Terminal;
-use crate::{files, open};
+use crate::say::{say, say_json};
 use anyhow::Result;
+use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::identification_files;
 use dolmen_report::identification_text;
 use dolmen_report::json::identification_json;
 use dolmen_work::{IdentifyOptions, identify};
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
-    let found = open::project(&options.project, manner)?;
+    let found = Found::open(&options.project, manner.access())?;
     let how = IdentifyOptions {
         survey: options.survey.clone(),
     };
     let answer = identify(&found.opened, &how, &found.files, &Terminal::new(manner.quiet))?;
     if manner.json {
-        files::say_json(&identification_json(&answer))?;
+        say_json(&identification_json(&answer))?;
     } else {
-        files::say(&identification_text(&answer, manner.style()))?;
+        say(&identification_text(&answer, manner.style()))?;
     }
     if let Some(folder) = &options.output {
-        Outputs::of(manner, &found).folder(folder, &identification_files(&answer, manner.language()))?;
+        Outputs::of(manner.access(), &found)
+            .folder(folder, &identification_files(&answer, manner.language()))?;
         if !manner.quiet {
             note!("figures and identification.json are in {}", folder.display());
         }

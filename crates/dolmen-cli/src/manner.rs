@@ -2,6 +2,7 @@
 
 use crate::cli_language::{Language as Chosen, size, user_language};
 use clap::Args;
+use dolmen_folder::Access;
 use dolmen_report::TextStyle;
 use dolmen_words::Language;
 
@@ -57,8 +58,12 @@ impl Manner {
         }
     }
 
-    /// Most bytes that are read of a file of some kind.
-    pub(crate) fn most(&self, of_the_kind: u64) -> u64 {
-        self.largest_file.unwrap_or(of_the_kind)
+    /// What may be read and replaced.
+    pub(crate) fn access(&self) -> Access {
+        Access {
+            allow_outside: self.allow_outside,
+            largest_file: self.largest_file,
+            force: self.force,
+        }
     }
 }

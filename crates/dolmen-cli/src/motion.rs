@@ -4,9 +4,11 @@ use crate::cli::{GroundMotionVerb as Options, Shape};
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
-use crate::{files, request};
+use crate::request;
+use crate::request::keeping_motion;
+use crate::say::{say, say_json};
 use anyhow::{Result, bail};
+use dolmen_folder::Outputs;
 use dolmen_records::motions::{motion_at2, motion_csv};
 use dolmen_report::files::motion_files;
 use dolmen_report::json::motion_report_json;
@@ -60,15 +62,15 @@ fn named_files(options: &Options) -> &[String] {
 }
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
-    let outputs = Outputs::new(manner).keeping_motion(named_files(options));
+    let outputs = keeping_motion(Outputs::new(manner.access()), named_files(options));
     if let Some(file) = &options.convert {
         outputs.refuse(file)?;
     }
     let report = motion(&options_of(options, manner)?)?;
     if manner.json {
-        files::say_json(&motion_report_json(&report))?;
+        say_json(&motion_report_json(&report))?;
     } else {
-        files::say(&motion_report_text(&report, manner.style()))?;
+        say(&motion_report_text(&report, manner.style()))?;
     }
     written(options, &report, &outputs, manner)?;
     let is_close = report.matched.as_ref().is_none_or(MatchAnswer::is_close);

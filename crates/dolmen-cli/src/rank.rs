@@ -4,10 +4,10 @@ use crate::cli_portfolio::{Rank as Options, State};
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
-use crate::study_folder::journals_beside;
-use crate::{files, open, score};
+use crate::say::{say, say_json};
+use crate::score;
 use anyhow::{Context as _, Result, bail};
+use dolmen_folder::{Found, Outputs, journals_beside};
 use dolmen_records::{FileError, TABLE_BYTES_MOST, stays_within};
 use dolmen_report::files::ranking_files;
 use dolmen_report::html::Imprint;
@@ -28,7 +28,7 @@ impl Projects for Below<'_> {
             let shown = path.to_owned();
             return Err(FileError::Outside { shown }.into());
         }
-        let found = open::project(&self.0.join(path), self.1).map_err(|why| WorkError::Outside {
+        let found = Found::open(&self.0.join(path), self.1.access()).map_err(|why| WorkError::Outside {
             why: told(why.as_ref()),
         })?;
         Ok(FoundProject {
@@ -59,9 +59,9 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
     let source = options.source.display().to_string();
     let answer = rank(source, table, &designs, &how, &Below(folder.to_owned(), manner))?;
     if manner.json {
-        files::say_json(&rank_json(&answer))?;
+        say_json(&rank_json(&answer))?;
     } else {
-        files::say(&rank_text(&answer, manner.style()))?;
+        say(&rank_text(&answer, manner.style()))?;
     }
     if let Some(folder) = &options.output {
         let imprint = Imprint {
@@ -70,9 +70,10 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
         };
         let files = ranking_files(&answer, manner.language(), &imprint);
         let designs = options.designs.iter();
-        let outputs = designs.fold(Outputs::new(manner).keeping(&options.source), |all, file| {
-            all.keeping(file)
-        });
+        let outputs = designs.fold(
+            Outputs::new(manner.access()).keeping(&options.source),
+            |all, file| all.keeping(file),
+        );
         outputs.folder(folder, &files)?;
         if !manner.quiet {
             note!("ranking, figure and page are in {}", folder.display());
@@ -84,8 +85,11 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
 /// The structures of a table, or of the projects in a folder.
 fn rows(source: &Path, manner: &Manner) -> Result<PortfolioTable> {
     if !source.is_dir() {
-        return read_portfolio(&files::read(source, manner.most(TABLE_BYTES_MOST))?)
-            .with_context(|| source.display().to_string());
+        return read_portfolio(&dolmen_folder::read(
+            source,
+            manner.access().most(TABLE_BYTES_MOST),
+        )?)
+        .with_context(|| source.display().to_string());
     }
     if source.join("project.toml").is_file() {
         bail!(

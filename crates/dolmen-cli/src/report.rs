@@ -3,14 +3,14 @@
 use crate::cli::{Demo, Report};
 use crate::manner::Manner;
 use crate::note::note;
-use crate::open::Found;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
 use crate::progress::Terminal;
-use crate::study_folder::journals_beside;
+use crate::request::keeping_motion;
+use crate::say::say;
 use crate::typed::Typed;
-use crate::{examples, files, open, request, tools};
+use crate::{examples, request, tools};
 use anyhow::{Result, bail};
+use dolmen_folder::{Found, Outputs, journals_beside};
 #[cfg(feature = "pdf")]
 use dolmen_print::{Sheets, pdf};
 use dolmen_project::Project;
@@ -97,7 +97,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
     let each = options
         .projects
         .iter()
-        .map(|path| (path, open::project(path, manner)));
+        .map(|path| (path, Found::open(path, manner.access())));
     let each: Vec<(&PathBuf, Result<Found>)> = each.collect();
     let known = each.iter().filter_map(|(_, found)| found.as_ref().ok());
     let projects: Vec<&Project> = known.map(|found| &*found.opened.project).collect();
@@ -108,7 +108,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             "--scale, --peak and the like change a motion, but none is given: add --motion or --motion-file"
         );
     }
-    let mut outputs = Outputs::new(manner).keeping_motion(&options.motion.motion_file);
+    let mut outputs = keeping_motion(Outputs::new(manner.access()), &options.motion.motion_file);
     for (path, found) in &each {
         // a file that cannot be read as a project is kept as well
         outputs = match found {
@@ -153,7 +153,7 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         };
         outputs.file(output, &bytes)?;
         if !manner.quiet {
-            files::say(&format!("{}\n", output.display()))?;
+            say(&format!("{}\n", output.display()))?;
         }
     }
     let statuses = answers
@@ -196,13 +196,13 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
             seed: DEMO_SEED,
         });
         let answer = whole(
-            &open::project(&directory, manner)?,
+            &Found::open(&directory, manner.access())?,
             sampling,
             &MotionRequest::default(),
             manner,
         )?;
         if !manner.quiet {
-            files::say(&format!(
+            say(&format!(
                 "{}: {}\n",
                 answer.project.name.english(),
                 project_line(&answer)
@@ -211,14 +211,14 @@ pub(crate) fn demo(options: &Demo, manner: &Manner) -> Result<Outcome> {
         answers.push(answer);
     }
     let report = folder.join("report.html");
-    Outputs::new(manner).file(
+    Outputs::new(manner.access()).file(
         &report,
         html(&answers, &[], manner.language(), &imprint(None)).as_bytes(),
     )?;
     if !manner.quiet {
-        files::say("The report on all of them: ")?;
+        say("The report on all of them: ")?;
     }
-    files::say(&format!("{}\n", report.display()))?;
+    say(&format!("{}\n", report.display()))?;
     Ok(Outcome::Done)
 }
 
@@ -234,6 +234,6 @@ fn free_folder(wanted: &Path) -> Result<PathBuf> {
         number += 1;
         folder = wanted.with_file_name(format!("{name}-{number}"));
     }
-    files::fresh_folder(&folder)?;
+    dolmen_folder::fresh_folder(&folder)?;
     Ok(folder)
 }

@@ -1,12 +1,12 @@
 //! From flags to the options of the verbs.
 
 use crate::cli::{Motion, Points, Rotations, Simulate};
-use crate::files;
 use crate::manner::Manner;
 use anyhow::Result;
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
 use dolmen::signal::Component;
+use dolmen_folder::Outputs;
 use dolmen_records::MOTION_BYTES_MOST;
 use dolmen_work::SimulateOptions;
 use dolmen_work::motion::{GivenFile, MotionRequest};
@@ -21,7 +21,7 @@ pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Res
         files.push(GivenFile {
             component,
             name: name.to_owned(),
-            bytes: files::read(Path::new(name), manner.most(MOTION_BYTES_MOST))?,
+            bytes: dolmen_folder::read(Path::new(name), manner.access().most(MOTION_BYTES_MOST))?,
         });
     }
     Ok(MotionRequest {
@@ -45,12 +45,18 @@ pub(crate) fn motion(options: &Motion, named: &[String], manner: &Manner) -> Res
 }
 
 /// "y" and "FILE" of "y=FILE"; a text without a component is a file.
-pub(crate) fn named_file(text: &str) -> (Option<Component>, &str) {
+fn named_file(text: &str) -> (Option<Component>, &str) {
     let split = text.split_once('=').and_then(|(before, file)| {
         let component = Component::ALL.into_iter().find(|c| c.name() == before)?;
         Some((Some(component), file))
     });
     split.unwrap_or((None, text))
+}
+
+/// The files of a motion, as they are named on the command line, stay.
+pub(crate) fn keeping_motion(outputs: Outputs, named: &[String]) -> Outputs {
+    let files = named.iter().map(|text| named_file(text).1);
+    files.fold(outputs, |all, file| all.keeping(Path::new(file)))
 }
 
 /// What is simulated, and how.

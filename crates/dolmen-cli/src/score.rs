@@ -4,10 +4,9 @@ use crate::cli_portfolio::Score as Options;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
-use crate::study_folder::StudyFolder;
-use crate::{files, open};
+use crate::say::{say, say_json};
 use anyhow::{Context as _, Result};
+use dolmen_folder::{Found, Outputs, StudyFolder};
 use dolmen_records::TABLE_BYTES_MOST;
 use dolmen_report::json::{score_json, score_quality_json};
 use dolmen_report::{score_quality_text, score_text};
@@ -28,20 +27,23 @@ pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
 /// The designs of a file, or those that come with Dolmen.
 pub(crate) fn designs(path: Option<&Path>, manner: &Manner) -> Result<ScoreDesigns> {
     match path {
-        Some(path) => ScoreDesigns::read(&files::read(path, manner.most(TABLE_BYTES_MOST))?)
-            .with_context(|| path.display().to_string()),
+        Some(path) => ScoreDesigns::read(&dolmen_folder::read(
+            path,
+            manner.access().most(TABLE_BYTES_MOST),
+        )?)
+        .with_context(|| path.display().to_string()),
         None => Ok(ScoreDesigns::shipped()?),
     }
 }
 
 fn one(options: &Options, path: &Path, manner: &Manner) -> Result<()> {
     let designs = designs(options.designs.as_deref(), manner)?;
-    let found = open::project(path, manner)?;
+    let found = Found::open(path, manner.access())?;
     let answer = score(&found.opened, &designs, options.extrapolate)?;
     if manner.json {
-        files::say_json(&score_json(&answer))
+        say_json(&score_json(&answer))
     } else {
-        files::say(&score_text(&answer, manner.style()))
+        say(&score_text(&answer, manner.style()))
     }
 }
 
@@ -49,15 +51,15 @@ fn quality(options: &Options, manner: &Manner) -> Result<()> {
     let designs = designs(options.designs.as_deref(), manner)?;
     let found = score_quality(&designs)?;
     if manner.json {
-        files::say_json(&score_quality_json(&found, designs.designs.len()))
+        say_json(&score_quality_json(&found, designs.designs.len()))
     } else {
-        files::say(&score_quality_text(&found, designs.designs.len(), manner.style()))
+        say(&score_quality_text(&found, designs.designs.len(), manner.style()))
     }
 }
 
 fn train(options: &Options, project: &Path, name: &str, output: &Path, manner: &Manner) -> Result<()> {
-    let found = open::project(project, manner)?;
-    let outputs = Outputs::of(manner, &found);
+    let found = Found::open(project, manner.access())?;
+    let outputs = Outputs::of(manner.access(), &found);
     outputs.refuse(output)?;
     let folder = StudyFolder::of(options.from.as_deref(), &found, name);
     let journals = || {

@@ -4,11 +4,13 @@ use crate::cli::Simulate as Options;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
 use crate::progress::Terminal;
+use crate::request;
+use crate::request::keeping_motion;
+use crate::say::{say, say_json};
 use crate::typed::Typed;
-use crate::{files, open, request};
 use anyhow::Result;
+use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::{simulation_files, simulation_value};
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
@@ -20,14 +22,14 @@ use dolmen_work::{FlagVerb, prepare};
 use serde_json::{Value, json};
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
-    let found = open::project(&options.project, manner)?;
+    let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Simulate, &[&found.opened.project])?;
     let how = request::simulation(options, manner)?;
     let prepared = prepare(&found.opened, &how, &found.files)?;
     if !manner.json {
         let variant = options.variant.as_deref();
         let file = &found.opened.file;
-        files::say(&simulation_inputs_text(
+        say(&simulation_inputs_text(
             prepared.project(),
             file,
             variant,
@@ -37,20 +39,20 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     }
     let answer = prepared.run(&Terminal::new(manner.quiet))?;
     if manner.json {
-        files::say_json(&answer_json(&answer))?;
+        say_json(&answer_json(&answer))?;
     } else {
         for simulation in &answer.simulations {
-            files::say(&text_of(simulation, manner.style()))?;
+            say(&text_of(simulation, manner.style()))?;
         }
         if let Some(why) = &answer.does_not_stand {
-            files::say(&format!(
+            say(&format!(
                 "\nDOES NOT STAND without any shaking, so that nothing was simulated: {why}\n"
             ))?;
         }
     }
     if let (Some(folder), true) = (&options.output, answer.does_not_stand.is_none()) {
         let language = manner.language();
-        let outputs = Outputs::of(manner, &found).keeping_motion(&options.motion.motion_file);
+        let outputs = keeping_motion(Outputs::of(manner.access(), &found), &options.motion.motion_file);
         for simulation in &answer.simulations {
             outputs.folder(folder, &simulation_files(simulation, language)?)?;
         }

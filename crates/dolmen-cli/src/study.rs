@@ -5,10 +5,11 @@ use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
-use crate::study_folder::{self, StudyFolder};
+use crate::say::{say, say_json};
 use crate::typed::Typed;
-use crate::{files, open, signals, tools};
+use crate::{signals, tools};
 use anyhow::{Context as _, Result};
+use dolmen_folder::{Found, StudyFolder, shard};
 use dolmen_report::json::{missing_json, shard_json, study_json};
 use dolmen_report::text::{missing_text, shard_text, study_text};
 use dolmen_work::FlagVerb;
@@ -37,7 +38,7 @@ fn each(
 ) -> Result<Outcome> {
     let project = place.project.as_deref();
     let project = project.context("name a project file, or a folder that holds project.toml")?;
-    let found = open::project(project, manner)?;
+    let found = Found::open(project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Study, &[&found.opened.project])?;
     let meant = studies(&found.opened, &place.study)?;
     let mut worst = Ok(Outcome::Done);
@@ -67,7 +68,7 @@ fn each(
 
 fn simulated(options: &Options, plan: &Plan<'_>, folder: &StudyFolder, manner: &Manner) -> Result<Outcome> {
     let shard = match &options.shard {
-        Some(text) => study_folder::shard(text)?,
+        Some(text) => shard(text)?,
         None => (1, 1),
     };
     let (journal, done) = folder.journal(&plan.header(shard), plan.kind, options.restart)?;
@@ -103,9 +104,9 @@ fn shard_done(
         [runs.len(), missing.len()],
     );
     if as_json {
-        files::say_json(&shard_json(plan, shard, counts, &file))?;
+        say_json(&shard_json(plan, shard, counts, &file))?;
     } else {
-        files::say(&shard_text(plan, shard, counts, &file))?;
+        say(&shard_text(plan, shard, counts, &file))?;
     }
     Ok(Outcome::finished(missing.is_empty()))
 }
@@ -115,9 +116,9 @@ fn finish(plan: &Plan<'_>, folder: &StudyFolder, runs: Vec<Run>, manner: &Manner
     let answer = study::finish(plan, runs, &Terminal::new(manner.quiet))?;
     folder.write(&answer, manner.language())?;
     if manner.json {
-        files::say_json(&study_json(&answer)?)?;
+        say_json(&study_json(&answer)?)?;
     } else {
-        files::say(&study_text(&answer, manner.style()))?;
+        say(&study_text(&answer, manner.style()))?;
     }
     if !manner.quiet {
         note!("tables and figures are in {}", folder.path().display());
@@ -129,9 +130,9 @@ fn missing(plan: &Plan<'_>, folder: &StudyFolder, from: &[PathBuf], as_json: boo
     let runs = merged(plan, &folder.journals(&plan.study.name, from)?)?;
     let missing = study::missing(plan, (1, 1), &runs);
     if as_json {
-        files::say_json(&missing_json(plan, runs.len(), &missing))?;
+        say_json(&missing_json(plan, runs.len(), &missing))?;
     } else {
-        files::say(&missing_text(plan, runs.len(), &missing))?;
+        say(&missing_text(plan, runs.len(), &missing))?;
     }
     Ok(Outcome::finished(missing.is_empty()))
 }

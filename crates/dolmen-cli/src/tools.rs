@@ -1,14 +1,14 @@
 //! What helps to use the command: explanations, completions, manual pages, and how errors are shown.
 
 use crate::cli::Cli;
-use crate::files;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
+use crate::say::say;
 use anyhow::{Result, bail};
 use clap::{Command, CommandFactory as _};
 use clap_mangen::Man;
+use dolmen_folder::Outputs;
 use dolmen_project::json_schema;
 use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
 use dolmen_report::files::NamedFile;
@@ -80,14 +80,14 @@ pub(crate) fn completions(shell: clap_complete::Shell) -> Result<Outcome> {
 }
 
 pub(crate) fn schema() -> Result<Outcome> {
-    files::say(&format!("{:#}\n", json_schema()))?;
+    say(&format!("{:#}\n", json_schema()))?;
     Ok(Outcome::Done)
 }
 
 pub(crate) fn words(file: Option<&Path>, manner: &Manner) -> Result<Outcome> {
     match file {
-        None => files::say(&sentences_csv())?,
-        Some(file) => Outputs::new(manner).file(file, sentences_csv().as_bytes())?,
+        None => say(&sentences_csv())?,
+        Some(file) => Outputs::new(manner.access()).file(file, sentences_csv().as_bytes())?,
     }
     Ok(Outcome::Done)
 }
@@ -100,7 +100,7 @@ pub(crate) fn man(directory: Option<&Path>, manner: &Manner) -> Result<Outcome> 
             let mut command = Cli::command().disable_help_subcommand(true);
             command.build();
             man_pages(&command, &mut pages)?;
-            Outputs::new(manner).folder(directory, &pages)?;
+            Outputs::new(manner.access()).folder(directory, &pages)?;
         }
     }
     Ok(Outcome::Done)

@@ -4,11 +4,11 @@ use crate::cli_tune::{Tune as Options, TuneGoal, TuneLoad as Load};
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
-use crate::outputs::Outputs;
+use crate::say::{say, say_json};
 use crate::typed::Typed;
-use crate::{files, open};
 use anyhow::Result;
 use dolmen::damper::Goal;
+use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::tune_files;
 use dolmen_report::json::{together_json, tune_json};
 use dolmen_report::text::{together_text, tune_text};
@@ -44,24 +44,24 @@ fn options_of(options: &Options) -> TuneOptions {
 }
 
 pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<Outcome> {
-    let found = open::project(&options.project, manner)?;
+    let found = Found::open(&options.project, manner.access())?;
     typed.refuse_foreign(FlagVerb::Tune, &[&found.opened.project])?;
     let answers = tune(&found.opened, &options_of(options), &found.files)?;
     if manner.json {
         let each: Vec<_> = answers.tunings.iter().map(tune_json).collect();
         let of_all: Vec<_> = answers.together.iter().map(together_json).collect();
-        files::say_json(&json!({ "dampers": each, "together": of_all }))?;
+        say_json(&json!({ "dampers": each, "together": of_all }))?;
     } else {
         for answer in &answers.tunings {
-            files::say(&tune_text(answer, manner.style()))?;
+            say(&tune_text(answer, manner.style()))?;
         }
         for answer in &answers.together {
-            files::say(&together_text(answer, manner.style()))?;
+            say(&together_text(answer, manner.style()))?;
         }
     }
     if let Some(folder) = &options.output {
         let files = tune_files(&answers, manner.language());
-        Outputs::of(manner, &found).folder(folder, &files)?;
+        Outputs::of(manner.access(), &found).folder(folder, &files)?;
         if !manner.quiet {
             note!("results and figures are in {}", folder.display());
         }

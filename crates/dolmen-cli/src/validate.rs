@@ -1,8 +1,8 @@
 //! `dolmen validate` and `dolmen doctor`: is what this build computes right, and does it work here.
 
 use crate::examples::{self, Example};
-use crate::files;
 use crate::outcome::Outcome;
+use crate::say::{say, say_json};
 use anyhow::{Context as _, Result, bail};
 use dolmen::validation::Case;
 use dolmen_project::parse_project;
@@ -15,9 +15,9 @@ pub(crate) fn run(as_json: bool) -> Result<Outcome> {
     let cases = all_cases()?;
     if as_json {
         let list: Vec<_> = cases.iter().map(case_json).collect();
-        files::say_json(&json!(list))?;
+        say_json(&json!(list))?;
     } else {
-        files::say(&validation_text(&cases))?;
+        say(&validation_text(&cases))?;
     }
     let wrong = cases.iter().filter(|case| !case.agrees()).count();
     if wrong > 0 {
@@ -74,8 +74,8 @@ pub(crate) fn doctor() -> Result<Outcome> {
     println!("examples      {} carried, all readable", examples::DEMO.len());
 
     let folder = std::env::temp_dir().join(format!("dolmen-doctor-{}", std::process::id()));
-    files::write(&folder.join("text"), "당간".as_bytes())?;
-    let back = files::read_text(&folder.join("text"), 100)?;
+    dolmen_folder::write(&folder.join("text"), "당간".as_bytes())?;
+    let back = dolmen_folder::read_text(&folder.join("text"), 100)?;
     std::fs::remove_dir_all(&folder).with_context(|| format!("cannot remove {}", folder.display()))?;
     if back != "당간" {
         bail!("{} does not keep what is written to it", folder.display());

@@ -20,7 +20,7 @@ const CHAPTERS: [&str; 11] = [
     "validation",
 ];
 /// Crates, lowest first, with the crates each may name.
-const CRATES: [(&str, &[&str]); 9] = [
+const CRATES: [(&str, &[&str]); 10] = [
     ("dolmen-print", &[]),
     ("dolmen-linalg", &[]),
     ("dolmen", &["dolmen-linalg"]),
@@ -42,9 +42,20 @@ const CRATES: [(&str, &[&str]); 9] = [
         ],
     ),
     (
+        "dolmen-folder",
+        &[
+            "dolmen-words",
+            "dolmen-records",
+            "dolmen-project",
+            "dolmen-work",
+            "dolmen-report",
+        ],
+    ),
+    (
         "dolmen-cli",
         &[
             "dolmen",
+            "dolmen-folder",
             "dolmen-words",
             "dolmen-records",
             "dolmen-print",

@@ -245,3 +245,45 @@ fn holds_third_parties_are_named_with_version_and_licence() {
         "THIRD-PARTY.md lacks {missing:?} and has {gone:?}: run scripts/third-party"
     );
 }
+
+#[test]
+fn holds_no_crate_has_an_advisory_that_was_not_excused() {
+    let known = fs::read_to_string(root().join("data/advisories.csv")).unwrap();
+    let excused = fs::read_to_string(root().join("deny.toml")).unwrap();
+    let lock = fs::read_to_string(root().join("Cargo.lock")).unwrap();
+    let mut versions: BTreeMap<&str, Vec<semver::Version>> = BTreeMap::new();
+    for package in lock.split("[[package]]").skip(1) {
+        let value = |key: &str| {
+            package
+                .lines()
+                .find_map(|line| line.strip_prefix(key)?.split('"').nth(1))
+        };
+        let (name, version) = (value("name = ").unwrap(), value("version = ").unwrap());
+        versions
+            .entry(name)
+            .or_default()
+            .push(semver::Version::parse(version).unwrap());
+    }
+    let (mut looked_at, mut open) = (0, Vec::new());
+    for row in known.lines().skip(2) {
+        let mut cells = row.splitn(3, ',');
+        let [id, name, free] = [(); 3].map(|()| cells.next().unwrap());
+        let free: Vec<semver::VersionReq> = free
+            .trim_matches('"')
+            .split(" || ")
+            .filter(|requirement| !requirement.is_empty())
+            .map(|requirement| semver::VersionReq::parse(requirement).unwrap())
+            .collect();
+        for version in versions.get(name).into_iter().flatten() {
+            looked_at += 1;
+            if !free.iter().any(|free| free.matches(version)) && !excused.contains(id) {
+                open.push(format!("{name} {version}: {id}"));
+            }
+        }
+    }
+    assert!(looked_at > 30, "{looked_at}");
+    assert!(
+        open.is_empty(),
+        "raise their versions, do without, or excuse them in deny.toml with the reason: {open:#?}"
+    );
+}

@@ -1,6 +1,5 @@
-//! The only place that touches the disk: opening inputs with a clear error, and writing results whole or not at all.
+//! Files: opening inputs with a clear error, and writing results whole or not at all.
 
-use crate::progress::end_silence;
 use anyhow::{Context as _, Result, bail};
 use dolmen_records::FileError;
 use std::fs;
@@ -50,7 +49,7 @@ fn not_a_file(there: &fs::Metadata) -> Option<&'static str> {
 }
 
 /// All bytes of a regular file, if they are not too many.
-pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
+pub fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
     let shown = || path.display().to_string();
     let unreadable = |why: std::io::Error| FileError::Unreadable {
         shown: shown(),
@@ -81,7 +80,7 @@ pub(crate) fn read(path: &Path, most: u64) -> Result<Vec<u8>, FileError> {
 }
 
 /// The first bytes of a regular file, as many as tell what it is; none where it cannot be read.
-pub(crate) fn start(path: &Path) -> Vec<u8> {
+pub fn start(path: &Path) -> Vec<u8> {
     const LOOKED_AT: u64 = 1000;
     let mut start = Vec::new();
     if fs::metadata(path).is_ok_and(|there| there.is_file()) {
@@ -92,7 +91,7 @@ pub(crate) fn start(path: &Path) -> Vec<u8> {
 }
 
 /// All of a text file, which must be UTF-8.
-pub(crate) fn read_text(path: &Path, most: u64) -> Result<String> {
+pub fn read_text(path: &Path, most: u64) -> Result<String> {
     String::from_utf8(read(path, most)?).map_err(|fault| {
         let at = fault.utf8_error().valid_up_to();
         anyhow::anyhow!(
@@ -104,7 +103,7 @@ pub(crate) fn read_text(path: &Path, most: u64) -> Result<String> {
 
 /// Writes `bytes` to `path` whole or not at all: a temporary file beside it, then a rename. A link is followed; a device or a pipe is written to
 /// as it is.
-pub(crate) fn write(path: &Path, bytes: &[u8]) -> Result<()> {
+pub fn write(path: &Path, bytes: &[u8]) -> Result<()> {
     let failed = |fault: std::io::Error| {
         let said = match fault.kind() {
             std::io::ErrorKind::FileTooLarge => format!(
@@ -184,22 +183,8 @@ pub(crate) fn clear_parts(folder: &Path) {
     }
 }
 
-/// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
-pub(crate) fn say(text: &str) -> Result<()> {
-    end_silence();
-    match std::io::stdout().write_all(text.as_bytes()) {
-        Err(fault) if fault.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-        written => written.context("cannot write to standard output"),
-    }
-}
-
-/// Prints a value as JSON.
-pub(crate) fn say_json(value: &serde_json::Value) -> Result<()> {
-    say(&format!("{value:#}\n"))
-}
-
 /// Makes `path` a folder to be filled: refused if it holds anything, so that nothing is overwritten.
-pub(crate) fn fresh_folder(path: &Path) -> Result<()> {
+pub fn fresh_folder(path: &Path) -> Result<()> {
     if path.exists() && !path.is_dir() {
         bail!(
             "{} is a file: name a folder that does not exist yet",
@@ -216,7 +201,7 @@ pub(crate) fn fresh_folder(path: &Path) -> Result<()> {
 }
 
 /// Makes `path` a folder with these files, or leaves everything as it was.
-pub(crate) fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
+pub fn fill_fresh(path: &Path, files: &[(&str, &[u8])]) -> Result<()> {
     let was_there = path.is_dir();
     fresh_folder(path)?;
     let filled = files

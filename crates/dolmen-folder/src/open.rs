@@ -1,29 +1,32 @@
 //! From paths to projects: the project file that a path means, and the files that it names.
 
-use crate::files;
-use crate::manner::Manner;
+use crate::{Access, files};
 use anyhow::{Result, bail};
 use dolmen_records::{FileError, Files, PROJECT_BYTES_MOST, stays_within};
 use dolmen_work::Opened;
 use std::path::{Path, PathBuf};
 
 /// A project, its file, and the folder that it names files in.
-pub(crate) struct Found {
-    pub(crate) opened: Opened,
-    pub(crate) file: PathBuf,
-    pub(crate) files: Folder,
+pub struct Found {
+    /// The project as it was read.
+    pub opened: Opened,
+    /// The project file.
+    pub file: PathBuf,
+    /// The folder that it names files in.
+    pub files: Folder,
 }
 
 /// Files of a folder.
-pub(crate) struct Folder {
+pub struct Folder {
     path: PathBuf,
-    pub(crate) manner: Manner,
+    /// What may be read and replaced.
+    pub access: Access,
 }
 
 impl Folder {
     /// Refuses a name that leads out of the folder, itself or by a link.
     fn refuse_outside(&self, name: &str, path: &Path) -> Result<(), FileError> {
-        if self.manner.allow_outside {
+        if self.access.allow_outside {
             return Ok(());
         }
         // a file that is not there leads nowhere
@@ -42,7 +45,7 @@ impl Files for Folder {
     fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
         let path = self.path.join(name);
         self.refuse_outside(name, &path)?;
-        files::read(&path, self.manner.most(most_bytes))
+        files::read(&path, self.access.most(most_bytes))
     }
 
     fn shown(&self, name: &str) -> String {
@@ -50,17 +53,22 @@ impl Files for Folder {
     }
 }
 
-/// Reads the project file that `path` means.
-pub(crate) fn project(path: &Path, manner: &Manner) -> Result<Found> {
-    let file = files::project_file(path)?;
-    refuse_record(&file)?;
-    let text = files::read_text(&file, manner.most(PROJECT_BYTES_MOST))?;
-    let files = Folder {
-        path: file.parent().unwrap_or(Path::new(".")).to_owned(),
-        manner: manner.clone(),
-    };
-    let opened = Opened::read(text, file.display().to_string(), &files)?;
-    Ok(Found { opened, file, files })
+impl Found {
+    /// Reads the project file that `path` means: a file, or the `project.toml` of a folder.
+    ///
+    /// # Errors
+    /// Where there is none, where it is too large, no UTF-8 text or a record, and all that is wrong with the project.
+    pub fn open(path: &Path, access: Access) -> Result<Self> {
+        let file = files::project_file(path)?;
+        refuse_record(&file)?;
+        let text = files::read_text(&file, access.most(PROJECT_BYTES_MOST))?;
+        let files = Folder {
+            path: file.parent().unwrap_or(Path::new(".")).to_owned(),
+            access,
+        };
+        let opened = Opened::read(text, file.display().to_string(), &files)?;
+        Ok(Found { opened, file, files })
+    }
 }
 
 /// Names what to do with a record that stands where a project file should.

@@ -3,10 +3,9 @@
 //! Pages and figures carry a mark within. Tables, arrays and JSON are known by a list in their folder, with a sum over the bytes of each: a
 //! table that was changed since is somebody's work, and stays.
 
+use crate::Access;
 use crate::files::{clear_parts, folder_of, read, start, write};
-use crate::manner::Manner;
 use crate::open::Found;
-use crate::request::named_file;
 use anyhow::{Result, bail};
 use dolmen_report::files::{NamedFile, is_marked};
 use dolmen_work::study::fingerprint;
@@ -25,7 +24,7 @@ const LIST_BYTES_MOST: u64 = 64 << 20;
 const KNOWN_BYTES_MOST: u64 = 4 << 30;
 
 /// What may be replaced.
-pub(crate) struct Outputs {
+pub struct Outputs {
     inputs: BTreeSet<PathBuf>,
     force: bool,
 }
@@ -42,20 +41,20 @@ enum Standing {
 
 impl Outputs {
     /// Nothing is kept but what others wrote.
-    pub(crate) fn new(manner: &Manner) -> Self {
+    pub fn new(access: Access) -> Self {
         Outputs {
             inputs: BTreeSet::new(),
-            force: manner.force,
+            force: access.force,
         }
     }
 
     /// As [`Outputs::new`], and the project file and all that it names stay.
-    pub(crate) fn of(manner: &Manner, found: &Found) -> Self {
-        Self::new(manner).keeping_project(found)
+    pub fn of(access: Access, found: &Found) -> Self {
+        Self::new(access).keeping_project(found)
     }
 
     /// The project file and all that it names stay, whatever is asked for.
-    pub(crate) fn keeping_project(self, found: &Found) -> Self {
+    pub fn keeping_project(self, found: &Found) -> Self {
         let folder = folder_of(&found.file);
         let named = dolmen_project::texts(&found.opened.text);
         named.iter().fold(self.keeping(&found.file), |all, name| {
@@ -63,14 +62,8 @@ impl Outputs {
         })
     }
 
-    /// The files of a motion, as they are named on the command line, stay.
-    pub(crate) fn keeping_motion(self, named: &[String]) -> Self {
-        let files = named.iter().map(|text| named_file(text).1);
-        files.fold(self, |all, file| all.keeping(Path::new(file)))
-    }
-
     /// This file stays, whatever is asked for.
-    pub(crate) fn keeping(mut self, path: &Path) -> Self {
+    pub fn keeping(mut self, path: &Path) -> Self {
         if path.is_file() {
             self.inputs.extend(path.canonicalize());
         }
@@ -95,7 +88,7 @@ impl Outputs {
     }
 
     /// Refuses a file that may not be replaced: to be asked before any work is done.
-    pub(crate) fn refuse(&self, path: &Path) -> Result<()> {
+    pub fn refuse(&self, path: &Path) -> Result<()> {
         match self.standing(path) {
             Standing::Free => Ok(()),
             Standing::Input => bail!(
@@ -110,7 +103,7 @@ impl Outputs {
     }
 
     /// Writes one file, whole or not at all.
-    pub(crate) fn file(&self, path: &Path, bytes: &[u8]) -> Result<()> {
+    pub fn file(&self, path: &Path, bytes: &[u8]) -> Result<()> {
         self.refuse(path)?;
         if is_marked(bytes) || fs::metadata(path).is_ok_and(|there| !there.is_file()) {
             clear_parts(folder_of(path));
@@ -120,7 +113,7 @@ impl Outputs {
     }
 
     /// Writes files into a folder. One that would replace somebody's is put beside it, and that is an error once all are written.
-    pub(crate) fn folder(&self, folder: &Path, files: &[NamedFile]) -> Result<()> {
+    pub fn folder(&self, folder: &Path, files: &[NamedFile]) -> Result<()> {
         let mut by_folder: BTreeMap<PathBuf, Vec<(PathBuf, &[u8])>> = BTreeMap::new();
         let mut beside = Vec::new();
         for file in files {

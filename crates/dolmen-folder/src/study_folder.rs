@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 /// Where the results of a study lie.
-pub(crate) struct StudyFolder {
+pub struct StudyFolder {
     path: PathBuf,
     outputs: Outputs,
     /// Most bytes of a journal.
@@ -26,7 +26,7 @@ pub(crate) struct StudyFolder {
 }
 
 /// A journal that is being written; it is locked against a second process.
-pub(crate) struct JournalFile {
+pub struct JournalFile {
     file: Mutex<File>,
     path: PathBuf,
 }
@@ -44,7 +44,7 @@ impl Journal for JournalFile {
 }
 
 /// "2/5": the second of five.
-pub(crate) fn shard(text: &str) -> Result<(usize, usize)> {
+pub fn shard(text: &str) -> Result<(usize, usize)> {
     let parts = text.split_once('/');
     let numbers = parts.and_then(|(part, of)| Some((part.parse().ok()?, of.parse().ok()?)));
     match numbers {
@@ -55,21 +55,23 @@ pub(crate) fn shard(text: &str) -> Result<(usize, usize)> {
 
 impl StudyFolder {
     /// `output`/NAME, or studies/NAME beside the project file.
-    pub(crate) fn of(output: Option<&Path>, found: &Found, study: &str) -> Self {
+    pub fn of(output: Option<&Path>, found: &Found, study: &str) -> Self {
         let beside = found.file.parent().unwrap_or(Path::new(".")).join("studies");
-        let manner = &found.files.manner;
+        let access = found.files.access;
         StudyFolder {
             path: output.unwrap_or(&beside).join(file_name(study)),
-            outputs: Outputs::of(manner, found),
-            most: manner.most(JOURNAL_BYTES_MOST),
+            outputs: Outputs::of(access, found),
+            most: access.most(JOURNAL_BYTES_MOST),
         }
     }
 
-    pub(crate) fn path(&self) -> &Path {
+    /// The folder itself.
+    pub fn path(&self) -> &Path {
         &self.path
     }
 
-    pub(crate) fn journal_file(&self, (part, of): (usize, usize)) -> PathBuf {
+    /// The journal of a shard.
+    pub fn journal_file(&self, (part, of): (usize, usize)) -> PathBuf {
         let name = if of == 1 {
             "journal.tsv".to_owned()
         } else {
@@ -79,7 +81,7 @@ impl StudyFolder {
     }
 
     /// The journal of a shard, ready to be appended to, and what it holds already.
-    pub(crate) fn journal(
+    pub fn journal(
         &self,
         header: &JournalHeader,
         kind: StudyKind,
@@ -138,7 +140,7 @@ impl StudyFolder {
     }
 
     /// All journals of a study: in its folder, and in others that are named.
-    pub(crate) fn journals(&self, study: &str, from: &[PathBuf]) -> Result<Vec<JournalText>> {
+    pub fn journals(&self, study: &str, from: &[PathBuf]) -> Result<Vec<JournalText>> {
         let mut journals = journals_in(&self.path)?;
         for folder in from {
             let mut found = journals_in(folder)?;
@@ -168,7 +170,7 @@ impl StudyFolder {
     }
 
     /// Tables, figures and JSON.
-    pub(crate) fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
+    pub fn write(&self, answer: &StudyAnswer, language: Language) -> Result<()> {
         self.outputs.folder(&self.path, &study_files(answer, language)?)
     }
 }
@@ -187,7 +189,7 @@ fn journals_in(folder: &Path) -> Result<Vec<PathBuf>> {
 }
 
 /// The journals beside a project file of each of its studies that was run.
-pub(crate) fn journals_beside(found: &Found) -> Vec<StudyJournals> {
+pub fn journals_beside(found: &Found) -> Vec<StudyJournals> {
     let studies = found.opened.project.studies.iter();
     let run = studies.filter_map(|study| {
         let folder = StudyFolder::of(None, found, &study.name);

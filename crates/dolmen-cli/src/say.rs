@@ -1,0 +1,19 @@
+//! Results on standard output.
+
+use crate::progress::end_silence;
+use anyhow::{Context as _, Result};
+use std::io::Write as _;
+
+/// Prints results to standard output. A reader that has gone (`| head`) ends it quietly; a full disk is an error.
+pub(crate) fn say(text: &str) -> Result<()> {
+    end_silence();
+    match std::io::stdout().write_all(text.as_bytes()) {
+        Err(fault) if fault.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
+        written => written.context("cannot write to standard output"),
+    }
+}
+
+/// Prints a value as JSON.
+pub(crate) fn say_json(value: &serde_json::Value) -> Result<()> {
+    say(&format!("{value:#}\n"))
+}

@@ -1,0 +1,16 @@
+//! Projects, outputs and journals in folders of a file system, for the command and whatever else runs on one.
+//!
+//! It is the only crate that opens files. What it reads has a limit of size; what it writes is whole or not there; it replaces nothing that
+//! was measured and, unless it is forced to, nothing that Dolmen did not write.
+
+mod access;
+mod files;
+mod open;
+mod outputs;
+mod study_folder;
+
+pub use access::Access;
+pub use files::{fill_fresh, fresh_folder, read, read_text, start, write};
+pub use open::{Folder, Found};
+pub use outputs::Outputs;
+pub use study_folder::{JournalFile, StudyFolder, journals_beside, shard};
