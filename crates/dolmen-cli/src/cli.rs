@@ -2,6 +2,7 @@
 
 use crate::cli_language::positive;
 use crate::cli_portfolio::{Rank, Score};
+use crate::cli_survey;
 use crate::cli_tune::Tune;
 use crate::manner::Manner;
 use clap::builder::TypedValueParser as _;
@@ -44,6 +45,8 @@ pub(crate) enum Verb {
     Score(Score),
     /// Many structures in the order in which they should be looked at, with intervals and reasons
     Rank(Rank),
+    /// A store of structures with their surveys over years: add, list, show, export, import, verify
+    Survey(cli_survey::Survey),
     /// Ground motions: read, measure, spectrum, match to a demand, make, convert
     Motion(GroundMotionVerb),
     /// One self-contained HTML page, in English or Korean

@@ -10,6 +10,7 @@ mod check;
 mod cli;
 mod cli_language;
 mod cli_portfolio;
+mod cli_survey;
 mod cli_tune;
 mod compare;
 mod examples;
@@ -27,6 +28,7 @@ mod score;
 mod signals;
 mod simulate;
 mod study;
+mod survey;
 mod tools;
 mod tune;
 mod typed;
@@ -91,6 +93,7 @@ fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
         Verb::Tune(options) => tune::run(options, typed, manner),
         Verb::Score(options) => score::run(options, manner),
         Verb::Rank(options) => rank::run(options, manner),
+        Verb::Survey(options) => survey::run(options, manner),
         Verb::Motion(options) => motion::run(options, manner),
         Verb::Report(options) => report::run(options, typed, manner),
         Verb::Demo(options) => report::demo(options, manner),

@@ -1,6 +1,6 @@
 //! Projects, outputs and journals in folders of a file system, for the command and whatever else runs on one.
 //!
-//! It is the only crate that opens files. What it reads has a limit of size; what it writes is whole or not there; it replaces nothing that
+//! It opens all files of users (a store of surveys opens its own). What it reads has a limit of size; what it writes is whole or not there; it replaces nothing that
 //! was measured and, unless it is forced to, nothing that Dolmen did not write.
 
 mod access;

@@ -39,6 +39,12 @@ impl Folder {
             false => Ok(()),
         }
     }
+
+    /// Whether a name stands for a regular file within the folder.
+    pub fn holds(&self, name: &str) -> bool {
+        let path = self.path.join(name);
+        !name.is_empty() && path.is_file() && self.refuse_outside(name, &path).is_ok()
+    }
 }
 
 impl Files for Folder {

@@ -5,7 +5,7 @@ use super::chain::ChainPart;
 use super::frame::FramePart;
 use super::names::Names;
 use super::quantity::Quantity;
-use super::site::{MotionPart, SitePart};
+use super::site::{MotionPart, Place, SitePart};
 use super::stack::StackPart;
 use super::study::StudyPart;
 use super::survey::{ChangePart, Survey};
@@ -104,6 +104,8 @@ pub struct Project {
     pub structure: Structure,
     /// Where it stands and by what it is judged; `None` if the file does not say.
     pub site: Option<SitePart>,
+    /// Its place on the earth; `None` if the file does not say.
+    pub place: Option<Place>,
     /// Motions of the ground in the order of the file.
     pub motions: Vec<MotionPart>,
     /// Studies in the order of the file.

@@ -58,7 +58,7 @@ pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};
 pub use safe_text::texts;
 pub use schema::json_schema;
-pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
+pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
 pub use stack::{
     ArchPart, BedPart, BlockPart, ContactPart, MadePart, MeshPart, OpeningPart, PagodaPart,
     PagodaSlendernessPart, PointsFrame, ShapePart, SideSupportPart, StackFault, StackPart, StoneWallPart,

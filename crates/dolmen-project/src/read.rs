@@ -20,7 +20,7 @@ use super::reader::Reader;
 use super::safe_text::unsafe_text;
 use super::schema::{SCHEMA_VERSION, kind_word};
 use super::schema_tree::{BUILT, TREE};
-use super::site::{motions, site};
+use super::site::{motions, place, site};
 use super::slips;
 use super::stack::{lean, stack};
 use super::study::studies;
@@ -313,6 +313,7 @@ fn of_raw(
         .and_then(|name| self::name(&mut reader, name, "name"));
     let surveys = surveys(&mut reader, raw.survey.as_ref());
     let change = change(&mut reader, raw.change.as_ref());
+    let place = place(&mut reader, raw.site.as_ref());
     let site = site(&mut reader, raw.site.as_ref());
     let motions = motions(&mut reader, raw.motion.as_ref());
     let studies = studies(&mut reader, text, raw.study.as_ref());
@@ -354,6 +355,7 @@ fn of_raw(
             gravity_m_s2,
             structure,
             site,
+            place,
             motions,
             studies,
             surveys,

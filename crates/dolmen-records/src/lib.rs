@@ -17,3 +17,4 @@ pub use files::{
     PROJECT_BYTES_MOST, RECORD_BYTES_MOST, TABLE_BYTES_MOST, stays_within,
 };
 pub use limits::LimitError;
+pub use start::time_text;

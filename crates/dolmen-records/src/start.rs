@@ -58,7 +58,7 @@ const DATES_WITHIN_S: f64 = 253_402_300_800.0;
 ///
 /// # Source
 /// Hinnant (2021) *chrono-Compatible Low-Level Date Algorithms*, civil_from_days.
-pub(crate) fn time_text(seconds: f64) -> String {
+pub fn time_text(seconds: f64) -> String {
     if seconds.is_nan() || seconds.abs() > DATES_WITHIN_S {
         return format!("{seconds:e} s from 1970");
     }

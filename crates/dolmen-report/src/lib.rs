@@ -19,6 +19,7 @@ pub mod html;
 mod identification;
 mod identify;
 pub mod json;
+pub mod kept;
 mod load_factor;
 mod mark;
 mod modal;

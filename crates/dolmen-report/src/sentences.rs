@@ -6,8 +6,8 @@ use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
 use crate::{
     building, building_simulation, chain, change, check, demand, figures, frame, frame_simulation,
-    identification, modal, motion, processing, rank, score, simulated, stack, stack_simulation, study, text,
-    tune, xlsx,
+    identification, kept, modal, motion, processing, rank, score, simulated, stack, stack_simulation, study,
+    text, tune, xlsx,
 };
 use dolmen_words::Template;
 
@@ -41,6 +41,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(motion::TEMPLATES);
     groups.extend(score::TEMPLATES);
     groups.extend(rank::TEMPLATES);
+    groups.extend(kept::TEMPLATES);
     groups.extend(figures::TEMPLATES);
     groups.push(xlsx::Workbook::TEMPLATES);
     groups.into_iter().flatten().copied().collect()

@@ -68,6 +68,27 @@ pub(crate) fn surveys(
         .collect()
 }
 
+/// Modes of the records of one survey; `None` if it has no records.
+///
+/// # Errors
+/// An unknown survey; records that cannot be read or hold no modes.
+pub fn survey_modes(
+    project: &Project,
+    name: &str,
+    files: &dyn Files,
+    progress: &dyn Progress,
+) -> Result<Option<Modes>, WorkError> {
+    let Some(survey) = project.surveys.iter().find(|survey| survey.name == name) else {
+        let names: Vec<&str> = project.surveys.iter().map(|of| of.name.as_str()).collect();
+        return Err(WorkError::NoSuchSurvey {
+            name: name.to_owned(),
+            known: names.join(", "),
+        });
+    };
+    let answer = found_in(survey, files, progress)?;
+    Ok(answer.modes().map(|(modes, _)| modes.clone()))
+}
+
 /// Modes of a survey's records, without the stiffness that explains them.
 pub(crate) fn found_in(
     survey: &Survey,

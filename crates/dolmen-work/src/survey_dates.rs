@@ -1,7 +1,7 @@
 //! When a survey was, as its name says.
 
 /// The date that a survey's name begins with: "2019", "2019-04" or "2019-04-02", what is missing 0.
-pub(crate) fn date(name: &str) -> Option<[u32; 3]> {
+pub fn date(name: &str) -> Option<[u32; 3]> {
     let mut parts = name.splitn(3, '-');
     let year = parts.next().filter(|y| y.len() == 4)?.parse().ok()?;
     let mut part = |most: u32| {

@@ -20,7 +20,7 @@ const CHAPTERS: [&str; 11] = [
     "validation",
 ];
 /// Crates, lowest first, with the crates each may name.
-const CRATES: [(&str, &[&str]); 10] = [
+const CRATES: [(&str, &[&str]); 11] = [
     ("dolmen-print", &[]),
     ("dolmen-linalg", &[]),
     ("dolmen", &["dolmen-linalg"]),
@@ -52,6 +52,16 @@ const CRATES: [(&str, &[&str]); 10] = [
         ],
     ),
     (
+        "dolmen-store",
+        &[
+            "dolmen",
+            "dolmen-words",
+            "dolmen-records",
+            "dolmen-project",
+            "dolmen-work",
+        ],
+    ),
+    (
         "dolmen-cli",
         &[
             "dolmen",
@@ -62,6 +72,7 @@ const CRATES: [(&str, &[&str]); 10] = [
             "dolmen-project",
             "dolmen-work",
             "dolmen-report",
+            "dolmen-store",
         ],
     ),
 ];

@@ -25,6 +25,7 @@ mod sentences;
 mod signals;
 mod simulations;
 mod stacks;
+mod stores;
 mod studies;
 mod supply;
 mod surveyed_lean;

@@ -80,8 +80,11 @@ pub(super) struct HazardRaw {
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct SiteRaw {
+    /// Where it stands, degrees north (WGS 84); with longitude_deg. Needs no code: a place alone asks for nothing.
+    pub(super) latitude_deg: Option<At<f64>>,
+    /// Degrees east.
+    pub(super) longitude_deg: Option<At<f64>>,
     /// The code, or "table".
-    #[schemars(required)]
     pub(super) code: Option<At<CodeRaw>>,
     /// KDS: seismic zone; or zone_factor.
     pub(super) zone: Option<At<ZoneRaw>>,

@@ -3,9 +3,11 @@
 mod file;
 mod motion;
 mod part;
+mod place;
 mod read;
 
 pub(crate) use file::{MotionRaw, SiteRaw};
 pub(crate) use motion::motions;
-pub use part::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, SitePart};
+pub use part::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
+pub(crate) use place::place;
 pub(crate) use read::site;

@@ -4,6 +4,15 @@ use dolmen::assess::demand::{Site, SiteDemand, site_demand};
 use dolmen::assess::{AssessError, Hazard};
 use dolmen::signal::Component;
 
+/// A place on the earth (WGS 84).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// Degrees north.
+    pub latitude_deg: f64,
+    /// Degrees east.
+    pub longitude_deg: f64,
+}
+
 /// Where the structure stands, and by what it is judged: `[site]`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SitePart {

@@ -2,6 +2,7 @@
 
 use super::file::{CodeRaw, GroundRaw, HazardRaw, SiteRaw, SoilRaw, ZoneRaw};
 use super::part::{HazardPart, HazardSource, SitePart};
+use super::place::is_place_alone;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::measure::{Bound, Measure};
@@ -71,7 +72,19 @@ fn span_of(raw: &SiteRaw, key: &str) -> Option<std::ops::Range<usize>> {
 pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<SitePart> {
     let raw = raw?;
     reader.mark("site", &raw.span);
-    let code = raw.value.code.as_ref()?.value;
+    if is_place_alone(&raw.value) {
+        return None;
+    }
+    let Some(code) = raw.value.code.as_ref() else {
+        if !reader.is_reported("site.code") {
+            let fault = Fault::new(raw.span.clone(), "site.code", "site lacks code".to_owned());
+            reader.fault(
+                fault.help("give code = \"KDS 17 10 00\", \"KDS 41 17 00\", \"EN 1998-1\" or \"table\""),
+            );
+        }
+        return None;
+    };
+    let code = code.value;
     for (key, codes) in KEYS_OF_CODE {
         if let (Some(span), false) = (span_of(&raw.value, key), codes.contains(&code)) {
             let path = format!("site.{key}");

@@ -4,7 +4,7 @@ use super::project::{refused, with};
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, Site, SiteParameters};
 use dolmen::signal::Component;
 use dolmen_project::{
-    MemoryFiles, MotionSize, MotionSource, Project, SitePart, parse_project, parse_project_with,
+    MemoryFiles, MotionSize, MotionSource, Place, Project, SitePart, parse_project, parse_project_with,
 };
 
 /// A stack that is right, without a site.
@@ -315,4 +315,37 @@ fn holds_a_variant_changes_the_site_alone() {
     };
     assert_eq!(soil(&project.site), KoreanSite::S4);
     assert_eq!(soil(&project.variants[0].project.site), KoreanSite::S1);
+}
+
+#[test]
+fn exact_a_place_stands_with_a_code_or_alone() {
+    const PLACE: &str = "latitude_deg = 35.79\nlongitude_deg = 129.332\n";
+    let expected = Place {
+        latitude_deg: 35.79,
+        longitude_deg: 129.332,
+    };
+    let alone = read(&format!("{STONE}[site]\n{PLACE}"));
+    assert_eq!((alone.place, alone.site), (Some(expected), None));
+    let both = read(&format!("{STONE}{KOREA}{PLACE}"));
+    assert_eq!((both.place, both.site.is_some()), (Some(expected), true));
+    assert_eq!(read(STONE).place, None);
+}
+
+#[test]
+fn refuses_half_a_place_and_one_that_is_not_on_earth() {
+    let said = refused(&format!("{STONE}[site]\nlatitude_deg = 35.79\n"));
+    assert!(said.contains("site.latitude_deg stands alone"), "{said}");
+    assert!(said.contains("give longitude_deg as well"), "{said}");
+    let said = refused(&format!(
+        "{STONE}[site]\nlatitude_deg = 129.332\nlongitude_deg = 35.79\n"
+    ));
+    assert!(
+        said.contains("site.latitude_deg = 129.332 is outside its range")
+            && said.contains("must be -90 to 90"),
+        "{said}"
+    );
+    let said = refused(&format!(
+        "{STONE}[site]\nsoil = \"S4\"\nlatitude_deg = 1\nlongitude_deg = 2\n"
+    ));
+    assert!(said.contains("site lacks code"), "{said}");
 }

@@ -1,0 +1,58 @@
+//! The place on the earth from what is written.
+
+use super::file::SiteRaw;
+use super::part::Place;
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::reader::Reader;
+
+/// The place, if the site has one: both of its numbers or none.
+pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Place> {
+    let raw = &raw?.value;
+    let (latitude, longitude) = (raw.latitude_deg.as_ref(), raw.longitude_deg.as_ref());
+    if let (Some(one), None) | (None, Some(one)) = (latitude, longitude) {
+        let (path, other) = match latitude {
+            Some(_) => ("site.latitude_deg", "longitude_deg"),
+            None => ("site.longitude_deg", "latitude_deg"),
+        };
+        let fault = Fault::new(one.span.clone(), path, format!("{path} stands alone"));
+        reader.fault(fault.help(format!("give {other} as well")));
+        return None;
+    }
+    let latitude_deg = reader.within(latitude, "site.latitude_deg", -90.0, 90.0)?;
+    let longitude_deg = reader.within(longitude, "site.longitude_deg", -180.0, 180.0)?;
+    Some(Place {
+        latitude_deg,
+        longitude_deg,
+    })
+}
+
+/// Whether a site says no more than its place.
+pub(super) fn is_place_alone(raw: &SiteRaw) -> bool {
+    let SiteRaw {
+        latitude_deg,
+        longitude_deg: _,
+        code: None,
+        zone: None,
+        zone_factor: None,
+        return_period_years: None,
+        soil: None,
+        spectrum_type: None,
+        ground: None,
+        ground_acceleration: None,
+        importance_factor: None,
+        periods_s: None,
+        accelerations: None,
+        file: None,
+        unit: None,
+        peak_ground_acceleration: None,
+        source: None,
+        damping_ratio: None,
+        hazard: None,
+        vertical_ratio: None,
+    } = raw
+    else {
+        return false;
+    };
+    latitude_deg.is_some()
+}

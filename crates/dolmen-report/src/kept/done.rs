@@ -1,0 +1,181 @@
+//! What was done to a store, once it is on disk.
+
+use crate::document::{Block, Document, TextStyle, document_text};
+use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::kept::{Added, Fault, Imported, Verified};
+
+messages! {
+    /// What was done to a store.
+    pub(crate) enum Done in "store.done" {
+        Added { structure: String, surveys: usize, new: usize, files: usize, new_files: usize } => {
+            en: "{structure} is stored: {surveys} surveys, {new} of them new; {files} files, {new_files} of them new.",
+            ko: "{structure} 저장 완료: 계측 조사 {surveys}건(신규 {new}건), 파일 {files}개(신규 {new_files}개).",
+        },
+        AsBefore { structure: String, surveys: usize } => {
+            en: "{structure} is stored already as it is: {surveys} surveys, nothing new.",
+            ko: "{structure}은(는) 같은 내용으로 이미 저장되어 있다: 계측 조사 {surveys}건, 신규 없음.",
+        },
+        Analyses { count: usize } => {
+            en: "Modes were identified from the records: {count} new analyses.",
+            ko: "기록에서 모드를 식별하였다: 신규 식별 {count}건.",
+        },
+        Unidentified { survey: String, why: String } => {
+            en: "Survey {survey} is stored, but its records give no modes: {why}.",
+            ko: "계측 조사 {survey}은(는) 저장하였으나 기록에서 모드를 찾지 못하였다: {why}.",
+        },
+        Exported { structure: String, folder: String, files: usize } => {
+            en: "{structure} is in {folder}: project.toml and {files} files, as they were stored.",
+            ko: "{structure}을(를) {folder}에 내보냈다: project.toml과 파일 {files}개, 저장 당시 그대로이다.",
+        },
+        Imported { structures: usize, rows: usize, files: usize } => {
+            en: "{structures} structures were read: {rows} rows and {files} raw files are new.",
+            ko: "구조물 {structures}기를 읽었다: 신규 행 {rows}개, 신규 원본 파일 {files}개.",
+        },
+        Removed { structure: String } => {
+            en: "{structure} is out of use; nothing was deleted, and --undo takes it back.",
+            ko: "{structure}의 사용을 중지하였다. 삭제된 자료는 없으며 --undo로 되돌린다.",
+        },
+        Restored { structure: String } => {
+            en: "{structure} is in use again.",
+            ko: "{structure}을(를) 다시 사용한다.",
+        },
+        Sound { structures: usize, surveys: usize, analyses: usize, files: usize, size: Quantity } => {
+            en: "Everything is as it was stored: {structures} structures, {surveys} surveys, {analyses} analyses, {files} raw files of {size}, each compared with its hash.",
+            ko: "모든 자료가 저장 당시와 같다: 구조물 {structures}기, 계측 조사 {surveys}건, 식별 {analyses}건, 원본 파일 {files}개({size})를 해시와 대조하였다.",
+        },
+        Unsound { count: usize } => {
+            en: "{count} things are not as they were stored:",
+            ko: "저장 당시와 다른 곳이 {count}건 있다:",
+        },
+        Missing { hash: String } => { en: "raw file {hash} is missing", ko: "원본 파일 {hash}이(가) 없음" },
+        Changed { hash: String } => { en: "raw file {hash} was changed", ko: "원본 파일 {hash}이(가) 변경됨" },
+        Row { table: String, name: String } => {
+            en: "the row {name} of {table} does not say what its name stands for",
+            ko: "{table} 테이블의 행 {name}의 내용이 이름과 다름",
+        },
+        Database { why: String } => { en: "the database: {why}", ko: "데이터베이스: {why}" },
+        Unnamed { count: usize } => {
+            en: "{count} raw files belong to nothing: a process was stopped before it could store what they belong to. They do no harm.",
+            ko: "어디에도 속하지 않는 원본 파일이 {count}개 있다. 저장이 끝나기 전에 프로세스가 중단된 흔적이며 해가 없다.",
+        },
+        Content { hash: String } => {
+            en: "Sum over the content: {hash}. Stores with the same sum hold the same.",
+            ko: "내용 합계: {hash}. 합계가 같은 저장소는 내용이 같다.",
+        },
+    }
+}
+
+fn sentences(all: impl IntoIterator<Item = Sentence>, style: TextStyle) -> String {
+    let mut document = Document::default();
+    all.into_iter().for_each(|sentence| document.paragraph(sentence));
+    document_text(&document, style)
+}
+
+fn count(value: i64) -> usize {
+    usize::try_from(value).unwrap_or(0)
+}
+
+/// What `add` did.
+pub fn added_text(added: &Added, style: TextStyle) -> String {
+    let structure = added.structure.clone();
+    let surveys = added.surveys;
+    let head = match added.is_new_state || added.new_analyses > 0 {
+        true => Done::Added {
+            structure,
+            surveys,
+            new: added.new_surveys,
+            files: added.files,
+            new_files: added.new_files,
+        },
+        false => Done::AsBefore { structure, surveys },
+    };
+    let mut document = Document::default();
+    document.paragraph(head);
+    if added.new_analyses > 0 {
+        document.paragraph(Done::Analyses {
+            count: added.new_analyses,
+        });
+    }
+    for one in &added.unidentified {
+        document.put(Block::Warning(
+            Done::Unidentified {
+                survey: one.survey.clone(),
+                why: one.why.clone(),
+            }
+            .into(),
+        ));
+    }
+    document_text(&document, style)
+}
+
+/// What `export` of one structure wrote.
+pub fn exported_text(structure: &str, folder: &str, files: usize, style: TextStyle) -> String {
+    let done = Done::Exported {
+        structure: structure.to_owned(),
+        folder: folder.to_owned(),
+        files,
+    };
+    sentences([done.into()], style)
+}
+
+/// What `import` did.
+pub fn imported_text(imported: &Imported, style: TextStyle) -> String {
+    let done = Done::Imported {
+        structures: imported.structures,
+        rows: imported.new_rows,
+        files: imported.new_files,
+    };
+    sentences([done.into()], style)
+}
+
+/// What `remove` did.
+pub fn marked_text(structure: &str, is_removed: bool, style: TextStyle) -> String {
+    let structure = structure.to_owned();
+    let done = match is_removed {
+        true => Done::Removed { structure },
+        false => Done::Restored { structure },
+    };
+    sentences([done.into()], style)
+}
+
+/// What `verify` found.
+pub fn verified_text(verified: &Verified, style: TextStyle) -> String {
+    let mut document = Document::default();
+    if verified.faults.is_empty() {
+        document.paragraph(Done::Sound {
+            structures: count(verified.structures),
+            surveys: count(verified.surveys),
+            analyses: count(verified.analyses),
+            files: count(verified.raw_files),
+            size: Quantity::engineering(verified.raw_bytes as f64, "B", 3),
+        });
+    } else {
+        document.put(Block::Warning(
+            Done::Unsound {
+                count: verified.faults.len(),
+            }
+            .into(),
+        ));
+        let said = verified.faults.iter().map(|fault| {
+            match fault.clone() {
+                Fault::Missing { hash } => Done::Missing { hash },
+                Fault::Changed { hash } => Done::Changed { hash },
+                Fault::Row { table, name } => Done::Row { table, name },
+                Fault::Database { why } => Done::Database { why },
+            }
+            .into()
+        });
+        document.put(Block::List(said.collect()));
+    }
+    if verified.unnamed_files > 0 {
+        document.note(Done::Unnamed {
+            count: count(verified.unnamed_files),
+        });
+    }
+    if style.is_full {
+        document.paragraph(Done::Content {
+            hash: verified.content.clone(),
+        });
+    }
+    document_text(&document, style)
+}

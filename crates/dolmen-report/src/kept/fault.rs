@@ -1,0 +1,134 @@
+//! Why a store cannot answer, and what to do.
+
+use dolmen_words::{Sentence, messages};
+use dolmen_work::kept::StoreFault;
+
+messages! {
+    /// Why a store cannot answer.
+    pub(crate) enum Faults in "store.fault" {
+        Unnamed => {
+            en: "No store is named: give --store FILE, or set DOLMEN_STORE.",
+            ko: "저장소를 지정하지 않았다. --store FILE을 주거나 DOLMEN_STORE를 설정한다.",
+        },
+        NoStore { shown: String } => {
+            en: "There is no store {shown}: `dolmen survey add PROJECT --store {shown}` makes it.",
+            ko: "저장소 {shown}이(가) 없다. `dolmen survey add PROJECT --store {shown}`으로 만든다.",
+        },
+        NotAFile { shown: String } => {
+            en: "{shown} is no regular file: a store is one file, with a folder FILE.files beside it; name another.",
+            ko: "{shown}은(는) 일반 파일이 아니다. 저장소는 파일 하나와 그 옆의 FILE.files 폴더로 이루어진다. 다른 이름을 지정한다.",
+        },
+        Foreign { shown: String } => {
+            en: "{shown} is a database of another program, and is left as it is: name another file.",
+            ko: "{shown}은(는) 다른 프로그램의 데이터베이스이므로 손대지 않는다. 다른 파일을 지정한다.",
+        },
+        NotADatabase => {
+            en: "The file is no database, and is left as it is: --store names the file of a store, not a project or record.",
+            ko: "데이터베이스 파일이 아니므로 손대지 않는다. --store에는 프로젝트나 기록이 아니라 저장소 파일을 지정한다.",
+        },
+        Later { found: usize, known: usize } => {
+            en: "A later version of Dolmen made this store (schema {found}, this version knows {known}): use that version.",
+            ko: "더 새로운 버전의 Dolmen이 만든 저장소이다(스키마 {found}, 이 버전은 {known}까지). 그 버전을 사용한다.",
+        },
+        Locked => {
+            en: "Another process is writing to the store; nothing was stored. Try again, or wait longer with --wait SECONDS.",
+            ko: "다른 프로세스가 저장소에 쓰고 있어 아무것도 저장하지 않았다. 다시 실행하거나 --wait SECONDS로 더 기다린다.",
+        },
+        ReadOnly => {
+            en: "The store may only be read here; nothing was stored. Change the rights of the file and its folder, or copy it with `dolmen survey export -o COPY`.",
+            ko: "이 저장소는 읽기 전용이므로 아무것도 저장하지 않았다. 파일과 폴더의 권한을 바꾸거나 `dolmen survey export -o COPY`로 사본을 만든다.",
+        },
+        Unopenable => {
+            en: "The file of the store cannot be opened: its folder must exist, and you need the right to read and write both.",
+            ko: "저장소 파일을 열 수 없다. 폴더가 있어야 하고 파일과 폴더에 대한 읽기·쓰기 권한이 필요하다.",
+        },
+        DiskFull => {
+            en: "The disk is full; nothing was stored, and what was there before is whole. Make room and run it again.",
+            ko: "디스크에 공간이 없어 아무것도 저장하지 않았으며 기존 자료는 온전하다. 공간을 확보한 뒤 다시 실행한다.",
+        },
+        Damaged { why: String } => {
+            en: "The store is damaged ({why}): `dolmen survey verify` lists what is wrong; take the last good copy.",
+            ko: "저장소가 손상되었다({why}). `dolmen survey verify`로 손상된 곳을 확인하고 마지막 정상 사본을 사용한다.",
+        },
+        Raw { hash: String } => {
+            en: "The raw file {hash} is missing or was changed: `dolmen survey verify` lists what is wrong; copy it from a good copy of the folder of raw files.",
+            ko: "원본 파일 {hash}이(가) 없거나 변경되었다. `dolmen survey verify`로 확인하고 원본 파일 폴더의 정상 사본에서 복사한다.",
+        },
+        Folder { shown: String, why: String } => {
+            en: "Cannot use {shown}: {why}.",
+            ko: "{shown}을(를) 사용할 수 없다: {why}.",
+        },
+        NoStructure { name: String } => {
+            en: "There is no structure \"{name}\" in the store: `dolmen survey list` shows all.",
+            ko: "저장소에 구조물 \"{name}\"이(가) 없다. `dolmen survey list`로 전체 목록을 본다.",
+        },
+        NoStructureBut { name: String, nearest: String } => {
+            en: "There is no structure \"{name}\" in the store; did you mean \"{nearest}\"? `dolmen survey list` shows all.",
+            ko: "저장소에 구조물 \"{name}\"이(가) 없다. \"{nearest}\"을(를) 찾는가? `dolmen survey list`로 전체 목록을 본다.",
+        },
+        NoSurvey { name: String, known: String } => {
+            en: "There is no survey \"{name}\"; the last ones are {known}.",
+            ko: "계측 조사 \"{name}\"이(가) 없다. 최근 조사: {known}.",
+        },
+        NoSurveys { name: String } => {
+            en: "There is no survey \"{name}\": the structure has none.",
+            ko: "계측 조사 \"{name}\"이(가) 없다. 이 구조물에는 조사가 없다.",
+        },
+        StructureName { shown: String } => {
+            en: "The name \"{shown}\" cannot be kept: a structure needs 1 to 200 bytes without control characters; give another with --name.",
+            ko: "이름 \"{shown}\"은(는) 저장할 수 없다. 구조물 이름은 제어 문자 없이 1~200바이트여야 한다. --name으로 다른 이름을 준다.",
+        },
+        Path { shown: String } => {
+            en: "The file \"{shown}\" cannot be kept: it must lie in the folder of the project and be there; copy it into that folder, and name it by a plain relative path.",
+            ko: "파일 \"{shown}\"은(는) 저장할 수 없다. 프로젝트 폴더 안에 있어야 한다. 그 폴더에 복사하고 단순한 상대 경로로 적는다.",
+        },
+        OtherName { shown: String } => {
+            en: "\"{shown}\" cannot be kept: --who and --why need 1 to 200 bytes without control characters.",
+            ko: "\"{shown}\"은(는) 저장할 수 없다. --who와 --why는 제어 문자 없이 1~200바이트여야 한다.",
+        },
+        OtherKind { name: String, kept: String, given: String } => {
+            en: "The store keeps \"{name}\" as a {kept}, but this project is a {given}: if it is another structure, give it another name with --name.",
+            ko: "저장소의 \"{name}\"은(는) {kept}인데 이 프로젝트는 {given}이다. 다른 구조물이면 --name으로 다른 이름을 준다.",
+        },
+        Failed { why: String } => {
+            en: "The store cannot answer: {why}.",
+            ko: "저장소가 응답할 수 없다: {why}.",
+        },
+    }
+}
+
+/// What is said of a fault.
+pub fn store_fault(fault: &StoreFault) -> Sentence {
+    let fault = fault.clone();
+    match fault {
+        StoreFault::Unnamed => Faults::Unnamed,
+        StoreFault::NoStore { shown } => Faults::NoStore { shown },
+        StoreFault::NotAFile { shown } => Faults::NotAFile { shown },
+        StoreFault::Foreign { shown } => Faults::Foreign { shown },
+        StoreFault::NotADatabase => Faults::NotADatabase,
+        StoreFault::Later { found, known } => Faults::Later { found, known },
+        StoreFault::Locked => Faults::Locked,
+        StoreFault::ReadOnly => Faults::ReadOnly,
+        StoreFault::Unopenable => Faults::Unopenable,
+        StoreFault::DiskFull => Faults::DiskFull,
+        StoreFault::Damaged { why } => Faults::Damaged { why },
+        StoreFault::Raw { hash } => Faults::Raw { hash },
+        StoreFault::Folder { shown, why } => Faults::Folder { shown, why },
+        StoreFault::NoStructure { name, nearest: None } => Faults::NoStructure { name },
+        StoreFault::NoStructure {
+            name,
+            nearest: Some(nearest),
+        } => Faults::NoStructureBut { name, nearest },
+        StoreFault::NoSurvey { name, known } if known.is_empty() => Faults::NoSurveys { name },
+        StoreFault::NoSurvey { name, known } => Faults::NoSurvey { name, known },
+        StoreFault::Name {
+            what: "structure",
+            shown,
+        } => Faults::StructureName { shown },
+        StoreFault::Name { what: "path", shown } => Faults::Path { shown },
+        StoreFault::Name { shown, .. } => Faults::OtherName { shown },
+        StoreFault::OtherKind { name, kept, given } => Faults::OtherKind { name, kept, given },
+        StoreFault::Failed { why } => Faults::Failed { why },
+    }
+    .into()
+}

@@ -1,0 +1,169 @@
+//! What a store asks of a database: statements with parameters, in words that are common to SQL databases.
+
+use crate::error::StoreError;
+
+/// A value of a row.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Value {
+    /// None.
+    Null,
+    /// A whole number.
+    Whole(i64),
+    /// A number.
+    Number(f64),
+    /// Text.
+    Text(String),
+}
+
+/// What stands in a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    /// A whole number.
+    Whole,
+    /// A number.
+    Number,
+    /// Text.
+    Text,
+}
+
+/// A database. Parameters of a statement are `$1`, `$2`…, first named in this order.
+pub(crate) trait Database: Send {
+    /// Runs one statement; how many rows it changed.
+    fn execute(&mut self, sql: &str, values: &[Value]) -> Result<u64, StoreError>;
+
+    /// Gives the rows of a query one by one; none is kept.
+    fn query(
+        &mut self,
+        sql: &str,
+        values: &[Value],
+        each: &mut dyn FnMut(Vec<Value>) -> Result<(), StoreError>,
+    ) -> Result<(), StoreError>;
+
+    /// Runs a file of statements without parameters.
+    fn batch(&mut self, sql: &str) -> Result<(), StoreError>;
+
+    /// Begins to write: one process at a time, others wait.
+    fn begin(&mut self) -> Result<(), StoreError>;
+
+    /// Begins to read: until "rollback" all that is read is of one moment, whatever others write.
+    fn begin_reading(&mut self) -> Result<(), StoreError>;
+
+    /// The number of the last schema file that was run; 0 of an empty database.
+    fn schema(&mut self) -> Result<i64, StoreError>;
+
+    /// Says that the schema file `number` was run, as part of the transaction.
+    fn set_schema(&mut self, number: i64) -> Result<(), StoreError>;
+
+    /// What the database itself finds wrong with its pages, indices and references.
+    fn faults(&mut self) -> Result<Vec<String>, StoreError>;
+
+    /// The columns of a table with their kinds, in order.
+    fn columns(&mut self, table: &str) -> Result<Vec<(String, Kind)>, StoreError>;
+
+    /// The schema files of this database, the first has number 1.
+    fn schema_files(&self) -> &'static [&'static str];
+
+    /// Everything on disk, nothing beside it, as far as that can be had.
+    fn settle(&mut self) -> Result<(), StoreError>;
+}
+
+/// All rows of a query.
+pub(crate) fn all(
+    database: &mut dyn Database,
+    sql: &str,
+    values: &[Value],
+) -> Result<Vec<Vec<Value>>, StoreError> {
+    let mut rows = Vec::new();
+    database.query(sql, values, &mut |row| {
+        rows.push(row);
+        Ok(())
+    })?;
+    Ok(rows)
+}
+
+/// Runs `work` as one transaction: all of it is there afterwards, or nothing.
+pub(crate) fn transaction<T>(
+    database: &mut dyn Database,
+    work: impl FnOnce(&mut dyn Database) -> Result<T, StoreError>,
+) -> Result<T, StoreError> {
+    let done = database.begin().and_then(|()| work(database));
+    match done.and_then(|done| database.batch("commit").map(|()| done)) {
+        Ok(done) => Ok(done),
+        Err(fault) => {
+            let _ = database.batch("rollback"); // the fault that came first is the one to tell
+            Err(fault)
+        }
+    }
+}
+
+/// From and to values of a column.
+pub(crate) trait Field: Sized {
+    const KIND: Kind;
+    fn value(&self) -> Value;
+    fn of(value: Value) -> Option<Self>;
+}
+
+impl Field for String {
+    const KIND: Kind = Kind::Text;
+    fn value(&self) -> Value {
+        Value::Text(self.clone())
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Text(text) => Some(text),
+            _ => None,
+        }
+    }
+}
+
+impl Field for i64 {
+    const KIND: Kind = Kind::Whole;
+    fn value(&self) -> Value {
+        Value::Whole(*self)
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Whole(whole) => Some(whole),
+            _ => None,
+        }
+    }
+}
+
+impl Field for f64 {
+    const KIND: Kind = Kind::Number;
+    fn value(&self) -> Value {
+        Value::Number(*self)
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+}
+
+impl Field for bool {
+    const KIND: Kind = Kind::Whole;
+    fn value(&self) -> Value {
+        Value::Whole(i64::from(*self))
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Whole(whole) => Some(whole != 0),
+            _ => None,
+        }
+    }
+}
+
+impl<T: Field> Field for Option<T> {
+    const KIND: Kind = T::KIND;
+    fn value(&self) -> Value {
+        self.as_ref().map_or(Value::Null, Field::value)
+    }
+    fn of(value: Value) -> Option<Self> {
+        match value {
+            Value::Null => Some(None),
+            value => T::of(value).map(Some),
+        }
+    }
+}

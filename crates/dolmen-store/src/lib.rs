@@ -1,0 +1,30 @@
+//! Surveys over years in one place: structures with their projects, records, modes and what was done, in a file of SQLite with the raw
+//! files beside it.
+//!
+//! ```text
+//! Place ─→ Store ─→ keep (a file) · add (a project) · structures, surveys, structure · export · import · verify · mark
+//! ```
+//!
+//! Every row is named by its content or by names that people gave, and none is ever changed: what is new is another row, what is taken
+//! out of use is marked. Names and files of strangers are values of parameters and never part of a statement; a file in the folder
+//! is named by the hash of its bytes alone.
+
+mod copy;
+mod database;
+mod error;
+mod find;
+mod incoming;
+mod place;
+mod raw;
+mod rows;
+mod schema;
+mod sqlite;
+mod store;
+mod verify;
+
+pub use error::StoreError;
+pub use find::{Exported, Search};
+pub use incoming::{Incoming, PROJECT_FILE};
+pub use place::Place;
+pub use raw::Kept;
+pub use store::{Act, Store};

@@ -1,0 +1,32 @@
+//! Brings a database to the schema of this version: numbered files of SQL, each run once.
+
+use crate::database::{Database, Value, transaction};
+use crate::error::StoreError;
+use dolmen_work::kept::StoreFault;
+
+/// Whether the schema is the one that this version knows; an error where it is a later one.
+pub(crate) fn is_current(database: &mut dyn Database) -> Result<bool, StoreError> {
+    let (found, known) = (database.schema()?, database.schema_files().len());
+    let found = usize::try_from(found).unwrap_or(usize::MAX);
+    if found > known {
+        return Err(StoreFault::Later { found, known }.into());
+    }
+    Ok(found == known)
+}
+
+/// Runs the files that were not run yet, in one transaction.
+pub(crate) fn migrate(database: &mut dyn Database, now_us: i64) -> Result<(), StoreError> {
+    if is_current(database)? {
+        return Ok(());
+    }
+    transaction(database, |database| {
+        // another process may have done it while this one waited
+        let done = usize::try_from(database.schema()?).unwrap_or(0);
+        for (number, file) in database.schema_files().iter().enumerate().skip(done) {
+            database.batch(file)?;
+            database.set_schema(number as i64 + 1)?;
+        }
+        let only = "insert into store (only_row, made_us) values (1, $1) on conflict do nothing";
+        database.execute(only, &[Value::Whole(now_us)]).map(|_| ())
+    })
+}

@@ -1,0 +1,310 @@
+//! A store: a database, and the folder of the raw files.
+
+use crate::database::{Database, Value, all, transaction};
+use crate::error::StoreError;
+use crate::incoming::{Group, Incoming, SurveyTables, refuse_name};
+use crate::place::Place;
+use crate::raw::{Kept, RawFolder};
+use crate::rows::{AdoptionRow, LogRow, MarkRow, ProjectRow, StructureRow, insert, select};
+use crate::schema::{is_current, migrate};
+use crate::sqlite::{Access, Sqlite};
+use dolmen_words::nearest;
+use dolmen_work::kept::{Added, StoreFault};
+use std::collections::BTreeSet;
+use std::time::Duration;
+
+/// A store.
+pub struct Store {
+    pub(crate) database: Box<dyn Database>,
+    pub(crate) raw: RawFolder,
+    can_write: bool,
+}
+
+/// Who does something, and when.
+#[derive(Clone, Debug)]
+pub struct Act<'a> {
+    /// A name.
+    pub who: &'a str,
+    /// Microseconds since 1970 (UTC).
+    pub now_us: i64,
+}
+
+impl Store {
+    /// Opens a store to read it; nothing is changed.
+    ///
+    /// # Errors
+    /// There is none, or it is of another program or a later version.
+    pub fn open(place: &Place, wait: Duration) -> Result<Self, StoreError> {
+        let mut database = connect(place, Access::Read, wait)?;
+        if !is_current(database.as_mut())? {
+            // made by an earlier version, or in the making
+            let mut writing = connect(place, Access::Write, wait)?;
+            migrate(writing.as_mut(), 0)?;
+            database = connect(place, Access::Read, wait)?;
+        }
+        Ok(Store {
+            database,
+            raw: RawFolder::new(place.files()),
+            can_write: false,
+        })
+    }
+
+    /// Opens a store to write to it; it is made if it is not there.
+    ///
+    /// # Errors
+    /// As [`Store::open`], and where nothing can be written.
+    pub fn open_to_write(place: &Place, wait: Duration, now_us: i64) -> Result<Self, StoreError> {
+        let mut database = connect(place, Access::Write, wait)?;
+        migrate(database.as_mut(), now_us)?;
+        let raw = RawFolder::new(place.files());
+        raw.prepare()?;
+        Ok(Store {
+            database,
+            raw,
+            can_write: true,
+        })
+    }
+
+    /// Keeps the bytes of a file; they are on disk when this returns, and belong to nothing yet.
+    ///
+    /// # Errors
+    /// Nothing can be written.
+    pub fn keep(&self, bytes: &[u8]) -> Result<Kept, StoreError> {
+        match self.can_write {
+            true => self.raw.keep(bytes),
+            false => Err(StoreFault::ReadOnly.into()),
+        }
+    }
+
+    /// Surveys with records whose modes are not there yet for these records, settings and version.
+    ///
+    /// # Errors
+    /// The database cannot be read.
+    pub fn due(&mut self, incoming: &Incoming<'_>) -> Result<Vec<String>, StoreError> {
+        let known = known(self.database.as_mut(), incoming)?;
+        let tables = SurveyTables::of(incoming.text)?;
+        let surveys = incoming.project.surveys.iter();
+        let is_due = |survey: &&dolmen_project::Survey| {
+            let key = incoming.key(survey, &tables);
+            key.is_some_and(|key| !known.contains(&key.hash()))
+        };
+        Ok(surveys.filter(is_due).map(|survey| survey.name.clone()).collect())
+    }
+
+    /// Adds a project in one transaction: when this returns, it is on disk.
+    ///
+    /// # Errors
+    /// A name that cannot be kept, another kind under the same name, a database that cannot be written.
+    pub fn add(&mut self, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
+        incoming.refuse()?;
+        refuse_name("who", act.who)?;
+        transaction(self.database.as_mut(), |database| add(database, incoming, act))
+    }
+
+    /// Takes a structure out of use, or back into it: a mark, nothing is deleted.
+    ///
+    /// # Errors
+    /// There is no such structure.
+    pub fn mark(
+        &mut self,
+        structure: &str,
+        is_removed: bool,
+        why: &str,
+        act: &Act<'_>,
+    ) -> Result<(), StoreError> {
+        refuse_name("who", act.who)?;
+        if !why.is_empty() {
+            refuse_name("why", why)?;
+        }
+        transaction(self.database.as_mut(), |database| {
+            refuse_unknown(database, structure)?;
+            let at_us = next(database, act.now_us)?;
+            set_mark(database, structure, is_removed, why, (act.who, at_us))
+        })
+    }
+}
+
+fn connect(place: &Place, access: Access, wait: Duration) -> Result<Box<dyn Database>, StoreError> {
+    Ok(Box::new(Sqlite::open(place.file(), access, wait)?))
+}
+
+/// Refuses a structure that is not there, with the one whose name is nearest.
+pub(crate) fn refuse_unknown(database: &mut dyn Database, name: &str) -> Result<(), StoreError> {
+    let named = [Value::Text(name.to_owned())];
+    if !select::<StructureRow>(database, "where name = $1", &named)?.is_empty() {
+        return Ok(());
+    }
+    let mut names = Vec::new();
+    for row in all(database, "select name from structure order by name", &[])? {
+        if let [Value::Text(name)] = row.as_slice() {
+            names.push(name.clone());
+        }
+    }
+    let close = nearest(name, names.iter().map(String::as_str));
+    Err(StoreFault::NoStructure {
+        name: name.chars().filter(|sign| !sign.is_control()).collect(),
+        nearest: close.map(str::to_owned),
+    }
+    .into())
+}
+
+/// A moment after all that is there, whatever the clocks say: what comes later is later.
+fn next(database: &mut dyn Database, now_us: i64) -> Result<i64, StoreError> {
+    let sql = "select max(at_us) from (select max(at_us) as at_us from adoption union all select max(at_us) from mark \
+               union all select max(at_us) from log) as moments";
+    let rows = all(database, sql, &[])?;
+    Ok(match rows.first().map(Vec::as_slice) {
+        Some([Value::Whole(last)]) => now_us.max(last + 1),
+        _ => now_us,
+    })
+}
+
+fn set_mark(
+    database: &mut dyn Database,
+    structure: &str,
+    is_removed: bool,
+    why: &str,
+    (who, at_us): (&str, i64),
+) -> Result<(), StoreError> {
+    insert(
+        database,
+        &MarkRow {
+            structure: structure.to_owned(),
+            at_us,
+            is_removed,
+            who: who.to_owned(),
+            why: why.to_owned(),
+        },
+    )?;
+    let log = LogRow {
+        at_us,
+        who: who.to_owned(),
+        verb: if is_removed { "remove" } else { "restore" }.to_owned(),
+        subject: structure.to_owned(),
+        detail: why.to_owned(),
+    };
+    insert(database, &log).map(|_| ())
+}
+
+/// Whether the latest mark says that it is out of use.
+fn is_removed(database: &mut dyn Database, structure: &str) -> Result<bool, StoreError> {
+    let condition = "where structure = $1 order by at_us desc limit 1";
+    let marks: Vec<MarkRow> = select(database, condition, &[Value::Text(structure.to_owned())])?;
+    Ok(marks.first().is_some_and(|mark| mark.is_removed))
+}
+
+/// Analyses of the records of a project that are there.
+fn known(database: &mut dyn Database, incoming: &Incoming<'_>) -> Result<BTreeSet<String>, StoreError> {
+    let tables = SurveyTables::of(incoming.text)?;
+    let mut known = BTreeSet::new();
+    for survey in &incoming.project.surveys {
+        if let Some(key) = incoming.key(survey, &tables) {
+            let hash = key.hash();
+            let sql = "select count(*) from analysis where hash = $1";
+            let rows = all(database, sql, &[Value::Text(hash.clone())])?;
+            if rows != [[Value::Whole(0)]] {
+                known.insert(hash);
+            }
+        }
+    }
+    Ok(known)
+}
+
+/// Adds the rows of a group that are not there; whether its first was added.
+pub(crate) fn put(database: &mut dyn Database, Group(rows): &Group) -> Result<bool, StoreError> {
+    let Some(((table, head), parts)) = rows.split_first() else {
+        return Ok(false);
+    };
+    if !table.insert(database, head)? {
+        return Ok(false);
+    }
+    for (table, part) in parts {
+        table.insert(database, part)?;
+    }
+    Ok(true)
+}
+
+fn add(database: &mut dyn Database, incoming: &Incoming<'_>, act: &Act<'_>) -> Result<Added, StoreError> {
+    let structure = incoming.structure.to_owned();
+    let named = [Value::Text(structure.clone())];
+    let kind = incoming.kind();
+    let projects: Vec<ProjectRow> = select(database, "where structure = $1 order by hash limit 1", &named)?;
+    if let Some(project) = projects.first()
+        && project.kind != kind
+    {
+        return Err(StoreFault::OtherKind {
+            name: structure,
+            kept: project.kind.clone(),
+            given: kind.to_owned(),
+        }
+        .into());
+    }
+    let at_us = next(database, act.now_us)?;
+    let who = act.who.to_owned();
+    let is_new = insert(
+        database,
+        &StructureRow {
+            name: structure.clone(),
+            at_us,
+            who: who.clone(),
+        },
+    )?;
+    let known = known(database, incoming)?;
+    let mut added = Added {
+        structure: structure.clone(),
+        project: incoming.hash(),
+        is_new_state: false,
+        surveys: incoming.project.surveys.len(),
+        new_surveys: 0,
+        files: incoming.files.len() + 1,
+        new_files: 0,
+        new_analyses: 0,
+        unidentified: Vec::new(),
+    };
+    for group in incoming.rows(&known, act.who, at_us)?.0 {
+        let table = group.0.first().map_or("", |(table, _)| table.name);
+        if put(database, &group)? {
+            match table {
+                "raw" => added.new_files += 1,
+                "survey" => added.new_surveys += 1,
+                "analysis" => added.new_analyses += 1,
+                "project" => added.is_new_state = true,
+                _ => {}
+            }
+        }
+    }
+    let last = "where structure = $1 order by at_us desc limit 1";
+    let last: Vec<AdoptionRow> = select(database, last, &named)?;
+    let is_adopted = last.first().is_some_and(|last| last.project == added.project);
+    if !is_adopted {
+        insert(
+            database,
+            &AdoptionRow {
+                structure: structure.clone(),
+                at_us,
+                project: added.project.clone(),
+                who: who.clone(),
+            },
+        )?;
+    }
+    if is_removed(database, &structure)? {
+        set_mark(database, &structure, false, "added again", (act.who, at_us))?;
+    }
+    if is_new || !is_adopted || added.new_analyses > 0 {
+        let detail = format!(
+            "{} surveys, {} new; {} files, {} new; {} analyses new",
+            added.surveys, added.new_surveys, added.files, added.new_files, added.new_analyses
+        );
+        insert(
+            database,
+            &LogRow {
+                at_us,
+                who,
+                verb: "add".to_owned(),
+                subject: structure,
+                detail,
+            },
+        )?;
+    }
+    Ok(added)
+}

@@ -1,0 +1,95 @@
+//! What was done to a store.
+
+use serde::Serialize;
+
+/// A survey whose records gave no modes.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Unidentified {
+    /// The survey.
+    pub survey: String,
+    /// Why.
+    pub why: String,
+}
+
+/// What `add` did, once it is on disk.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Added {
+    /// The structure.
+    pub structure: String,
+    /// BLAKE3 over the text of the project and its files.
+    pub project: String,
+    /// Whether this state of the project was not there yet.
+    pub is_new_state: bool,
+    /// Surveys of the project.
+    pub surveys: usize,
+    /// Surveys that were not there yet, or not in this form.
+    pub new_surveys: usize,
+    /// Files of the project.
+    pub files: usize,
+    /// Files whose bytes were not there yet.
+    pub new_files: usize,
+    /// Analyses that were not there yet.
+    pub new_analyses: usize,
+    /// Surveys whose records gave no modes.
+    pub unidentified: Vec<Unidentified>,
+}
+
+/// What `import` did, once it is on disk.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Imported {
+    /// Structures of the source.
+    pub structures: usize,
+    /// Rows that were not there yet.
+    pub new_rows: usize,
+    /// Raw files that were not there yet.
+    pub new_files: usize,
+}
+
+/// One thing that is wrong.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[serde(tag = "fault", rename_all = "snake_case")]
+pub enum Fault {
+    /// A raw file is not there.
+    Missing {
+        /// Its hash.
+        hash: String,
+    },
+    /// A raw file does not have the bytes that it was kept for.
+    Changed {
+        /// Its hash.
+        hash: String,
+    },
+    /// A row says something else than its name.
+    Row {
+        /// The table.
+        table: String,
+        /// The name of the row.
+        name: String,
+    },
+    /// The database itself is damaged, or a row refers to one that is not there.
+    Database {
+        /// What it says.
+        why: String,
+    },
+}
+
+/// What `verify` found.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Verified {
+    /// Structures.
+    pub structures: i64,
+    /// Surveys, each form of one counted.
+    pub surveys: i64,
+    /// Analyses.
+    pub analyses: i64,
+    /// Raw files whose bytes were read and compared with their hash.
+    pub raw_files: i64,
+    /// Their bytes, uncompressed.
+    pub raw_bytes: i64,
+    /// Files in the folder that no row names: left by a process that was killed, and harmless.
+    pub unnamed_files: i64,
+    /// BLAKE3 over all rows: two stores with the same one hold the same.
+    pub content: String,
+    /// What is wrong.
+    pub faults: Vec<Fault>,
+}

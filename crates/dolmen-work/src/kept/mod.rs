@@ -1,0 +1,11 @@
+//! What a store of surveys keeps and gives back: structures, their surveys over years, what was done and what is wrong.
+
+mod done;
+mod fault;
+mod structure;
+mod survey;
+
+pub use done::{Added, Fault, Imported, Unidentified, Verified};
+pub use fault::StoreFault;
+pub use structure::{KeptLog, KeptState, KeptStructure, ListedStructure, ListedSurvey};
+pub use survey::{KeptAnalysis, KeptMode, KeptRecord, KeptSurvey, KeptTilt};

@@ -1,0 +1,78 @@
+//! Surveys as a store shows them.
+
+use serde::Serialize;
+
+/// A record file.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptRecord {
+    /// As the project names it.
+    pub path: String,
+    /// BLAKE3 of its bytes.
+    pub hash: String,
+    /// Its size.
+    pub bytes: i64,
+    /// Channels that the project names; 0: all columns.
+    pub channels: i64,
+}
+
+/// A tilt.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptTilt {
+    /// Its direction.
+    pub direction: String,
+    /// Horizontal over vertical.
+    pub ratio: f64,
+    /// As written.
+    pub written: String,
+}
+
+/// A mode, identified or stated.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptMode {
+    /// The direction of a stated mode; `None` of one that was identified.
+    pub direction: Option<String>,
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its standard deviation, Hz.
+    pub frequency_sd_hz: Option<f64>,
+    /// Damping ratio.
+    pub damping_ratio: Option<f64>,
+    /// Its standard deviation.
+    pub damping_ratio_sd: Option<f64>,
+}
+
+/// Modes that were identified from the records of a survey.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptAnalysis {
+    /// BLAKE3 over records, settings and version.
+    pub hash: String,
+    /// Version of Dolmen.
+    pub version: String,
+    /// "ssi-cov".
+    pub method: String,
+    /// When, s since 1970 (UTC).
+    pub at_s: f64,
+    /// The modes, ascending.
+    pub modes: Vec<KeptMode>,
+}
+
+/// A survey.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct KeptSurvey {
+    /// Its name in the project.
+    pub name: String,
+    /// Its date, if its name begins with one.
+    pub date: Option<String>,
+    /// Air temperature, °C.
+    pub temperature_c: Option<f64>,
+    /// What levels and tilts refer to.
+    pub datum: Option<String>,
+    /// Its records.
+    pub records: Vec<KeptRecord>,
+    /// Tilts.
+    pub tilts: Vec<KeptTilt>,
+    /// Modes that the file states.
+    pub stated_modes: Vec<KeptMode>,
+    /// Analyses, the latest first.
+    pub analyses: Vec<KeptAnalysis>,
+}
