@@ -7,7 +7,7 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 24] = [
+const COMMANDS: [&str; 30] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
     "check examples/heunginjimun_gate",
     "check examples/three_storey_pagoda --sensitivity",
@@ -32,6 +32,12 @@ const COMMANDS: [&str; 24] = [
     "score examples/pagodas_of_figure_19",
     "study examples/naju_flagpole --study growth",
     "rank examples/portfolio/pagodas.csv",
+    "survey add examples/palisaden --name palisaden --store s.db",
+    "survey add examples/naju_flagpole --name naju --store s.db",
+    "survey list --store s.db",
+    "survey show palisaden --store s.db",
+    "survey show naju --store s.db",
+    "survey verify --store s.db",
 ];
 
 /// Every key with the way to it: "state.check.chain.modes[].frequency_hz".

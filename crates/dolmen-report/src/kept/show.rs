@@ -25,7 +25,7 @@ messages! {
             ko: "북위 {latitude}, 동경 {longitude}",
         },
         Stored => { en: "last stored", ko: "최종 저장" },
-        By { at: String, who: String } => { en: "{at} UTC by {who}", ko: "{at} UTC, {who}" },
+        By { at: String, who: String } => { en: "{at} UTC by {who}", ko: "{at} UTC, 담당 {who}" },
         OutOfUse => {
             en: "It is out of use: `dolmen survey remove --undo` takes it back.",
             ko: "사용이 중지된 구조물이다. `dolmen survey remove --undo`로 되돌린다.",
