@@ -280,7 +280,7 @@ fn holds_places_names_and_removed_structures_are_listed() {
     );
     refused(
         &scratch.briefly(&format!("survey show Pogoda {FILE} --language ko")),
-        "저장소에 구조물 \"Pogoda\"이",
+        "저장소에 구조물 \"Pogoda\"가 없다",
     );
     refused(
         &scratch.briefly(&format!("survey show Pagoda --survey x {FILE}")),
@@ -426,7 +426,6 @@ pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: us
             assert_eq!(kept["surveys"].as_array().unwrap().len(), 1, "{name} {moment}");
         }
     }
-    println!("{killed} of {moments} were killed before their end");
     assert!(
         killed * 2 > moments,
         "{killed} of {moments} were killed before their end"
@@ -554,7 +553,9 @@ impl<'a> Small<'a> {
         match mounted.is_ok_and(|output| output.status.success()) {
             true => Some(Small(scratch)),
             false => {
-                println!(
+                use std::io::Write as _;
+                let _ = writeln!(
+                    std::io::stderr(),
                     "SKIPPED: no file system may be mounted here, so a full and a read-only disk are not tried"
                 );
                 None
@@ -641,7 +642,7 @@ fn refuses_names_and_paths_of_strangers_as_statements_and_ways_out() {
         let quoted = format!("'''{name}'''");
         let text = format!(
             "schema = 1\nkind = \"survey\"\nname = {{ en = {quoted} }}\n[survey.{:?}]\nnote = {quoted}\n\
-             records = {{ file = \"record.csv\", sampling_rate = \"1 Hz\" }}\n",
+             records = {{ file = \"record.csv\", sampling_rate = \"50 Hz\" }}\n",
             format!("2020 {}", name.replace('\\', "/"))
         );
         fs::write(scratch.path().join("p.toml"), text).unwrap();
@@ -667,7 +668,7 @@ fn refuses_names_and_paths_of_strangers_as_statements_and_ways_out() {
     // a record outside the folder is not stored
     fs::create_dir_all(scratch.path().join("in")).unwrap();
     fs::write(scratch.path().join("secret.csv"), "x\n1\n").unwrap();
-    let text = "schema = 1\nkind = \"survey\"\nname = \"y\"\n[survey.a.records]\nfile = \"../secret.csv\"\nsampling_rate = \"1 Hz\"\n";
+    let text = "schema = 1\nkind = \"survey\"\nname = \"y\"\n[survey.a.records]\nfile = \"../secret.csv\"\nsampling_rate = \"50 Hz\"\n";
     fs::write(scratch.path().join("in/project.toml"), text).unwrap();
     refused(
         &scratch.briefly(&format!("survey add in {FILE}")),
@@ -776,7 +777,6 @@ fn holds_memory_stays_flat_however_many_surveys_are_listed() {
     let few = most_kib(2_000);
     grow(2_000, 60_000);
     let many = most_kib(60_000);
-    println!("peak memory: {few} KiB for 2,000 surveys, {many} KiB for 60,000");
     // SQLite's own cache of pages is 2 MB at most; the list itself is 9 MB
     assert!(
         few > 0.0 && many < few + 4096.0,
