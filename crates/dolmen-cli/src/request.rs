@@ -53,7 +53,7 @@ fn named_file(text: &str) -> (Option<Component>, &str) {
     split.unwrap_or((None, text))
 }
 
-/// The files of a motion, as they are named on the command line, stay.
+/// Keeps the files of a motion that the command line names.
 pub(crate) fn keeping_motion(outputs: Outputs, named: &[String]) -> Outputs {
     let files = named.iter().map(|text| named_file(text).1);
     files.fold(outputs, |all, file| all.keeping(Path::new(file)))

@@ -39,7 +39,7 @@ pub(crate) fn run(options: &Survey, manner: &Manner) -> Result<Outcome> {
     }
 }
 
-/// The store that is meant, and how things are said.
+/// The store, and the manner of the answers.
 struct Where<'a> {
     options: &'a StoreWhere,
     manner: &'a Manner,

@@ -22,7 +22,7 @@ pub enum StoreError {
 }
 
 impl StoreError {
-    /// As a user is told.
+    /// The fault as users read it.
     pub fn fault(self) -> StoreFault {
         match self {
             StoreError::Fault(fault) => fault,

@@ -167,7 +167,7 @@ impl Store {
         })
     }
 
-    /// A structure with its surveys, states and log; only one of its surveys if it is named.
+    /// A structure with its surveys, states and log; only the named survey if `survey` gives one.
     ///
     /// # Errors
     /// There is no such structure or survey.

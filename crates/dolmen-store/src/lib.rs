@@ -5,7 +5,7 @@
 //! Place ─→ Store ─→ keep (a file) · add (a project) · structures, surveys, structure · export · import · verify · mark
 //! ```
 //!
-//! Every row is named by its content or by names that people gave, and none is ever changed: what is new is another row, what is taken
+//! The key of every row is its content or a name that people gave, and no row ever changes: what is new is another row, what is taken
 //! out of use is marked. Names and files of strangers are values of parameters and never part of a statement; a file in the folder
 //! is named by the hash of its bytes alone.
 

@@ -25,6 +25,10 @@ mod sentences;
 mod signals;
 mod simulations;
 mod stacks;
+#[cfg(target_os = "linux")]
+mod store_disks;
+mod store_processes;
+mod store_strangers;
 mod stores;
 mod studies;
 mod supply;

@@ -1,5 +1,6 @@
 // SOURCE     docs/store.md.
-// GOAL       What goes into a store comes out as it was; what was acknowledged stays, whatever happens to the process; what is wrong is named.
+// GOAL       What goes into a store comes out as it was; a fault says what is wrong. What happens to the process, the disk and at the
+//            hands of strangers stands in store_processes, store_disks and store_strangers.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::verbs::{Answer, Scratch, root};
@@ -22,7 +23,7 @@ pub(crate) fn json(scratch: &Scratch, words: &str) -> Value {
     serde_json::from_str(&answer.stdout).unwrap_or_else(|why| panic!("{words}: {why}: {}", answer.stderr))
 }
 
-fn refused(answer: &Answer, why: &str) {
+pub(crate) fn refused(answer: &Answer, why: &str) {
     assert_eq!(answer.status, 2, "{}{}", answer.stdout, answer.stderr);
     assert!(answer.stderr.contains(why), "{}", answer.stderr);
     assert!(!answer.stderr.contains("panicked"), "{}", answer.stderr);
@@ -45,18 +46,18 @@ pub(crate) fn project(scratch: &Scratch, name: &str, surveys: usize) {
     fs::write(folder.join("project.toml"), text).unwrap();
 }
 
-fn content(scratch: &Scratch, store: &str) -> String {
+pub(crate) fn content(scratch: &Scratch, store: &str) -> String {
     let found = json(scratch, &format!("survey verify {store}"));
     assert_eq!(found["faults"].as_array().unwrap().len(), 0, "{found}");
     found["content"].as_str().unwrap().to_owned()
 }
 
-fn database(scratch: &Scratch) -> Connection {
+pub(crate) fn database(scratch: &Scratch) -> Connection {
     Connection::open(scratch.path().join("s.db")).unwrap()
 }
 
 /// Raw files of the store in the folder.
-fn raw_files(scratch: &Scratch) -> Vec<std::path::PathBuf> {
+pub(crate) fn raw_files(scratch: &Scratch) -> Vec<std::path::PathBuf> {
     let mut all = Vec::new();
     for folder in fs::read_dir(scratch.path().join("s.db.files")).unwrap() {
         let folder = folder.unwrap().path();
@@ -349,372 +350,10 @@ fn holds_what_was_changed_or_lost_is_named() {
     );
 }
 
-/// Starts `dolmen survey add` of these projects; each that is acknowledged is a line of JSON.
-pub(crate) fn adding(folder: &Path, store: &str, projects: &[String]) -> Child {
-    Command::new(env!("CARGO_BIN_EXE_dolmen"))
-        .args([
-            "survey",
-            "add",
-            "--without-modes",
-            "--json",
-            "--quiet",
-            "--wait",
-            "60",
-        ])
-        .args(store.split_whitespace())
-        .args(projects)
-        .current_dir(folder)
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap()
-}
-
-/// Names that were acknowledged.
-pub(crate) fn acknowledged(stdout: &[u8]) -> Vec<String> {
-    let lines = String::from_utf8_lossy(stdout).into_owned();
-    let whole = lines.split_inclusive('\n').filter(|line| line.ends_with('\n'));
-    whole
-        .map(|line| {
-            serde_json::from_str::<Value>(line).unwrap()["structure"]
-                .as_str()
-                .unwrap()
-                .to_owned()
-        })
-        .collect()
-}
-
 /// A number below `most` from a seed.
-fn below(seed: &mut u64, most: u64) -> u64 {
+pub(crate) fn below(seed: &mut u64, most: u64) -> u64 {
     *seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
     (*seed >> 33) % most
-}
-
-/// Kills `add` at so many random moments, and holds that what was acknowledged is there, once.
-pub(crate) fn kill_at_random_moments(scratch: &Scratch, store: &str, moments: usize) {
-    const SURVEYS: usize = 2;
-    let projects: Vec<String> = (0..4).map(|at| format!("p{at}")).collect();
-    projects.iter().for_each(|name| project(scratch, name, SURVEYS));
-    let (mut seed, mut killed, mut whole_us) = (7, 0, 0);
-    for moment in 0..=moments {
-        // each time other bytes: a new state of every project
-        for name in &projects {
-            let folder = scratch.path().join(name);
-            let text = fs::read_to_string(folder.join("project.toml")).unwrap();
-            let text = format!("{text}[survey.m{moment}]\ntemperature_c = {moment}\n");
-            fs::write(folder.join("project.toml"), text).unwrap();
-            fs::write(folder.join("record-0.csv"), format!("x\n{moment}\n{name}\n")).unwrap();
-        }
-        let start = std::time::Instant::now();
-        let mut child = adding(scratch.path(), store, &projects);
-        if moment >= 2 {
-            std::thread::sleep(std::time::Duration::from_micros(below(&mut seed, whole_us)));
-            child.kill().unwrap();
-        }
-        let output = child.wait_with_output().unwrap();
-        let said = acknowledged(&output.stdout);
-        if moment < 2 {
-            // undisturbed: the store is made, then how long it takes
-            whole_us = start.elapsed().as_micros() as u64;
-            assert_eq!(said, projects, "{}", String::from_utf8_lossy(&output.stderr));
-        }
-        killed += usize::from(!output.status.success());
-        let found = json(scratch, &format!("survey verify {store}"));
-        assert_eq!(found["faults"].as_array().unwrap().len(), 0, "{found}");
-        for name in said {
-            let kept = json(scratch, &format!("survey show {name} --survey m{moment} {store}"));
-            assert_eq!(kept["surveys"].as_array().unwrap().len(), 1, "{name} {moment}");
-        }
-    }
-    assert!(
-        killed * 2 > moments,
-        "{killed} of {moments} were killed before their end"
-    );
-    // once more to the end: nothing is there twice
-    let names = projects.join(" ");
-    good(scratch.briefly(&format!("survey add {names} --without-modes {store}")));
-    let listed = json(scratch, &format!("survey list {store}"));
-    let listed = listed["structures"].as_array().unwrap();
-    let names: Vec<&str> = listed
-        .iter()
-        .map(|structure| structure["name"].as_str().unwrap())
-        .collect();
-    assert_eq!(names, projects);
-    for structure in listed {
-        assert_eq!(
-            structure["surveys"].as_u64().unwrap() as usize,
-            SURVEYS + moments + 1,
-            "{structure}"
-        );
-    }
-    content(scratch, store);
-}
-
-#[cfg(unix)]
-#[test]
-fn holds_a_killed_add_loses_nothing_that_was_acknowledged_and_stores_nothing_twice() {
-    kill_at_random_moments(&Scratch::new("store-kill"), FILE, 51);
-}
-
-/// Four processes at once, one of them killed.
-pub(crate) fn four_at_once(scratch: &Scratch, store: &str) {
-    let groups: Vec<Vec<String>> = (0..4)
-        .map(|g| (0..5).map(|at| format!("g{g}p{at}")).collect())
-        .collect();
-    groups.iter().flatten().for_each(|name| project(scratch, name, 2));
-    let mut children: Vec<Child> = groups
-        .iter()
-        .map(|group| adding(scratch.path(), store, group))
-        .collect();
-    std::thread::sleep(std::time::Duration::from_millis(40));
-    children[3].kill().unwrap();
-    for (child, group) in children.into_iter().zip(&groups) {
-        let output = child.wait_with_output().unwrap();
-        let said = acknowledged(&output.stdout);
-        for name in &said {
-            json(scratch, &format!("survey show {name} {store}"));
-        }
-        if group[0] != "g3p0" {
-            assert_eq!(&said, group, "{}", String::from_utf8_lossy(&output.stderr));
-        }
-    }
-    content(scratch, store);
-}
-
-#[cfg(unix)]
-#[test]
-fn holds_four_processes_write_at_once_and_one_is_killed() {
-    four_at_once(&Scratch::new("store-four"), FILE);
-}
-
-#[test]
-fn refuses_a_store_that_another_process_writes_and_files_that_are_none() {
-    let scratch = Scratch::new("store-locked");
-    project(&scratch, "a", 1);
-    good(scratch.briefly(&format!("survey add a {FILE} --without-modes")));
-    let other = database(&scratch);
-    other.execute_batch("begin immediate").unwrap();
-    project(&scratch, "b", 1);
-    refused(
-        &scratch.briefly(&format!("survey add b {FILE} --without-modes --wait 0.2")),
-        "Another process is writing",
-    );
-    // reading goes on
-    good(scratch.briefly(&format!("survey list {FILE}")));
-    other.execute_batch("rollback").unwrap();
-    drop(other);
-    let fresh = Connection::open(scratch.path().join("other.db")).unwrap();
-    fresh.execute_batch("create table t (x)").unwrap();
-    drop(fresh);
-    let before = fs::read(scratch.path().join("other.db")).unwrap();
-    refused(
-        &scratch.briefly("survey add b --store other.db"),
-        "a database of another program",
-    );
-    refused(
-        &scratch.briefly("survey list --store other.db"),
-        "a database of another program",
-    );
-    assert_eq!(before, fs::read(scratch.path().join("other.db")).unwrap());
-    let text = fs::read(scratch.path().join("b/project.toml")).unwrap();
-    refused(
-        &scratch.briefly("survey add b --store b/project.toml"),
-        "is no database",
-    );
-    assert_eq!(text, fs::read(scratch.path().join("b/project.toml")).unwrap());
-    refused(&scratch.briefly("survey add b --store b"), "is no regular file");
-    refused(
-        &scratch.briefly("survey add b --store no/such/folder/s.db"),
-        "cannot be opened",
-    );
-    database(&scratch)
-        .execute_batch("pragma user_version = 99")
-        .unwrap();
-    refused(
-        &scratch.briefly(&format!("survey list {FILE}")),
-        "later version of Dolmen",
-    );
-}
-
-/// A file system of its own, of so many bytes; `None` where none may be mounted.
-#[cfg(target_os = "linux")]
-struct Small<'a>(&'a Scratch);
-
-#[cfg(target_os = "linux")]
-impl<'a> Small<'a> {
-    fn of(scratch: &'a Scratch, size: &str) -> Option<Self> {
-        let folder = scratch.path().join("small");
-        fs::create_dir_all(&folder).unwrap();
-        let options = format!("size={size}");
-        let mounted = Command::new("mount")
-            .args(["-t", "tmpfs", "-o", &options, "none"])
-            .arg(&folder)
-            .output();
-        match mounted.is_ok_and(|output| output.status.success()) {
-            true => Some(Small(scratch)),
-            false => {
-                use std::io::Write as _;
-                let _ = writeln!(
-                    std::io::stderr(),
-                    "SKIPPED: no file system may be mounted here, so a full and a read-only disk are not tried"
-                );
-                None
-            }
-        }
-    }
-
-    fn remount(&self, options: &str) {
-        let done = Command::new("mount")
-            .args(["-o", options])
-            .arg(self.0.path().join("small"))
-            .status();
-        assert!(done.unwrap().success());
-    }
-}
-
-#[cfg(target_os = "linux")]
-impl Drop for Small<'_> {
-    fn drop(&mut self) {
-        let _ = Command::new("umount").arg(self.0.path().join("small")).status();
-    }
-}
-
-#[cfg(target_os = "linux")]
-#[test]
-fn refuses_a_full_or_read_only_disk_and_keeps_what_was_there() {
-    let scratch = Scratch::new("store-full");
-    let store = "--store small/s.db";
-    let Some(small) = Small::of(&scratch, "2m") else {
-        return;
-    };
-    project(&scratch, "a", 2);
-    good(scratch.briefly(&format!("survey add a {store} --without-modes")));
-    let before = content(&scratch, store);
-    // bytes that do not compress
-    let mut seed = 3;
-    let noise: Vec<u8> = (0..3_000_000).map(|_| below(&mut seed, 256) as u8).collect();
-    project(&scratch, "b", 1);
-    fs::write(scratch.path().join("b/record-0.csv"), &noise).unwrap();
-    refused(
-        &scratch.briefly(&format!("survey add b {store} --without-modes")),
-        "The disk is full",
-    );
-    assert_eq!(before, content(&scratch, store));
-    // the last bytes taken by something else: the database itself finds no room
-    fs::write(scratch.path().join("small/rest"), vec![0; 64]).unwrap();
-    let mut rest = fs::OpenOptions::new()
-        .append(true)
-        .open(scratch.path().join("small/rest"))
-        .unwrap();
-    while std::io::Write::write_all(&mut rest, &[0; 4096]).is_ok() {}
-    drop(rest);
-    project(&scratch, "c", 1);
-    refused(
-        &scratch.briefly(&format!("survey add c {store} --without-modes")),
-        "The disk is full",
-    );
-    fs::remove_file(scratch.path().join("small/rest")).unwrap();
-    assert_eq!(before, content(&scratch, store));
-    small.remount("remount,ro");
-    refused(
-        &scratch.briefly(&format!("survey add c {store} --without-modes")),
-        "may only be read",
-    );
-    assert_eq!(before, content(&scratch, store));
-    good(scratch.briefly(&format!("survey export a -o back {store}")));
-}
-
-#[test]
-fn refuses_names_and_paths_of_strangers_as_statements_and_ways_out() {
-    let scratch = Scratch::new("store-hostile");
-    let hostile = [
-        "x'); drop table structure; --",
-        "\" or 1=1 --",
-        "$1",
-        "../../../etc/passwd",
-        "C:\\Windows",
-        "%00",
-        "a/b",
-        "-o",
-        "한글 '이름'",
-    ];
-    for (at, name) in hostile.iter().enumerate() {
-        let quoted = format!("'''{name}'''");
-        let text = format!(
-            "schema = 1\nkind = \"survey\"\nname = {{ en = {quoted} }}\n[survey.{:?}]\nnote = {quoted}\n\
-             records = {{ file = \"record.csv\", sampling_rate = \"50 Hz\" }}\n",
-            format!("2020 {}", name.replace('\\', "/"))
-        );
-        fs::write(scratch.path().join("p.toml"), text).unwrap();
-        fs::write(scratch.path().join("record.csv"), format!("x\n{at}\n")).unwrap();
-        good(scratch.briefly(&format!("survey add p.toml {FILE} --without-modes")));
-        let output = Command::new(env!("CARGO_BIN_EXE_dolmen"))
-            .args(["survey", "export", "--store", "s.db", "-o"])
-            .arg(format!("back{at}"))
-            .args(["--", name])
-            .current_dir(scratch.path())
-            .output()
-            .unwrap();
-        assert!(
-            output.status.success(),
-            "{name}: {}",
-            String::from_utf8_lossy(&output.stderr)
-        );
-        assert!(scratch.path().join(format!("back{at}/record.csv")).is_file());
-    }
-    content(&scratch, FILE);
-    let listed = json(&scratch, &format!("survey list {FILE}"));
-    assert_eq!(listed["structures"].as_array().unwrap().len(), hostile.len());
-    // a record outside the folder is not stored
-    fs::create_dir_all(scratch.path().join("in")).unwrap();
-    fs::write(scratch.path().join("secret.csv"), "x\n1\n").unwrap();
-    let text = "schema = 1\nkind = \"survey\"\nname = \"y\"\n[survey.a.records]\nfile = \"../secret.csv\"\nsampling_rate = \"50 Hz\"\n";
-    fs::write(scratch.path().join("in/project.toml"), text).unwrap();
-    refused(
-        &scratch.briefly(&format!("survey add in {FILE}")),
-        "lies outside the folder",
-    );
-    let outside = scratch.briefly(&format!("survey add in {FILE} --allow-outside --without-modes"));
-    refused(&outside, "it must lie in the folder of the project");
-    // a store from a stranger names a file outside: nothing is written there
-    for path in ["../evil.csv", "/tmp/evil.csv", "a/../../evil.csv", "x\u{7}.csv"] {
-        let other = database(&scratch);
-        other.execute("update project_file set path = ?1 where project = (select project from adoption where structure = 'a/b')", [path]).unwrap();
-        drop(other);
-        refused(
-            &scratch.briefly(&format!("survey export a/b -o out {FILE}")),
-            "cannot be kept",
-        );
-        assert!(!scratch.path().join("out").exists() && !scratch.path().join("evil.csv").exists());
-    }
-    // and a hash that is a path
-    let other = database(&scratch);
-    other.execute_batch("pragma foreign_keys = off; update project_file set path = 'r.csv', hash = '../../../secret.csv' where project = \
-                         (select project from adoption where structure = 'a/b'); \
-                         insert into raw values ('../../../../../../../../../../../../../../../../../../../etc/pwd', 4, 0)").unwrap();
-    drop(other);
-    assert_eq!(
-        scratch
-            .briefly(&format!("survey export a/b -o out {FILE}"))
-            .status,
-        2
-    );
-    assert_eq!(scratch.briefly(&format!("survey verify {FILE}")).status, 1);
-    let bad = Command::new(env!("CARGO_BIN_EXE_dolmen"))
-        .args([
-            "survey",
-            "add",
-            "p.toml",
-            "--store",
-            "t.db",
-            "--name",
-            "a\u{1b}[2Jb",
-        ])
-        .current_dir(scratch.path())
-        .output()
-        .unwrap();
-    refused(&Answer::of(&bad), "without control characters");
-    assert!(!String::from_utf8_lossy(&bad.stderr).contains('\u{1b}'));
 }
 
 #[cfg(target_os = "linux")]

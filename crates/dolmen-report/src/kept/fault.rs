@@ -97,7 +97,7 @@ messages! {
     }
 }
 
-/// What is said of a fault.
+/// The sentence on a fault.
 pub fn store_fault(fault: &StoreFault) -> Sentence {
     let fault = fault.clone();
     match fault {

@@ -1,4 +1,4 @@
-//! What is said of a store of surveys.
+//! Answers on a store of surveys.
 
 mod done;
 mod fault;
