@@ -15,6 +15,7 @@ pub mod damper;
 pub mod dynamics;
 pub mod known;
 pub mod modal;
+pub mod monitoring;
 pub mod numeric;
 pub mod signal;
 pub mod stability;

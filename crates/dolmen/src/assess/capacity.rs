@@ -98,41 +98,46 @@ impl Reached {
 /// A quantile of sizes of shaking of which some are only known to lie above what was tried; `None` without any.
 ///
 /// ```text
-/// x_(1) ≤ … ≤ x_(n)      what was reached, and what was tried where it was not
-/// h = (n − 1) p          definition 7 of Hyndman and Fan; between two that were reached in proportion, else the lower one
+/// x_(1) ≤ … ≤ x_(n)      h = (n − 1) p          definition 7 of Hyndman and Fan: between two in proportion
+/// lower end: every one that was not reached at what was tried; upper end: at infinity
 /// ```
 ///
-/// It is `Above` as soon as one that was not reached has its place at or below it: that one may be anything larger.
+/// It is `At` where both ends are the same, else `Above` its lower end: a size that was not reached may be anything larger, so the quantile
+/// is an interval that is open above.
 ///
 /// # Source
-/// Hyndman, R. J. and Fan, Y. (1996) Sample quantiles in statistical packages. Am. Stat. 50(4):361–365. Differs from the source:
-/// the lower order statistic where the upper one is not known.
+/// Hyndman, R. J. and Fan, Y. (1996) Sample quantiles in statistical packages. Am. Stat. 50(4):361–365, of the ends of intervals.
 ///
 /// # Example
 /// ```
 /// use dolmen::assess::{Reached::{Above, At}, reached_quantile};
-/// let one_of_five_fell = [At(1.0), Above(1.0), Above(1.0), Above(1.0), Above(1.0)];
-/// assert_eq!(reached_quantile(&one_of_five_fell, 0.05), Some(At(1.0)));
-/// assert_eq!(reached_quantile(&one_of_five_fell, 0.5), Some(Above(1.0)));
+/// assert_eq!(reached_quantile(&[At(0.5), At(0.9)], 0.5), Some(At(0.7)));
+/// // what was not reached at 0.9 may be reached anywhere above
+/// assert_eq!(reached_quantile(&[At(0.5), Above(0.9)], 0.5), Some(Above(0.7)));
+/// assert_eq!(reached_quantile(&[At(0.5), At(0.9), Above(1.0)], 0.5), Some(At(0.9)));
 /// ```
 pub fn reached_quantile(values: &[Reached], probability: f64) -> Option<Reached> {
-    let mut sorted = values.to_vec();
-    // what was not reached at a size is larger than what was
-    sorted.sort_by(|a, b| {
-        let values = a.value().total_cmp(&b.value());
-        values.then(b.is_reached().cmp(&a.is_reached()))
-    });
-    let last = sorted.len().checked_sub(1)?;
+    let last = values.len().checked_sub(1)?;
     let h = last as f64 * probability.clamp(0.0, 1.0);
     let below = (h.floor() as usize).min(last);
-    let (low, part) = (sorted[below].value(), h - below as f64);
-    if !sorted[..=below].iter().all(|value| value.is_reached()) {
-        return Some(Reached::Above(low));
-    }
-    Some(Reached::At(match sorted.get(below + 1) {
-        Some(Reached::At(high)) if part > 0.0 => low + part * (high - low),
-        _ => low,
-    }))
+    let part = h - below as f64;
+    let of = |end: fn(Reached) -> f64| {
+        let mut ends: Vec<f64> = values.iter().copied().map(end).collect();
+        ends.sort_by(f64::total_cmp);
+        match ends.get(below + 1) {
+            Some(high) if part > 0.0 => ends[below] + part * (high - ends[below]),
+            _ => ends[below],
+        }
+    };
+    let lower = of(Reached::value);
+    let upper = of(|value| match value {
+        Reached::At(value) => value,
+        Reached::Above(_) => f64::INFINITY,
+    });
+    Some(match upper == lower {
+        true => Reached::At(lower),
+        false => Reached::Above(lower),
+    })
 }
 
 /// The capacity that a scan shows.
@@ -315,7 +320,13 @@ mod tests {
         assert_eq!(of(&[At(1.0), At(2.0)], 0.25), At(1.25));
         // one of four fell: the least is known, the median is not
         let four = [Above(2.0), At(0.712), Above(2.0), Above(2.0)];
-        assert_eq!(of(&four, 0.05), At(0.712));
+        // its place at 5 % lies 0.15 of the way to what was not reached at 2
+        assert_eq!(of(&four, 0.05), Above(0.712 + 0.15 * (2.0 - 0.712)));
+        assert_eq!(of(&four, 0.0), At(0.712));
+        // the stronger in both motions has the larger median
+        let [weak, strong] = [[At(0.5), At(0.9)], [At(0.625), Above(0.9)]].map(|all| of(&all, 0.5));
+        assert_eq!((weak, strong.is_reached()), (At(0.7), false));
+        assert!(strong.value() > weak.value());
         assert_eq!(of(&four, 0.5), Above(2.0));
         assert_eq!(of(&[At(1.0), At(1.2), Above(2.0)], 0.5), At(1.2));
         // what was survived up to less may have fallen before

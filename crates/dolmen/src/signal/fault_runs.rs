@@ -8,6 +8,10 @@ const STUCK_S: f64 = 1.0;
 /// 2.4 times those.
 const STUCK_RUNS: usize = 20;
 const STUCK_BESIDE: usize = 5;
+/// Of a channel whose motion is no more than so many steps of its digitiser, quiet time stands at one value: only so large a share of the record
+/// counts. Chosen here.
+const COARSE_STEPS: f64 = 4.0;
+const COARSE_SHARE: f64 = 0.2;
 /// Blocks of time in which strength is compared, fewest channels beside one, and the change that is named. Chosen here.
 const FADED_BLOCKS: usize = 10;
 const FADED_OTHERS: usize = 2;
@@ -45,8 +49,24 @@ pub(super) fn stuck(x: &[f64], rate_hz: f64) -> Option<[usize; 2]> {
     let wanted = STUCK_LEAST.max((STUCK_S * rate_hz).ceil() as usize);
     // the mean of the others: a channel that is dead for most of its time has one run too
     let others = (x.len() - length) / (runs - 1).max(1);
-    let least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
+    let mut least = wanted.max(STUCK_RUNS * others.max(1)).max(STUCK_BESIDE * beside);
+    if is_coarse(x) {
+        least = least.max((COARSE_SHARE * x.len() as f64) as usize);
+    }
     (runs > 1 && length >= least).then_some(longest)
+}
+
+/// Whether the digitiser's step is so coarse that quiet motion stays within one value.
+fn is_coarse(x: &[f64]) -> bool {
+    let steps = x
+        .windows(2)
+        .map(|pair| (pair[1] - pair[0]).abs())
+        .filter(|step| *step > 0.0);
+    let least = steps.fold(f64::INFINITY, f64::min);
+    let n = x.len().max(1) as f64;
+    let mean = x.iter().sum::<f64>() / n;
+    let square = x.iter().map(|v| (v - mean).powi(2)).sum::<f64>() / n;
+    COARSE_STEPS * least >= square.sqrt()
 }
 
 /// How the strength of a channel changed against the others.

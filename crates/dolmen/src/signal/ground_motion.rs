@@ -136,6 +136,15 @@ impl GroundMotion {
         &self.name
     }
 
+    /// The same motion by another name.
+    #[must_use]
+    pub fn renamed(self, name: impl Into<String>) -> Self {
+        GroundMotion {
+            name: name.into(),
+            ..self
+        }
+    }
+
     /// Between samples, s.
     pub fn time_step_s(&self) -> f64 {
         self.time_step_s

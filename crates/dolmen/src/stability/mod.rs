@@ -2,7 +2,9 @@
 
 mod chain;
 mod chain_limits;
+mod chain_loads;
 mod chain_stability;
+mod edge_moment;
 mod error;
 mod frame;
 pub mod stack;
@@ -10,7 +12,11 @@ mod verdict;
 
 pub use chain::{ChainLimits, ChainStability, JointStability};
 pub use chain_limits::chain_limits;
+pub use chain_loads::{
+    ChainLoading, ChainUnderLoads, JointHold, JointUnderLoads, LinkLoad, chain_under_loads,
+};
 pub use chain_stability::{chain_stability, failing_joint};
+pub use edge_moment::BedEdge;
 pub use error::StabilityError;
 pub use frame::{FrameStability, StoreyStability, frame_stability};
 pub use verdict::Verdict;

@@ -13,6 +13,7 @@ pub mod stack;
 mod stiffness_note;
 mod stiffness_words;
 mod tapered_cantilever;
+pub mod wind;
 
 pub use building::Building;
 pub use chain::{Chain, ChainStiffness, Inertia, Link, SideSupport, SingleMass, chain_stiffness};

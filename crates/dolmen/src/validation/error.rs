@@ -22,6 +22,9 @@ pub enum ValidationError {
     /// Its stability could not be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),
+    /// A wind was refused.
+    #[error(transparent)]
+    Wind(#[from] crate::structure::wind::WindError),
     /// Its frequencies could not be computed.
     #[error(transparent)]
     Blocks(#[from] BlocksError),
@@ -34,6 +37,9 @@ pub enum ValidationError {
     /// Modes could not be identified.
     #[error(transparent)]
     Modal(#[from] crate::modal::ModalError),
+    /// A history could not be watched.
+    #[error(transparent)]
+    Monitoring(#[from] crate::monitoring::MonitoringError),
     /// A damper was refused.
     #[error(transparent)]
     Damper(#[from] DamperError),
@@ -54,7 +60,7 @@ impl ValidationError {
             Self::Modal(why) => why.did_not_converge(),
             Self::Damper(why) => why.did_not_converge(),
             Self::Assess(why) => why.did_not_converge(),
-            Self::Stack(_) | Self::Signal(_) => false,
+            Self::Stack(_) | Self::Wind(_) | Self::Signal(_) | Self::Monitoring(_) => false,
         }
     }
 }

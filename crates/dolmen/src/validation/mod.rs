@@ -25,6 +25,8 @@ mod second_methods;
 mod setups;
 mod stacks;
 mod survey_change;
+mod watch;
+mod wind;
 
 pub use buildings::{twenty_storeys, twenty_storeys_mass, twisting_floor};
 pub use case::Case;

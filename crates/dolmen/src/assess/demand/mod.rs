@@ -1,20 +1,24 @@
-//! What codes demand of a site: design spectra. One code a file, its tables as data; and what they ask of a stack.
+//! What codes demand of a site: design spectra. One code a file, its tables as data; and what they ask of a stack, a frame, a chain; how far storeys may drift.
 
 mod by_modes;
+mod drift_limit;
 mod eurocode;
 mod korea;
 mod of_stack;
+mod plane_modes;
 mod shaken_direction;
 mod site;
 mod spectrum;
 
 pub use by_modes::ModalRatio;
+pub use drift_limit::{DRIFT_RATIO_MOST, DriftLimit, ImportanceClass, NonStructural, SeismicGrade};
 pub use eurocode::{EurocodeGround, EurocodeType, eurocode_8};
 pub use korea::{
     Kds41, KoreanSite, KoreanZone, RiskFactor, SoilAmplification, kds_17, kds_17_amplification,
     kds_17_effective_acceleration_g, kds_17_risk_factor, kds_41, kds_41_spectrum,
 };
 pub use of_stack::{StackDemandCheck, StackDemandRow, stack_against_site};
+pub use plane_modes::{chain_moments_by_spectrum, frame_drifts_by_spectrum};
 pub use shaken_direction::ShakenDirection;
 pub use site::{Site, SiteDemand, SiteParameters, site_demand};
 pub use spectrum::{DesignSpectrum, SpectrumBranches, Unverified, VerticalRatio};

@@ -44,6 +44,18 @@ pub struct StackDemandCheck {
     pub verdict: DemandVerdict,
 }
 
+impl StackDemandCheck {
+    /// The least of what is borne over what is asked, as rigid blocks and on elastic joints by modes; `None` if neither is known.
+    pub fn least_ratio(&self) -> Option<f64> {
+        let rigid = self.rows.iter().filter_map(|row| row.comparison.rigid.ratio);
+        let elastic = self
+            .rows
+            .iter()
+            .filter_map(|row| Some(row.by_modes.as_ref()?.ratio));
+        rigid.chain(elastic).min_by(f64::total_cmp)
+    }
+}
+
 /// A stack against a site: at what acceleration it begins to move, and what is asked for, both ways.
 ///
 /// `modes` are those of [`stack_modes`](crate::blocks::stack_modes), if they are known. `None` if the site gives no acceleration of the ground.

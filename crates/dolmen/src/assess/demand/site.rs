@@ -121,6 +121,34 @@ pub struct SiteDemand {
     pub vertical: Option<VerticalRatio>,
 }
 
+impl SiteDemand {
+    /// The code without its edition and numbers; the source of a table.
+    pub fn code(&self) -> &str {
+        let source = &self.spectrum.source;
+        match self.parameters {
+            SiteParameters::Table { .. } => source,
+            SiteParameters::Korea { .. } | SiteParameters::Eurocode { .. } => {
+                source.split_once(':').map_or(source, |(code, _)| code)
+            }
+        }
+    }
+
+    /// The return period that was chosen, years; `None` where the code has one alone, or none.
+    pub fn return_period_years(&self) -> Option<u32> {
+        match self.parameters {
+            SiteParameters::Korea {
+                return_period_years,
+                design: None,
+                ..
+            } => Some(return_period_years),
+            SiteParameters::Korea {
+                return_period_years, ..
+            } if self.code().starts_with("KDS 17") => Some(return_period_years),
+            _ => None,
+        }
+    }
+}
+
 /// What an earthquake asks for at a site, with every number on the way.
 ///
 /// `vertical_ratio` takes the place of the code's, and counts as verified: who gives it answers for it.

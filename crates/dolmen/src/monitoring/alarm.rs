@@ -1,0 +1,388 @@
+//! The alarm: each new survey of a mode against what those before it predict.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | u_i | `score` | normal score of a survey: 0 as predicted, ±3 in one of 370 | - |
+//! | E_i | `average` | moving average of the scores | - |
+
+use super::MonitoringError;
+use super::ewma::ewma_limit;
+use super::online::{Online, Reading};
+use super::regression::restricted_likelihood;
+use super::weather::{FROST_SURVEYS_LEAST, ModeSeries, WeatherKnown, columns, earned, explaining};
+use super::whitening::Disturbance;
+use crate::numeric::{normal_quantile, student_two_sided};
+
+/// Single scores beyond this are outside: one in 370.
+pub(super) const OUTSIDE: f64 = 3.0;
+/// An alarm is confirmed by so many outside among the last ones.
+const OUTSIDE_LEAST: usize = 3;
+const AMONG: usize = 5;
+/// Scores count for no more than this in the average, so that one wild survey hardly confirms an alarm. Chosen here.
+const SCORE_MOST: f64 = 3.0;
+/// Surveys that a new level is learned from.
+const LEVEL_SURVEYS: usize = 3;
+/// Surveys that must have been as cold, and as warm, within a margin, °C. Chosen here.
+const TEMPERATURES_LEAST: usize = 3;
+const MARGIN_C: f64 = 1.0;
+/// The limit is raised by this factor, since disturbance and weather are estimated: without it false alarms came 1.2 to 2.5 times as often as
+/// stated (`examples/watch_power.rs`, with training repeated in each history).
+const ALLOWANCE: f64 = 1.06;
+/// The disturbance is estimated again when surveys grew by this part. Chosen here.
+const AGAIN: f64 = 1.1;
+
+/// Options of the alarm.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct AlarmOptions {
+    /// Weight of the newest score in the average; default 0.2.
+    pub(super) weight: f64,
+    /// Surveys that are learned from before one is judged; default 10.
+    pub(super) training: usize,
+    /// Limit of the average over its own deviation, [`alarm_limit`].
+    pub(super) limit: f64,
+    /// Temperature below which stone freezes, °C; default 0.
+    pub(super) frost_below_c: f64,
+}
+
+/// Why a survey of a mode was not judged.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum NotJudged {
+    /// Too few surveys before it.
+    Training,
+    /// The first ones after the structure was changed, or after an alarm: its new level is being learned.
+    NewLevel,
+    /// Colder or warmer than what was learned from.
+    Temperature,
+    /// Its temperature is not known, and the others' are.
+    NoTemperature,
+}
+
+/// What was made of one survey of a mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// Index of the survey.
+    pub survey: usize,
+    /// The relative reading that was predicted, and the deviation of reading less prediction.
+    pub predicted: Option<(f64, f64)>,
+    /// Its score, or why it has none.
+    pub score: Result<f64, NotJudged>,
+    /// The moving average over its limit; beyond ±1 is an alarm.
+    pub average: f64,
+}
+
+/// What gave an alarm.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum AlarmKind {
+    /// The moving average went beyond its limit.
+    Average,
+    /// Three of the last five surveys were outside.
+    ThreeOfFive,
+}
+
+/// A confirmed alarm of one mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ModeAlarm {
+    /// Index of the survey that confirmed it.
+    pub survey: usize,
+    /// The survey with which it may have begun.
+    pub since: usize,
+    /// What gave it.
+    pub kind: AlarmKind,
+    /// The average, or the newest score outside.
+    pub value: f64,
+    /// Its limit.
+    pub limit: f64,
+}
+
+/// The surveys of one mode, judged one after the other.
+#[derive(Clone, Debug, PartialEq)]
+pub struct JudgedMode {
+    /// Every survey that shows the mode.
+    pub judged: Vec<Judged>,
+    /// The alarms.
+    pub alarms: Vec<ModeAlarm>,
+}
+
+/// The limit of the moving average over its own deviation at which one mode alarms falsely once in `run_length` surveys: that of known
+/// parameters, and the allowance for their being estimated.
+///
+/// # Errors
+/// As [`ewma_limit`](super::ewma_limit).
+pub(super) fn alarm_limit(weight: f64, run_length: f64) -> Result<f64, MonitoringError> {
+    Ok(ALLOWANCE * ewma_limit(weight, run_length)?)
+}
+
+/// Judges each survey against those before it.
+///
+/// ```text
+/// z_i = (y_i − prediction)/sd of both,   u_i = Φ⁻¹(T_ν(z_i)),   E_i = (1 − λ) E_{i−1} + λ u_i
+/// ```
+/// The scores of a regression that is estimated from the surveys before are independent and normal (Hawkins 1987), so that the limit of E is
+/// that of known parameters. `levels` are indices of readings from which on the level is another (works).
+pub(super) fn judge(
+    series: &ModeSeries,
+    levels: &[usize],
+    options: &AlarmOptions,
+) -> Result<JudgedMode, MonitoringError> {
+    let h = options.limit * (options.weight / (2.0 - options.weight)).sqrt();
+    let n = series.len();
+    let known: Vec<f64> = series
+        .temperatures_c
+        .iter()
+        .copied()
+        .filter(|t| t.is_finite())
+        .collect();
+    let middle_c = known.iter().sum::<f64>() / known.len().max(1) as f64;
+    let at = (middle_c, options.frost_below_c);
+    // a level that begins with the first survey is none
+    let mut levels: Vec<usize> = levels.iter().copied().filter(|level| *level > 0).collect();
+    let mut pool = Pool::default();
+    let mut out = JudgedMode {
+        judged: Vec::with_capacity(n),
+        alarms: Vec::new(),
+    };
+    let mut model: Option<Model> = None;
+    let (mut average, mut last_zero): (f64, usize) = (0.0, 0);
+    let mut recent: Vec<(usize, bool)> = Vec::new();
+    for i in 0..n {
+        let temperature_c = series.temperatures_c[i];
+        let active: Vec<usize> = levels.iter().copied().filter(|level| *level <= i).collect();
+        if pool.used.len() >= options.training {
+            let is_due = model.as_ref().is_none_or(|model| {
+                let grown = pool.used.len() as f64 >= AGAIN * model.pool as f64;
+                grown || model.levels != active || model.with_frost != pool.knows_frost(series, at.1)
+            });
+            if is_due {
+                model = Model::train(series, &pool, &active, at);
+            }
+        }
+        let row = model.as_ref().map(|model| model.row(series, i, at));
+        let reading = row.as_ref().map(|row| Reading {
+            at: series.series.at[i],
+            noise_sd: series.series.noise_sd[i],
+            row,
+        });
+        let predicted = model
+            .as_ref()
+            .zip(reading.as_ref())
+            .and_then(|(model, reading)| Some((model.online.predict(reading)?, model.degrees_of_freedom())));
+        let needs_temperature = model.as_ref().is_some_and(Model::needs_temperature);
+        let learned = active.iter().max().map_or(usize::MAX, |from| pool.since(*from));
+        let score = if model.is_none() {
+            Err(NotJudged::Training)
+        } else if needs_temperature && !temperature_c.is_finite() {
+            Err(NotJudged::NoTemperature)
+        } else if needs_temperature && !pool.has_seen(series, temperature_c) {
+            Err(NotJudged::Temperature)
+        } else if let (Some((prediction, degrees)), true) = (predicted, learned >= LEVEL_SURVEYS) {
+            Ok(normal_score(prediction.score, degrees)?)
+        } else {
+            Err(NotJudged::NewLevel)
+        };
+        let is_outside = score.is_ok_and(|score| score.abs() > OUTSIDE);
+        let mut confirmed = None;
+        if let Ok(score) = score {
+            let before = average;
+            average =
+                (1.0 - options.weight) * average + options.weight * score.clamp(-SCORE_MOST, SCORE_MOST);
+            if before == 0.0 || before.signum() != average.signum() {
+                last_zero = i;
+            }
+            recent.push((i, is_outside));
+            let from = recent.len().saturating_sub(AMONG);
+            let outside: Vec<usize> = recent[from..]
+                .iter()
+                .filter(|(_, is)| *is)
+                .map(|(i, _)| *i)
+                .collect();
+            if average.abs() > h {
+                confirmed = Some((AlarmKind::Average, average, h, last_zero));
+            } else if outside.len() >= OUTSIDE_LEAST {
+                confirmed = Some((AlarmKind::ThreeOfFive, score, OUTSIDE, outside[0]));
+            }
+        }
+        out.judged.push(Judged {
+            survey: series.surveys[i],
+            predicted: predicted.map(|(p, _)| (p.expected, p.sd)),
+            score,
+            average: average / h,
+        });
+        if is_outside {
+            pool.outside.push(i);
+        } else if score == Err(NotJudged::Temperature) {
+            pool.waiting.push(i);
+        } else if !needs_temperature || temperature_c.is_finite() {
+            // what waited is learned from once a survey that can be judged is as predicted
+            let is_released = score.is_ok() && pool.release();
+            pool.used.push(i);
+            if is_released {
+                model = Model::train(series, &pool, &active, at);
+            } else if let (Some(model), Some(reading)) = (model.as_mut(), reading.as_ref()) {
+                model.online.accept(reading);
+                model.accepted += 1;
+            }
+        }
+        if let Some((kind, value, limit, since)) = confirmed {
+            out.alarms.push(ModeAlarm {
+                survey: series.surveys[i],
+                since: series.surveys[since],
+                kind,
+                value,
+                limit,
+            });
+            // what comes is measured against the level that began with the alarm
+            levels.push(if levels.contains(&since) { i } else { since });
+            levels.dedup();
+            pool.take_back(since);
+            (average, last_zero) = (0.0, i);
+            recent.clear();
+            let active: Vec<usize> = levels.iter().copied().filter(|level| *level <= i).collect();
+            model = Model::train(series, &pool, &active, at);
+        }
+    }
+    Ok(out)
+}
+
+/// Surveys that are learned from.
+#[derive(Clone, Debug, Default)]
+struct Pool {
+    /// Those as predicted, ascending.
+    used: Vec<usize>,
+    /// Those outside.
+    outside: Vec<usize>,
+    /// Those at new temperatures: what the weather did, and what the structure, is not told apart yet.
+    waiting: Vec<usize>,
+}
+
+impl Pool {
+    fn since(&self, from: usize) -> usize {
+        self.used.iter().rev().take_while(|i| **i >= from).count()
+    }
+
+    fn knows_frost(&self, series: &ModeSeries, frost_below_c: f64) -> bool {
+        let frost = self
+            .used
+            .iter()
+            .filter(|i| series.temperatures_c[**i] < frost_below_c);
+        frost.take(FROST_SURVEYS_LEAST).count() == FROST_SURVEYS_LEAST
+    }
+
+    /// Whether there were surveys as cold, and as warm.
+    fn has_seen(&self, series: &ModeSeries, temperature_c: f64) -> bool {
+        let enough = |as_far: &dyn Fn(f64) -> bool| {
+            let all = self.used.iter().filter(|i| as_far(series.temperatures_c[**i]));
+            all.take(TEMPERATURES_LEAST).count() == TEMPERATURES_LEAST
+        };
+        enough(&|t| t <= temperature_c + MARGIN_C) && enough(&|t| t >= temperature_c - MARGIN_C)
+    }
+
+    /// Learns from what waited; whether there was any.
+    fn release(&mut self) -> bool {
+        let is_any = !self.waiting.is_empty();
+        self.used.append(&mut self.waiting);
+        self.used.sort_unstable();
+        is_any
+    }
+
+    /// What was outside since a survey was a new level, and is learned from.
+    fn take_back(&mut self, since: usize) {
+        self.release();
+        let back: Vec<usize> = self.outside.iter().copied().filter(|i| *i >= since).collect();
+        self.outside.retain(|i| *i < since);
+        self.used.extend(back);
+        self.used.sort_unstable();
+    }
+}
+
+fn normal_score(score: f64, degrees_of_freedom: f64) -> Result<f64, MonitoringError> {
+    const LIKE_NORMAL: f64 = 300.0;
+    const PROBABILITY_LEAST: f64 = 1e-30;
+    if degrees_of_freedom > LIKE_NORMAL {
+        return Ok(score);
+    }
+    let both = student_two_sided(score.abs(), degrees_of_freedom)?.max(PROBABILITY_LEAST);
+    Ok(-normal_quantile(0.5 * both.min(1.0 - 1e-16))?.min(0.0) * score.signum())
+}
+
+/// What is known at one time.
+struct Model {
+    weather: WeatherKnown,
+    online: Online,
+    /// Surveys in the pool when it was trained.
+    pool: usize,
+    accepted: usize,
+    columns: usize,
+    levels: Vec<usize>,
+    with_frost: bool,
+}
+
+impl Model {
+    fn train(series: &ModeSeries, pool: &Pool, levels: &[usize], at: (f64, f64)) -> Option<Model> {
+        let with_frost = pool.knows_frost(series, at.1);
+        let index: Vec<usize> = pool
+            .used
+            .iter()
+            .copied()
+            .filter(|i| with_frost || series.temperatures_c[*i].is_nan() || series.temperatures_c[*i] >= at.1)
+            .collect();
+        let mut is_kept = vec![false; series.len()];
+        index.iter().for_each(|i| is_kept[*i] = true);
+        let known = series.kept(|i| is_kept[i]);
+        // a level that no survey shows yet explains nothing so far
+        let step =
+            |level: &usize| -> Vec<f64> { index.iter().map(|i| f64::from(u8::from(i >= level))).collect() };
+        let extra: Vec<Vec<f64>> = levels
+            .iter()
+            .map(step)
+            .filter(|column| column.contains(&1.0) && column.contains(&0.0))
+            .collect();
+        let weather = earned(&known, &extra, at);
+        let mut all = columns(&known, weather, at);
+        let width = all.len() + levels.len();
+        all.extend(extra);
+        if known.len() < all.len() + 2 {
+            return None;
+        }
+        // from the beginning each time: started from the last estimate, the search ends too early, and false alarms come 1.4 times as often
+        let disturbance: Disturbance = restricted_likelihood(&known.series, &all, None)?;
+        let mut model = Model {
+            weather,
+            online: Online::new(width, disturbance),
+            pool: pool.used.len(),
+            accepted: 0,
+            columns: width,
+            levels: levels.to_vec(),
+            with_frost,
+        };
+        for i in index {
+            let row = model.row(series, i, at);
+            let noise_sd = series.series.noise_sd[i];
+            let at = series.series.at[i];
+            let row = &row;
+            if row.iter().all(|value| value.is_finite()) {
+                model.online.accept(&Reading { at, noise_sd, row });
+                model.accepted += 1;
+            }
+        }
+        Some(model)
+    }
+
+    /// What explains a survey, the reading last.
+    fn row(&self, series: &ModeSeries, i: usize, at: (f64, f64)) -> Vec<f64> {
+        let mut row = explaining(self.weather, (series.days[i], series.temperatures_c[i]), at);
+        row.extend(self.levels.iter().map(|level| f64::from(u8::from(i >= *level))));
+        row.push(series.series.readings[i]);
+        row
+    }
+
+    fn needs_temperature(&self) -> bool {
+        matches!(
+            self.weather,
+            WeatherKnown::Temperature | WeatherKnown::TemperatureAndFrost
+        )
+    }
+
+    fn degrees_of_freedom(&self) -> f64 {
+        (self.accepted as f64 - self.columns as f64 - 1.0).max(1.0)
+    }
+}

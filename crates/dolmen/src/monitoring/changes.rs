@@ -1,0 +1,201 @@
+//! Whether a series changed, when and by how much: the regression on weather and change together, over all dates at once.
+
+use super::critical::{disturbed, limit_of, probability_of};
+use super::regression::{Fit, Series};
+use super::scan::{Candidate, ChangeForm, column, scan, strongest};
+use super::whitening::Disturbance;
+use crate::numeric::Random;
+
+/// Fall of −2 ln of the likelihood within which another date of a step is as likely as not excluded: (1 − e^(−x/2))² = 0.95.
+///
+/// Source: Eo & Morley (2015) Quantitative Economics 6:463-497, table 1.
+const STEP_DATES: f64 = 7.35;
+/// The same of the beginning of a slope, which is a regular parameter: χ² of one degree.
+const SLOPE_DATES: f64 = 3.84;
+/// Of statistics this near to the limit, as a part of it, the series' own simulation decides.
+const NEAR_LIMIT: f64 = 0.2;
+/// Series longer than this have their limit from the table alone: their disturbance is known well.
+const SIMULATED_MOST: usize = 400;
+/// A simulation ends when so many of its statistics were larger. Besag & Clifford (1991) Biometrika 78:301-304.
+const LARGER_MOST: usize = 20;
+/// Changes that are sought in one series, at most.
+const CHANGES_MOST: usize = 6;
+
+/// Options of [`changes`].
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Seeking {
+    /// Probability that any change is found in any of the modes where there is none.
+    pub(super) significance: f64,
+    /// Modes that are searched together.
+    pub(super) modes: usize,
+    /// Simulated series, at most.
+    pub(super) replicates: usize,
+    pub(super) seed: u64,
+}
+
+/// A change that was found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Found {
+    pub(super) change: Candidate,
+    /// The first and the last survey that may have been the first to show it.
+    pub(super) earliest: usize,
+    pub(super) latest: usize,
+    /// Probability of as strong a change in any mode by chance.
+    pub(super) p_value: f64,
+}
+
+/// What a search found.
+#[derive(Clone, Debug)]
+pub(super) struct Changes {
+    pub(super) found: Vec<Found>,
+    /// Disturbance with all changes in the regression.
+    pub(super) disturbance: Disturbance,
+    /// Least step halfway through the series that would have been seen with 80 % probability.
+    pub(super) seen_from: f64,
+    /// The fit with all changes, and its columns.
+    pub(super) fit: Fit,
+    pub(super) columns: Vec<Vec<f64>>,
+}
+
+/// Correlation of two surveys that follow one another, noise of the readings included.
+fn effective_correlation(series: &Series, of: Disturbance) -> f64 {
+    let noise = series.noise_sd.iter().map(|sd| sd * sd).sum::<f64>() / series.len() as f64;
+    let variance = of.sd * of.sd;
+    of.correlation * variance / (variance + noise).max(f64::MIN_POSITIVE)
+}
+
+/// Of all modes together.
+fn family(p: f64, modes: usize) -> f64 {
+    -(modes as f64 * (-p).ln_1p()).exp_m1()
+}
+
+/// Probability that the strongest change of this series without change is as strong: by simulation with all that is estimated from the series
+/// estimated anew.
+fn simulated(
+    series: &Series,
+    columns: &[Vec<f64>],
+    of: Disturbance,
+    statistic: f64,
+    how: (usize, u64),
+) -> f64 {
+    let (replicates, seed) = how;
+    let (mut larger, mut done) = (0, 0);
+    for replicate in 0..replicates {
+        let mut random = Random::new(seed, replicate as u64);
+        let made = Series {
+            readings: disturbed(&series.at, &series.noise_sd, of, &mut random),
+            ..series.clone()
+        };
+        if let Some(found) = strongest(&made, columns, Some(of)) {
+            done += 1;
+            larger += usize::from(found.change.statistic.abs() >= statistic);
+        }
+        if larger == LARGER_MOST {
+            return larger as f64 / done as f64;
+        }
+    }
+    (larger + 1) as f64 / (done + 1) as f64
+}
+
+/// Seeks changes one after the other, each beside those found before, until what is left may be chance.
+pub(super) fn changes(series: &Series, weather: &[Vec<f64>], how: &Seeking) -> Option<Changes> {
+    let alone = 1.0 - (1.0 - how.significance).powf(1.0 / how.modes as f64);
+    let n = series.len();
+    let mut found: Vec<(Candidate, f64)> = Vec::new();
+    let with = |found: &[(Candidate, f64)], but: Option<usize>| {
+        let mut columns = weather.to_vec();
+        let kept = found.iter().enumerate().filter(|(i, _)| Some(*i) != but);
+        columns.extend(kept.map(|(_, (change, _))| column(&series.at, change.form, change.from)));
+        columns
+    };
+    let mut disturbance = super::regression::restricted_likelihood(series, weather, None)?;
+    while found.len() < CHANGES_MOST {
+        let columns = with(&found, None);
+        if n < columns.len() + 6 {
+            break;
+        }
+        let Some(best) = strongest(series, &columns, Some(disturbance)) else {
+            break;
+        };
+        let statistic = best.change.statistic.abs();
+        // without a change the series is as if none were in it: with it the disturbance would be taken too small
+        let correlation = effective_correlation(series, best.without);
+        let limit = limit_of(alone, n, correlation);
+        let mut p = probability_of(statistic, n, correlation);
+        if (statistic / limit - 1.0).abs() <= NEAR_LIMIT && n <= SIMULATED_MOST && how.replicates > 0 {
+            let seed = (how.replicates, how.seed);
+            p = simulated(series, &columns, best.without, statistic, seed);
+        }
+        if p > alone {
+            break;
+        }
+        found.push((best.change, p));
+        disturbance = best.disturbance;
+        // each date anew beside the others
+        for i in 0..found.len() {
+            let columns = with(&found, Some(i));
+            let fit = Fit::new(series, &columns, disturbance)?;
+            if let Some(again) = scan(series, &columns, &fit).strongest() {
+                found[i].0 = again;
+            }
+        }
+    }
+    let columns = with(&found, None);
+    disturbance = super::regression::restricted_likelihood(series, &columns, Some(disturbance))?;
+    let fit = Fit::new(series, &columns, disturbance)?;
+    let dated = found.iter().enumerate().filter_map(|(i, (change, p))| {
+        dated(
+            series,
+            &with(&found, Some(i)),
+            disturbance,
+            (*change, family(*p, how.modes)),
+        )
+    });
+    let mut found: Vec<Found> = dated.collect();
+    found.sort_by_key(|found| found.change.from);
+    let limit = limit_of(alone, n, effective_correlation(series, disturbance));
+    let steps = scan(series, &columns, &fit).all;
+    let mut sds: Vec<f64> = steps
+        .iter()
+        .filter(|change| change.form == ChangeForm::Step)
+        .map(|change| change.sd)
+        .collect();
+    sds.sort_by(f64::total_cmp);
+    const OF_POWER: f64 = 0.8416212335729143; // z of 80 %
+    Some(Changes {
+        found,
+        disturbance,
+        seen_from: sds
+            .get(sds.len() / 2)
+            .map_or(f64::INFINITY, |sd| (limit + OF_POWER) * sd),
+        fit,
+        columns,
+    })
+}
+
+/// A change with the dates that it may have.
+fn dated(
+    series: &Series,
+    columns: &[Vec<f64>],
+    of: Disturbance,
+    (change, p_value): (Candidate, f64),
+) -> Option<Found> {
+    let fit = Fit::new(series, columns, of)?;
+    let all = scan(series, columns, &fit).all;
+    let same = all.iter().filter(|other| other.form == change.form);
+    let strongest = same.clone().find(|other| other.from == change.from)?;
+    let fall = match change.form {
+        ChangeForm::Step => STEP_DATES,
+        ChangeForm::Slope => SLOPE_DATES,
+    };
+    let as_likely = same.filter(|other| other.statistic.powi(2) >= strongest.statistic.powi(2) - fall);
+    let (earliest, latest) = as_likely.fold((change.from, change.from), |(low, high), other| {
+        (low.min(other.from), high.max(other.from))
+    });
+    Some(Found {
+        change: *strongest,
+        earliest,
+        latest,
+        p_value,
+    })
+}

@@ -1,0 +1,123 @@
+//! The limit of an exponentially weighted moving average at a stated rate of false alarms.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | λ | `weight` | weight of the newest score | - |
+//! | L | `limit` | limit over the average's own deviation √(λ/(2 − λ)) | - |
+//! | | `run_length` | mean number of surveys until a false alarm | - |
+
+use super::MonitoringError;
+use dolmen_linalg::{Matrix, solve};
+
+/// Cells of the chain between 0 and the limit. With 40 the run length of published tables is met to 1 %.
+const CELLS: usize = 40;
+/// Limits that are sought.
+const LIMIT_LEAST: f64 = 1.0;
+const LIMIT_MOST: f64 = 6.0;
+/// Width to which a limit is found.
+const LIMIT_WIDTH: f64 = 1e-3;
+
+/// Mean number of surveys until the average of independent normal scores goes beyond its limit, on either side.
+///
+/// ```text
+/// E_i = (1 − λ) E_{i−1} + λ u_i,   beyond: |E_i| > L √(λ/(2 − λ))
+/// ```
+/// E is followed between cells of equal width, by a Markov chain; both signs in one.
+///
+/// # Errors
+/// [`MonitoringError::Option`] for a weight or limit out of range.
+///
+/// # Source
+/// Brook & Evans (1972) Biometrika 59:539-549; run lengths in Lucas & Saccucci (1990) Technometrics 32:1-12.
+pub fn ewma_run_length(weight: f64, limit: f64) -> Result<f64, MonitoringError> {
+    let refused = |option, given, allowed| {
+        Err(MonitoringError::Option {
+            option,
+            given,
+            allowed,
+        })
+    };
+    if !(weight > 0.0 && weight <= 1.0) {
+        return refused("weight", weight, "above 0 and at most 1");
+    }
+    if !(limit > 0.0 && limit <= 10.0) {
+        return refused("limit", limit, "above 0 and at most 10");
+    }
+    // from −h to h an odd number of cells, one about 0; the states are |E|
+    let h = limit * (weight / (2.0 - weight)).sqrt();
+    let width = 2.0 * h / (2 * CELLS + 1) as f64;
+    let within = |from: f64, to: f64| {
+        crate::numeric::normal_probability(to) - crate::numeric::normal_probability(from)
+    };
+    let transition = |i: usize, j: usize| {
+        let at = i as f64 * width;
+        let reach = |cell: f64| {
+            let ends = [cell - 0.5, cell + 0.5].map(|end| (end * width - (1.0 - weight) * at) / weight);
+            within(ends[0], ends[1])
+        };
+        let other_side = if j == 0 { 0.0 } else { reach(-(j as f64)) };
+        reach(j as f64) + other_side
+    };
+    let chain = Matrix::from_fn(CELLS + 1, CELLS + 1, |i, j| {
+        f64::from(u8::from(i == j)) - transition(i, j)
+    });
+    let ones = Matrix::from_column(&[1.0; CELLS + 1]);
+    match solve(&chain, &ones) {
+        Ok(lengths) => Ok(lengths.column(0)[0]),
+        Err(_) => Ok(f64::INFINITY),
+    }
+}
+
+/// The limit at which a false alarm comes once in `run_length` surveys, between 1 and 6.
+///
+/// # Errors
+/// As [`ewma_run_length`].
+pub fn ewma_limit(weight: f64, run_length: f64) -> Result<f64, MonitoringError> {
+    let (mut low, mut high) = (LIMIT_LEAST, LIMIT_MOST);
+    while high - low > LIMIT_WIDTH {
+        let middle = 0.5 * (low + high);
+        if ewma_run_length(weight, middle)? < run_length {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    Ok(0.5 * (low + high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+
+    #[test]
+    fn published_run_lengths_of_lucas_and_saccucci() {
+        // Lucas & Saccucci (1990) table 3, no shift: schemes of about 500
+        for (weight, limit) in [(0.4, 3.054), (0.25, 2.998), (0.2, 2.962), (0.1, 2.814)] {
+            let found = ewma_run_length(weight, limit).unwrap();
+            assert!((found / 500.0 - 1.0).abs() < 0.02, "{weight} {limit}: {found}");
+        }
+        assert!((ewma_limit(0.2, 500.0).unwrap() - 2.962).abs() < 0.01);
+        // λ = 1 is Shewhart's chart: 1/P(|u| > 3) = 370.4
+        assert!((ewma_run_length(1.0, 3.0).unwrap() / 370.398 - 1.0).abs() < 1e-3);
+    }
+
+    #[test]
+    fn agrees_with_runs_that_are_drawn() {
+        let (weight, limit) = (0.2_f64, 2.5);
+        let h = limit * (weight / (2.0 - weight)).sqrt();
+        let mut random = Random::new(11, 0);
+        let runs = 4000;
+        let mut surveys = 0.0;
+        for _ in 0..runs {
+            let mut average = 0.0_f64;
+            while average.abs() <= h {
+                average = (1.0 - weight) * average + weight * random.normal();
+                surveys += 1.0;
+            }
+        }
+        let found = ewma_run_length(weight, limit).unwrap();
+        // a mean of nearly exponential lengths: 1/√4000 = 1.6 %
+        assert!((surveys / f64::from(runs) / found - 1.0).abs() < 0.05, "{found}");
+    }
+}

@@ -1,0 +1,39 @@
+//! The record of a structure over the years: modes followed through many surveys, what the weather does to them, what changed and when, and
+//! the alarm that each new survey may give.
+
+mod alarm;
+mod changes;
+mod critical;
+mod error;
+mod ewma;
+mod history;
+mod made;
+mod online;
+mod outliers;
+mod regression;
+mod scan;
+mod sensors;
+mod t_squared;
+mod table;
+mod tilt;
+mod tracking;
+mod watch;
+mod weather;
+mod whitening;
+
+pub use alarm::{AlarmKind, Judged, JudgedMode, ModeAlarm, NotJudged};
+pub use critical::{NullSeries, null_statistics};
+pub use error::MonitoringError;
+pub use ewma::{ewma_limit, ewma_run_length};
+pub use history::{History, HistorySurvey, TiltReading, Work};
+pub use made::{MadeHistory, made_history};
+pub use scan::ChangeForm;
+pub use sensors::SensorChange;
+pub use t_squared::SurveyTSquared;
+pub use tilt::{TiltReach, TiltSeries, TiltSlope, TiltTrend};
+pub use tracking::{Jumped, Track, Tracked, Tracking, track};
+pub use watch::{
+    StructureAlarm, WatchOptions, Watched, WatchedChange, WatchedMode, WeatherEffect, WorkEffect, watch,
+};
+pub use weather::WeatherKnown;
+pub use whitening::Disturbance;

@@ -1,0 +1,51 @@
+//! Surveys of a mode that stand alone: one wild reading is no lasting change, and must not hide or feign one.
+
+use super::regression::{Fit, restricted_likelihood};
+use super::weather::{ModeSeries, WeatherKnown, columns, has_temperature};
+use crate::numeric::middle;
+
+/// Deviations from its neighbours beyond which a reading stands alone. Chosen here: by chance one in 500 million.
+const ALONE: f64 = 6.0;
+/// A deviation of normal values over their median absolute deviation.
+const OF_MEDIAN: f64 = 1.4826;
+/// Readings below which neighbours say too little.
+const READINGS_LEAST: usize = 8;
+
+/// Indices of the readings that lie beyond the two before and the two behind them by more than six deviations, the weather removed. The last two are left to the alarm.
+pub(super) fn outliers(series: &ModeSeries) -> Vec<usize> {
+    let n = series.len();
+    if n < READINGS_LEAST {
+        return Vec::new();
+    }
+    let with_temperature = series.kept(|i| series.temperatures_c[i].is_finite());
+    let readings = if has_temperature(series) && with_temperature.len() == n {
+        let known: f64 = series.temperatures_c.iter().sum::<f64>() / n as f64;
+        let columns = columns(series, WeatherKnown::Temperature, (known, 0.0));
+        restricted_likelihood(&series.series, &columns, None)
+            .and_then(|disturbance| Fit::new(&series.series, &columns, disturbance))
+            .map_or_else(
+                || series.series.readings.clone(),
+                |fit| fit.residuals(&series.series, &columns),
+            )
+    } else {
+        series.series.readings.clone()
+    };
+    let off: Vec<[f64; 4]> = (2..n - 2)
+        .map(|i| {
+            let mut near = [readings[i - 2], readings[i - 1], readings[i + 1], readings[i + 2]];
+            near.sort_by(f64::total_cmp);
+            near.map(|other| readings[i] - other)
+        })
+        .collect();
+    let of_median = off.iter().map(|off| 0.5 * (off[1] + off[2]).abs());
+    let spread = OF_MEDIAN * middle(of_median.collect());
+    let found = off.iter().enumerate();
+    found
+        .filter(|(i, off)| {
+            let limit = ALONE * spread.max(series.series.noise_sd[i + 2]);
+            // beside a step a reading is far from two of them, and not from all
+            off.iter().all(|off| *off > limit) || off.iter().all(|off| *off < -limit)
+        })
+        .map(|(i, _)| i + 2)
+        .collect()
+}

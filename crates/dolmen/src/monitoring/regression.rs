@@ -1,0 +1,316 @@
+//! A series of readings against what explains them, with the disturbance that is left estimated from the same series.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | y | `readings` | frequency over its middle value, less 1; or a tilt | - |
+//! | X | `columns` | what explains y: one column each | |
+//! | β | `coefficients` | | |
+//! | k | `columns.len()` | | - |
+
+use super::whitening::{Disturbance, Whitening};
+
+/// Largest correlation over one interval that is sought; above it level and disturbance are not told apart. Chosen here.
+const CORRELATION_MOST: f64 = 0.95;
+/// Least disturbance that is sought, over the noise of the readings. Chosen here: its variance then counts for 0.04 % of theirs.
+const SD_LEAST: f64 = 0.02;
+/// The search ends where −2 ln of the likelihood differs by less than this. Chosen here.
+const LIKELIHOOD_STEP: f64 = 2e-3;
+/// Evaluations that a search may take.
+const EVALUATIONS_MOST: usize = 90;
+/// A column is not told from those before it where less than this part of its square is its own.
+const OWN_LEAST: f64 = 1e-9;
+
+/// Readings in time.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct Series {
+    /// When, in usual intervals between surveys, ascending.
+    pub(super) at: Vec<f64>,
+    /// What was read.
+    pub(super) readings: Vec<f64>,
+    /// Standard deviation that the survey states; 0 where it states none.
+    pub(super) noise_sd: Vec<f64>,
+}
+
+impl Series {
+    pub(super) fn len(&self) -> usize {
+        self.at.len()
+    }
+}
+
+/// A regression by generalised least squares.
+///
+/// ```text
+/// β = (Xᵀ V⁻¹ X)⁻¹ Xᵀ V⁻¹ y        X: n × k, V: n × n
+/// ```
+#[derive(Clone, Debug)]
+pub(super) struct Fit {
+    pub(super) coefficients: Vec<f64>,
+    /// Standard deviations of the coefficients.
+    pub(super) sd: Vec<f64>,
+    /// The Cholesky factor of Xᵀ V⁻¹ X, row by row.
+    pub(super) factor: Vec<f64>,
+    pub(super) whitening: Whitening,
+    /// −2 ln of the likelihood at β, but for n ln 2π.
+    pub(super) minus_two_ln_likelihood: f64,
+}
+
+impl Fit {
+    /// `None` where a column follows from the others.
+    pub(super) fn new(series: &Series, columns: &[Vec<f64>], disturbance: Disturbance) -> Option<Self> {
+        let k = columns.len();
+        let gram = Gram::new(series, columns, disturbance);
+        let factor = gram.factor()?;
+        let width = k + 1;
+        // the last row of the factor is (Lₓ⁻¹ Xᵀ V⁻¹ y)ᵀ
+        let right: Vec<f64> = (0..k).map(|j| factor[k * width + j]).collect();
+        let of_columns: Vec<f64> = (0..k)
+            .flat_map(|i| (0..k).map(move |j| (i, j)))
+            .map(|(i, j)| factor[i * width + j])
+            .collect();
+        let coefficients = solve_upper(&of_columns, k, right);
+        let sd = (0..k)
+            .map(|j| {
+                let unit = (0..k).map(|i| f64::from(u8::from(i == j))).collect();
+                let column = solve_lower(&of_columns, k, unit);
+                column.iter().map(|x| x * x).sum::<f64>().sqrt()
+            })
+            .collect();
+        let rest = factor[k * width + k];
+        Some(Fit {
+            coefficients,
+            sd,
+            factor: of_columns,
+            minus_two_ln_likelihood: gram.ln_determinant + rest * rest,
+            whitening: Whitening::new(&series.at, &series.noise_sd, disturbance),
+        })
+    }
+
+    /// y − X β.
+    pub(super) fn residuals(&self, series: &Series, columns: &[Vec<f64>]) -> Vec<f64> {
+        let explained = |i: usize| -> f64 {
+            let parts = columns.iter().zip(&self.coefficients);
+            parts.map(|(column, beta)| column[i] * beta).sum()
+        };
+        let readings = series.readings.iter().enumerate();
+        readings.map(|(i, y)| y - explained(i)).collect()
+    }
+
+    /// hᵀ (Xᵀ V⁻¹ X)⁻¹ h.
+    pub(super) fn form(&self, h: Vec<f64>) -> f64 {
+        let solved = solve_lower(&self.factor, h.len(), h);
+        solved.iter().map(|x| x * x).sum()
+    }
+}
+
+pub(super) fn solve_lower(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
+    for i in 0..k {
+        let known: f64 = (0..i).map(|j| factor[i * k + j] * b[j]).sum();
+        b[i] = (b[i] - known) / factor[i * k + i];
+    }
+    b
+}
+
+fn solve_upper(factor: &[f64], k: usize, mut b: Vec<f64>) -> Vec<f64> {
+    for i in (0..k).rev() {
+        let known: f64 = (i + 1..k).map(|j| factor[j * k + i] * b[j]).sum();
+        b[i] = (b[i] - known) / factor[i * k + i];
+    }
+    b
+}
+
+/// Products of the whitened columns and readings with each other: one pass through the surveys.
+struct Gram {
+    /// (k + 1) × (k + 1), the readings last; the lower half is filled.
+    products: Vec<f64>,
+    width: usize,
+    ln_determinant: f64,
+}
+
+impl Gram {
+    fn new(series: &Series, columns: &[Vec<f64>], disturbance: Disturbance) -> Self {
+        let width = columns.len() + 1;
+        let whitening = Whitening::new(&series.at, &series.noise_sd, disturbance);
+        let mut white: Vec<Vec<f64>> = columns.iter().map(|column| whitening.white(column)).collect();
+        white.push(whitening.white(&series.readings));
+        let mut products = vec![0.0; width * width];
+        for (i, row) in white.iter().enumerate() {
+            for (j, column) in white[..=i].iter().enumerate() {
+                products[i * width + j] = row.iter().zip(column).map(|(a, b)| a * b).sum();
+            }
+        }
+        Gram {
+            products,
+            width,
+            ln_determinant: whitening.ln_determinant,
+        }
+    }
+
+    /// Its Cholesky factor; the square of its last entry is what no column explains.
+    fn factor(&self) -> Option<Vec<f64>> {
+        let m = self.width;
+        let mut l = self.products.clone();
+        for i in 0..m {
+            for j in 0..=i {
+                let known: f64 = (0..j).map(|c| l[i * m + c] * l[j * m + c]).sum();
+                let left = self.products[i * m + j] - known;
+                if i == j {
+                    let is_readings = i + 1 == m;
+                    if !is_readings && (left <= OWN_LEAST * self.products[i * m + i] || left.is_nan()) {
+                        return None;
+                    }
+                    l[i * m + i] = left.max(0.0).sqrt();
+                } else {
+                    l[i * m + j] = left / l[j * m + j];
+                }
+            }
+        }
+        Some(l)
+    }
+
+    /// −2 ln of the restricted likelihood, but for a constant: Σ ln F + ln |Xᵀ V⁻¹ X| + rᵀ V⁻¹ r.
+    fn criterion(&self) -> Option<f64> {
+        let l = self.factor()?;
+        let (m, k) = (self.width, self.width - 1);
+        let of_columns: f64 = (0..k).map(|i| 2.0 * l[i * m + i].ln()).sum();
+        Some(self.ln_determinant + of_columns + l[k * m + k] * l[k * m + k])
+    }
+}
+
+/// The disturbance of greatest restricted likelihood; `None` where a column follows from the others.
+///
+/// The search is that of Nelder & Mead in ln s and φ, kept within their bounds.
+///
+/// # Source
+/// Patterson & Thompson (1971) Biometrika 58:545-554; Nelder & Mead (1965) Computer Journal 7:308-313.
+pub(super) fn restricted_likelihood(
+    series: &Series,
+    columns: &[Vec<f64>],
+    start: Option<Disturbance>,
+) -> Option<Disturbance> {
+    let n = series.len() as f64;
+    let mean = series.readings.iter().sum::<f64>() / n;
+    let all = series.readings.iter().map(|y| (y - mean).powi(2)).sum::<f64>() / n;
+    let noise = (series.noise_sd.iter().map(|sd| sd * sd).sum::<f64>() / n).sqrt();
+    let least = (SD_LEAST * noise).max(1e-6 * all.sqrt()).max(1e-12).ln();
+    let most = (10.0 * all.sqrt()).max(noise).max(1e-11).ln();
+    let of = |[ln_sd, correlation]: [f64; 2]| Disturbance {
+        sd: ln_sd.clamp(least, most).exp(),
+        correlation: correlation.clamp(0.0, CORRELATION_MOST),
+    };
+    let value = |at: [f64; 2]| Gram::new(series, columns, of(at)).criterion();
+    let start = match start {
+        Some(known) => [known.sd.ln(), known.correlation],
+        None => [(0.5 * all).sqrt().max(noise).max(1e-11).ln() - 0.7, 0.3],
+    };
+    let start = [start[0].clamp(least, most), start[1]];
+    let corners = [
+        start,
+        [start[0] - 0.6, start[1]],
+        [start[0], start[1] + if start[1] > 0.5 { -0.3 } else { 0.3 }],
+    ];
+    let mut simplex = Vec::with_capacity(3);
+    for corner in corners {
+        simplex.push((value(corner)?, corner));
+    }
+    let mut evaluations = simplex.len();
+    while evaluations < EVALUATIONS_MOST {
+        simplex.sort_by(|a, b| a.0.total_cmp(&b.0));
+        if simplex[2].0 - simplex[0].0 < LIKELIHOOD_STEP {
+            break;
+        }
+        let middle = [0, 1].map(|i| 0.5 * (simplex[0].1[i] + simplex[1].1[i]));
+        let away = |by: f64| {
+            let moved = [0, 1].map(|i| middle[i] + by * (simplex[2].1[i] - middle[i]));
+            [moved[0].clamp(least, most), moved[1].clamp(0.0, CORRELATION_MOST)]
+        };
+        let mut tried = |by: f64| {
+            evaluations += 1;
+            Some((value(away(by))?, away(by)))
+        };
+        let reflected = tried(-1.0)?;
+        if reflected.0 < simplex[0].0 {
+            let further = tried(-2.0)?;
+            simplex[2] = if further.0 < reflected.0 {
+                further
+            } else {
+                reflected
+            };
+        } else if reflected.0 < simplex[1].0 {
+            simplex[2] = reflected;
+        } else {
+            let inner = tried(if reflected.0 < simplex[2].0 { -0.5 } else { 0.5 })?;
+            if inner.0 < simplex[2].0.min(reflected.0) {
+                simplex[2] = inner;
+            } else {
+                let best = simplex[0].1;
+                for corner in simplex.iter_mut().skip(1) {
+                    let shrunk = [0, 1].map(|i| 0.5 * (best[i] + corner.1[i]));
+                    evaluations += 1;
+                    *corner = (value(shrunk)?, shrunk);
+                }
+            }
+        }
+    }
+    simplex.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Some(of(simplex[0].1))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::numeric::Random;
+
+    #[test]
+    fn exact_without_disturbance_it_is_the_variance_of_a_sample() {
+        // no correlation between readings far apart, no stated noise: REML of s² is Σ(y − mean)²/(n − 1)
+        let readings = vec![1.0, 3.0, 2.0, 7.0, 4.0];
+        let series = Series {
+            at: (0..5).map(|i| 1e3 * f64::from(i)).collect(),
+            noise_sd: vec![0.0; 5],
+            readings,
+        };
+        let ones = vec![vec![1.0; 5]];
+        let found = restricted_likelihood(&series, &ones, None).unwrap();
+        let exact = (((1.0_f64 - 3.4).powi(2) + 0.16 + 1.96 + 3.6_f64.powi(2) + 0.36) / 4.0).sqrt();
+        assert!((found.sd / exact - 1.0).abs() < 0.02, "{found:?} {exact}");
+        let fit = Fit::new(&series, &ones, found).unwrap();
+        assert!((fit.coefficients[0] - 3.4).abs() < 1e-12);
+        assert!((fit.sd[0] - found.sd / 5.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    #[test]
+    fn holds_noise_and_disturbance_are_told_apart() {
+        let (n, phi, sd, noise) = (4000, 0.7_f64, 0.8, 0.5);
+        let mut random = Random::new(3, 0);
+        let mut x = sd * random.normal();
+        let mut readings = Vec::new();
+        for _ in 0..n {
+            readings.push(x + noise * random.normal());
+            x = phi * x + sd * (1.0 - phi * phi).sqrt() * random.normal();
+        }
+        let series = Series {
+            at: (0..n).map(f64::from).collect(),
+            noise_sd: vec![noise; n as usize],
+            readings,
+        };
+        let found = restricted_likelihood(&series, &[vec![1.0; n as usize]], None).unwrap();
+        assert!(
+            (found.sd / sd - 1.0).abs() < 0.06 && (found.correlation - phi).abs() < 0.04,
+            "{found:?}"
+        );
+    }
+
+    #[test]
+    fn refuses_a_column_that_follows_from_the_others() {
+        let series = Series {
+            at: vec![0.0, 1.0, 2.0],
+            readings: vec![1.0, 2.0, 4.0],
+            noise_sd: vec![0.1; 3],
+        };
+        let disturbance = Disturbance {
+            sd: 0.1,
+            correlation: 0.0,
+        };
+        assert!(Fit::new(&series, &[vec![1.0; 3], vec![2.0; 3]], disturbance).is_none());
+    }
+}

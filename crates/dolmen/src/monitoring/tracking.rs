@@ -1,0 +1,365 @@
+//! Modes of many surveys followed through time: one assignment a survey, against what the last ones showed.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | Δf | | frequency less that of the reference, the median of the last ones | Hz |
+//! | σ_f | | standard deviation of the difference | Hz |
+//! | w | `width_hz` | max(`frequency_within` f, 4 σ_f) | Hz |
+
+use super::MonitoringError;
+use super::history::HistorySurvey;
+use super::sensors::{SensorChange, sensor_change};
+use crate::modal::{ObservedMode, ObservedPoint, Pairing, assurance, shared};
+use crate::numeric::{assignment, middle};
+
+/// Surveys that a reference is the median of.
+const REFERENCE_SURVEYS: usize = 10;
+/// A difference of frequencies of so many standard deviations may be one mode.
+const DEVIATIONS: f64 = 4.0;
+/// Cost of what must not be paired.
+const FORBIDDEN: f64 = 1e6;
+/// Surveys after which a mode that was hardly ever found is sought no more. Chosen here.
+const FORGOTTEN_AFTER: usize = 30;
+/// Fewer places than this say nothing of a shape.
+const PLACES_LEAST: usize = 2;
+/// MAC from which a mode that ended and one that began are offered as one that jumped.
+const JUMPED_LEAST: f64 = 0.8;
+
+/// Options of [`track`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tracking {
+    /// Largest relative change of a frequency that is taken for the same mode; default 0.15.
+    pub frequency_within: f64,
+    /// What a mode without a partner costs; default 1.2, so that a pair of unlike shapes at one frequency is refused.
+    pub unpaired: f64,
+    /// Surveys in which a mode must be found to be followed; default 3.
+    pub found_least: usize,
+    /// Part of the surveys in which a mode must be found to be followed; default 0.2 (ours).
+    pub share_least: f64,
+    /// How far apart two sensors may stand that are taken for one, m; default 0.1.
+    pub place_within_m: f64,
+}
+
+impl Default for Tracking {
+    fn default() -> Self {
+        let pairing = Pairing::default();
+        Tracking {
+            frequency_within: pairing.frequency_within,
+            unpaired: 1.2,
+            found_least: 3,
+            share_least: 0.2,
+            place_within_m: pairing.place_within_m,
+        }
+    }
+}
+
+/// One mode through all surveys.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Track {
+    /// Median frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its direction, where surveys know it.
+    pub direction: Option<String>,
+    /// For each survey the index of the mode there; `None` is a gap.
+    pub modes: Vec<Option<usize>>,
+    /// For each survey the MAC with the reference, where shapes can be compared.
+    pub assurances: Vec<Option<f64>>,
+}
+
+impl Track {
+    /// Surveys in which it was found.
+    pub fn found(&self) -> usize {
+        self.modes.iter().flatten().count()
+    }
+}
+
+/// A mode that ended and one that began, of like shapes: perhaps one that jumped.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Jumped {
+    /// Median frequency of the one that ended, Hz.
+    pub from_hz: f64,
+    /// Of the one that began, Hz.
+    pub to_hz: f64,
+    /// Survey that it began with.
+    pub at: usize,
+    /// MAC of their shapes.
+    pub assurance: f64,
+}
+
+/// Modes followed through a history.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Tracked {
+    /// Those found often enough, by frequency.
+    pub tracks: Vec<Track>,
+    /// Frequencies of those that were not, Hz, and in how many surveys each was found.
+    pub rare: Vec<(f64, usize)>,
+    /// Modes that may have jumped.
+    pub jumped: Vec<Jumped>,
+    /// Where shapes jumped and frequencies did not.
+    pub sensors: Vec<SensorChange>,
+}
+
+/// What the surveys so far say of one mode.
+struct Reference {
+    modes: Vec<Option<usize>>,
+    assurances: Vec<Option<f64>>,
+    /// The last ones that were accepted, newest last.
+    recent: Vec<ObservedMode>,
+}
+
+impl Reference {
+    fn frequency_hz(&self) -> f64 {
+        middle(self.recent.iter().map(|mode| mode.frequency_hz).collect())
+    }
+
+    /// The median of the last shapes, each brought to the length and phase of the newest; of places that all of them show.
+    fn shape(&self, within_m: f64) -> Vec<ObservedPoint> {
+        let Some(newest) = self.recent.iter().rev().find(|mode| !mode.shape.is_empty()) else {
+            return Vec::new();
+        };
+        let mut each: Vec<Vec<f64>> = vec![Vec::new(); newest.shape.len()];
+        for mode in &self.recent {
+            let [new, old] = shared(&newest.shape, &mode.shape, within_m);
+            if new.len() != newest.shape.len() {
+                continue;
+            }
+            let inner: dolmen_linalg::Complex64 = old.iter().zip(&new).map(|(o, n)| o.conj() * n).sum();
+            let power: f64 = old.iter().map(|o| o.norm_sqr()).sum();
+            if power > 0.0 {
+                for (values, (o, n)) in each.iter_mut().zip(old.iter().zip(&new)) {
+                    // along the phase of the newest: what stands across it is noise of both
+                    let phase = if n.norm() > 0.0 { n / n.norm() } else { 1.0.into() };
+                    values.push((o * inner / power * phase.conj()).re);
+                }
+            }
+        }
+        let points = newest.shape.iter().zip(each);
+        points
+            .map(|(point, values)| {
+                let norm = point.component.norm();
+                let phase = if norm > 0.0 {
+                    point.component / norm
+                } else {
+                    1.0.into()
+                };
+                ObservedPoint {
+                    channel: point.channel.clone(),
+                    component: phase * middle(values),
+                }
+            })
+            .collect()
+    }
+
+    fn as_mode(&self, within_m: f64) -> ObservedMode {
+        let mut mode = self.recent[self.recent.len() - 1].clone();
+        mode.frequency_hz = self.frequency_hz();
+        mode.shape = self.shape(within_m);
+        mode
+    }
+}
+
+/// Follows modes through surveys.
+///
+/// ```text
+/// cost = |Δf|/w + (1 − MAC), or |Δf|/w where shapes cannot be compared        a mode without a partner: 1.2
+/// ```
+/// References are the medians of frequency and shape of the last ten surveys that showed a mode. A mode that a survey does not show is a gap.
+///
+/// # Errors
+/// [`MonitoringError::Option`]; [`MonitoringError::Numeric`] for frequencies that are no numbers.
+///
+/// # Limits
+/// Without shapes two modes that cross are confused: their order is kept. A mode that moves by more than `frequency_within` between two
+/// surveys ends, and another begins; where shapes are alike both are offered as one ([`Jumped`]).
+pub fn track(surveys: &[HistorySurvey], options: &Tracking) -> Result<Tracked, MonitoringError> {
+    check(options)?;
+    let mut references: Vec<Reference> = Vec::new();
+    let mut retired = Vec::new();
+    let mut sensors = Vec::new();
+    for (at, survey) in surveys.iter().enumerate() {
+        let known: Vec<ObservedMode> = references
+            .iter()
+            .map(|reference| reference.as_mode(options.place_within_m))
+            .collect();
+        let chosen = assigned(&known, &survey.modes, options)?;
+        let pairs: Vec<(&ObservedMode, &ObservedMode)> = known
+            .iter()
+            .zip(&chosen)
+            .filter_map(|(known, j)| Some((known, &survey.modes[(*j)?])))
+            .collect();
+        let changed = sensor_change(&pairs, options.place_within_m);
+        for (reference, j) in references.iter_mut().zip(&chosen) {
+            let shape = reference.shape(options.place_within_m);
+            let mac = j.and_then(|j| likeness(&shape, &survey.modes[j], options));
+            reference.modes.push(*j);
+            reference.assurances.push(mac);
+            if changed.is_some() {
+                reference.recent.iter_mut().for_each(|mode| mode.shape.clear());
+            }
+            if let Some(j) = j {
+                reference.recent.push(survey.modes[*j].clone());
+                if reference.recent.len() > REFERENCE_SURVEYS {
+                    reference.recent.remove(0);
+                }
+            }
+        }
+        let is_chance = |reference: &mut Reference| {
+            let found = reference.modes.iter().flatten().count();
+            let last = reference.modes.iter().rposition(Option::is_some).unwrap_or(0);
+            found < options.found_least && at - last > FORGOTTEN_AFTER
+        };
+        retired.extend(references.extract_if(.., is_chance));
+        sensors.extend(changed.map(|change| SensorChange { survey: at, ..change }));
+        for (j, mode) in survey.modes.iter().enumerate() {
+            if !chosen.contains(&Some(j)) {
+                let mut modes = vec![None; at];
+                modes.push(Some(j));
+                references.push(Reference {
+                    modes,
+                    assurances: vec![None; at + 1],
+                    recent: vec![mode.clone()],
+                });
+            }
+        }
+    }
+    retired.extend(references);
+    Ok(gathered(retired, sensors, surveys, options))
+}
+
+fn likeness(shape: &[ObservedPoint], mode: &ObservedMode, options: &Tracking) -> Option<f64> {
+    let [phi, psi] = shared(shape, &mode.shape, options.place_within_m);
+    (phi.len() >= PLACES_LEAST).then(|| assurance(&phi, &psi))
+}
+
+/// For each reference the mode of the survey that is the same.
+fn assigned(
+    known: &[ObservedMode],
+    modes: &[ObservedMode],
+    options: &Tracking,
+) -> Result<Vec<Option<usize>>, MonitoringError> {
+    let gaps = known.len();
+    let row = |known: &ObservedMode| -> Vec<f64> {
+        let own = modes.iter().map(|mode| {
+            let strangers = matches!((&known.direction, &mode.direction), (Some(a), Some(b)) if a != b);
+            let sd = known
+                .frequency_sd_hz
+                .unwrap_or(0.0)
+                .hypot(mode.frequency_sd_hz.unwrap_or(0.0));
+            let width_hz = (options.frequency_within * known.frequency_hz).max(DEVIATIONS * sd);
+            let apart = (mode.frequency_hz - known.frequency_hz).abs() / width_hz;
+            let unlike = likeness(&known.shape, mode, options).map_or(0.0, |mac| 1.0 - mac);
+            let cost = apart + unlike;
+            match strangers || cost > options.unpaired || cost.is_nan() {
+                true => FORBIDDEN,
+                false => cost,
+            }
+        });
+        own.chain(std::iter::repeat_n(options.unpaired, gaps)).collect()
+    };
+    let cost: Vec<Vec<f64>> = known.iter().map(row).collect();
+    let chosen = assignment(&cost)?;
+    let pairs = chosen.into_iter().zip(&cost);
+    Ok(pairs
+        .map(|(j, row)| (j < modes.len() && row[j] < FORBIDDEN).then_some(j))
+        .collect())
+}
+
+/// Those found often enough, by frequency; the rest; and what may have jumped.
+fn gathered(
+    references: Vec<Reference>,
+    sensors: Vec<SensorChange>,
+    surveys: &[HistorySurvey],
+    options: &Tracking,
+) -> Tracked {
+    let with_modes = surveys.iter().filter(|survey| !survey.modes.is_empty()).count();
+    let least = (options.share_least * with_modes as f64).max(options.found_least as f64);
+    let mut tracks = Vec::new();
+    let mut rare = Vec::new();
+    let mut shapes = Vec::new();
+    for reference in references {
+        let found: Vec<(usize, usize)> = reference
+            .modes
+            .iter()
+            .enumerate()
+            .filter_map(|(at, j)| Some((at, (*j)?)))
+            .collect();
+        let frequency_hz = middle(
+            found
+                .iter()
+                .map(|(at, j)| surveys[*at].modes[*j].frequency_hz)
+                .collect(),
+        );
+        // a mode that began late must be found as often among the surveys since then
+        let began = found.first().map_or(0, |(at, _)| *at);
+        let since = surveys[began..]
+            .iter()
+            .filter(|survey| !survey.modes.is_empty())
+            .count();
+        let least = least.min((options.share_least * since as f64).max(options.found_least as f64));
+        if (found.len() as f64) < least {
+            rare.push((frequency_hz, found.len()));
+            continue;
+        }
+        shapes.push((
+            reference.as_mode(options.place_within_m),
+            began,
+            found.last().map_or(0, |(at, _)| *at),
+        ));
+        tracks.push(Track {
+            frequency_hz,
+            direction: found
+                .iter()
+                .find_map(|(at, j)| surveys[*at].modes[*j].direction.clone()),
+            modes: reference.modes,
+            assurances: reference.assurances,
+        });
+    }
+    let mut jumped = Vec::new();
+    for (ended, (from, _, last)) in shapes.iter().enumerate() {
+        for (began, (to, first, _)) in shapes.iter().enumerate() {
+            let follows = ended != began && first > last;
+            let strangers = matches!((&from.direction, &to.direction), (Some(a), Some(b)) if a != b);
+            let mac = likeness(&from.shape, to, options).filter(|mac| *mac >= JUMPED_LEAST);
+            if let (true, false, Some(assurance)) = (follows, strangers, mac) {
+                jumped.push(Jumped {
+                    from_hz: tracks[ended].frequency_hz,
+                    to_hz: tracks[began].frequency_hz,
+                    at: *first,
+                    assurance,
+                });
+            }
+        }
+    }
+    tracks.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    rare.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Tracked {
+        tracks,
+        rare,
+        jumped,
+        sensors,
+    }
+}
+
+fn check(options: &Tracking) -> Result<(), MonitoringError> {
+    let refused = |option, given, allowed| {
+        Err(MonitoringError::Option {
+            option,
+            given,
+            allowed,
+        })
+    };
+    if !(options.frequency_within > 0.0 && options.frequency_within <= 1.0) {
+        return refused(
+            "frequency_within",
+            options.frequency_within,
+            "above 0 and at most 1",
+        );
+    }
+    if !(options.unpaired > 0.0 && options.unpaired <= 2.0) {
+        return refused("unpaired", options.unpaired, "above 0 and at most 2");
+    }
+    if !(0.0..=1.0).contains(&options.share_least) {
+        return refused("share_least", options.share_least, "between 0 and 1");
+    }
+    Ok(())
+}

@@ -1,0 +1,513 @@
+//! Everything that a history says of its structure.
+
+use super::MonitoringError;
+use super::alarm::{AlarmOptions, JudgedMode, ModeAlarm, alarm_limit, judge};
+use super::changes::{Changes, Seeking, changes};
+use super::history::{History, HistorySurvey};
+use super::outliers::outliers;
+use super::scan::ChangeForm;
+use super::t_squared::{SurveyTSquared, t_squared};
+use super::tilt::{TiltSeries, TiltTrend, tilt_trend};
+use super::tracking::{Track, Tracked, Tracking, track};
+use super::weather::{ModeSeries, WeatherKnown, YEAR_DAYS, columns, earned, has_temperature, knows_frost};
+use super::whitening::Disturbance;
+use crate::numeric::middle;
+
+/// Surveys that a history needs.
+const SURVEYS_LEAST: usize = 3;
+/// Surveys of one mode from which on a change is sought. Chosen here: with fewer the limit of chance is beyond any change.
+const READINGS_LEAST: usize = 8;
+/// Correlation of temperature and time from which the answer says so; as in the comparison of two surveys.
+const WITH_TIME: f64 = 0.7;
+
+/// Options of [`watch`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct WatchOptions {
+    /// How modes are followed.
+    pub tracking: Tracking,
+    /// Probability of finding any change in any mode where there is none; default 0.05.
+    pub significance: f64,
+    /// Mean time between false alarms of all modes together, years; default 10.
+    pub years_between_false_alarms: f64,
+    /// Surveys that are learned from before one is judged; default 10.
+    pub training: usize,
+    /// Weight of the newest survey in the moving average; default 0.2.
+    pub weight: f64,
+    /// Temperature below which stone freezes, °C; default 0.
+    pub frost_below_c: f64,
+    /// Tilt that must not be reached, horizontal over vertical.
+    pub tilt_limit: Option<f64>,
+    /// Simulated histories where a change is near the limit of chance; default 999. 0: the table alone.
+    pub replicates: usize,
+    /// Seed of these.
+    pub seed: u64,
+}
+
+impl Default for WatchOptions {
+    fn default() -> Self {
+        WatchOptions {
+            tracking: Tracking::default(),
+            significance: 0.05,
+            years_between_false_alarms: 10.0,
+            training: 10,
+            weight: 0.2,
+            frost_below_c: 0.0,
+            tilt_limit: None,
+            replicates: 999,
+            seed: 1,
+        }
+    }
+}
+
+/// What the weather does to one mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WeatherEffect {
+    /// What is known of it.
+    pub known: WeatherKnown,
+    /// Relative change per °C, and its standard deviation.
+    pub per_c: Option<(f64, f64)>,
+    /// Relative rise per °C below freezing, beside that, and its standard deviation.
+    pub frost_per_c: Option<(f64, f64)>,
+    /// Correlation of temperature with time, where it is strong: weather and ageing are not told apart.
+    pub with_time: Option<f64>,
+    /// The disturbance that is left.
+    pub disturbance: Disturbance,
+}
+
+/// A change of one mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WatchedChange {
+    /// Step or slope.
+    pub form: ChangeForm,
+    /// The first survey that shows it.
+    pub from: usize,
+    /// The change came after this survey,
+    pub after: usize,
+    /// and not after this one: the interval holds the date with 95 % probability.
+    pub before: usize,
+    /// Relative change: of a step, or of a slope up to the last survey.
+    pub ratio: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+    /// Relative change a year, of a slope.
+    pub per_year: Option<f64>,
+    /// Probability of so strong a change in any mode by chance.
+    pub p_value: f64,
+}
+
+/// What a work did to a mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WorkEffect {
+    /// Index of the work.
+    pub work: usize,
+    /// Relative change of the frequency.
+    pub ratio: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+}
+
+/// One mode through the years.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WatchedMode {
+    /// Where it was found.
+    pub track: Track,
+    /// What the weather does to it; `None` where too few surveys show it.
+    pub weather: Option<WeatherEffect>,
+    /// For each survey the frequency that weather, works and changes explain, Hz.
+    pub explained_hz: Vec<Option<f64>>,
+    /// What changed.
+    pub changes: Vec<WatchedChange>,
+    /// What works did.
+    pub works: Vec<WorkEffect>,
+    /// Least lasting step halfway through the years that would have been seen with 80 % probability.
+    pub seen_from_ratio: Option<f64>,
+    /// Surveys that stand alone: left out of the search.
+    pub outliers: Vec<usize>,
+    /// Surveys at temperatures that too few others had: left out of the search.
+    pub strange: Vec<usize>,
+    /// Each survey against those before it.
+    pub judged: JudgedMode,
+}
+
+/// An alarm of the structure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StructureAlarm {
+    /// Index of the mode.
+    pub mode: usize,
+    /// What gave it.
+    pub alarm: ModeAlarm,
+    /// Whether a work or an inspection came after it.
+    pub is_answered: bool,
+}
+
+/// What a history says.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Watched {
+    /// The modes.
+    pub modes: Vec<WatchedMode>,
+    /// What following them said beside.
+    pub tracked: Tracked,
+    /// Confirmed alarms, by time.
+    pub alarms: Vec<StructureAlarm>,
+    /// T² of each survey that has one.
+    pub t_squared: Vec<SurveyTSquared>,
+    /// Tilts.
+    pub tilts: Vec<TiltTrend>,
+    /// Usual time between two surveys, days.
+    pub interval_days: f64,
+    /// Limit of the moving average over its own deviation.
+    pub average_limit: f64,
+    /// Probability of at least one false alarm over the years watched.
+    pub false_alarm_probability: f64,
+    /// Significance of the search for changes.
+    pub significance: f64,
+}
+
+/// What a history says: modes followed, weather taken out, changes found, each survey judged against those before it, tilts.
+///
+/// ```text
+/// f_i(t) = f_i0 [1 + β_i (T − T₀) + γ_i max(0, T_k − T) + changes] + e,   Cov e = diag(σ_i²) + s² φ^|Δt|
+/// ```
+///
+/// # Errors
+/// [`MonitoringError`].
+///
+/// # Limits
+/// The limit of chance for more than 1,000 surveys is that of 1,000. Without temperatures a change and the weather are not told apart; a wave of one year is taken out where surveys reach over two.
+pub fn watch(history: &History, options: &WatchOptions) -> Result<Watched, MonitoringError> {
+    check(history, options)?;
+    let tracked = track(&history.surveys, &options.tracking)?;
+    let days: Vec<f64> = history.surveys.iter().map(|survey| survey.day).collect();
+    let interval_days = middle(days.windows(2).map(|pair| pair[1] - pair[0]).collect());
+    let count = tracked.tracks.len().max(1);
+    let surveys_between = (options.years_between_false_alarms * YEAR_DAYS / interval_days).max(1.0);
+    let alarm = AlarmOptions {
+        weight: options.weight,
+        training: options.training,
+        limit: alarm_limit(options.weight, surveys_between * count as f64)?,
+        frost_below_c: options.frost_below_c,
+    };
+    let modes: Vec<WatchedMode> = tracked
+        .tracks
+        .iter()
+        .enumerate()
+        .map(|(i, track)| {
+            let seeking = Seeking {
+                significance: options.significance,
+                modes: count,
+                replicates: options.replicates,
+                seed: options.seed.wrapping_add(i as u64),
+            };
+            watched_mode(history, track, interval_days, (&seeking, &alarm))
+        })
+        .collect::<Result<_, _>>()?;
+    let judged: Vec<JudgedMode> = modes.iter().map(|mode| mode.judged.clone()).collect();
+    let answered = |survey: usize| {
+        history
+            .works
+            .iter()
+            .any(|work| work.answers && work.day >= days[survey])
+    };
+    let mut alarms: Vec<StructureAlarm> = judged
+        .iter()
+        .enumerate()
+        .flat_map(|(mode, judged)| judged.alarms.iter().map(move |alarm| (mode, *alarm)))
+        .map(|(mode, alarm)| StructureAlarm {
+            mode,
+            alarm,
+            is_answered: answered(alarm.survey),
+        })
+        .collect();
+    alarms.sort_by_key(|alarm| (alarm.alarm.survey, alarm.mode));
+    let years = (days[days.len() - 1] - days[0]) / YEAR_DAYS;
+    Ok(Watched {
+        t_squared: t_squared(&judged, days.len())?,
+        modes,
+        alarms,
+        tilts: tilts(history, options)?,
+        interval_days,
+        average_limit: alarm.limit,
+        false_alarm_probability: -(-years / options.years_between_false_alarms).exp_m1(),
+        significance: options.significance,
+        tracked,
+    })
+}
+
+fn check(history: &History, options: &WatchOptions) -> Result<(), MonitoringError> {
+    let surveys = &history.surveys;
+    if surveys.len() < SURVEYS_LEAST {
+        return Err(MonitoringError::TooFewSurveys {
+            given: surveys.len(),
+            least: SURVEYS_LEAST,
+        });
+    }
+    let order = |survey: &HistorySurvey| {
+        Err(MonitoringError::Order {
+            survey: survey.name.clone(),
+            day: survey.day,
+        })
+    };
+    for pair in surveys.windows(2) {
+        if pair[1].day <= pair[0].day || !pair[1].day.is_finite() || !pair[0].day.is_finite() {
+            return order(&pair[1]);
+        }
+    }
+    let bounds = [
+        (
+            "significance",
+            options.significance,
+            1e-4,
+            0.5,
+            "between 0.0001 and 0.5",
+        ),
+        (
+            "years_between_false_alarms",
+            options.years_between_false_alarms,
+            0.1,
+            1e4,
+            "between 0.1 and 10,000",
+        ),
+        ("weight", options.weight, 0.01, 1.0, "between 0.01 and 1"),
+        ("training", options.training as f64, 6.0, 1e6, "6 or more"),
+    ];
+    for (option, given, least, most, allowed) in bounds {
+        if !(least..=most).contains(&given) {
+            return Err(MonitoringError::Option {
+                option,
+                given,
+                allowed,
+            });
+        }
+    }
+    Ok(())
+}
+
+/// The readings of a mode, as parts of its middle frequency.
+fn series_of(history: &History, track: &Track, interval_days: f64) -> ModeSeries {
+    let mut series = ModeSeries::default();
+    for (survey, mode) in track.modes.iter().enumerate() {
+        let (Some(mode), from) = (mode, &history.surveys[survey]) else {
+            continue;
+        };
+        let mode = &from.modes[*mode];
+        series.surveys.push(survey);
+        series.days.push(from.day);
+        series.temperatures_c.push(from.temperature_c.unwrap_or(f64::NAN));
+        series
+            .series
+            .at
+            .push((from.day - history.surveys[0].day) / interval_days);
+        series
+            .series
+            .readings
+            .push(mode.frequency_hz / track.frequency_hz - 1.0);
+        series.series.noise_sd.push(
+            mode.frequency_sd_hz
+                .map_or(f64::NAN, |sd| sd / track.frequency_hz),
+        );
+    }
+    // a deviation that one survey lacks is taken as that of the others
+    let stated = series.series.noise_sd.iter().copied().filter(|sd| sd.is_finite());
+    let usual = middle(stated.collect());
+    for sd in series.series.noise_sd.iter_mut().filter(|sd| !sd.is_finite()) {
+        *sd = usual;
+    }
+    series
+}
+
+fn watched_mode(
+    history: &History,
+    track: &Track,
+    interval_days: f64,
+    (seeking, alarm): (&Seeking, &AlarmOptions),
+) -> Result<WatchedMode, MonitoringError> {
+    let series = series_of(history, track, interval_days);
+    let works: Vec<usize> = (0..history.works.len())
+        .filter(|w| history.works[*w].splits)
+        .collect();
+    let level = |of: &ModeSeries, work: usize| of.days.iter().position(|day| *day >= history.works[work].day);
+    let levels: Vec<usize> = works.iter().filter_map(|work| level(&series, *work)).collect();
+    let mut mode = WatchedMode {
+        track: track.clone(),
+        weather: None,
+        explained_hz: vec![None; history.surveys.len()],
+        changes: Vec::new(),
+        works: Vec::new(),
+        seen_from_ratio: None,
+        outliers: Vec::new(),
+        strange: Vec::new(),
+        judged: judge(&series, &levels, alarm)?,
+    };
+    let frost = knows_frost(&series, alarm.frost_below_c);
+    let by_temperature = has_temperature(&series);
+    let is_strange = |i: usize| {
+        let t = series.temperatures_c[i];
+        by_temperature && (t.is_nan() || (!frost && t < alarm.frost_below_c))
+    };
+    let alone = outliers(&series);
+    mode.strange = (0..series.len())
+        .filter(|i| is_strange(*i))
+        .map(|i| series.surveys[i])
+        .collect();
+    mode.outliers = alone.iter().map(|i| series.surveys[*i]).collect();
+    let kept = series.kept(|i| !is_strange(i) && !alone.contains(&i));
+    if kept.len() < READINGS_LEAST {
+        return Ok(mode);
+    }
+    let known: Vec<f64> = kept
+        .temperatures_c
+        .iter()
+        .copied()
+        .filter(|t| t.is_finite())
+        .collect();
+    let at = (
+        known.iter().sum::<f64>() / known.len().max(1) as f64,
+        alarm.frost_below_c,
+    );
+    let mut dated: Vec<usize> = Vec::new();
+    let mut extra: Vec<Vec<f64>> = Vec::new();
+    for work in works {
+        let step = super::scan::column(
+            &kept.series.at,
+            ChangeForm::Step,
+            level(&kept, work).unwrap_or(kept.len()),
+        );
+        if step.contains(&1.0) && step.contains(&0.0) && !extra.contains(&step) {
+            dated.push(work);
+            extra.push(step);
+        }
+    }
+    let weather = earned(&kept, &extra, at);
+    let mut all = columns(&kept, weather, at);
+    let of_weather = all.len();
+    all.extend(extra);
+    let Some(found) = changes(&kept.series, &all, seeking) else {
+        return Ok(mode);
+    };
+    explain(
+        &mut mode,
+        (&kept, &found),
+        weather,
+        (of_weather, &dated, interval_days),
+    );
+    Ok(mode)
+}
+
+/// Puts what was found into the mode.
+fn explain(
+    mode: &mut WatchedMode,
+    (kept, found): (&ModeSeries, &Changes),
+    weather: WeatherKnown,
+    (of_weather, dated, interval_days): (usize, &[usize], f64),
+) {
+    let fit = &found.fit;
+    let coefficient = |c: usize| (0.1 * fit.coefficients[c], 0.1 * fit.sd[c]);
+    let is_line = matches!(
+        weather,
+        WeatherKnown::Temperature | WeatherKnown::TemperatureAndFrost
+    );
+    mode.weather = Some(WeatherEffect {
+        known: weather,
+        per_c: is_line.then(|| coefficient(1)),
+        frost_per_c: (weather == WeatherKnown::TemperatureAndFrost).then(|| coefficient(2)),
+        with_time: is_line
+            .then(|| correlation(&kept.days, &kept.temperatures_c))
+            .filter(|r| r.abs() > WITH_TIME),
+        disturbance: found.disturbance,
+    });
+    for i in 0..kept.len() {
+        let parts = found.columns.iter().zip(&fit.coefficients);
+        let explained: f64 = parts.map(|(column, beta)| column[i] * beta).sum();
+        mode.explained_hz[kept.surveys[i]] = Some(mode.track.frequency_hz * (1.0 + explained));
+    }
+    // the level before a change: what works and earlier changes had made of it
+    let level_before = |from: usize, but: usize| -> f64 {
+        let steps = (of_weather..found.columns.len()).filter(|c| *c != but);
+        let before = from.saturating_sub(1);
+        let lifted: f64 = steps
+            .map(|c| found.columns[c][before] * fit.coefficients[c])
+            .sum();
+        1.0 + fit.coefficients[0] + lifted
+    };
+    let of_works = dated.iter().enumerate().map(|(w, work)| {
+        let c = of_weather + w;
+        let from = found.columns[c].iter().position(|x| *x == 1.0).unwrap_or(0);
+        let before = level_before(from, c);
+        WorkEffect {
+            work: *work,
+            ratio: fit.coefficients[c] / before,
+            sd: fit.sd[c] / before,
+        }
+    });
+    mode.works = of_works.collect();
+    mode.seen_from_ratio = Some(found.seen_from).filter(|least| least.is_finite());
+    let last = kept.series.at[kept.len() - 1];
+    for change in &found.found {
+        let from = change.change.from;
+        let before = level_before(from, usize::MAX);
+        let (lasts, per_year) = match change.change.form {
+            ChangeForm::Step => (1.0, None),
+            ChangeForm::Slope => {
+                let yearly = change.change.size * YEAR_DAYS / interval_days;
+                (last - kept.series.at[from], Some(yearly / before))
+            }
+        };
+        let survey = |i: usize| kept.surveys[i.min(kept.len() - 1)];
+        let is_step = change.change.form == ChangeForm::Step;
+        mode.changes.push(WatchedChange {
+            form: change.change.form,
+            from: survey(from),
+            after: survey(change.earliest.saturating_sub(usize::from(is_step))),
+            before: survey(change.latest),
+            ratio: change.change.size * lasts / before,
+            sd: change.change.sd * lasts / before,
+            per_year,
+            p_value: change.p_value,
+        });
+    }
+}
+
+fn correlation(x: &[f64], y: &[f64]) -> f64 {
+    let mean = |v: &[f64]| v.iter().sum::<f64>() / v.len() as f64;
+    let (mx, my) = (mean(x), mean(y));
+    let sum = |f: &dyn Fn(f64, f64) -> f64| x.iter().zip(y).map(|(a, b)| f(a - mx, b - my)).sum::<f64>();
+    sum(&|a, b| a * b) / (sum(&|a, _| a * a) * sum(&|_, b| b * b)).sqrt()
+}
+
+/// The tilts of each direction and datum.
+fn tilts(history: &History, options: &WatchOptions) -> Result<Vec<TiltTrend>, MonitoringError> {
+    let mut all: Vec<TiltSeries> = Vec::new();
+    for (survey, of) in history.surveys.iter().enumerate() {
+        for tilt in &of.tilts {
+            let same =
+                |series: &&mut TiltSeries| series.direction == tilt.direction && series.datum == tilt.datum;
+            let i = match all.iter_mut().position(|series| same(&&mut *series)) {
+                Some(i) => i,
+                None => {
+                    all.push(TiltSeries {
+                        direction: tilt.direction.clone(),
+                        datum: tilt.datum.clone(),
+                        surveys: Vec::new(),
+                        days: Vec::new(),
+                        ratios: Vec::new(),
+                    });
+                    all.len() - 1
+                }
+            };
+            all[i].surveys.push(survey);
+            all[i].days.push(of.day);
+            all[i].ratios.push(tilt.ratio);
+        }
+    }
+    let levels: Vec<f64> = history
+        .works
+        .iter()
+        .filter(|work| work.splits)
+        .map(|work| work.day)
+        .collect();
+    // directions are tested together
+    let alone = options.significance / all.len().max(1) as f64;
+    all.into_iter()
+        .map(|series| tilt_trend(series, &levels, alone, options.tilt_limit))
+        .collect()
+}

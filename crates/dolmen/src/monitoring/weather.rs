@@ -1,0 +1,147 @@
+//! What explains a frequency beside a change: its level, the temperature, frost, the season.
+
+use super::regression::{Fit, Series, restricted_likelihood};
+use std::f64::consts::TAU;
+
+/// Temperatures that frost needs, and surveys with a temperature that a line needs. Chosen here.
+pub(super) const FROST_SURVEYS_LEAST: usize = 3;
+const LINE_SURVEYS_LEAST: usize = 6;
+/// Spread of temperatures below which no coefficient is fitted, °C; as in the comparison of two surveys.
+const SPREAD_LEAST_C: f64 = 2.0;
+/// Surveys and years that a season needs. Chosen here: two of each.
+const SEASON_SURVEYS_LEAST: usize = 12;
+const SEASON_YEARS_LEAST: f64 = 2.0;
+pub(super) const YEAR_DAYS: f64 = 365.25;
+
+/// Surveys of one mode.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub(super) struct ModeSeries {
+    pub(super) series: Series,
+    /// Index of each reading's survey in the history.
+    pub(super) surveys: Vec<usize>,
+    /// Its day.
+    pub(super) days: Vec<f64>,
+    /// Its temperature, °C; NaN where it is not known.
+    pub(super) temperatures_c: Vec<f64>,
+}
+
+impl ModeSeries {
+    pub(super) fn len(&self) -> usize {
+        self.surveys.len()
+    }
+
+    /// Those that `keep` names.
+    pub(super) fn kept(&self, keep: impl Fn(usize) -> bool) -> ModeSeries {
+        let which: Vec<usize> = (0..self.len()).filter(|i| keep(*i)).collect();
+        let of = |values: &[f64]| which.iter().map(|i| values[*i]).collect();
+        ModeSeries {
+            series: Series {
+                at: of(&self.series.at),
+                readings: of(&self.series.readings),
+                noise_sd: of(&self.series.noise_sd),
+            },
+            surveys: which.iter().map(|i| self.surveys[*i]).collect(),
+            days: of(&self.days),
+            temperatures_c: of(&self.temperatures_c),
+        }
+    }
+}
+
+/// What is known of the weather behind a series.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WeatherKnown {
+    /// A coefficient of temperature.
+    Temperature,
+    /// A coefficient of temperature, and another below freezing.
+    TemperatureAndFrost,
+    /// No temperatures: a wave of one year.
+    Season,
+    /// Nothing: a change and the weather are not told apart.
+    Nothing,
+}
+
+/// Whether temperatures explain a series: nearly all are known, and they differ.
+pub(super) fn has_temperature(series: &ModeSeries) -> bool {
+    let known = series.temperatures_c.iter().copied().filter(|t| t.is_finite());
+    let count = known.clone().count();
+    let (low, high) = known.fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), t| {
+        (l.min(t), h.max(t))
+    });
+    count >= LINE_SURVEYS_LEAST && 5 * count >= 4 * series.len() && high - low >= SPREAD_LEAST_C
+}
+
+/// What explains one survey: the level first, then the weather.
+pub(super) fn explaining(
+    known: WeatherKnown,
+    (day, temperature_c): (f64, f64),
+    (middle_c, frost_below_c): (f64, f64),
+) -> Vec<f64> {
+    // tens of degrees: coefficients of the size of the readings
+    let warmth = 0.1 * (temperature_c - middle_c);
+    let turn = TAU * day / YEAR_DAYS;
+    match known {
+        WeatherKnown::Temperature => vec![1.0, warmth],
+        WeatherKnown::TemperatureAndFrost => {
+            vec![1.0, warmth, 0.1 * (frost_below_c - temperature_c).max(0.0)]
+        }
+        WeatherKnown::Season => vec![1.0, turn.cos(), turn.sin()],
+        WeatherKnown::Nothing => vec![1.0],
+    }
+}
+
+/// The same of all surveys, column by column.
+pub(super) fn columns(series: &ModeSeries, known: WeatherKnown, at: (f64, f64)) -> Vec<Vec<f64>> {
+    let rows: Vec<Vec<f64>> = (0..series.len())
+        .map(|i| explaining(known, (series.days[i], series.temperatures_c[i]), at))
+        .collect();
+    let width = rows.first().map_or(0, Vec::len);
+    (0..width)
+        .map(|c| rows.iter().map(|row| row[c]).collect())
+        .collect()
+}
+
+/// Surveys below freezing, and whether they are enough to learn from.
+pub(super) fn knows_frost(series: &ModeSeries, frost_below_c: f64) -> bool {
+    let frost = series.temperatures_c.iter().filter(|t| **t < frost_below_c);
+    frost.count() >= FROST_SURVEYS_LEAST
+}
+
+/// Which of them a series earns: frost only where Bayes' information criterion says so.
+pub(super) fn earned(series: &ModeSeries, extra: &[Vec<f64>], at: (f64, f64)) -> WeatherKnown {
+    let frost_below_c = at.1;
+    if has_temperature(series) {
+        let colder = series
+            .temperatures_c
+            .iter()
+            .filter(|t| **t < frost_below_c)
+            .count();
+        let warmer = series.len() - colder;
+        if colder < FROST_SURVEYS_LEAST || warmer < LINE_SURVEYS_LEAST {
+            return WeatherKnown::Temperature;
+        }
+        let criterion = |known| {
+            let mut all = columns(series, known, at);
+            all.extend(extra.iter().cloned());
+            let disturbance = restricted_likelihood(&series.series, &all, None)?;
+            let fit = Fit::new(&series.series, &all, disturbance)?;
+            Some(fit.minus_two_ln_likelihood + all.len() as f64 * (series.len() as f64).ln())
+        };
+        let both = (
+            criterion(WeatherKnown::Temperature),
+            criterion(WeatherKnown::TemperatureAndFrost),
+        );
+        return match both {
+            (Some(line), Some(frost)) if frost < line => WeatherKnown::TemperatureAndFrost,
+            _ => WeatherKnown::Temperature,
+        };
+    }
+    let span = series
+        .days
+        .last()
+        .zip(series.days.first())
+        .map_or(0.0, |(b, a)| b - a);
+    match series.len() >= SEASON_SURVEYS_LEAST && span >= SEASON_YEARS_LEAST * YEAR_DAYS {
+        true => WeatherKnown::Season,
+        false => WeatherKnown::Nothing,
+    }
+}

@@ -1,0 +1,176 @@
+//! Noise of one reading beside a disturbance that fades from survey to survey, made white by a filter in time.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | n | `at.len()` | surveys | - |
+//! | t_i | `at` | time of a survey, in usual intervals between surveys | - |
+//! | σ_i | `noise_sd` | standard deviation that the survey states | as y |
+//! | s | `sd` | standard deviation of the disturbance | as y |
+//! | φ | `correlation` | its correlation over one interval | - |
+//! | V | | Cov e = diag(σ_i²) + s² φ^|t_i − t_j| | |
+//! | L | | V = L Lᵀ | |
+
+/// The disturbance of a series: what moisture, crowds and the warmth inside the stone do beyond the noise of a reading.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Disturbance {
+    /// Its standard deviation, relative.
+    pub sd: f64,
+    /// Its correlation over the usual interval between two surveys.
+    pub correlation: f64,
+}
+
+/// The whitening of one series: a Kalman filter with its gains computed.
+///
+/// ```text
+/// x_i = ρ_i x_{i−1} + w_i,   ρ_i = φ^(t_i − t_{i−1}),   var x = s²,        z_i = x_i + v_i,   var v_i = σ_i²
+/// e_i = z_i − a_i,   F_i = P_i + σ_i²,   K_i = P_i/F_i,   (L⁻¹ z)_i = e_i/√F_i
+/// a_{i+1} = ρ (a_i + K_i e_i),   P_{i+1} = ρ² P_i (1 − K_i) + s² (1 − ρ²)
+/// ```
+/// All of it is linear in z, and takes a time that grows with n.
+#[derive(Clone, Debug)]
+pub(super) struct Whitening {
+    /// 1/√F.
+    scale: Vec<f64>,
+    /// ρ_{i+1} (1 − K_i): what is left of a prediction one survey later.
+    keeps: Vec<f64>,
+    /// ρ_{i+1} K_i: what a reading adds to the next prediction.
+    learns: Vec<f64>,
+    /// Σ ln F.
+    pub(super) ln_determinant: f64,
+}
+
+impl Whitening {
+    pub(super) fn new(at: &[f64], noise_sd: &[f64], of: Disturbance) -> Self {
+        let n = at.len();
+        let variance = of.sd * of.sd;
+        let mut whitening = Whitening {
+            scale: Vec::with_capacity(n),
+            keeps: Vec::with_capacity(n),
+            learns: Vec::with_capacity(n),
+            ln_determinant: 0.0,
+        };
+        let mut predicted = variance;
+        let (mut last_gap, mut rho) = (f64::NAN, 0.0);
+        for (i, noise_sd) in noise_sd.iter().enumerate() {
+            let total = predicted + noise_sd * noise_sd;
+            let gain = predicted / total;
+            if let Some(next) = at.get(i + 1) {
+                let gap = next - at[i];
+                if gap != last_gap {
+                    (last_gap, rho) = (gap, of.correlation.powf(gap));
+                }
+            }
+            whitening.scale.push(1.0 / total.sqrt());
+            whitening.keeps.push(rho * (1.0 - gain));
+            whitening.learns.push(rho * gain);
+            whitening.ln_determinant += total.ln();
+            predicted = rho * rho * predicted * (1.0 - gain) + variance * (1.0 - rho * rho);
+        }
+        whitening
+    }
+
+    /// L⁻¹ z.
+    pub(super) fn white(&self, z: &[f64]) -> Vec<f64> {
+        let mut predicted = 0.0;
+        let mut white = Vec::with_capacity(z.len());
+        for (i, z) in z.iter().enumerate() {
+            white.push(self.scale[i] * (z - predicted));
+            predicted = self.keeps[i] * predicted + self.learns[i] * z;
+        }
+        white
+    }
+
+    /// L⁻ᵀ w; of w = L⁻¹ z it is V⁻¹ z.
+    pub(super) fn adjoint(&self, white: &[f64]) -> Vec<f64> {
+        let n = white.len();
+        let mut out = vec![0.0; n];
+        let mut carried = 0.0;
+        for i in (0..n).rev() {
+            let scaled = self.scale[i] * white[i];
+            out[i] = scaled + self.learns[i] * carried;
+            carried = self.keeps[i] * carried - scaled;
+        }
+        out
+    }
+
+    /// For each survey τ, what |L⁻¹ c|² is of the change c that begins there: of a step (0 before τ, 1 from it on), and of a slope
+    /// (max(0, t − t_τ)).
+    ///
+    /// The squared length of what is still to come is a quadratic form in the prediction a, and in α, β of c = α + β t, known from its end backwards.
+    pub(super) fn energies(&self, at: &[f64]) -> (Vec<f64>, Vec<f64>) {
+        let n = at.len();
+        let (mut steps, mut slopes) = (vec![0.0; n], vec![0.0; n]);
+        // coefficients of aa, aα, aβ, αα, αβ, ββ
+        let mut q = [0.0_f64; 6];
+        for i in (0..n).rev() {
+            let (g, keep, learn, t) = (
+                self.scale[i] * self.scale[i],
+                self.keeps[i],
+                self.learns[i],
+                at[i],
+            );
+            let [aa, a_alpha, a_beta, alpha_alpha, alpha_beta, beta_beta] = q;
+            q = [
+                g + aa * keep * keep,
+                -g + aa * keep * learn + a_alpha * keep,
+                -g * t + aa * keep * learn * t + a_beta * keep,
+                g + aa * learn * learn + 2.0 * a_alpha * learn + alpha_alpha,
+                g * t + aa * learn * learn * t + a_alpha * learn * t + a_beta * learn + alpha_beta,
+                g * t * t + aa * learn * learn * t * t + 2.0 * a_beta * learn * t + beta_beta,
+            ];
+            steps[i] = q[3];
+            slopes[i] = q[5] - 2.0 * t * q[4] + t * t * q[3];
+        }
+        (steps, slopes)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_linalg::{Matrix, solve};
+
+    fn made() -> (Vec<f64>, Vec<f64>, Disturbance) {
+        let at = vec![0.0, 1.0, 2.0, 2.5, 6.0, 7.0, 9.0];
+        let noise = vec![0.3, 0.1, 0.2, 0.4, 0.1, 0.3, 0.2];
+        let of = Disturbance {
+            sd: 0.5,
+            correlation: 0.6,
+        };
+        (at, noise, of)
+    }
+
+    fn dense(at: &[f64], noise: &[f64], of: Disturbance) -> Matrix {
+        Matrix::from_fn(at.len(), at.len(), |i, j| {
+            let noise = if i == j { noise[i] * noise[i] } else { 0.0 };
+            noise + of.sd * of.sd * of.correlation.powf((at[i] - at[j]).abs())
+        })
+    }
+
+    #[test]
+    fn agrees_with_the_dense_inverse_of_the_covariance() {
+        let (at, noise, of) = made();
+        let v = dense(&at, &noise, of);
+        let whitening = Whitening::new(&at, &noise, of);
+        let z = [1.0, -0.4, 0.3, 2.0, -1.0, 0.2, 0.7];
+        let by_filter = whitening.adjoint(&whitening.white(&z));
+        let by_matrix = solve(&v, &Matrix::from_column(&z)).unwrap();
+        for (a, b) in by_filter.iter().zip(by_matrix.column(0)) {
+            assert!((a - b).abs() < 1e-12, "{a} {b}");
+        }
+        let (steps, slopes) = whitening.energies(&at);
+        for start in 0..at.len() {
+            let square = |c: Vec<f64>| -> f64 {
+                let solved = solve(&v, &Matrix::from_column(&c)).unwrap();
+                c.iter().zip(solved.column(0)).map(|(c, s)| c * s).sum()
+            };
+            let step = (0..at.len()).map(|i| f64::from(u8::from(i >= start))).collect();
+            let slope = at.iter().map(|t| (t - at[start]).max(0.0)).collect();
+            assert!((steps[start] - square(step)).abs() < 1e-11);
+            assert!((slopes[start] - square(slope)).abs() < 1e-10);
+        }
+        let eigenvalues = dolmen_linalg::symmetric_eigenvalues(&v).unwrap();
+        let ln_det: f64 = eigenvalues.iter().map(|l| l.ln()).sum();
+        assert!((whitening.ln_determinant - ln_det).abs() < 1e-12);
+    }
+}

@@ -1,0 +1,51 @@
+/// Why the pressure of a wind is not known. Each variant carries the value that was refused.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum WindError {
+    /// A quantity that must be positive and finite is not.
+    #[error("{quantity} is {given}, but must be a positive number")]
+    NotPositive {
+        /// Name of the quantity with its unit.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+    },
+    /// The mean profile of a code ends below the top.
+    #[error("the top is at {given} m, but the profile of the code holds up to {most_m} m")]
+    Height {
+        /// Height of the top, m.
+        given: f64,
+        /// Where the profile ends, m.
+        most_m: f64,
+    },
+    /// The code asks whether the wind makes it vibrate, and its frequency is not known.
+    #[error(
+        "the code asks for the lowest natural frequency, which is not known: the stiffness of the joints is not given"
+    )]
+    FrequencyUnknown,
+    /// Resonance counts, and the damping is not known.
+    #[error(
+        "the lowest natural frequency is {frequency_hz:.3} Hz, so that resonance counts, and the damping ratio is not given"
+    )]
+    DampingUnknown {
+        /// Lowest natural frequency, Hz.
+        frequency_hz: f64,
+    },
+    /// The formula of KDS 41 12 00 for stiff structures holds above 1 Hz.
+    #[error(
+        "the lowest natural frequency is {frequency_hz:.3} Hz, but G_D of stiff structures holds above {least_hz} Hz"
+    )]
+    TooSoft {
+        /// Lowest natural frequency, Hz.
+        frequency_hz: f64,
+        /// From which the formula holds, Hz.
+        least_hz: f64,
+    },
+}
+
+/// Refuses what is not a positive, finite number.
+pub(super) fn positive(quantity: &'static str, given: f64) -> Result<(), WindError> {
+    match given > 0.0 && given.is_finite() {
+        true => Ok(()),
+        false => Err(WindError::NotPositive { quantity, given }),
+    }
+}

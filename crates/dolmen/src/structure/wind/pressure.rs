@@ -1,0 +1,130 @@
+//! Pressure of a wind by height, and what a strip of a body takes of it.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | q | `pressure` | peak velocity pressure, with the factor for gusts, size and resonance | Pa |
+//! | ρ | `air_density_kg_m3` | density of air | kg/m³ |
+//! | z_0, z_min | `roughness_m`, `lowest_m` | roughness length; height below which the pressure does not fall | m |
+
+/// What a code asks of the body that the wind meets.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindBody {
+    /// Height of its top above the ground, m.
+    pub height_m: f64,
+    /// Mean breadth across the wind, m.
+    pub breadth_m: f64,
+    /// Lowest natural frequency, Hz; `None` where the stiffness is not known.
+    pub frequency_hz: Option<f64>,
+    /// Damping ratio of that mode; `None` where it is not known.
+    pub damping_ratio: Option<f64>,
+}
+
+/// Whether the pressure holds what gusts near the natural frequency add.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+#[cfg_attr(feature = "serde", serde(rename_all = "snake_case"))]
+pub enum Resonance {
+    /// The body is stiff in the sense of the code: nothing to add.
+    Stiff,
+    /// It is in the factor.
+    Counted,
+    /// A pressure or a gust as given says nothing of it.
+    NotCounted,
+}
+
+/// Pressure by height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WindPressure {
+    pub(super) profile: Profile,
+    /// Factor for gusts, size and resonance that is in the pressure: 1, c_s c_d or G_D.
+    pub response_factor: f64,
+    /// What it says of resonance.
+    pub resonance: Resonance,
+}
+
+/// How pressure goes with height.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Profile {
+    /// The same everywhere, Pa.
+    Uniform(f64),
+    /// scale · (ln²(z/z_0) + linear · ln(z/z_0)), below z_min as there.
+    Logarithmic {
+        scale_pa: f64,
+        linear: f64,
+        roughness_m: f64,
+        lowest_m: f64,
+    },
+}
+
+/// What a strip of unit breadth between two heights takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct WindStrip {
+    /// ∫ q dz, N/m.
+    pub force_n_m: f64,
+    /// ∫ q z dz, about the ground, N.
+    pub moment_n: f64,
+}
+
+/// ½ ρ v², Pa.
+pub(super) fn velocity_pressure_pa(speed_m_s: f64, air_density_kg_m3: f64) -> f64 {
+    0.5 * air_density_kg_m3 * speed_m_s * speed_m_s
+}
+
+impl WindPressure {
+    /// q at a height above the ground, Pa.
+    pub fn at_pa(&self, height_m: f64) -> f64 {
+        let pressure = match self.profile {
+            Profile::Uniform(pressure_pa) => pressure_pa,
+            Profile::Logarithmic {
+                scale_pa,
+                linear,
+                roughness_m,
+                lowest_m,
+            } => {
+                let log = (height_m.max(lowest_m) / roughness_m).ln();
+                scale_pa * (log * log + linear * log)
+            }
+        };
+        self.response_factor * pressure
+    }
+
+    /// What a strip of unit breadth from one height to another takes, in closed form.
+    ///
+    /// ```text
+    /// ∫ ln u dz = z (ln u − 1)          ∫ z ln u dz = z² (ln u / 2 − 1/4)                u = z/z_0
+    /// ∫ ln² u dz = z (ln² u − 2 ln u + 2)   ∫ z ln² u dz = z² (ln² u − ln u + ½)/2
+    /// ```
+    pub fn strip(&self, bottom_m: f64, top_m: f64) -> WindStrip {
+        let flat = |pressure_pa: f64, from: f64, to: f64| WindStrip {
+            force_n_m: pressure_pa * (to - from),
+            moment_n: 0.5 * pressure_pa * (to * to - from * from),
+        };
+        match self.profile {
+            Profile::Uniform(pressure_pa) => flat(self.response_factor * pressure_pa, bottom_m, top_m),
+            Profile::Logarithmic {
+                scale_pa,
+                linear,
+                roughness_m,
+                lowest_m,
+            } => {
+                let knee = lowest_m.clamp(bottom_m, top_m);
+                let low = flat(self.at_pa(lowest_m), bottom_m, knee);
+                let antiderivative = |z: f64| {
+                    let log = (z / roughness_m).ln();
+                    let force = z * (log * log - 2.0 * log + 2.0) + linear * z * (log - 1.0);
+                    let moment = 0.5 * z * z * (log * log - log + 0.5) + linear * z * z * (0.5 * log - 0.25);
+                    [force, moment]
+                };
+                let scale = self.response_factor * scale_pa;
+                let [from, to] = [antiderivative(knee), antiderivative(top_m)];
+                match knee < top_m {
+                    true => WindStrip {
+                        force_n_m: low.force_n_m + scale * (to[0] - from[0]),
+                        moment_n: low.moment_n + scale * (to[1] - from[1]),
+                    },
+                    false => low,
+                }
+            }
+        }
+    }
+}
