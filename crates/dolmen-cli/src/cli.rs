@@ -29,12 +29,16 @@ pub(crate) struct Cli {
 pub(crate) enum Verb {
     /// Start a project from an example
     New(New),
+    /// The structure as entered: names, dimensions, offsets, tilts, sensors; nothing is computed
+    Draw(Draw),
     /// Is the file right, does it stand: stability, limits, modes. Milliseconds
     Check(Check),
     /// Records → modes → stiffness, with its ambiguity stated
     Identify(Identify),
     /// What changed from one survey to another, and what could have been missed
     Compare(Compare),
+    /// The record of a structure over the years: what changed, when, and whether the last surveys are as they should be
+    Watch(Watch),
     /// A stack, frame, chain or building under a ground motion: rocking, sliding, slipping, swaying, falling
     Simulate(Simulate),
     /// Runs over grids of inputs, samples, motions and growing shaking; resumable, in shards
@@ -109,6 +113,15 @@ pub(crate) enum Kind {
 }
 
 #[derive(Debug, Args)]
+pub(crate) struct Draw {
+    /// Project file, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
+    /// Write the drawing (SVG) into this file instead of standard output
+    #[arg(long, short, value_name = "FILE")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
 pub(crate) struct Check {
     /// Project file, or a folder that holds project.toml
     pub(crate) project: PathBuf,
@@ -145,6 +158,15 @@ pub(crate) struct Compare {
     /// The survey after; the last whose name begins with a date without it
     #[arg(long, value_name = "SURVEY")]
     pub(crate) to: Option<String>,
+    /// Write the figure (SVG) and the result (JSON) into this folder
+    #[arg(long, short, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+}
+
+#[derive(Debug, Args)]
+pub(crate) struct Watch {
+    /// Project file with three surveys or more, or a folder that holds project.toml
+    pub(crate) project: PathBuf,
     /// Write the figure (SVG) and the result (JSON) into this folder
     #[arg(long, short, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
@@ -430,10 +452,13 @@ pub(crate) struct Report {
     /// Project files, or folders that hold project.toml: one report for all of them
     #[arg(required = true)]
     pub(crate) projects: Vec<PathBuf>,
-    /// Where to write it: a page (.html), a document (.pdf, where built in) or a workbook of its tables for Excel (.xlsx); may be
-    /// given for each
+    /// Where to write it: a page (.html), a document to print (.pdf, where built in) or to edit (.docx), or a workbook of its tables for
+    /// Excel (.xlsx); may be given for each
     #[arg(long, short, value_name = "FILE", default_value = "report.html")]
     pub(crate) output: Vec<PathBuf>,
+    /// Also write each figure of the report into this folder: SVG, PNG, and its numbers as CSV
+    #[arg(long, value_name = "DIR")]
+    pub(crate) figures: Option<PathBuf>,
     /// Draw the inputs that carry a cov this many times
     #[arg(long, value_name = "N", default_value_t = 2000, value_parser = clap::value_parser!(u32).range(0..=10_000_000))]
     pub(crate) samples: u32,

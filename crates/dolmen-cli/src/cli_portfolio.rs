@@ -5,7 +5,8 @@ use std::path::PathBuf;
 
 #[derive(Debug, Args)]
 pub(crate) struct Score {
-    /// Project file of a stack with a pagoda of six factors; without it, the weights of the factors and what the score is worth
+    /// Project file of a stack with a pagoda of six factors, or a filled form (.xlsx); without it, the weights of the factors and what the
+    /// score is worth
     pub(crate) project: Option<PathBuf>,
     /// Designs to train on (CSV), instead of those that come with Dolmen
     #[arg(long, value_name = "FILE")]
@@ -13,6 +14,9 @@ pub(crate) struct Score {
     /// Also for factors outside the range trained; the answer marks them
     #[arg(long)]
     pub(crate) extrapolate: bool,
+    /// Write the form that is filled at a pagoda: a workbook (.xlsx), which is read back, or a page to print (.html)
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["project", "designs", "extrapolate", "train", "output"])]
+    pub(crate) sheet: Option<PathBuf>,
     /// Make designs of this study of the project, and write them to -o
     #[arg(long, value_name = "STUDY", requires_all = ["project", "output"])]
     pub(crate) train: Option<String>,

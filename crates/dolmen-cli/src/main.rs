@@ -13,6 +13,7 @@ mod cli_portfolio;
 mod cli_survey;
 mod cli_tune;
 mod compare;
+mod draw;
 mod examples;
 mod identify;
 mod manner;
@@ -33,6 +34,7 @@ mod tools;
 mod tune;
 mod typed;
 mod validate;
+mod watch;
 
 use clap::{CommandFactory as _, FromArgMatches as _};
 use cli::{Cli, Verb};
@@ -85,9 +87,11 @@ fn run(cli: &Cli, typed: &Typed) -> anyhow::Result<Outcome> {
     progress::show_work(manner.quiet);
     match &cli.verb {
         Verb::New(options) => examples::run(options, manner),
+        Verb::Draw(options) => draw::run(options, manner),
         Verb::Check(options) => check::run(options, typed, manner),
         Verb::Identify(options) => identify::run(options, manner),
         Verb::Compare(options) => compare::run(options, manner),
+        Verb::Watch(options) => watch::run(options, manner),
         Verb::Simulate(options) => simulate::run(options, typed, manner),
         Verb::Study(options) => study::run(options, typed, manner),
         Verb::Tune(options) => tune::run(options, typed, manner),

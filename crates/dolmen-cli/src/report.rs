@@ -11,9 +11,12 @@ use crate::typed::Typed;
 use crate::{examples, request, tools};
 use anyhow::{Result, bail};
 use dolmen_folder::{Found, Outputs, journals_beside};
+use dolmen_picture::Painter;
 #[cfg(feature = "pdf")]
 use dolmen_print::{Sheets, pdf};
 use dolmen_project::Project;
+use dolmen_report::docx::docx;
+use dolmen_report::files::figure_files;
 use dolmen_report::html::{Imprint, NotReported, html};
 use dolmen_report::text::project_line;
 #[cfg(feature = "pdf")]
@@ -23,14 +26,17 @@ use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{Verb, first_status, judge};
 use dolmen_work::motion::MotionRequest;
 use dolmen_work::{FlagVerb, ReportOptions, Sampling, report, told};
+use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
+/// Pixels of a picture for each unit of its figure: some 270 an inch on paper.
+const PIXELS: f32 = 2.5;
 /// Samples of the demo: enough for a figure, few enough for a blink.
 const DEMO_SAMPLES: usize = 2000;
 /// Seed of the demo.
 const DEMO_SEED: u64 = 1;
 
-fn imprint(date: Option<String>) -> Imprint {
+pub(crate) fn imprint(date: Option<String>) -> Imprint {
     Imprint {
         program: concat!("dolmen ", env!("CARGO_PKG_VERSION")).to_owned(),
         date,
@@ -43,6 +49,7 @@ enum Format {
     Html,
     #[cfg(feature = "pdf")]
     Pdf,
+    Docx,
     Xlsx,
 }
 
@@ -52,6 +59,7 @@ impl Format {
         let extension = file.extension().map(|of| of.to_string_lossy().to_lowercase());
         match extension.as_deref() {
             None | Some("html" | "htm") => Ok(Format::Html),
+            Some("docx") => Ok(Format::Docx),
             Some("xlsx") => Ok(Format::Xlsx),
             #[cfg(feature = "pdf")]
             Some("pdf") => Ok(Format::Pdf),
@@ -60,7 +68,7 @@ impl Format {
                 "this dolmen was built without PDF: build it with `--features pdf`, or write a page (.html) and print it from a browser"
             ),
             Some(other) => bail!(
-                "a report is not written as .{other}: -o takes a page (.html), a document (.pdf) or a workbook (.xlsx)"
+                "a report is not written as .{other}: -o takes a page (.html), a document to print (.pdf) or to edit (.docx), or a workbook (.xlsx)"
             ),
         }
     }
@@ -144,16 +152,25 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
         );
     }
     let (language, imprint) = (manner.language(), imprint(options.date.clone()));
+    let painter = LazyCell::new(Painter::new);
+    let painted = |svg: &str| painter.png(svg, PIXELS).map_err(|fault| fault.to_string());
     for (output, format) in formats {
         let bytes = match format {
             Format::Html => html(&answers, &others, language, &imprint).into_bytes(),
             #[cfg(feature = "pdf")]
             Format::Pdf => printed(typeset(&answers, &others, language, &imprint), manner)?,
+            Format::Docx => docx(&answers, &others, language, &imprint, &painted)?,
             Format::Xlsx => workbook(&answers, &others, language, &imprint)?,
         };
         outputs.file(output, &bytes)?;
         if !manner.quiet {
             say(&format!("{}\n", output.display()))?;
+        }
+    }
+    if let Some(folder) = &options.figures {
+        outputs.folder(folder, &figure_files(&answers, language, &painted)?)?;
+        if !manner.quiet {
+            say(&format!("{}\n", folder.display()))?;
         }
     }
     let statuses = answers

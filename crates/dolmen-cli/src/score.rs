@@ -4,18 +4,26 @@ use crate::cli_portfolio::Score as Options;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
+use crate::report;
 use crate::say::{say, say_json};
-use anyhow::{Context as _, Result};
+use anyhow::{Context as _, Result, bail};
 use dolmen_folder::{Found, Outputs, StudyFolder};
-use dolmen_records::TABLE_BYTES_MOST;
+use dolmen_records::{NoFiles, TABLE_BYTES_MOST, read_score_form};
+use dolmen_report::html::score_form_html;
 use dolmen_report::json::{score_json, score_quality_json};
+use dolmen_report::xlsx::score_form_workbook;
 use dolmen_report::{score_quality_text, score_text};
+use dolmen_work::Opened;
 use dolmen_work::score::{ScoreDesigns, score, score_quality};
 use dolmen_work::study::{study_designs, trained};
 use dolmen_work::{WorkError, told};
 use std::path::Path;
 
 pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
+    if let Some(sheet) = &options.sheet {
+        form(sheet, manner)?;
+        return Ok(Outcome::Done);
+    }
     match (&options.train, &options.project, &options.output) {
         (Some(name), Some(project), Some(output)) => train(options, project, name, output, manner)?,
         (_, Some(project), _) => one(options, project, manner)?,
@@ -38,13 +46,48 @@ pub(crate) fn designs(path: Option<&Path>, manner: &Manner) -> Result<ScoreDesig
 
 fn one(options: &Options, path: &Path, manner: &Manner) -> Result<()> {
     let designs = designs(options.designs.as_deref(), manner)?;
-    let found = Found::open(path, manner.access())?;
-    let answer = score(&found.opened, &designs, options.extrapolate)?;
+    let opened = opened(path, manner)?;
+    let answer = score(&opened, &designs, options.extrapolate)?;
     if manner.json {
         say_json(&score_json(&answer))
     } else {
         say(&score_text(&answer, manner.style()))
     }
+}
+
+/// A project, or a form that was filled.
+fn opened(path: &Path, manner: &Manner) -> Result<Opened> {
+    if !has_ending(path, "xlsx") {
+        return Ok(Found::open(path, manner.access())?.opened);
+    }
+    let file = path.display().to_string();
+    let form = read_score_form(&dolmen_folder::read(
+        path,
+        manner.access().most(TABLE_BYTES_MOST),
+    )?);
+    let text = form.with_context(|| file.clone())?.project_text();
+    Ok(Opened::read(text, file, &NoFiles)?)
+}
+
+fn has_ending(path: &Path, ending: &str) -> bool {
+    path.extension().is_some_and(|of| of.eq_ignore_ascii_case(ending))
+}
+
+/// Writes the form that is filled at a pagoda.
+fn form(path: &Path, manner: &Manner) -> Result<()> {
+    let outputs = Outputs::new(manner.access());
+    outputs.refuse(path)?;
+    let (language, imprint) = (manner.language(), report::imprint(None));
+    let bytes = match (has_ending(path, "xlsx"), has_ending(path, "html")) {
+        (true, _) => score_form_workbook(language, &imprint)?,
+        (_, true) => score_form_html(language, &imprint).into_bytes(),
+        _ => bail!("the form is written as a workbook (.xlsx) or a page (.html)"),
+    };
+    outputs.file(path, &bytes)?;
+    if !manner.quiet {
+        say(&format!("{}\n", path.display()))?;
+    }
+    Ok(())
 }
 
 fn quality(options: &Options, manner: &Manner) -> Result<()> {

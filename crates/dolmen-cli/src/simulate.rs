@@ -12,6 +12,7 @@ use crate::typed::Typed;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::{simulation_files, simulation_value};
+use dolmen_report::simulation_headline_text;
 use dolmen_report::text::{
     TextStyle, building_simulation_text, chain_simulation_text, frame_simulation_text,
     simulation_inputs_text, simulation_text,
@@ -41,6 +42,12 @@ pub(crate) fn run(options: &Options, typed: &Typed, manner: &Manner) -> Result<O
     if manner.json {
         say_json(&answer_json(&answer))?;
     } else {
+        if answer.does_not_stand.is_none() {
+            say(&simulation_headline_text(
+                &judge_simulation(&answer),
+                manner.style(),
+            ))?;
+        }
         for simulation in &answer.simulations {
             say(&text_of(simulation, manner.style()))?;
         }

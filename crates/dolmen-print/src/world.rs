@@ -1,19 +1,13 @@
 //! What Typst sees: the source, its files and the fonts, and nothing of the machine.
 
 use crate::sheets::Sheets;
+use dolmen_picture::FONTS;
 use typst::diag::{FileError, FileResult};
 use typst::foundations::{Bytes, Datetime};
 use typst::syntax::{FileId, Source, VirtualPath};
 use typst::text::{Font, FontBook};
 use typst::utils::LazyHash;
 use typst::{Library, LibraryExt, World};
-
-/// The fonts of a report: Pretendard 1.3.9 (SIL Open Font License 1.1).
-const FONTS: [&[u8]; 3] = [
-    include_bytes!("../../../data/fonts/Pretendard-Regular.otf"),
-    include_bytes!("../../../data/fonts/Pretendard-SemiBold.otf"),
-    include_bytes!("../../../data/fonts/Pretendard-Bold.otf"),
-];
 
 pub(crate) struct Desk {
     library: LazyHash<Library>,

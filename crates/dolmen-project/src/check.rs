@@ -88,7 +88,12 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             return false;
         };
         match node.get_mut() {
-            DeValue::String(word) => return self.word(word, &fitting, schema, path, &span),
+            DeValue::String(word) => {
+                if let Some(meant) = meant_word(word, &fitting) {
+                    *word = Cow::Borrowed(meant);
+                }
+                return self.word(word, &fitting, schema, path, &span);
+            }
             DeValue::Table(table) => {
                 self.table(table, &span, branch, path, above);
                 let before = self.faults.len();
@@ -380,6 +385,42 @@ fn branches(whole: &'static Tree, schema: &'static Tree) -> Vec<&'static Tree> {
         Some(alternatives) => alternatives.iter().flat_map(|one| branches(whole, one)).collect(),
         None => vec![schema],
     }
+}
+
+/// The one known word that a word means: in other capitals, with the signs of Roman numerals or their digits ("s2", "Ⅱ", "1").
+fn meant_word(word: &str, fitting: &[&'static Tree]) -> Option<&'static str> {
+    if !fitting.iter().all(|branch| is_word(branch)) {
+        return None;
+    }
+    let known: Vec<&'static str> = fitting.iter().flat_map(|branch| words(branch)).collect();
+    if known.contains(&word) {
+        return None;
+    }
+    let plain = |text: &str| -> String {
+        let text = text.trim();
+        let roman = |c: char| match c {
+            'Ⅰ' | 'ⅰ' => "i".to_owned(),
+            'Ⅱ' | 'ⅱ' => "ii".to_owned(),
+            'Ⅲ' | 'ⅲ' => "iii".to_owned(),
+            'Ⅳ' | 'ⅳ' => "iv".to_owned(),
+            other => other.to_lowercase().collect(),
+        };
+        text.chars().map(roman).collect()
+    };
+    let written = plain(word);
+    let numeral = match written.as_str() {
+        "1" => "i",
+        "2" => "ii",
+        "3" => "iii",
+        "4" => "iv",
+        other => other,
+    };
+    let mut same = known.into_iter().filter(|known| {
+        let known = plain(known);
+        known == written || known == numeral
+    });
+    let found = same.next()?;
+    same.next().is_none().then_some(found)
 }
 
 fn is_word(schema: &Tree) -> bool {

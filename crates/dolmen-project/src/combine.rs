@@ -5,13 +5,15 @@ use super::content::Project;
 use super::error::{Fault, ProjectError};
 use super::merge::merge;
 use super::paths::keys;
-use super::read::{of_toml, read_one, value_starts};
+use super::placed::place;
+use super::read::{read_one, value_starts};
 use super::study::Override;
+use super::syntax::of_toml;
+use super::tabled::tabled;
 use dolmen_records::Files;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
-use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -60,13 +62,16 @@ fn combined(
     variant: Option<&str>,
     overrides: &[&Override],
 ) -> Result<Project, Vec<Fault>> {
+    let lists = tabled(text, files)?;
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
     }
     let span = root.span();
     let mut root = root.into_inner();
+    lists.iter().for_each(|list| list.put(&mut root));
     root.remove("study");
+    root.remove("report");
     let variants = root.remove("variant");
     let mut starts = BTreeSet::new();
     for value in root.iter().map(|(_, value)| value) {
@@ -129,21 +134,11 @@ fn patch<'i>(given: &'i Override) -> Option<DeTable<'i>> {
     Some(table)
 }
 
-fn place(node: &mut Node<'_>, span: &Range<usize>) {
-    let mut value = std::mem::replace(node.get_mut(), DeValue::Boolean(false));
-    match &mut value {
-        DeValue::Array(list) => list.iter_mut().for_each(|value| place(value, span)),
-        DeValue::Table(table) => table.iter_mut().for_each(|(_, value)| place(value, span)),
-        _ => {}
-    }
-    *node = Spanned::new(span.clone(), value);
-}
-
 /// Keys of a study that decide no run, only what is made of the runs.
 const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spectral_damping_ratio"];
 
-/// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, other studies, and what only
-/// says what is made of the runs.
+/// All that the runs of a study depend on of a project file, in one order: the file without comments, surveys, report, other studies, variants that it
+/// does not name, and what only says what is made of the runs.
 ///
 /// # Errors
 /// [`ProjectError`] if it is no TOML.
@@ -156,6 +151,7 @@ const OF_THE_ANSWER: [&str; 4] = ["title", "expect", "spectral_periods_s", "spec
 /// assert_eq!(first, of("# again\nx = 1\n[study.a]\ny = [ 2 ]\n")?);
 /// assert_eq!(first, of("x = 1\n[study.a]\ny = [2]\ntitle = 'A'\n")?);
 /// assert_ne!(first, of("x = 1\n[study.a]\ny = [3]\n")?);
+/// assert_eq!(first, of("x = 1\n[study.a]\ny = [2]\n[variant.v]\nx = 2\n")?);
 /// # Ok::<(), dolmen_project::ProjectError>(())
 /// ```
 pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, ProjectError> {
@@ -166,13 +162,25 @@ pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, Pro
     }
     let mut root = root.into_inner();
     root.remove("survey");
+    root.remove("report");
     let mut out = String::new();
     let mut studies = root.remove("study");
-    table_text(&root, &mut out);
     let own = match studies.as_mut().map(Spanned::get_mut) {
         Some(DeValue::Table(all)) => all.get_mut(study),
         _ => None,
     };
+    let used = own.as_deref().map(variants_of).unwrap_or_default();
+    if let Some(DeValue::Table(variants)) = root.get_mut("variant").map(Spanned::get_mut) {
+        let unused = variants.iter().map(|(name, _)| name.get_ref().to_string());
+        let unused: Vec<String> = unused.filter(|name| !used.contains(name)).collect();
+        for name in unused {
+            variants.remove(name.as_str());
+        }
+        if variants.is_empty() {
+            root.remove("variant");
+        }
+    }
+    table_text(&root, &mut out);
     if let Some(DeValue::Table(own)) = own.map(Spanned::get_mut) {
         for key in OF_THE_ANSWER {
             own.remove(key);
@@ -180,6 +188,18 @@ pub fn canonical_text(text: &str, file: &str, study: &str) -> Result<String, Pro
         table_text(own, &mut out);
     }
     Ok(out)
+}
+
+/// The variants that a study names.
+fn variants_of(study: &Node<'_>) -> Vec<String> {
+    let listed = study.get_ref().as_table().and_then(|study| study.get("variants"));
+    match listed.map(Spanned::get_ref) {
+        Some(DeValue::Array(list)) => {
+            let names = list.iter().filter_map(|name| name.get_ref().as_str());
+            names.map(str::to_owned).collect()
+        }
+        _ => Vec::new(),
+    }
 }
 
 fn table_text(table: &DeTable<'_>, out: &mut String) {

@@ -3,12 +3,15 @@
 use super::building::BuildingPart;
 use super::chain::ChainPart;
 use super::frame::FramePart;
+use super::loads::LoadsPart;
 use super::names::Names;
 use super::quantity::Quantity;
+use super::report::ReportPart;
 use super::site::{MotionPart, Place, SitePart};
 use super::stack::StackPart;
 use super::study::StudyPart;
-use super::survey::{ChangePart, Survey};
+use super::survey::{ChangePart, Survey, WatchPart};
+use dolmen::assess::demand::DriftLimit;
 use dolmen_words::Sentence;
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -102,10 +105,14 @@ pub struct Project {
     pub gravity_m_s2: f64,
     /// The model.
     pub structure: Structure,
+    /// What acts beside the weight of the structure.
+    pub loads: LoadsPart,
     /// Where it stands and by what it is judged; `None` if the file does not say.
     pub site: Option<SitePart>,
     /// Its place on the earth; `None` if the file does not say.
     pub place: Option<Place>,
+    /// How far storeys may drift under the design earthquake; `None` if the file does not say.
+    pub drift_limit: Option<DriftLimit>,
     /// Motions of the ground in the order of the file.
     pub motions: Vec<MotionPart>,
     /// Studies in the order of the file.
@@ -114,6 +121,10 @@ pub struct Project {
     pub surveys: Vec<Survey>,
     /// How two surveys are compared.
     pub change: ChangePart,
+    /// What the report says beside the computation; `None` where the file says nothing, and of variants.
+    pub report: Option<ReportPart>,
+    /// How many surveys are watched, and the works between them.
+    pub watch: WatchPart,
     /// Variants in the order of the file.
     pub variants: Vec<Variant>,
     /// What every result must carry along.
@@ -142,6 +153,7 @@ impl Project {
             Structure::Building(building) => building.inputs(&mut all),
             Structure::Survey => {}
         }
+        self.loads.inputs(&mut all);
         all
     }
 

@@ -137,6 +137,11 @@ impl Fault {
         self
     }
 
+    /// Says in which cell of a table it was found.
+    pub(super) fn say_cell(&mut self, file: &str, cell: &str) {
+        self.message = format!("{} ({file}, cell {cell})", self.message);
+    }
+
     /// Says in which variant it was found.
     pub(super) fn in_variant(mut self, name: &str) -> Self {
         self.path = format!("variant.{name}.{}", self.path);

@@ -7,10 +7,13 @@ use super::chain::{CapRaw, JointRaw, LinkRaw};
 use super::file_names::NamesRaw;
 use super::file_number::{At, EvidenceRaw, OrUnknown, QuantityRaw};
 use super::frame::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
+use super::limits::LimitsRaw;
+use super::loads::{CombinationRaw, LoadRaw, WindOrShelteredRaw};
+use super::report::ReportRaw;
 use super::site::{MotionRaw, SiteRaw};
 use super::stack::{ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw};
 use super::study::StudyRaw;
-use super::survey::{ChangeRaw, SurveyRaw};
+use super::survey::{ChangeRaw, SurveyRaw, WatchRaw};
 use schemars::JsonSchema;
 use std::collections::BTreeMap;
 
@@ -92,6 +95,14 @@ pub(super) struct FileRaw {
     pub(super) motion: Option<BTreeMap<String, At<MotionRaw>>>,
     /// Where it stands, and what an earthquake asks for there.
     pub(super) site: Option<At<SiteRaw>>,
+    /// Wind: { speed = "30 m/s", means = "gust", force_coefficient = 2.0 }, or "sheltered" for what stands out of it.
+    pub(super) wind: Option<At<WindOrShelteredRaw>>,
+    /// Static loads beside the weight of the parts.
+    pub(super) loads: Option<At<Vec<At<LoadRaw>>>>,
+    /// Combinations of weight, wind and loads by name, each with its factors: [combination.NAME]. Everything as it is if not given.
+    pub(super) combination: Option<BTreeMap<String, At<CombinationRaw>>>,
+    /// kind = "frame" or "building": how far its storeys may drift under the design earthquake.
+    pub(super) limits: Option<At<LimitsRaw>>,
     /// Studies by name, for `dolmen study`: [study.NAME].
     pub(super) study: Option<BTreeMap<String, At<StudyRaw>>>,
     /// kind = "stack": whose tilt the model leans by: "latest" (the latest survey with a date and a tilt; if not given), "none", or
@@ -101,6 +112,10 @@ pub(super) struct FileRaw {
     pub(super) survey: Option<BTreeMap<String, At<SurveyRaw>>>,
     /// How two surveys are compared, for `dolmen compare`.
     pub(super) change: Option<At<ChangeRaw>>,
+    /// What the report says beside the computation: client, authors, photographs, opinion. Given by the engineer, never computed.
+    pub(super) report: Option<At<ReportRaw>>,
+    /// How many surveys are watched, for `dolmen watch`.
+    pub(super) watch: Option<At<WatchRaw>>,
 }
 
 /// What a file models.

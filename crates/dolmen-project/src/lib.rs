@@ -15,15 +15,19 @@ mod file_way;
 mod foreign;
 mod frame;
 mod heaviness;
+mod limits;
+mod loads;
 mod measure;
 mod merge;
 mod names;
 mod needed;
 mod paths;
+mod placed;
 mod quantity;
 mod ratio;
 mod read;
 mod reader;
+mod report;
 mod safe_text;
 mod schema;
 mod schema_tree;
@@ -32,6 +36,8 @@ mod slips;
 mod stack;
 mod study;
 mod survey;
+mod syntax;
+mod tabled;
 mod units;
 mod usual;
 mod usual_numbers;
@@ -53,9 +59,13 @@ pub use doubts::{likely, looks_like_radians};
 pub use error::{Problem, ProjectError};
 pub use frame::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
 pub use heaviness::Heaviness;
+pub use loads::{CombinationPart, LoadPart, LoadsPart, WindArea, WindGiven, WindPart, WindSpeed};
 pub use names::Names;
 pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};
+pub use report::{
+    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,
+};
 pub use safe_text::texts;
 pub use schema::json_schema;
 pub use site::{HazardPart, HazardSource, MotionPart, MotionSize, MotionSource, Place, SitePart};
@@ -68,8 +78,10 @@ pub use study::{
     ArtificialPart, Axis, DRIFT_LIMITS, ExpectedTrend, HarmonicPart, LawPart, Override, Scan, StudyPart,
 };
 pub use survey::{
-    BandPass, ChangePart, ChannelSource, Column, Conditioning, Cut, LowPass, Merge, ModalChoice, ModeKind,
-    RecordFormat, RecordSource, Survey, SurveyMode, TemperaturePart, Tilt,
+    BandPass, ChangePart, ChannelSource, Column, Conditioning, Cut, DamageKind, Inspection, LowPass, Merge,
+    ModalChoice, ModeKind, OtherDamage, RecordFormat, RecordSource, Severity, Survey, SurveyMode,
+    TemperaturePart, Tilt, WatchPart, WorkKind, WorkPart, date_of,
 };
+pub use tabled::lists_in_tables;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;

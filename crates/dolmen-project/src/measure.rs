@@ -24,6 +24,8 @@ pub(super) enum Measure {
     BedStiffness,
     Angle,
     Tilt,
+    Velocity,
+    Area,
 }
 
 impl Measure {
@@ -43,6 +45,8 @@ impl Measure {
             Measure::Density => Dimension::DENSITY,
             Measure::Stress => Dimension::STRESS,
             Measure::BedStiffness => Dimension::STRESS_PER_LENGTH,
+            Measure::Velocity => Dimension::VELOCITY,
+            Measure::Area => Dimension::AREA,
         }
     }
 
@@ -65,6 +69,8 @@ impl Measure {
             Measure::Stress => "Pa",
             Measure::BedStiffness => "Pa/m",
             Measure::Angle => "rad",
+            Measure::Velocity => "m/s",
+            Measure::Area => "m2",
         }
     }
 
@@ -88,6 +94,8 @@ impl Measure {
             Measure::Stress => "kPa or MPa",
             Measure::BedStiffness => "GPa/m",
             Measure::Angle => "deg",
+            Measure::Velocity => "m/s",
+            Measure::Area => "m2",
             Measure::Tilt => "mm/m or deg, or \"1/200\"",
         }
     }

@@ -12,19 +12,24 @@ use super::file_names::NamesRaw;
 use super::file_number::At;
 use super::foreign::foreign_keys;
 use super::frame::frame;
+use super::limits::limits;
+use super::loads::{judge_loads, loads};
 use super::measure::{Bound, Measure};
 use super::merge::merge;
 use super::names::{Names, names};
 use super::quantity::Quantity;
 use super::reader::Reader;
+use super::report::{PartNames, report};
 use super::safe_text::unsafe_text;
-use super::schema::{SCHEMA_VERSION, kind_word};
+use super::schema::kind_word;
 use super::schema_tree::{BUILT, TREE};
 use super::site::{motions, place, site};
 use super::slips;
 use super::stack::{lean, stack};
 use super::study::studies;
-use super::survey::{change, surveys};
+use super::survey::{add_inspections, change, surveys, watch};
+use super::syntax::{of_toml, version};
+use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
 use super::warned::Warned;
 use dolmen::structure::StructureError;
@@ -38,7 +43,9 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Keys that hold for the whole file: a variant cannot change them.
-const KEYS_OF_THE_FILE: [&str; 6] = ["schema", "kind", "units", "variant", "study", "change"];
+const KEYS_OF_THE_FILE: [&str; 8] = [
+    "schema", "kind", "units", "variant", "study", "change", "report", "watch",
+];
 
 /// Paths that one warning names, our choice: more are counted.
 const PATHS_LISTED: usize = 12;
@@ -87,6 +94,14 @@ pub fn parse_project_with(text: &str, file: &str, files: &dyn Files) -> Result<P
 }
 
 fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
+    let lists = tabled(text, files)?;
+    read_with(text, files, &lists).map_err(|mut faults| {
+        Tabled::name_cells(&lists, &mut faults);
+        faults
+    })
+}
+
+fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project, Vec<Fault>> {
     let (root, syntax) = DeTable::parse_recoverable(text);
     if !syntax.is_empty() {
         return Err(syntax.iter().map(|error| of_toml(error, text)).collect());
@@ -98,9 +113,12 @@ fn read(text: &str, files: &dyn Files) -> Result<Project, Vec<Fault>> {
     if !wrong.is_empty() {
         return Err(wrong);
     }
+    lists.iter().for_each(|list| list.put(&mut root));
     let variants = root.remove("variant");
     let mut base = root.clone();
-    root.remove("study"); // of the file as a whole
+    for key in ["study", "report"] {
+        root.remove(key); // of the file as a whole
+    }
     let mut faults = Vec::new();
     let project = read_one((text, files), (&mut base, &span), None, &mut faults);
     let mut read_variants = Vec::new();
@@ -191,57 +209,6 @@ fn unknown_variants(project: &Project, variants: &[Variant]) -> Vec<Fault> {
     faults
 }
 
-/// A fault of TOML itself.
-pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
-    let span = error.span().unwrap_or(0..0);
-    let first = error.message().lines().next().unwrap_or_default();
-    let rest: Vec<&str> = error.message().lines().skip(1).collect();
-    let mut fault = Fault::new(span.clone(), "", format!("this is not TOML: {first}"));
-    if !rest.is_empty() {
-        fault = fault.allowed(rest.join(", "));
-    }
-    let bare_point = text.get(..span.start).and_then(|before| before.chars().last());
-    let at_point =
-        text.get(span.start..).is_some_and(|rest| rest.starts_with('.')) || bare_point == Some('.');
-    if first.contains("mantissa") && at_point {
-        fault = fault.help("a number begins with a digit: write 0.02, not .02");
-    }
-    if first.contains("duplicate key") {
-        let line = text.get(span).unwrap_or_default();
-        fault = fault.help(format!("\"{line}\" is given twice in the same table: keep one"));
-    }
-    fault
-}
-
-/// The version is looked at first: a newer file may differ in everything else.
-pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
-    let Some((given, span)) = root
-        .get("schema")
-        .and_then(|node| Some((node.get_ref().as_integer()?, node.span())))
-    else {
-        return Ok(());
-    };
-    let number = i64::from_str_radix(given.as_str(), given.radix()).ok();
-    if number == Some(SCHEMA_VERSION) {
-        return Ok(());
-    }
-    let fault = Fault::new(
-        span,
-        "schema",
-        format!("schema = {} is not known", given.as_str()),
-    );
-    let fault = fault.allowed(format!("must be {SCHEMA_VERSION}"));
-    let dolmen = env!("CARGO_PKG_VERSION");
-    let help = match number {
-        Some(number) if number > SCHEMA_VERSION => format!(
-            "the file is of a newer format: this is Dolmen {dolmen}, which reads schema {SCHEMA_VERSION}; get a Dolmen \
-             that reads schema {number}"
-        ),
-        _ => format!("Dolmen {dolmen} reads schema {SCHEMA_VERSION}: write schema = {SCHEMA_VERSION}"),
-    };
-    Err(vec![fault.help(help)])
-}
-
 /// Reads one whole structure, the file's own or a merged variant.
 ///
 /// `own` are the starts of the file's own values, if it is a variant.
@@ -311,10 +278,12 @@ fn of_raw(
         .name
         .take()
         .and_then(|name| self::name(&mut reader, name, "name"));
-    let surveys = surveys(&mut reader, raw.survey.as_ref());
+    let mut surveys = surveys(&mut reader, raw.survey.as_ref());
     let change = change(&mut reader, raw.change.as_ref());
+    let watch = watch(&mut reader, raw.watch.as_ref());
     let place = place(&mut reader, raw.site.as_ref());
     let site = site(&mut reader, raw.site.as_ref());
+    let drift_limit = limits(&mut reader, raw.limits.as_ref(), kind);
     let motions = motions(&mut reader, raw.motion.as_ref());
     let studies = studies(&mut reader, text, raw.study.as_ref());
     let mut structure = match kind {
@@ -338,13 +307,27 @@ fn of_raw(
         Some(KindRaw::Survey) => Some(Structure::Survey),
         None => None,
     };
+    let loads = loads(&mut reader, &raw, structure.as_ref());
     if !reader.has_wrong_units {
+        judge_loads(&mut reader, &loads);
         slips::judge(&mut reader, gravity.as_ref(), structure.as_ref(), &surveys);
     }
     buildable(&mut reader, structure.as_mut());
     if reader.faults.is_empty() {
         doubts::doubt(&mut reader, structure.as_ref(), &surveys, &motions);
     }
+    // a stack is built for its names alone where something speaks of them
+    let inspected = raw
+        .survey
+        .iter()
+        .flatten()
+        .any(|(_, survey)| survey.value.has_inspections());
+    let parts = match (raw.report.is_some() || inspected, structure.as_ref()) {
+        (true, Some(structure)) => PartNames::of(structure),
+        _ => PartNames::default(),
+    };
+    add_inspections(&mut reader, raw.survey.as_ref(), &mut surveys, &parts);
+    let report = report(&mut reader, raw.report.as_ref(), &parts);
     let schema = raw.schema.and_then(|schema| u32::try_from(schema.value).ok());
     let mut project = match (schema, structure, name) {
         (Some(schema), Some(structure), Some(name)) if reader.faults.is_empty() => Project {
@@ -354,12 +337,16 @@ fn of_raw(
             source: raw.source,
             gravity_m_s2,
             structure,
+            loads,
             site,
+            drift_limit,
             place,
             motions,
             studies,
             surveys,
             change,
+            report,
+            watch,
             variants: Vec::new(),
             warnings: Vec::new(),
             spans: BTreeMap::new(),

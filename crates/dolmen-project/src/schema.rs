@@ -29,6 +29,18 @@ pub fn json_schema() -> Value {
             })
             .collect();
         object.insert("allOf".to_owned(), Value::Array(all));
+        let properties = object.get_mut("properties").and_then(Value::as_object_mut);
+        for list in properties
+            .into_iter()
+            .flat_map(|all| all.iter_mut())
+            .filter(|(key, _)| LISTS_IN_TABLES.contains(&key.as_str()))
+        {
+            let of_file = json!({ "type": "string" });
+            let table = json!({ "type": "object", "properties": { "file": of_file, "sheet": of_file }, "required": ["file"], "additionalProperties": false });
+            let inner = std::mem::take(list.1);
+            let description = inner.get("description").cloned().unwrap_or_default();
+            *list.1 = json!({ "description": description, "anyOf": [inner, table] });
+        }
     }
     schema
 }
@@ -62,6 +74,9 @@ pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
     ),
     ("building", &["floors", "p_delta", "damping", "damper", "points"]),
 ];
+
+/// Lists that may stand in a table beside the file.
+pub(super) const LISTS_IN_TABLES: [&str; 3] = ["blocks", "links", "storeys"];
 
 /// The word of a kind.
 pub(super) fn kind_word(kind: KindRaw) -> &'static str {

@@ -22,6 +22,7 @@ const fn dimension(metre: i32, kilogram: i32, second: i32) -> Dimension {
 impl Dimension {
     pub(super) const RATIO: Dimension = dimension(0, 0, 0);
     pub(super) const LENGTH: Dimension = dimension(1, 0, 0);
+    pub(super) const AREA: Dimension = dimension(2, 0, 0);
     pub(super) const MASS: Dimension = dimension(0, 1, 0);
     pub(super) const FREQUENCY: Dimension = dimension(0, 0, -1);
     pub(super) const FORCE: Dimension = dimension(1, 1, -2);
@@ -52,6 +53,7 @@ impl fmt::Display for Dimension {
         let name = match *self {
             Dimension::RATIO => "a plain number or an angle",
             Dimension::LENGTH => "a length",
+            Dimension::AREA => "an area",
             Dimension::MASS => "a mass",
             Dimension::FREQUENCY => "a frequency",
             Dimension::FORCE => "a force",

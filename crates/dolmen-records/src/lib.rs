@@ -6,9 +6,12 @@ mod limits;
 pub mod meshes;
 pub mod motions;
 mod number;
+mod photo;
 mod quoted;
 pub mod records;
+mod score_form;
 mod seismic;
+mod sheet;
 mod start;
 mod unit;
 
@@ -17,4 +20,7 @@ pub use files::{
     PROJECT_BYTES_MOST, RECORD_BYTES_MOST, TABLE_BYTES_MOST, stays_within,
 };
 pub use limits::LimitError;
+pub use photo::{PHOTO_BYTES_MOST, PHOTO_PIXELS_MOST, Photo, PhotoError, PhotoFormat, read_photo};
+pub use score_form::{ScoreForm, ScoreFormError, read_score_form};
+pub use sheet::{SHEET_BYTES_MOST, SheetCell, SheetError, SheetValue, read_sheet};
 pub use start::time_text;

@@ -16,10 +16,6 @@ messages! {
             en: "line {line}: {message}",
             ko: "{line}행: {message}",
         },
-        Assumed { assumed: usize, all: usize } => {
-            en: "assumed inputs: {assumed} of {all}",
-            ko: "가정한 입력: {all}개 중 {assumed}개",
-        },
         MoreFindings { count: usize } => { en: "further findings: {count}", ko: "그 밖의 결과: {count}개" },
         MoreNotes { count: usize } => { en: "notes on the file: {count}", ko: "입력 파일 경고: {count}개" },
         Full => { en: "all of it with --full", ko: "전체 내용은 --full" },
@@ -30,13 +26,14 @@ fn said(message: Brief, language: Language) -> String {
     Sentence::from(message).text(language)
 }
 
-/// The findings that decide, and how much more there is.
-pub(crate) fn brief_text(all: &[Finding], project: &Project, style: TextStyle) -> String {
+/// The findings that decide, and how much more there is. `above`: lines that the headline takes beyond its first.
+pub(crate) fn brief_text(all: &[Finding], project: &Project, above: usize, style: TextStyle) -> String {
+    let most = LINES_MOST.saturating_sub(above);
     let mut out = String::new();
     let mut shown = 0;
     for finding in all.iter().filter(|finding| finding.is_key) {
         let lines = findings_text([finding], style);
-        if out.lines().count() + lines.lines().count() > LINES_MOST - 1 {
+        if out.lines().count() + lines.lines().count() > most.saturating_sub(1) {
             break;
         }
         out += &lines;
@@ -46,17 +43,8 @@ pub(crate) fn brief_text(all: &[Finding], project: &Project, style: TextStyle) -
 }
 
 fn more_text(project: &Project, findings: usize, style: TextStyle) -> String {
-    let inputs = project.inputs();
-    let assumed = inputs.iter().filter(|input| input.is_assumed()).count();
     let notes = project.warnings.len();
     let parts = [
-        (
-            assumed,
-            Brief::Assumed {
-                assumed,
-                all: inputs.len(),
-            },
-        ),
         (findings, Brief::MoreFindings { count: findings }),
         (notes, Brief::MoreNotes { count: notes }),
     ];

@@ -31,9 +31,9 @@ pub fn identification_text(answer: &IdentifyAnswer, style: TextStyle) -> String 
         out += &wrapped(&nothing, "", "", style.columns());
     }
     let mut all: Vec<Finding> = answer.surveys.iter().flat_map(modal::findings).collect();
-    all.extend(identification::findings(&answer.surveys));
+    all.extend(identification::findings(&answer.project, &answer.surveys));
     if !style.is_full {
-        return out + &brief_text(&all, &answer.project, style);
+        return out + &brief_text(&all, &answer.project, 0, style);
     }
     if !all.is_empty() {
         out += &all_findings_text(&all, style);

@@ -1,5 +1,6 @@
 //! Answers as text, JSON, figures and pages, in English and Korean. Opens no file.
 
+mod behind;
 mod brief;
 mod brief_rows;
 mod building;
@@ -9,18 +10,23 @@ mod change;
 mod check;
 mod demand;
 mod document;
+pub mod docx;
+mod engineer;
 pub mod explain;
 pub mod figures;
 pub mod files;
 pub mod film;
 mod frame;
 mod frame_simulation;
+mod headline;
 pub mod html;
 mod identification;
 mod identify;
 pub mod json;
 pub mod kept;
+mod limits;
 mod load_factor;
+mod loads;
 mod mark;
 mod modal;
 mod motion;
@@ -36,11 +42,13 @@ pub mod tables;
 pub mod text;
 mod tune;
 pub mod typeset;
+mod watch;
 mod whole;
 pub mod xlsx;
 
 pub use check::check_text;
 pub use document::TextStyle;
+pub use headline::simulation_headline_text;
 pub use identify::identification_text;
 pub use motion::motion_report_text;
 pub use rank::rank_text;

@@ -2,12 +2,13 @@
 
 use crate::brief::Brief;
 use crate::brief_rows::BriefRows;
+use crate::document::Label;
 use crate::identify::Nothing;
 use crate::load_factor::LoadFactor;
 use crate::{
-    building, building_simulation, chain, change, check, demand, figures, frame, frame_simulation,
-    identification, kept, modal, motion, processing, rank, score, simulated, stack, stack_simulation, study,
-    text, tune, xlsx,
+    building, building_simulation, chain, change, check, demand, document, engineer, figures, frame,
+    frame_simulation, headline, identification, kept, limits, loads, modal, motion, processing, rank, score,
+    simulated, stack, stack_simulation, study, text, tune, watch, xlsx,
 };
 use dolmen_words::Template;
 
@@ -20,11 +21,15 @@ pub fn sentences() -> Vec<Template> {
         BriefRows::TEMPLATES,
     ];
     groups.extend(chain::TEMPLATES);
+    groups.extend(loads::TEMPLATES);
+    groups.push(dolmen_work::loads::Governed::TEMPLATES);
     groups.extend(check::TEMPLATES);
+    groups.push(headline::TEMPLATES);
     groups.push(dolmen_project::Warned::TEMPLATES);
     groups.push(dolmen_project::Doubted::TEMPLATES);
     groups.extend(frame::TEMPLATES);
     groups.extend(demand::TEMPLATES);
+    groups.extend(limits::TEMPLATES);
     groups.extend(simulated::TEMPLATES);
     groups.extend(frame_simulation::TEMPLATES);
     groups.extend(stack::TEMPLATES);
@@ -35,6 +40,7 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(building_simulation::TEMPLATES);
     groups.extend(tune::TEMPLATES);
     groups.extend(change::TEMPLATES);
+    groups.extend(watch::TEMPLATES);
     groups.extend(study::TEMPLATES);
     groups.extend(modal::TEMPLATES);
     groups.extend(identification::TEMPLATES);
@@ -43,6 +49,10 @@ pub fn sentences() -> Vec<Template> {
     groups.extend(rank::TEMPLATES);
     groups.extend(kept::TEMPLATES);
     groups.extend(figures::TEMPLATES);
+    groups.extend(figures::OF_SINGLE_FIGURES);
+    groups.extend(engineer::TEMPLATES);
+    groups.push(document::Framed::TEMPLATES);
+    groups.push(Label::TEMPLATES);
     groups.push(xlsx::Workbook::TEMPLATES);
     groups.into_iter().flatten().copied().collect()
 }
@@ -67,7 +77,7 @@ mod tests {
         // symbols, numbers and arguments are the same in both languages
         let is_symbol = |text: &str| {
             text.chars()
-                .all(|c| !c.is_ascii_alphabetic() || "kcrPHMNbditfSavAyz".contains(c))
+                .all(|c| !c.is_ascii_alphabetic() || "kcrpPHMNbmditfDSavAyz".contains(c))
         };
         for template in sentences() {
             let bare: String = template

@@ -1,9 +1,10 @@
 //! The whole answer on one project: its findings, and its sections as one document.
 
 use crate::document::{Document, Finding, Tone};
+use crate::engineer::{self, Pictures};
 use crate::{
     building, building_simulation, chain, change, check, demand, frame, frame_simulation, identification,
-    modal, stack, stack_simulation, study, tune,
+    loads, modal, stack, stack_simulation, study, tune, watch,
 };
 use dolmen_project::Structure;
 use dolmen_work::answer::ProjectReport;
@@ -21,14 +22,29 @@ pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     all.extend(building_simulation::findings(&answer.building_simulations()));
     all.extend(answer.surveys().iter().flat_map(modal::findings));
     all.extend(answer.change().into_iter().flat_map(change::findings));
-    all.extend(identification::findings(answer.surveys()));
+    all.extend(answer.watch().into_iter().flat_map(watch::findings));
+    all.extend(identification::findings(&answer.project, answer.surveys()));
     all.sort_by_key(|finding| finding.tone != Tone::Bad);
     all
 }
 
-/// All sections in the order in which they are read: the model, earthquakes, dampers, studies, variants, surveys.
+/// All sections in the order in which they are read: place, surveys, the model, earthquakes, dampers, studies, change over the years, variants,
+/// opinion.
 pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     let mut whole = Document::default();
+    let given = answer.project.report.as_ref();
+    if let Some(given) = given {
+        whole.append(engineer::place(given, Pictures::of(answer)));
+    }
+    whole.append(engineer::structure(&answer.project));
+    if let Some(given) = given {
+        whole.append(engineer::tests_made(given));
+    }
+    whole.append(engineer::damage(&answer.project, Pictures::of(answer)));
+    for survey in answer.surveys() {
+        whole.append(modal::sections(survey));
+    }
+    whole.append(identification::sections(&answer.project, answer.surveys()));
     if let Some(state) = answer.state() {
         model(&mut whole, answer, state);
         if let Some(demand) = &state.demand {
@@ -43,29 +59,37 @@ pub(crate) fn whole_document(answer: &ProjectReport) -> Document<'_> {
     for found in answer.studies() {
         whole.append(study::sections(found));
     }
-    if let Some(check) = answer.check() {
-        whole.append(check::variants_section(check));
-        whole.append(check::scatter_sections(check));
-    }
-    for survey in answer.surveys() {
-        whole.append(modal::sections(survey));
-    }
     if let Some(found) = answer.change() {
         whole.append(change::sections(&answer.project, found));
     }
-    whole.append(identification::sections(&answer.project, answer.surveys()));
+    if let Some(found) = answer.watch() {
+        whole.append(watch::sections(found));
+    }
+    if let (Some(check), Some(state)) = (answer.check(), answer.state()) {
+        if let Check::Stack(_) = &state.check {
+            whole.append(stack::comparison(state, answer.variants()));
+        }
+        whole.append(check::variants_section(check));
+        whole.append(check::scatter_sections(check));
+    }
+    if let Some(given) = given {
+        whole.append(engineer::opinion(given));
+    }
     whole
 }
 
 /// The structure as it is computed.
 fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a State) {
     match (&answer.project.structure, &state.check) {
-        (Structure::Chain(part), Check::Chain(check)) => whole.append(chain::sections(part, check)),
+        (Structure::Chain(part), Check::Chain(check)) => {
+            whole.append(chain::sections(part, check));
+            let heights_m = chain::joint_heights_m(part);
+            whole.append(loads::sections(state.loads.as_ref(), heights_m));
+        }
         (Structure::Frame(part), Check::Frame(all)) => whole.append(frame::sections(part, all)),
         (_, Check::Stack(check)) => {
             let shaking = stack::peak_g(answer, check);
             whole.append(stack::sections(check, &state.spring_fits, shaking));
-            whole.append(stack::comparison(state, answer.variants()));
         }
         (_, Check::Building(check)) => whole.append(building::sections(check)),
         (_, Check::Chain(_) | Check::Frame(_)) => {}

@@ -4,6 +4,7 @@ use crate::building::{BuildingSimulation, TogetherAnswer, TuneAnswer};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::motion::MotionReport;
+use crate::photos::Photos;
 use crate::portfolio::PortfolioAnswer;
 use crate::score::ScoreAnswer;
 use crate::simulation::{SimulateAnswer, Simulation};
@@ -11,6 +12,7 @@ use crate::stack::StackSimulation;
 use crate::state::{SensitivityOf, State, VariantAnswer};
 use crate::study::{LeftOutStudy, StudyAnswer};
 use crate::surveyed::SurveyAnswer;
+use crate::watched::WatchAnswer;
 use dolmen::assess::{Sensitivity, SurveyChange};
 use dolmen_project::Project;
 use std::sync::Arc;
@@ -24,6 +26,8 @@ pub enum Answer {
     Identify(Box<IdentifyAnswer>),
     /// What changed from one survey to another.
     Compare(Box<CompareAnswer>),
+    /// The record of the structure over the years.
+    Watch(Box<WatchAnswer>),
     /// The structure under a ground motion.
     Simulate(SimulateAnswer),
     /// A study.
@@ -97,6 +101,10 @@ pub struct ProjectReport {
     pub answers: Vec<Answer>,
     /// Studies whose results could not be used.
     pub left_out: Vec<LeftOutStudy>,
+    /// Its photographs and drawings, by file.
+    pub photos: Photos,
+    /// What the text of the project file is known by.
+    pub fingerprint: String,
 }
 
 impl ProjectReport {
@@ -131,6 +139,14 @@ impl ProjectReport {
     pub fn change(&self) -> Option<&SurveyChange> {
         self.answers.iter().find_map(|answer| match answer {
             Answer::Compare(compared) => Some(&compared.change),
+            _ => None,
+        })
+    }
+
+    /// The record over the years; `None` with fewer than three surveys.
+    pub fn watch(&self) -> Option<&WatchAnswer> {
+        self.answers.iter().find_map(|answer| match answer {
+            Answer::Watch(watched) => Some(&**watched),
             _ => None,
         })
     }

@@ -2,6 +2,7 @@
 
 use crate::known::known_beside;
 use dolmen::assess::AssessError;
+use dolmen::monitoring::MonitoringError;
 
 /// Why surveys cannot be compared.
 #[derive(Debug, thiserror::Error)]
@@ -32,6 +33,20 @@ pub enum ChangeFault {
         /// Its name.
         given: String,
     },
+    /// Too few surveys to watch.
+    #[error(
+        "{given} surveys of the file have modes and a name that begins with a date, but a history needs {least}: measure again, or compare \
+         two surveys with dolmen compare"
+    )]
+    TooFewToWatch {
+        /// Surveys that can be watched.
+        given: usize,
+        /// Surveys needed.
+        least: usize,
+    },
+    /// The history is refused.
+    #[error(transparent)]
+    Monitoring(#[from] MonitoringError),
     /// The comparison is refused.
     #[error(transparent)]
     Assess(#[from] AssessError),

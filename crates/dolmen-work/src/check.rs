@@ -98,10 +98,12 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
         None => None,
     };
     let tilts = tilts(project, &check);
+    let loads = kinds::loads(project, &check, &tilts, &mut Quantity::nominal)?;
     Ok(Some(State {
         demand: demand::of(project, &check)?,
         check,
         tilts,
+        loads,
         contradictions: Vec::new(),
         spring_fits: Vec::new(),
         sampled,

@@ -2,12 +2,14 @@
 
 use crate::error::WorkError;
 use crate::judgement::first_sway;
+use crate::part_limit::PartLimit;
 use crate::state::{Check, DemandAnswer, SpectralAt};
 use crate::told::told;
+use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
 use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
-use dolmen_project::Project;
+use dolmen_project::{Project, Structure};
 
 /// The demand of the project's site on its structure; `None` if the file has no site.
 pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer>, WorkError> {
@@ -17,6 +19,8 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
     let mut answer = DemandAnswer {
         site: part.demand()?,
         stack: None,
+        parts: Vec::new(),
+        drift_limit: project.drift_limit.clone(),
         spectral: Vec::new(),
         refused: None,
     };
@@ -39,6 +43,10 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
             Err(why) => answer.refused = Some(told(&why)),
         }
     }
+    match parts(project, check, &answer) {
+        Ok(parts) => answer.parts = parts,
+        Err(why) => answer.refused = Some(told(&why)),
+    }
     if let Check::Stack(stack) = check {
         let modes = stack.frequencies.as_ref().and_then(|known| known.modes());
         if stack.check.verdict == Verdict::Unstable {
@@ -53,6 +61,17 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
         }
     }
     Ok(Some(answer))
+}
+
+/// Storeys, joints and dampers against what limits them under the spectrum of the site.
+fn parts(project: &Project, check: &Check, answer: &DemandAnswer) -> Result<Vec<PartLimit>, WorkError> {
+    let limit = answer.drift_limit.as_ref();
+    match (&project.structure, check) {
+        (Structure::Chain(part), Check::Chain(_)) => chain::limits::by_spectrum(part, &answer.site),
+        (Structure::Frame(part), Check::Frame(_)) => frame::limits::by_spectrum(part, &answer.site, limit),
+        (_, Check::Building(building)) => Ok(building::limits::by_spectrum(building, limit)),
+        _ => Ok(Vec::new()),
+    }
 }
 
 /// First periods that are known, by direction, s.

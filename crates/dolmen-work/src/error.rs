@@ -19,9 +19,9 @@ use dolmen::structure::building::BuildingError;
 use dolmen::structure::stack::StackError;
 use dolmen::validation::ValidationError;
 use dolmen_project::{AngleError, DamperFault, ProjectError, StackFault};
-use dolmen_records::FileError;
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
+use dolmen_records::{FileError, PhotoError};
 use std::error::Error;
 
 /// Why a verb cannot answer: what the science, the readers or the project file refuse, each with its place, or what was asked for.
@@ -48,6 +48,17 @@ pub enum WorkError {
     /// A file of a ground motion is refused.
     #[error(transparent)]
     Motion(Box<MotionError>),
+    /// A photograph is refused.
+    #[error(transparent)]
+    Photo(Box<PhotoError>),
+    /// The photographs of a report are too large together.
+    #[error(
+        "the photographs of one report hold more than {most} MiB together: save them smaller (3000 pixels across fill a page), or leave some out"
+    )]
+    TooManyPhotos {
+        /// The limit, MiB.
+        most: u64,
+    },
     /// An angle is refused.
     #[error(transparent)]
     Angle(Box<AngleError>),
@@ -355,6 +366,7 @@ handed_on! {
     Project: ProjectError,
     Record: RecordError,
     Motion: MotionError,
+    Photo: PhotoError,
     Angle: AngleError,
     StackPart: StackFault,
     DamperPart: DamperFault,

@@ -187,6 +187,7 @@ const FLAGS: &[Flag] = &[
     flag(FlagVerb::Simulate, "output", MOVING),
     flag(FlagVerb::Report, "output", &Kind::ALL),
     flag(FlagVerb::Report, "date", &Kind::ALL),
+    flag(FlagVerb::Report, "figures", &Kind::ALL),
     Flag {
         is_for: SAMPLES,
         instead: NO_SAMPLES_REPORT,

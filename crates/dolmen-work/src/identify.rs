@@ -194,6 +194,16 @@ fn of_survey(
     {
         answer.without_stiffness = why_no_stiffness(found);
     }
+    if is_sought && answer.without_stiffness.is_none() {
+        let all_twist = |direction: &&String| {
+            let modes = survey.measured_modes(direction, &mut Quantity::nominal);
+            modes.is_empty() && !twisting(survey, direction).is_empty()
+        };
+        let found = survey.modes.keys().find(all_twist);
+        answer.without_stiffness = found.map(|direction| WithoutStiffness::AllTwist {
+            direction: direction.clone(),
+        });
+    }
     answer.stiffness = stiffness;
     Ok(answer)
 }

@@ -4,12 +4,13 @@ use crate::building::simulate::BuildingOptions;
 use crate::chain::simulate::ChainOptions;
 use crate::error::WorkError;
 use crate::frame::simulate::FrameOptions;
+use crate::loads::LoadsAnswer;
 use crate::motion::MotionAnswer;
 use crate::progress::Progress;
 use crate::simulation::Simulation;
 use crate::stack::Law;
 use crate::stack::simulate::{Shaken, StackOptions};
-use crate::state::{Check, SensitivityOf, SpringFit};
+use crate::state::{Check, SensitivityOf, SpringFit, TiltCheck};
 use crate::stiffness::MeasuredDirection;
 use crate::surveyed::StiffnessAnswer;
 use crate::version::Version;
@@ -86,6 +87,23 @@ pub(crate) fn uplift_tilt(check: &Check) -> Option<f64> {
             .uplift
             .map(|first| first.threshold.acceleration_g),
         Check::Frame(_) | Check::Building(_) => None,
+    }
+}
+
+/// What wind and static loads do, with the tilt as surveyed; `None` if there are none, and where they are not read.
+pub(crate) fn loads(
+    project: &Project,
+    check: &Check,
+    tilts: &[TiltCheck],
+    pick: Pick<'_>,
+) -> Result<Option<LoadsAnswer>, WorkError> {
+    // directions of a survey are across each other
+    let tilt_rad = tilts.iter().map(|of| of.tilt * of.tilt).sum::<f64>().sqrt();
+    match (&project.structure, check) {
+        (Structure::Chain(part), Check::Chain(check)) => {
+            chain::loads::loads(part, &project.loads, check, tilt_rad, pick)
+        }
+        _ => Ok(None),
     }
 }
 

@@ -5,14 +5,18 @@ use crate::building::tune;
 use crate::check::{CheckOptions, Sampling, check};
 use crate::compare::{change_of, surveys_to_compare};
 use crate::error::WorkError;
+use crate::fingerprint::fingerprint;
 use crate::identify::{IdentifyOptions, identify};
+use crate::judgement::Evidence;
 use crate::kinds;
 use crate::motion::{MotionRequest, prepared};
 use crate::opened::Opened;
+use crate::photos::photos;
 use crate::progress::Progress;
 use crate::simulation::SimulateAnswer;
 use crate::study::{StudyJournals, studies_run};
 use crate::version::Version;
+use crate::watch::{can_watch, watch_of};
 use dolmen::stability::Verdict;
 use dolmen_project::Structure;
 use dolmen_records::Files;
@@ -31,7 +35,7 @@ pub struct ReportOptions {
 /// The check, the surveys, the change between them, simulations, dampers, and studies of a project.
 ///
 /// # Errors
-/// [`WorkError`] of any of them, but for studies, which are left out and named.
+/// [`WorkError`] of any of them and of photographs, but for studies, which are left out and named.
 pub fn report(
     opened: &Opened,
     options: ReportOptions,
@@ -39,6 +43,7 @@ pub fn report(
     progress: &dyn Progress,
 ) -> Result<ProjectReport, WorkError> {
     let project = &opened.project;
+    let photos = photos(opened, files)?; // before what takes long
     let is_shaken = options.motion.is_given();
     let is_stack = matches!(project.structure, Structure::Stack(_));
     let identified = identify(opened, &IdentifyOptions::default(), files, progress)?;
@@ -54,6 +59,10 @@ pub fn report(
             project: opened.project.clone(),
             change: change_of(project, &compared, &identified.surveys)?,
         })));
+    }
+    if can_watch(project) {
+        let watched = watch_of(opened, &identified.surveys)?;
+        answers.push(Answer::Watch(Box::new(watched)));
     }
     if is_shaken {
         let simulated = simulated(opened, &checked, &options.motion, files, progress)?;
@@ -74,6 +83,8 @@ pub fn report(
         project: opened.project.clone(),
         answers,
         left_out,
+        photos,
+        fingerprint: fingerprint(opened.text.as_bytes()),
     })
 }
 
@@ -115,5 +126,6 @@ fn simulated(
         simulations,
         variant: None,
         does_not_stand: None,
+        evidence: Evidence::none(), // said by the check
     })
 }

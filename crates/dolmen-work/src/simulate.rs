@@ -4,6 +4,8 @@ use crate::building::simulate::BuildingOptions;
 use crate::chain::simulate::ChainOptions;
 use crate::error::{Within as _, WorkError};
 use crate::frame::simulate::FrameOptions;
+use crate::judgement::Evidence;
+use crate::kinds;
 use crate::motion::{MotionAnswer, MotionRequest, prepared};
 use crate::opened::Opened;
 use crate::progress::Progress;
@@ -14,7 +16,7 @@ use crate::version::Version;
 use crate::{building, chain, frame, stack};
 use dolmen::blocks::ContactRule;
 use dolmen::dynamics::ChainRotations;
-use dolmen_project::{Project, Structure, parse_angle_rad};
+use dolmen_project::{Project, Quantity, Structure, parse_angle_rad};
 use dolmen_records::Files;
 
 /// What is simulated, and how. What a kind does not use is without effect: [`refuse_foreign`](crate::flags) refuses it before.
@@ -104,6 +106,17 @@ pub fn prepare<'a>(
     })
 }
 
+/// What the surveys say of the model; nothing of a variant, nor where none measured a frequency.
+fn evidence(version: &Version<'_>) -> Result<Evidence, WorkError> {
+    let surveys = &version.project.surveys;
+    let is_measured = surveys.iter().any(|survey| !survey.modes.is_empty());
+    if version.variant.is_some() || !is_measured {
+        return Ok(Evidence::none());
+    }
+    let check = kinds::check(version.project, &mut Quantity::nominal)?;
+    Ok(check.map_or_else(Evidence::none, |check| Evidence::of(surveys, &check, None)))
+}
+
 impl PreparedSimulation<'_> {
     /// The project, or its variant.
     pub fn project(&self) -> &Project {
@@ -130,6 +143,7 @@ impl PreparedSimulation<'_> {
             simulations: Vec::new(),
             variant: version.variant.map(str::to_owned),
             does_not_stand: None,
+            evidence: evidence(&version)?,
         };
         match (&version.project.structure, motion) {
             (Structure::Survey, _) => return Err(WorkError::SurveySimulated),

@@ -3,6 +3,7 @@
 use crate::building::BuildingSimulation;
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
+use crate::judgement::Evidence;
 use crate::stack::StackSimulation;
 use dolmen::stability::stack::Standing;
 
@@ -42,4 +43,6 @@ pub struct SimulateAnswer {
     pub variant: Option<String>,
     /// Why nothing was simulated of a stack that does not stand without any shaking.
     pub does_not_stand: Option<Standing>,
+    /// What surveys say of the model of the structure as it is.
+    pub evidence: Evidence,
 }

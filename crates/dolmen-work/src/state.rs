@@ -1,7 +1,9 @@
 //! Whether a version of a structure stands, and everything that speaks for or against it.
 
 use crate::building::BuildingAnswer;
-use dolmen::assess::demand::{SiteDemand, StackDemandCheck};
+use crate::loads::LoadsAnswer;
+use crate::part_limit::PartLimit;
+use dolmen::assess::demand::{DriftLimit, SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
 use dolmen::stability::Verdict;
@@ -28,6 +30,8 @@ pub struct State {
     pub check: Check,
     /// Measured tilt against the tilt at which a joint reaches its uplift limit, of the last survey that states one.
     pub tilts: Vec<TiltCheck>,
+    /// What wind and static loads do; `None` if the file gives none.
+    pub loads: Option<LoadsAnswer>,
     /// Where a measured first frequency and that of the model differ by more than [`FREQUENCY_RATIO_MOST`].
     pub contradictions: Vec<FrequencyContradiction>,
     /// What the springs of a stack must be multiplied by to have the frequencies that surveys measured.
@@ -45,6 +49,10 @@ pub struct DemandAnswer {
     pub site: SiteDemand,
     /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
     pub stack: Option<StackDemandCheck>,
+    /// Storeys, joints and dampers against what limits them.
+    pub parts: Vec<PartLimit>,
+    /// Allowable drift of storeys; `None` where the file gives none.
+    pub drift_limit: Option<DriftLimit>,
     /// The spectrum at the first period of each direction that is known.
     pub spectral: Vec<SpectralAt>,
     /// Why nothing was compared, or a value is missing.
@@ -264,6 +272,12 @@ impl State {
 
     /// The worst verdict of the structure.
     pub fn verdict(&self) -> Verdict {
+        let loads = self.loads.as_ref().map(LoadsAnswer::verdict);
+        worst([self.weight_verdict()].into_iter().chain(loads))
+    }
+
+    /// The worst verdict without wind and static loads.
+    fn weight_verdict(&self) -> Verdict {
         // a tilt that cannot be checked is said beside the verdict, and does not change it
         let tilts = self
             .tilts
@@ -271,6 +285,12 @@ impl State {
             .map(TiltCheck::verdict)
             .filter(|verdict| *verdict != Verdict::Unknown);
         worst(tilts.chain([self.stability_verdict()]))
+    }
+
+    /// Wind and loads, where they make the verdict what it is.
+    pub fn governing_loads(&self) -> Option<&LoadsAnswer> {
+        let loads = self.loads.as_ref()?;
+        (self.weight_verdict() != self.verdict()).then_some(loads)
     }
 
     /// Against the demand of its site; `None` if that is not compared.

@@ -1,18 +1,37 @@
 //! When a survey was, as its name says.
 
 /// The date that a survey's name begins with: "2019", "2019-04" or "2019-04-02", what is missing 0.
-pub fn date(name: &str) -> Option<[u32; 3]> {
-    let mut parts = name.splitn(3, '-');
-    let year = parts.next().filter(|y| y.len() == 4)?.parse().ok()?;
-    let mut part = |most: u32| {
-        let text = parts.next()?;
-        let digits: String = text.chars().take_while(char::is_ascii_digit).collect();
-        digits
-            .parse()
-            .ok()
-            .filter(|n| digits.len() == 2 && (1..=most).contains(n))
+pub use dolmen_project::date_of as date;
+
+/// Days from 1970-01-01 to a date; a missing month or day is taken in the middle of what is known.
+///
+/// Source: Richards (2013) Explanatory supplement to the astronomical almanac, 15.11, in the form of H. Hinnant (2013).
+pub(crate) fn day_of([year, month, day]: [u32; 3]) -> f64 {
+    let (month, day) = match (month, day) {
+        (0, _) => (7, 1),
+        (month, 0) => (month, 15),
+        known => known,
     };
-    let month = part(12);
-    let day = month.and_then(|_| part(31));
-    Some([year, month.unwrap_or(0), day.unwrap_or(0)])
+    let (y, m) = match month {
+        1 | 2 => (i64::from(year) - 1, i64::from(month) + 9),
+        _ => (i64::from(year), i64::from(month) - 3),
+    };
+    let era = y.div_euclid(400);
+    let of_era = y - era * 400;
+    let of_year = (153 * m + 2) / 5 + i64::from(day) - 1;
+    let of_cycle = of_era * 365 + of_era / 4 - of_era / 100 + of_year;
+    (era * 146_097 + of_cycle - 719_468) as f64
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_days_of_dates_that_are_known() {
+        assert_eq!(day_of([1970, 1, 1]), 0.0);
+        assert_eq!(day_of([2000, 3, 1]), 11_017.0);
+        assert_eq!(day_of([2024, 2, 29]), 19_782.0);
+        assert_eq!(day_of([2024, 0, 0]), day_of([2024, 7, 1]));
+    }
 }

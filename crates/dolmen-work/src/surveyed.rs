@@ -9,6 +9,11 @@ use dolmen::structure::{Convention, StiffnessSolutions};
 pub enum WithoutStiffness {
     /// No channel has both a position and a direction.
     NoPlace,
+    /// Every mode that was measured in a direction twists.
+    AllTwist {
+        /// The direction.
+        direction: String,
+    },
     /// No sensor points within 15° of x or y.
     OffTheAxes {
         /// Names of those that have a position and a direction.
@@ -22,6 +27,10 @@ impl std::fmt::Display for WithoutStiffness {
             WithoutStiffness::NoPlace => write!(
                 f,
                 "no stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure"
+            ),
+            WithoutStiffness::AllTwist { direction } => write!(
+                f,
+                "no stiffness is sought in direction {direction}: every mode measured there twists; check their kind"
             ),
             WithoutStiffness::OffTheAxes { channels } => write!(
                 f,

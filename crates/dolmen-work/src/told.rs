@@ -39,6 +39,7 @@ fn handed_on<'a>(cause: &'a (dyn Error + 'static)) -> &'a (dyn Error + 'static) 
     }
     match cause.downcast_ref() {
         Some(ChangeFault::Assess(why)) => why,
+        Some(ChangeFault::Monitoring(why)) => why,
         _ => cause,
     }
 }

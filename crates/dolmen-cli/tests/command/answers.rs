@@ -45,7 +45,7 @@ fn holds_a_pole_with_the_published_stiffness_falls_and_ends_with_status_1() {
     fs::write(&project, text).unwrap();
     let answer = scratch.dolmen("check examples/naju_flagpole");
     assert_eq!(answer.status, 1, "{}", answer.stdout);
-    let said = "Variant “published”: unstable";
+    let said = "Variant “published”: Own weight: unstable";
     assert!(answer.stdout.contains(said), "{}", answer.stdout);
     let json = scratch.dolmen("check examples/naju_flagpole --json");
     assert_eq!(json.status, 1);

@@ -300,3 +300,108 @@ fn holds_a_simulated_chain_says_that_a_surveyed_tilt_is_not_in_it() {
     assert!(scratch.briefly(run).words().contains(said));
     assert!(scratch.dolmen(run).words().contains(said));
 }
+
+/// The shipped flagpole in wind with other lines in the place of its wind.
+fn flagpole_in(scratch: &Scratch, name: &str, change: &dyn Fn(String) -> String) -> String {
+    let file = scratch.path().join("examples/naju_flagpole/wind.toml");
+    let text = change(fs::read_to_string(file).unwrap());
+    let path = format!("examples/naju_flagpole/{name}.toml");
+    fs::write(scratch.path().join(&path), text).unwrap();
+    path
+}
+
+#[test]
+fn exact_the_flagpole_in_a_gust_is_unstable_and_the_headline_says_so() {
+    let scratch = Scratch::with_examples("chain_wind");
+    let answer = scratch.briefly("check examples/naju_flagpole/wind.toml");
+    assert_eq!(answer.status, 1, "{}", answer.stderr);
+    assert!(answer.words().contains("unstable in wind"), "{}", answer.stdout);
+    // ½ 1.25 30² C_f 2.0 on a pole of 10.83 × 0.4 m: 26.39 kN m against 68.30 · 0.65/2 = 22.20 kN m, by hand
+    let areas = [3.68, 2.61, 1.63, 1.54, 1.37];
+    let areas: Vec<String> = areas
+        .iter()
+        .enumerate()
+        .map(|(i, length)| format!("{{ part = \"links[{}]\", area = {} }}", i + 1, 0.4 * length))
+        .collect();
+    let even = flagpole_in(&scratch, "even", &|text: String| {
+        let head = text.split("[survey").next().unwrap();
+        head.replace(
+            "means = \"gust\",",
+            &format!("means = \"gust\", areas = [{}],", areas.join(", ")),
+        )
+    });
+    let found = json(&scratch, &format!("check {even}"), 1);
+    let joint = &found["state"]["loads"]["combinations"][0]["under"]["joints"][0];
+    let number = |key: &str| joint[key].as_f64().unwrap();
+    let by_hand = 562.5 * 2.0 * 0.4 * 10.83 * 10.83 / 2.0;
+    assert!((number("rigid_moment_n_m") / by_hand - 1.0).abs() < 1e-12);
+    assert!((number("limit_n_m") / (68.30e3 * 0.325) - 1.0).abs() < 1e-12);
+    let ratio = number("rigid_moment_n_m") / number("limit_n_m");
+    assert!((ratio - 1.19).abs() < 0.005, "{ratio}");
+    assert!(number("moment_n_m") > number("rigid_moment_n_m"));
+    assert_eq!(found["judgement"]["versions"][0]["governed_by"], "wind");
+}
+
+#[test]
+fn holds_combinations_strength_and_codes_have_their_words() {
+    let scratch = Scratch::with_examples("chain_combinations");
+    let gale = |text: String| text.replace("value = 30,", "value = 12,");
+    let combined = flagpole_in(&scratch, "combined", &|text| {
+        let (head, rest) = gale(text)
+            .split_once("[survey")
+            .map(|(a, b)| (a.to_owned(), b.to_owned()))
+            .unwrap();
+        format!(
+            "{head}loads = [{{ name = \"lamp\", at = \"shaft 2\", force = 0.05 }}]\n[combination.calm]\nwind = 0.5\n[combination.storm]\nweight = 0.9\nwind = 4.0\nloads = 1.0\n[survey{rest}"
+        )
+    });
+    let found = json(&scratch, &format!("check {combined}"), 1);
+    let versions = &found["judgement"]["versions"][0];
+    assert_eq!(versions["governed_by"], "storm", "{versions}");
+    let of = |name: &str| {
+        let all = found["state"]["loads"]["combinations"].as_array().unwrap();
+        let own = all.iter().find(|of| of["name"] == name).unwrap();
+        own["load_factor"].as_f64().unwrap()
+    };
+    assert!(
+        of("calm") > 1.0 && of("storm") < 1.0,
+        "{} {}",
+        of("calm"),
+        of("storm")
+    );
+    // a strength of four times the pressure leaves three quarters of the moment
+    let strong = flagpole_in(&scratch, "strong", &|text| {
+        let strength_pa = 4.0 * 68.30e3 / (0.65 * 0.65);
+        gale(text).replace(
+            "{ stiffness = { value = 2219.1, source = \"assumed\" } }",
+            &format!("{{ stiffness = 2219.1, strength = {strength_pa} }}"),
+        )
+    });
+    let found = scratch.dolmen(&format!("--json check {strong}"));
+    let found: Value = serde_json::from_str(&found.stdout).unwrap();
+    let limit = found["state"]["loads"]["combinations"][0]["under"]["joints"][0]["limit_n_m"].as_f64();
+    let uplift = found["state"]["check"]["chain"]["stability"]["joints"][0]["uplift_moment_n_m"].as_f64();
+    for moment in [limit.unwrap(), uplift.unwrap()] {
+        assert!(
+            (moment / (0.75 * 68.30e3 * 0.325) - 1.0).abs() < 1e-12,
+            "{moment}"
+        );
+    }
+    // KDS at 0.32 Hz is not compared, and the word is not "stable"
+    let soft = flagpole_in(&scratch, "soft", &|text| {
+        gale(text).replace(
+            "means = \"gust\",",
+            "means = \"10 min\", code = \"KDS 41 12 00\", terrain = \"C\",",
+        )
+    });
+    let answer = scratch.briefly(&format!("check {soft}"));
+    assert!(answer.words().contains("unknown in wind"), "{}", answer.stdout);
+    assert!(answer.words().contains("Annex B"), "{}", answer.stdout);
+    // without a word on wind a pole gets a finding
+    let silent = scratch.briefly("check examples/naju_flagpole");
+    assert!(
+        silent.words().contains("Wind is not in the file"),
+        "{}",
+        silent.stdout
+    );
+}

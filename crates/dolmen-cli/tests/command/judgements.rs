@@ -38,13 +38,14 @@ fn holds_a_building_beyond_its_stroke_is_red_wherever_it_is_judged() {
         .find(|line| line.contains("report-2"))
         .unwrap();
     assert!(
-        line.contains("✕ below demand · stable") && line.contains("beyond its room (pair-1"),
+        line.contains("✕ Own weight: stable · Earthquake el-centro: below demand (room of"),
         "{line}"
     );
     let own = page.split("id=\"report-2\"").nth(1).unwrap();
-    let banner = own.split("<h2>").next().unwrap();
+    let banner = own.split("class=\"answers\"").next().unwrap();
     assert!(
-        banner.contains("verdict unstable") && banner.contains("✕ below demand · stable"),
+        banner.contains("verdict unstable")
+            && banner.contains("✕ Own weight: stable · Earthquake el-centro: below demand (room of"),
         "{banner}"
     );
     assert!(!banner.contains('●'), "{banner}");
@@ -63,8 +64,11 @@ fn holds_a_variant_beyond_its_room_under_its_site_is_named_and_shows_its_colour(
     let answer = scratch.dolmen("check examples/twisting_floor");
     assert_eq!(answer.status, 1, "{}", answer.stderr);
     assert!(
-        answer.stdout.contains("VERDICT not decided; stable\n")
-            && answer.stdout.contains("VERDICT below demand; stable\n"),
+        answer.words().contains(
+            "VERDICT Own weight: stable · Earthquake KDS 17 10 00, 2400 y: not decided (no limit is known)"
+        ) && answer
+            .words()
+            .contains("VERDICT Own weight: stable · Earthquake KDS 17 10 00, 2400 y: below demand"),
         "{}",
         answer.stdout
     );
@@ -80,9 +84,12 @@ fn holds_a_variant_beyond_its_room_under_its_site_is_named_and_shows_its_colour(
     for (language, said) in [
         (
             "en",
-            "Variant “With a tuned mass at the right end”: below demand · stable.",
+            "Variant “With a tuned mass at the right end”: Own weight: stable · Earthquake KDS 17 10 00, 2400 y: below demand",
         ),
-        ("ko", "기준 불만족 · 안정."),
+        (
+            "ko",
+            "자중: 안정 · 지진 KDS 17 10 00, 재현주기 2400년: 기준 불만족",
+        ),
     ] {
         let answer = scratch.dolmen(&format!(
             "report examples/twisting_floor --samples 0 -o page.html --language {language}"
@@ -108,8 +115,8 @@ fn holds_a_contradicted_load_factor_is_unknown_and_a_contradicted_stack_keeps_it
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     assert!(
         answer
-            .stdout
-            .contains("VERDICT unknown (3.33 if this model were right); contradicted\n"),
+            .words()
+            .contains("VERDICT Own weight: unknown (3.33 if this model were right; survey 2009"),
         "{}",
         answer.stdout
     );

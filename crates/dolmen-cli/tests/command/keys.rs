@@ -7,8 +7,9 @@ use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fs;
 
-const COMMANDS: [&str; 30] = [
+const COMMANDS: [&str; 32] = [
     "check examples/naju_flagpole --samples 20 --sensitivity",
+    "check examples/naju_flagpole/wind.toml",
     "check examples/heunginjimun_gate",
     "check examples/three_storey_pagoda --sensitivity",
     "check examples/piled_blocks",
@@ -20,6 +21,7 @@ const COMMANDS: [&str; 30] = [
     "identify examples/heunginjimun_gate",
     "identify examples/struck_column",
     "compare examples/gate_through_the_seasons",
+    "watch examples/pagoda_over_the_years",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",
     "simulate examples/piled_blocks --motion el-centro-1940-ns --keep-first 2 --law rigid",
     "simulate examples/naju_flagpole --variant wedged --motion el-centro-1940-ns --keep-first 2",

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The chapters of the science crate: each may import itself and those before it.
-const CHAPTERS: [&str; 11] = [
+const CHAPTERS: [&str; 12] = [
     "known",
     "numeric",
     "signal",
@@ -17,11 +17,13 @@ const CHAPTERS: [&str; 11] = [
     "blocks",
     "damper",
     "assess",
+    "monitoring",
     "validation",
 ];
 /// Crates, lowest first, with the crates each may name.
-const CRATES: [(&str, &[&str]); 11] = [
-    ("dolmen-print", &[]),
+const CRATES: [(&str, &[&str]); 12] = [
+    ("dolmen-picture", &[]),
+    ("dolmen-print", &["dolmen-picture"]),
     ("dolmen-linalg", &[]),
     ("dolmen", &["dolmen-linalg"]),
     ("dolmen-words", &["dolmen"]),
@@ -68,6 +70,7 @@ const CRATES: [(&str, &[&str]); 11] = [
             "dolmen-folder",
             "dolmen-words",
             "dolmen-records",
+            "dolmen-picture",
             "dolmen-print",
             "dolmen-project",
             "dolmen-work",

@@ -20,7 +20,7 @@ fn check(name: &str, text: &str, more: &str) -> Answer {
 fn holds_a_measured_tilt_beyond_the_bed_overturns_a_stiff_pole() {
     let upright = check("upright", POLE, "");
     assert!(
-        upright.status == 0 && upright.stdout.contains("VERDICT stable"),
+        upright.status == 0 && upright.stdout.contains("VERDICT Own weight: stable"),
         "{}",
         upright.stdout
     );
@@ -31,7 +31,7 @@ fn holds_a_measured_tilt_beyond_the_bed_overturns_a_stiff_pole() {
     );
     assert_eq!(leaning.status, 1, "{}", leaning.stdout);
     assert!(
-        leaning.stdout.contains("VERDICT unstable")
+        leaning.stdout.contains("VERDICT Own weight: unstable")
             && leaning.words().contains("it overturns, whatever the load factor"),
         "{}",
         leaning.stdout
@@ -83,7 +83,7 @@ fn holds_a_direction_that_is_not_known_leaves_verdict_and_probability_unknown() 
     );
     let answer = check("direction", &text, "--samples 200");
     assert!(
-        answer.stdout.contains("VERDICT unknown"),
+        answer.stdout.contains("VERDICT Own weight: unknown"),
         "{}{}",
         answer.stdout,
         answer.stderr
@@ -98,7 +98,7 @@ fn holds_a_frame_without_gravity_load_is_not_called_stable() {
     );
     let answer = check("massless", &text, "");
     assert!(
-        !answer.stdout.contains("VERDICT stable"),
+        !answer.stdout.contains("VERDICT Own weight: stable"),
         "{}{}",
         answer.stdout,
         answer.stderr
@@ -237,7 +237,7 @@ fn holds_the_verdict_says_what_decided_it() {
     );
     let answer = check("slips", &slips, "");
     assert!(
-        answer.stdout.contains("VERDICT unstable\n")
+        answer.stdout.contains("VERDICT Own weight: unstable")
             && answer
                 .words()
                 .contains("While every joint slips, the load factor is 0.4079"),

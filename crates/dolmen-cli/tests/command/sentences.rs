@@ -1,4 +1,4 @@
-// SOURCE     The files of dolmen-project and dolmen-report, and the sentences that `dolmen words` prints.
+// SOURCE     The files of dolmen-project, dolmen-work and dolmen-report, and the sentences that `dolmen words` prints.
 // GOAL       No group of messages is missing from what a reviewer is given, and no two sentences have one name.
 // TOLERANCE  none.
 
@@ -26,7 +26,11 @@ fn groups(folder: &Path, found: &mut BTreeSet<String>) {
 #[test]
 fn holds_every_group_of_messages_is_in_the_table() {
     let mut written = BTreeSet::new();
-    for of in ["../dolmen-project/src", "../dolmen-report/src"] {
+    for of in [
+        "../dolmen-project/src",
+        "../dolmen-work/src",
+        "../dolmen-report/src",
+    ] {
         groups(&Path::new(env!("CARGO_MANIFEST_DIR")).join(of), &mut written);
     }
     let listed: BTreeSet<String> = sentences().iter().map(|of| of.group.to_owned()).collect();

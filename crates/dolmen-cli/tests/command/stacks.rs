@@ -100,7 +100,7 @@ fn refuses_a_stack_that_overhangs_with_status_1_and_says_where() {
     let answer = scratch.dolmen("check examples/p10");
     assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
     assert!(
-        answer.stdout.contains("VERDICT unstable\n")
+        answer.stdout.contains("VERDICT Own weight: unstable")
             && answer
                 .words()
                 .contains("above block 5 the resultant leaves the joint by 0.150 m"),

@@ -2,7 +2,7 @@
 // GOAL       What was acknowledged stays, once, whatever happens to the process; a store that is busy or none is refused.
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
-use super::stores::{FILE, below, content, database, good, json, project, raw_files, refused};
+use super::stores::{FILE, below, content, database, good, json, project, refused};
 use super::verbs::Scratch;
 use rusqlite::Connection;
 use serde_json::Value;

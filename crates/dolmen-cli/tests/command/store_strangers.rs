@@ -3,7 +3,7 @@
 // TOLERANCE  none: bytes, rows, words and exit statuses.
 
 use super::stores::{FILE, content, database, good, json, refused};
-use super::verbs::Scratch;
+use super::verbs::{Answer, Scratch};
 use std::fs;
 use std::process::Command;
 

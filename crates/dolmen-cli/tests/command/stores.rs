@@ -7,8 +7,7 @@ use super::verbs::{Answer, Scratch, root};
 use rusqlite::Connection;
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-use std::process::{Child, Command, Stdio};
+use std::process::{Command, Stdio};
 
 /// Places of stores that the tests use in turn: a file, and a server where there is one.
 pub(crate) const FILE: &str = "--store s.db";

@@ -20,11 +20,13 @@ const LICENCES: [&str; 8] = [
     "Zlib",
 ];
 /// Crates that stand in Cargo.lock in several versions, without those of Typst, which brings its own; `deny.toml` says who needs the older ones.
-const SEVERAL: [(&str, usize); 11] = [
+const SEVERAL: [(&str, usize); 13] = [
+    ("bitflags", 2),
     ("constant_time_eq", 2),
     ("equator", 2),
     ("equator-macro", 2),
     ("getrandom", 3),
+    ("imagesize", 2),
     ("miniz_oxide", 2),
     ("r-efi", 2),
     ("strsim", 2),

@@ -142,6 +142,7 @@ fn holds_completions_and_manual_name_every_verb() {
         "check",
         "identify",
         "compare",
+        "watch",
         "simulate",
         "report",
         "demo",

@@ -38,6 +38,10 @@ pub(crate) struct JointRaw {
     pub(super) damping: Option<At<QuantityRaw>>,
     /// Width of the bed in the direction of motion; the same as bed_width of the link above it.
     pub(super) bed_width: Option<At<QuantityRaw>>,
+    /// Width of the bed across the direction of motion; that of bed_width if not given. With strength.
+    pub(super) bed_depth: Option<At<QuantityRaw>>,
+    /// Compressive strength of the bed: the moment at which it stands on its edge is then N (b/2 - N/(2 f w)).
+    pub(super) strength: Option<At<QuantityRaw>>,
     /// For `dolmen simulate`: "edge", at most half the width of its bed times the weight above it; "held", any moment. Without it "edge"
     /// where bed_width is known.
     pub(super) opening: Option<At<OpeningRaw>>,

@@ -6,6 +6,7 @@ mod friction;
 mod part;
 mod read;
 mod slips;
+mod strength;
 
 pub(crate) use doubts::doubt_chain;
 pub(crate) use file::{CapRaw, JointRaw, LinkRaw};

@@ -3,6 +3,7 @@
 use crate::heaviness::Heaviness;
 use crate::quantity::{Pick, Quantity};
 use dolmen::dynamics::{ChainJoint, ChainModel, ChainRotations, DynamicsError, JointFriction, JointOpening};
+use dolmen::stability::BedEdge;
 use dolmen::structure::{Chain, Inertia, Link, StructureError};
 
 /// One link as the file gives it.
@@ -31,6 +32,10 @@ pub struct JointPart {
     pub stiffness: Quantity,
     /// Rotational dashpot, N m s/rad.
     pub damping: Option<Quantity>,
+    /// Width of its bed across the direction of motion, m; `None`: as wide as in it.
+    pub bed_depth: Option<Quantity>,
+    /// Compressive strength of its bed, Pa; `None`: it does not crush.
+    pub strength: Option<Quantity>,
     /// Whether it opens, as the file says; `None`: at the edge of its bed where that is known.
     pub opening: Option<JointOpening>,
     /// Dry friction.
@@ -94,7 +99,34 @@ impl ChainPart {
                 bed_width_m: part.bed_width.as_ref().map(&mut *pick),
             }
         });
-        Chain::new(links.collect(), self.gravity_m_s2)
+        let mut links: Vec<Link> = links.collect();
+        self.take_crushed_beds(&mut links, pick);
+        Chain::new(links, self.gravity_m_s2)
+    }
+
+    /// Takes N/(f w) off the width of each bed that crushes: half of what is left, times N, is the moment of its stress block.
+    fn take_crushed_beds(&self, links: &mut [Link], pick: Pick<'_>) {
+        let mut normal_n = 0.0;
+        let beds: Vec<Option<BedEdge>> = (0..links.len()).map(|i| self.bed(i, pick)).collect();
+        for (link, bed) in links.iter_mut().zip(beds).rev() {
+            normal_n += link.mass_kg * self.gravity_m_s2;
+            if let Some(bed) = bed.filter(|bed| bed.strength_pa.is_some()) {
+                link.bed_width_m = Some(2.0 * bed.moment_n_m(normal_n) / normal_n);
+            }
+        }
+    }
+
+    /// The bed below a link, from 0 at the bottom; `None` where its width is not given.
+    pub fn bed(&self, link: usize, pick: Pick<'_>) -> Option<BedEdge> {
+        let width_m = pick(self.links.get(link)?.bed_width.as_ref()?);
+        let joint = self.joints.as_ref().and_then(|joints| joints.get(link));
+        let depth = joint.and_then(|joint| joint.bed_depth.as_ref());
+        let strength = joint.and_then(|joint| joint.strength.as_ref());
+        Some(BedEdge {
+            width_m,
+            depth_m: depth.map_or(width_m, &mut *pick),
+            strength_pa: strength.map(&mut *pick),
+        })
     }
 
     /// Stiffness of each joint, N m/rad, lowest first; `None` if the joints are unknown.
@@ -160,7 +192,13 @@ impl ChainPart {
         }
         for joint in self.joints.iter().flatten() {
             all.push(&joint.stiffness);
-            all.extend(&joint.damping);
+            all.extend(
+                joint
+                    .damping
+                    .iter()
+                    .chain(&joint.bed_depth)
+                    .chain(&joint.strength),
+            );
             if let Some(friction) = &joint.friction {
                 all.push(&friction.kinetic);
                 all.extend(&friction.fixed);

@@ -3,6 +3,7 @@
 use super::file::{CapRaw, JointRaw, LinkRaw, OpeningRaw};
 use super::friction::{chain_damping, joint_friction};
 use super::part::{Cap, ChainPart, JointPart, LinkPart};
+use super::strength::beds_bear;
 use crate::content::WarningKind;
 use crate::error::Fault;
 use crate::file::FileRaw;
@@ -77,6 +78,13 @@ fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPa
         Measure::Length,
         Bound::Positive,
     );
+    let bed_depth = of(
+        &raw.value.bed_depth,
+        "bed_depth",
+        Measure::Length,
+        Bound::Positive,
+    );
+    let strength = of(&raw.value.strength, "strength", Measure::Stress, Bound::Positive);
     let friction = joint_friction(reader, &raw.value, path);
     let opening = raw.value.opening.as_ref().map(|opening| match opening.value {
         OpeningRaw::Edge => JointOpening::AtBedEdge,
@@ -85,6 +93,8 @@ fn joint(reader: &mut Reader, raw: &At<JointRaw>, path: &str) -> (Option<JointPa
     let joint = stiffness.map(|stiffness| JointPart {
         stiffness,
         damping,
+        bed_depth,
+        strength,
         opening,
         friction,
     });
@@ -159,13 +169,15 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     let joints = joints?;
     edges_known(reader, &links, joints.as_deref());
     let damping_ratio = chain_damping(reader, raw.damping_ratio.as_ref(), joints.as_deref());
-    Some(ChainPart {
+    let part = ChainPart {
         links,
         joints,
         cap,
         damping_ratio,
         gravity_m_s2,
-    })
+    };
+    beds_bear(reader, &part);
+    Some(part)
 }
 
 /// A joint that opens at the edge of its bed needs the width of it.

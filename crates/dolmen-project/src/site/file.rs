@@ -134,6 +134,16 @@ pub(super) struct MotionFilesRaw {
     pub(super) z: Option<At<String>>,
 }
 
+/// What is done where the files of a motion differ in length.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum LengthsRaw {
+    /// They are refused.
+    Same,
+    /// All are cut to the shortest: they begin at one time.
+    Shortest,
+}
+
 /// A motion of the ground for `dolmen simulate --motion NAME`; what is done to it is done in the order of the keys.
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -146,6 +156,9 @@ pub(crate) struct MotionRaw {
     pub(super) unit: Option<At<String>>,
     /// Time between the samples of the files where they do not say it, s.
     pub(super) sample_step_s: Option<At<f64>>,
+    /// What is done where the files differ in length: "same", they are refused; "shortest", all are cut to the shortest. "same" if not
+    /// given.
+    pub(super) lengths: Option<At<LengthsRaw>>,
     /// Keep only the first seconds.
     pub(super) keep_first_s: Option<At<f64>>,
     /// Bring it to zero within so many seconds at both ends.

@@ -1,6 +1,6 @@
 //! Ground motions from what is written. Their files are opened when one is simulated.
 
-use super::file::{MotionFilesRaw, MotionRaw};
+use super::file::{LengthsRaw, MotionFilesRaw, MotionRaw};
 use super::part::{MotionPart, MotionSize, MotionSource};
 use crate::error::Fault;
 use crate::file_number::At;
@@ -77,6 +77,10 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
         from: from?,
         unit,
         sample_step_s,
+        cut_to_shortest: given
+            .lengths
+            .as_ref()
+            .is_some_and(|of| of.value == LengthsRaw::Shortest),
         keep_first_s,
         taper_s,
         turn_rad,

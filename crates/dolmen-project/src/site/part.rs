@@ -83,6 +83,8 @@ pub struct MotionPart {
     pub unit: Option<String>,
     /// Between the samples of the files, s; `None` where they say it.
     pub sample_step_s: Option<f64>,
+    /// Whether files of different lengths are cut to the shortest.
+    pub cut_to_shortest: bool,
     /// Keep only the first seconds.
     pub keep_first_s: Option<f64>,
     /// Bring it to zero within so many seconds at both ends.

@@ -1,5 +1,6 @@
 //! Surveys and their records as they are written.
 
+use crate::file_names::NamesRaw;
 use crate::file_number::{At, NumberRaw, QuantityRaw};
 use crate::file_way::WayRaw;
 use dolmen_records::records::{LostSamples, RecordFormat};
@@ -30,6 +31,50 @@ pub(crate) struct SurveyRaw {
     pub(super) setups: Option<Vec<At<RecordsRaw>>>,
     /// How setups are put together; "poser" if not given.
     pub(super) merge: Option<At<MergeRaw>>,
+    /// What an inspection found.
+    pub(super) inspections: Option<Vec<At<InspectionRaw>>>,
+}
+
+impl SurveyRaw {
+    /// Whether it speaks of parts of the structure.
+    pub(crate) fn has_inspections(&self) -> bool {
+        self.inspections.as_ref().is_some_and(|listed| !listed.is_empty())
+    }
+}
+
+/// How bad what was found is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub(super) enum SeverityRaw {
+    /// To be noted.
+    Slight,
+    /// To be watched or mended.
+    Moderate,
+    /// To be mended now.
+    Severe,
+}
+
+/// One thing that an inspection found.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct InspectionRaw {
+    /// The part, by its name.
+    #[schemars(required)]
+    pub(super) part: Option<At<String>>,
+    /// What it is: "crack", "spalling", "exfoliation", "open joint", "tilt", "settlement", "loss", "growth" (균열, 박락, 박리, 이격, 기울기, 침하,
+    /// 결손, 생물 피복), or other words.
+    #[schemars(required)]
+    pub(super) what: Option<At<NamesRaw>>,
+    /// Its size: the width of a crack or gap, else the largest extent.
+    pub(super) size: Option<At<QuantityRaw>>,
+    /// How bad it is.
+    pub(super) severity: Option<At<SeverityRaw>>,
+    /// Where it is: x right, y away, z up; the middle of the part if not given.
+    pub(super) at: Option<At<Vec<At<QuantityRaw>>>>,
+    /// A photograph of it, JPEG or PNG, relative to the project file.
+    pub(super) photo: Option<At<String>>,
+    /// Anything to add.
+    pub(super) note: Option<At<NamesRaw>>,
 }
 
 /// How setups are put together.

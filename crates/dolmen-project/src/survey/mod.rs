@@ -2,16 +2,25 @@
 
 mod doubts;
 mod file;
+mod inspection;
 mod part;
 mod read;
 mod read_conditioning;
+mod read_inspections;
 mod read_records;
+mod read_watch;
 mod records;
+mod watch;
+mod watch_file;
 
 pub(crate) use doubts::doubt_surveys;
 pub(crate) use file::{ChangeRaw, SurveyRaw};
+pub use inspection::{DamageKind, Inspection, OtherDamage, Severity};
 pub use part::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
-pub(crate) use read::{change, surveys};
+pub(crate) use read::{add_inspections, change, surveys};
+pub(crate) use read_watch::watch;
 pub use records::{
     BandPass, ChannelSource, Column, Conditioning, Cut, LowPass, ModalChoice, RecordFormat, RecordSource,
 };
+pub use watch::{WatchPart, WorkKind, WorkPart, date_of};
+pub(crate) use watch_file::WatchRaw;

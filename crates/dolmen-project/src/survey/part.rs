@@ -1,5 +1,6 @@
 //! What was measured on one occasion.
 
+use super::inspection::Inspection;
 use super::records::RecordSource;
 use crate::quantity::{Pick, Quantity};
 use dolmen::structure::{MeasuredMode, ShapePoint};
@@ -97,6 +98,8 @@ pub struct Survey {
     pub setups: Vec<RecordSource>,
     /// How they are put together.
     pub merge: Merge,
+    /// What an inspection found, in the order of the file.
+    pub inspections: Vec<Inspection>,
 }
 
 /// How several setups are put together.

@@ -2,12 +2,14 @@
 
 use super::file::{ChangeRaw, ChannelRaw, MergeRaw, ModeKindRaw, ModeRaw, ShapeRaw, SurveyRaw};
 use super::part::{ChangePart, Merge, ModeKind, Survey, SurveyMode, TemperaturePart, Tilt};
+use super::read_inspections::inspections;
 use super::read_records::records;
 use super::records::RecordSource;
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
+use crate::report::PartNames;
 use crate::units::tilt_ratio;
 use crate::written::short;
 use dolmen::structure::ShapePoint;
@@ -27,6 +29,20 @@ pub(crate) fn surveys(reader: &mut Reader, raw: Option<&BTreeMap<String, At<Surv
         .into_iter()
         .map(|(name, survey)| self::survey(reader, name, survey))
         .collect()
+}
+
+/// Adds what inspections found to surveys that were read: their parts are those of the structure.
+pub(crate) fn add_inspections(
+    reader: &mut Reader,
+    raw: Option<&BTreeMap<String, At<SurveyRaw>>>,
+    surveys: &mut [Survey],
+    parts: &PartNames,
+) {
+    for survey in surveys {
+        let raw = raw.and_then(|all| all.get(&survey.name)).map(|raw| &raw.value);
+        let path = format!("survey.{}.inspections", survey.name);
+        survey.inspections = inspections(reader, raw.and_then(|raw| raw.inspections.as_ref()), &path, parts);
+    }
 }
 
 fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
@@ -96,6 +112,7 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             .and_then(|raw| records(reader, raw, &format!("{path}.records"))),
         setups,
         merge: merge(reader, raw, &path),
+        inspections: Vec::new(), // read when the parts are known
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::building::{floor_words, millimetres, of_both, stroke_words};
 use crate::document::{Finding, Tone};
+use crate::limits;
 use crate::simulated::{seconds, version_name};
 use crate::text::GROWN;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -59,8 +60,15 @@ pub(crate) fn findings(simulations: &[&BuildingSimulation]) -> Vec<Finding> {
 /// How one moved.
 pub(super) fn own(simulation: &BuildingSimulation) -> Vec<Finding> {
     let all = alarms(simulation).into_iter().chain([of_all(simulation)]);
-    all.map(|(tone, said)| Finding::key(tone, under(simulation, said)))
-        .collect()
+    let mut all: Vec<Finding> = all
+        .map(|(tone, said)| Finding::key(tone, under(simulation, said)))
+        .collect();
+    all.extend(limits::findings(
+        &simulation.parts(),
+        simulation.drift_limit.as_ref(),
+        variant(simulation),
+    ));
+    all
 }
 
 /// What must not be overlooked: each sentence begins with a small letter.

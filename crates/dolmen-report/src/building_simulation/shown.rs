@@ -3,8 +3,9 @@
 use super::moved::{alarms, of_all, own, variant};
 use super::tables::{floors, points, strokes};
 use crate::building::{beside, damper_table, direction_words, kilonewtons};
-use crate::document::{Block, Document, TextStyle, document_text, findings_text};
+use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};
 use crate::figures::BuildingPlot;
+use crate::limits;
 use crate::simulated::{Simulated, capitalised, kilo, motion_section, seconds};
 use dolmen::dynamics::HistoryMethod;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -62,13 +63,14 @@ messages! {
 
 /// How it moved; in full the floors, dampers and points.
 pub fn building_simulation_text(simulation: &BuildingSimulation, style: TextStyle) -> String {
+    let found = findings_text(&own(simulation), style);
     if !style.is_full {
-        return findings_text(&own(simulation), style);
+        return found;
     }
     let mut document = Document::default();
     moved(&mut document, simulation);
     details(&mut document, simulation);
-    document_text(&document, style)
+    found + &document_text(&document, style)
 }
 
 /// One section a simulation.
@@ -104,11 +106,13 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a BuildingSimulation) 
         });
     }
     document.put(Block::Table(floors(simulation)));
+    limits::section(document, &simulation.parts(), simulation.drift_limit.as_ref());
     document.put(Block::Paragraph(base(simulation)));
     for plot in BuildingPlot::all(simulation) {
-        document.figure(caption(plot, simulation), move |language| {
+        let drawn = Figure::new(caption(plot, simulation), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
+        document.charted(drawn.with_series(move || plot.numbers(simulation)));
     }
     document.blocks.extend(points(simulation).map(Block::Table));
     document.note(run(simulation));

@@ -1,9 +1,10 @@
 //! What lowering a centre of mass does, by the published criterion and in truth.
 
 use super::findings::RISE_LEAST;
-use crate::document::{Block, Cell, Column, Document, Figure, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Series, Table};
 use crate::figures::centroid_effect;
 use dolmen::assess::{CentroidEffect, ChainCheck};
+use dolmen::stability::ChainLimits;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 
 /// Effects of a lower centre of mass are drawn for at most so many links; the table has them all.
@@ -27,6 +28,9 @@ messages! {
         },
         Lowered => { en: "Link lowered", ko: "낮춘 부재" },
         Critical { joint: usize } => { en: "k_cr {joint}", ko: "k_cr {joint}" },
+        Joint => { en: "joint", ko: "접합면" },
+        PublishedChange => { en: "change of the published k_cr", ko: "발표된 k_cr의 변화" },
+        ExactChange => { en: "change of the exact limit M", ko: "정확한 한계 M의 변화" },
         Equal => { en: "equal joints", ko: "동일 강성" },
         LoadFactor => { en: "λ", ko: "λ" },
         None => { en: "none", ko: "없음" },
@@ -45,13 +49,33 @@ pub(super) fn section<'a>(document: &mut Document<'a>, check: &'a ChainCheck) {
             link: effect.link,
             change: Quantity::percent(-effect.change, 2),
         };
-        Figure::new(vec![caption.into()], |language| {
+        let drawn = Figure::new(vec![caption.into()], |language| {
             centroid_effect(&check.limits, effect, language)
-        })
+        });
+        drawn.with_series(|| effect_series(&check.limits, effect))
     };
     let drawn = drawn_effects(check).into_iter().map(figure);
     document.put(Block::Figures(drawn.collect()));
     document.put(Block::Table(table(check)));
+}
+
+/// By how much the limits of each joint change.
+fn effect_series(limits: &ChainLimits, effect: &CentroidEffect) -> Vec<Series> {
+    let change = |new: &[f64], old: &[f64]| -> Vec<f64> {
+        let pairs = new.iter().zip(old);
+        pairs.map(|(new, old)| 100.0 * (new / old - 1.0)).collect()
+    };
+    let published = change(
+        &effect.published_critical_n_m_rad,
+        &limits.published_critical_n_m_rad,
+    );
+    let exact = change(&effect.necessary_n_m_rad, &limits.necessary_n_m_rad);
+    let joints = (1..=exact.len()).map(|joint| joint as f64);
+    vec![
+        Series::numbers(Centroids::Joint, "", joints),
+        Series::numbers(Centroids::PublishedChange, "%", published),
+        Series::numbers(Centroids::ExactChange, "%", exact),
+    ]
 }
 
 fn table(check: &ChainCheck) -> Table {

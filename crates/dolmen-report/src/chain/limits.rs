@@ -1,7 +1,7 @@
 //! What the weights ask of the joints of a chain, beside what was published.
 
 use super::findings::why_unsafe;
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
 use dolmen::stability::ChainLimits;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 
@@ -59,6 +59,11 @@ pub(super) fn section(document: &mut Document<'_>, limits: &ChainLimits) {
             equal: Quantity::engineering(limits.equal_joints_n_m_rad, "N·m/rad", 7),
         });
     }
+}
+
+/// The limits as numbers of the figure.
+pub(super) fn series(limits: &ChainLimits) -> Vec<Series> {
+    table_series(&table(limits))
 }
 
 fn table(limits: &ChainLimits) -> Table {

@@ -1,6 +1,6 @@
 //! The margins of the joints of a chain whose stiffness is known.
 
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
 use dolmen::stability::{ChainStability, JointStability};
 use dolmen_words::{Digits, Quantity, Unit, messages};
 
@@ -63,6 +63,12 @@ pub(super) fn section(document: &mut Document<'_>, stability: &ChainStability) {
     document.put(Block::Paragraph(
         std::iter::once(dunkerley.into()).chain(side).collect(),
     ));
+}
+
+/// The stiffness of each joint, given and least, as numbers of the figure.
+pub(super) fn series(stability: &ChainStability) -> Vec<Series> {
+    let columns = table_series(&table(stability, false));
+    columns.into_iter().skip(1).take(2).collect()
 }
 
 fn table(stability: &ChainStability, beds: bool) -> Table {

@@ -15,7 +15,7 @@ pub use simulation::chain_simulation_text;
 pub(crate) use simulation::simulation_sections;
 pub(crate) use simulation_ending::simulation_findings;
 
-use crate::document::Document;
+use crate::document::{Document, Figure};
 use crate::figures::{chain_elevation, stiffness_limits};
 use dolmen::assess::ChainCheck;
 use dolmen::stability::Verdict;
@@ -82,9 +82,14 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
         Stability::LimitsTinted.into(),
         Stability::LimitsTogether.into(),
     ];
-    document.figure(caption, |language| {
+    let limits = Figure::new(caption, |language| {
         stiffness_limits(&check.limits, check.stability.as_ref(), language)
     });
+    document.charted(limits.with_series(|| {
+        let mut series = limits::series(&check.limits);
+        series.extend(check.stability.iter().flat_map(margins::series));
+        series
+    }));
     limits::section(&mut document, &check.limits);
     if let Some(stability) = &check.stability {
         margins::section(&mut document, stability);
@@ -92,6 +97,12 @@ pub(crate) fn sections<'a>(part: &ChainPart, check: &'a ChainCheck) -> Document<
     modes::section(&mut document, chain, check);
     centroids::section(&mut document, check);
     document
+}
+
+/// Height of each joint above the ground, m, lowest first.
+pub(crate) fn joint_heights_m(part: &ChainPart) -> Vec<f64> {
+    let chain = part.build(&mut Input::nominal);
+    chain.map_or_else(|_| Vec::new(), |chain| chain.joint_heights_m())
 }
 
 fn elevation<'a>(

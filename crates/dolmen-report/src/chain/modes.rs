@@ -1,6 +1,6 @@
 //! The natural modes of a chain.
 
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::{ShapePanel, mode_shapes};
 use dolmen::assess::ChainCheck;
 use dolmen::structure::{Chain, Inertia, NaturalMode};
@@ -42,7 +42,8 @@ pub(super) fn section<'a>(document: &mut Document<'a>, chain: Option<Chain>, che
     let Some(chain) = chain else { return };
     let thin = chain.links().iter().any(|link| link.inertia == Inertia::ThinRod);
     let caption = vec![Modes::Caption.into(), Modes::CaptionMeaning.into()];
-    document.figure(caption, move |language| drawn(&chain, check, language));
+    let shapes = Figure::new(caption, move |language| drawn(&chain, check, language));
+    document.charted(shapes.with_series(|| table_series(&table(&check.modes))));
     document.put(Block::Table(table(&check.modes)));
     if thin {
         document.note(Modes::ThinRods);

@@ -1,11 +1,12 @@
 //! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
 
-use super::simulation_ending::{ending, simulation_findings, tilt_left_out, title};
+use super::simulation_ending::{beyond_small, ending, simulation_findings, tilt_left_out, title};
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
-use crate::document::{Block, Document, TextStyle, document_text, findings_text};
+use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};
 use crate::figures::ChainPlot;
-use crate::simulated::{Simulated, capitalised, motion_section};
+use crate::limits;
+use crate::simulated::{Simulated, capitalised, motion_section, undamped};
 use dolmen_words::{Sentence, messages};
 use dolmen_work::chain::ChainSimulation;
 
@@ -42,13 +43,14 @@ messages! {
 
 /// How it ended; in full each link and joint and the balance of energy.
 pub fn chain_simulation_text(simulation: &ChainSimulation, style: TextStyle) -> String {
+    let found = findings_text(&simulation_findings(&[simulation]), style);
     if !style.is_full {
-        return findings_text(&simulation_findings(&[simulation]), style);
+        return found;
     }
     let mut document = Document::default();
     ended(&mut document, simulation);
     details(&mut document, simulation);
-    document_text(&document, style)
+    found + &document_text(&document, style)
 }
 
 /// One section a simulation, and a comparison of several.
@@ -79,21 +81,30 @@ fn ended(document: &mut Document<'_>, simulation: &ChainSimulation) {
         true => Block::Warning(said),
         false => Block::Paragraph(vec![said]),
     });
+    let without = undamped(simulation.undamped.as_ref());
+    document
+        .blocks
+        .extend(without.map(|found| Block::Note(found.sentence)));
     document
         .blocks
         .extend(tilt_left_out(simulation).map(|found| Block::Note(found.sentence)));
+    document
+        .blocks
+        .extend(beyond_small(simulation).map(|found| Block::Warning(found.sentence)));
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a ChainSimulation) {
     document.put(Block::Paragraph(course(simulation)));
     document.put(Block::Table(joints(simulation)));
     document.put(Block::Table(links(simulation)));
+    limits::section(document, &simulation.parts(), None);
     bed_notes(document, simulation);
     let plots = ChainPlot::all(simulation).into_iter();
     for plot in plots.filter(|plot| tells(*plot, simulation)) {
-        document.figure(caption(plot, simulation), move |language| {
+        let drawn = Figure::new(caption(plot, simulation), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
+        document.charted(drawn.with_series(move || plot.series(simulation)));
     }
     run(document, simulation);
 }

@@ -2,7 +2,7 @@
 
 use crate::document::{Finding, Tone};
 use crate::simulated::{
-    Simulated, capitalised, cut, millimetres, milliradians, seconds, under, version_name,
+    Simulated, capitalised, cut, millimetres, milliradians, seconds, undamped, under, version_name,
 };
 use dolmen::dynamics::ChainOutcome;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -44,6 +44,10 @@ messages! {
             en: "‘{name}’ leaned further out than in the time before and went on.",
             ko: "‘{name}’의 회전각이 계속 커지고 있었다.",
         },
+        BeyondSmall { name: String, rotation: Quantity, most: Quantity } => {
+            en: "‘{name}’ leaned by {rotation}, beyond the {most} up to which the equations of small rotations hold: counted as fallen; --rotations large follows it.",
+            ko: "‘{name}’의 회전각이 {rotation}로, 소회전 방정식의 범위 {most}을(를) 넘어 전도로 본다. --rotations large로 다시 해석한다.",
+        },
         TiltLeftOut { survey: String, tilt: String } => {
             en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner.",
             ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다.",
@@ -60,8 +64,26 @@ messages! {
 /// How each ended, as findings.
 pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Finding> {
     let each = simulations.iter();
-    each.flat_map(|simulation| [finding(simulation)].into_iter().chain(tilt_left_out(simulation)))
-        .collect()
+    each.flat_map(|simulation| {
+        let without = undamped(simulation.undamped.as_ref());
+        let first = [finding(simulation)].into_iter();
+        first
+            .chain(without)
+            .chain(beyond_small(simulation))
+            .chain(tilt_left_out(simulation))
+    })
+    .collect()
+}
+
+/// Rotations that the linear equations cannot tell of.
+pub(super) fn beyond_small(simulation: &ChainSimulation) -> Option<Finding> {
+    let (link, rotation_rad) = simulation.beyond_small_rotations()?;
+    let said = Ending::BeyondSmall {
+        name: simulation.link(link).to_owned(),
+        rotation: milliradians(rotation_rad),
+        most: milliradians(ChainSimulation::SMALL_ROTATION_MOST_RAD),
+    };
+    Some(Finding::key(Tone::Bad, said))
 }
 
 pub(super) fn tilt_left_out(simulation: &ChainSimulation) -> Option<Finding> {

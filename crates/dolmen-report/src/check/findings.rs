@@ -2,7 +2,8 @@
 
 use super::{assumed, measured, sampled, variants};
 use crate::document::{Finding, Tone};
-use crate::{building, chain, demand, frame, stack};
+use crate::{building, chain, demand, frame, loads, stack};
+use dolmen_project::Project;
 use dolmen_words::{Quantity, messages};
 use dolmen_work::answer::CheckAnswer;
 use dolmen_work::state::{Check, State};
@@ -25,8 +26,9 @@ messages! {
 }
 
 /// Of one version: its kind's own, what its site asks, what surveys say, its scatter.
-pub(super) fn of_state(state: &State) -> Vec<Finding> {
+pub(super) fn of_state(project: &Project, state: &State) -> Vec<Finding> {
     let mut all = of_kind(&state.check);
+    all.extend(loads::findings(project, state));
     all.extend(demand::findings(state.demand.as_ref()));
     all.extend(unusual(state));
     all.extend(next(state));
@@ -66,7 +68,8 @@ fn next(state: &State) -> Option<Finding> {
 /// All of a check, what is worst first.
 pub(crate) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
     let mut all = Vec::new();
-    all.extend(answer.state.iter().flat_map(of_state));
+    let states = answer.state.iter();
+    all.extend(states.flat_map(|state| of_state(&answer.project, state)));
     all.extend(variants::findings(answer));
     all.extend(building::variant_findings(&answer.variants));
     all.extend(assumed::findings(answer));

@@ -1,6 +1,6 @@
 //! The load factor under uncertain inputs, and which input it answers to.
 
-use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
+use crate::document::{Block, Cell, Column, Document, Figure, Finding, Series, Table, Tone};
 use crate::figures::load_factor_distribution;
 use crate::html::words::path_words;
 use dolmen_words::message::Both;
@@ -112,10 +112,14 @@ fn samples<'a>(document: &mut Document<'a>, sampled: &'a Sampled, nominal: Optio
     let caption = Scatter::Drawn {
         samples: sampled.unstable.samples,
     };
-    document.figure(
+    let drawn = Figure::new(
         vec![caption.into(), Scatter::DrawnMeaning.into()],
         move |language| load_factor_distribution(&sampled.load_factors, &sampled.unstable, nominal, language),
     );
+    document.charted(drawn.with_series(|| {
+        let samples = sampled.load_factors.iter().copied();
+        vec![Series::numbers(Scatter::LoadFactor, "", samples)]
+    }));
     let last = sampled.load_factors.len().saturating_sub(1);
     let at = |share: f64| {
         let place = (share * last as f64).round() as usize;

@@ -7,8 +7,10 @@ use super::sampled;
 use super::variants::{section as variants_section, title};
 use crate::brief::{all_findings_text, brief_text, note_text, notes_text};
 use crate::document::{Document, Finding, TextStyle, document_text, findings_text, heading_text, wrapped};
+use crate::engineer::{self, Pictures};
 use crate::figures::Shaking;
-use crate::{building, chain, demand, frame, stack};
+use crate::headline::{verdict_line, worse};
+use crate::{building, chain, demand, frame, loads, stack};
 use dolmen_project::Structure;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence, messages};
@@ -23,12 +25,7 @@ messages! {
             en: "Nothing is modelled (kind = \"survey\"), so there is nothing to check: run `dolmen identify`.",
             ko: "모델이 없으므로(kind = \"survey\") 검토할 것이 없다. `dolmen identify`를 실행한다.",
         },
-        Verdict { words: Both } => { en: "VERDICT {words}", ko: "판정: {words}" },
         Variant { variant: Both } => { en: "Variant “{variant}”", ko: "대안 ‘{variant}’" },
-        Worse { variant: Both, words: Both } => {
-            en: "Variant “{variant}”: {words}",
-            ko: "대안 ‘{variant}’: {words}",
-        },
     }
 }
 
@@ -45,18 +42,22 @@ pub fn check_text(answer: &CheckAnswer, style: TextStyle) -> String {
         );
         return match style.is_full {
             true => out + &notes_text(&answer.project, style),
-            false => out + &brief_text(&findings(answer), &answer.project, style),
+            false => out + &brief_text(&findings(answer), &answer.project, 0, style),
         };
     };
     let judgement = judge_check(answer);
+    let head = out.lines().count();
     for judged in judgement.versions.iter().take(1) {
-        out += &verdict_text(judged, style);
+        out += &verdict_line(judged, style);
     }
     for judged in judgement.worse() {
         out += &worse_text(answer, judged, style);
     }
     match style.is_full {
-        false => out + &brief_text(&findings(answer), &answer.project, style),
+        false => {
+            let above = out.lines().count().saturating_sub(head + 1);
+            out + &brief_text(&findings(answer), &answer.project, above, style)
+        }
         true => out + &full_text(answer, state, &judgement.versions, style),
     }
 }
@@ -65,25 +66,13 @@ fn said(message: Said, language: Language) -> String {
     Sentence::from(message).text(language)
 }
 
-fn verdict_text(judged: &VersionJudgement, style: TextStyle) -> String {
-    let words = Both::of(|language| judged.words(language).join("; "));
-    wrapped(
-        &said(Said::Verdict { words }, style.language),
-        "",
-        "  ",
-        style.columns(),
-    )
-}
-
 /// A variant that is worse than the structure as it is.
 fn worse_text(answer: &CheckAnswer, judged: &VersionJudgement, style: TextStyle) -> String {
     let name = judged.variant.as_deref().unwrap_or_default();
     let own = answer.variants.iter().find(|variant| variant.name == name);
-    let message = Said::Worse {
-        variant: own.map_or_else(|| Both::of(|_| name), title),
-        words: Both::of(|language| judged.words(language).join("; ")),
-    };
-    wrapped(&said(message, style.language), "", "  ", style.columns())
+    let variant = own.map_or_else(|| Both::of(|_| name), title);
+    let said = worse(variant, judged).text(style.language);
+    wrapped(&said, "", "  ", style.columns())
 }
 
 fn full_text(answer: &CheckAnswer, state: &State, versions: &[VersionJudgement], style: TextStyle) -> String {
@@ -95,6 +84,12 @@ fn full_text(answer: &CheckAnswer, state: &State, versions: &[VersionJudgement],
     }
     out += &document_text(&side_by_side(answer, state), style);
     out += &document_text(&sampled::sections(answer), style);
+    out += &document_text(&engineer::damage(&answer.project, Pictures::unread()), style);
+    if let Some(given) = &answer.project.report {
+        out += &document_text(&engineer::place(given, Pictures::unread()), style);
+        out += &document_text(&engineer::tests_made(given), style);
+        out += &document_text(&engineer::opinion(given), style);
+    }
     out + &notes_text(&answer.project, style)
 }
 
@@ -108,16 +103,14 @@ fn variant_text(
         variant: title(variant),
     };
     let mut out = heading_text(&said(head, style.language));
-    out += &verdict_text(judged, style);
-    out += &findings_text(
-        of_state(&variant.state).iter().filter(|of: &&Finding| of.is_key),
-        style,
-    );
+    out += &verdict_line(judged, style);
     let own = answer
         .project
         .variants
         .iter()
         .find(|own| own.name == variant.name);
+    let found = own.map_or_else(Vec::new, |own| of_state(&own.project, &variant.state));
+    out += &findings_text(found.iter().filter(|of: &&Finding| of.is_key), style);
     if let Some(own) = own {
         out += &match (
             &own.project.structure,
@@ -128,6 +121,10 @@ fn variant_text(
                 if check.limits == base.limits =>
             {
                 document_text(&chain::stiffness_sections(part, check), style)
+                    + &document_text(
+                        &loads::sections(variant.state.loads.as_ref(), chain::joint_heights_m(part)),
+                        style,
+                    )
             }
             (_, Check::Stack(check), Some(Check::Stack(base))) if check == base => String::new(),
             (_, Check::Building(check), Some(Check::Building(base))) if check == base => String::new(),
@@ -161,5 +158,9 @@ fn sections_text(structure: &Structure, state: &State, style: TextStyle) -> Stri
         (_, Check::Chain(_) | Check::Frame(_)) => Document::default(),
     };
     let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();
-    document_text(&sections, style) + &document_text(&asked, style)
+    let loaded = match structure {
+        Structure::Chain(part) => loads::sections(state.loads.as_ref(), chain::joint_heights_m(part)),
+        _ => Document::default(),
+    };
+    document_text(&sections, style) + &document_text(&loaded, style) + &document_text(&asked, style)
 }

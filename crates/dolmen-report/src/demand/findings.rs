@@ -4,6 +4,7 @@ use super::first::first;
 use super::unverified::unverified;
 use super::words::{in_g, verdict_words};
 use crate::document::{Finding, Tone};
+use crate::limits;
 use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
@@ -39,6 +40,7 @@ messages! {
             en: "; what elastic joints add to it is not known",
             ko: ". 탄성 접합면의 증폭은 알 수 없다",
         },
+        BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
         NotCompared { why: String } => {
             en: "The demand of the site is not compared: {why}.",
             ko: "부지의 요구 수준과 비교하지 못하였다 [{why}].",
@@ -55,8 +57,14 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
     let compared = answer.stack.as_ref().and_then(|stack| compared(stack, source));
     let refused = answer.refused.clone();
     let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared { why }));
+    let parts = limits::findings(
+        &answer.parts,
+        answer.drift_limit.as_ref(),
+        Some(Found::BySpectrum.into()),
+    );
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
-    compared.into_iter().chain(refused).chain(unverified).collect()
+    let compared = compared.into_iter().chain(refused).chain(parts);
+    compared.chain(unverified).collect()
 }
 
 fn compared(stack: &StackDemandCheck, source: &str) -> Option<Finding> {

@@ -11,14 +11,20 @@ mod words;
 pub(crate) use findings::findings;
 pub(crate) use site::{ground_word, type_word};
 
-use crate::document::Document;
-use crate::figures::design_spectrum;
-use dolmen_words::{Sentence, Template, messages};
+use crate::document::{Document, Figure, Series};
+use crate::figures::{design_spectrum, spectrum_curves};
+use crate::limits;
+use dolmen_words::{Quantity, Sentence, Template, messages};
 use dolmen_work::state::DemandAnswer;
 
 messages! {
     /// The head and figure of the demand of a site.
     pub(crate) enum Demand in "demand" {
+        Period => { en: "period", ko: "주기" },
+        Acceleration { damping: Quantity } => {
+            en: "spectral acceleration, damping ratio {damping}",
+            ko: "응답 가속도, 감쇠비 {damping}",
+        },
         Head => { en: "Earthquake demand at the site", ko: "부지의 지진 요구 수준" },
         Source { source: String } => { en: "{source}", ko: "{source}" },
         Spectrum => { en: "Design spectrum.", ko: "설계 응답 스펙트럼." },
@@ -64,7 +70,9 @@ pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
         Some(stack) => comparison::section(&mut document, stack),
         None => periods::section(&mut document, &answer.spectral),
     }
-    if answer.stack.is_none() && answer.refused.is_none() {
+    limits::section(&mut document, &answer.parts, answer.drift_limit.as_ref());
+    let is_compared = answer.stack.is_some() || !answer.parts.is_empty();
+    if !is_compared && answer.refused.is_none() {
         document.note(Demand::BearsUnknown);
     }
     if let Some(said) = unverified::unverified(&answer.site) {
@@ -75,8 +83,26 @@ pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
         None => (!answer.spectral.is_empty()).then_some(Demand::SpectrumOfOthers),
     };
     let caption = std::iter::once(Demand::Spectrum).chain(meaning);
-    document.figure(caption.map(Sentence::from).collect(), |language| {
+    let drawn = Figure::new(caption.map(Sentence::from).collect(), |language| {
         design_spectrum(answer, language)
     });
+    document.charted(drawn.with_series(|| spectrum_series(answer)));
     document
+}
+
+/// Periods and accelerations of the curves.
+fn spectrum_series(answer: &DemandAnswer) -> Vec<Series> {
+    let curves = spectrum_curves(answer).into_iter().flat_map(|curve| {
+        let damping = Quantity::percent(curve.damping_ratio, 3);
+        let points = curve.points;
+        [
+            Series::numbers(Demand::Period, "s", points.iter().map(|point| point[0])),
+            Series::numbers(
+                Demand::Acceleration { damping },
+                "g",
+                points.iter().map(|point| point[1]),
+            ),
+        ]
+    });
+    curves.collect()
 }

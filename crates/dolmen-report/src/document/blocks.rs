@@ -1,5 +1,7 @@
 //! Blocks of a document: values and sentences.
 
+use super::photos::{Answered, Photo, Signatory};
+use super::series::Series;
 use dolmen_words::{Language, Quantity, Sentence, Unit};
 
 /// Blocks in the order in which they are read.
@@ -29,6 +31,12 @@ pub(crate) enum Block<'a> {
     Table(Table),
     /// Figures, side by side where there are several.
     Figures(Vec<Figure<'a>>),
+    /// Photographs, side by side where there are several.
+    Photos(Vec<Photo<'a>>),
+    /// Rows to sign in.
+    Signatures(Vec<Signatory>),
+    /// The three questions, each with its word.
+    Answers(Vec<Answered>),
 }
 
 /// A table; each row is as long as `columns`.
@@ -74,6 +82,8 @@ pub(crate) struct Figure<'a> {
     pub(crate) caption: Vec<Sentence>,
     /// Its SVG.
     pub(crate) draw: Box<dyn Fn(Language) -> String + 'a>,
+    /// Its numbers, where they are known apart from the drawing.
+    pub(crate) series: Option<Box<dyn Fn() -> Vec<Series> + 'a>>,
 }
 
 impl std::fmt::Debug for Figure<'_> {
@@ -116,6 +126,11 @@ impl<'a> Document<'a> {
         self.put(Block::Note(sentence.into()));
     }
 
+    /// Adds a figure with its numbers.
+    pub(crate) fn charted(&mut self, figure: Figure<'a>) {
+        self.put(Block::Figures(vec![figure]));
+    }
+
     /// Adds a figure.
     pub(crate) fn figure(&mut self, caption: Vec<Sentence>, draw: impl Fn(Language) -> String + 'a) {
         self.put(Block::Figures(vec![Figure::new(caption, draw)]));
@@ -128,6 +143,15 @@ impl<'a> Figure<'a> {
         Figure {
             caption,
             draw: Box::new(draw),
+            series: None,
+        }
+    }
+
+    /// The same with its numbers.
+    pub(crate) fn with_series(self, series: impl Fn() -> Vec<Series> + 'a) -> Self {
+        Figure {
+            series: Some(Box::new(series)),
+            ..self
         }
     }
 }

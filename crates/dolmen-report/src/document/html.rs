@@ -2,15 +2,24 @@
 
 use super::blocks::{Block, Cell, Document, Figure, Table};
 use super::finding::{Finding, Tone};
+use super::numbers::{Numbers, figure_label, table_label};
+use super::photos::{Photo, Signatory};
+use super::words::Framed;
+use base64::Engine as _;
 use dolmen_words::{Language, Sentence};
 use maud::{Markup, PreEscaped, html};
 
 /// Tables of so many rows stay on one page in print.
 const WHOLE_ROWS: usize = 8;
 
-/// The blocks, in a language.
-pub(crate) fn document_html(document: &Document<'_>, language: Language) -> Markup {
-    html! { @for block in &document.blocks { (block_html(block, language)) } }
+/// The blocks, in a language, counted on from `numbers`.
+pub(crate) fn document_html(document: &Document<'_>, language: Language, numbers: &mut Numbers) -> Markup {
+    html! { @for block in &document.blocks { (block_html(block, language, numbers)) } }
+}
+
+/// A number before the head of a section.
+pub(crate) fn numbered(number: &str, head: &str) -> Markup {
+    html! { span.no { (number) } " " (head) }
 }
 
 /// Findings as a list, each marked by its tone.
@@ -32,10 +41,11 @@ fn class(tone: Tone) -> &'static str {
     }
 }
 
-fn block_html(block: &Block<'_>, language: Language) -> Markup {
+/// One block, in a language.
+pub(crate) fn block_html(block: &Block<'_>, language: Language, numbers: &mut Numbers) -> Markup {
     match block {
-        Block::Heading(head) => html! { h2 { (head.text(language)) } },
-        Block::Subheading(head) => html! { h3 { (head.text(language)) } },
+        Block::Heading(head) => html! { h2 { (numbered(&numbers.section(), &head.text(language))) } },
+        Block::Subheading(head) => html! { h3 { (numbered(&numbers.part(), &head.text(language))) } },
         Block::Paragraph(sentences) => html! { p { (joined(sentences, language)) } },
         Block::Warning(sentence) => html! { div.wrong { p { (sentence.text(language)) } } },
         Block::Note(sentence) => html! { p.note { (sentence.text(language)) } },
@@ -44,12 +54,48 @@ fn block_html(block: &Block<'_>, language: Language) -> Markup {
             th.t scope="row" { (key.text(language)) }
             td class=[cell.is_bad().then_some("bad-number")] { (cell.whole(language)) }
         } } } } } },
-        Block::Table(table) => table_html(table, language),
+        Block::Table(table) => table_html(table, language, numbers),
         Block::Figures(figures) => match figures.as_slice() {
-            [one] => figure_html(one, language),
-            several => html! { div.pair { @for one in several { (figure_html(one, language)) } } },
+            [one] => figure_html(one, language, numbers),
+            several => html! { div.pair { @for one in several { (figure_html(one, language, numbers)) } } },
         },
+        Block::Photos(photos) => {
+            html! { div.pair { @for photo in photos { (photo_html(photo, language, numbers)) } } }
+        }
+        Block::Signatures(rows) => signatures_html(rows, language),
+        Block::Answers(answers) => html! { div.answers { @for answer in answers {
+            div class=(class(answer.tone)) {
+                p.question { (answer.question.text(language)) }
+                p.word { (answer.tone.sign()) " " (answer.word.text(language)) }
+            }
+        } } },
     }
+}
+
+/// The image stands in the page itself; its name where it was not read.
+fn photo_html(photo: &Photo<'_>, language: Language, numbers: &mut Numbers) -> Markup {
+    let label = photo.image.map(|_| figure_label(&numbers.figure(), language));
+    html! { figure.photo {
+        @match photo.image {
+            Some(image) => {
+                @let data = base64::engine::general_purpose::STANDARD.encode(&image.bytes);
+                img src=(format!("data:{};base64,{data}", image.format.media_type())) alt=(photo.text(language));
+            }
+            None => p { code { (photo.file) } }
+        }
+        figcaption { (caption_html(&label.unwrap_or_default(), &photo.caption, language)) }
+    } }
+}
+
+fn signatures_html(rows: &[Signatory], language: Language) -> Markup {
+    let heads = [Framed::Role, Framed::Name, Framed::Licence, Framed::Signature];
+    html! { div.scroll.short { table.signatures {
+        thead { tr { @for head in heads { th.t scope="col" { (Sentence::from(head).text(language)) } } } }
+        tbody { @for row in rows { tr {
+            @for words in [&row.role, &row.name, &row.licence] { td.t { (words.text(language)) } }
+            td {}
+        } } }
+    } } }
 }
 
 fn joined(sentences: &[Sentence], language: Language) -> String {
@@ -58,21 +104,25 @@ fn joined(sentences: &[Sentence], language: Language) -> String {
 }
 
 /// The first sentence stands out: it says what is to be seen.
-fn caption_html(sentences: &[Sentence], language: Language) -> Markup {
-    match sentences {
-        [] => html! {},
-        [lead] => html! { b { (lead.text(language)) } },
-        [lead, rest @ ..] => html! { b { (lead.text(language)) } " " (joined(rest, language)) },
+fn caption_html(label: &str, sentences: &[Sentence], language: Language) -> Markup {
+    html! {
+        span.no { (label) }
+        @if let [lead, rest @ ..] = sentences {
+            " " b { (lead.text(language)) }
+            @if !rest.is_empty() { " " (joined(rest, language)) }
+        }
     }
 }
 
-fn figure_html(figure: &Figure<'_>, language: Language) -> Markup {
+fn figure_html(figure: &Figure<'_>, language: Language, numbers: &mut Numbers) -> Markup {
+    let label = figure_label(&numbers.figure(), language);
     // the texts of a figure are escaped where it is drawn
     let svg = PreEscaped((figure.draw)(language));
-    html! { figure { (svg) figcaption { (caption_html(&figure.caption, language)) } } }
+    html! { figure { (svg) figcaption { (caption_html(&label, &figure.caption, language)) } } }
 }
 
-fn table_html(table: &Table, language: Language) -> Markup {
+fn table_html(table: &Table, language: Language, numbers: &mut Numbers) -> Markup {
+    let label = table_label(&numbers.table(), language);
     let class = |column: usize, cell: Option<&Cell>| {
         let words = table.columns.get(column).is_some_and(|column| column.is_words);
         match (words, cell.is_some_and(Cell::is_bad)) {
@@ -84,7 +134,7 @@ fn table_html(table: &Table, language: Language) -> Markup {
     };
     html! {
         div class=(if table.rows.len() <= WHOLE_ROWS { "scroll short" } else { "scroll" }) { table {
-            caption { (caption_html(&table.caption, language)) }
+            caption { (caption_html(&label, &table.caption, language)) }
             thead { tr { @for (i, column) in table.columns.iter().enumerate() {
                 th class=[class(i, None)] scope="col" { (column.text(language)) }
             } } }

@@ -3,11 +3,21 @@
 mod blocks;
 mod finding;
 mod html;
+mod numbers;
+mod photos;
+mod series;
+mod table_series;
 mod text;
 mod text_table;
+mod words;
 
 pub(crate) use blocks::{Block, Cell, Column, Document, Figure, Table};
 pub(crate) use finding::{Finding, Tone};
-pub(crate) use html::{document_html, findings_html};
+pub(crate) use html::{block_html, document_html, findings_html, numbered};
+pub(crate) use numbers::{Label, Numbers, figure_label, table_label};
+pub(crate) use photos::{Answered, Photo, Signatory};
+pub(crate) use series::{Entries, Series, csv_row, series_csv};
+pub(crate) use table_series::table_series;
 pub use text::TextStyle;
 pub(crate) use text::{document_text, findings_text, heading_text, wrapped};
+pub(crate) use words::Framed;

@@ -2,7 +2,9 @@
 
 use super::blocks::{Block, Cell, Document};
 use super::finding::Finding;
+use super::photos::{Answered, Photo, Signatory};
 use super::text_table::table_text;
+use super::words::Framed;
 use dolmen_words::number::NARROW_SPACE;
 use dolmen_words::{Language, Sentence};
 use unicode_width::UnicodeWidthStr as _;
@@ -80,6 +82,16 @@ fn block_text(block: &Block<'_>, style: TextStyle) -> String {
             format!("\n{caption}{}", table_text(table, language, columns))
         }
         Block::Figures(_) => String::new(),
+        Block::Photos(photos) => photos.iter().map(|photo| photo_text(photo, style)).collect(),
+        Block::Signatures(rows) => rows.iter().map(|row| signatory_text(row, style)).collect(),
+        Block::Answers(answers) => {
+            let line = |answer: &Answered| {
+                let mark = format!("  {} ", answer.tone.sign());
+                let [question, word] = [&answer.question, &answer.word].map(|said| said.text(language));
+                wrapped(&format!("{question}: {word}"), &mark, "    ", columns)
+            };
+            answers.iter().map(line).collect()
+        }
     }
 }
 
@@ -106,6 +118,23 @@ pub(crate) fn findings_text<'a>(findings: impl IntoIterator<Item = &'a Finding>,
 fn joined(sentences: &[Sentence], language: Language) -> String {
     let each: Vec<String> = sentences.iter().map(|sentence| sentence.text(language)).collect();
     each.join(" ")
+}
+
+/// "- photograph: what it shows (its file)".
+fn photo_text(photo: &Photo<'_>, style: TextStyle) -> String {
+    let head = Sentence::from(Framed::Photo).text(style.language);
+    let shows = photo.text(style.language);
+    let line = match shows == photo.file {
+        true => format!("{head}: {shows}"),
+        false => format!("{head}: {shows} ({})", photo.file),
+    };
+    wrapped(&line, "  - ", "    ", style.columns())
+}
+
+fn signatory_text(row: &Signatory, style: TextStyle) -> String {
+    let each = [&row.role, &row.name, &row.licence].map(|words| words.text(style.language));
+    let given: Vec<String> = each.into_iter().filter(|words| !words.is_empty()).collect();
+    wrapped(&given.join(", "), "  - ", "    ", style.columns())
 }
 
 fn key_values_text(rows: &[(Sentence, Cell)], language: Language) -> String {

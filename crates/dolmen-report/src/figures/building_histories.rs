@@ -2,7 +2,8 @@
 
 use super::Figure;
 use super::frame_histories::ground;
-use super::stack_histories::{Series, plot};
+use super::history_series::history_series;
+use super::lines::{Lines, Series};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::BuildingHistory;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -59,8 +60,21 @@ impl BuildingPlot {
 
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &BuildingSimulation, language: Language) -> Option<String> {
+        self.lines(simulation, language).draw(language)
+    }
+
+    /// Its numbers.
+    pub(crate) fn numbers(self, simulation: &BuildingSimulation) -> Vec<crate::document::Series> {
+        history_series(|language| Some(self.lines(simulation, language)))
+    }
+
+    fn lines(self, simulation: &BuildingSimulation, language: Language) -> Lines {
         let (axis, title) = self.words(simulation);
-        plot(&self.series(simulation, language), axis, language, title)
+        Lines {
+            axis,
+            title,
+            lines: self.series(simulation, language),
+        }
     }
 
     /// The name of the axis, and the title.

@@ -2,7 +2,8 @@
 
 use super::Figure;
 use super::frame_histories::{ground, loops, rows_of_bands};
-use super::stack_histories::{Series, plot};
+use super::history_series::{band_series, history_series, loop_series};
+use super::lines::{Lines, Series};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::ChainEnergy;
 use dolmen_words::Language;
@@ -48,17 +49,39 @@ impl ChainPlot {
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &ChainSimulation, language: Language) -> Option<String> {
         match self {
-            Self::Ground => {
-                let (motion, component) = simulation.motion.as_ref()?;
-                let title = Titles::AccelerationOfTheGround;
-                let name = Axes::Acceleration;
-                plot(&[ground(&motion.motion, *component)], name, language, title)
-            }
-            Self::Rotations => rotations(simulation, language),
+            Self::Ground | Self::Rotations | Self::Energy => self.lines(simulation, language)?.draw(language),
             Self::Loop(joint) => Some(hysteresis(simulation, joint, language)),
             Self::Openings => Some(openings(simulation, language)),
             Self::Slips => Some(slips(simulation, language)),
-            Self::Energy => energy(simulation, language),
+        }
+    }
+
+    /// Its numbers.
+    pub(crate) fn series(self, simulation: &ChainSimulation) -> Vec<crate::document::Series> {
+        match self {
+            Self::Ground | Self::Rotations | Self::Energy => {
+                history_series(|language| self.lines(simulation, language))
+            }
+            Self::Loop(joint) => loop_series(LOOP, across_and_moment(simulation, joint)),
+            Self::Openings => band_series(&simulation.links, &opened(simulation)),
+            Self::Slips => band_series(&simulation.links, &slipped(simulation)),
+        }
+    }
+
+    /// Those that are lines over time.
+    fn lines(self, simulation: &ChainSimulation, language: Language) -> Option<Lines> {
+        match self {
+            Self::Ground => {
+                let (motion, component) = simulation.motion.as_ref()?;
+                Some(Lines {
+                    axis: Axes::Acceleration,
+                    title: Titles::AccelerationOfTheGround,
+                    lines: vec![ground(&motion.motion, *component)],
+                })
+            }
+            Self::Rotations => Some(rotations(simulation)),
+            Self::Energy => Some(energy(simulation, language)),
+            Self::Loop(_) | Self::Openings | Self::Slips => None,
         }
     }
 }
@@ -76,7 +99,7 @@ pub fn chain_histories(simulation: &ChainSimulation, language: Language) -> Vec<
     .collect()
 }
 
-fn rotations(simulation: &ChainSimulation, language: Language) -> Option<String> {
+fn rotations(simulation: &ChainSimulation) -> Lines {
     let history = &simulation.history;
     let over_time = |values: &[f64]| -> Vec<[f64; 2]> {
         let pairs = history.times_s.iter().zip(values);
@@ -88,19 +111,30 @@ fn rotations(simulation: &ChainSimulation, language: Language) -> Option<String>
             points: over_time(&history.rotation_rad[link]),
         })
         .collect();
-    let title = Titles::RotationOfTheLinksFromTheVertical;
-    let name = Axes::LinkRotation;
-    plot(&links, name, language, title)
+    Lines {
+        axis: Axes::LinkRotation,
+        title: Titles::RotationOfTheLinksFromTheVertical,
+        lines: links,
+    }
+}
+
+/// The axes of a loop.
+const LOOP: [Axes; 2] = [Axes::RotationAcrossTheJoint, Axes::Moment];
+
+/// Rotation across a joint, mrad, and its moment, kN·m.
+fn across_and_moment(simulation: &ChainSimulation, joint: usize) -> [Vec<f64>; 2] {
+    let history = &simulation.history;
+    [
+        history.across_rad(joint).iter().map(|x| 1e3 * x).collect(),
+        history.joint_moment_n_m[joint].iter().map(|x| 1e-3 * x).collect(),
+    ]
 }
 
 fn hysteresis(simulation: &ChainSimulation, joint: usize, language: Language) -> String {
-    let history = &simulation.history;
-    let across: Vec<f64> = history.across_rad(joint).iter().map(|x| 1e3 * x).collect();
-    let moment: Vec<f64> = history.joint_moment_n_m[joint].iter().map(|x| 1e-3 * x).collect();
-    let names = [Axes::RotationAcrossTheJoint, Axes::Moment];
+    let [across, moment] = across_and_moment(simulation, joint);
     let title = Titles::MomentAgainstRotation;
     loops(
-        names,
+        LOOP,
         [&across, &moment],
         (joint, simulation.link(joint)),
         title,
@@ -108,16 +142,26 @@ fn hysteresis(simulation: &ChainSimulation, joint: usize, language: Language) ->
     )
 }
 
-fn openings(simulation: &ChainSimulation, language: Language) -> String {
+/// When each joint was open, s.
+fn opened(simulation: &ChainSimulation) -> Vec<(usize, [f64; 2])> {
     let each = simulation.history.uplifts.iter();
-    let open: Vec<_> = each.map(|u| (u.joint, [u.from_s, u.to_s])).collect();
+    each.map(|u| (u.joint, [u.from_s, u.to_s])).collect()
+}
+
+/// When each joint turned against its friction, s.
+fn slipped(simulation: &ChainSimulation) -> Vec<(usize, [f64; 2])> {
+    let each = simulation.history.slips.iter();
+    each.map(|s| (s.joint, [s.from_s, s.to_s])).collect()
+}
+
+fn openings(simulation: &ChainSimulation, language: Language) -> String {
+    let open = opened(simulation);
     let words = (Signs::Open, Titles::WhenJointsOpen);
     rows_of_bands(&simulation.links, &open, simulation.duration_s(), words, language)
 }
 
 fn slips(simulation: &ChainSimulation, language: Language) -> String {
-    let each = simulation.history.slips.iter();
-    let slips: Vec<_> = each.map(|s| (s.joint, [s.from_s, s.to_s])).collect();
+    let slips = slipped(simulation);
     let words = (Signs::Turns, Titles::WhenJointsTurned);
     rows_of_bands(
         &simulation.links,
@@ -128,7 +172,7 @@ fn slips(simulation: &ChainSimulation, language: Language) -> String {
     )
 }
 
-fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {
+fn energy(simulation: &ChainSimulation, language: Language) -> Lines {
     let history = &simulation.history;
     let part = |name: Signs, value: fn(&ChainEnergy) -> f64| Series {
         name: say(name, language),
@@ -149,7 +193,9 @@ fn energy(simulation: &ChainSimulation, language: Language) -> Option<String> {
     if simulation.model.has_friction() {
         parts.push(part(Signs::TakenByFriction, |e| e.friction_j));
     }
-    let name = Axes::Energy;
-    let title = Titles::WhereTheEnergyWent;
-    plot(&parts, name, language, title)
+    Lines {
+        axis: Axes::Energy,
+        title: Titles::WhereTheEnergyWent,
+        lines: parts,
+    }
 }

@@ -17,8 +17,21 @@ const SAME_DAMPING: f64 = 1e-9;
 /// Shortest axis of periods, s.
 const PERIOD_LEAST_S: f64 = 1.5;
 
-/// The design spectrum of a site, with the first periods of the structure and the acceleration at which a stack begins to move.
-pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
+/// A design spectrum as it is drawn.
+pub(crate) struct SpectrumCurve {
+    /// Its damping ratio.
+    pub(crate) damping_ratio: f64,
+    /// Periods, s, with spectral accelerations, g.
+    pub(crate) points: Vec<[f64; 2]>,
+}
+
+/// The curves of a site: at its own damping, and at that of each first period.
+pub(crate) fn spectrum_curves(answer: &DemandAnswer) -> Vec<SpectrumCurve> {
+    curves_until(answer).0
+}
+
+/// The curves, and the longest period, s.
+fn curves_until(answer: &DemandAnswer) -> (Vec<SpectrumCurve>, f64) {
     let site = &answer.site;
     let of_points = site.spectrum.points();
     let ends = [of_points.first(), of_points.last()].map(|point| point.map(|point| point[0]));
@@ -54,7 +67,16 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
             dampings.push(at.damping_ratio);
         }
     }
-    let curves: Vec<(f64, Vec<[f64; 2]>)> = dampings.into_iter().map(|zeta| (zeta, curve(zeta))).collect();
+    let curves = dampings.into_iter().map(|damping_ratio| SpectrumCurve {
+        damping_ratio,
+        points: curve(damping_ratio),
+    });
+    (curves.collect(), most_s)
+}
+
+/// The design spectrum of a site, with the first periods of the structure and the acceleration at which a stack begins to move.
+pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
+    let (curves, most_s) = curves_until(answer);
     let capacity = answer.stack.as_ref().and_then(|stack| {
         let any = stack
             .rows
@@ -62,16 +84,16 @@ pub fn design_spectrum(answer: &DemandAnswer, language: Language) -> String {
             .find(|row| row.direction == ShakenDirection::Any)?;
         Some(any.comparison.rigid.capacity_m_s2? / STANDARD_GRAVITY_M_S2)
     });
-    let highest = curves.iter().flat_map(|(_, curve)| curve.iter().map(|p| p[1]));
+    let highest = curves.iter().flat_map(|curve| curve.points.iter().map(|p| p[1]));
     let top = highest.chain(capacity).fold(0.1, f64::max);
     let x = Axis::linear(say(Axes::Period, language), 0.0, most_s, 8);
     let y = Axis::linear(say(Axes::SpectralAcceleration, language), 0.0, 1.1 * top, 6);
     let mut plot = Plot::new([620.0, 320.0], x, y);
     let several = curves.len() > 1;
-    for ((zeta, curve), colour) in curves.into_iter().zip([BLUE, PURPLE].into_iter().cycle()) {
+    for (curve, colour) in curves.into_iter().zip([BLUE, PURPLE].into_iter().cycle()) {
         let line = Line::new(colour, 1.8);
-        plot.line(curve, line);
-        let percent = trimmed(100.0 * zeta, 3);
+        plot.line(curve.points, line);
+        let percent = trimmed(100.0 * curve.damping_ratio, 3);
         plot.key(
             Key::Line(line),
             match several {

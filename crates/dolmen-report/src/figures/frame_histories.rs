@@ -2,9 +2,10 @@
 
 use super::Figure;
 use super::axis::Axis;
+use super::history_series::{band_series, history_series, loop_series};
 use super::ink::{GREY, Line, SERIES};
+use super::lines::{Lines, Series};
 use super::plot::{Key, Plot};
-use super::stack_histories::{Series, plot};
 use super::words::{Axes, Signs, Titles, say};
 use dolmen::dynamics::FrameEnergy;
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -63,15 +64,34 @@ impl FramePlot {
     /// Its SVG; `None` without a sample.
     pub(crate) fn draw(self, simulation: &FrameSimulation, language: Language) -> Option<String> {
         match self {
-            Self::Ground => {
-                let ground = ground(&simulation.motion.motion, simulation.component);
-                let title = Titles::AccelerationOfTheGround;
-                plot(&[ground], Axes::Acceleration, language, title)
-            }
-            Self::Levels => levels(simulation, language),
+            Self::Ground | Self::Levels | Self::Energy => self.lines(simulation, language)?.draw(language),
             Self::Loop(storey) => Some(hysteresis(simulation, storey, language)),
             Self::Slips => Some(bands(simulation, language)),
-            Self::Energy => energy(simulation, language),
+        }
+    }
+
+    /// Its numbers.
+    pub(crate) fn series(self, simulation: &FrameSimulation) -> Vec<crate::document::Series> {
+        match self {
+            Self::Ground | Self::Levels | Self::Energy => {
+                history_series(|language| self.lines(simulation, language))
+            }
+            Self::Loop(storey) => loop_series(LOOP, drift_and_force(simulation, storey)),
+            Self::Slips => band_series(&simulation.storeys, &slipped(simulation)),
+        }
+    }
+
+    /// Those that are lines over time.
+    fn lines(self, simulation: &FrameSimulation, language: Language) -> Option<Lines> {
+        match self {
+            Self::Ground => Some(Lines {
+                axis: Axes::Acceleration,
+                title: Titles::AccelerationOfTheGround,
+                lines: vec![ground(&simulation.motion.motion, simulation.component)],
+            }),
+            Self::Levels => Some(levels(simulation)),
+            Self::Energy => Some(energy(simulation, language)),
+            Self::Loop(_) | Self::Slips => None,
         }
     }
 }
@@ -94,19 +114,21 @@ fn over_time(simulation: &FrameSimulation, values: &[f64], factor: f64) -> Vec<[
     pairs.map(|(t, y)| [*t, factor * y]).collect()
 }
 
-fn levels(simulation: &FrameSimulation, language: Language) -> Option<String> {
+fn levels(simulation: &FrameSimulation) -> Lines {
     let levels: Vec<Series> = (0..simulation.storeys.len())
         .map(|level| Series {
             name: simulation.storeys[level].clone(),
             points: over_time(simulation, &simulation.history.displacement_m[level], 1e3),
         })
         .collect();
-    let name = Axes::Displacement;
-    let title = Titles::DisplacementAtTheTopOfEachStorey;
-    plot(&levels, name, language, title)
+    Lines {
+        axis: Axes::Displacement,
+        title: Titles::DisplacementAtTheTopOfEachStorey,
+        lines: levels,
+    }
 }
 
-fn energy(simulation: &FrameSimulation, language: Language) -> Option<String> {
+fn energy(simulation: &FrameSimulation, language: Language) -> Lines {
     let part = |name: Signs, value: fn(&FrameEnergy) -> f64| {
         let values: Vec<f64> = simulation.history.energy.iter().map(value).collect();
         Series {
@@ -114,33 +136,38 @@ fn energy(simulation: &FrameSimulation, language: Language) -> Option<String> {
             points: over_time(simulation, &values, 1e-3),
         }
     };
-    let parts = [
+    let parts = vec![
         part(Signs::PutIn, |e| e.input_j),
         part(Signs::TakenByFriction, |e| e.friction_j),
         part(Signs::TakenByDashpots, |e| e.damping_j),
         part(Signs::MovingAndInSprings, |e| e.kinetic_j + e.stored_j),
     ];
-    let name = Axes::Energy;
-    plot(&parts, name, language, Titles::WhereTheEnergyWent)
+    Lines {
+        axis: Axes::Energy,
+        title: Titles::WhereTheEnergyWent,
+        lines: parts,
+    }
+}
+
+/// The axes of a loop.
+const LOOP: [Axes; 2] = [Axes::Drift, Axes::ForceOfTheStorey];
+
+/// Drift of a storey, mm, and its force, kN.
+fn drift_and_force(simulation: &FrameSimulation, storey: usize) -> [Vec<f64>; 2] {
+    let drift_m = simulation.history.drift_m(storey);
+    let force_n = simulation.storey_force_n(storey);
+    [
+        drift_m.iter().map(|d| 1e3 * d).collect(),
+        force_n.iter().map(|f| 1e-3 * f).collect(),
+    ]
 }
 
 /// Force of a storey against its drift.
 fn hysteresis(simulation: &FrameSimulation, storey: usize, language: Language) -> String {
-    let drift: Vec<f64> = simulation
-        .history
-        .drift_m(storey)
-        .iter()
-        .map(|d| 1e3 * d)
-        .collect();
-    let force: Vec<f64> = simulation
-        .storey_force_n(storey)
-        .iter()
-        .map(|f| 1e-3 * f)
-        .collect();
-    let names = [Axes::Drift, Axes::ForceOfTheStorey];
+    let [drift, force] = drift_and_force(simulation, storey);
     let title = Titles::ForceAgainstDrift;
     loops(
-        names,
+        LOOP,
         [&drift, &force],
         (storey, &simulation.storeys[storey]),
         title,
@@ -180,15 +207,17 @@ pub(super) fn loops(
     plot.svg(say(title, language))
 }
 
+/// When each storey slipped, s.
+fn slipped(simulation: &FrameSimulation) -> Vec<(usize, [f64; 2])> {
+    let each = simulation.history.slips.iter();
+    each.map(|s| (s.storey, [s.from_s, s.to_s])).collect()
+}
+
 /// When each storey slipped: a band a storey.
 fn bands(simulation: &FrameSimulation, language: Language) -> String {
     let history = &simulation.history;
     let end = history.time_s.last().copied().unwrap_or(1.0);
-    let each: Vec<(usize, [f64; 2])> = history
-        .slips
-        .iter()
-        .map(|s| (s.storey, [s.from_s, s.to_s]))
-        .collect();
+    let each = slipped(simulation);
     let words = (Signs::Slips, Titles::WhenEachStoreySlipped);
     rows_of_bands(&simulation.storeys, &each, end, words, language)
 }

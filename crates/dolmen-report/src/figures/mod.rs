@@ -6,13 +6,19 @@ mod building;
 mod building_histories;
 mod chain;
 mod chain_histories;
+mod chain_moments;
 mod change;
+mod damage_map;
 mod demand;
+mod drawing;
+mod elevation;
 mod fragility;
 mod frame;
 mod frame_histories;
+mod history_series;
 mod identification;
 mod ink;
+mod lines;
 mod modal;
 mod motion;
 mod moving_shapes;
@@ -21,6 +27,7 @@ mod rank;
 mod scene;
 mod shaking;
 mod shapes;
+mod sheet;
 mod stack;
 mod stack_directions;
 mod stack_histories;
@@ -31,6 +38,9 @@ mod study_growth;
 mod study_size;
 mod tune;
 mod words;
+mod years;
+
+use dolmen_words::Template;
 
 pub use assess::{VariantDot, load_factor_distribution, variants_compared};
 pub use building::building_plan;
@@ -39,8 +49,12 @@ pub use building_histories::building_histories;
 pub use chain::{centroid_effect, chain_elevation, stiffness_limits};
 pub(crate) use chain_histories::ChainPlot;
 pub use chain_histories::chain_histories;
+pub use chain_moments::chain_moments;
 pub use change::survey_changes;
+pub(crate) use damage_map::{DamageMark, damage_map};
 pub use demand::design_spectrum;
+pub(crate) use demand::spectrum_curves;
+pub(crate) use drawing::drawing;
 pub use frame::frame_sketch;
 pub(crate) use frame_histories::FramePlot;
 pub use frame_histories::frame_histories;
@@ -61,3 +75,11 @@ pub use study::study_figures;
 pub(crate) use tune::tune_drawings;
 pub use tune::tune_figures;
 pub(crate) use words::TEMPLATES;
+pub use years::years;
+
+/// The words of single figures as they are written.
+pub(crate) const OF_SINGLE_FIGURES: [&[Template]; 3] = [
+    damage_map::Mapped::TEMPLATES,
+    drawing::Drawn::TEMPLATES,
+    years::Panels::TEMPLATES,
+];

@@ -3,8 +3,8 @@
 use super::Figure;
 use super::axis::Axis;
 use super::ink::{BLACK, Line, SERIES};
+use super::lines::{Series, plot};
 use super::plot::{Key, Plot};
-use super::stack_histories::{Series, plot};
 use super::words::{Axes, Titles, say};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
 use dolmen_words::Language;

@@ -1,10 +1,22 @@
 //! The words of all figures: names of axes, titles, legends.
 
+use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence, Template, messages};
 
 /// The words in a language.
 pub(crate) fn say(words: impl Into<Sentence>, language: Language) -> String {
     words.into().text(language)
+}
+
+messages! {
+    /// Heads of the columns of a figure's numbers.
+    pub(crate) enum Columns in "figure.column" {
+        Axis { axis: Both } => { en: "{axis}", ko: "{axis}" },
+        Of { axis: Both, line: Both } => { en: "{axis}: {line}", ko: "{axis}: {line}" },
+        Part => { en: "Part", ko: "부재" },
+        From => { en: "From", ko: "시작" },
+        To => { en: "To", ko: "끝" },
+    }
 }
 
 messages! {
@@ -77,11 +89,13 @@ messages! {
         BaseShear => { en: "Base shear", ko: "밑면전단력" },
         TravelOfTheDampers => { en: "Travel of the dampers", ko: "제진장치의 행정" },
         ElevationOfTheChainWithItsJoints => { en: "Elevation of the chain with its joints", ko: "접합면을 표시한 입면도" },
+        MomentsOfTheJoints => { en: "Moments of the joints and what the beds pass", ko: "접합면 모멘트와 한계" },
         StiffnessLimitsOfEachJoint => { en: "Stiffness limits of each joint", ko: "접합면별 강성 한계" },
         EffectOfALowerCentreOfMass => { en: "Effect of a lower centre of mass", ko: "무게 중심을 낮춘 효과" },
         RotationOfTheLinksFromTheVertical => { en: "Rotation of the links from the vertical", ko: "각 부재의 연직 기준 회전각" },
         MomentAgainstRotation => { en: "Moment against rotation", ko: "모멘트-회전각 이력곡선" },
         WhereTheEnergyWent => { en: "Where the energy went", ko: "에너지 수지" },
+        YearsOfAStructure => { en: "A structure over the years", ko: "여러 해에 걸친 구조물의 변화" },
         WhatChangedBetweenTwoSurveys => { en: "What changed between two surveys", ko: "두 조사 사이의 변화" },
         DesignSpectrum => { en: "Design spectrum", ko: "설계 응답 스펙트럼" },
         Fragility => { en: "Fragility", ko: "취약도" },
@@ -173,6 +187,9 @@ messages! {
         TopFloorWallsBelowIt => { en: "top floor, walls below it", ko: "최상층 바닥과 그 아래 벽체" },
         FallsWhateverTheOthersAre => { en: "falls whatever the other joints are", ko: "다른 접합면과 무관하게 전도" },
         LeastStiffness => { en: "least k, other joints as given", ko: "최소 k (다른 접합면은 주어진 값)" },
+        BedLimit => { en: "limit of the bed", ko: "접합면 한계" },
+        MomentUpright => { en: "moment upright", ko: "모멘트(연직)" },
+        MomentLeaning => { en: "moment leaning, with the tilt", ko: "모멘트(변형 후, 기울기 포함)" },
         GivenStiffness => { en: "given k", ko: "주어진 강성 k" },
         PublishedLimit => { en: "published k_cr", ko: "발표된 k_cr" },
         ExactLimit => { en: "exact limit M", ko: "정확한 한계 M" },
@@ -287,7 +304,8 @@ messages! {
 }
 
 /// The words of figures as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 7] = [
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
+    Columns::TEMPLATES,
     Axes::TEMPLATES,
     Titles::TEMPLATES,
     Signs::TEMPLATES,

@@ -1,5 +1,7 @@
 //! Everything that a verb writes into a folder, as names and bytes.
 
+mod drawing;
+mod figures;
 mod motion;
 mod named;
 mod paraview;
@@ -10,10 +12,12 @@ mod survey;
 mod tune;
 
 pub use crate::mark::is_marked;
+pub use drawing::drawing_file;
+pub use figures::{NotDrawn, figure_files};
 pub use motion::motion_files;
 pub use named::NamedFile;
 pub use ranking::ranking_files;
 pub use simulation::{simulation_files, simulation_value};
 pub use study::{StudyFilesError, study_files};
-pub use survey::{change_files, identification_files};
+pub use survey::{change_files, identification_files, watch_files};
 pub use tune::tune_files;

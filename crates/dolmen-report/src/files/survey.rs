@@ -1,10 +1,11 @@
 //! Surveys as files: what was identified, what changed.
 
 use super::named::NamedFile;
-use crate::figures::{identification, survey_changes};
-use crate::json::{change_json, identification_json};
+use crate::figures::{identification, survey_changes, years};
+use crate::json::{change_json, identification_json, watch_json};
 use dolmen_words::Language;
 use dolmen_work::answer::{CompareAnswer, IdentifyAnswer};
+use dolmen_work::watched::WatchAnswer;
 
 /// Figures and JSON of what was identified.
 pub fn identification_files(answer: &IdentifyAnswer, language: Language) -> Vec<NamedFile> {
@@ -21,5 +22,13 @@ pub fn change_files(answer: &CompareAnswer, language: Language) -> Vec<NamedFile
     vec![
         NamedFile::json("change.json", &json),
         NamedFile::svg("change", &survey_changes(&answer.change, language)),
+    ]
+}
+
+/// Figure and JSON of a history.
+pub fn watch_files(answer: &WatchAnswer, language: Language) -> Vec<NamedFile> {
+    vec![
+        NamedFile::json("watch.json", &watch_json(answer)),
+        NamedFile::svg("years", &years(answer, language)),
     ]
 }

@@ -1,6 +1,6 @@
 //! The natural modes of a frame.
 
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Figure, Table, table_series};
 use crate::figures::{ShapePanel, mode_shapes};
 use dolmen::assess::FrameCheck;
 use dolmen::structure::{Frame, NaturalMode};
@@ -33,24 +33,30 @@ messages! {
 
 /// Shapes of the modes and their numbers, if there are any.
 pub(super) fn section<'a>(document: &mut Document<'a>, frame: Option<Frame>, check: &'a FrameCheck) {
-    let Some(first) = check.modes.first() else {
+    if check.modes.is_empty() {
         return;
-    };
+    }
     if let Some(frame) = frame {
         let caption = vec![Modes::Caption.into(), Modes::Drawn.into()];
-        document.figure(caption, move |language| drawn(&frame, &check.modes, language));
+        let shapes = Figure::new(caption, move |language| drawn(&frame, &check.modes, language));
+        document.charted(shapes.with_series(|| table_series(&table(&check.modes))));
     }
+    document.put(Block::Table(table(&check.modes)));
+}
+
+fn table(modes: &[NaturalMode]) -> Table {
+    let levels = modes.first().map_or(0, |mode| mode.displacement.len());
     let mut columns = vec![
         Column::words(Modes::Head),
         Column::numbers(Modes::Frequency, Unit::si("Hz")),
     ];
     let level = |level| Column::numbers(Modes::Level { level }, Unit::ratio());
-    columns.extend((1..=first.displacement.len()).map(level));
-    document.put(Block::Table(Table {
+    columns.extend((1..=levels).map(level));
+    Table {
         caption: vec![Modes::TableCaption.into(), Modes::Largest.into()],
         columns,
-        rows: check.modes.iter().enumerate().map(row).collect(),
-    }));
+        rows: modes.iter().enumerate().map(row).collect(),
+    }
 }
 
 fn row((i, mode): (usize, &NaturalMode)) -> Vec<Cell> {

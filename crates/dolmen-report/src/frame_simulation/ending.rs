@@ -1,7 +1,10 @@
 //! How simulated frames ended.
 
 use crate::document::{Finding, Tone};
-use crate::simulated::{Simulated, capitalised, cut, left, milli, millimetres, seconds, under, version_name};
+use crate::limits;
+use crate::simulated::{
+    Simulated, capitalised, cut, left, milli, millimetres, seconds, undamped, under, version_name,
+};
 use dolmen::dynamics::{FrameOutcome, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::frame::FrameSimulation;
@@ -37,7 +40,29 @@ messages! {
 
 /// How each ended, as findings.
 pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
-    simulations.iter().map(|simulation| finding(simulation)).collect()
+    simulations
+        .iter()
+        .flat_map(|simulation| own(simulation))
+        .collect()
+}
+
+/// How one ended, and its storeys against their limit.
+pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
+    let mut all = vec![finding(simulation)];
+    all.extend(undamped(simulation.undamped.as_ref()));
+    // what fell has said so
+    if !simulation.falls() {
+        all.extend(limits(simulation));
+    }
+    all
+}
+
+fn limits(simulation: &FrameSimulation) -> Vec<Finding> {
+    limits::findings(
+        &simulation.parts(),
+        simulation.drift_limit.as_ref(),
+        version_name(simulation.variant.as_deref(), simulation.variant_title.as_ref()),
+    )
 }
 
 /// How it ended, and of which direction under which motion.

@@ -7,9 +7,10 @@ mod storeys;
 
 pub(crate) use ending::findings;
 
-use crate::document::{Block, Document, TextStyle, document_text, findings_text};
+use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};
 use crate::figures::FramePlot;
-use crate::simulated::{Simulated, capitalised, motion_section};
+use crate::limits;
+use crate::simulated::{Simulated, capitalised, motion_section, undamped};
 use dolmen::signal::Component;
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::frame::FrameSimulation;
@@ -43,13 +44,14 @@ pub(crate) const TEMPLATES: [&[Template]; 5] = [
 
 /// How it ended; in full each storey and the balance of energy.
 pub fn frame_simulation_text(simulation: &FrameSimulation, style: TextStyle) -> String {
+    let found = findings_text(&ending::own(simulation), style);
     if !style.is_full {
-        return findings_text([&ending::finding(simulation)], style);
+        return found;
     }
     let mut document = Document::default();
     ended(&mut document, simulation);
     details(&mut document, simulation);
-    document_text(&document, style)
+    found + &document_text(&document, style)
 }
 
 /// One section a simulation.
@@ -72,6 +74,10 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
         true => Block::Warning(said),
         false => Block::Paragraph(std::iter::once(said).chain(ending::state(simulation)).collect()),
     });
+    let without = undamped(simulation.undamped.as_ref());
+    document
+        .blocks
+        .extend(without.map(|found| Block::Note(found.sentence)));
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
@@ -81,10 +87,12 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a FrameSimulation) {
     document.put(Block::Table(storeys::model(simulation)));
     friction::notes(document, &simulation.frame);
     document.put(Block::Table(storeys::response(simulation)));
+    limits::section(document, &simulation.parts(), simulation.drift_limit.as_ref());
     for plot in FramePlot::all(simulation) {
-        document.figure(caption(plot, simulation), move |language| {
+        let drawn = Figure::new(caption(plot, simulation), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
+        document.charted(drawn.with_series(move || plot.series(simulation)));
     }
     run::run(document, simulation);
 }

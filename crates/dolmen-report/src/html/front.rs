@@ -3,11 +3,14 @@
 use super::imprint::Imprint;
 use super::words::{judgement_sign, thresholds};
 use crate::check::title;
+use crate::engineer::Given;
+use crate::headline::{headline, worse as worse_words};
 use crate::stack;
 use dolmen::stability::Verdict;
 use dolmen_project::{Quantity, Structure};
-use dolmen_words::Language;
+use dolmen_words::message::Both;
 use dolmen_words::number::beside_one;
+use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{
     Colour, DecidedBy, Earthquake, EarthquakeFinding, Judgement, VersionJudgement, judge,
@@ -60,12 +63,7 @@ pub(crate) fn project_name(answer: &ProjectReport, language: Language) -> &str {
 pub(crate) fn headline_line(answer: &ProjectReport, language: Language) -> String {
     let judgement = judge(&answer.answers);
     let mut all = Vec::new();
-    if let Some(headline) = judgement.headline() {
-        all.push(headline.words(language).join(" · "));
-        let word = headline.earthquake_word().word(language);
-        let reasons = shaken(headline, &answer.project.structure, language);
-        all.extend(reasons.into_iter().filter(|reason| reason != word));
-    }
+    all.extend(judgement.headline().map(|of| headline(of, language)));
     all.extend(worse(answer, &judgement, language));
     format!("{} {}", judgement_sign(&judgement), all.join("; "))
 }
@@ -99,12 +97,12 @@ fn reason(of: &EarthquakeFinding, structure: &Structure, language: Language) -> 
             format!("it leans too far under {motion}"),
             format!("{motion} 작용 시 과대 변위"),
         ),
-        (DecidedBy::Room { part }, motion) => {
+        (DecidedBy::Room, motion) => {
             let word = match of.word {
                 Earthquake::BelowDemand => language.pick("beyond its room", "여유 공간 초과"),
                 _ => word,
             };
-            let under: Vec<&str> = [Some(part.as_str()), motion].into_iter().flatten().collect();
+            let under: Vec<&str> = [of.part.as_deref(), motion].into_iter().flatten().collect();
             format!("{word} ({})", under.join(", "))
         }
         (DecidedBy::DamageState(state), Some(motion)) => format!("{word} ({motion}, DS{state})"),
@@ -118,13 +116,8 @@ fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> V
     let each = judgement.worse().map(|judged| {
         let name = judged.variant.as_deref().unwrap_or_default();
         let own = answer.variants().iter().find(|variant| variant.name == name);
-        let title = own.map(title);
-        let title = title.as_ref().map_or(name, |title| title.text(language));
-        let words = judged.words(language).join(" · ");
-        language.pick(
-            format!("Variant “{title}”: {words}"),
-            format!("대안 ‘{title}’: {words}"),
-        )
+        let title = own.map_or_else(|| Both::of(|_| name), title);
+        worse_words(title, judged).text(language)
     });
     each.collect()
 }
@@ -133,9 +126,9 @@ fn worse(answer: &ProjectReport, judgement: &Judgement, language: Language) -> V
 pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) -> Banner {
     let verdict = state.verdict();
     let judgement = judge(&answer.answers);
-    let headline = judgement.headline();
-    let words = headline.map_or_else(Vec::new, |of| of.words(language));
-    let shaken = headline.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
+    let judged = judgement.headline();
+    let words = judged.map_or_else(String::new, |of| headline(of, language));
+    let shaken = judged.map_or_else(Vec::new, |of| shaken(of, &answer.project.structure, language));
     let stack = match &state.check {
         Check::Stack(answer) => Some(answer),
         _ => None,
@@ -184,7 +177,7 @@ pub(crate) fn banner(answer: &ProjectReport, state: &State, language: Language) 
     Banner {
         colour: judgement.colour(),
         sign: judgement_sign(&judgement),
-        words: words.join(" · "),
+        words,
         first,
         sentence,
         assumed: (assumed > 0).then(|| {
@@ -210,6 +203,10 @@ pub(crate) fn sources(answer: &ProjectReport, language: Language, imprint: &Impr
     if let Some(sampled) = answer.state().and_then(|state| state.sampled.as_ref()) {
         let lead = language.pick("Seed of the samples: ", "표본 추출 시드: ");
         all.push(format!("{lead}{}", sampled.unstable.seed));
+    }
+    if !answer.fingerprint.is_empty() {
+        let print = answer.fingerprint.clone();
+        all.push(Sentence::from(Given::Fingerprint { print }).text(language));
     }
     if let Some(source) = &answer.project.source {
         all.push(format!("{}{source}", language.pick("Input: ", "입력 자료: ")));

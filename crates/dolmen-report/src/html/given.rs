@@ -3,6 +3,7 @@
 use super::table::{Cell, table};
 use super::words::{evidence_word, path_words, unit_text};
 use crate::check::title;
+use crate::document::{Numbers, numbered, table_label};
 use dolmen_project::{Project, Quantity, Survey};
 use dolmen_words::Language;
 use dolmen_words::number;
@@ -10,11 +11,11 @@ use dolmen_work::answer::ProjectReport;
 use maud::{Markup, html};
 
 /// The section "what was given".
-pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
+pub(super) fn section(answer: &ProjectReport, language: Language, numbers: &mut Numbers) -> Markup {
     let project = &answer.project;
     let inputs = project.inputs();
     html! {
-        h2 { (language.pick("What was given", "입력 자료")) }
+        h2 { (numbered(&numbers.section(), language.pick("What was given", "입력 자료"))) }
         @if let Some(description) = &project.description { p { (description) } }
         @if inputs.is_empty() {
             p { (language.pick(
@@ -27,7 +28,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
                 format!("Inputs. Values marked as assumed are tinted; {gravity}."),
                 format!("입력값. 가정한 값은 바탕색으로 표시하였다; {gravity}."),
             );
-            (inputs_table(&caption, &inputs, language))
+            (inputs_table(&caption, &inputs, language, numbers))
         }
         @for variant in answer.variants() {
             @if !variant.own_inputs.is_empty() {
@@ -36,12 +37,12 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
                 (inputs_table(&language.pick(
                     format!("Inputs of the variant “{}”. Where they differ from those above; values marked as assumed are tinted.", title.text(language)),
                     format!("대안 ‘{}’의 입력값. 위와 다른 값만 제시하며, 가정한 값은 바탕색으로 표시하였다.", title.text(language)),
-                ), &inputs, language))
+                ), &inputs, language, numbers))
             }
         }
-        (surveys(project, language))
+        (surveys(project, language, numbers))
         @if !project.warnings.is_empty() {
-            h3 { (language.pick("Warnings on reading the file", "입력 파일에 대한 경고")) }
+            h3 { (numbered(&numbers.part(), language.pick("Warnings on reading the file", "입력 파일에 대한 경고"))) }
             ul { @for warning in &project.warnings {
                 li { (warning.message.text(language)) " (" code { (warning.path) } ", " (language.pick("line", "행")) " " (warning.line) ")" }
             } }
@@ -49,7 +50,7 @@ pub(super) fn section(answer: &ProjectReport, language: Language) -> Markup {
     }
 }
 
-fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language) -> Markup {
+fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language, numbers: &mut Numbers) -> Markup {
     let with_cov = inputs.iter().any(|q| q.cov.is_some());
     let with_note = inputs.iter().any(|q| q.note.is_some());
     let mut head = vec![language.pick("Input", "입력"), language.pick("Source", "출처")];
@@ -94,13 +95,19 @@ fn inputs_table(caption: &str, inputs: &[&Quantity], language: Language) -> Mark
             row
         })
         .collect();
-    table(caption, words, &head, &rows)
+    table(
+        &table_label(&numbers.table(), language),
+        caption,
+        words,
+        &head,
+        &rows,
+    )
 }
 
-fn surveys(project: &Project, language: Language) -> Markup {
+fn surveys(project: &Project, language: Language, numbers: &mut Numbers) -> Markup {
     html! {
         @for survey in &project.surveys {
-            h3 { (survey_head(survey, language)) }
+            h3 { (numbered(&numbers.part(), &survey_head(survey, language))) }
             ul {
                 @for line in survey_lines(survey, language) { li { (line) } }
                 @if let Some(records) = &survey.records {

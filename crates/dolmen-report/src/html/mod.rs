@@ -6,6 +6,7 @@ mod imprint;
 pub(crate) mod method;
 mod page;
 mod rank;
+mod score;
 mod style;
 mod table;
 pub(crate) mod words;
@@ -14,6 +15,8 @@ pub(crate) mod words;
 pub(crate) mod tests;
 
 pub(crate) use front::{headline_line, project_name};
+pub(crate) use imprint::day;
 pub use imprint::{Imprint, NotReported};
 pub use page::html;
 pub use rank::ranking_html;
+pub use score::score_form_html;

@@ -6,7 +6,8 @@ use super::imprint::{Imprint, NotReported};
 use super::method::method;
 use super::style::STYLE;
 use super::words::colour_class;
-use crate::document::{document_html, findings_html};
+use crate::document::{Numbers, block_html, document_html, findings_html, numbered};
+use crate::engineer::{cover_rows, front, report_title};
 use crate::mark::GENERATOR;
 use crate::whole::{all_findings, whole_document};
 use dolmen_words::Language;
@@ -30,7 +31,9 @@ pub fn html(
     let body = markup! {
         @if answers.len() + others.len() > 1 { (contents(answers, others, language)) }
         @for (i, answer) in answers.iter().enumerate() {
-            article id=(format!("report-{}", i + 1)) { (article(answer, language, imprint)) }
+            article id=(format!("report-{}", i + 1)) {
+                (article(answer, language, imprint, (answers.len() > 1).then_some(i + 1)))
+            }
         }
     };
     let page = whole(&title, language, &body);
@@ -42,8 +45,10 @@ pub fn html(
     format!("{head}{body}")
 }
 
-/// What a page may load and do: its own style sheet and the styles in its figures. No script, nothing from outside, no form.
-const POLICY: &str = "default-src 'none'; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
+/// What a page may load and do: its own style sheet and the styles in its figures. No script, nothing from outside, no form; images stand
+/// in the page itself.
+const POLICY: &str =
+    "default-src 'none'; img-src data:; style-src 'unsafe-inline'; base-uri 'none'; form-action 'none'";
 
 /// A page that needs nothing else.
 pub(super) fn whole(title: &str, language: Language, body: &Markup) -> String {
@@ -84,27 +89,38 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
     }
 }
 
-fn article(answer: &ProjectReport, language: Language, imprint: &Imprint) -> Markup {
+/// What is said of a project; its number where there are several.
+fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number: Option<usize>) -> Markup {
     let project = &answer.project;
+    let mut numbers = number.map_or(Numbers::alone(), Numbers::of_project);
+    let name = project_name(answer, language);
+    let front = front(answer);
     let other = language.pick(project.name.korean(), project.name.english());
     markup! {
         header {
-            p.kicker { (kind_words(&project.structure, language)) }
-            h1 { (project_name(answer, language)) }
+            @if let Some(title) = report_title(answer) { p.kicker { (title.text(language)) } }
+            @else { p.kicker { (kind_words(&project.structure, language)) } }
+            h1 { @match number { Some(number) => (numbered(&number.to_string(), name)), None => (name) } }
             @if other != project_name(answer, language) { p.sub { (other) } }
-            p.sub {
+            @if project.report.is_some() { dl.cover { @for (key, value) in cover_rows(answer, imprint) {
+                dt { (key.text(language)) } dd { (value.text(language)) }
+            } } }
+            @else { p.sub {
                 @if let Some(date) = &imprint.date { (date) " · " }
                 (imprint.program)
-            }
+            } }
         }
+        @if let Some((head, block)) = &front.signatures { h2 { (head.text(language)) } (block_html(block, language, &mut numbers)) }
         @if let Some(state) = answer.state() { (banner_html(&banner(answer, state, language))) }
+        @if let Some(block) = &front.answers { (block_html(block, language, &mut numbers)) }
         h2 { (language.pick("Findings", "검토 결과 요약")) }
         (findings_html(&all_findings(answer), language))
-        (given::section(answer, language))
-        (document_html(&whole_document(answer), language))
-        h2 { (language.pick("Method and limits", "방법과 한계")) }
+        @if let Some((head, block)) = &front.to_do { h3 { (head.text(language)) } (block_html(block, language, &mut numbers)) }
+        (document_html(&whole_document(answer), language, &mut numbers))
+        (given::section(answer, language, &mut numbers))
+        h2 { (numbered(&numbers.section(), language.pick("Method and limits", "방법과 한계"))) }
         ul { @for line in method(&project.structure, language) { li { (line) } } }
-        h2 { (language.pick("Evidence and sources", "근거와 출처")) }
+        h2 { (numbered(&numbers.section(), language.pick("Evidence and sources", "근거와 출처"))) }
         ul { @for line in sources(answer, language, imprint) { li { (line) } } }
         footer { (closing(language)) }
     }

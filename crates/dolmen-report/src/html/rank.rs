@@ -2,7 +2,7 @@
 
 use super::imprint::Imprint;
 use super::page::whole;
-use crate::document::document_html;
+use crate::document::{Numbers, document_html};
 use crate::rank::sections;
 use dolmen_words::Language;
 use dolmen_work::portfolio::PortfolioAnswer;
@@ -19,7 +19,7 @@ pub fn ranking_html(answer: &PortfolioAnswer, language: Language, imprint: &Impr
                 p.sub { (answer.source) }
                 p.sub { @if let Some(date) = &imprint.date { (date) " · " } (imprint.program) }
             }
-            (document_html(&sections(answer), language))
+            (document_html(&sections(answer), language, &mut Numbers::alone()))
         }
     };
     whole(title, language, &body)

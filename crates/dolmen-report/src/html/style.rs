@@ -33,10 +33,21 @@ li.unknown::before{content:'?';color:var(--unknown)}
 figure{margin:1.1rem 0;break-inside:avoid}
 figure svg{display:block;max-width:100%;height:auto;margin:0 auto}
 figcaption,caption{font-size:.87rem;color:var(--grey);text-align:left;line-height:1.45}
+figure img{display:block;max-width:100%;max-height:30rem;margin:0 auto}
 figcaption{margin-top:.35rem}
-figcaption b,caption b{color:var(--text)}
+figcaption b,caption b,caption .no,figcaption .no{color:var(--text)}
+caption .no,figcaption .no{font-weight:600;margin-right:.4em}h1 .no,h2 .no,h3 .no{margin-right:.35em}
 .pair{display:flex;flex-wrap:wrap;gap:.6rem 1rem;justify-content:center}
 .pair figure{flex:1 1 20rem;margin:.6rem 0}
+dl.cover{display:grid;grid-template-columns:max-content 1fr;gap:.15rem 1rem;margin:.7rem 0;font-size:.93rem}
+dl.cover dt{color:var(--grey)}dl.cover dd{margin:0}
+.answers{display:grid;grid-template-columns:repeat(auto-fit,minmax(13rem,1fr));gap:.7rem;margin:1rem 0;break-inside:avoid}
+.answers div{border-left:.3rem solid var(--unknown);background:var(--tint);padding:.5rem .8rem}
+.answers p{margin:.1rem 0}.answers .question{color:var(--grey);font-size:.85rem}.answers .word{font-weight:700}
+.answers .good{border-left-color:var(--good)}.answers .good .word{color:#00734f}
+.answers .warn{border-left-color:#e69f00}.answers .warn .word{color:#8a5c00}
+.answers .bad{border-left-color:#d55e00}.answers .bad .word{color:#a83f00}
+table.signatures td{height:3rem;vertical-align:middle;white-space:normal}table.signatures th:last-child{width:28%}
 .scroll{overflow-x:auto;margin:.9rem 0}
 .short{break-inside:avoid}
 table{border-collapse:collapse;width:100%;font-size:.87rem;font-variant-numeric:tabular-nums;line-height:1.4}

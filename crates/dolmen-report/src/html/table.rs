@@ -40,12 +40,12 @@ impl<T: Into<String>> From<T> for Cell {
 }
 
 /// A table whose first `words` columns hold words and the others numbers.
-pub(super) fn table(caption: &str, words: usize, head: &[String], rows: &[Vec<Cell>]) -> Markup {
+pub(super) fn table(label: &str, caption: &str, words: usize, head: &[String], rows: &[Vec<Cell>]) -> Markup {
     let side = |column: usize| if column < words { "t" } else { "" };
     html! {
         @let whole = rows.len() <= WHOLE_ROWS;
         div class=(if whole { "scroll short" } else { "scroll" }) { table {
-            caption { (strong_lead(caption)) }
+            caption { span.no { (label) } " " (strong_lead(caption)) }
             thead { tr { @for (i, name) in head.iter().enumerate() { th class=[filled(side(i))] scope="col" { (name) } } } }
             tbody { @for row in rows { tr {
                 @for (i, cell) in row.iter().enumerate() {

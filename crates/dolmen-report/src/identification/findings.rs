@@ -6,6 +6,7 @@ use super::solutions::stiffness_quantities;
 use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
 use dolmen::structure::{Choice, StiffnessNote};
+use dolmen_project::{Project, Structure};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
 use dolmen_work::surveyed::{StiffnessAnswer, SurveyAnswer, WithoutStiffness};
 
@@ -15,6 +16,10 @@ messages! {
         NoPlace => {
             en: "No stiffness is sought: no channel has both a position and a direction; give both to those that stand on the structure.",
             ko: "위치와 방향이 모두 주어진 채널이 없어 강성을 추정하지 않았다. 구조물 위의 채널에 둘 다 주어야 한다.",
+        },
+        AllTwist { direction: String } => {
+            en: "No stiffness is sought in direction {direction}: every mode measured there twists. Check their kind; the lowest mode of translation gives the stiffness.",
+            ko: "{direction} 방향에서 계측된 모드가 모두 비틀림 모드여서 강성을 추정하지 않았다. 모드의 kind를 확인해야 하며, 강성은 최저 병진 모드에서 구한다.",
         },
         OffTheAxes { channels: Vec<String> } => {
             en: "No stiffness is sought: no sensor points within 15° of x or y ({channels} do not); turn the axes of the project with the sensors, or give the direction in which each measures.",
@@ -65,17 +70,36 @@ messages! {
 }
 
 /// What each survey chooses, and why some seek no stiffness.
-pub(crate) fn findings(all: &[SurveyAnswer]) -> Vec<Finding> {
-    let chosen = all
-        .iter()
-        .flat_map(|survey| survey.stiffness.iter().map(|answer| choice(&survey.name, answer)));
+///
+/// Springs that act on what those of the file do not are compared behind, and alarm nobody.
+pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> {
+    let asked = match &project.structure {
+        Structure::Frame(part) => Some(part.convention),
+        Structure::Chain(_) | Structure::Stack(_) | Structure::Building(_) | Structure::Survey => None,
+    };
+    let each = || {
+        let each = all.iter();
+        each.flat_map(|survey| survey.stiffness.iter().map(move |answer| (survey, answer)))
+    };
+    let is_asked = |answer: &StiffnessAnswer| answer.convention.is_none() || answer.convention == asked;
+    let own = each().filter(|(_, answer)| is_asked(answer));
+    let own = own.map(|(survey, answer)| choice(&survey.name, answer));
+    let others = each().filter(|(_, answer)| !is_asked(answer));
+    let others = others.map(|(survey, answer)| Finding {
+        tone: Tone::Plain,
+        is_key: false,
+        ..choice(&survey.name, answer)
+    });
     let unsought = all.iter().filter_map(|survey| survey.without_stiffness.as_ref());
-    chosen.chain(unsought.map(without)).collect()
+    own.chain(unsought.map(without)).chain(others).collect()
 }
 
 fn without(why: &WithoutStiffness) -> Finding {
     let said = match why {
         WithoutStiffness::NoPlace => Found::NoPlace,
+        WithoutStiffness::AllTwist { direction } => Found::AllTwist {
+            direction: direction.clone(),
+        },
         WithoutStiffness::OffTheAxes { channels } => Found::OffTheAxes {
             channels: channels.clone(),
         },

@@ -3,6 +3,7 @@
 use super::judgement::judgement;
 use super::simulation::motion_json;
 use super::with::with;
+use crate::limits::parts_json;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::{BuildingPeaks, HistoryMethod};
 use dolmen_project::BuiltDamper;
@@ -140,6 +141,7 @@ pub fn building_simulation_json(simulation: &BuildingSimulation) -> Value {
         "peaks_without_dampers": simulation.without_dampers.as_ref().map(|other| peaks(&other.peaks, simulation)),
         "dashpot_forces_n": simulation.dashpot_forces_n(),
         "points": points.collect::<Vec<_>>(),
+        "limits": parts_json(&simulation.parts(), simulation.drift_limit.as_ref()),
         "drift_ratio": simulation.drift().ratio,
         "drift_at": if simulation.drift().at_corner { "corner" } else { "centre_of_mass" },
         "against_without": simulation.without_dampers.is_some().then(|| simulation.against_without().iter().map(|of| json!({

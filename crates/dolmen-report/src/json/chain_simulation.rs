@@ -2,6 +2,7 @@
 
 use super::judgement::judgement;
 use super::simulation::motion_json;
+use crate::limits::parts_json;
 use dolmen::dynamics::{ChainOutcome, ChainRotations, JointFriction};
 use dolmen_work::chain::ChainSimulation;
 use dolmen_work::judgement::judge_chain_run;
@@ -51,6 +52,7 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         },
         "output_step_s": simulation.options.output_step_s,
         "fall_rad": simulation.options.fall_rad,
+        "undamped": simulation.undamped.is_some(),
         "duration_s": simulation.duration_s(),
         "first_frequency_hz": simulation.first_frequency_hz,
         "growth": simulation.growth.as_ref().map(|growth| json!({
@@ -60,6 +62,7 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
             "to_s": growth.measured.map(|m| m.to_s),
         })),
         "outcome": outcome(simulation),
+        "limits": parts_json(&simulation.parts(), None),
         "at_rest": history.at_rest,
         "friction_events": history.friction_events,
         "steps": history.steps,

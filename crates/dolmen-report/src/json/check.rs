@@ -3,6 +3,7 @@
 use super::building::building;
 use super::demand::demand;
 use super::judgement::judgement;
+use super::loads::loads;
 use super::stack::stack;
 use dolmen::assess::FrameCheck;
 use dolmen_project::Project;
@@ -74,6 +75,7 @@ fn state(state: &State) -> Value {
                 "direction": direction, "measured_hz": found.measured_hz, "computed_hz": found.computed_hz,
             })).collect::<Vec<_>>(),
         })).collect::<Vec<_>>(),
+        "loads": state.loads.as_ref().map(loads),
         "demand": state.demand.as_ref().map(demand),
         "sampled": state.sampled,
     })

@@ -1,6 +1,7 @@
 //! What an earthquake asks for, as JSON.
 
 use crate::demand::{ground_word, type_word};
+use crate::limits::parts_json;
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, StackDemandCheck};
 use dolmen::stability::stack::{DemandVerdict, LimitKind, Threshold};
 use dolmen_work::state::DemandAnswer;
@@ -17,6 +18,7 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "peak_ground_acceleration_m_s2": site.peak_ground_acceleration_m_s2,
         "vertical": site.vertical.map(|v| json!({ "ratio": v.ratio, "verified": v.verified })),
         "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "limits": parts_json(&answer.parts, answer.drift_limit.as_ref()),
         "spectral": answer.spectral,
         "refused": answer.refused,
         "stack": answer.stack.as_ref().map(stack),

@@ -2,6 +2,7 @@
 
 use super::judgement::judgement;
 use super::simulation::motion_json;
+use crate::limits::parts_json;
 use dolmen::dynamics::{FrameOutcome, FrictionActsOn, StoreyFriction};
 use dolmen_work::frame::FrameSimulation;
 use dolmen_work::judgement::judge_frame_run;
@@ -41,8 +42,10 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
             FrictionActsOn::Displacement => "displacement",
         },
         "output_step_s": options.output_step_s,
+        "undamped": simulation.undamped.is_some(),
         "duration_s": history.time_s.last(),
         "outcome": outcome(simulation),
+        "limits": parts_json(&simulation.parts(), simulation.drift_limit.as_ref()),
         "at_rest": history.at_rest,
         "events": history.events,
         "steps": history.steps,

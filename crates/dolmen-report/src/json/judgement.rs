@@ -1,5 +1,6 @@
 //! The judgement as JSON: words, colours and what decided them.
 
+use crate::headline::headline;
 use dolmen_words::Language;
 use dolmen_work::judgement::{DecidedBy, EarthquakeFinding, Evidence, Judgement, VersionJudgement, Weight};
 use serde_json::{Value, json};
@@ -9,6 +10,7 @@ pub(super) fn judgement(judgement: &Judgement) -> Value {
     json!({
         "colour": judgement.colour().word(),
         "words": judgement.headline().map(|of| of.words(Language::English)),
+        "headline": judgement.headline().map(|of| headline(of, Language::English)),
         "finished": judgement.is_done,
         "versions": judgement.versions.iter().map(version).collect::<Vec<_>>(),
     })
@@ -20,12 +22,15 @@ fn version(version: &VersionJudgement) -> Value {
         "variant": version.variant,
         "colour": version.colour().word(),
         "weight": version.weight.map(weight),
+        "governed_by": version.governed_by.as_ref().map(|by| by.key()),
         "earthquake": {
             "word": earthquake.word(Language::English),
             "colour": earthquake.colour().word(),
             "reasons": version.earthquake.iter().map(finding).collect::<Vec<_>>(),
         },
         "evidence": evidence(&version.evidence),
+        "assumed_inputs": version.inputs.assumed,
+        "inputs": version.inputs.all,
     })
 }
 
@@ -42,16 +47,16 @@ fn weight(weight: Weight) -> Value {
 }
 
 fn finding(finding: &EarthquakeFinding) -> Value {
-    let (part, damage_state) = match &finding.decided_by {
-        DecidedBy::Room { part } => (Some(part), None),
-        DecidedBy::DamageState(state) => (None, Some(state)),
-        _ => (None, None),
+    let damage_state = match &finding.decided_by {
+        DecidedBy::DamageState(state) => Some(state),
+        _ => None,
     };
     json!({
         "word": finding.word.word(Language::English),
         "decided_by": finding.decided_by.key(),
         "motion": finding.motion,
-        "part": part,
+        "part": finding.part,
+        "capacity_over_demand": finding.ratio,
         "damage_state": damage_state,
     })
 }

@@ -115,7 +115,7 @@ fn trends(answer: &StudyAnswer) -> Result<Vec<Value>, AssessError> {
         Direction::Falling => "falling",
     };
     let each = answer.trends()?.into_iter().map(|trend| {
-        let tau = trend.of_medians;
+        let tau = trend.of_pairs;
         let expected = trend.expected.as_ref();
         json!({
             "input": answer.inputs[trend.input].path,

@@ -1,11 +1,13 @@
 //! What is said of the six-factor score: of one pagoda, and what the score is worth.
 
 mod effects;
+mod form;
 mod pagoda;
 mod quality;
 mod weights;
 mod words;
 
+pub(crate) use form::{Form, form};
 pub use pagoda::score_text;
 pub use quality::score_quality_text;
 pub(crate) use words::{range_cell, state_name};
@@ -13,8 +15,9 @@ pub(crate) use words::{range_cell, state_name};
 use dolmen_words::Template;
 
 /// The sentences on scores as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 5] = [
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
     effects::Effects::TEMPLATES,
+    form::Form::TEMPLATES,
     pagoda::Pagoda::TEMPLATES,
     quality::Quality::TEMPLATES,
     weights::Weights::TEMPLATES,

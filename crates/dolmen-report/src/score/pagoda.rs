@@ -98,7 +98,7 @@ fn brief(answer: &ScoreAnswer, style: TextStyle) -> String {
 }
 
 /// What the designs of the score that comes with Dolmen share, and what another law of joints did to one of them.
-fn conditions() -> Pagoda {
+pub(super) fn conditions() -> Pagoda {
     let trimmed = |value| Quantity::new(value, Unit::ratio(), Digits::Trimmed(3));
     Pagoda::Conditions {
         friction: trimmed(0.6),

@@ -2,13 +2,19 @@
 
 mod motion;
 mod names;
+mod undamped;
 mod units;
 
 pub(crate) use motion::{doubted, motion_section, steps_of};
 pub(crate) use names::{Simulated, capitalised, cut, under, version_name};
+pub(crate) use undamped::undamped;
 pub(crate) use units::{energy_unit, kilo, left, milli, millimetres, milliradians, seconds};
 
 use dolmen_words::Template;
 
 /// The sentences that simulations share as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 2] = [Simulated::TEMPLATES, motion::Motion::TEMPLATES];
+pub(crate) const TEMPLATES: [&[Template]; 3] = [
+    Simulated::TEMPLATES,
+    motion::Motion::TEMPLATES,
+    undamped::NoDamping::TEMPLATES,
+];

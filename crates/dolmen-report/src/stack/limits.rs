@@ -1,7 +1,7 @@
 //! The limits of the joints of a stack.
 
 use super::words::{DIGITS, direction, in_g, moves_together, place};
-use crate::document::{Block, Cell, Column, Document, Table};
+use crate::document::{Block, Cell, Column, Document, Series, Table, table_series};
 use dolmen::assess::StackCheck;
 use dolmen::stability::stack::{CutLimits, Threshold};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
@@ -54,6 +54,11 @@ pub(super) fn section(document: &mut Document<'_>, check: &StackCheck) {
         1 => document.note(Limits::NotPlanarOne),
         parts => document.note(Limits::NotPlanar { parts }),
     }
+}
+
+/// The limits as numbers of the figures.
+pub(super) fn series(check: &StackCheck) -> Vec<Series> {
+    table_series(&table(check))
 }
 
 fn table(check: &StackCheck) -> Table {

@@ -16,7 +16,7 @@ pub(crate) use lean::lean;
 pub(crate) use variants::comparison;
 pub(crate) use verdict::{banner, thresholds};
 
-use crate::document::Document;
+use crate::document::{Document, Figure};
 use crate::figures::{Shaking, stack_capacity, stack_directions, stack_governing, stack_view};
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
@@ -93,13 +93,15 @@ pub(crate) fn sections<'a>(answer: &'a StackAnswer, fits: &[SpringFit], shaking:
     limits::section(&mut document, check);
     mechanism::section(&mut document, answer);
     let caption = vec![Drawn::Governing.into(), Drawn::GoverningMeaning.into()];
-    document.figure(caption, move |language| {
+    let governing = Figure::new(caption, move |language| {
         stack_governing(&check.limits, &shaking, language)
     });
+    document.charted(governing.with_series(|| limits::series(check)));
     let caption = vec![Drawn::Capacity.into(), Drawn::CapacityTinted.into()];
-    document.figure(caption, move |language| {
+    let capacity = Figure::new(caption, move |language| {
         stack_capacity(&check.limits, &shaking, language)
     });
+    document.charted(capacity.with_series(|| limits::series(check)));
     directions(&mut document, answer, shaking);
     frequencies::section(&mut document, answer, fits);
     document

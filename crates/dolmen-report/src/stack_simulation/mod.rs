@@ -7,7 +7,7 @@ mod tables;
 pub(crate) use ending::findings;
 pub(crate) use run::points_a_side;
 
-use crate::document::{Block, Document, TextStyle, Tone, document_text, findings_text};
+use crate::document::{Block, Document, Figure, TextStyle, Tone, document_text, findings_text};
 use crate::figures::{StackPlot, stack_after};
 use crate::simulated::{Simulated, capitalised, motion_section};
 use dolmen_words::{Sentence, Template, messages};
@@ -53,13 +53,14 @@ pub(crate) const TEMPLATES: [&[Template]; 4] = [
 
 /// How it ended; in full each joint and the balance of energy.
 pub fn simulation_text(simulation: &StackSimulation, style: TextStyle) -> String {
+    let found = findings(simulation);
     if !style.is_full {
-        return findings_text(findings(simulation).iter().filter(|of| of.is_key), style);
+        return findings_text(found.iter().filter(|of| of.is_key), style);
     }
     let mut document = Document::default();
     ended(&mut document, simulation);
     details(&mut document, simulation);
-    document_text(&document, style)
+    findings_text(&found, style) + &document_text(&document, style)
 }
 
 /// The section of the structure as given, and its variants beside it.
@@ -93,9 +94,10 @@ fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {
     document.put(Block::Table(tables::joints(simulation)));
     document.paragraph(run::top(simulation));
     for plot in StackPlot::ALL {
-        document.figure(caption(plot), move |language| {
+        let drawn = Figure::new(caption(plot), move |language| {
             plot.draw(simulation, language).unwrap_or_default()
         });
+        document.charted(drawn.with_series(move || plot.series(simulation)));
     }
     run::section(document, simulation);
 }

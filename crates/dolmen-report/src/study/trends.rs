@@ -11,8 +11,8 @@ messages! {
     pub(crate) enum Trends in "study.trends" {
         Caption => { en: "Trends of the capacity, all else equal.", ko: "다른 조건이 같을 때 내진성능의 경향." },
         Meaning => {
-            en: "Kendall's rank correlation τ of the medians, and what chance alone would give.",
-            ko: "중앙값의 켄달 순위상관계수 τ와 우연만으로 나타날 수 있는 크기.",
+            en: "Kendall's rank correlation τ of pairs under the same motion, direction and sample, and what chance alone would give.",
+            ko: "입력지진·방향·표본이 같은 쌍의 켄달 순위상관계수 τ와 우연만으로 나타날 수 있는 크기.",
         },
         EachMeaning { scans: usize } => {
             en: "Same way: in how many motions, directions and samples τ has this sign, and τ from the least to the largest of them (from {scans} on the 5 and 95 % of them).",
@@ -52,7 +52,7 @@ messages! {
 /// Trends that have pairs to compare; those of runs as they are read cannot fail.
 fn known(answer: &StudyAnswer) -> Vec<TrendAnswer> {
     let mut found = answer.trends().unwrap_or_default();
-    found.retain(|trend| trend.of_medians.pairs > 0);
+    found.retain(|trend| trend.of_pairs.pairs > 0);
     found
 }
 
@@ -77,7 +77,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
     }
     columns.extend(heads.into_iter().map(|head| Column::numbers(head, Unit::ratio())));
     let row = |trend: &TrendAnswer| {
-        let tau = &trend.of_medians;
+        let tau = &trend.of_pairs;
         let mut row = vec![
             Cell::words(input(answer, trend)),
             Cell::words(expected(trend).unwrap_or(Trends::Nothing.into())),
@@ -112,7 +112,7 @@ pub(super) fn section(document: &mut Document<'_>, answer: &StudyAnswer) {
 /// A sentence a trend.
 pub(super) fn findings(answer: &StudyAnswer) -> Vec<Finding> {
     let one = |trend: &TrendAnswer| {
-        let tau = &trend.of_medians;
+        let tau = &trend.of_pairs;
         let (input, pairs) = (input(answer, trend), tau.pairs);
         let (size, chance) = (fixed(tau.tau, 2), fixed(tau.tau_by_chance, 2));
         let said = verdict(trend);
@@ -158,7 +158,7 @@ fn expected(trend: &TrendAnswer) -> Option<Sentence> {
 }
 
 fn verdict(trend: &TrendAnswer) -> Trends {
-    match (&trend.expected, trend.of_medians.direction()) {
+    match (&trend.expected, trend.of_pairs.direction()) {
         (Some((_, TrendVerdict::Holds)), _) => Trends::Holds,
         (Some((_, TrendVerdict::NotSeen)), _) => Trends::NotSeen,
         (Some((_, TrendVerdict::Contradicted)), _) => Trends::Contradicted,
@@ -173,7 +173,7 @@ fn each(trend: &TrendAnswer) -> [Cell; 2] {
     if trend.of_each.len() < 2 {
         return [Cell::Number(None), Cell::Number(None)];
     }
-    let way = match (&trend.expected, trend.of_medians.tau > 0.0) {
+    let way = match (&trend.expected, trend.of_pairs.tau > 0.0) {
         (Some((expected, _)), _) => expected.direction,
         (None, true) => Direction::Rising,
         (None, false) => Direction::Falling,

@@ -8,6 +8,7 @@ mod study;
 mod study_state;
 mod table;
 mod validate;
+mod watch;
 
 pub use crate::building_simulation::building_simulation_text;
 pub use crate::chain::chain_simulation_text;
@@ -24,3 +25,4 @@ pub use study::study_text;
 pub use study_state::{missing_text, shard_text};
 pub use table::Table;
 pub use validate::validation_text;
+pub use watch::watch_text;

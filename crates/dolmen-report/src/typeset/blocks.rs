@@ -1,8 +1,8 @@
 //! Blocks as calls.
 
 use super::literal::{array, literal};
-use super::parts::Parts;
-use crate::document::{Block, Cell, Document, Figure, Table};
+use super::parts::{Parts, tone};
+use crate::document::{Answered, Block, Cell, Document, Figure, Framed, Photo, Signatory, Table};
 use dolmen_words::{Language, Sentence};
 
 impl Parts {
@@ -13,7 +13,7 @@ impl Parts {
         }
     }
 
-    fn block(&mut self, block: &Block<'_>) {
+    pub(super) fn block(&mut self, block: &Block<'_>) {
         let language = self.language;
         match block {
             Block::Heading(head) => self.heading(1, &head.text(language)),
@@ -32,6 +32,27 @@ impl Parts {
             }
             Block::Table(table) => self.table(table),
             Block::Figures(figures) => self.figures(figures),
+            Block::Photos(photos) => self.photos(photos),
+            Block::Signatures(rows) => {
+                let heads = [Framed::Role, Framed::Name, Framed::Licence, Framed::Signature];
+                let heads = array(heads.map(|head| literal(&Sentence::from(head).text(language))));
+                let row = |row: &Signatory| {
+                    let words =
+                        [&row.role, &row.name, &row.licence].map(|words| literal(&words.text(language)));
+                    array(words)
+                };
+                let each: Vec<String> = rows.iter().map(row).collect();
+                self.line(&format!("#signatures({heads}, {})", each.join(", ")));
+            }
+            Block::Answers(answers) => {
+                let one = |answer: &Answered| {
+                    let [question, word] =
+                        [&answer.question, &answer.word].map(|said| literal(&said.text(language)));
+                    format!("({question}, {}, {word})", literal(tone(answer.tone)))
+                };
+                let each: Vec<String> = answers.iter().map(one).collect();
+                self.line(&format!("#answers({})", each.join(", ")));
+            }
         }
     }
 
@@ -71,6 +92,27 @@ impl Parts {
             })
             .collect();
         match each.as_slice() {
+            [one] => self.line(&format!("#{one}")),
+            several => self.line(&format!("#beside({})", several.join(", "))),
+        }
+    }
+
+    fn photos(&mut self, photos: &[Photo<'_>]) {
+        let language = self.language;
+        let each: Vec<String> = photos
+            .iter()
+            .filter_map(|photo| {
+                let file = self.photo_file(photo.image?);
+                let lead = literal(&photo.text(language));
+                let caption = caption(&photo.caption, language);
+                Some(format!(
+                    "photograph({}, alt: {lead}, caption: {caption})",
+                    literal(&file)
+                ))
+            })
+            .collect();
+        match each.as_slice() {
+            [] => {}
             [one] => self.line(&format!("#{one}")),
             several => self.line(&format!("#beside({})", several.join(", "))),
         }

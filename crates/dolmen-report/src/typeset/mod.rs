@@ -5,9 +5,10 @@ mod literal;
 mod parts;
 
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
-use crate::html::{Imprint, NotReported, project_name};
+use crate::engineer::date_of;
+use crate::html::{Imprint, NotReported, day, project_name};
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
 use literal::literal;
@@ -39,6 +40,10 @@ pub fn typeset(
         ([one], []) => project_name(one, language),
         _ => language.pick("Reports", "보고서 모음"),
     };
+    let date = match answers {
+        [one] => date_of(one, imprint),
+        _ => imprint.date.as_deref(),
+    };
     let mut parts = Parts::new(language);
     parts.line("#import \"prelude.typ\": *");
     parts.line(&format!(
@@ -47,7 +52,7 @@ pub fn typeset(
         literal(title),
         literal(parts::running_head(answers, language)),
         literal(&imprint.program),
-        document_date(imprint.date.as_deref()),
+        document_date(date),
     ));
     for answer in answers {
         parts.project(answer, imprint, answers.len() == 1);
@@ -59,28 +64,10 @@ pub fn typeset(
     Typeset { main, files }
 }
 
-/// "2026-05-12" as Typst's date.
+/// A day as Typst's date.
 fn document_date(date: Option<&str>) -> String {
-    let numbers: Option<Vec<u16>> =
-        date.and_then(|date| date.split('-').map(|part| part.parse().ok()).collect());
-    match numbers.as_deref() {
-        Some([year, month @ 1..=12, day @ 1..=28]) => {
-            format!("datetime(year: {year}, month: {month}, day: {day})")
-        }
-        Some([year, month, day @ 29..=31]) if *day <= days(*year, *month) => {
-            format!("datetime(year: {year}, month: {month}, day: {day})")
-        }
-        _ => "none".to_owned(),
-    }
-}
-
-fn days(year: u16, month: u16) -> u16 {
-    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    match month {
-        1 | 3 | 5 | 7 | 8 | 10 | 12 => 31,
-        4 | 6 | 9 | 11 => 30,
-        2 if leap => 29,
-        2 => 28,
-        _ => 0,
+    match day(date) {
+        Some([year, month, day]) => format!("datetime(year: {year}, month: {month}, day: {day})"),
+        None => "none".to_owned(),
     }
 }

@@ -1,15 +1,14 @@
-//! The parts of a report: cover, what the answers come to, findings, sections, what was given, method, sources.
+//! The parts of a report: cover, what the answers come to, findings, sections.
 
 use super::literal::{array, literal};
-use crate::document::{Block, Cell, Finding, Table, Tone};
-use crate::html::front::{banner, closing, kind_words, sources};
-use crate::html::given::{survey_head, survey_lines};
-use crate::html::method::method;
+use crate::behind::behind_document;
+use crate::document::{Block, Finding, Tone};
+use crate::engineer::{cover_photo, cover_rows, front, report_title};
+use crate::html::front::{banner, kind_words};
 use crate::html::{Imprint, NotReported, project_name};
 use crate::whole::{all_findings, whole_document};
-use crate::xlsx::inputs_tables;
 use dolmen_project::Structure;
-use dolmen_words::Language;
+use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::Colour;
 
@@ -75,6 +74,22 @@ impl Parts {
         name
     }
 
+    /// Keeps a photograph, and gives the name of its file.
+    pub(super) fn photo_file(&mut self, photo: &dolmen_records::Photo) -> String {
+        let name = format!("photo-{}.{}", self.figures.len() + 1, photo.format.extension());
+        self.figures.push((name.clone(), photo.bytes.clone()));
+        name
+    }
+
+    /// A head without a number, which the contents leave out.
+    fn plain_heading(&mut self, level: usize, words: &str) {
+        self.line(&format!(
+            "#heading(level: {}, numbering: none, outlined: false, {})",
+            level + self.deeper,
+            literal(words)
+        ));
+    }
+
     /// All that is said of one project.
     pub(super) fn project(&mut self, answer: &ProjectReport, imprint: &Imprint, alone: bool) {
         let language = self.language;
@@ -85,6 +100,11 @@ impl Parts {
                 "#heading(level: 1, {})",
                 literal(project_name(answer, language))
             ));
+        }
+        let front = front(answer);
+        if let Some((head, block)) = &front.signatures {
+            self.plain_heading(1, &head.text(language));
+            self.block(block);
         }
         if let Some(state) = answer.state() {
             let banner = banner(answer, state, language);
@@ -101,19 +121,20 @@ impl Parts {
                 literal(&banner.scale),
             ));
         }
+        if let Some(block) = &front.answers {
+            self.block(block);
+        }
         self.findings(&all_findings(answer));
+        if let Some((head, block)) = &front.to_do {
+            self.plain_heading(2, &head.text(language));
+            self.block(block);
+        }
         if alone {
             self.call("contents", language.code());
             self.line("#pagebreak(weak: true)");
         }
         self.document(&whole_document(answer));
-        self.given(answer);
-        self.heading(1, language.pick("Method and limits", "방법과 한계"));
-        let lines = method(&answer.project.structure, language);
-        self.list(lines.into_iter().map(str::to_owned));
-        self.heading(1, language.pick("Evidence and sources", "근거와 출처"));
-        self.list(sources(answer, language, imprint));
-        self.call("note", closing(language));
+        self.document(&behind_document(answer, imprint));
     }
 
     fn cover(&mut self, answer: &ProjectReport, imprint: &Imprint) {
@@ -122,25 +143,34 @@ impl Parts {
         let name = project_name(answer, language);
         let other = Some(language.pick(project.name.korean(), project.name.english()));
         let other = other.filter(|other| *other != name);
-        let date = imprint.date.iter();
-        let rows = date
-            .map(|date| (language.pick("Date", "보고일"), date.as_str()))
-            .chain([(
-                language.pick("Computed by", "계산 프로그램"),
-                imprint.program.as_str(),
-            )]);
-        let rows = array(rows.map(|(key, value)| format!("({}, {})", literal(key), literal(value))));
+        let rows = cover_rows(answer, imprint);
+        let said = |sentence: &Sentence| literal(&sentence.text(language));
+        let rows = array(
+            rows.iter()
+                .map(|(key, value)| format!("({}, {})", said(key), said(value))),
+        );
+        let title = report_title(answer);
+        let kind = title.as_ref().map_or_else(
+            || kind_words(&project.structure, language),
+            |title| title.text(language),
+        );
         let picture = self.picture(answer);
         self.line(&format!(
             "#cover(kind: {}, title: {}, other: {}, rows: {rows}, picture: {picture})",
-            literal(kind_words(&project.structure, language)),
+            literal(kind),
             literal(name),
             other.map_or("none".to_owned(), literal),
         ));
     }
 
-    /// A stack as it stands, for the cover; none of other kinds, which begin with graphs.
+    /// The first photograph for the cover, else a stack as it stands; none of other kinds, which begin with graphs.
     fn picture(&mut self, answer: &ProjectReport) -> String {
+        if let Some(photo) = cover_photo(answer)
+            && let Some(image) = photo.image
+        {
+            let file = self.photo_file(image);
+            return format!("({}, {})", literal(&file), literal(&photo.text(self.language)));
+        }
         if !matches!(answer.project.structure, Structure::Stack(_)) {
             return "none".to_owned();
         }
@@ -160,11 +190,7 @@ impl Parts {
 
     fn findings(&mut self, findings: &[Finding]) {
         let head = self.language.pick("Findings", "검토 결과 요약");
-        self.line(&format!(
-            "#heading(level: {}, numbering: none, outlined: false, {})",
-            1 + self.deeper,
-            literal(head)
-        ));
+        self.plain_heading(1, head);
         for finding in findings {
             let words = finding.sentence.text(self.language);
             self.line(&format!(
@@ -172,28 +198,6 @@ impl Parts {
                 literal(tone(finding.tone)),
                 literal(&words)
             ));
-        }
-    }
-
-    fn given(&mut self, answer: &ProjectReport) {
-        let language = self.language;
-        let project = &answer.project;
-        self.heading(1, language.pick("What was given", "입력 자료"));
-        if let Some(description) = &project.description {
-            self.call("par", description);
-        }
-        for headed in inputs_tables(answer) {
-            self.table(&without_empty_columns(headed.table, language));
-        }
-        for survey in &project.surveys {
-            self.heading(2, &survey_head(survey, language));
-            self.list(survey_lines(survey, language));
-        }
-        if !project.warnings.is_empty() {
-            let head = language.pick("Warnings on reading the file", "입력 파일에 대한 경고");
-            self.heading(2, head);
-            let warnings = project.warnings.iter();
-            self.list(warnings.map(|warning| warning.message.text(language)));
         }
     }
 
@@ -213,26 +217,6 @@ impl Parts {
     }
 }
 
-/// The table without the columns in which nothing stands.
-fn without_empty_columns(table: Table, language: Language) -> Table {
-    let is_empty = |row: &Vec<Cell>, column: usize| {
-        let text = row.get(column).map(|cell| cell.text(language));
-        matches!(text.as_deref(), None | Some("" | "–"))
-    };
-    let kept: Vec<bool> = (0..table.columns.len())
-        .map(|column| !table.rows.iter().all(|row| is_empty(row, column)))
-        .collect();
-    fn only<T>(all: Vec<T>, kept: &[bool]) -> Vec<T> {
-        let each = all.into_iter().zip(kept);
-        each.filter_map(|(one, kept)| kept.then_some(one)).collect()
-    }
-    Table {
-        caption: table.caption,
-        columns: only(table.columns, &kept),
-        rows: table.rows.into_iter().map(|row| only(row, &kept)).collect(),
-    }
-}
-
 fn colour(colour: Colour) -> &'static str {
     match colour {
         Colour::Green => "good",
@@ -241,7 +225,8 @@ fn colour(colour: Colour) -> &'static str {
     }
 }
 
-fn tone(tone: Tone) -> &'static str {
+/// The name of a tone in the prelude.
+pub(super) fn tone(tone: Tone) -> &'static str {
     match tone {
         Tone::Good => "good",
         Tone::Warn => "warn",

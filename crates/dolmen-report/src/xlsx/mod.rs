@@ -1,35 +1,27 @@
 //! A report as a workbook for Excel and LibreOffice: a summary, and every table on a sheet of its own with its numbers as numbers.
 
+mod fault;
+mod form;
 mod headed;
 mod inputs;
+mod properties;
 mod sheet;
 mod summary;
 mod tables;
 mod words;
 
+pub use fault::WorkbookFault;
+pub use form::score_form_workbook;
 pub(crate) use inputs::inputs_tables;
 pub(crate) use words::Workbook;
 
 use crate::html::{Imprint, NotReported};
 use dolmen_words::Language;
 use dolmen_work::answer::ProjectReport;
-use rust_xlsxwriter::{DocProperties, ExcelDateTime, Workbook as Book, XlsxError};
+use properties::properties;
+use rust_xlsxwriter::Workbook as Book;
 use sheet::{Styles, write_table};
 use summary::{Listed, Summary};
-
-/// Excel keeps a date in every file; this one stands where none is given, so that the same input gives the same bytes.
-const NO_DATE: (u16, u8, u8) = (2000, 1, 1);
-
-/// A workbook that could not be written.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("the workbook could not be made: {0}")]
-pub struct WorkbookFault(String);
-
-impl From<XlsxError> for WorkbookFault {
-    fn from(fault: XlsxError) -> Self {
-        WorkbookFault(fault.to_string())
-    }
-}
 
 /// The report on one or more projects as the bytes of an XLSX file.
 ///
@@ -68,26 +60,6 @@ pub fn workbook(
     }
     summary.write(book.worksheet_from_index(0)?, language, &styles)?;
     Ok(book.save_to_buffer()?)
-}
-
-fn properties(
-    answers: &[ProjectReport],
-    language: Language,
-    imprint: &Imprint,
-) -> Result<DocProperties, XlsxError> {
-    let (year, month, day) = NO_DATE;
-    let given = imprint
-        .date
-        .as_deref()
-        .and_then(|date| ExcelDateTime::parse_from_str(date).ok());
-    let date = match given {
-        Some(date) => date,
-        None => ExcelDateTime::from_ymd(year, month, day)?,
-    };
-    Ok(DocProperties::new()
-        .set_title(summary::title(answers, language))
-        .set_author(&imprint.program)
-        .set_creation_datetime(&date))
 }
 
 /// "3 Joints": at most 31 characters, none that Excel refuses, no two the same.

@@ -3,8 +3,10 @@
 use super::headed::{Headed, verbatim};
 use super::inputs::inputs_tables;
 use super::words::Workbook;
-use crate::document::{Block, Cell, Column, Table};
+use crate::document::{Answered, Block, Cell, Column, Framed, Photo, Signatory, Table};
+use crate::engineer::front;
 use crate::whole::whole_document;
+use dolmen_words::message::Both;
 use dolmen_words::{Sentence, Unit};
 use dolmen_work::answer::ProjectReport;
 
@@ -12,6 +14,15 @@ use dolmen_work::answer::ProjectReport;
 pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
     let mut all = inputs_tables(answer);
     let mut head: Sentence = Workbook::Summary {}.into();
+    let front = front(answer);
+    let answers = front.answers.map(|block| (Workbook::Answers {}.into(), block));
+    for (head, block) in front.signatures.into_iter().chain(answers) {
+        all.extend(rows_table(&head, block).map(|table| Headed {
+            head,
+            warnings: Vec::new(),
+            table,
+        }));
+    }
     let mut warnings = Vec::new();
     for block in whole_document(answer).blocks {
         let table = match block {
@@ -27,9 +38,10 @@ pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
                 warnings.push(of);
                 continue;
             }
-            Block::Table(table) => table,
-            Block::KeyValues(rows) => key_values(&head, rows),
-            Block::Paragraph(_) | Block::Note(_) | Block::List(_) | Block::Figures(_) => continue,
+            other => match rows_table(&head, other) {
+                Some(table) => table,
+                None => continue,
+            },
         };
         all.push(Headed {
             head: head.clone(),
@@ -38,6 +50,48 @@ pub(super) fn tables(answer: &ProjectReport) -> Vec<Headed> {
         });
     }
     all
+}
+
+/// A block that is rows; `None` of words and figures.
+fn rows_table(head: &Sentence, block: Block<'_>) -> Option<Table> {
+    let of = |heads: Vec<Framed>, rows: Vec<Vec<Cell>>| Table {
+        caption: vec![head.clone()],
+        columns: heads.into_iter().map(Column::words).collect(),
+        rows,
+    };
+    Some(match block {
+        Block::Table(table) => table,
+        Block::KeyValues(rows) => key_values(head, rows),
+        Block::Photos(photos) => {
+            let shows = |photo: &Photo<'_>| Workbook::Verbatim {
+                text: Both::of(|language| photo.text(language)),
+            };
+            let cells = |photo: &Photo<'_>| vec![Cell::words(shows(photo)), verbatim(photo.file)];
+            of(
+                vec![Framed::Photo, Framed::File],
+                photos.iter().map(cells).collect(),
+            )
+        }
+        Block::Signatures(rows) => {
+            let cells = |row: Signatory| [row.role, row.name, row.licence].map(Cell::Words).to_vec();
+            let heads = vec![Framed::Role, Framed::Name, Framed::Licence];
+            of(heads, rows.into_iter().map(cells).collect())
+        }
+        Block::Answers(answers) => {
+            let cells = |answer: Answered| [answer.question, answer.word].map(Cell::Words).to_vec();
+            of(
+                vec![Framed::Question, Framed::Answer],
+                answers.into_iter().map(cells).collect(),
+            )
+        }
+        Block::Heading(_)
+        | Block::Subheading(_)
+        | Block::Paragraph(_)
+        | Block::Warning(_)
+        | Block::Note(_)
+        | Block::List(_)
+        | Block::Figures(_) => return None,
+    })
 }
 
 /// What is said of each of a few things: each number with the unit beside it.

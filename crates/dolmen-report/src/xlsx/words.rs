@@ -8,6 +8,7 @@ messages! {
     pub(crate) enum Workbook in "workbook" {
         Summary {} => { en: "Summary", ko: "요약" },
         Reports {} => { en: "Reports", ko: "보고서 모음" },
+        Answers {} => { en: "Three answers", ko: "세 가지 판정" },
         Findings {} => { en: "Findings", ko: "검토 결과" },
         Tables {} => { en: "Tables in this workbook", ko: "표 목록" },
         Back {} => { en: "To the summary", ko: "요약으로" },

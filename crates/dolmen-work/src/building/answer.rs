@@ -59,6 +59,8 @@ pub struct DampedSpectral {
     pub displacement_m: Vec<[f64; 2]>,
     /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
     pub edge_drift_m: Vec<Option<[f64; 2]>>,
+    /// The same at the centre of mass of the floor above.
+    pub centre_drift_m: Vec<[f64; 2]>,
     /// Displacement of the points of the file along x and y, m.
     pub points_m: Vec<(String, [f64; 2])>,
     /// Largest stroke of each damper, m, then of the liquids of columns on springs.
@@ -155,6 +157,8 @@ pub struct BuildingSpectral {
     pub displacement_m: Vec<[f64; 2]>,
     /// Largest drift of each storey at an edge of its floor along x and y, m; `None` where its outline is not known.
     pub edge_drift_m: Vec<Option<[f64; 2]>>,
+    /// The same at the centre of mass of the floor above.
+    pub centre_drift_m: Vec<[f64; 2]>,
     /// Displacement of the points of the file along x and y, m.
     pub points_m: Vec<(String, [f64; 2])>,
 }

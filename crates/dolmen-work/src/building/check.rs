@@ -80,6 +80,7 @@ fn with_dampers(
     let Moved {
         displacement_m,
         edge_drift_m,
+        centre_drift_m,
         points_m,
     } = moved(part, building, &both, pick)?;
     Ok(DampedSpectral {
@@ -88,6 +89,7 @@ fn with_dampers(
         base_torque_n_m: both(&torque),
         displacement_m,
         edge_drift_m,
+        centre_drift_m,
         points_m,
         strokes_m: analysis.largest_strokes_m(DirectionalCombination::Srss),
     })
@@ -97,6 +99,7 @@ fn with_dampers(
 struct Moved {
     displacement_m: Vec<[f64; 2]>,
     edge_drift_m: Vec<Option<[f64; 2]>>,
+    centre_drift_m: Vec<[f64; 2]>,
     points_m: Vec<(String, [f64; 2])>,
 }
 
@@ -149,6 +152,7 @@ fn by_spectrum(
     let Moved {
         displacement_m,
         edge_drift_m,
+        centre_drift_m,
         points_m,
     } = moved(part, building, &both, pick)?;
     Ok(BuildingSpectral {
@@ -161,6 +165,7 @@ fn by_spectrum(
         ],
         displacement_m,
         edge_drift_m,
+        centre_drift_m,
         points_m,
     })
 }
@@ -171,7 +176,7 @@ fn moved(
     both: &dyn Fn(&[f64]) -> f64,
     pick: Pick<'_>,
 ) -> Result<Moved, WorkError> {
-    let (mut displacement_m, mut edge_drift_m) = (Vec::new(), Vec::new());
+    let (mut displacement_m, mut edge_drift_m, mut centre_drift_m) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..building.floors().len() {
         let centre = |axis: usize| {
             let mut row = vec![0.0; building.coordinates()];
@@ -179,6 +184,7 @@ fn moved(
             both(&row)
         };
         displacement_m.push([centre(0), centre(1)]);
+        centre_drift_m.push([0, 1].map(|axis| both(&centre_drift_row(building, i, axis))));
         let rows = building.edge_drift_rows(i + 1)?;
         edge_drift_m.push(rows.map(|[front, back, left, right]| {
             [both(&front).max(both(&back)), both(&left).max(both(&right))]
@@ -198,6 +204,21 @@ fn moved(
     Ok(Moved {
         displacement_m,
         edge_drift_m,
+        centre_drift_m,
         points_m,
     })
+}
+
+/// The drift of a storey at the centre of mass of the floor above it, along x (0) or y (1).
+fn centre_drift_row(building: &Building, floor: usize, axis: usize) -> Vec<f64> {
+    let mut row = vec![0.0; building.coordinates()];
+    row[3 * floor + axis] = 1.0;
+    if let Some(below) = floor.checked_sub(1) {
+        // u − (y − y_c) θ and v + (x − x_c) θ of the floor below
+        let [at, centre] = [floor, below].map(|of| building.floors()[of].centre_m);
+        let arm = at[1 - axis] - centre[1 - axis];
+        row[3 * below + axis] = -1.0;
+        row[3 * below + 2] = if axis == 0 { arm } else { -arm };
+    }
+    row
 }

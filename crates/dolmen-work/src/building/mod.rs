@@ -2,6 +2,7 @@
 
 mod answer;
 pub(crate) mod check;
+pub(crate) mod limits;
 pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod study;

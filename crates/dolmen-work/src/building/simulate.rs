@@ -70,6 +70,7 @@ pub(crate) fn simulate(
         building: vibrating,
         dampers,
         motion: motion.clone(),
+        drift_limit: version.project.drift_limit.clone(),
         history,
         without_dampers,
         points,

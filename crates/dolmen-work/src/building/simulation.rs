@@ -1,6 +1,7 @@
 //! What `dolmen simulate` found of a building, with what went in.
 
 use crate::motion::MotionAnswer;
+use dolmen::assess::demand::DriftLimit;
 use dolmen::dynamics::{
     BuildingHistory, BuildingPeaks, Peak, ResultantDrift, VibratingBuilding, WatchedHistory,
 };
@@ -98,6 +99,8 @@ pub struct BuildingSimulation {
     pub dampers: Vec<BuiltDamper>,
     /// The motion of the ground.
     pub motion: MotionAnswer,
+    /// Allowable drift of storeys; `None` where the file gives none.
+    pub drift_limit: Option<DriftLimit>,
     /// What happened.
     pub history: BuildingHistory,
     /// The same without the dampers; `None` if there are none.

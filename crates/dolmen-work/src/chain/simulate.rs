@@ -1,11 +1,13 @@
 //! A chain pushed, or on a moving ground, up to its fall.
 
+use super::limits::link_names;
 use super::{ChainSimulation, TiltLeftOut};
 use crate::error::WorkError;
 use crate::frame::simulate::horizontal;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
+use crate::undamped::Undamped;
 use crate::version::Version;
 use dolmen::dynamics::{ChainRotations, ChainRun, TimeFunction, chain_growth, simulate_chain};
 use dolmen_project::{ChainPart, Quantity};
@@ -77,19 +79,19 @@ pub(crate) fn simulate(
         .collect();
     let modes = model.chain().natural_modes(&stiffness)?;
     let growth = chain_growth(&model, &history)?;
-    let each = part.links.iter().enumerate();
+    let mut joints = model.joints().iter();
+    let is_damped = model.has_friction() || joints.any(|joint| joint.damping_n_m_s_rad > 0.0);
     Ok(ChainSimulation {
         file: version.file.to_owned(),
         name: version.project.name.clone(),
         variant: version.variant.map(str::to_owned),
         variant_title: version.title.cloned(),
-        links: each
-            .map(|(i, link)| link.name.clone().unwrap_or_else(|| format!("link {}", i + 1)))
-            .collect(),
+        links: link_names(part),
         first_frequency_hz: match &growth {
             Some(_) => None,
             None => modes.first().map(|mode| mode.frequency_hz),
         },
+        undamped: (!is_damped).then(|| Undamped::of(&version.project.surveys, None)),
         model,
         motion,
         push_rad: options.push_rad,

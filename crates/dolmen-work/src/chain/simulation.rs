@@ -1,6 +1,7 @@
 //! What `dolmen simulate` found of a chain, with what went in.
 
 use crate::motion::MotionAnswer;
+use crate::undamped::Undamped;
 use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun};
 use dolmen::signal::Component;
 use dolmen_project::{Names, Survey};
@@ -30,6 +31,8 @@ pub struct ChainSimulation {
     pub first_frequency_hz: Option<f64>,
     /// How fast it left the vertical; `None` if it stands by itself.
     pub growth: Option<ChainGrowth>,
+    /// That it ran without viscous damping and friction; `None` if it has some.
+    pub undamped: Option<Undamped>,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
     /// What happened.

@@ -1,6 +1,7 @@
 //! Frames: timber gates of rigid storeys on lateral springs.
 
 pub(crate) mod check;
+pub(crate) mod limits;
 pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod stiffness;

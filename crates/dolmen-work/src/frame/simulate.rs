@@ -5,8 +5,9 @@ use crate::error::WorkError;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
+use crate::undamped::Undamped;
 use crate::version::Version;
-use dolmen::dynamics::{FrameLoad, FrameRun, TimeFunction, simulate_frame};
+use dolmen::dynamics::{FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, simulate_frame};
 use dolmen::signal::Component;
 use dolmen_project::{FramePart, Quantity};
 
@@ -81,10 +82,13 @@ pub(crate) fn simulate(
             variant_title: version.title.cloned(),
             direction: direction.to_owned(),
             storeys: storey_names(part),
+            undamped: (!is_damped(part, direction, &frame))
+                .then(|| Undamped::of(&version.project.surveys, Some(direction))),
             frame,
             motion: motion.clone(),
             component,
             options: run,
+            drift_limit: version.project.drift_limit.clone(),
             history,
         });
     }
@@ -101,7 +105,16 @@ pub(crate) fn horizontal(motion: &MotionAnswer, what: &'static str) -> Result<Co
     }
 }
 
-fn storey_names(part: &FramePart) -> Vec<String> {
+/// Whether a direction of a frame has dashpots or friction.
+fn is_damped(part: &FramePart, direction: &str, frame: &FrictionFrame) -> bool {
+    let own = part.directions.iter().find(|own| own.name == direction);
+    let ratio = own.and_then(|own| own.damping_ratio.as_ref());
+    let mut friction = frame.friction().iter();
+    ratio.is_some_and(|ratio| ratio.value > 0.0) || friction.any(|friction| *friction != StoreyFriction::None)
+}
+
+/// Names of the storeys, lowest first.
+pub(crate) fn storey_names(part: &FramePart) -> Vec<String> {
     let each = part.storeys.iter().enumerate();
     each.map(|(i, storey)| storey.name.clone().unwrap_or_else(|| format!("storey {}", i + 1)))
         .collect()

@@ -1,6 +1,8 @@
 //! What `dolmen simulate` found of a frame, with what went in.
 
 use crate::motion::MotionAnswer;
+use crate::undamped::Undamped;
+use dolmen::assess::demand::DriftLimit;
 use dolmen::dynamics::{FrameHistory, FrameOutcome, FrameRun, FrictionFrame};
 use dolmen::signal::Component;
 use dolmen_project::Names;
@@ -26,8 +28,12 @@ pub struct FrameSimulation {
     pub motion: MotionAnswer,
     /// The component of the motion that acts along the direction.
     pub component: Component,
+    /// That it ran without viscous damping and friction; `None` if it has some.
+    pub undamped: Option<Undamped>,
     /// Options of the run.
     pub options: FrameRun,
+    /// Allowable drift of storeys; `None` where the file gives none.
+    pub drift_limit: Option<DriftLimit>,
     /// What happened.
     pub history: FrameHistory,
 }

@@ -2,11 +2,10 @@
 
 use super::colour::Colour;
 use crate::building::RowStroke;
-use crate::building::StandingBuilding;
-use crate::state::{Check, State};
+use crate::part_limit::{Limited, Part, PartLimit, worst_part};
+use crate::state::State;
 use dolmen::assess::DamageState;
 use dolmen::stability::stack::DemandVerdict;
-use dolmen_project::{BuiltDamper, strokes_of};
 use dolmen_words::Language;
 
 /// The fixed words, from the best to the worst.
@@ -37,11 +36,10 @@ pub enum DecidedBy {
     Drift,
     /// A tie that broke.
     Strength,
+    /// A joint at the edge of its bed.
+    BedEdge,
     /// The stroke of a damper over its room.
-    Room {
-        /// The damper, or "NAME liquid".
-        part: String,
-    },
+    Room,
     /// Nothing: there is no limit to hold the answer against, or it could not be compared.
     NoLimit,
     /// Nothing: the run was stopped, or ended before it could tell.
@@ -57,6 +55,23 @@ pub struct EarthquakeFinding {
     pub decided_by: DecidedBy,
     /// The motion; `None`: the site, or no motion at all.
     pub motion: Option<String>,
+    /// The part that decided it; `None` for the whole.
+    pub part: Option<String>,
+    /// Capacity over demand; `None` where that is not what decided.
+    pub ratio: Option<f64>,
+}
+
+impl EarthquakeFinding {
+    /// A word of the whole, without a ratio.
+    pub(super) fn new(word: Earthquake, decided_by: DecidedBy, motion: Option<&str>) -> Self {
+        EarthquakeFinding {
+            word,
+            decided_by,
+            motion: motion.map(str::to_owned),
+            part: None,
+            ratio: None,
+        }
+    }
 }
 
 impl Earthquake {
@@ -120,7 +135,8 @@ impl DecidedBy {
             DecidedBy::DamageState(_) => "damage_state",
             DecidedBy::Drift => "drift",
             DecidedBy::Strength => "strength",
-            DecidedBy::Room { .. } => "room",
+            DecidedBy::BedEdge => "bed_edge",
+            DecidedBy::Room => "room",
             DecidedBy::NoLimit => "no_limit",
             DecidedBy::Unfinished => "unfinished",
         }
@@ -132,61 +148,55 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
     let Some(demand) = &state.demand else {
         return Vec::new();
     };
-    let at_site = |word, decided_by| EarthquakeFinding {
-        word,
-        decided_by,
-        motion: None,
-    };
     if let Some(stack) = &demand.stack {
-        return vec![at_site(
-            Earthquake::of_demand(stack.verdict),
-            DecidedBy::CodeDemand,
-        )];
+        return vec![EarthquakeFinding {
+            ratio: stack.least_ratio(),
+            ..EarthquakeFinding::new(Earthquake::of_demand(stack.verdict), DecidedBy::CodeDemand, None)
+        }];
     }
-    let rooms = match &state.check {
-        Check::Building(answer) => answer.stands.as_deref().map(rooms_at_site),
-        _ => None,
+    of_parts(&demand.parts, None)
+}
+
+/// Parts against their limits: the worst storey, the worst joint, every damper; where nothing could be compared, that.
+pub(super) fn of_parts(parts: &[PartLimit], motion: Option<&str>) -> Vec<EarthquakeFinding> {
+    let dampers = parts.iter().filter(|part| part.limited == Limited::Room);
+    let worst = [Limited::Drift, Limited::BedEdge].map(|limited| worst_part(parts, limited));
+    let compared = worst.into_iter().flatten().chain(dampers);
+    let compared = compared.filter(|part| part.capacity.is_some() || part.falls());
+    let found: Vec<EarthquakeFinding> = compared.map(|part| of_part(part, motion)).collect();
+    match found.is_empty() {
+        true => vec![EarthquakeFinding::new(
+            Earthquake::NotDecided,
+            DecidedBy::NoLimit,
+            motion,
+        )],
+        false => found,
+    }
+}
+
+fn of_part(part: &PartLimit, motion: Option<&str>) -> EarthquakeFinding {
+    let decided_by = match part.limited {
+        Limited::Drift => DecidedBy::Drift,
+        Limited::BedEdge => DecidedBy::BedEdge,
+        Limited::Room => DecidedBy::Room,
     };
-    match rooms {
-        Some(rooms) if !rooms.is_empty() => rooms,
-        _ => vec![at_site(Earthquake::NotDecided, DecidedBy::NoLimit)],
+    EarthquakeFinding {
+        part: Some(part.part.name().to_owned()),
+        ratio: part.ratio(),
+        ..EarthquakeFinding::new(Earthquake::of_demand(part.verdict()), decided_by, motion)
     }
-}
-
-/// Dampers against their rooms under the spectrum of the site.
-fn rooms_at_site(standing: &StandingBuilding) -> Vec<EarthquakeFinding> {
-    let strokes = standing.damped.iter().flat_map(|damped| &damped.strokes_m);
-    of_rooms(&standing.dampers, strokes.copied(), None)
-}
-
-/// Dampers against their rooms, m, in the order of [`strokes_of`]; those without a room are left out.
-pub(super) fn of_rooms(
-    dampers: &[BuiltDamper],
-    strokes_m: impl Iterator<Item = f64>,
-    motion: Option<&str>,
-) -> Vec<EarthquakeFinding> {
-    let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
-    let each =
-        pairs.filter_map(|(stroke, stroke_m)| Some(of_room(stroke.name, stroke_m, stroke.room_m?, motion)));
-    each.collect()
 }
 
 /// The stroke of a damper of a comparison against its room.
 pub(super) fn of_row(row: &RowStroke) -> EarthquakeFinding {
-    of_room(
-        row.damper.clone(),
-        row.stroke_m,
-        row.room_m,
-        row.motion.as_deref(),
-    )
-}
-
-fn of_room(part: String, stroke_m: f64, room_m: f64, motion: Option<&str>) -> EarthquakeFinding {
-    EarthquakeFinding {
-        word: Earthquake::of_ratio(room_m / stroke_m.abs()),
-        decided_by: DecidedBy::Room { part },
-        motion: motion.map(str::to_owned),
-    }
+    let part = PartLimit {
+        part: Part::Damper(row.damper.clone()),
+        direction: None,
+        limited: Limited::Room,
+        demand: row.stroke_m.abs(),
+        capacity: Some(row.room_m),
+    };
+    of_part(&part, row.motion.as_deref())
 }
 
 #[cfg(test)]
@@ -227,18 +237,20 @@ mod tests {
             (f64::NAN, Earthquake::NotDecided),
         ] {
             let room_m = if stroke_m == 0.1 { 0.125 } else { 0.1 };
-            let found = of_room("tank".into(), stroke_m, room_m, Some("el-centro"));
+            let found = of_row(&RowStroke {
+                row: 0,
+                motion: Some("el-centro".into()),
+                damper: "tank".into(),
+                stroke_m,
+                room_m,
+            });
             assert_eq!(found.word, word, "{stroke_m}");
         }
     }
 
     #[test]
     fn holds_the_worst_finding_decides() {
-        let of = |word| EarthquakeFinding {
-            word,
-            decided_by: DecidedBy::Fall,
-            motion: None,
-        };
+        let of = |word| EarthquakeFinding::new(word, DecidedBy::Fall, None);
         use Earthquake::{Above, BelowDemand, Near, NotAsked, NotDecided};
         for (words, worst) in [
             (vec![], NotAsked),

@@ -30,11 +30,13 @@ pub enum Verb {
     Identify,
     /// `compare`, done or not.
     Compare,
+    /// `watch`, red on a confirmed alarm that nobody answered.
+    Watch,
 }
 
 /// The exit status of a verb: 1 for red where the verb judges, 3 where a run did not finish, else 0.
 pub fn exit_status(verb: Verb, colour: Colour, is_done: bool) -> u8 {
-    let judges = matches!(verb, Verb::Check | Verb::Simulate | Verb::Report);
+    let judges = matches!(verb, Verb::Check | Verb::Simulate | Verb::Report | Verb::Watch);
     match (judges && colour == Colour::Red, is_done) {
         (true, _) => RED,
         (false, false) => UNFINISHED,
@@ -60,7 +62,7 @@ mod tests {
     #[test]
     fn holds_exit_statuses_follow_verb_colour_and_end() {
         use Colour::{Amber, Green, Red};
-        let judging = [Verb::Check, Verb::Simulate, Verb::Report];
+        let judging = [Verb::Check, Verb::Simulate, Verb::Report, Verb::Watch];
         let doing = [
             Verb::Study,
             Verb::Tune,

@@ -10,11 +10,14 @@ use crate::answer::{Answer, CheckAnswer};
 use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAnswer};
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
+use crate::loads::Governing;
 use crate::simulation::SimulateAnswer;
 use crate::stack::StackSimulation;
 use crate::state::State;
 use dolmen::damper::Choice;
+use dolmen_project::Project;
 use dolmen_words::Language;
+use dolmen_words::message::Both;
 
 /// The three questions for one version of a structure.
 #[derive(Clone, Debug, PartialEq)]
@@ -23,10 +26,35 @@ pub struct VersionJudgement {
     pub variant: Option<String>,
     /// Does it stand; `None` where no model was checked.
     pub weight: Option<Weight>,
+    /// What of wind and static loads makes the word for weight what it is, and the combination; `None` if its weight alone does.
+    pub governed_by: Option<Governing>,
     /// What an earthquake asks of it, one a demand, motion and part; empty where nothing is asked.
     pub earthquake: Vec<EarthquakeFinding>,
     /// Is the model the structure.
     pub evidence: Evidence,
+    /// What the site asks by: the code and the return period, years, if one was chosen; `None` without a site.
+    pub demand_source: Option<(String, Option<u32>)>,
+    /// How many inputs nobody has measured.
+    pub inputs: AssumedInputs,
+}
+
+/// Inputs of a version.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct AssumedInputs {
+    /// Those that are assumed.
+    pub assumed: usize,
+    /// All.
+    pub all: usize,
+}
+
+impl AssumedInputs {
+    fn of(project: &Project) -> Self {
+        let all = project.inputs();
+        AssumedInputs {
+            assumed: all.iter().filter(|input| input.is_assumed()).count(),
+            all: all.len(),
+        }
+    }
 }
 
 /// The judgement of one project.
@@ -43,8 +71,11 @@ impl VersionJudgement {
         VersionJudgement {
             variant: variant.map(str::to_owned),
             weight,
+            governed_by: None,
             earthquake: Vec::new(),
             evidence,
+            demand_source: None,
+            inputs: AssumedInputs::default(),
         }
     }
 
@@ -60,13 +91,23 @@ impl VersionJudgement {
         Colour::worst(weight.into_iter().chain(others))
     }
 
+    /// The word for weight, with the combination of loads that decides it.
+    pub fn weight_words(&self, weight: Weight, language: Language) -> String {
+        match &self.governed_by {
+            None => weight.words(language),
+            Some(by) => by
+                .under(Both::of(|language| weight.words(language)))
+                .text(language),
+        }
+    }
+
     /// The headline: the fixed words, the worst first, of equals in the order of the questions. Nothing is said of an earthquake
     /// that was not asked for, nor of evidence that does not contradict.
     pub fn words(&self, language: Language) -> Vec<String> {
         let earthquake = self.earthquake_word();
         let mut words = Vec::new();
         if let Some(weight) = self.weight {
-            words.push((weight.colour(), weight.words(language)));
+            words.push((weight.colour(), self.weight_words(weight, language)));
         }
         if earthquake != Earthquake::NotAsked {
             words.push((earthquake.colour(), earthquake.word(language).to_owned()));
@@ -95,6 +136,11 @@ impl Judgement {
             let (found, is_done) = of_simulation(run);
             self.add(run.variant(), found);
             self.is_done &= is_done;
+        }
+        if let Evidence::Contradicted(_) = simulated.evidence
+            && let Some(version) = self.versions.iter_mut().find(|of| of.variant.is_none())
+        {
+            version.evidence = simulated.evidence.clone();
         }
         if simulated.does_not_stand.is_some() {
             let variant = simulated.variant.as_deref();
@@ -176,6 +222,7 @@ pub fn judge(answers: &[Answer]) -> Judgement {
             Answer::Check(_)
             | Answer::Identify(_)
             | Answer::Compare(_)
+            | Answer::Watch(_)
             | Answer::Study(_)
             | Answer::Score(_)
             | Answer::Rank(_)
@@ -190,10 +237,17 @@ fn of_check(checked: &CheckAnswer) -> Vec<VersionJudgement> {
     let as_it_is = checked.state.as_ref().map(|state| {
         let calibrated_to = None;
         let evidence = Evidence::of(&checked.project.surveys, &state.check, calibrated_to);
-        version(None, state, evidence)
+        version((None, &*checked.project), state, evidence)
     });
-    let variants = checked.variants.iter();
-    let variants = variants.map(|variant| version(Some(&variant.name), &variant.state, Evidence::none()));
+    let own = |name: &str| checked.project.variants.iter().find(|own| own.name == name);
+    let variants = checked.variants.iter().map(|variant| {
+        let project = own(&variant.name).map_or(&*checked.project, |own| &own.project);
+        version(
+            (Some(variant.name.as_str()), project),
+            &variant.state,
+            Evidence::none(),
+        )
+    });
     as_it_is.into_iter().chain(variants).collect()
 }
 
@@ -239,10 +293,20 @@ pub fn judge_building_run(run: &BuildingSimulation) -> Judgement {
     Judgement::of_run(run.variant.as_deref(), of_building(run), is_done)
 }
 
-fn version(variant: Option<&str>, state: &State, evidence: Evidence) -> VersionJudgement {
+fn version(
+    (variant, project): (Option<&str>, &Project),
+    state: &State,
+    evidence: Evidence,
+) -> VersionJudgement {
     let weight = Weight::of(state, evidence.is_contradicted());
     let mut version = VersionJudgement::new(variant, Some(weight), evidence);
     version.earthquake = of_site(state);
+    version.governed_by = state.governing_loads().map(Governing::of);
+    version.demand_source = state.demand.as_ref().map(|demand| {
+        let site = &demand.site;
+        (site.code().to_owned(), site.return_period_years())
+    });
+    version.inputs = AssumedInputs::of(project);
     version
 }
 
@@ -275,11 +339,7 @@ mod tests {
 
     fn version(variant: Option<&str>, weight: Weight, word: Earthquake) -> VersionJudgement {
         let mut version = VersionJudgement::new(variant, Some(weight), Evidence::none());
-        version.earthquake = vec![EarthquakeFinding {
-            word,
-            decided_by: DecidedBy::CodeDemand,
-            motion: None,
-        }];
+        version.earthquake = vec![EarthquakeFinding::new(word, DecidedBy::CodeDemand, None)];
         version
     }
 

@@ -13,7 +13,7 @@ pub use earthquake::{DecidedBy, Earthquake, EarthquakeFinding};
 pub use evidence::{Evidence, MeasuredFrequency, first_sway, lowest_measured, measured_frequencies};
 pub use exit::{Verb, exit_status, first_status};
 pub use judge::{
-    Judgement, VersionJudgement, judge, judge_building_run, judge_chain_run, judge_check, judge_frame_run,
-    judge_simulation, judge_stack_run,
+    AssumedInputs, Judgement, VersionJudgement, judge, judge_building_run, judge_chain_run, judge_check,
+    judge_frame_run, judge_simulation, judge_stack_run,
 };
 pub use weight::Weight;

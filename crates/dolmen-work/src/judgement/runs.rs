@@ -1,9 +1,10 @@
 //! What simulated motions say of an earthquake, by kind of structure.
 
-use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_rooms};
+use super::earthquake::{DecidedBy, Earthquake, EarthquakeFinding, of_parts};
 use crate::building::BuildingSimulation;
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
+use crate::part_limit::PartLimit;
 use crate::simulation::Simulation;
 use crate::stack::StackSimulation;
 use dolmen::assess::{DamageState, JointDamage};
@@ -84,7 +85,10 @@ fn of_damage(
 
 /// A chain: whether a link fell.
 pub(super) fn of_chain(run: &ChainSimulation) -> Vec<EarthquakeFinding> {
-    let ending = match (run.falls(), run.is_whole()) {
+    let ending = match (
+        run.falls() || run.beyond_small_rotations().is_some(),
+        run.is_whole(),
+    ) {
         (true, _) => Ending::Fell,
         (false, true) => Ending::Whole,
         (false, false) => Ending::Open,
@@ -110,49 +114,47 @@ fn of_fall(ending: Ending, is_nan: bool) -> (Earthquake, DecidedBy) {
     }
 }
 
-/// A frame: the largest drift of a storey over that up to which its model holds.
+/// A frame: its storeys against the allowable drift.
 pub(super) fn of_frame(run: &FrameSimulation) -> Vec<EarthquakeFinding> {
     let ending = match (run.falls(), run.is_whole()) {
         (true, _) => Ending::Fell,
         (false, true) => Ending::Whole,
         (false, false) => Ending::Open,
     };
-    let storeys = run.frame.frame().storeys().iter();
-    let ratios = storeys
-        .zip(&run.history.drift_peaks)
-        .map(|(storey, peak)| run.options.drift_ratio_most * storey.height_m / peak.value_m.abs());
-    under(run.motion.motion.name(), vec![of_drift(ending, ratios)])
+    of_storeys(ending, &run.parts(), run.motion.motion.name())
 }
 
-/// `ratios`: limit over drift of each storey.
-fn of_drift(ending: Ending, ratios: impl Iterator<Item = f64>) -> (Earthquake, DecidedBy) {
+/// A storey beyond its limit counts although the run is open: what it shows has happened.
+fn of_storeys(ending: Ending, parts: &[PartLimit], motion: &str) -> Vec<EarthquakeFinding> {
+    let mut found = of_parts(parts, Some(motion));
     match ending {
-        Ending::Fell => (Earthquake::BelowDemand, DecidedBy::Drift),
-        Ending::Whole => {
-            let words = ratios.map(Earthquake::of_ratio);
-            (words.max().unwrap_or(Earthquake::NotDecided), DecidedBy::Drift)
+        Ending::Whole => {}
+        Ending::Fell => {
+            let fell = EarthquakeFinding::new(Earthquake::BelowDemand, DecidedBy::Drift, Some(motion));
+            found.retain(|of| of.word == Earthquake::BelowDemand);
+            if found.is_empty() {
+                found.push(fell);
+            }
         }
-        Ending::Open | Ending::Lost => (Earthquake::NotDecided, DecidedBy::Unfinished),
-    }
-}
-
-/// A building: the strokes of its dampers over their rooms. Its walls are linear and know no limit.
-pub(super) fn of_building(run: &BuildingSimulation) -> Vec<EarthquakeFinding> {
-    let motion = run.motion.motion.name();
-    let strokes = run.history.peaks.strokes_m.iter();
-    let rooms = of_rooms(&run.dampers, strokes.map(|stroke| stroke.value), Some(motion));
-    let is_open = run.ended_before_the_motion_s().is_some();
-    let mut found = rooms;
-    if is_open {
-        found.retain(|of| of.word == Earthquake::BelowDemand);
-        found.extend(under(
-            motion,
-            vec![(Earthquake::NotDecided, DecidedBy::Unfinished)],
-        ));
-    } else if found.is_empty() {
-        found.extend(under(motion, vec![(Earthquake::NotDecided, DecidedBy::NoLimit)]));
+        Ending::Open | Ending::Lost => {
+            found.retain(|of| of.word == Earthquake::BelowDemand);
+            found.extend(under(
+                motion,
+                vec![(Earthquake::NotDecided, DecidedBy::Unfinished)],
+            ));
+        }
     }
     found
+}
+
+/// A building: its storeys against the allowable drift, and the strokes of its dampers over their rooms.
+pub(super) fn of_building(run: &BuildingSimulation) -> Vec<EarthquakeFinding> {
+    let ending = match run.ended_before_the_motion_s() {
+        _ if run.falls() => Ending::Fell,
+        Some(_) => Ending::Open,
+        None => Ending::Whole,
+    };
+    of_storeys(ending, &run.parts(), run.motion.motion.name())
 }
 
 fn under(motion: &str, found: Vec<(Earthquake, DecidedBy)>) -> Vec<EarthquakeFinding> {
@@ -160,11 +162,8 @@ fn under(motion: &str, found: Vec<(Earthquake, DecidedBy)>) -> Vec<EarthquakeFin
 }
 
 fn findings(motion: Option<&str>, found: Vec<(Earthquake, DecidedBy)>) -> Vec<EarthquakeFinding> {
-    let each = found.into_iter().map(|(word, decided_by)| EarthquakeFinding {
-        word,
-        decided_by,
-        motion: motion.map(str::to_owned),
-    });
+    let each = found.into_iter();
+    let each = each.map(|(word, decided_by)| EarthquakeFinding::new(word, decided_by, motion));
     each.collect()
 }
 
@@ -172,6 +171,7 @@ fn findings(motion: Option<&str>, found: Vec<(Earthquake, DecidedBy)>) -> Vec<Ea
 mod tests {
     use super::*;
     use crate::judgement::Colour;
+    use crate::part_limit::{Limited, Part};
 
     /// The worst word of what was found.
     fn word(found: &[(Earthquake, DecidedBy)]) -> Earthquake {
@@ -217,15 +217,40 @@ mod tests {
         ] {
             assert_eq!(of_fall(ending, is_nan).0, expected, "{ending:?} {is_nan}");
         }
-        for (ending, ratios, colour) in [
-            (Ending::Whole, vec![3.0, 1.25], Colour::Green),
-            (Ending::Whole, vec![3.0, 1.2], Colour::Amber),
-            (Ending::Whole, vec![3.0, f64::NAN], Colour::Amber),
-            (Ending::Fell, vec![3.0, 1.2], Colour::Red),
-            (Ending::Open, vec![3.0], Colour::Amber),
+        let storey = |demand: f64, capacity: Option<f64>| PartLimit {
+            part: Part::Storey("a".into()),
+            direction: None,
+            limited: Limited::Drift,
+            demand,
+            capacity,
+        };
+        let limit = Some(0.015);
+        for (ending, parts, colour) in [
+            (
+                Ending::Whole,
+                vec![storey(0.005, limit), storey(0.012, limit)],
+                Colour::Green,
+            ),
+            (
+                Ending::Whole,
+                vec![storey(0.005, limit), storey(0.0125, limit)],
+                Colour::Amber,
+            ),
+            (
+                Ending::Whole,
+                vec![storey(0.005, limit), storey(f64::NAN, limit)],
+                Colour::Amber,
+            ),
+            (Ending::Whole, vec![storey(0.016, limit)], Colour::Red),
+            // without a limit nothing is decided, but that a storey falls
+            (Ending::Whole, vec![storey(0.005, None)], Colour::Amber),
+            (Ending::Whole, vec![storey(0.11, None)], Colour::Red),
+            (Ending::Fell, vec![storey(0.099, None)], Colour::Red),
+            (Ending::Open, vec![storey(0.005, limit)], Colour::Amber),
+            (Ending::Open, vec![storey(0.016, limit)], Colour::Red),
         ] {
-            let (word, _) = of_drift(ending, ratios.iter().copied());
-            assert_eq!(word.colour(), colour, "{ending:?} {ratios:?}");
+            let found = of_storeys(ending, &parts, "shake");
+            assert_eq!(Earthquake::worst(&found).colour(), colour, "{ending:?} {parts:?}");
         }
     }
 }

@@ -33,13 +33,19 @@ impl Weight {
             Some(slipping) => stuck.map(|stuck| stuck.min(slipping)),
             None => stuck,
         };
+        let of_loads = state.loads.as_ref().and_then(|loads| loads.factor());
+        let least = match (least, of_loads) {
+            (Some(least), Some(factor)) => Some(least.min(factor)),
+            _ => least,
+        };
         // limit / tilt is what the verdict on a tilt is taken from
         let limits = state
             .tilts
             .iter()
             .filter_map(|of| Some((of.uplift_tilt?, of.tilt)));
-        let is_nan =
-            limits.map(|(limit, tilt)| limit / tilt).any(f64::is_nan) || stuck.is_some_and(f64::is_nan);
+        let is_nan = limits.map(|(limit, tilt)| limit / tilt).any(f64::is_nan)
+            || stuck.is_some_and(f64::is_nan)
+            || of_loads.is_some_and(f64::is_nan);
         match (&state.check, is_nan) {
             (_, true) => Weight::of_verdict(Verdict::Unknown, least, false),
             // a stack keeps its word: it rests on shapes and friction, and its springs alone are contradicted

@@ -93,6 +93,13 @@ fn ready(request: &MotionRequest, project: Option<Of<'_>>) -> Result<MotionAnswe
         From::Files(named) => from_files(named, &wanted, project)?,
     };
     answer.motion = changed(answer.motion, &wanted)?;
+    if let Some(own) = wanted
+        .part
+        .as_deref()
+        .and_then(|path| path.strip_prefix("motion."))
+    {
+        answer.motion = answer.motion.renamed(own);
+    }
     answer.turned_rad = request.turn_deg.map(f64::to_radians);
     Ok(answer)
 }
@@ -151,7 +158,13 @@ fn wanted(options: &MotionRequest, project: Option<Of<'_>>) -> Result<Wanted, Wo
             matches!(project.structure, Structure::Stack(_) | Structure::Building(_))
         }),
         size: typed_size.or_else(|| part?.size),
-        read: motion_options(options)?,
+        read: MotionOptions {
+            lengths: match options.shortest || part.is_some_and(|part| part.cut_to_shortest) {
+                true => Lengths::Shortest,
+                false => Lengths::Same,
+            },
+            ..motion_options(options)?
+        },
         x_azimuth_deg: options.x_azimuth_deg,
         baseline: options.baseline_degree,
         high_pass_hz: options.high_pass_hz,

@@ -6,7 +6,7 @@ use super::maps::ResponseMaps;
 use super::run::{Run, RunOutcome};
 use super::scans::{CapacityOf, LevelRow, capacity_of};
 use super::shaking_measure::ShakingScales;
-use dolmen::assess::{AssessError, Direction, Reached, Trend, reached_quantile, trend};
+use dolmen::assess::{AssessError, Direction, Reached, Trend, trend};
 use dolmen_project::{ExpectedTrend, HazardPart, Names, Scan, StudyPart};
 use dolmen_words::message::Both;
 use std::collections::BTreeMap;
@@ -103,8 +103,8 @@ impl TrendVerdict {
 pub struct TrendAnswer {
     /// The input, an index.
     pub input: usize,
-    /// Of the medians over motions, directions and samples.
-    pub of_medians: Trend,
+    /// Of pairs within one motion, direction and sample.
+    pub of_pairs: Trend,
     /// τ of each motion, direction and sample by itself.
     pub of_each: Vec<f64>,
     /// What was expected of it, with what is said of that.
@@ -307,13 +307,16 @@ impl StudyAnswer {
             if !self.inputs.get(index).is_some_and(|input| input.is_number) {
                 continue;
             }
-            let of_medians = trend(&self.groups(index, &self.medians(&capacities)))?;
+            let all: Vec<(usize, Reached)> = capacities
+                .iter()
+                .filter_map(|c| Some((c.job, c.first_fall_m_s2()?)))
+                .collect();
+            let of_pairs = trend(&self.groups(index, &all))?;
             let mut of_each = Vec::new();
             for replicate in 0..self.replicates() * self.samples() {
-                let own: Vec<(usize, Reached)> = capacities
-                    .iter()
-                    .filter(|c| self.replicate_of(c.job) == replicate)
-                    .filter_map(|c| Some((c.job, c.first_fall_m_s2()?)))
+                let own = all.iter().copied();
+                let own: Vec<(usize, Reached)> = own
+                    .filter(|(job, _)| self.replicate_of(*job) == replicate)
                     .collect();
                 let tau = trend(&self.groups(index, &own))?;
                 if tau.pairs > 0 {
@@ -325,9 +328,9 @@ impl StudyAnswer {
                     Direction::Rising => Direction::Falling,
                     Direction::Falling => Direction::Rising,
                 };
-                let verdict = if of_medians.shows(expected.direction) {
+                let verdict = if of_pairs.shows(expected.direction) {
                     TrendVerdict::Holds
-                } else if of_medians.shows(opposite) {
+                } else if of_pairs.shows(opposite) {
                     TrendVerdict::Contradicted
                 } else {
                     TrendVerdict::NotSeen
@@ -336,7 +339,7 @@ impl StudyAnswer {
             });
             found.push(TrendAnswer {
                 input: index,
-                of_medians,
+                of_pairs,
                 of_each,
                 expected,
             });
@@ -350,22 +353,7 @@ impl StudyAnswer {
         self.sample_of(job) * replicates + job % replicates
     }
 
-    /// The median first fall of each combination over its scans that can be used, with one of its jobs.
-    fn medians(&self, capacities: &[CapacityOf]) -> Vec<(usize, Reached)> {
-        let mut by_combination: BTreeMap<usize, (usize, Vec<Reached>)> = BTreeMap::new();
-        for c in capacities {
-            let Some(first) = c.first_fall_m_s2() else {
-                continue;
-            };
-            let entry = by_combination.entry(self.combination_of(c.job));
-            entry.or_insert((c.job, Vec::new())).1.push(first);
-        }
-        let each = by_combination.into_values();
-        each.filter_map(|(job, values)| Some((job, reached_quantile(&values, 0.5)?)))
-            .collect()
-    }
-
-    /// (input, result) in groups in which the variant and all other inputs are equal; infinite where it did not fall.
+    /// (input, result) in groups in which the motion, the variant and all other inputs are equal; infinite where it did not fall.
     fn groups(&self, index: usize, results: &[(usize, Reached)]) -> Vec<Vec<(f64, f64)>> {
         let mut groups: BTreeMap<AllElse<'_>, Vec<(f64, Reached)>> = BTreeMap::new();
         for &(job, result) in results {
@@ -378,7 +366,7 @@ impl StudyAnswer {
                 .filter(|(i, _)| *i != index)
                 .map(|(_, t)| t.as_str())
                 .collect();
-            let key = (case.variant.as_deref(), others);
+            let key = (self.replicate_of(job), case.variant.as_deref(), others);
             groups.entry(key).or_default().push((value, result));
         }
         groups.into_values().map(ranked).collect()
@@ -397,8 +385,8 @@ fn ranked(group: Vec<(f64, Reached)>) -> Vec<(f64, f64)> {
     each.collect()
 }
 
-/// What is equal within a group: the variant, and all other inputs as they are written.
-type AllElse<'a> = (Option<&'a str>, Vec<&'a str>);
+/// What is equal within a group: motion, direction and sample, the variant, and all other inputs as they are written.
+type AllElse<'a> = (usize, Option<&'a str>, Vec<&'a str>);
 
 fn level<'c>(
     (input, text, value): (Option<usize>, &str, Option<f64>),

@@ -16,7 +16,8 @@ use crate::stack;
 use dolmen::assess::{RockingScale, rocking_scale};
 use dolmen::stability::stack::{StackLimits, stack_limits};
 use dolmen_project::{
-    Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, parse_combination,
+    Override, Project, Quantity, Scan, Structure, StudyPart, canonical_text, lists_in_tables,
+    parse_combination,
 };
 use dolmen_records::Files;
 use dolmen_words::Language;
@@ -135,6 +136,10 @@ impl<'o> Plan<'o> {
         }
         let cases = format!("{:?}{:?}", self.inputs, self.cases); // files that the project names act here
         all.push(("inputs of the cases".to_owned(), fingerprint(cases.as_bytes())));
+        if lists_in_tables(&self.opened.text) {
+            let parts = format!("{:?}", self.opened.project.structure);
+            all.push(("parts in a table".to_owned(), fingerprint(parts.as_bytes())));
+        }
         if let Structure::Stack(part) = &self.opened.project.structure {
             all.push(("stones".to_owned(), fingerprint(format!("{part:?}").as_bytes())));
         }

@@ -373,7 +373,7 @@ mod tests {
         assert_eq!((open.survived_m_s2(), open.fell_m_s2()), (2.0, Some(6.0)));
         assert_eq!(open.seen_m_s2[3], Some(Observation::Between(2.0, 6.0)));
         assert_eq!(mixed.quantile_m_s2(3, 0.05), None);
-        assert_eq!(mixed.quantile_m_s2(3, 0.5), Some(Reached::At(4.0)));
+        assert_eq!(mixed.quantile_m_s2(3, 0.5), Some(Reached::Above(4.0)));
         let halfway = capacity_of(0, &runs(&[Stood, Stood]), false);
         assert_eq!(
             (halfway.verdict, halfway.first_m_s2),

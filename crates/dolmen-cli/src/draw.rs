@@ -1,0 +1,37 @@
+//! `dolmen draw`: the structure as entered, before anything is computed.
+
+use crate::cli::Draw as Options;
+use crate::manner::Manner;
+use crate::outcome::Outcome;
+use crate::say::say;
+use anyhow::{Context as _, Result, bail};
+use dolmen_folder::{Found, Outputs};
+use dolmen_report::files::drawing_file;
+
+pub(crate) fn run(options: &Options, manner: &Manner) -> Result<Outcome> {
+    let found = Found::open(&options.project, manner.access())?;
+    let outputs = Outputs::of(manner.access(), &found);
+    if let Some(output) = &options.output {
+        let extension = output.extension().map(|of| of.to_string_lossy().to_lowercase());
+        if let Some(other) = extension.as_deref().filter(|extension| *extension != "svg") {
+            bail!("a drawing is not written as .{other}: -o takes an SVG (.svg), which every browser shows");
+        }
+        outputs.refuse(output)?;
+    }
+    let drawn = drawing_file(&found.opened.project, manner.language()).with_context(|| {
+        format!(
+            "{} has kind = \"survey\": there is no structure to draw",
+            found.file.display()
+        )
+    })?;
+    match &options.output {
+        None => say(&String::from_utf8_lossy(&drawn.bytes))?,
+        Some(output) => {
+            outputs.file(output, &drawn.bytes)?;
+            if !manner.quiet {
+                say(&format!("{}\n", output.display()))?;
+            }
+        }
+    }
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,175 @@
+// SOURCE     KDS 41 17 00, table 8.2-4: 1.0, 1.5, 2.0 %; a frame of one storey, S_a/ω² by hand.
+// GOAL       Storeys are held against their allowable drift in check and simulate, joints against the edges of their beds; a drift above 10 % is a
+//            fall; text, judgement and exit status say the same.
+// TOLERANCE  none: printed digits, words, exit statuses.
+
+use super::verbs::{Answer, Scratch};
+use serde_json::Value;
+use std::fs;
+
+const GATE: &str = "schema = 1\nkind = \"frame\"\nname = \"Gate\"\nunits = { mass = \"t\", force = \"kN\", stiffness = \"kN/mm\" }\naxial = \"storey\"\n\
+    storeys = [{ name = \"lower\", mass = 100, height = 4.0, axial_force = 981 }]\n";
+const SITE: &str =
+    "[site]\ncode = \"KDS 17 10 00\"\nzone = \"I\"\nreturn_period_years = 2400\nsoil = \"S4\"\n";
+
+fn limits(grade: &str) -> String {
+    format!("[limits]\ncode = \"KDS 41 17 00\"\nimportance = \"{grade}\"\n")
+}
+
+fn gate(stiffness: f64, more: &str) -> String {
+    format!("{GATE}{more}[direction.weak]\nstiffness = [{stiffness}]\ndamping_ratio = 0.02\n")
+}
+
+fn run(scratch: &Scratch, words: &str, text: &str) -> Answer {
+    fs::write(scratch.path().join("p.toml"), text).unwrap();
+    scratch.dolmen(words)
+}
+
+#[test]
+fn exact_a_storey_is_held_against_its_allowable_drift_by_the_spectrum() {
+    let scratch = Scratch::new("drift-limit");
+    // k 3 kN/mm less 981/4 kN/m; ω² 27.55, T 1.197 s; S_a = 0.748 g · 0.57647/1.197; drift = S_a/ω² = 128 mm of 4 m
+    let drift = {
+        let omega2: f64 = (3e6 - 981e3 / 4.0) / 1e5;
+        let period = std::f64::consts::TAU / omega2.sqrt();
+        0.748 * 9.80665 * 0.576_470_588 / period / omega2 / 4.0
+    };
+    for (grade, allowed, word, status) in [
+        ("special", 0.010, "below demand", 1),
+        ("II", 0.020, "below demand", 1),
+    ] {
+        let text = gate(3.0, &format!("{SITE}{}", limits(grade)));
+        let answer = run(&scratch, "check p.toml --json", &text);
+        assert_eq!(answer.status, status, "{}", answer.stderr);
+        let json: Value = serde_json::from_str(&answer.stdout).unwrap();
+        let version = &json["judgement"]["versions"][0]["earthquake"];
+        assert_eq!(version["word"], word);
+        assert_eq!(version["reasons"][0]["decided_by"], "drift");
+        assert_eq!(version["reasons"][0]["part"], "lower");
+        let part = &json["state"]["demand"]["limits"]["parts"][0];
+        let number = |key: &str| part[key].as_f64().unwrap();
+        assert!(
+            (number("demand") / drift - 1.0).abs() < 1e-6,
+            "{} {drift}",
+            number("demand")
+        );
+        assert_eq!(number("capacity"), allowed);
+    }
+    let text = gate(3.0, &format!("{SITE}{}", limits("II")));
+    let answer = run(&scratch, "check p.toml", &text);
+    for said in [
+        "Earthquake KDS 17 10 00, 2400 y: below demand (0.",
+        "storey ‘lower’ (direction weak) drifts",
+        "2.00 % is allowed (KDS 41 17 00, II)",
+        "Drift of each storey against what is allowed by KDS 41 17 00, II.",
+    ] {
+        assert!(answer.words().contains(said), "{said}: {}", answer.stdout);
+    }
+    // stiff enough for the strictest grade
+    let text = gate(60.0, &format!("{SITE}{}", limits("special")));
+    let answer = run(&scratch, "check p.toml", &text);
+    assert_eq!(answer.status, 0, "{}", answer.stdout);
+    assert!(answer.words().contains("above demand ("), "{}", answer.stdout);
+    // without a limit nothing is decided, and it says what to write
+    let answer = run(&scratch, "check p.toml", &gate(60.0, SITE));
+    assert_eq!(answer.status, 0, "{}", answer.stdout);
+    assert!(
+        answer.words().contains("not decided (no limit is known)")
+            && answer.words().contains("write [limits]"),
+        "{}",
+        answer.stdout
+    );
+    // beyond ten per cent it falls, limit or none
+    let low = gate(0.4, SITE).replace("height = 4.0", "height = 2.8");
+    let answer = run(&scratch, "check p.toml", &low);
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    assert!(answer.words().contains("it falls"), "{}", answer.stdout);
+}
+
+#[test]
+fn holds_a_simulated_storey_is_held_against_its_allowable_drift() {
+    let scratch = Scratch::new("drift-run");
+    let moved = "simulate p.toml --motion el-centro-1940-ns --keep-first 12";
+    let stiff = run(&scratch, moved, &gate(60.0, &limits("I")));
+    assert_eq!(stiff.status, 0, "{}{}", stiff.stdout, stiff.stderr);
+    assert!(
+        stiff
+            .words()
+            .contains("VERDICT Earthquake el-centro-1940-ns: above demand"),
+        "{}",
+        stiff.stdout
+    );
+    let soft = run(&scratch, moved, &gate(3.0, &limits("special")));
+    assert_eq!(soft.status, 1, "{}{}", soft.stdout, soft.stderr);
+    assert!(soft.words().contains("1.00 % is allowed"), "{}", soft.stdout);
+    let without = run(&scratch, moved, &gate(3.0, ""));
+    assert_eq!(without.status, 0, "{}{}", without.stdout, without.stderr);
+    assert!(without.words().contains("not decided"), "{}", without.stdout);
+}
+
+#[test]
+fn holds_a_building_that_drifts_beyond_ten_per_cent_falls() {
+    let scratch = Scratch::with_examples("drift-building");
+    let file = scratch.path().join("examples/twisting_floor/project.toml");
+    let text = fs::read_to_string(&file).unwrap();
+    fs::write(&file, text.replace("height = 30", "height = 10")).unwrap();
+    let answer = scratch.dolmen("simulate examples/twisting_floor --motion el-centro --peak 6g");
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    assert!(answer.words().contains("it falls"), "{}", answer.stdout);
+}
+
+#[test]
+fn holds_the_joints_of_a_chain_are_held_against_the_edges_of_their_beds() {
+    let scratch = Scratch::new("bed-edge");
+    let pole = |bed: f64| {
+        format!(
+            "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = {{ force = \"kN\", stiffness = \"kN*m/rad\" }}\n\
+             links = [{{ name = \"pole\", weight = 20, length = 3.0, centroid = 1.5, breadth = {bed}, bed_width = {bed} }}]\n\
+             joints = [{{ stiffness = 2000 }}]\n{SITE}"
+        )
+    };
+    let narrow = run(&scratch, "check p.toml", &pole(0.5));
+    assert_eq!(narrow.status, 1, "{}{}", narrow.stdout, narrow.stderr);
+    assert!(
+        narrow.words().contains("the joint below ‘pole’ has a moment of")
+            && narrow.words().contains("its bed stands on its edge at 5.00 kN·m"),
+        "{}",
+        narrow.stdout
+    );
+    let wide = run(&scratch, "check p.toml", &pole(2.9));
+    assert_eq!(wide.status, 0, "{}{}", wide.stdout, wide.stderr);
+}
+
+#[test]
+fn refuses_limits_that_cannot_be() {
+    let scratch = Scratch::new("limits-refused");
+    for (limits, said) in [
+        (
+            "[limits]\ncode = \"KDS 41 17 00\"\n",
+            "limits has no \"importance\"",
+        ),
+        (
+            "[limits]\ncode = \"KDS 41 17 00\"\nimportance = \"IV\"\n",
+            "this class is of another code",
+        ),
+        ("[limits]\nstorey_drift = 1.5\n", "did you mean per cent"),
+        (
+            "[limits]\nstorey_drift = \"1 %\"\ncode = \"EN 1998-1\"\n",
+            "both code and storey_drift",
+        ),
+        ("[limits]\n", "neither code nor storey_drift"),
+        (
+            "[limits]\ncode = \"EN 1998-1\"\nimportance = \"II\"\nnon_structural = \"soft\"\n",
+            "is not known",
+        ),
+    ] {
+        let answer = run(&scratch, "check p.toml", &gate(3.0, limits));
+        assert_eq!(answer.status, 2, "{limits}: {}", answer.stdout);
+        assert!(answer.stderr.contains(said), "{limits}: {}", answer.stderr);
+    }
+    let stack = "schema = 1\nkind = \"stack\"\nname = \"Tower\"\ndensity = 2600\njoint = { friction = 0.7 }\n\
+        blocks = [{ name = \"a\", width = 1, height = 1 }]\n[limits]\nstorey_drift = \"1 %\"\n";
+    let answer = run(&scratch, "check p.toml", stack);
+    assert_eq!(answer.status, 2);
+    assert!(answer.stderr.contains("has no meaning here"), "{}", answer.stderr);
+}

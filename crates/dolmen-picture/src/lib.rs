@@ -1,0 +1,10 @@
+//! A figure as a picture: SVG to PNG. Opens no file; its fonts, Pretendard Regular, SemiBold and Bold, are part of it.
+
+mod fonts;
+mod painter;
+
+pub use fonts::FONTS;
+pub use painter::{NotPainted, Painter};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,7 @@
+//! What a structure is allowed to do: `[limits]`, with the allowable drift of its storeys.
+
+mod file;
+mod read;
+
+pub(crate) use file::LimitsRaw;
+pub(crate) use read::limits;

@@ -1,0 +1,13 @@
+//! What acts on a structure beside its own weight: wind, static loads, and their combinations.
+
+mod file;
+mod part;
+mod parts;
+mod read;
+mod read_wind;
+mod slips;
+
+pub(crate) use file::{CombinationRaw, LoadRaw, WindOrShelteredRaw};
+pub use part::{CombinationPart, LoadPart, LoadsPart, WindArea, WindGiven, WindPart, WindSpeed};
+pub(crate) use read::loads;
+pub(crate) use slips::judge_loads;

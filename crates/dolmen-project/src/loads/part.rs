@@ -1,0 +1,206 @@
+//! What acts on a structure beside its own weight, checked.
+
+use crate::quantity::{Pick, Quantity};
+use dolmen::structure::wind::{EurocodeTerrain, EurocodeWind, Kds41Exposure, Kds41Wind, Wind};
+
+/// The speed or pressure of a wind, and what it is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WindSpeed {
+    /// Peak velocity pressure, Pa.
+    Pressure(Quantity),
+    /// Speed of a gust, m/s.
+    Gust(Quantity),
+    /// 10-minute mean, m/s, by EN 1991-1-4.
+    Eurocode {
+        /// Basic speed.
+        speed: Quantity,
+        /// Terrain.
+        terrain: EurocodeTerrain,
+        /// c_o.
+        orography: f64,
+    },
+    /// 10-minute mean, m/s, by KDS 41 12 00.
+    Kds41 {
+        /// Basic speed.
+        speed: Quantity,
+        /// Exposure.
+        exposure: Kds41Exposure,
+        /// K_zt.
+        topography: f64,
+        /// I_w.
+        importance: f64,
+    },
+}
+
+/// An area that the wind meets.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindArea {
+    /// The part, from 0 at the bottom.
+    pub part: usize,
+    /// Area across the wind, m².
+    pub area: Quantity,
+    /// Height of its middle above the ground, m: an area more. `None`: in the place of the part's own.
+    pub height: Option<Quantity>,
+    /// Its force coefficient; `None`: that of the wind.
+    pub force_coefficient: Option<Quantity>,
+}
+
+/// A wind that the file gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct WindGiven {
+    /// Its speed or pressure.
+    pub speed: WindSpeed,
+    /// Density of air, kg/m³, as the file or the code gives it.
+    pub air_density_kg_m3: f64,
+    /// Force coefficient of the parts.
+    pub force_coefficient: Quantity,
+    /// Areas other than those of the parts' own widths.
+    pub areas: Vec<WindArea>,
+    /// Where it comes from, in words.
+    pub source: Option<String>,
+}
+
+/// What the file says of wind.
+#[derive(Clone, Debug, PartialEq)]
+pub enum WindPart {
+    /// Nothing.
+    NotSaid,
+    /// That the structure stands out of it.
+    Sheltered,
+    /// A wind.
+    Given(Box<WindGiven>),
+}
+
+/// A static load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadPart {
+    /// What it is.
+    pub name: String,
+    /// The part that it acts on, from 0 at the bottom.
+    pub part: usize,
+    /// Height above the ground, m; `None`: the top of the part.
+    pub height: Option<Quantity>,
+    /// Force from the side, N.
+    pub force: Option<Quantity>,
+    /// Weight that it adds, N.
+    pub weight: Option<Quantity>,
+    /// Overturning moment, N m.
+    pub moment: Option<Quantity>,
+}
+
+/// Factors of a combination.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CombinationPart {
+    /// The table's name; `None`: everything as it is, where the file names no combination.
+    pub name: Option<String>,
+    /// On the weight of the structure.
+    pub weight: f64,
+    /// On the wind.
+    pub wind: f64,
+    /// On the static loads.
+    pub loads: f64,
+}
+
+/// All that acts beside the weight of the parts.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadsPart {
+    /// Wind.
+    pub wind: WindPart,
+    /// Static loads in the order of the file.
+    pub loads: Vec<LoadPart>,
+    /// Combinations in the order of the file; that of everything as it is where the file names none.
+    pub combinations: Vec<CombinationPart>,
+}
+
+impl WindSpeed {
+    /// The number that the file gives.
+    pub fn quantity(&self) -> &Quantity {
+        match self {
+            WindSpeed::Pressure(quantity) | WindSpeed::Gust(quantity) => quantity,
+            WindSpeed::Eurocode { speed, .. } | WindSpeed::Kds41 { speed, .. } => speed,
+        }
+    }
+}
+
+impl WindGiven {
+    /// The wind of the science.
+    pub fn build(&self, pick: Pick<'_>) -> Wind {
+        let air_density_kg_m3 = self.air_density_kg_m3;
+        match &self.speed {
+            WindSpeed::Pressure(pressure) => Wind::Pressure(pick(pressure)),
+            WindSpeed::Gust(speed) => Wind::Gust {
+                speed_m_s: pick(speed),
+                air_density_kg_m3,
+            },
+            WindSpeed::Eurocode {
+                speed,
+                terrain,
+                orography,
+            } => Wind::Eurocode(EurocodeWind {
+                basic_speed_m_s: pick(speed),
+                terrain: *terrain,
+                orography: *orography,
+                air_density_kg_m3,
+            }),
+            WindSpeed::Kds41 {
+                speed,
+                exposure,
+                topography,
+                importance,
+            } => Wind::Kds41(Kds41Wind {
+                basic_speed_m_s: pick(speed),
+                exposure: *exposure,
+                topography: *topography,
+                importance: *importance,
+                air_density_kg_m3,
+            }),
+        }
+    }
+
+    fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        all.extend([self.speed.quantity(), &self.force_coefficient]);
+        for area in &self.areas {
+            all.push(&area.area);
+            all.extend(area.height.iter().chain(&area.force_coefficient));
+        }
+    }
+}
+
+impl LoadsPart {
+    /// Nothing is said.
+    pub(crate) fn none() -> Self {
+        LoadsPart {
+            wind: WindPart::NotSaid,
+            loads: Vec::new(),
+            combinations: Vec::new(),
+        }
+    }
+
+    /// The wind, if one is given.
+    pub fn wind(&self) -> Option<&WindGiven> {
+        match &self.wind {
+            WindPart::Given(wind) => Some(wind),
+            WindPart::NotSaid | WindPart::Sheltered => None,
+        }
+    }
+
+    /// Whether anything acts beside the weight.
+    pub fn is_empty(&self) -> bool {
+        self.wind().is_none() && self.loads.is_empty()
+    }
+
+    pub(crate) fn inputs<'a>(&'a self, all: &mut Vec<&'a Quantity>) {
+        if let WindPart::Given(wind) = &self.wind {
+            wind.inputs(all);
+        }
+        for load in &self.loads {
+            all.extend(
+                load.height
+                    .iter()
+                    .chain(&load.force)
+                    .chain(&load.weight)
+                    .chain(&load.moment),
+            );
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! What a report says beside the computation: given by the engineer, never computed.
+
+mod date;
+mod file;
+mod part;
+mod parts_named;
+mod read;
+
+pub(crate) use file::ReportRaw;
+pub use part::{
+    Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,
+};
+pub(crate) use parts_named::PartNames;
+pub(crate) use read::{a_part, report, words};

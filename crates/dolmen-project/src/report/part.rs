@@ -1,0 +1,142 @@
+//! What a report says beside the computation, read.
+
+use crate::names::Names;
+use crate::quantity::Quantity;
+
+/// What the engineer gives for a report: `[report]`. What is not given is left out.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ReportPart {
+    /// Title of the report.
+    pub title: Option<Names>,
+    /// Number of the document.
+    pub number: Option<Names>,
+    /// For whom.
+    pub client: Option<Names>,
+    /// Who makes it.
+    pub organisation: Option<Names>,
+    /// Address of the organisation.
+    pub address: Option<Names>,
+    /// "2026-11-23".
+    pub date: Option<String>,
+    /// Who took part.
+    pub authors: Vec<Author>,
+    /// What it is for.
+    pub purpose: Option<Names>,
+    /// Where the structure stands.
+    pub location: Option<Location>,
+    /// Photographs.
+    pub photos: Vec<PhotoPart>,
+    /// Drawings.
+    pub drawings: Vec<PhotoPart>,
+    /// Tests of material.
+    pub material_tests: Vec<MaterialTest>,
+    /// Sensors.
+    pub sensors: Vec<SensorPart>,
+    /// A paragraph each.
+    pub opinion: Vec<Names>,
+    /// A point each.
+    pub recommendations: Vec<Names>,
+    /// A point each.
+    pub maintenance: Vec<Names>,
+    /// The grade.
+    pub grade: Option<Grade>,
+}
+
+/// Who took part.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Author {
+    /// Name.
+    pub name: Names,
+    /// What for.
+    pub role: Option<Names>,
+    /// Qualification and number.
+    pub licence: Option<Names>,
+}
+
+/// Where the structure stands.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Location {
+    /// Address.
+    pub address: Option<Names>,
+    /// Latitude and longitude, degrees.
+    pub degrees: Option<[f64; 2]>,
+}
+
+/// A photograph or drawing, not yet read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PhotoPart {
+    /// Relative to the project file.
+    pub file: String,
+    /// What it shows.
+    pub caption: Option<Names>,
+    /// The part that it shows.
+    pub of: Option<String>,
+    /// Where the file is named: `report.photos[2].file`.
+    pub path: String,
+}
+
+/// How material was tested, and what was read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum MaterialMethod {
+    /// Velocity of ultrasonic pulses, m/s.
+    Ultrasonic(Option<f64>),
+    /// Mean rebound number.
+    Rebound(Option<f64>),
+}
+
+/// One test of material.
+#[derive(Clone, Debug, PartialEq)]
+pub struct MaterialTest {
+    /// How, and the reading.
+    pub method: MaterialMethod,
+    /// The part.
+    pub part: Option<String>,
+    /// "2026-04-02".
+    pub date: Option<String>,
+    /// Compressive strength, Pa.
+    pub strength: Option<Quantity>,
+    /// Anything to add.
+    pub note: Option<Names>,
+}
+
+/// A sensor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SensorPart {
+    /// What it is.
+    pub name: Names,
+    /// Maker and model.
+    pub model: Option<Names>,
+    /// Serial number.
+    pub serial: Option<Names>,
+    /// Day of its calibration.
+    pub calibrated: Option<String>,
+    /// Number of the certificate.
+    pub certificate: Option<Names>,
+}
+
+/// What a grade is one of.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GradeScale {
+    /// The six words of the Korean periodic inspection of heritage, A to F.
+    Periodic,
+    /// Another.
+    Other(Names),
+}
+
+/// A grade that the engineer gives.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Grade {
+    /// "C".
+    pub value: Names,
+    /// Of which scale.
+    pub scale: GradeScale,
+    /// Why.
+    pub reason: Names,
+}
+
+impl ReportPart {
+    /// The photographs, then the drawings.
+    pub fn images(&self) -> impl Iterator<Item = &PhotoPart> {
+        self.photos.iter().chain(&self.drawings)
+    }
+}

@@ -1,0 +1,95 @@
+//! Reads `[watch]`.
+
+use super::watch::{WatchPart, WorkKind, WorkPart, date_of};
+use super::watch_file::{WatchRaw, WorkKindRaw, WorkRaw};
+use crate::error::Fault;
+use crate::file_number::{At, NumberRaw};
+use crate::reader::Reader;
+use crate::units::tilt_ratio;
+
+/// Bounds of the mean time between false alarms, years. Ours: below a month everything alarms, beyond ten lives nothing does.
+const YEARS: (f64, f64) = (0.1, 1000.0);
+/// Tilts between which a limit lies; ours: none is set below 0.1 mm/m, and nothing stands at 1/4.
+const TILT: (f64, f64) = (1e-4, 0.25);
+
+/// How many surveys are watched.
+pub(crate) fn watch(reader: &mut Reader, raw: Option<&At<WatchRaw>>) -> WatchPart {
+    let Some(At { value: raw, .. }) = raw else {
+        return WatchPart::default();
+    };
+    let listed = raw.works.iter().flatten().enumerate();
+    WatchPart {
+        years_between_false_alarms: reader.within(
+            raw.years_between_false_alarms.as_ref(),
+            "watch.years_between_false_alarms",
+            YEARS.0,
+            YEARS.1,
+        ),
+        tilt_limit: raw
+            .tilt_limit
+            .as_ref()
+            .and_then(|given| tilt_limit(reader, given)),
+        works: listed
+            .filter_map(|(i, given)| work(reader, given, &format!("watch.works[{}]", i + 1)))
+            .collect(),
+    }
+}
+
+fn tilt_limit(reader: &mut Reader, given: &At<NumberRaw>) -> Option<f64> {
+    const PATH: &str = "watch.tilt_limit";
+    let ratio = match &given.value {
+        NumberRaw::Number(ratio) => Some(*ratio),
+        NumberRaw::Text(text) => tilt_ratio(text),
+    };
+    if let Some(ratio) = ratio.filter(|ratio| (TILT.0..=TILT.1).contains(ratio)) {
+        return Some(ratio);
+    }
+    let fault = Fault::new(
+        given.span.clone(),
+        PATH,
+        format!("{PATH} is not a tilt that can be a limit"),
+    );
+    reader
+        .fault(fault.allowed(
+            "must be a ratio of 0.0001 to 0.25, or text such as \"1/150\", \"0.4 deg\", \"7 mm/m\"",
+        ));
+    None
+}
+
+fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart> {
+    let raw = &given.value;
+    let mut needed = |key: &str, is_there: bool, allowed: &str| {
+        if !is_there {
+            let path = format!("{path}.{key}");
+            let fault = Fault::new(given.span.clone(), &path, format!("{path} is missing"));
+            reader.fault(fault.allowed(allowed));
+        }
+    };
+    needed("date", raw.date.is_some(), "needs the date: \"2018-05-10\"");
+    needed(
+        "kind",
+        raw.kind.is_some(),
+        "needs \"repair\", \"inspection\", \"sensors\" or \"event\"",
+    );
+    let date = raw.date.as_ref()?;
+    if date_of(&date.value).is_none() {
+        let path = format!("{path}.date");
+        let fault = Fault::new(
+            date.span.clone(),
+            &path,
+            format!("{path} = \"{}\" is not a date", date.value),
+        );
+        reader.fault(fault.allowed("must be such as \"2018\", \"2018-05\" or \"2018-05-10\""));
+        return None;
+    }
+    Some(WorkPart {
+        date: date.value.clone(),
+        what: raw.what.clone(),
+        kind: match raw.kind.as_ref()?.value {
+            WorkKindRaw::Repair => WorkKind::Repair,
+            WorkKindRaw::Inspection => WorkKind::Inspection,
+            WorkKindRaw::Sensors => WorkKind::Sensors,
+            WorkKindRaw::Event => WorkKind::Event,
+        },
+    })
+}

@@ -1,0 +1,328 @@
+//! Lists of parts that stand in a table beside the project file: `blocks = { file = "stones.xlsx", sheet = "stones" }`. Each row becomes one
+//! entry of the list, as if it were written there, so that everything behind it holds for it too.
+
+use super::error::Fault;
+use super::measure::Measure;
+use super::placed::place;
+use super::units::parse_unit;
+use dolmen_records::{Files, SHEET_BYTES_MOST, SheetCell, SheetValue, read_sheet};
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use std::ops::Range;
+use toml::de::{DeTable, DeValue};
+
+/// A column: the key that it stands for, what else its head may be, and what it measures.
+type Column = (&'static str, &'static [&'static str], Option<Measure>);
+
+const BLOCKS: &[Column] = &[
+    ("name", &["이름", "부재", "부재명"], None),
+    ("shape", &["형상"], None),
+    ("width", &["폭", "너비"], Some(Measure::Length)),
+    ("depth", &["깊이", "두께"], Some(Measure::Length)),
+    ("height", &["높이"], Some(Measure::Length)),
+    ("top_width", &["상부 폭", "상부폭"], Some(Measure::Length)),
+    ("top_depth", &["상부 깊이", "상부깊이"], Some(Measure::Length)),
+    ("diameter", &["지름", "직경"], Some(Measure::Length)),
+    ("top_diameter", &["상부 지름", "상부지름"], Some(Measure::Length)),
+    ("sides", &["변 수", "변수"], None),
+    ("density", &["밀도"], Some(Measure::Density)),
+];
+const LINKS: &[Column] = &[
+    ("name", &["이름", "부재", "부재명"], None),
+    ("weight", &["무게", "중량"], Some(Measure::Force)),
+    ("mass", &["질량"], Some(Measure::Mass)),
+    ("length", &["길이", "높이"], Some(Measure::Length)),
+    ("centroid", &["무게중심", "무게중심 높이"], Some(Measure::Length)),
+    ("breadth", &["폭", "너비"], Some(Measure::Length)),
+    ("bed_width", &["접합면 폭", "접합면폭"], Some(Measure::Length)),
+];
+const STOREYS: &[Column] = &[
+    ("name", &["이름", "층"], None),
+    ("weight", &["무게", "중량"], Some(Measure::Force)),
+    ("mass", &["질량"], Some(Measure::Mass)),
+    ("height", &["높이", "층고"], Some(Measure::Length)),
+    ("axial_force", &["축력"], Some(Measure::Force)),
+];
+const LISTS: [(&str, &[Column]); 3] = [("blocks", BLOCKS), ("links", LINKS), ("storeys", STOREYS)];
+
+/// A list that was read from a table.
+pub(super) struct Tabled {
+    span: Range<usize>,
+    /// The list as it would be written.
+    text: String,
+    file: String,
+    /// The cell of each value by its path, and of each row.
+    places: BTreeMap<String, String>,
+}
+
+impl Tabled {
+    /// The list in place of the table that names it; what is wrong in it stands where it is named.
+    pub(super) fn put<'i>(&'i self, root: &mut DeTable<'i>) {
+        let Ok(parsed) = DeTable::parse(&self.text) else {
+            return; // written here
+        };
+        for (key, mut value) in parsed.into_inner() {
+            place(&mut value, &self.span);
+            root.insert(key, value);
+        }
+    }
+
+    /// Names the cell of what is wrong in one of the lists.
+    pub(super) fn name_cells(all: &[Tabled], faults: &mut [Fault]) {
+        for fault in faults {
+            let found = all.iter().find_map(|tabled| {
+                let exact = tabled.places.get(&fault.path);
+                let row = || {
+                    fault
+                        .path
+                        .split_once(']')
+                        .and_then(|(row, _)| tabled.places.get(&format!("{row}]")))
+                };
+                Some((tabled, exact.or_else(row)?))
+            });
+            if let Some((tabled, place)) = found {
+                fault.say_cell(&tabled.file, place);
+            }
+        }
+    }
+}
+
+/// Every list that stands in a table; none of a text that is not TOML.
+pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<Fault>> {
+    let (root, syntax) = DeTable::parse_recoverable(text);
+    let root = root.into_inner();
+    if !syntax.is_empty() {
+        return Ok(Vec::new());
+    }
+    let (mut all, mut faults) = (Vec::new(), Vec::new());
+    for (key, columns) in LISTS {
+        let Some(given) = root.get(key) else { continue };
+        let DeValue::Table(table) = given.get_ref() else {
+            continue;
+        };
+        let word = |name: &str| table.get(name).and_then(|value| value.get_ref().as_str());
+        let Some(file) = word("file") else { continue };
+        let at = |path: &str, message: String| Fault::new(given.span(), path, message);
+        if let Some((other, _)) = table
+            .iter()
+            .find(|(name, _)| !["file", "sheet"].contains(&name.get_ref().as_ref()))
+        {
+            let name = other.get_ref();
+            let fault = Fault::new(
+                other.span(),
+                &format!("{key}.{name}"),
+                format!("{key} has the key \"{name}\" beside file"),
+            );
+            faults.push(fault.allowed("must be file and sheet alone"));
+            continue;
+        }
+        let bytes = match files.read(file, SHEET_BYTES_MOST) {
+            Ok(bytes) => bytes,
+            Err(why) => {
+                faults.push(at(key, format!("{key}.file = \"{file}\": {why}")));
+                continue;
+            }
+        };
+        let rows = match read_sheet(&bytes, file, word("sheet")) {
+            Ok(rows) => rows,
+            Err(why) => {
+                faults.push(at(key, format!("{file} {why}")));
+                continue;
+            }
+        };
+        match list(key, columns, &rows, &root, file) {
+            Ok((text, places)) => all.push(Tabled {
+                span: given.span(),
+                text,
+                file: file.to_owned(),
+                places,
+            }),
+            Err(why) => faults.extend(why.into_iter().map(|(message, help)| at(key, message).help(help))),
+        }
+    }
+    match faults.is_empty() {
+        true => Ok(all),
+        false => Err(faults),
+    }
+}
+
+/// Whether a list of the project stands in a table beside it: the text alone then does not say what it holds.
+pub fn lists_in_tables(text: &str) -> bool {
+    let (root, _) = DeTable::parse_recoverable(text);
+    let root = root.get_ref();
+    let is_tabled = |key: &str| {
+        let table = root.get(key).and_then(|list| list.get_ref().as_table());
+        table.is_some_and(|table| table.contains_key("file"))
+    };
+    LISTS.iter().any(|(key, _)| is_tabled(key))
+}
+
+/// The unit of bare numbers that the file gives for a measure.
+fn unit_of_file<'a>(root: &'a DeTable<'_>, measure: Measure) -> Option<(&'static str, &'a str)> {
+    let key = match measure {
+        Measure::Length => "length",
+        Measure::Force => "force",
+        Measure::Mass => "mass",
+        Measure::Density => "density",
+        _ => return None,
+    };
+    let units = root.get("units")?.get_ref().as_table()?;
+    Some((key, units.get(key)?.get_ref().as_str()?))
+}
+
+type Written = (String, BTreeMap<String, String>);
+
+/// The rows as a list in TOML, and the place of each value; or what is wrong, with what to do.
+fn list(
+    key: &'static str,
+    columns: &[Column],
+    rows: &[Vec<SheetCell>],
+    root: &DeTable<'_>,
+    file: &str,
+) -> Result<Written, Vec<(String, String)>> {
+    let mut faults = Vec::new();
+    let mut heads: Vec<Option<(&'static str, Option<String>)>> = Vec::new();
+    let (header, body) = rows.split_first().unwrap_or((&rows[0], &[]));
+    for cell in header {
+        let SheetValue::Text(head) = &cell.value else {
+            // an empty head over an empty column is no column
+            heads.push(None);
+            continue;
+        };
+        match column(head, columns) {
+            Some((of, _)) if heads.iter().flatten().any(|(known, _)| *known == of.0) => {
+                let message = format!(
+                    "{file}, cell {}: the column \"{}\" is there twice",
+                    cell.place, of.0
+                );
+                faults.push((message, "keep one of them".to_owned()));
+            }
+            Some((of, unit)) => match checked_unit(of, unit, root) {
+                Ok(unit) => heads.push(Some((of.0, unit))),
+                Err((said, help)) => faults.push((format!("{file}, cell {}: {said}", cell.place), help)),
+            },
+            None => {
+                let known: Vec<&str> = columns.iter().map(|(known, ..)| *known).collect();
+                let message = format!("{file}, cell {}: \"{head}\" is no column of {key}", cell.place);
+                let help = format!(
+                    "name it one of {}, in English or Korean, or take it out",
+                    known.join(", ")
+                );
+                faults.push((message, help));
+            }
+        }
+    }
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    let mut text = format!("{key} = [");
+    let mut places = BTreeMap::new();
+    for (number, row) in (1..).zip(body) {
+        text.push_str("{ ");
+        let path = format!("{key}[{number}]");
+        for (at, cell) in row.iter().enumerate() {
+            if cell.value == SheetValue::Empty {
+                continue;
+            }
+            let Some((name, unit)) = heads.get(at).and_then(Option::as_ref) else {
+                let message = format!("{file}, cell {}: stands under no head", cell.place);
+                faults.push((
+                    message,
+                    "name the column in the first row, or clear the cell".to_owned(),
+                ));
+                continue;
+            };
+            let value = written(name, &cell.value, unit.as_deref());
+            let _ = write!(text, "{name} = {value}, "); // into a String: cannot fail
+            places.entry(path.clone()).or_insert_with(|| cell.place.clone());
+            places.insert(format!("{path}.{name}"), cell.place.clone());
+        }
+        text.push_str("}, ");
+        if row.iter().all(|cell| cell.value == SheetValue::Empty) {
+            let place = row.first().map_or("", |cell| cell.place.as_str());
+            faults.push((
+                format!("{file}, cell {place}: the row is empty"),
+                "delete the row".to_owned(),
+            ));
+        }
+    }
+    text.push(']');
+    match faults.is_empty() {
+        true => Ok((text, places)),
+        false => Err(faults),
+    }
+}
+
+/// "width (mm)" → the column and its unit.
+fn column<'a>(head: &'a str, columns: &'a [Column]) -> Option<(&'a Column, Option<&'a str>)> {
+    let (name, unit) = match head.split_once(['(', '[']) {
+        Some((name, unit)) => (name, Some(unit.trim_end_matches([')', ']', ' ']).trim())),
+        None => (head, None),
+    };
+    let name = name.trim().to_lowercase();
+    let key = name.replace([' ', '-'], "_");
+    let found = columns
+        .iter()
+        .find(|(known, others, _)| *known == key || others.contains(&name.as_str()));
+    found.map(|column| (column, unit.filter(|unit| !unit.is_empty())))
+}
+
+/// The unit of a column, if its head has one: of the right kind, and that of the file where that has one.
+fn checked_unit(
+    column: &Column,
+    unit: Option<&str>,
+    root: &DeTable<'_>,
+) -> Result<Option<String>, (String, String)> {
+    let (name, _, measure) = column;
+    let Some(unit) = unit else { return Ok(None) };
+    let Some(measure) = measure else {
+        return Err((
+            format!("the column \"{name}\" has no unit, but its head says \"{unit}\""),
+            "take it out".to_owned(),
+        ));
+    };
+    let needed = measure.dimension();
+    let read = parse_unit(unit).ok().filter(|read| read.dimension == needed);
+    let Some(read) = read else {
+        let said = format!("the column \"{name}\" needs {needed}, but its head says \"{unit}\"");
+        return Err((said, format!("use a unit such as {}", measure.example())));
+    };
+    if let Some((key, of_file)) = unit_of_file(root, *measure)
+        && parse_unit(of_file).is_ok_and(|own| own.factor != read.factor)
+    {
+        let said = format!("the column \"{name}\" is in {unit}, but units.{key} of the file is {of_file}");
+        return Err((
+            said,
+            "say one unit in both, or leave it out of the head".to_owned(),
+        ));
+    }
+    Ok(Some(unit.to_owned()))
+}
+
+/// A value as TOML: names and shapes are words, numbers carry the unit of their head.
+fn written(name: &str, value: &SheetValue, unit: Option<&str>) -> String {
+    let is_words = ["name", "shape"].contains(&name);
+    match value {
+        SheetValue::Number(number) if is_words => quoted(&number.to_string()),
+        SheetValue::Number(number) => match unit {
+            Some(unit) => quoted(&format!("{number} {unit}")),
+            None => number.to_string(),
+        },
+        SheetValue::Text(text) => quoted(text),
+        SheetValue::Empty => quoted(""),
+    }
+}
+
+fn quoted(text: &str) -> String {
+    let mut said = String::from("\"");
+    for sign in text.chars() {
+        match sign {
+            '"' | '\\' => said.extend(['\\', sign]),
+            // what steers a terminal is no part of a name
+            sign if sign.is_control() => said.push(' '),
+            sign => said.push(sign),
+        }
+    }
+    said.push('"');
+    said
+}

@@ -1,0 +1,182 @@
+//! Wind, static loads and combinations in the project file: what they become, and every refusal with what to do.
+
+use dolmen::structure::wind::Wind;
+use dolmen_project::{Quantity, WindPart, parse_project};
+
+const POLE: &str = r#"schema = 1
+kind = "chain"
+name = "pole"
+units = { length = "m", force = "kN", stiffness = "kN*m/rad" }
+links = [
+  { name = "shaft", weight = 39, length = 3.7, centroid = 1.6, bed_width = 0.65 },
+  { name = "top", weight = 15, length = 2.6, centroid = 1.2, bed_width = 0.48 },
+]
+joints = [{ stiffness = 2200 }, { stiffness = 630 }]
+"#;
+
+/// The pole with these lines below.
+fn with(lines: &str) -> String {
+    format!("{POLE}{lines}\n")
+}
+
+fn said(lines: &str) -> String {
+    let text = with(lines);
+    parse_project(&text, "pole.toml").unwrap_err().to_string()
+}
+
+#[test]
+fn exact_wind_loads_and_combinations_are_read_in_si() {
+    let text = with(
+        r#"wind = { speed = 30, means = "gust", force_coefficient = 2.0, areas = [{ part = "top", area = 1.2 }, { part = "links[1]", area = 0.5, height = 3.0, force_coefficient = 1.4 }] }
+loads = [{ name = "lamp", at = "top", height = 5.0, force = 0.4, weight = "200 N" }]
+[combination.storm]
+weight = 0.9
+wind = 1.5
+[combination.dead]
+weight = 1.35"#,
+    );
+    let project = parse_project(&text, "pole.toml").unwrap();
+    let WindPart::Given(wind) = &project.loads.wind else {
+        panic!("no wind");
+    };
+    let gust = Wind::Gust {
+        speed_m_s: 30.0,
+        air_density_kg_m3: 1.25,
+    };
+    assert_eq!(wind.build(&mut Quantity::nominal), gust);
+    assert_eq!((wind.areas[0].part, wind.areas[1].part), (1, 0));
+    let load = &project.loads.loads[0];
+    assert_eq!(load.force.as_ref().map(|force| force.value), Some(400.0));
+    assert_eq!(load.weight.as_ref().map(|weight| weight.value), Some(200.0));
+    let factors = |i: usize| {
+        let of = &project.loads.combinations[i];
+        (of.name.as_deref(), of.weight, of.wind, of.loads)
+    };
+    assert_eq!(factors(0), (Some("storm"), 0.9, 1.5, 0.0));
+    assert_eq!(factors(1), (Some("dead"), 1.35, 0.0, 0.0));
+    let sheltered = parse_project(&with("wind = \"sheltered\""), "pole.toml").unwrap();
+    assert_eq!(sheltered.loads.wind, WindPart::Sheltered);
+    // without combinations everything acts as it is
+    let plain = parse_project(
+        &with("wind = { pressure = \"0.6 kPa\", means = \"gust\", force_coefficient = 1.2 }"),
+        "pole.toml",
+    )
+    .unwrap();
+    let only = &plain.loads.combinations[0];
+    assert_eq!(
+        (&only.name, only.weight, only.wind, only.loads),
+        (&None, 1.0, 1.0, 1.0)
+    );
+}
+
+#[test]
+fn refuses_a_wind_that_does_not_say_what_it_is_and_says_what_to_do() {
+    for (wind, message, help) in [
+        (
+            r#"speed = 30, pressure = 600, means = "gust""#,
+            "wind has both speed and pressure",
+            "keep one of them",
+        ),
+        (
+            r#"means = "gust""#,
+            "wind has neither speed nor pressure",
+            "give speed = \"30 m/s\"",
+        ),
+        (
+            r#"speed = 30"#,
+            "wind does not say whether it is a gust or a mean",
+            "write means = \"gust\"",
+        ),
+        (
+            r#"speed = 30, means = "10 min""#,
+            "no code makes the gust of it",
+            "write code = \"EN 1991-1-4\"",
+        ),
+        (
+            r#"speed = 30, means = "gust", code = "EN 1991-1-4", terrain = "II""#,
+            "a code makes the gust from a 10-minute mean",
+            "write means = \"10 min\"",
+        ),
+        (
+            r#"pressure = 600, means = "10 min""#,
+            "says nothing of gusts",
+            "give speed with a code",
+        ),
+        (
+            r#"speed = 30, means = "10 min", code = "KDS 41 12 00""#,
+            "wind has a code, but no terrain",
+            "\"C\" (open country)",
+        ),
+        (
+            r#"speed = 30, means = "10 min", code = "KDS 41 12 00", terrain = "II""#,
+            "wind.terrain is one of another code",
+            "\"A\" (large town)",
+        ),
+        (
+            r#"speed = 30, means = "gust", topography = 1.2"#,
+            "wind.topography has no meaning without a code",
+            "take it out",
+        ),
+        (
+            r#"speed = 108, means = "gust""#,
+            "no storm that people design for",
+            "100 km/h is 28 m/s",
+        ),
+        (
+            r#"speed = 30, means = "gust", areas = [{ part = "tops", area = 1 }]"#,
+            "there is no part \"tops\"",
+            "did you mean \"top\"?",
+        ),
+        (
+            r#"speed = 30, means = "gust", areas = [{ part = "top", area = 1, height = 2 }]"#,
+            "wind.areas[1].height = 2 m is not on links[2]",
+            "heights count from the lowest joint",
+        ),
+    ] {
+        let text = said(&format!("wind = {{ {wind}, force_coefficient = 2.0 }}"));
+        assert!(text.contains(message) && text.contains(help), "{wind}: {text}");
+    }
+    let text = said("wind = { speed = 30, means = \"gust\", force_coefficient = 20 }");
+    assert!(text.contains("a square prism has 2.0"), "{text}");
+}
+
+#[test]
+fn refuses_wind_on_a_link_whose_width_nobody_gave() {
+    let text = with("wind = { speed = 30, means = \"gust\", force_coefficient = 2.0 }");
+    let text = text.replace(", bed_width = 0.48", "");
+    let said = parse_project(&text, "pole.toml").unwrap_err().to_string();
+    assert!(said.contains("the width of links[2] is not known"), "{said}");
+    assert!(said.contains("wind.areas = [{ part = \"links[2]\""), "{said}");
+}
+
+#[test]
+fn refuses_loads_that_load_nothing_and_combinations_without_weight() {
+    for (lines, message) in [
+        (
+            "loads = [{ name = \"lamp\", at = \"top\" }]",
+            "has no force, weight or moment",
+        ),
+        (
+            "loads = [{ name = \"lamp\", at = \"top\", height = 9, force = 1 }]",
+            "is not on links[2]",
+        ),
+        ("[combination.a]\nweight = 0", "leaves no weight"),
+        ("[combination.a]\nwind = 11", "must be 0 to 10"),
+    ] {
+        let text = said(lines);
+        assert!(text.contains(message), "{lines}: {text}");
+    }
+}
+
+#[test]
+fn refuses_a_bed_that_crushes_and_a_strength_without_a_bed() {
+    let crushed = with("").replace(
+        "{ stiffness = 2200 }",
+        "{ stiffness = 2200, strength = \"0.1 MPa\" }",
+    );
+    let said = parse_project(&crushed, "pole.toml").unwrap_err().to_string();
+    assert!(said.contains("the bed crushes under the weight alone"), "{said}");
+    let bare = crushed.replace(", bed_width = 0.65", "");
+    let said = parse_project(&bare, "pole.toml").unwrap_err().to_string();
+    assert!(said.contains("the width of its bed is not"), "{said}");
+}

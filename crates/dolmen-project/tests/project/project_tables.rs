@@ -1,0 +1,109 @@
+//! Lists of parts in a table beside the file: the same project as if they were written in it, and what is said of tables that cannot be.
+
+use dolmen_project::{MemoryFiles, Project, Structure, parse_project_with};
+
+const STACK: &str =
+    "schema = 1\nkind = \"stack\"\nname = \"A\"\nUNITS\nblocks = { file = \"stones.csv\" }\ndensity = 2600\n";
+
+fn files(table: &str) -> MemoryFiles {
+    let mut files = MemoryFiles::default();
+    files
+        .files
+        .insert("stones.csv".to_owned(), table.as_bytes().to_vec());
+    files
+}
+
+fn read(units: &str, table: &str) -> Project {
+    let text = STACK.replace("UNITS", units);
+    parse_project_with(&text, "p.toml", &files(table)).unwrap_or_else(|why| panic!("{why}"))
+}
+
+fn refused(units: &str, table: &str) -> String {
+    let text = STACK.replace("UNITS", units);
+    parse_project_with(&text, "p.toml", &files(table))
+        .unwrap_err()
+        .to_string()
+}
+
+#[test]
+fn agrees_a_table_is_the_list_that_it_stands_for() {
+    let written = STACK.replace("UNITS", "").replace(
+        "{ file = \"stones.csv\" }",
+        "[{ name = \"base\", width = \"1200 mm\", height = \"400 mm\" }, { name = \"body\", width = \"950 mm\", height = \"600 mm\" }]",
+    );
+    let written = parse_project_with(&written, "p.toml", &files("")).unwrap();
+    let Structure::Stack(written) = &written.structure else {
+        panic!("no stack")
+    };
+    for table in [
+        "name,width (mm),height (mm)\nbase,1200,400\nbody,950,600\n",
+        "이름;폭(mm);높이 [mm]\nbase;1200;400\nbody;950;600\n",
+        "Name,Width,Height\nbase,1200 mm,400 mm\nbody,950 mm,600 mm\n",
+    ] {
+        let read = read("", table);
+        let Structure::Stack(read) = &read.structure else {
+            panic!("no stack")
+        };
+        assert_eq!(read.blocks, written.blocks, "{table}");
+    }
+    // bare numbers are in the units of the file
+    let bare = read(
+        "units = { length = \"mm\" }",
+        "name,width,height\nbase,1200,400\nbody,950,600\n",
+    );
+    assert!((bare.input("blocks[2].width").unwrap().value - 0.95).abs() < 1e-12);
+}
+
+#[test]
+fn refuses_tables_by_their_cell() {
+    for (units, table, said) in [
+        (
+            "",
+            "name,width,color\nbase,1,red\n",
+            "stones.csv, cell C1: \"color\" is no column of blocks",
+        ),
+        (
+            "",
+            "name,width,폭\nbase,1,1\n",
+            "stones.csv, cell C1: the column \"width\" is there twice",
+        ),
+        (
+            "",
+            "name,width (kg)\nbase,1\n",
+            "stones.csv, cell B1: the column \"width\" needs a length",
+        ),
+        (
+            "units = { length = \"m\" }",
+            "name,width (mm)\nbase,1200\n",
+            "stones.csv, cell B1: the column \"width\" is in mm, but units.length of the file is m",
+        ),
+        ("", "name,width,height\nbase,=1+1,1\n", "cell B2 holds a formula"),
+        ("", "name,width,height\nbase,1,-2\n", "(stones.csv, cell C2)"),
+        (
+            "",
+            "name,width,height\nbase,1,1\nbody,wide,1\n",
+            "(stones.csv, cell B3)",
+        ),
+        (
+            "",
+            "name,width,height\nbase,1,1,7\n",
+            "stones.csv, cell D2: stands under no head",
+        ),
+        ("", "name,width,height\n", "holds no rows"),
+    ] {
+        let told = refused(units, table);
+        assert!(told.contains(said), "{table}\n{told}");
+    }
+    let missing = STACK.replace("UNITS", "").replace("stones.csv", "other.xlsx");
+    let told = parse_project_with(&missing, "p.toml", &files(""))
+        .unwrap_err()
+        .to_string();
+    assert!(told.contains("blocks.file = \"other.xlsx\""), "{told}");
+    let more = STACK
+        .replace("UNITS", "")
+        .replace("\"stones.csv\"", "\"stones.csv\", rows = 3");
+    let told = parse_project_with(&more, "p.toml", &files(""))
+        .unwrap_err()
+        .to_string();
+    assert!(told.contains("must be file and sheet alone"), "{told}");
+}

@@ -1,0 +1,214 @@
+//! Photographs and drawings as they are: what their heads say, without decoding them.
+
+use imagesize::{ImageType, blob_size, image_type};
+use thiserror::Error;
+
+/// Most bytes of a photograph. Chosen here: a JPEG of a camera with 60 megapixels has 30 MB.
+pub const PHOTO_BYTES_MOST: u64 = 32 << 20;
+/// Most pixels of a photograph. Chosen here: decoded they take 800 MB; a camera of 2026 has 60 to 150 million.
+pub const PHOTO_PIXELS_MOST: u64 = 200_000_000;
+
+/// The formats that pages, documents and browsers all show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PhotoFormat {
+    /// JPEG.
+    Jpeg,
+    /// PNG.
+    Png,
+}
+
+impl PhotoFormat {
+    /// "image/jpeg".
+    pub fn media_type(self) -> &'static str {
+        match self {
+            PhotoFormat::Jpeg => "image/jpeg",
+            PhotoFormat::Png => "image/png",
+        }
+    }
+
+    /// "jpg".
+    pub fn extension(self) -> &'static str {
+        match self {
+            PhotoFormat::Jpeg => "jpg",
+            PhotoFormat::Png => "png",
+        }
+    }
+}
+
+/// An image whose head was read.
+#[derive(Clone, PartialEq, Eq)]
+pub struct Photo {
+    /// Its format.
+    pub format: PhotoFormat,
+    /// Pixels across, before any turn that the camera noted.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// The file as it is.
+    pub bytes: Vec<u8>,
+}
+
+impl std::fmt::Debug for Photo {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "Photo({:?}, {} × {})", self.format, self.width, self.height)
+    }
+}
+
+/// A file that is no photograph that can be used.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum PhotoError {
+    /// Another format, or no image.
+    #[error("is no JPEG or PNG image: its first bytes are {start}; save it as JPEG or PNG")]
+    NotAnImage {
+        /// The first bytes.
+        start: String,
+    },
+    /// The head does not say how large it is.
+    #[error("is a damaged image: its head does not say how large it is; save it again from its original")]
+    Damaged,
+    /// The end is missing.
+    #[error("is cut short: the end of the image is missing; copy it again from its original")]
+    CutShort,
+    /// No pixels.
+    #[error("is an image of {width} × {height} pixels, which shows nothing")]
+    Empty {
+        /// Pixels across.
+        width: u64,
+        /// Pixels down.
+        height: u64,
+    },
+    /// Too many pixels.
+    #[error(
+        "is an image of {width} × {height} pixels, but at most {} million are used: save it smaller (3000 pixels across fill a page)",
+        PHOTO_PIXELS_MOST / 1_000_000
+    )]
+    TooManyPixels {
+        /// Pixels across.
+        width: u64,
+        /// Pixels down.
+        height: u64,
+    },
+}
+
+/// Reads the head of a JPEG or PNG.
+///
+/// # Errors
+/// [`PhotoError`]: no such image, no end, no pixels, or more than [`PHOTO_PIXELS_MOST`].
+///
+/// # Limits
+/// What stands between head and end is not looked at: a damaged middle shows when it is drawn.
+pub fn read_photo(bytes: Vec<u8>) -> Result<Photo, PhotoError> {
+    const NAMED: usize = 8;
+    let format = match image_type(&bytes) {
+        Ok(ImageType::Jpeg) => PhotoFormat::Jpeg,
+        Ok(ImageType::Png) => PhotoFormat::Png,
+        _ => {
+            let start: Vec<String> = bytes
+                .iter()
+                .take(NAMED)
+                .map(|byte| format!("{byte:02x}"))
+                .collect();
+            let start = match start.as_slice() {
+                [] => "none, the file is empty".to_owned(),
+                some => some.join(" "),
+            };
+            return Err(PhotoError::NotAnImage { start });
+        }
+    };
+    let size = blob_size(&bytes).map_err(|_| PhotoError::Damaged)?;
+    let [width, height] = [size.width, size.height].map(|pixels| pixels as u64);
+    if width == 0 || height == 0 {
+        return Err(PhotoError::Empty { width, height });
+    }
+    if width.saturating_mul(height) > PHOTO_PIXELS_MOST {
+        return Err(PhotoError::TooManyPixels { width, height });
+    }
+    if !has_end(&bytes, format) {
+        return Err(PhotoError::CutShort);
+    }
+    let side = |pixels: u64| u32::try_from(pixels).map_err(|_| PhotoError::Damaged);
+    Ok(Photo {
+        format,
+        width: side(width)?,
+        height: side(height)?,
+        bytes,
+    })
+}
+
+/// Whether the mark of its end stands in the last bytes: cameras add some behind it.
+fn has_end(bytes: &[u8], format: PhotoFormat) -> bool {
+    let mark: &[u8] = match format {
+        PhotoFormat::Jpeg => &[0xff, 0xd9],
+        PhotoFormat::Png => b"IEND",
+    };
+    memchr::memmem::rfind(bytes, mark).is_some()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The signature and IHDR of a PNG as RFC 2083 has them, then its end.
+    fn png(width: u32, height: u32) -> Vec<u8> {
+        let mut bytes = b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR".to_vec();
+        bytes.extend(width.to_be_bytes());
+        bytes.extend(height.to_be_bytes());
+        bytes.extend([8, 2, 0, 0, 0, 0, 0, 0, 0]);
+        bytes.extend(b"\0\0\0\0IEND\xaeB`\x82");
+        bytes
+    }
+
+    /// A JPEG with a thumbnail's frame within APP1 before its own, as cameras write it (ITU-T T.81, B.2.2).
+    fn jpeg(width: u16, height: u16) -> Vec<u8> {
+        let frame = |width: u16, height: u16| {
+            let mut segment = vec![0xff, 0xc0, 0, 11, 8];
+            segment.extend(height.to_be_bytes());
+            segment.extend(width.to_be_bytes());
+            segment.extend([1, 1, 0x11, 0]);
+            segment
+        };
+        let thumbnail = frame(160, 120);
+        let mut bytes = vec![0xff, 0xd8, 0xff, 0xe1];
+        bytes.extend((thumbnail.len() as u16 + 2).to_be_bytes());
+        bytes.extend(thumbnail);
+        bytes.extend(frame(width, height));
+        bytes.extend([0xff, 0xd9]);
+        bytes
+    }
+
+    #[test]
+    fn exact_the_size_stands_in_the_head() {
+        let read = read_photo(png(4000, 3000)).unwrap();
+        assert_eq!(
+            (read.format, read.width, read.height),
+            (PhotoFormat::Png, 4000, 3000)
+        );
+        let read = read_photo(jpeg(6000, 4000)).unwrap();
+        assert_eq!(
+            (read.format, read.width, read.height),
+            (PhotoFormat::Jpeg, 6000, 4000)
+        );
+    }
+
+    #[test]
+    fn refuses_what_is_no_image_and_one_that_is_too_large() {
+        let told = |bytes: Vec<u8>| read_photo(bytes).unwrap_err().to_string();
+        assert!(told(b"%PDF-1.7 and more".to_vec()).contains("first bytes are 25 50 44 46 2d 31 2e 37"));
+        assert!(told(Vec::new()).contains("the file is empty"));
+        assert!(told(b"<svg xmlns='http://www.w3.org/2000/svg'/>".to_vec()).contains("no JPEG or PNG"));
+        assert_eq!(
+            read_photo(png(20_000, 10_001)),
+            Err(PhotoError::TooManyPixels {
+                width: 20_000,
+                height: 10_001
+            })
+        );
+        assert!(read_photo(png(20_000, 10_000)).is_ok());
+        assert_eq!(
+            read_photo(png(0, 7)),
+            Err(PhotoError::Empty { width: 0, height: 7 })
+        );
+        assert_eq!(read_photo(png(4, 4)[..30].to_vec()), Err(PhotoError::CutShort));
+        assert_eq!(read_photo(jpeg(4, 4)[..12].to_vec()), Err(PhotoError::Damaged));
+    }
+}

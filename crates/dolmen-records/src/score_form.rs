@@ -1,0 +1,141 @@
+//! The form of the six-factor score, filled: a sheet with keys in its first column and values beside them.
+
+use calamine::{Data, Reader as _, Xlsx};
+use std::io::Cursor;
+
+/// Keys of the factors that must be there.
+const NEEDED: [&str; 4] = ["storeys", "body_height", "taper", "body_base_height_ratio"];
+/// Of these one is enough.
+const EITHER: [&str; 2] = ["body_slenderness", "slenderness_angle"];
+/// The column of the values, from 0.
+const VALUES: usize = 3;
+
+/// Why a form cannot be read.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum ScoreFormError {
+    /// It is no workbook.
+    #[error("it is no workbook (.xlsx): {0}")]
+    NoWorkbook(String),
+    /// No sheet has the rows of the form.
+    #[error(
+        "it is no form of the six-factor score: no sheet has the key storeys in its first column; `dolmen score --sheet form.xlsx` writes the form"
+    )]
+    NoForm,
+    /// A value is missing.
+    #[error("{key} is not filled: write its value into column D of its row")]
+    Missing {
+        /// The key of the row.
+        key: &'static str,
+    },
+    /// Both of two that follow from each other.
+    #[error("body_slenderness and slenderness_angle are both filled: keep one, the other follows from it")]
+    Both,
+    /// What stands there is no number.
+    #[error("{key} is {given:?}: write a number, in the unit of its row")]
+    NoNumber {
+        /// The key of the row.
+        key: &'static str,
+        /// What stands there.
+        given: String,
+    },
+    /// Storeys are counted.
+    #[error("storeys is {given}: write a whole number")]
+    NotWhole {
+        /// What stands there.
+        given: String,
+    },
+}
+
+/// A filled form.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ScoreForm {
+    /// The name of the pagoda, if it is given.
+    pub name: Option<String>,
+    /// Keys of factors with their values, in the units of the form: m, degrees.
+    pub factors: Vec<(&'static str, f64)>,
+}
+
+/// Reads a filled form from the bytes of a workbook.
+///
+/// # Errors
+/// [`ScoreFormError`].
+pub fn read_score_form(bytes: &[u8]) -> Result<ScoreForm, ScoreFormError> {
+    let mut book =
+        Xlsx::new(Cursor::new(bytes)).map_err(|why| ScoreFormError::NoWorkbook(why.to_string()))?;
+    for sheet in book.sheet_names() {
+        let range = book
+            .worksheet_range(&sheet)
+            .map_err(|why| ScoreFormError::NoWorkbook(why.to_string()))?;
+        let rows: Vec<(String, &Data)> = range
+            .rows()
+            .filter_map(|row| Some((row.first()?.to_string(), row.get(VALUES)?)))
+            .collect();
+        if rows.iter().any(|(key, _)| key == "storeys") {
+            return filled(&rows);
+        }
+    }
+    Err(ScoreFormError::NoForm)
+}
+
+fn filled(rows: &[(String, &Data)]) -> Result<ScoreForm, ScoreFormError> {
+    let given = |key: &str| {
+        let row = rows.iter().find(|(of, _)| of == key)?;
+        let text = row.1.to_string().trim().to_owned();
+        (!text.is_empty() && text != "–").then_some((row.1, text))
+    };
+    let mut factors = Vec::new();
+    for key in NEEDED.into_iter().chain(EITHER) {
+        let Some((cell, text)) = given(key) else {
+            match EITHER.contains(&key) {
+                true => continue,
+                false => return Err(ScoreFormError::Missing { key }),
+            }
+        };
+        let value = match cell {
+            Data::Float(value) => Some(*value),
+            Data::Int(value) => Some(*value as f64),
+            Data::String(_) => text.replace(',', ".").parse().ok(),
+            _ => None,
+        };
+        match value.filter(|value: &f64| value.is_finite()) {
+            Some(value) if key == "storeys" && value.fract() != 0.0 => {
+                return Err(ScoreFormError::NotWhole { given: text });
+            }
+            Some(value) => factors.push((key, value)),
+            None => return Err(ScoreFormError::NoNumber { key, given: text }),
+        }
+    }
+    match EITHER.map(|key| factors.iter().any(|(of, _)| *of == key)) {
+        [true, true] => return Err(ScoreFormError::Both),
+        [false, false] => return Err(ScoreFormError::Missing { key: EITHER[0] }),
+        _ => {}
+    }
+    Ok(ScoreForm {
+        name: given("name").map(|(_, text)| text),
+        factors,
+    })
+}
+
+impl ScoreForm {
+    /// The text of a project file that says the same, with the friction, the joints and the density of the designs of the score.
+    pub fn project_text(&self) -> String {
+        let name = self.name.as_deref().unwrap_or("Pagoda of the form");
+        let safe: String = name
+            .chars()
+            .map(|c| if c.is_control() { ' ' } else { c })
+            .collect();
+        let name = safe.replace('\\', "\\\\").replace('"', "\\\"");
+        let factor = |(key, value): &(&str, f64)| match *key {
+            "storeys" => format!("{key} = {value:.0}"),
+            "body_height" => format!("{key} = \"{value} m\""),
+            "taper" => format!("{key} = \"{value} deg\""),
+            _ => format!("{key} = {value:?}"),
+        };
+        let factors: Vec<String> = self.factors.iter().map(factor).collect();
+        format!(
+            "schema = 1\nkind = \"stack\"\nname = \"{name}\"\ndensity = 2600\n\
+             joint = {{ friction = 0.6, normal_stiffness = 1e9, shear_stiffness = 4e8 }}\npagoda = {{ {} }}\n",
+            factors.join(", ")
+        )
+    }
+}

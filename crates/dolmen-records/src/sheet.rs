@@ -1,0 +1,382 @@
+//! Tables of stones and storeys as people keep them: XLSX, ODS and CSV to rows of cells that know their place.
+
+use calamine::{Data, Dimensions, Ods, Range, Reader, Xlsx};
+use std::io::{Cursor, Read as _};
+use thiserror::Error;
+
+/// Most bytes of a table.
+pub const SHEET_BYTES_MOST: u64 = 32 << 20;
+/// Most bytes that a workbook may unpack to. Chosen here: 10,000 stones in twenty columns are 20 MB of XML.
+const UNPACKED_BYTES_MOST: u64 = 128 << 20;
+/// Most rows and columns that are looked at. Chosen here: no monument was ever measured stone by stone in more.
+const ROWS_MOST: usize = 10_000;
+const COLUMNS_MOST: usize = 256;
+
+/// What stands in a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SheetValue {
+    /// Nothing.
+    Empty,
+    /// A number.
+    Number(f64),
+    /// Words.
+    Text(String),
+}
+
+/// A cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SheetCell {
+    /// Its place: "C4".
+    pub place: String,
+    /// What stands in it.
+    pub value: SheetValue,
+}
+
+/// A table that cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, Error)]
+pub enum SheetError {
+    /// No table by its name.
+    #[error("is no table: its name must end in .xlsx, .ods or .csv")]
+    NotATable,
+    /// It cannot be read.
+    #[error("cannot be read as a table: {why}")]
+    Unreadable {
+        /// What the reader says.
+        why: String,
+    },
+    /// It unpacks to more than it may.
+    #[error("unpacks to more than {} MiB: save only the table of this structure", UNPACKED_BYTES_MOST >> 20)]
+    TooLarge,
+    /// More rows or columns than are read.
+    #[error("has {rows} rows and {columns} columns, but at most {ROWS_MOST} and {COLUMNS_MOST} are read")]
+    TooMany {
+        /// Rows.
+        rows: usize,
+        /// Columns.
+        columns: usize,
+    },
+    /// There is no such sheet.
+    #[error("has no sheet \"{name}\": it has {known}")]
+    NoSuchSheet {
+        /// The name.
+        name: String,
+        /// Those there are.
+        known: String,
+    },
+    /// Which sheet is meant is not said.
+    #[error("has several sheets ({known}): name one, sheet = \"…\"")]
+    SeveralSheets {
+        /// Those there are.
+        known: String,
+    },
+    /// A table of text has sheets.
+    #[error("is text and has no sheets: take sheet = \"…\" out")]
+    NoSheets,
+    /// Nothing stands in it.
+    #[error("holds no rows below its header")]
+    NoRows,
+    /// A formula.
+    #[error("cell {place} holds a formula: its value may be old; copy the table and paste values only")]
+    Formula {
+        /// The cell.
+        place: String,
+    },
+    /// Cells that are merged.
+    #[error("cells {place} are merged: which row they belong to is not clear; split them")]
+    Merged {
+        /// The cells: "B2:B4".
+        place: String,
+    },
+    /// An error of the sheet.
+    #[error("cell {place} holds {what}, which is no number and no name")]
+    Other {
+        /// The cell.
+        place: String,
+        /// What it holds.
+        what: String,
+    },
+}
+
+/// The rows of a table, the header first; empty rows at the end are left out.
+///
+/// # Errors
+/// [`SheetError`]: no table, a formula, merged cells, more than it may hold; each names its cell.
+pub fn read_sheet(bytes: &[u8], file: &str, sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    let ending = file.rsplit('.').next().map(str::to_lowercase);
+    let mut rows = match ending.as_deref() {
+        Some("xlsx") => of_xlsx(bytes, sheet)?,
+        Some("ods") => of_ods(bytes, sheet)?,
+        Some("csv" | "tsv" | "txt") if sheet.is_some() => return Err(SheetError::NoSheets),
+        Some("csv" | "tsv" | "txt") => of_text(bytes)?,
+        _ => return Err(SheetError::NotATable),
+    };
+    let is_empty = |row: &Vec<SheetCell>| row.iter().all(|cell| cell.value == SheetValue::Empty);
+    while rows.last().is_some_and(is_empty) {
+        rows.pop();
+    }
+    match rows.len() {
+        0 | 1 => Err(SheetError::NoRows),
+        _ => Ok(rows),
+    }
+}
+
+/// "C4" of a column and row from 0.
+fn place(row: usize, column: usize) -> String {
+    let mut letters = Vec::new();
+    let mut left = column + 1;
+    while left > 0 {
+        letters.push(char::from(b'A' + u8::try_from((left - 1) % 26).unwrap_or(0)));
+        left = (left - 1) / 26;
+    }
+    let letters: String = letters.into_iter().rev().collect();
+    format!("{letters}{}", row + 1)
+}
+
+fn unreadable(why: impl std::fmt::Display) -> SheetError {
+    SheetError::Unreadable { why: why.to_string() }
+}
+
+/// Unpacks every part once and keeps nothing: what a workbook says of its size need not be true.
+fn refuse_bomb(bytes: &[u8]) -> Result<(), SheetError> {
+    let mut archive = zip::ZipArchive::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let mut left = UNPACKED_BYTES_MOST;
+    for number in 0..archive.len() {
+        let part = archive.by_index(number).map_err(unreadable)?;
+        let unpacked = std::io::copy(&mut part.take(left + 1), &mut std::io::sink()).map_err(unreadable)?;
+        left = left.checked_sub(unpacked).ok_or(SheetError::TooLarge)?;
+    }
+    Ok(())
+}
+
+/// The name of the sheet that is meant.
+fn chosen(names: &[String], sheet: Option<&str>) -> Result<String, SheetError> {
+    let known = || names.join(", ");
+    match (sheet, names) {
+        (Some(name), _) if names.iter().any(|one| one == name) => Ok(name.to_owned()),
+        (Some(name), _) => Err(SheetError::NoSuchSheet {
+            name: name.to_owned(),
+            known: known(),
+        }),
+        (None, [one]) => Ok(one.clone()),
+        (None, _) => Err(SheetError::SeveralSheets { known: known() }),
+    }
+}
+
+fn of_xlsx(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    refuse_bomb(bytes)?;
+    let mut book: Xlsx<_> = Xlsx::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let name = chosen(&book.sheet_names(), sheet)?;
+    let merged = book.merge_cells_by_sheet_name(&name).map_err(unreadable)?;
+    if let Some(Dimensions { start, end }) = merged.first() {
+        let corner = |(row, column): (u32, u32)| place(row as usize, column as usize);
+        return Err(SheetError::Merged {
+            place: format!("{}:{}", corner(*start), corner(*end)),
+        });
+    }
+    refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
+    cells(&book.worksheet_range(&name).map_err(unreadable)?)
+}
+
+fn of_ods(bytes: &[u8], sheet: Option<&str>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    refuse_bomb(bytes)?;
+    let mut book: Ods<_> = Ods::new(Cursor::new(bytes)).map_err(unreadable)?;
+    let name = chosen(&book.sheet_names(), sheet)?;
+    refuse_formula(&book.worksheet_formula(&name).map_err(unreadable)?)?;
+    cells(&book.worksheet_range(&name).map_err(unreadable)?)
+}
+
+fn refuse_formula(formulas: &Range<String>) -> Result<(), SheetError> {
+    let (first_row, first_column) = formulas.start().unwrap_or_default();
+    let mut each = formulas.used_cells();
+    match each.find(|(_, _, formula)| !formula.is_empty()) {
+        None => Ok(()),
+        Some((row, column, _)) => Err(SheetError::Formula {
+            place: place(row + first_row as usize, column + first_column as usize),
+        }),
+    }
+}
+
+fn cells(range: &Range<Data>) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    let (first_row, first_column) = range.start().unwrap_or_default();
+    let (rows, columns) = range.get_size();
+    if rows > ROWS_MOST || columns > COLUMNS_MOST {
+        return Err(SheetError::TooMany { rows, columns });
+    }
+    let cell = |row: usize, column: usize, value: &Data| {
+        let place = place(row + first_row as usize, column + first_column as usize);
+        let value = match value {
+            Data::Empty => SheetValue::Empty,
+            Data::Int(number) => SheetValue::Number(*number as f64),
+            Data::Float(number) => SheetValue::Number(*number),
+            Data::String(text) if text.trim().is_empty() => SheetValue::Empty,
+            Data::String(text) => SheetValue::Text(text.trim().to_owned()),
+            other => {
+                let what = match other {
+                    Data::Error(error) => format!("the error {error}"),
+                    Data::Bool(value) => format!("{value}"),
+                    _ => "a date or time".to_owned(),
+                };
+                return Err(SheetError::Other { place, what });
+            }
+        };
+        Ok(SheetCell { place, value })
+    };
+    let of_row = |(number, row): (usize, &[Data])| {
+        let each = row.iter().enumerate();
+        each.map(|(column, value)| cell(number, column, value)).collect()
+    };
+    range.rows().enumerate().map(of_row).collect()
+}
+
+/// CSV with commas, semicolons or tabs, by its first line.
+fn of_text(bytes: &[u8]) -> Result<Vec<Vec<SheetCell>>, SheetError> {
+    let text = std::str::from_utf8(bytes).map_err(|fault| {
+        let at = fault.valid_up_to();
+        unreadable(format!("it is not UTF-8 text (byte {at}): save it as CSV UTF-8"))
+    })?;
+    let text = text.trim_start_matches('\u{feff}');
+    let first = text.lines().next().unwrap_or_default();
+    let count = |mark: u8| first.bytes().filter(|byte| *byte == mark).count();
+    let delimiter = [b',', b';', b'\t']
+        .into_iter()
+        .max_by_key(|mark| count(*mark))
+        .unwrap_or(b',');
+    let mut reader = csv::ReaderBuilder::new()
+        .delimiter(delimiter)
+        .has_headers(false)
+        .flexible(true)
+        .from_reader(text.as_bytes());
+    let mut rows = Vec::new();
+    for (number, record) in reader.records().enumerate() {
+        let record = record.map_err(unreadable)?;
+        if number >= ROWS_MOST || record.len() > COLUMNS_MOST {
+            let (rows, columns) = (number + 1, record.len());
+            return Err(SheetError::TooMany { rows, columns });
+        }
+        let cell = |(column, field): (usize, &str)| {
+            let (place, field) = (place(number, column), field.trim());
+            if field.starts_with('=') {
+                return Err(SheetError::Formula { place });
+            }
+            let value = match (field, field.parse::<f64>()) {
+                ("", _) => SheetValue::Empty,
+                (_, Ok(number)) if number.is_finite() => SheetValue::Number(number),
+                _ => SheetValue::Text(field.to_owned()),
+            };
+            Ok(SheetCell { place, value })
+        };
+        rows.push(
+            record
+                .iter()
+                .enumerate()
+                .map(cell)
+                .collect::<Result<Vec<_>, _>>()?,
+        );
+    }
+    Ok(rows)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_places_are_those_of_a_spreadsheet() {
+        let places =
+            [(0, 0), (3, 2), (9, 25), (0, 26), (0, 701), (0, 702)].map(|(row, column)| place(row, column));
+        assert_eq!(places, ["A1", "C4", "Z10", "AA1", "ZZ1", "AAA1"]);
+    }
+
+    #[test]
+    fn refuses_text_that_is_no_table() {
+        let told = |bytes: &[u8], file: &str, sheet| read_sheet(bytes, file, sheet).unwrap_err().to_string();
+        assert!(told(b"a", "a.pdf", None).contains(".xlsx, .ods or .csv"));
+        assert!(told(b"a,b\n", "a.csv", None).contains("no rows"));
+        assert!(told(b"a,b\n1,=A1\n", "a.csv", None).contains("cell B2 holds a formula"));
+        assert!(told(b"a\n1\n", "a.csv", Some("x")).contains("has no sheets"));
+        assert!(told(&[0xb0, 0xa1], "a.csv", None).contains("not UTF-8"));
+        assert!(told(b"PK\x03\x04", "a.xlsx", None).contains("cannot be read"));
+    }
+
+    #[test]
+    fn exact_semicolons_and_quotes() {
+        let rows = read_sheet("name;width\n\"a;b\";1.5\n".as_bytes(), "a.csv", None).unwrap();
+        assert_eq!(rows[1][0].value, SheetValue::Text("a;b".to_owned()));
+        assert_eq!(
+            (rows[1][1].place.as_str(), &rows[1][1].value),
+            ("B2", &SheetValue::Number(1.5))
+        );
+    }
+
+    fn book(write: impl Fn(&mut rust_xlsxwriter::Worksheet)) -> Vec<u8> {
+        let mut book = rust_xlsxwriter::Workbook::new();
+        let sheet = book.add_worksheet().set_name("stones").unwrap();
+        write(sheet);
+        book.save_to_buffer().unwrap()
+    }
+
+    fn heads(sheet: &mut rust_xlsxwriter::Worksheet) {
+        for (column, head) in (1..).zip(["이름", "폭 (mm)"]) {
+            sheet.write_string(2, column, head).unwrap();
+        }
+        sheet.write_string(3, 1, "몸돌").unwrap();
+        sheet.write_number(3, 2, 950.0).unwrap();
+    }
+
+    #[test]
+    fn agrees_a_workbook_of_another_writer_is_read_with_its_places() {
+        let bytes = book(heads);
+        for sheet in [None, Some("stones")] {
+            let rows = read_sheet(&bytes, "a.xlsx", sheet).unwrap();
+            assert_eq!(rows.len(), 2);
+            assert_eq!(
+                (rows[0][1].place.as_str(), &rows[0][1].value),
+                ("C3", &SheetValue::Text("폭 (mm)".to_owned()))
+            );
+            assert_eq!(
+                (rows[1][1].place.as_str(), &rows[1][1].value),
+                ("C4", &SheetValue::Number(950.0))
+            );
+        }
+    }
+
+    #[test]
+    fn refuses_formulas_merged_cells_and_sheets_that_are_not_there_by_their_cell() {
+        let told = |bytes: &[u8], sheet| read_sheet(bytes, "a.xlsx", sheet).unwrap_err().to_string();
+        let formula = book(|sheet| {
+            heads(sheet);
+            sheet.write_formula(4, 2, "=C4*2").unwrap();
+        });
+        assert!(
+            told(&formula, None).contains("cell C5 holds a formula"),
+            "{}",
+            told(&formula, None)
+        );
+        let merged = book(|sheet| {
+            heads(sheet);
+            sheet
+                .merge_range(4, 1, 5, 1, "a", &rust_xlsxwriter::Format::new())
+                .unwrap();
+        });
+        assert!(
+            told(&merged, None).contains("cells B5:B6 are merged"),
+            "{}",
+            told(&merged, None)
+        );
+        assert!(told(&book(heads), Some("stone")).contains("has no sheet \"stone\": it has stones"));
+    }
+
+    #[test]
+    fn refuses_a_workbook_that_unpacks_to_far_more_than_it_holds() {
+        use std::io::Write as _;
+        let mut archive = zip::ZipWriter::new(Cursor::new(Vec::new()));
+        archive
+            .start_file("xl/workbook.xml", zip::write::SimpleFileOptions::default())
+            .unwrap();
+        let zeros = vec![0_u8; 1 << 20];
+        (0..130).for_each(|_| archive.write_all(&zeros).unwrap());
+        let bytes = archive.finish().unwrap().into_inner();
+        assert!(bytes.len() < 1 << 20, "{}", bytes.len());
+        assert_eq!(read_sheet(&bytes, "a.xlsx", None), Err(SheetError::TooLarge));
+    }
+}

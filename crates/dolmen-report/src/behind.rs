@@ -1,0 +1,86 @@
+//! What stands behind the sections of a report: what was given, method and limits, sources.
+
+use crate::document::{Block, Cell, Document, Table};
+use crate::html::Imprint;
+use crate::html::front::{closing, sources};
+use crate::html::given::{survey_head, survey_lines};
+use crate::html::method::method;
+use crate::xlsx::{Workbook, inputs_tables};
+use dolmen_words::message::Both;
+use dolmen_words::{Language, Sentence};
+use dolmen_work::answer::ProjectReport;
+
+/// The last sections of a report.
+pub(crate) fn behind_document(answer: &ProjectReport, imprint: &Imprint) -> Document<'static> {
+    let mut document = Document::default();
+    given(&mut document, answer);
+    document.heading(said(|language| language.pick("Method and limits", "방법과 한계")));
+    document.put(list(|language| {
+        let lines = method(&answer.project.structure, language);
+        lines.into_iter().map(str::to_owned).collect()
+    }));
+    document.heading(said(|language| {
+        language.pick("Evidence and sources", "근거와 출처")
+    }));
+    document.put(list(|language| sources(answer, language, imprint)));
+    document.note(said(closing));
+    document
+}
+
+fn given(document: &mut Document<'_>, answer: &ProjectReport) {
+    let project = &answer.project;
+    document.heading(said(|language| language.pick("What was given", "입력 자료")));
+    if let Some(description) = &project.description {
+        document.paragraph(Sentence::of_symbol(description));
+    }
+    for headed in inputs_tables(answer) {
+        document.put(Block::Table(without_empty_columns(headed.table)));
+    }
+    for survey in &project.surveys {
+        document.subheading(said(|language| survey_head(survey, language)));
+        document.put(list(|language| survey_lines(survey, language)));
+    }
+    if !project.warnings.is_empty() {
+        document.subheading(said(|language| {
+            language.pick("Warnings on reading the file", "입력 파일에 대한 경고")
+        }));
+        let warnings = project.warnings.iter();
+        document.put(Block::List(
+            warnings.map(|warning| warning.message.clone()).collect(),
+        ));
+    }
+}
+
+fn said<T: Into<String>>(words: impl Fn(Language) -> T) -> Sentence {
+    let text = Both::of(words);
+    Workbook::Verbatim { text }.into()
+}
+
+/// Points that are as many in both languages.
+fn list(points: impl Fn(Language) -> Vec<String>) -> Block<'static> {
+    let both = points(Language::English)
+        .into_iter()
+        .zip(points(Language::Korean));
+    let each = both.map(|(english, korean)| Both { english, korean });
+    Block::List(each.map(|text| Workbook::Verbatim { text }.into()).collect())
+}
+
+/// The table without the columns in which nothing stands.
+fn without_empty_columns(table: Table) -> Table {
+    let is_empty = |row: &Vec<Cell>, column: usize| {
+        let text = row.get(column).map(|cell| cell.text(Language::English));
+        matches!(text.as_deref(), None | Some("" | "–"))
+    };
+    let kept: Vec<bool> = (0..table.columns.len())
+        .map(|column| !table.rows.iter().all(|row| is_empty(row, column)))
+        .collect();
+    fn only<T>(all: Vec<T>, kept: &[bool]) -> Vec<T> {
+        let each = all.into_iter().zip(kept);
+        each.filter_map(|(one, kept)| kept.then_some(one)).collect()
+    }
+    Table {
+        caption: table.caption,
+        columns: only(table.columns, &kept),
+        rows: table.rows.into_iter().map(|row| only(row, &kept)).collect(),
+    }
+}

@@ -1,0 +1,74 @@
+//! The contents: a field with its entries as they are now.
+
+use super::inline::{Ink, instruct, paragraph, said, tab, words};
+use super::xml::Xml;
+use dolmen_words::Language;
+
+/// A head that the contents name.
+pub(super) struct Entry {
+    /// 1 or 2.
+    pub(super) level: usize,
+    pub(super) number: String,
+    pub(super) head: String,
+    /// The mark at the head.
+    pub(super) mark: String,
+}
+
+/// The mark of the head with this number in the document.
+pub(super) fn mark(number: usize) -> String {
+    format!("_Toc{number:06}")
+}
+
+/// Contents of two levels. Page numbers are fields without a value: they are known when the document is laid out.
+pub(super) fn contents(xml: &mut Xml, entries: &[Entry], language: Language) {
+    xml.element("w:sdt", &[], |xml| {
+        xml.element("w:sdtPr", &[], |xml| {
+            xml.element("w:docPartObj", &[], |xml| {
+                xml.leaf("w:docPartGallery", &[("w:val", "Table of Contents")]);
+                xml.leaf("w:docPartUnique", &[]);
+            });
+        });
+        xml.element("w:sdtContent", &[], |xml| {
+            said(xml, "TOCHeading", language.pick("Contents", "목차"));
+            for (at, entry) in entries.iter().enumerate() {
+                let style = format!("TOC{}", entry.level);
+                paragraph(
+                    xml,
+                    &style,
+                    |_| (),
+                    |xml| {
+                        if at == 0 {
+                            mark_of_field(xml, "begin");
+                            instruct(xml, "TOC \\o \"1-2\" \\h \\z");
+                            mark_of_field(xml, "separate");
+                        }
+                        line(xml, entry);
+                        if at + 1 == entries.len() {
+                            mark_of_field(xml, "end");
+                        }
+                    },
+                );
+            }
+        });
+    });
+}
+
+fn line(xml: &mut Xml, entry: &Entry) {
+    let link = [("w:anchor", entry.mark.as_str()), ("w:history", "1")];
+    xml.element("w:hyperlink", &link, |xml| {
+        words(xml, &entry.number, Ink::PLAIN);
+        tab(xml);
+        words(xml, &entry.head, Ink::PLAIN);
+        tab(xml);
+        mark_of_field(xml, "begin");
+        instruct(xml, &format!("PAGEREF {} \\h", entry.mark));
+        mark_of_field(xml, "separate");
+        mark_of_field(xml, "end");
+    });
+}
+
+fn mark_of_field(xml: &mut Xml, what: &str) {
+    xml.element("w:r", &[], |xml| {
+        xml.leaf("w:fldChar", &[("w:fldCharType", what)])
+    });
+}

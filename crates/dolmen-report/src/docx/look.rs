@@ -1,0 +1,482 @@
+//! How a document looks: its styles and colours. Sizes are half-points, lengths twentieths of a point.
+
+use super::xml::Xml;
+use crate::document::Tone;
+use dolmen_words::Language;
+
+/// The name space of words.
+pub(super) const W: &str = "http://schemas.openxmlformats.org/wordprocessingml/2006/main";
+
+/// A4, and its margins: as the PDF has them.
+pub(super) const PAGE: [&str; 2] = ["11906", "16838"];
+pub(super) const MARGIN_SIDE: &str = "1304"; // 23 mm
+pub(super) const MARGIN_TOP: &str = "1474"; // 26 mm
+/// Width of the text.
+pub(super) const TEXT_WIDTH: usize = 9298; // 11906 − 2 · 1304
+
+pub(super) const INK: &str = "1D2733";
+pub(super) const QUIET: &str = "5B6876";
+pub(super) const HAIR: &str = "D5DBE1";
+pub(super) const BAD: &str = "B3261E";
+pub(super) const BAD_WASH: &str = "FCEEED";
+
+/// The colour of a tone, its wash, and its sign.
+pub(super) fn tone(tone: Tone) -> [&'static str; 3] {
+    match tone {
+        Tone::Good => ["0B6E4F", "EAF5F0", "●"],
+        Tone::Warn => ["A15C00", "FDF3E3", "◆"],
+        // Korean fonts have no cross that is a mark
+        Tone::Bad => [BAD, BAD_WASH, "×"],
+        Tone::Plain => ["8A96A3", "F4F6F8", "–"],
+        Tone::Unknown => [QUIET, "F4F6F8", "○"],
+    }
+}
+
+/// A paragraph style.
+struct Style {
+    id: &'static str,
+    name: &'static str,
+    based_on: &'static str,
+    /// What comes after it when somebody goes on writing.
+    next: &'static str,
+    half_points: &'static str,
+    colour: &'static str,
+    bold: bool,
+    before: &'static str,
+    after: &'static str,
+    keep_next: bool,
+    /// Of the contents, from 0; none where it is no head.
+    level: Option<&'static str>,
+    /// Indent from the left, and by how much the first line hangs out of it.
+    indent: Option<[&'static str; 2]>,
+    centred: bool,
+}
+
+const BODY: Style = Style {
+    id: "BodyText",
+    name: "Body Text",
+    based_on: "Normal",
+    next: "BodyText",
+    half_points: "20",
+    colour: INK,
+    bold: false,
+    before: "0",
+    after: "140",
+    keep_next: false,
+    level: None,
+    indent: None,
+    centred: false,
+};
+
+const fn heading(id: &'static str, name: &'static str, level: &'static str) -> Style {
+    Style {
+        id,
+        name,
+        next: "BodyText",
+        bold: true,
+        keep_next: true,
+        level: Some(level),
+        ..BODY
+    }
+}
+
+const STYLES: [Style; 21] = [
+    BODY,
+    Style {
+        half_points: "30",
+        before: "480",
+        after: "200",
+        ..heading("Heading1", "heading 1", "0")
+    },
+    Style {
+        half_points: "24",
+        before: "320",
+        after: "140",
+        ..heading("Heading2", "heading 2", "1")
+    },
+    Style {
+        half_points: "21",
+        before: "260",
+        after: "120",
+        ..heading("Heading3", "heading 3", "2")
+    },
+    // heads that are not numbered and stand in no contents
+    Style {
+        id: "FrontHeading",
+        name: "Front Heading",
+        half_points: "26",
+        bold: true,
+        before: "360",
+        after: "160",
+        keep_next: true,
+        ..BODY
+    },
+    Style {
+        id: "TOCHeading",
+        name: "TOC Heading",
+        half_points: "26",
+        bold: true,
+        before: "480",
+        after: "160",
+        keep_next: true,
+        ..BODY
+    },
+    Style {
+        id: "Title",
+        name: "Title",
+        half_points: "52",
+        bold: true,
+        after: "80",
+        next: "Subtitle",
+        ..BODY
+    },
+    Style {
+        id: "Subtitle",
+        name: "Subtitle",
+        half_points: "22",
+        colour: QUIET,
+        after: "120",
+        ..BODY
+    },
+    Style {
+        id: "Caption",
+        name: "caption",
+        half_points: "18",
+        after: "120",
+        before: "120",
+        next: "BodyText",
+        ..BODY
+    },
+    Style {
+        id: "Figure",
+        name: "Figure",
+        keep_next: true,
+        before: "200",
+        after: "0",
+        centred: true,
+        next: "Caption",
+        ..BODY
+    },
+    Style {
+        id: "Judgement",
+        name: "Judgement",
+        after: "60",
+        indent: Some(["170", "0"]),
+        ..BODY
+    },
+    Style {
+        id: "Finding",
+        name: "Finding",
+        after: "100",
+        indent: Some(["340", "340"]),
+        ..BODY
+    },
+    Style {
+        id: "Warning",
+        name: "Warning",
+        before: "80",
+        indent: Some(["170", "0"]),
+        ..BODY
+    },
+    Style {
+        id: "Remark",
+        name: "Remark",
+        half_points: "17",
+        colour: QUIET,
+        ..BODY
+    },
+    Style {
+        id: "ListBullet",
+        name: "List Bullet",
+        after: "80",
+        ..BODY
+    },
+    Style {
+        id: "TableText",
+        name: "Table Text",
+        half_points: "17",
+        before: "40",
+        after: "40",
+        next: "TableText",
+        ..BODY
+    },
+    Style {
+        id: "TableTextSmall",
+        name: "Table Text Small",
+        half_points: "15",
+        based_on: "TableText",
+        before: "30",
+        after: "30",
+        next: "TableTextSmall",
+        ..BODY
+    },
+    Style {
+        id: "TableTextFine",
+        name: "Table Text Fine",
+        half_points: "13",
+        based_on: "TableText",
+        before: "30",
+        after: "30",
+        next: "TableTextFine",
+        ..BODY
+    },
+    Style {
+        id: "Header",
+        name: "header",
+        half_points: "16",
+        colour: QUIET,
+        after: "0",
+        next: "Header",
+        ..BODY
+    },
+    Style {
+        id: "Footer",
+        name: "footer",
+        half_points: "16",
+        colour: QUIET,
+        after: "0",
+        next: "Footer",
+        ..BODY
+    },
+    Style {
+        id: "AfterTable",
+        name: "After Table",
+        half_points: "12",
+        after: "120",
+        next: "BodyText",
+        ..BODY
+    },
+];
+
+/// The styles: Normal, the heads, Caption, Body Text, those of tables and contents.
+pub(super) fn styles(language: Language) -> String {
+    let mut xml = Xml::document();
+    xml.element("w:styles", &[("xmlns:w", W)], |xml| {
+        xml.element("w:docDefaults", &[], |xml| {
+            xml.element("w:rPrDefault", &[], |xml| {
+                xml.element("w:rPr", &[], |xml| {
+                    fonts(xml, language);
+                    xml.leaf("w:color", &[("w:val", INK)]);
+                    xml.leaf("w:sz", &[("w:val", "20")]);
+                    xml.leaf("w:szCs", &[("w:val", "20")]);
+                    xml.leaf(
+                        "w:lang",
+                        &[
+                            ("w:val", language.pick("en-GB", "en-US")),
+                            ("w:eastAsia", "ko-KR"),
+                            ("w:bidi", "ar-SA"),
+                        ],
+                    );
+                });
+            });
+            xml.element("w:pPrDefault", &[], |xml| {
+                xml.element("w:pPr", &[], |xml| {
+                    xml.leaf("w:spacing", &[("w:line", "276"), ("w:lineRule", "auto")]);
+                });
+            });
+        });
+        xml.element(
+            "w:style",
+            &[
+                ("w:type", "paragraph"),
+                ("w:default", "1"),
+                ("w:styleId", "Normal"),
+            ],
+            |xml| {
+                xml.leaf("w:name", &[("w:val", "Normal")]);
+                xml.leaf("w:qFormat", &[]);
+            },
+        );
+        xml.element(
+            "w:style",
+            &[
+                ("w:type", "character"),
+                ("w:default", "1"),
+                ("w:styleId", "DefaultParagraphFont"),
+            ],
+            |xml| {
+                xml.leaf("w:name", &[("w:val", "Default Paragraph Font")]);
+                xml.leaf("w:uiPriority", &[("w:val", "1")]);
+                xml.leaf("w:semiHidden", &[]);
+            },
+        );
+        xml.element(
+            "w:style",
+            &[
+                ("w:type", "numbering"),
+                ("w:default", "1"),
+                ("w:styleId", "NoList"),
+            ],
+            |xml| {
+                xml.leaf("w:name", &[("w:val", "No List")]);
+            },
+        );
+        for style in &STYLES {
+            paragraph_style(xml, style);
+        }
+        contents_style(xml, "TOC1", "toc 1", "0");
+        contents_style(xml, "TOC2", "toc 2", "283");
+        table_styles(xml);
+    });
+    xml.finish()
+}
+
+fn fonts(xml: &mut Xml, language: Language) {
+    // Word knows the Korean font by either name, and Korean Word by its own
+    let latin = language.pick("Calibri", "맑은 고딕");
+    xml.leaf(
+        "w:rFonts",
+        &[
+            ("w:ascii", latin),
+            ("w:hAnsi", latin),
+            ("w:eastAsia", "맑은 고딕"),
+            ("w:cs", latin),
+        ],
+    );
+}
+
+fn paragraph_style(xml: &mut Xml, style: &Style) {
+    xml.element(
+        "w:style",
+        &[("w:type", "paragraph"), ("w:styleId", style.id)],
+        |xml| {
+            xml.leaf("w:name", &[("w:val", style.name)]);
+            xml.leaf("w:basedOn", &[("w:val", style.based_on)]);
+            xml.leaf("w:next", &[("w:val", style.next)]);
+            xml.leaf("w:qFormat", &[]);
+            xml.element("w:pPr", &[], |xml| {
+                if style.keep_next {
+                    xml.leaf("w:keepNext", &[]);
+                    xml.leaf("w:keepLines", &[]);
+                }
+                if let Some(level) = style.level {
+                    xml.element("w:numPr", &[], |xml| {
+                        xml.leaf("w:ilvl", &[("w:val", level)]);
+                        xml.leaf("w:numId", &[("w:val", "1")]);
+                    });
+                }
+                if style.id == "ListBullet" {
+                    xml.element("w:numPr", &[], |xml| xml.leaf("w:numId", &[("w:val", "2")]));
+                }
+                xml.leaf(
+                    "w:spacing",
+                    &[("w:before", style.before), ("w:after", style.after)],
+                );
+                if let Some([left, hanging]) = style.indent {
+                    xml.leaf("w:ind", &[("w:left", left), ("w:hanging", hanging)]);
+                }
+                if style.centred {
+                    xml.leaf("w:jc", &[("w:val", "center")]);
+                }
+                if let Some(level) = style.level {
+                    xml.leaf("w:outlineLvl", &[("w:val", level)]);
+                }
+            });
+            xml.element("w:rPr", &[], |xml| {
+                if style.bold {
+                    xml.leaf("w:b", &[]);
+                    xml.leaf("w:bCs", &[]);
+                }
+                xml.leaf("w:color", &[("w:val", style.colour)]);
+                xml.leaf("w:sz", &[("w:val", style.half_points)]);
+                xml.leaf("w:szCs", &[("w:val", style.half_points)]);
+            });
+        },
+    );
+}
+
+fn contents_style(xml: &mut Xml, id: &str, name: &str, left: &str) {
+    xml.element("w:style", &[("w:type", "paragraph"), ("w:styleId", id)], |xml| {
+        xml.leaf("w:name", &[("w:val", name)]);
+        xml.leaf("w:basedOn", &[("w:val", "Normal")]);
+        xml.leaf("w:next", &[("w:val", "Normal")]);
+        xml.leaf("w:uiPriority", &[("w:val", "39")]);
+        xml.element("w:pPr", &[], |xml| {
+            xml.element("w:tabs", &[], |xml| {
+                let number = if left == "0" { "454" } else { "964" };
+                xml.leaf("w:tab", &[("w:val", "left"), ("w:pos", number)]);
+                let end = TEXT_WIDTH.to_string();
+                xml.leaf(
+                    "w:tab",
+                    &[("w:val", "right"), ("w:leader", "dot"), ("w:pos", &end)],
+                );
+            });
+            xml.leaf("w:spacing", &[("w:after", "60")]);
+            xml.leaf("w:ind", &[("w:left", left)]);
+        });
+    });
+}
+
+/// Hairlines between rows, and a line below the head.
+fn table_styles(xml: &mut Xml) {
+    xml.element(
+        "w:style",
+        &[
+            ("w:type", "table"),
+            ("w:default", "1"),
+            ("w:styleId", "TableNormal"),
+        ],
+        |xml| {
+            xml.leaf("w:name", &[("w:val", "Normal Table")]);
+            xml.leaf("w:uiPriority", &[("w:val", "99")]);
+            xml.leaf("w:semiHidden", &[]);
+            xml.element("w:tblPr", &[], |xml| {
+                xml.leaf("w:tblInd", &[("w:w", "0"), ("w:type", "dxa")]);
+                cell_margins(xml, "70");
+            });
+        },
+    );
+    xml.element(
+        "w:style",
+        &[
+            ("w:type", "table"),
+            ("w:customStyle", "1"),
+            ("w:styleId", "DolmenTable"),
+        ],
+        |xml| {
+            xml.leaf("w:name", &[("w:val", "Dolmen Table")]);
+            xml.leaf("w:basedOn", &[("w:val", "TableNormal")]);
+            xml.leaf("w:qFormat", &[]);
+            xml.element("w:tblPr", &[], |xml| {
+                xml.element("w:tblBorders", &[], |xml| {
+                    for side in ["w:bottom", "w:insideH"] {
+                        let size = if side == "w:bottom" { "8" } else { "4" };
+                        let colour = if side == "w:bottom" { INK } else { HAIR };
+                        border(xml, side, size, colour);
+                    }
+                });
+            });
+            xml.element("w:tblStylePr", &[("w:type", "firstRow")], |xml| {
+                xml.element("w:rPr", &[], |xml| xml.leaf("w:b", &[]));
+                xml.element("w:tcPr", &[], |xml| {
+                    xml.element("w:tcBorders", &[], |xml| border(xml, "w:bottom", "8", INK));
+                });
+            });
+        },
+    );
+}
+
+pub(super) fn cell_margins(xml: &mut Xml, side: &str) {
+    xml.element("w:tblCellMar", &[], |xml| {
+        for (at, width) in [
+            ("w:top", "0"),
+            ("w:left", side),
+            ("w:bottom", "0"),
+            ("w:right", side),
+        ] {
+            xml.leaf(at, &[("w:w", width), ("w:type", "dxa")]);
+        }
+    });
+}
+
+pub(super) fn border(xml: &mut Xml, side: &str, eighths: &str, colour: &str) {
+    xml.leaf(
+        side,
+        &[
+            ("w:val", "single"),
+            ("w:sz", eighths),
+            ("w:space", "0"),
+            ("w:color", colour),
+        ],
+    );
+}

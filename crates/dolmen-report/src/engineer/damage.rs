@@ -1,0 +1,202 @@
+//! What inspections found: the damage map, a list, and counts.
+
+use super::photos::Pictures;
+use super::words::{cell, verbatim};
+use crate::document::{Block, Cell, Column, Document, Photo, Table};
+use crate::figures::{DamageMark, damage_map};
+use dolmen_project::{DamageKind, Inspection, Project, Severity, Survey};
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use std::collections::BTreeMap;
+
+messages! {
+    /// What inspections found.
+    pub(crate) enum Damage in "engineer.damage" {
+        Head { survey: String } => { en: "Inspection {survey}", ko: "{survey} 점검" },
+        Map => { en: "Damage map.", ko: "외관조사망도." },
+        MapMeaning => {
+            en: "Numbers as in the list; a full mark is severe, a half-dark one moderate, a light one slight or not rated.",
+            ko: "번호는 아래 표와 같다. 표지의 색이 짙을수록 손상이 심하며, 옅은 것은 경미하거나 등급이 없는 것이다.",
+        },
+        List { survey: String } => { en: "What the inspection of {survey} found.", ko: "{survey} 점검 결과." },
+        Counts => { en: "How many of each kind, by severity.", ko: "손상 종류와 정도별 수." },
+        Number => { en: "No.", ko: "번호" },
+        Part => { en: "Part", ko: "부재" },
+        What => { en: "Damage", ko: "손상" },
+        SeverityHead => { en: "Severity", ko: "정도" },
+        Size => { en: "Size", ko: "크기" },
+        Note => { en: "Note", ko: "비고" },
+        Photo { number: usize, part: String, what: Sentence } => { en: "{number}: {part}, {what}", ko: "{number}: {part}, {what}" },
+        Crack => { en: "crack", ko: "균열" },
+        Spalling => { en: "spalling", ko: "박락" },
+        Exfoliation => { en: "exfoliation", ko: "박리" },
+        OpenJoint => { en: "open joint", ko: "이격" },
+        Tilt => { en: "tilt", ko: "기울기" },
+        Settlement => { en: "settlement", ko: "침하" },
+        Loss => { en: "loss", ko: "결손" },
+        Growth => { en: "growth of plants", ko: "생물 피복" },
+        Other { what: Both } => { en: "{what}", ko: "{what}" },
+        Slight => { en: "slight", ko: "경미" },
+        Moderate => { en: "moderate", ko: "보통" },
+        Severe => { en: "severe", ko: "심함" },
+        Unrated => { en: "not rated", ko: "미분류" },
+        All => { en: "all", ko: "합계" },
+    }
+}
+
+/// A section for each survey that holds an inspection.
+pub(crate) fn damage<'a>(project: &'a Project, pictures: Pictures<'a>) -> Document<'a> {
+    let mut document = Document::default();
+    let inspected = project
+        .surveys
+        .iter()
+        .filter(|survey| !survey.inspections.is_empty());
+    for survey in inspected {
+        of_survey(&mut document, project, survey, pictures);
+    }
+    document
+}
+
+fn of_survey<'a>(
+    document: &mut Document<'a>,
+    project: &'a Project,
+    survey: &'a Survey,
+    pictures: Pictures<'a>,
+) {
+    document.heading(Damage::Head {
+        survey: survey.name.clone(),
+    });
+    let marks: Vec<DamageMark> = survey.inspections.iter().map(mark).collect();
+    if damage_map(&project.structure, &marks, dolmen_words::Language::English).is_some() {
+        document.figure(
+            vec![Damage::Map.into(), Damage::MapMeaning.into()],
+            move |language| damage_map(&project.structure, &marks, language).unwrap_or_default(),
+        );
+    }
+    document.put(Block::Table(list(survey)));
+    document.put(Block::Table(counts(&survey.inspections)));
+    let numbered = (1..).zip(&survey.inspections);
+    let photos: Vec<Photo<'a>> = numbered
+        .filter_map(|(number, found)| {
+            let caption = Damage::Photo {
+                number,
+                part: found.part.clone(),
+                what: what(&found.what),
+            };
+            let photo = pictures.photo(found.photo.as_ref()?);
+            Some(Photo {
+                caption: vec![caption.into()],
+                ..photo
+            })
+        })
+        .collect();
+    if !photos.is_empty() {
+        document.put(Block::Photos(photos));
+    }
+}
+
+fn mark(found: &Inspection) -> DamageMark {
+    DamageMark {
+        part: found.part.clone(),
+        at_m: found.at,
+        severity: found.severity,
+    }
+}
+
+/// The damage in words.
+fn what(kind: &DamageKind) -> Sentence {
+    match kind {
+        DamageKind::Crack => Damage::Crack,
+        DamageKind::Spalling => Damage::Spalling,
+        DamageKind::Exfoliation => Damage::Exfoliation,
+        DamageKind::OpenJoint => Damage::OpenJoint,
+        DamageKind::Tilt => Damage::Tilt,
+        DamageKind::Settlement => Damage::Settlement,
+        DamageKind::Loss => Damage::Loss,
+        DamageKind::Growth => Damage::Growth,
+        DamageKind::Other(other) => Damage::Other {
+            what: Both {
+                english: other.english.clone(),
+                korean: other.korean.clone(),
+            },
+        },
+    }
+    .into()
+}
+
+fn severity(of: Option<Severity>) -> Damage {
+    match of {
+        Some(Severity::Slight) => Damage::Slight,
+        Some(Severity::Moderate) => Damage::Moderate,
+        Some(Severity::Severe) => Damage::Severe,
+        None => Damage::Unrated,
+    }
+}
+
+fn list(survey: &Survey) -> Table {
+    let millimetres = Unit {
+        symbol: "mm".to_owned(),
+        factor: 1e3,
+    };
+    let found = &survey.inspections;
+    let words = |head: Damage, cell: &dyn Fn(usize, &Inspection) -> Cell| {
+        let cells = found.iter().enumerate().map(|(at, one)| cell(at, one));
+        (Column::words(head), cells.collect::<Vec<Cell>>())
+    };
+    let sizes = found.iter().map(|one| {
+        let size = one.size.as_ref().map(|size| size.value);
+        Cell::Number(size.map(|size| Quantity::new(size, millimetres.clone(), Digits::Trimmed(3))))
+    });
+    let rated = |one: &Inspection| match one.severity {
+        Some(Severity::Severe) => Cell::BadWords(severity(one.severity).into()),
+        _ => Cell::words(severity(one.severity)),
+    };
+    let caption = Damage::List {
+        survey: survey.name.clone(),
+    };
+    super::words::table_of(
+        caption,
+        vec![
+            words(Damage::Number, &|at, _| {
+                Cell::words(verbatim(&(at + 1).to_string()))
+            }),
+            words(Damage::Part, &|_, one| Cell::words(verbatim(&one.part))),
+            words(Damage::What, &|_, one| Cell::words(what(&one.what))),
+            words(Damage::SeverityHead, &|_, one| rated(one)),
+            words(Damage::Note, &|_, one| cell(one.note.as_ref())),
+            (
+                Column::numbers(Damage::Size, millimetres.clone()),
+                sizes.collect(),
+            ),
+        ],
+    )
+}
+
+/// A row a kind, a column a severity; those that nothing has are left out.
+fn counts(found: &[Inspection]) -> Table {
+    const SEVERITIES: [Option<Severity>; 4] = [
+        Some(Severity::Severe),
+        Some(Severity::Moderate),
+        Some(Severity::Slight),
+        None,
+    ];
+    let mut kinds: BTreeMap<&DamageKind, Vec<Option<Severity>>> = BTreeMap::new();
+    for one in found {
+        kinds.entry(&one.what).or_default().push(one.severity);
+    }
+    let count = |of: usize| Cell::number(Quantity::new(of as f64, Unit::ratio(), Digits::Fixed(0)));
+    let of = |each: &[Option<Severity>], severity| each.iter().filter(|one| **one == severity).count();
+    let mut columns = vec![(
+        Column::words(Damage::What),
+        kinds.keys().map(|kind| Cell::words(what(kind))).collect(),
+    )];
+    for rated in SEVERITIES {
+        if found.iter().any(|one| one.severity == rated) {
+            let cells = kinds.values().map(|each| count(of(each, rated))).collect();
+            columns.push((Column::numbers(severity(rated), Unit::ratio()), cells));
+        }
+    }
+    let all = kinds.values().map(|each| count(each.len())).collect();
+    columns.push((Column::numbers(Damage::All, Unit::ratio()), all));
+    super::words::table_of(Damage::Counts, columns)
+}

@@ -1,0 +1,109 @@
+//! What stands before the sections: who took part, the three answers, what to do.
+
+use super::words::{said, verbatim};
+use crate::document::{Answered, Block, Signatory, Tone};
+use dolmen_project::Names;
+use dolmen_words::message::Both;
+use dolmen_words::{Sentence, messages};
+use dolmen_work::answer::ProjectReport;
+use dolmen_work::judgement::{Colour, Earthquake, Evidence, judge};
+
+messages! {
+    /// Signatures and the three questions.
+    pub(crate) enum Front in "engineer.front" {
+        Signatures => { en: "Participating engineers", ko: "참여기술진" },
+        Weight => { en: "Does it stand under its own weight and the static loads?", ko: "자중과 정하중을 견디는가" },
+        Earthquake => { en: "Does it meet what the earthquake asks?", ko: "지진에 대한 기준을 만족하는가" },
+        Evidence => { en: "Is the model the structure?", ko: "모델이 실제와 일치하는가" },
+        Word { word: Both } => { en: "{word}", ko: "{word}" },
+        ToDo => { en: "What to do", ko: "보수·보강 방안" },
+    }
+}
+
+/// Blocks that stand before the sections, under heads without numbers.
+pub(crate) struct FrontMatter {
+    /// Who took part, under its head.
+    pub(crate) signatures: Option<(Sentence, Block<'static>)>,
+    /// The three questions with the fixed words; `None` where no model was judged.
+    pub(crate) answers: Option<Block<'static>>,
+    /// What the engineer recommends, under its head.
+    pub(crate) to_do: Option<(Sentence, Block<'static>)>,
+}
+
+/// What stands before the sections.
+pub(crate) fn front(answer: &ProjectReport) -> FrontMatter {
+    let report = answer.project.report.iter();
+    let authors = report.clone().flat_map(|report| &report.authors);
+    let signatures: Vec<Signatory> = authors
+        .map(|author| Signatory {
+            role: of(author.role.as_ref()),
+            name: said(&author.name),
+            licence: of(author.licence.as_ref()),
+        })
+        .collect();
+    let points: Vec<Sentence> = report
+        .flat_map(|report| &report.recommendations)
+        .map(said)
+        .collect();
+    let filled =
+        |is_empty: bool, head: Front, block: Block<'static>| (!is_empty).then(|| (head.into(), block));
+    FrontMatter {
+        signatures: filled(
+            signatures.is_empty(),
+            Front::Signatures,
+            Block::Signatures(signatures),
+        ),
+        answers: answers(answer),
+        to_do: filled(points.is_empty(), Front::ToDo, Block::List(points)),
+    }
+}
+
+fn of(names: Option<&Names>) -> Sentence {
+    names.map_or_else(|| verbatim(""), said)
+}
+
+fn answers(answer: &ProjectReport) -> Option<Block<'static>> {
+    let judgement = judge(&answer.answers);
+    let headline = judgement.headline()?;
+    let weight = headline.weight?;
+    let earthquake = headline.earthquake_word();
+    let answered = |question: Front, tone: Tone, word: Both| Answered {
+        question: question.into(),
+        tone,
+        word: Front::Word { word }.into(),
+    };
+    // what was not asked or not measured is not good
+    let of_earthquake = match earthquake {
+        Earthquake::NotAsked => Tone::Unknown,
+        asked => tone(asked.colour()),
+    };
+    let of_evidence = match &headline.evidence {
+        Evidence::NotMeasured { .. } => Tone::Unknown,
+        measured => tone(measured.colour()),
+    };
+    Some(Block::Answers(vec![
+        answered(
+            Front::Weight,
+            tone(weight.colour()),
+            Both::of(|language| weight.words(language)),
+        ),
+        answered(
+            Front::Earthquake,
+            of_earthquake,
+            Both::of(|language| earthquake.word(language)),
+        ),
+        answered(
+            Front::Evidence,
+            of_evidence,
+            Both::of(|language| headline.evidence.words(language)),
+        ),
+    ]))
+}
+
+fn tone(colour: Colour) -> Tone {
+    match colour {
+        Colour::Green => Tone::Good,
+        Colour::Amber => Tone::Warn,
+        Colour::Red => Tone::Bad,
+    }
+}

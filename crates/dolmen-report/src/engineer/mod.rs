@@ -1,0 +1,36 @@
+//! What the engineer gives for a report, and what the answers come to: cover, signatures, place, photographs, tests, opinion. Nothing of it is
+//! computed; what is not given is left out.
+
+mod cover;
+mod damage;
+mod front;
+mod opinion;
+mod photos;
+mod place;
+mod structure;
+mod tests_made;
+mod words;
+
+pub(crate) use cover::{cover_photo, cover_rows, date_of, report_title};
+pub(crate) use damage::damage;
+pub(crate) use front::front;
+pub(crate) use opinion::opinion;
+pub(crate) use photos::Pictures;
+pub(crate) use place::place;
+pub(crate) use structure::structure;
+pub(crate) use tests_made::tests_made;
+pub(crate) use words::Given;
+
+use dolmen_words::Template;
+
+/// The sentences as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
+    words::Given::TEMPLATES,
+    cover::Cover::TEMPLATES,
+    damage::Damage::TEMPLATES,
+    front::Front::TEMPLATES,
+    place::Place::TEMPLATES,
+    structure::Structure::TEMPLATES,
+    tests_made::Tests::TEMPLATES,
+    opinion::Opinion::TEMPLATES,
+];

@@ -1,0 +1,70 @@
+//! Texts of the project file as sentences, and tables without empty columns.
+
+use crate::document::{Cell, Column, Table};
+use dolmen_project::Names;
+use dolmen_words::message::Both;
+use dolmen_words::{Sentence, messages};
+
+messages! {
+    /// Texts of the project file.
+    pub(crate) enum Given in "engineer" {
+        Text { text: Both } => { en: "{text}", ko: "{text}" },
+        Fingerprint { print: String } => {
+            en: "Fingerprint of the project file (FNV-1a, 128 bits): {print}",
+            ko: "입력 파일의 식별값(FNV-1a, 128비트): {print}",
+        },
+    }
+}
+
+/// In both languages, or in the one that is given.
+pub(super) fn both(names: &Names) -> Both {
+    Both::of(|language| language.pick(names.english(), names.korean()))
+}
+
+/// A text of the file.
+pub(super) fn said(names: &Names) -> Sentence {
+    Given::Text { text: both(names) }.into()
+}
+
+/// Words that are the same in both languages.
+pub(super) fn verbatim(text: &str) -> Sentence {
+    Given::Text {
+        text: Both::of(|_| text),
+    }
+    .into()
+}
+
+/// Words of the file, or an empty cell.
+pub(super) fn cell(names: Option<&Names>) -> Cell {
+    names.map_or_else(|| Cell::words(verbatim("")), |names| Cell::words(said(names)))
+}
+
+/// The same of words in one language.
+pub(super) fn text_cell(text: Option<&str>) -> Cell {
+    Cell::words(verbatim(text.unwrap_or_default()))
+}
+
+/// A table of the columns in which something stands, each with its cells.
+pub(super) fn table_of(caption: impl Into<Sentence>, columns: Vec<(Column, Vec<Cell>)>) -> Table {
+    let is_empty = |cell: &Cell| match cell {
+        Cell::Words(words) => words.english.iter().all(|run| run.text().is_empty()),
+        Cell::Number(number) => number.is_none(),
+        _ => false,
+    };
+    let shown = columns
+        .into_iter()
+        .filter(|(_, cells)| !cells.iter().all(is_empty));
+    let (columns, cells): (Vec<Column>, Vec<Vec<Cell>>) = shown.unzip();
+    let count = cells.first().map_or(0, Vec::len);
+    let row = |number: usize| {
+        cells
+            .iter()
+            .filter_map(|column| column.get(number).cloned())
+            .collect()
+    };
+    Table {
+        caption: vec![caption.into()],
+        rows: (0..count).map(row).collect(),
+        columns,
+    }
+}

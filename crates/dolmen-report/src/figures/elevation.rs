@@ -1,0 +1,284 @@
+//! A structure as it is entered, in a vertical plane: the outline of each part in metres, and where it stands on the sheet.
+
+use dolmen::structure::stack::{Body, Stack};
+use dolmen_project::{BuildingPart, ChainPart, FramePart, Quantity, StackPart, Structure};
+
+/// Widths that are not in the file, as shares of the height. Chosen here: they only carry names.
+const CHAIN_WIDTH: f64 = 0.07;
+const FRAME_WIDTH: f64 = 0.7;
+const FLOOR_WIDTH: f64 = 0.5;
+/// By how much of its width an upper storey of a frame stands back, as in its sketch.
+const SET_BACK: f64 = 0.06;
+/// Exaggerated offsets reach this share of the widest part, exaggerated tilts this slope. Chosen here: seen, and not taken for the shape.
+const OFFSET_SHARE: f64 = 0.12;
+pub(super) const SLOPE_DRAWN: f64 = 0.12;
+
+/// A part.
+#[derive(Clone, Debug)]
+pub(super) struct PartOutline {
+    pub(super) name: String,
+    /// Corners in order, m: across, up.
+    pub(super) corners_m: Vec<[f64; 2]>,
+}
+
+impl PartOutline {
+    /// Least and most across and up, m.
+    pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
+        super::stack_view::bounds(self.corners_m.iter().copied())
+    }
+
+    pub(super) fn middle(&self) -> [f64; 2] {
+        let [least, most] = self.bounds();
+        [0.5 * (least[0] + most[0]), 0.5 * (least[1] + most[1])]
+    }
+}
+
+/// All parts seen along one axis, those farther away first.
+#[derive(Clone, Debug)]
+pub(super) struct Elevation {
+    /// 0: x is across; 1: y is.
+    pub(super) axis: usize,
+    pub(super) parts: Vec<PartOutline>,
+    /// Whether the file gives the widths.
+    pub(super) has_widths: bool,
+    /// How many times larger than they are the offsets and tilts of stones are drawn; 1 where there are none.
+    pub(super) offsets_times: f64,
+    pub(super) tilts_times: f64,
+}
+
+impl Elevation {
+    pub(super) fn bounds(&self) -> [[f64; 2]; 2] {
+        super::stack_view::bounds(self.parts.iter().flat_map(|part| part.corners_m.iter().copied()))
+    }
+}
+
+/// One view of what moves in a plane, two of what has a plan; none of a survey alone, nor of a stack that cannot be built.
+pub(super) fn elevations(structure: &Structure, exaggerate: bool) -> Vec<Elevation> {
+    match structure {
+        Structure::Chain(part) => vec![of_chain(part)],
+        Structure::Frame(part) => vec![of_frame(part)],
+        Structure::Building(part) => (0..2).map(|axis| of_building(part, axis)).collect(),
+        Structure::Stack(part) => {
+            let stack = part.build(&mut Quantity::nominal).ok();
+            let each = stack
+                .iter()
+                .flat_map(|stack| (0..2).map(move |axis| (stack, axis)));
+            each.map(|(stack, axis)| of_stack(part, stack, axis, exaggerate))
+                .collect()
+        }
+        Structure::Survey => Vec::new(),
+    }
+}
+
+fn plain(axis: usize, parts: Vec<PartOutline>, has_widths: bool) -> Elevation {
+    Elevation {
+        axis,
+        parts,
+        has_widths,
+        offsets_times: 1.0,
+        tilts_times: 1.0,
+    }
+}
+
+/// A box from `low` up, about the middle.
+fn a_box(name: String, [left, right]: [f64; 2], low: f64, height: f64) -> PartOutline {
+    let high = low + height;
+    PartOutline {
+        name,
+        corners_m: vec![[left, low], [right, low], [right, high], [left, high]],
+    }
+}
+
+fn name_or_number(name: Option<&String>, index: usize) -> String {
+    name.cloned().unwrap_or_else(|| (index + 1).to_string())
+}
+
+fn of_chain(part: &ChainPart) -> Elevation {
+    let total: f64 = part.links.iter().map(|link| link.length.value).sum();
+    let mut low = 0.0;
+    let mut has_widths = true;
+    let mut parts = Vec::new();
+    for (index, link) in part.links.iter().enumerate() {
+        let given = link.breadth.as_ref().or(link.bed_width.as_ref());
+        has_widths &= given.is_some();
+        let width = given.map_or(CHAIN_WIDTH * total, |width| width.value);
+        let name = name_or_number(link.name.as_ref(), index);
+        parts.push(a_box(name, [-0.5 * width, 0.5 * width], low, link.length.value));
+        low += link.length.value;
+    }
+    plain(0, parts, has_widths)
+}
+
+fn of_frame(part: &FramePart) -> Elevation {
+    let total: f64 = part.storeys.iter().map(|storey| storey.height.value).sum();
+    let mut low = 0.0;
+    let mut parts = Vec::new();
+    for (index, storey) in part.storeys.iter().enumerate() {
+        let half = 0.5 * FRAME_WIDTH * total * (1.0 - SET_BACK * index as f64).max(0.4);
+        let name = name_or_number(storey.name.as_ref(), index);
+        parts.push(a_box(name, [-half, half], low, storey.height.value));
+        low += storey.height.value;
+    }
+    plain(0, parts, false)
+}
+
+fn of_building(part: &BuildingPart, axis: usize) -> Elevation {
+    let each = || {
+        part.floors
+            .iter()
+            .flat_map(|floor| std::iter::repeat_n(floor, floor.count))
+    };
+    let total: f64 = each().map(|floor| floor.height.value).sum();
+    let mut low = 0.0;
+    let mut has_widths = true;
+    let mut parts = Vec::new();
+    for (floor, name) in each().zip(part.floor_names()) {
+        let corners = floor.outline.as_ref().map(|outline| outline.corners_m());
+        has_widths &= corners.is_some();
+        let half = 0.5 * FLOOR_WIDTH * total;
+        let across = corners.map_or([-half, half], |corners| {
+            let along = || corners.iter().map(|corner| corner[axis]);
+            [
+                along().fold(f64::INFINITY, f64::min),
+                along().fold(f64::NEG_INFINITY, f64::max),
+            ]
+        });
+        parts.push(a_box(name, across, low, floor.height.value));
+        low += floor.height.value;
+    }
+    plain(axis, parts, has_widths)
+}
+
+fn of_stack(part: &StackPart, stack: &Stack, axis: usize, exaggerate: bool) -> Elevation {
+    let blocks = stack.blocks();
+    let widths = blocks.iter().map(|block| {
+        let [least, most] = block.solid.bounds_m();
+        (most[0] - least[0]).min(most[1] - least[1])
+    });
+    let widest = widths.fold(0.0, f64::max);
+    let own = |index: usize| {
+        part.blocks
+            .get(index)
+            .filter(|_| part.blocks.len() == blocks.len())
+    };
+    let offset_along = |index: usize, axis: usize| {
+        let given = own(index).and_then(|block| block.offset.as_ref());
+        given.map_or(0.0, |offset| offset[axis].value)
+    };
+    let tilt_along = |index: usize, axis: usize| {
+        let given = own(index).and_then(|block| block.tilt[axis].as_ref());
+        given.map_or(0.0, |tilt| tilt.value)
+    };
+    // one factor for both views
+    let most = |along: &dyn Fn(usize, usize) -> f64| {
+        let each = (0..blocks.len()).flat_map(|index| [along(index, 0).abs(), along(index, 1).abs()]);
+        each.fold(0.0, f64::max)
+    };
+    let (offsets_times, tilts_times) = match exaggerate {
+        true => (
+            times(most(&offset_along), OFFSET_SHARE * widest),
+            times(most(&tilt_along), SLOPE_DRAWN),
+        ),
+        false => (1.0, 1.0),
+    };
+    let (offset, tilt) = (|index| offset_along(index, axis), |index| tilt_along(index, axis));
+    // what a stone is moved beyond its place carries those on it along
+    let mut moved = vec![0.0; blocks.len()];
+    for index in 0..blocks.len() {
+        let below = own(index).and_then(|block| match block.on.first() {
+            Some(Body::Block(below)) if *below < index => Some(*below),
+            _ => None,
+        });
+        let foot = |of: usize| blocks[of].solid.bounds_m()[0][2];
+        let carried = below.map_or(0.0, |below| {
+            moved[below] + (tilts_times - 1.0) * tilt(below) * (foot(index) - foot(below))
+        });
+        moved[index] = carried + (offsets_times - 1.0) * offset(index);
+    }
+    let mut parts: Vec<(f64, PartOutline)> = Vec::new();
+    for (index, block) in blocks.iter().enumerate() {
+        let foot = block.solid.bounds_m()[0][2];
+        let lean = (tilts_times - 1.0) * tilt(index);
+        let place = |corner: &[f64; 3]| [corner[axis] + moved[index] + lean * (corner[2] - foot), corner[2]];
+        let corners: Vec<[f64; 2]> = block.solid.vertices_m().iter().map(place).collect();
+        // the eye stands before y in the first view, at the right of x in the second
+        let depth = [-block.solid.centroid_m()[1], block.solid.centroid_m()[0]][axis];
+        let outline = PartOutline {
+            name: block.name.clone(),
+            corners_m: hull(corners),
+        };
+        parts.push((depth, outline));
+    }
+    parts.sort_by(|a, b| a.0.total_cmp(&b.0));
+    Elevation {
+        axis,
+        parts: parts.into_iter().map(|(_, part)| part).collect(),
+        has_widths: true,
+        offsets_times,
+        tilts_times,
+    }
+}
+
+/// The factor 1, 2, 5, 10, … by which a value is drawn, so that it does not go beyond `drawn`.
+pub(super) fn times(value: f64, drawn: f64) -> f64 {
+    const NICE: [f64; 9] = [500.0, 200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0, 1.0];
+    let fits = |factor: &f64| value > 0.0 && value * factor <= drawn;
+    NICE.into_iter().find(|factor| fits(factor)).unwrap_or(1.0)
+}
+
+/// Convex hull of points of the plane, counter-clockwise (Andrew 1979).
+fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
+    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    points.dedup();
+    let turns_left = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
+        (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]) > 0.0
+    };
+    let half = |points: &mut dyn Iterator<Item = [f64; 2]>| {
+        let mut chain: Vec<[f64; 2]> = Vec::new();
+        for point in points {
+            while let [.., a, b] = chain.as_slice() {
+                if turns_left(*a, *b, point) {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(point);
+        }
+        chain.pop();
+        chain
+    };
+    let mut all = half(&mut points.iter().copied());
+    all.extend(half(&mut points.iter().rev().copied()));
+    match all.is_empty() {
+        true => points,
+        false => all,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn exact_the_hull_of_a_square_and_points_within_is_the_square() {
+        let points = vec![
+            [0.5, 0.5],
+            [0.0, 0.0],
+            [1.0, 0.0],
+            [0.0, 1.0],
+            [1.0, 1.0],
+            [0.5, 0.0],
+            [0.0, 0.0],
+        ];
+        assert_eq!(hull(points), [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]]);
+    }
+
+    #[test]
+    fn exact_factors_are_round_and_keep_within_what_is_drawn() {
+        assert_eq!(times(1.0 / 177.0, 0.12), 20.0);
+        assert_eq!(times(0.05, 0.12), 2.0);
+        assert_eq!(times(0.0, 0.12), 1.0);
+        assert_eq!(times(0.2, 0.12), 1.0);
+        assert_eq!(times(f64::NAN, 0.12), 1.0);
+    }
+}

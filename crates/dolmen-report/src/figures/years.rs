@@ -1,0 +1,355 @@
+//! A structure over the years on one axis of time: frequencies with what explains them, each survey against those before it, T², tilt.
+
+use super::axis::{Axis, Scale, Tick};
+use super::ink::{Anchor, GREY, Label, Line, SERIES, Shape, VERMILLION};
+use super::plot::{Key, Plot};
+use super::words::{Titles, say};
+use dolmen::monitoring::{TiltTrend, WatchedMode};
+use dolmen_words::{Language, Quantity, messages};
+use dolmen_work::watched::WatchAnswer;
+
+/// Days of a year, for the axis of time.
+const YEAR_DAYS: f64 = 365.2425;
+/// Height of a panel, and the gap between two, px of the plot's height.
+const PANEL_PX: f64 = 150.0;
+const GAP: f64 = 0.12;
+/// Ticks of time, at most.
+const TICKS_MOST: f64 = 10.0;
+
+messages! {
+    /// Names of the panels.
+    pub(crate) enum Panels in "figure.years" {
+        Frequencies => { en: "Frequency, relative to its median (%)", ko: "중앙값 대비 고유진동수 (%)" },
+        Average => { en: "Moving average over its limit (–)", ko: "이동평균/한계 (–)" },
+        TSquared => { en: "T² over its limit (–)", ko: "T²/한계 (–)" },
+        Tilt => { en: "Tilt (mm/m)", ko: "기울기 (mm/m)" },
+        Mode { frequency: Quantity } => { en: "{frequency}", ko: "{frequency}" },
+        Explained => { en: "explained", ko: "모형" },
+        Alarm => { en: "confirmed alarm", ko: "확정된 경보" },
+        Works => { en: "works, events", ko: "보수·사건" },
+    }
+}
+
+/// What is drawn in one panel.
+struct Panel {
+    name: String,
+    lines: Vec<(Vec<[f64; 2]>, Line)>,
+    dots: Vec<([f64; 2], Shape, f64, &'static str)>,
+    /// Values that must lie in it.
+    within: Vec<f64>,
+}
+
+impl Panel {
+    fn new(name: Panels, language: Language) -> Self {
+        Panel {
+            name: say(name, language),
+            lines: Vec::new(),
+            dots: Vec::new(),
+            within: Vec::new(),
+        }
+    }
+
+    fn values(&self) -> Vec<f64> {
+        let of_lines = self
+            .lines
+            .iter()
+            .flat_map(|(points, _)| points.iter().map(|p| p[1]));
+        let of_dots = self.dots.iter().map(|(at, ..)| at[1]);
+        of_lines
+            .chain(of_dots)
+            .chain(self.within.iter().copied())
+            .collect()
+    }
+}
+
+/// Everything of a history on one axis of time.
+pub fn years(answer: &WatchAnswer, language: Language) -> String {
+    let when: Vec<f64> = answer
+        .surveys
+        .iter()
+        .map(|survey| 1970.0 + survey.day / YEAR_DAYS)
+        .collect();
+    let mut panels = vec![
+        frequencies(answer, &when, language),
+        averages(answer, &when, language),
+    ];
+    panels.extend(t_squared(answer, &when, language));
+    panels.extend(tilts(answer, &when, language));
+    let count = panels.len() as f64;
+    let x = time_axis(&when);
+    let (mut ticks, mut drawn) = (Vec::new(), Vec::new());
+    for (i, panel) in panels.iter().enumerate() {
+        let own = Axis::around("", &panel.values(), 4);
+        let base = (count - 1.0 - i as f64) * (1.0 + GAP);
+        let up = move |value: f64| base + (value - own.from) / (own.to - own.from);
+        ticks.extend(own.ticks.iter().map(|tick| Tick {
+            at: up(tick.at),
+            text: tick.text.clone(),
+        }));
+        drawn.push((base, up));
+    }
+    let y = Axis {
+        name: String::new(),
+        from: 0.0,
+        to: count * (1.0 + GAP),
+        scale: Scale::Linear,
+        ticks,
+        grid: true,
+    };
+    let mut plot = Plot::new([720.0, 70.0 + PANEL_PX * count], x, y);
+    for (i, (day, _)) in answer.works.iter().enumerate() {
+        let at = 1970.0 + day / YEAR_DAYS;
+        if (plot.x.from..=plot.x.to).contains(&at) {
+            plot.upright(at, Line::new(GREY, 1.2).dashed());
+            let label = Label::new(format!("{}", i + 1), Anchor::Start)
+                .small()
+                .coloured(GREY);
+            plot.text([at, plot.y.to], [3.0, 8.0], label);
+        }
+    }
+    for (panel, (base, up)) in panels.iter().zip(&drawn) {
+        for (points, line) in &panel.lines {
+            plot.line(points.iter().map(|[x, y]| [*x, up(*y)]).collect(), *line);
+        }
+        for ([x, y], shape, size, colour) in &panel.dots {
+            plot.sized_dot([*x, up(*y)], *shape, *size, colour);
+        }
+        let label = Label::new(&panel.name, Anchor::Start).small().bold();
+        plot.text([plot.x.from, base + 1.0 + 0.5 * GAP], [4.0, 0.0], label);
+    }
+    keys(&mut plot, answer, language);
+    plot.svg(say(Titles::YearsOfAStructure, language))
+}
+
+fn keys(plot: &mut Plot, answer: &WatchAnswer, language: Language) {
+    for (i, mode) in answer.watched.modes.iter().enumerate() {
+        let unit = dolmen_words::Unit::si("Hz");
+        let frequency = Quantity::new(
+            mode.track.frequency_hz,
+            unit,
+            dolmen_words::Digits::Significant(3),
+        );
+        plot.key(
+            Key::Dot(Shape::Circle, colour(i)),
+            say(Panels::Mode { frequency }, language),
+        );
+    }
+    plot.key(Key::Line(Line::new(GREY, 1.5)), say(Panels::Explained, language));
+    if !answer.watched.alarms.is_empty() {
+        plot.key(Key::Dot(Shape::Diamond, VERMILLION), say(Panels::Alarm, language));
+    }
+    if !answer.works.is_empty() {
+        plot.key(
+            Key::Line(Line::new(GREY, 1.2).dashed()),
+            say(Panels::Works, language),
+        );
+    }
+}
+
+fn colour(i: usize) -> &'static str {
+    SERIES[i % SERIES.len()]
+}
+
+/// Whole years, or months where all surveys lie within two years.
+fn time_axis(when: &[f64]) -> Axis {
+    let (first, last) = (
+        when.first().copied().unwrap_or(0.0),
+        when.last().copied().unwrap_or(1.0),
+    );
+    let room = 0.02 * (last - first).max(0.05);
+    let (from, to) = (first - room, last + room);
+    let months = ((to - from) * 12.0 / TICKS_MOST).ceil().max(1.0);
+    let step = if to - from > 2.0 {
+        (months / 12.0).ceil() * 12.0
+    } else {
+        months
+    };
+    let start = (from * 12.0 / step).ceil() * step;
+    let count = ((to * 12.0 - start) / step).floor().max(0.0) as usize;
+    let ticks = (0..=count).map(|i| {
+        let month = (start + i as f64 * step).round();
+        let (year, of_year) = ((month / 12.0).floor(), month.rem_euclid(12.0) + 1.0);
+        Tick {
+            at: month / 12.0,
+            text: match step % 12.0 == 0.0 {
+                true => format!("{year:.0}"),
+                false => format!("{year:.0}-{of_year:02.0}"),
+            },
+        }
+    });
+    Axis {
+        name: String::new(),
+        from,
+        to,
+        scale: Scale::Linear,
+        ticks: ticks.collect(),
+        grid: true,
+    }
+}
+
+fn frequencies(answer: &WatchAnswer, when: &[f64], language: Language) -> Panel {
+    let mut panel = Panel::new(Panels::Frequencies, language);
+    let size = dot_size(when.len());
+    for (i, mode) in answer.watched.modes.iter().enumerate() {
+        let relative = |hz: f64| 100.0 * (hz / mode.track.frequency_hz - 1.0);
+        for (survey, at) in when.iter().enumerate() {
+            let found = mode.track.modes.get(survey).copied().flatten();
+            let frequency = found.and_then(|j| answer.surveys[survey].frequencies_hz.get(j));
+            if let Some(hz) = frequency {
+                panel
+                    .dots
+                    .push(([*at, relative(*hz)], Shape::Circle, size, colour(i)));
+            }
+        }
+        let explained: Vec<[f64; 2]> = when
+            .iter()
+            .zip(&mode.explained_hz)
+            .filter_map(|(at, hz)| Some([*at, relative((*hz)?)]))
+            .collect();
+        panel
+            .lines
+            .push((explained, Line::new(colour(i), 1.2).faint(0.6)));
+    }
+    panel
+}
+
+fn dot_size(surveys: usize) -> f64 {
+    if surveys > 150 { 1.4 } else { 2.6 }
+}
+
+fn averages(answer: &WatchAnswer, when: &[f64], language: Language) -> Panel {
+    let mut panel = Panel::new(Panels::Average, language);
+    panel.within = vec![-1.1, 1.1];
+    let ends = [
+        when.first().copied().unwrap_or(0.0),
+        when.last().copied().unwrap_or(1.0),
+    ];
+    for limit in [-1.0, 1.0] {
+        panel.lines.push((
+            vec![[ends[0], limit], [ends[1], limit]],
+            Line::new(VERMILLION, 1.0).dashed(),
+        ));
+    }
+    for (i, mode) in answer.watched.modes.iter().enumerate() {
+        panel.lines.extend(
+            average(mode, when)
+                .into_iter()
+                .map(|points| (points, Line::new(colour(i), 1.3))),
+        );
+        for alarm in &mode.judged.alarms {
+            let judged = mode
+                .judged
+                .judged
+                .iter()
+                .find(|judged| judged.survey == alarm.survey);
+            if let Some(judged) = judged {
+                let at = [when[alarm.survey], judged.average];
+                panel.dots.push((at, Shape::Diamond, 4.5, VERMILLION));
+            }
+        }
+    }
+    panel
+}
+
+/// Runs of surveys that were judged.
+fn average(mode: &WatchedMode, when: &[f64]) -> Vec<Vec<[f64; 2]>> {
+    let mut runs: Vec<Vec<[f64; 2]>> = vec![Vec::new()];
+    for judged in &mode.judged.judged {
+        let is_alarm = mode
+            .judged
+            .alarms
+            .iter()
+            .any(|alarm| alarm.survey == judged.survey);
+        if judged.score.is_ok() {
+            let last = runs.len() - 1;
+            runs[last].push([when[judged.survey], judged.average]);
+        }
+        if is_alarm {
+            runs.push(Vec::new());
+        }
+    }
+    runs.retain(|run| run.len() > 1);
+    runs
+}
+
+fn t_squared(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<Panel> {
+    let all = &answer.watched.t_squared;
+    let (first, last) = (all.first()?, all.last()?);
+    let mut panel = Panel::new(Panels::TSquared, language);
+    panel.within = vec![0.0, 1.1];
+    let ends = [when[first.survey], when[last.survey]];
+    panel.lines.push((
+        vec![[ends[0], 1.0], [ends[1], 1.0]],
+        Line::new(VERMILLION, 1.0).dashed(),
+    ));
+    // far beyond the limit is beyond the limit
+    const SHOWN_MOST: f64 = 3.0;
+    let dots = all.iter().map(|found| {
+        let ratio = (found.value / found.limit).min(SHOWN_MOST);
+        let is_outside = found.value > found.limit;
+        let colour = if is_outside { VERMILLION } else { GREY };
+        (
+            [when[found.survey], ratio],
+            Shape::Circle,
+            dot_size(when.len()),
+            colour,
+        )
+    });
+    panel.dots = dots.collect();
+    Some(panel)
+}
+
+fn tilts(answer: &WatchAnswer, when: &[f64], language: Language) -> Option<Panel> {
+    let trends: Vec<&TiltTrend> = answer
+        .watched
+        .tilts
+        .iter()
+        .filter(|trend| trend.series.days.len() > 1)
+        .collect();
+    if trends.is_empty() {
+        return None;
+    }
+    let mut panel = Panel::new(Panels::Tilt, language);
+    let names: Vec<String> = trends
+        .iter()
+        .map(|trend| trend.series.direction.clone())
+        .collect();
+    panel.name = format!("{}: {}", panel.name, names.join(", "));
+    for (i, trend) in trends.iter().enumerate() {
+        let points: Vec<[f64; 2]> = trend
+            .series
+            .surveys
+            .iter()
+            .zip(&trend.series.ratios)
+            .map(|(survey, ratio)| [when[*survey], 1000.0 * ratio])
+            .collect();
+        let colour = colour(i + answer.watched.modes.len());
+        panel
+            .dots
+            .extend(points.iter().map(|at| (*at, Shape::Square, 2.4, colour)));
+        panel.lines.push((points, Line::new(colour, 1.0)));
+        if let Some(limit) = trend
+            .slope
+            .and_then(|slope| slope.reach)
+            .map(|reach| 1000.0 * reach.limit)
+        {
+            let nearest = trend
+                .series
+                .ratios
+                .iter()
+                .fold(0.0_f64, |most, ratio| most.max(1000.0 * ratio.abs()));
+            // a limit far away would flatten what is measured
+            if limit.abs() < 3.0 * nearest {
+                let ends = [
+                    when.first().copied().unwrap_or(0.0),
+                    when.last().copied().unwrap_or(1.0),
+                ];
+                panel.lines.push((
+                    vec![[ends[0], limit], [ends[1], limit]],
+                    Line::new(VERMILLION, 1.0).dashed(),
+                ));
+            }
+        }
+    }
+    Some(panel)
+}

@@ -1,0 +1,286 @@
+//! The headline, the same on the terminal, on pages, in workbooks and on the index: weight, earthquake, evidence, assumed inputs.
+
+use crate::document::{TextStyle, wrapped};
+use dolmen_words::message::Both;
+use dolmen_words::{Digits, Language, Quantity, Sentence, Template, Unit, messages};
+use dolmen_work::judgement::{
+    DecidedBy, Earthquake, EarthquakeFinding, Evidence, Judgement, MeasuredFrequency, VersionJudgement,
+    Weight,
+};
+
+/// Digits of ratios and frequencies.
+const DIGITS: usize = 3;
+
+messages! {
+    /// The parts of a headline.
+    pub(crate) enum Headline in "headline" {
+        Verdict { words: Both } => { en: "VERDICT {words}", ko: "판정: {words}" },
+        OwnWeight { word: Both } => { en: "Own weight: {word}", ko: "자중: {word}" },
+        WeightAndLoads { word: Both } => { en: "Weight and loads: {word}", ko: "자중·작용하중: {word}" },
+        IfRight { word: Both, factor: Quantity, evidence: Sentence } => {
+            en: "Own weight: {word} ({factor} if this model were right; {evidence})",
+            ko: "자중: {word}(이 모델이 옳다면 {factor}; {evidence})",
+        },
+        UnknownSince { word: Both, evidence: Sentence } => {
+            en: "Own weight: {word} ({evidence})",
+            ko: "자중: {word}({evidence})",
+        },
+        Contradicted { survey: String, measured: Quantity, computed: Quantity } => {
+            en: "survey {survey} contradicts it: {measured} measured, {computed} modelled",
+            ko: "{survey} 조사와 불일치: 실측 {measured}, 모델 {computed}",
+        },
+        Model { evidence: Sentence } => { en: "Model: {evidence}", ko: "모델: {evidence}" },
+        Calibrated { survey: String } => {
+            en: "Model: not measured (calibrated to {survey})",
+            ko: "모델: 독립 계측 없음({survey} 조사에 보정)",
+        },
+        AtSite { source: String, said: Sentence } => { en: "Earthquake {source}: {said}", ko: "지진 {source}: {said}" },
+        AtSiteYears { source: String, years: usize, said: Sentence } => {
+            en: "Earthquake {source}, {years} y: {said}",
+            ko: "지진 {source}, 재현주기 {years}년: {said}",
+        },
+        UnderMotion { motion: String, said: Sentence } => { en: "Earthquake {motion}: {said}", ko: "지진 {motion}: {said}" },
+        AtOther { said: Sentence } => { en: "Earthquake: {said}", ko: "지진: {said}" },
+        Falls => { en: "it falls", ko: "전도" },
+        Word { word: Both } => { en: "{word}", ko: "{word}" },
+        WordRatio { word: Both, ratio: Quantity } => { en: "{word} ({ratio})", ko: "{word}({ratio})" },
+        WordFalls { word: Both } => { en: "{word} (it falls)", ko: "{word}(붕괴)" },
+        WordDamage { word: Both, state: usize } => { en: "{word} (DS{state})", ko: "{word}(DS{state})" },
+        WordRoom { word: Both, part: String, ratio: Quantity } => {
+            en: "{word} (room of {part}: {ratio})",
+            ko: "{word}({part} 여유 공간: {ratio})",
+        },
+        WordTie { word: Both } => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
+        WordNoLimit { word: Both } => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
+        WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
+        Assumed { assumed: usize, all: usize } => {
+            en: "assumed inputs: {assumed} of {all}",
+            ko: "가정한 입력: {all}개 중 {assumed}개",
+        },
+        WorseThan { variant: Both, words: Both } => { en: "Variant “{variant}”: {words}", ko: "대안 ‘{variant}’: {words}" },
+    }
+}
+
+/// The sentences of headlines as they are written.
+pub(crate) const TEMPLATES: &[Template] = Headline::TEMPLATES;
+
+/// The headline of one version in one line.
+pub(crate) fn headline(judged: &VersionJudgement, language: Language) -> String {
+    let parts = parts(judged).into_iter().map(|part| part.text(language));
+    parts.collect::<Vec<_>>().join(" · ")
+}
+
+/// The verdict of a simulation, for the terminal.
+pub fn simulation_headline_text(judgement: &Judgement, style: TextStyle) -> String {
+    let lines = judgement
+        .versions
+        .iter()
+        .filter(|version| !parts(version).is_empty());
+    lines.map(|version| verdict_line(version, style)).collect()
+}
+
+/// The headline of one version as a line of a terminal.
+pub(crate) fn verdict_line(judged: &VersionJudgement, style: TextStyle) -> String {
+    let words = Both::of(|language| headline(judged, language));
+    let said = Sentence::from(Headline::Verdict { words }).text(style.language);
+    wrapped(&said, "", "  ", style.columns())
+}
+
+/// A variant that is worse than the structure as it is.
+pub(crate) fn worse(variant: Both, judged: &VersionJudgement) -> Sentence {
+    let words = Both::of(|language| headline(judged, language));
+    Headline::WorseThan { variant, words }.into()
+}
+
+fn parts(judged: &VersionJudgement) -> Vec<Sentence> {
+    let mut all = Vec::new();
+    let contradicted = match &judged.evidence {
+        Evidence::Contradicted(of) => Some(contradicted(of)),
+        Evidence::Agrees { .. } | Evidence::NotMeasured { .. } => None,
+    };
+    let is_unknown = matches!(judged.weight, Some(Weight::Unknown { .. }));
+    all.extend(
+        judged
+            .weight
+            .map(|weight| own_weight(judged, weight, contradicted.clone())),
+    );
+    all.extend(earthquake(judged));
+    match (contradicted, &judged.evidence) {
+        // said beside the weight
+        (Some(_), _) if is_unknown && judged.governed_by.is_none() => {}
+        (Some(evidence), _) => all.push(Headline::Model { evidence }.into()),
+        (
+            None,
+            Evidence::NotMeasured {
+                calibrated_to: Some(survey),
+            },
+        ) => all.push(
+            Headline::Calibrated {
+                survey: survey.clone(),
+            }
+            .into(),
+        ),
+        (None, _) => {}
+    }
+    if judged.inputs.assumed > 0 {
+        let (assumed, inputs) = (judged.inputs.assumed, judged.inputs.all);
+        all.push(Headline::Assumed { assumed, all: inputs }.into());
+    }
+    all
+}
+
+fn contradicted(of: &MeasuredFrequency) -> Sentence {
+    let frequency = |value| Quantity::new(value, Unit::si("Hz"), Digits::Significant(DIGITS));
+    Headline::Contradicted {
+        survey: of.survey.clone(),
+        measured: frequency(of.measured_hz),
+        computed: frequency(of.computed_hz),
+    }
+    .into()
+}
+
+fn own_weight(judged: &VersionJudgement, weight: Weight, contradicted: Option<Sentence>) -> Sentence {
+    let word = Both::of(|language| weight.word(language));
+    if judged.governed_by.is_some() {
+        let word = Both::of(|language| judged.weight_words(weight, language));
+        return Headline::WeightAndLoads { word }.into();
+    }
+    match (weight, contradicted) {
+        (
+            Weight::Unknown {
+                load_factor_if_right: Some(factor),
+            },
+            Some(evidence),
+        ) => Headline::IfRight {
+            word,
+            factor: Quantity::beside_one(factor, DIGITS),
+            evidence,
+        },
+        (Weight::Unknown { .. }, Some(evidence)) => Headline::UnknownSince { word, evidence },
+        _ => Headline::OwnWeight { word },
+    }
+    .into()
+}
+
+/// The finding that decides: of the worst word that with the least in hand.
+fn deciding(judged: &VersionJudgement) -> Option<&EarthquakeFinding> {
+    let word = judged.earthquake_word();
+    let worst = judged.earthquake.iter().filter(|of| of.word == word);
+    let in_hand = |of: &EarthquakeFinding| match of.decided_by {
+        DecidedBy::Fall => f64::NEG_INFINITY,
+        _ => of.ratio.unwrap_or(f64::INFINITY),
+    };
+    worst.min_by(|a, b| in_hand(a).total_cmp(&in_hand(b)))
+}
+
+fn earthquake(judged: &VersionJudgement) -> Option<Sentence> {
+    let of = deciding(judged)?;
+    let said = Sentence::from(word(of));
+    Some(
+        match (&of.motion, &judged.demand_source) {
+            (Some(motion), _) => Headline::UnderMotion {
+                motion: motion.clone(),
+                said,
+            },
+            (None, Some((source, Some(years)))) => Headline::AtSiteYears {
+                source: source.clone(),
+                years: *years as usize,
+                said,
+            },
+            (None, Some((source, None))) => Headline::AtSite {
+                source: source.clone(),
+                said,
+            },
+            // pushed: no earthquake
+            (None, None) if of.decided_by == DecidedBy::Fall => Headline::Falls,
+            (None, None) => Headline::AtOther { said },
+        }
+        .into(),
+    )
+}
+
+fn word(of: &EarthquakeFinding) -> Headline {
+    let word = Both::of(|language| of.word.word(language));
+    let ratio = |ratio: f64| Quantity::beside_one(ratio, DIGITS);
+    match (&of.decided_by, of.ratio) {
+        (DecidedBy::Fall, _) if of.word == Earthquake::BelowDemand => Headline::WordFalls { word },
+        (DecidedBy::Drift, None) if of.word == Earthquake::BelowDemand => Headline::WordFalls { word },
+        (DecidedBy::DamageState(state), _) => Headline::WordDamage {
+            word,
+            state: usize::from(*state),
+        },
+        (DecidedBy::Strength, _) => Headline::WordTie { word },
+        (DecidedBy::NoLimit, _) => Headline::WordNoLimit { word },
+        (DecidedBy::Unfinished, _) => Headline::WordOpen { word },
+        (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {
+            word,
+            part: of.part.clone().unwrap_or_default(),
+            ratio: ratio(of_room),
+        },
+        (_, Some(known)) if known.is_finite() => Headline::WordRatio {
+            word,
+            ratio: ratio(known),
+        },
+        _ => Headline::Word { word },
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use dolmen_work::judgement::AssumedInputs;
+
+    fn judged() -> VersionJudgement {
+        VersionJudgement {
+            variant: None,
+            governed_by: None,
+            weight: Some(Weight::Unknown {
+                load_factor_if_right: Some(1.95),
+            }),
+            earthquake: vec![
+                EarthquakeFinding {
+                    word: Earthquake::BelowDemand,
+                    decided_by: DecidedBy::BedEdge,
+                    motion: None,
+                    part: Some("pole".into()),
+                    ratio: Some(0.17),
+                },
+                EarthquakeFinding {
+                    word: Earthquake::Above,
+                    decided_by: DecidedBy::Drift,
+                    motion: None,
+                    part: None,
+                    ratio: Some(3.0),
+                },
+            ],
+            evidence: Evidence::Contradicted(MeasuredFrequency {
+                survey: "2009".into(),
+                direction: "x".into(),
+                measured_hz: 2.1,
+                sd_hz: None,
+                computed_hz: 0.233,
+            }),
+            demand_source: Some(("KDS".into(), Some(2400))),
+            inputs: AssumedInputs { assumed: 3, all: 12 },
+        }
+    }
+
+    #[test]
+    fn exact_a_contradicted_model_is_never_called_stable() {
+        let english = headline(&judged(), Language::English);
+        assert_eq!(
+            english,
+            "Own weight: unknown (1.95 if this model were right; survey 2009 contradicts it: 2.10\u{202f}Hz measured, 0.233\u{202f}Hz \
+             modelled) · Earthquake KDS, 2400 y: below demand (0.170) · assumed inputs: 3 of 12"
+        );
+        let korean = headline(&judged(), Language::Korean);
+        assert!(
+            korean.contains("판정 불가(이 모델이 옳다면 1.95; 2009 조사와 불일치"),
+            "{korean}"
+        );
+        let mut stack = judged();
+        stack.weight = Some(Weight::Stable);
+        let said = headline(&stack, Language::English);
+        assert!(said.contains("· Model: survey 2009 contradicts it"), "{said}");
+    }
+}

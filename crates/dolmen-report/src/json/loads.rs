@@ -1,0 +1,34 @@
+//! Wind and static loads as JSON.
+
+use dolmen_work::loads::{CombinationAnswer, LoadsAnswer};
+use serde_json::{Value, json};
+
+/// What wind and static loads do.
+pub(super) fn loads(answer: &LoadsAnswer) -> Value {
+    let (wind, refused) = match &answer.wind {
+        None => (None, None),
+        Some(Ok(met)) => (Some(met), None),
+        Some(Err(why)) => (None, Some(why.to_string())),
+    };
+    json!({
+        "verdict": answer.verdict(),
+        "load_factor": answer.factor().filter(|factor| factor.is_finite()),
+        "wind": wind,
+        "wind_refused": refused,
+        "tilt_rad": answer.tilt_rad,
+        "combinations": answer.combinations.iter().map(combination).collect::<Vec<_>>(),
+    })
+}
+
+fn combination(of: &CombinationAnswer) -> Value {
+    json!({
+        "name": of.name,
+        "weight": of.weight,
+        "wind": of.wind,
+        "loads": of.loads,
+        "verdict": of.verdict(),
+        "load_factor": of.factor().filter(|factor| factor.is_finite()),
+        "wind_reversed": of.chain.wind_reversed,
+        "under": of.chain.under,
+    })
+}

@@ -1,0 +1,176 @@
+//! `dolmen watch` as JSON.
+
+use super::check::project;
+use dolmen::monitoring::{AlarmKind, ChangeForm, NotJudged, TiltTrend, WatchedMode, WeatherKnown};
+use dolmen_project::WorkKind;
+use dolmen_work::watched::WatchAnswer;
+use serde_json::{Value, json};
+
+/// What a history says.
+pub fn watch_json(answer: &WatchAnswer) -> Value {
+    let watched = &answer.watched;
+    let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
+    let frequency = |mode: usize| watched.modes.get(mode).map(|mode| mode.track.frequency_hz);
+    let mut changes = Vec::new();
+    for (number, mode) in watched.modes.iter().enumerate() {
+        for change in &mode.changes {
+            changes.push(json!({
+                "mode": number + 1,
+                "frequency_hz": mode.track.frequency_hz,
+                "form": match change.form {
+                    ChangeForm::Step => "step",
+                    ChangeForm::Slope => "slope",
+                },
+                "date": name(change.from),
+                "date_earliest": name(change.after),
+                "date_latest": name(change.before),
+                "change_ratio": change.ratio,
+                "sd": change.sd,
+                "change_ratio_per_year": change.per_year,
+                "p_value": change.p_value,
+                "seen_from_ratio": mode.seen_from_ratio,
+            }));
+        }
+    }
+    let mut alarms: Vec<(usize, Value)> = watched
+        .alarms
+        .iter()
+        .map(|found| {
+            let alarm = &found.alarm;
+            let value = json!({
+                "date": name(alarm.survey),
+                "since": name(alarm.since),
+                "mode": found.mode + 1,
+                "frequency_hz": frequency(found.mode),
+                "kind": match alarm.kind {
+                    AlarmKind::Average => "average",
+                    AlarmKind::ThreeOfFive => "three_of_five",
+                },
+                "confirmed": true,
+                "answered": found.is_answered,
+                "value": alarm.value,
+                "limit": alarm.limit,
+            });
+            (alarm.survey, value)
+        })
+        .collect();
+    for found in watched.t_squared.iter().filter(|found| found.value > found.limit) {
+        let value = json!({
+            "date": name(found.survey),
+            "since": Value::Null,
+            "mode": Value::Null,
+            "frequency_hz": Value::Null,
+            "kind": "t_squared",
+            "confirmed": false,
+            "answered": Value::Null,
+            "value": found.value,
+            "limit": found.limit,
+        });
+        alarms.push((found.survey, value));
+    }
+    alarms.sort_by_key(|(survey, _)| *survey);
+    json!({
+        "project": project(&answer.project, &answer.file),
+        "surveys": answer.surveys.iter().map(|survey| json!({
+            "name": survey.name,
+            "temperature_c": survey.temperature_c,
+        })).collect::<Vec<_>>(),
+        "left_out": answer.left_out,
+        "works": answer.works.iter().map(|(_, work)| json!({
+            "date": work.date,
+            "what": work.what,
+            "kind": match work.kind {
+                WorkKind::Repair => "repair",
+                WorkKind::Inspection => "inspection",
+                WorkKind::Sensors => "sensors",
+                WorkKind::Event => "event",
+            },
+        })).collect::<Vec<_>>(),
+        "open_alarms": answer.open_alarms(),
+        "significance": watched.significance,
+        "interval_days": watched.interval_days,
+        "average_limit": watched.average_limit,
+        "false_alarm_probability": watched.false_alarm_probability,
+        "changes": changes,
+        "alarms": alarms.into_iter().map(|(_, alarm)| alarm).collect::<Vec<_>>(),
+        "modes": watched.modes.iter().map(|each| mode(each, answer)).collect::<Vec<_>>(),
+        "tilts": watched.tilts.iter().map(tilt).collect::<Vec<_>>(),
+        "sensors": watched.tracked.sensors.iter().map(|change| json!({
+            "date": name(change.survey),
+            "channel": change.channel,
+            "assurance": change.assurance,
+        })).collect::<Vec<_>>(),
+        "jumped": watched.tracked.jumped.iter().map(|jumped| json!({
+            "from_hz": jumped.from_hz,
+            "to_hz": jumped.to_hz,
+            "date": name(jumped.at),
+            "assurance": jumped.assurance,
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn mode(mode: &WatchedMode, answer: &WatchAnswer) -> Value {
+    let weather = mode.weather.as_ref();
+    let name = |survey: usize| answer.surveys.get(survey).map(|survey| survey.name.clone());
+    let names =
+        |surveys: &[usize]| -> Vec<Value> { surveys.iter().map(|survey| json!(name(*survey))).collect() };
+    json!({
+        "frequency_hz": mode.track.frequency_hz,
+        "direction": mode.track.direction,
+        "found": mode.track.found(),
+        "weather": weather.map(|weather| match weather.known {
+            WeatherKnown::Temperature => "temperature",
+            WeatherKnown::TemperatureAndFrost => "temperature_and_frost",
+            WeatherKnown::Season => "season",
+            WeatherKnown::Nothing => "nothing",
+        }),
+        "per_c": weather.and_then(|weather| weather.per_c).map(|known| known.0),
+        "per_c_sd": weather.and_then(|weather| weather.per_c).map(|known| known.1),
+        "frost_per_c": weather.and_then(|weather| weather.frost_per_c).map(|known| known.0),
+        "temperature_with_time": weather.and_then(|weather| weather.with_time),
+        "disturbance_sd": weather.map(|weather| weather.disturbance.sd),
+        "disturbance_correlation": weather.map(|weather| weather.disturbance.correlation),
+        "seen_from_ratio": mode.seen_from_ratio,
+        "outliers": names(&mode.outliers),
+        "works": mode.works.iter().map(|effect| json!({
+            "work": effect.work + 1,
+            "change_ratio": effect.ratio,
+            "sd": effect.sd,
+        })).collect::<Vec<_>>(),
+        "surveys": mode.judged.judged.iter().map(|judged| json!({
+            "date": name(judged.survey),
+            "frequency_hz": mode.track.modes.get(judged.survey).copied().flatten()
+                .and_then(|j| answer.surveys[judged.survey].frequencies_hz.get(j)),
+            "explained_hz": mode.explained_hz.get(judged.survey).copied().flatten(),
+            "predicted_hz": judged.predicted.map(|(ratio, _)| mode.track.frequency_hz * (1.0 + ratio)),
+            "score": judged.score.ok(),
+            "not_judged": judged.score.err().map(|why| match why {
+                NotJudged::Training => "training",
+                NotJudged::NewLevel => "new_level",
+                NotJudged::Temperature => "temperature",
+                NotJudged::NoTemperature => "no_temperature",
+            }),
+            "average_over_limit": judged.average,
+        })).collect::<Vec<_>>(),
+    })
+}
+
+fn tilt(trend: &TiltTrend) -> Value {
+    let slope = trend.slope.as_ref();
+    let reach = slope.and_then(|slope| slope.reach);
+    json!({
+        "direction": trend.series.direction,
+        "datum": trend.series.datum,
+        "readings": trend.series.ratios.len(),
+        "per_year": slope.map(|slope| slope.per_year),
+        "sd_per_year": slope.map(|slope| slope.sd_per_year),
+        "p_value": slope.map(|slope| slope.p_value),
+        "beyond_chance": trend.is_beyond_chance(),
+        "seen_from_per_year": slope.map(|slope| slope.seen_from_per_year),
+        "now": slope.map(|slope| slope.now),
+        "limit": reach.map(|reach| reach.limit),
+        "years_to_limit": reach.and_then(|reach| reach.years),
+        "years_to_limit_earliest": reach.and_then(|reach| reach.years_earliest),
+        "years_to_limit_latest": reach.and_then(|reach| reach.years_latest),
+    })
+}

@@ -1,0 +1,19 @@
+//! Parts of a structure against what limits them: findings, tables, JSON.
+
+mod findings;
+mod json;
+mod table;
+mod words;
+
+pub(crate) use findings::findings;
+pub(crate) use json::parts_json;
+pub(crate) use table::section;
+
+use dolmen_words::Template;
+
+/// The sentences on limits as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 3] = [
+    words::Parts::TEMPLATES,
+    findings::Found::TEMPLATES,
+    table::Limits::TEMPLATES,
+];

@@ -1,0 +1,107 @@
+//! Every storey and every joint against its limit.
+
+use super::words::part_words;
+use crate::document::{Block, Cell, Column, Document, Table};
+use crate::simulated::kilo;
+use dolmen::assess::demand::DriftLimit;
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::part_limit::{Limited, PartLimit};
+
+/// Digits of drifts, moments and ratios.
+const DIGITS: usize = 3;
+
+messages! {
+    /// Tables of limits.
+    pub(crate) enum Limits in "limits.table" {
+        Drifts => { en: "Drift of each storey against what is allowed.", ko: "층별 층간변위와 허용 층간변위." },
+        DriftsBy { source: String } => {
+            en: "Drift of each storey against what is allowed by {source}.",
+            ko: "층별 층간변위와 허용 층간변위({source}).",
+        },
+        DriftsWithout => {
+            en: "Drift of each storey; the file gives no allowable drift ([limits]).",
+            ko: "층별 층간변위(입력 파일에 허용 층간변위 [limits]가 없음).",
+        },
+        Moments => {
+            en: "Moment of each joint against that at which its bed stands on its edge.",
+            ko: "접합면별 모멘트와 모서리로만 지지되는 모멘트.",
+        },
+        UseMeaning => {
+            en: "Below 1 it is within its limit, from 0.8 near it.",
+            ko: "비가 1 이하이면 허용 범위 안이며 0.8을 넘으면 근접이다.",
+        },
+        PartHead => { en: "Part", ko: "부위" },
+        Along => { en: "Along", ko: "방향" },
+        Direction { direction: String } => { en: "{direction}", ko: "{direction}" },
+        Any => { en: "any", ko: "모든 방향" },
+        Drift => { en: "drift / height", ko: "층간변위비" },
+        Allowed => { en: "allowed", ko: "허용값" },
+        Moment => { en: "moment", ko: "모멘트" },
+        Edge => { en: "on its edge at", ko: "전도 모멘트" },
+        Use => { en: "demand / limit", ko: "요구/허용" },
+    }
+}
+
+/// The tables, one a kind of limit.
+pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: Option<&DriftLimit>) {
+    let of = |limited: Limited| -> Vec<&PartLimit> {
+        parts.iter().filter(|part| part.limited == limited).collect()
+    };
+    let drifts = of(Limited::Drift);
+    if !drifts.is_empty() {
+        let head = match (limit.map(DriftLimit::source), limit) {
+            (Some(Some(source)), _) => Limits::DriftsBy { source },
+            (_, Some(_)) => Limits::Drifts,
+            (_, None) => Limits::DriftsWithout,
+        };
+        document.put(Block::Table(table(
+            (head, Limits::Drift, Limits::Allowed),
+            &drifts,
+            &Unit::percent(),
+        )));
+    }
+    let moments = of(Limited::BedEdge);
+    if !moments.is_empty() {
+        document.put(Block::Table(table(
+            (Limits::Moments, Limits::Moment, Limits::Edge),
+            &moments,
+            &kilo("N·m"),
+        )));
+    }
+}
+
+fn table((head, demand, capacity): (Limits, Limits, Limits), parts: &[&PartLimit], unit: &Unit) -> Table {
+    let number = |value: f64| Quantity::new(value, unit.clone(), Digits::Significant(DIGITS));
+    let row = |of: &&PartLimit| {
+        let ratio = of.use_ratio().map(|ratio| Quantity::ratio(ratio, DIGITS));
+        let direction = match &of.direction {
+            Some(direction) => Limits::Direction {
+                direction: direction.clone(),
+            },
+            None => Limits::Any,
+        };
+        vec![
+            Cell::Words(part_words(&of.part)),
+            Cell::words(direction),
+            Cell::number(number(of.demand)),
+            Cell::Number(of.capacity.map(number)),
+            match ratio {
+                Some(ratio) if of.use_ratio() > Some(1.0) => Cell::Bad(ratio),
+                known => Cell::Number(known),
+            },
+        ]
+    };
+    let is_known = parts.iter().any(|part| part.capacity.is_some());
+    let meaning = is_known.then(|| Sentence::from(Limits::UseMeaning));
+    Table {
+        caption: [Sentence::from(head)].into_iter().chain(meaning).collect(),
+        columns: vec![
+            Column::words(Limits::PartHead),
+            Column::words(Limits::Along),
+            Column::numbers(demand, unit.clone()),
+            Column::numbers(capacity, unit.clone()),
+            Column::numbers(Limits::Use, Unit::ratio()),
+        ],
+        rows: parts.iter().map(row).collect(),
+    }
+}

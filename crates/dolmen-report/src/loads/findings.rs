@@ -1,0 +1,184 @@
+//! What wind and static loads do, in plain words.
+
+use crate::document::{Finding, Tone};
+use dolmen::stability::Verdict;
+use dolmen::structure::wind::{Resonance, WindError};
+use dolmen_project::{Project, Structure, WindPart};
+use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::loads::{CombinationAnswer, LoadsAnswer};
+use dolmen_work::state::State;
+
+/// Digits of a factor in a sentence.
+const DIGITS: usize = 3;
+/// Below it gusts near the natural frequency add to what a gust as given says, Hz: 5 Hz in EN 1991-1-4, 1 Hz in KDS 41 12 00.
+const RESONANCE_BELOW_HZ: f64 = 1.0;
+
+messages! {
+    /// Findings on wind and static loads.
+    pub(crate) enum Found in "loads.findings" {
+        NoWind => {
+            en: "Wind is not in the file: the verdict is on weight alone, and a storm may ask for more than the beds bear.",
+            ko: "파일에 풍하중이 없다. 판정은 자중만을 고려한 것이며, 폭풍은 접합면의 저항을 넘을 수 있다.",
+        },
+        Everything => { en: "Wind and static loads as they are", ko: "주어진 풍하중·정하중" },
+        Wind => { en: "The wind of the file", ko: "파일의 풍하중" },
+        Loads => { en: "The static loads of the file", ko: "파일의 정하중" },
+        Combination { name: String } => { en: "Combination {name}", ko: "하중조합 {name}" },
+        Overturns { what: Sentence, joint: usize, moment: Quantity, limit: Quantity, factor: Quantity } => {
+            en: "{what}: the bed of joint {joint} does not bear it. The moment there is {moment}, and {limit} is the most that the bed passes; {factor} times the load is borne.",
+            ko: "{what}: 접합면 {joint}이(가) 견디지 못한다. 작용 모멘트는 {moment}, 접합면이 전달할 수 있는 한계는 {limit}이며, 하중의 {factor}배까지 견딘다.",
+        },
+        Bears { what: Sentence, joint: usize, moment: Quantity, limit: Quantity, factor: Quantity, stable: Quantity } => {
+            en: "{what}: {factor} times the load is borne; “stable” needs {stable}. Joint {joint} governs, with a moment of {moment} against {limit} that its bed passes; beds begin to open at a third of that.",
+            ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. 지배 접합면은 접합면 {joint}이고 작용 모멘트 {moment}, 접합면 한계 {limit}이다. 접합면은 한계의 3분의 1에서 벌어지기 시작한다.",
+        },
+        Falls { what: Sentence } => {
+            en: "{what}: it falls under the weight of this combination alone.",
+            ko: "{what}: 이 하중조합의 자중만으로도 전도된다.",
+        },
+        AtLeast { what: Sentence, joint: usize, moment: Quantity } => {
+            en: "{what}: whether it is borne is unknown. Joint {joint} passes {moment} at the least, without what the weight adds as it leans; that needs the stiffness of the joints and the widths of their beds.",
+            ko: "{what}: 저항 여부를 판정할 수 없다. 접합면 {joint}의 모멘트는 최소 {moment}이며 기울어짐에 따른 자중의 증가분은 포함되지 않았다. 접합부 강성과 접합면 폭이 필요하다.",
+        },
+        NotKnown { why: Sentence } => {
+            en: "The wind is not compared: {why}.",
+            ko: "풍하중을 검토하지 못하였다. {why}.",
+        },
+        NoResonance { frequency: Quantity } => {
+            en: "At {frequency} gusts make it swing: a gust as given does not hold that. Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.",
+            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 준다.",
+        },
+    }
+}
+
+messages! {
+    /// Why a wind is not known.
+    pub(crate) enum WhyNot in "loads.why-not" {
+        Frequency => {
+            en: "its code asks for the lowest natural frequency, which needs the stiffness of the joints",
+            ko: "기준에 1차 고유진동수가 필요하나 접합부 강성이 주어지지 않았다",
+        },
+        Damping { frequency: Quantity } => {
+            en: "at {frequency} resonance counts, which needs damping_ratio",
+            ko: "고유진동수 {frequency}에서는 공진을 고려해야 하며 damping_ratio가 필요하다",
+        },
+        TooSoft { frequency: Quantity, least: Quantity } => {
+            en: "its lowest frequency is {frequency}, and the gust factor of KDS 41 12 00 that is held here is for more than {least}: below it the resonant part comes on top. Use code = \"EN 1991-1-4\", whose Annex B holds it, or give the gust of a wind study",
+            ko: "1차 고유진동수가 {frequency}이며, 여기에 구현된 KDS 41 12 00의 가스트영향계수는 {least}를 넘는 강체 구조물용이다. 그 이하에서는 공진 성분이 더해진다. 부속서 B가 있는 code = \"EN 1991-1-4\"를 쓰거나 풍동실험·풍하중 평가의 돌풍 값을 준다",
+        },
+        Height { height: Quantity, most: Quantity } => {
+            en: "its top is at {height}, and the profile of the code ends at {most}",
+            ko: "최상단 높이 {height}이(가) 기준의 적용 높이 {most}을(를) 넘는다",
+        },
+        NotPositive { quantity: String, given: Quantity } => {
+            en: "{quantity} is {given}, but must be above 0",
+            ko: "{quantity} = {given}은(는) 0보다 커야 한다",
+        },
+    }
+}
+
+fn hertz(frequency_hz: f64) -> Quantity {
+    Quantity::new(frequency_hz, Unit::si("Hz"), Digits::Significant(DIGITS))
+}
+
+/// Why a wind is not known.
+pub(super) fn why_not(error: &WindError) -> Sentence {
+    match error {
+        WindError::FrequencyUnknown => WhyNot::Frequency,
+        WindError::DampingUnknown { frequency_hz } => WhyNot::Damping {
+            frequency: hertz(*frequency_hz),
+        },
+        WindError::TooSoft {
+            frequency_hz,
+            least_hz,
+        } => WhyNot::TooSoft {
+            frequency: hertz(*frequency_hz),
+            least: hertz(*least_hz),
+        },
+        WindError::Height { given, most_m } => WhyNot::Height {
+            height: Quantity::engineering(*given, "m", DIGITS),
+            most: Quantity::engineering(*most_m, "m", DIGITS),
+        },
+        WindError::NotPositive { quantity, given } => WhyNot::NotPositive {
+            quantity: (*quantity).to_owned(),
+            given: Quantity::ratio(*given, DIGITS),
+        },
+    }
+    .into()
+}
+
+/// A combination by its name, or what acts.
+pub(super) fn what(answer: &LoadsAnswer, combination: &CombinationAnswer) -> Sentence {
+    match (&combination.name, answer.has_wind, answer.has_loads) {
+        (Some(name), _, _) => Found::Combination { name: name.clone() },
+        (None, true, true) => Found::Everything,
+        (None, true, false) => Found::Wind,
+        (None, false, _) => Found::Loads,
+    }
+    .into()
+}
+
+/// That a pole has no wind; of others nothing.
+fn no_wind(project: &Project, state: &State) -> Option<Finding> {
+    let is_silent = matches!(project.structure, Structure::Chain(_))
+        && project.loads.wind == WindPart::NotSaid
+        && state.verdict() != Verdict::Unstable;
+    is_silent.then(|| Finding::key(Tone::Warn, Found::NoWind).with_code("no-wind"))
+}
+
+/// The findings, the worst combination alone.
+pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
+    let Some(answer) = &state.loads else {
+        return no_wind(project, state).into_iter().collect();
+    };
+    let mut all = Vec::new();
+    if let Some(Err(why)) = &answer.wind {
+        let why = why_not(why);
+        all.push(Finding::key(Tone::Unknown, Found::NotKnown { why }));
+    }
+    all.extend(answer.worst().and_then(|worst| of_combination(answer, worst)));
+    if let Some(Ok(met)) = &answer.wind
+        && met.resonance == Resonance::NotCounted
+        && let Some(frequency_hz) = met.frequency_hz.filter(|hz| *hz < RESONANCE_BELOW_HZ)
+    {
+        let frequency = hertz(frequency_hz);
+        all.push(Finding::key(Tone::Warn, Found::NoResonance { frequency }));
+    }
+    if !answer.has_wind {
+        all.extend(no_wind(project, state));
+    }
+    all
+}
+
+fn of_combination(answer: &LoadsAnswer, worst: &CombinationAnswer) -> Option<Finding> {
+    let what = what(answer, worst);
+    let under = &worst.chain.under;
+    let verdict = worst.verdict();
+    let tone = Tone::of(verdict);
+    if under.factor == Some(0.0) && under.joints.iter().all(|joint| joint.moment_n_m.is_none()) {
+        return Some(Finding::key(tone, Found::Falls { what }));
+    }
+    let joint = under.governing_joint.unwrap_or(1);
+    let of = under.joints.get(joint - 1)?;
+    let acting = of.moment_n_m.unwrap_or(of.rigid_moment_n_m).abs() + of.tilt_moment_n_m.abs();
+    let moment = Quantity::engineering(acting, "N·m", DIGITS);
+    let said = match (verdict, of.limit_n_m, of.factor) {
+        (Verdict::Unstable, Some(limit), Some(factor)) => Found::Overturns {
+            what,
+            joint,
+            moment,
+            limit: Quantity::engineering(limit, "N·m", DIGITS),
+            factor: Quantity::beside_one(factor, DIGITS),
+        },
+        (Verdict::Stable | Verdict::Marginal, Some(limit), Some(factor)) => Found::Bears {
+            what,
+            joint,
+            moment,
+            limit: Quantity::engineering(limit, "N·m", DIGITS),
+            factor: Quantity::beside_one(factor, DIGITS),
+            stable: Quantity::ratio(Verdict::MARGINAL_BELOW, 2),
+        },
+        _ => Found::AtLeast { what, joint, moment },
+    };
+    Some(Finding::key(tone, said))
+}

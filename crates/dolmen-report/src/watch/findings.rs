@@ -1,0 +1,421 @@
+//! What a history says in plain words.
+
+use super::numbers::{HALF_95, bare_percent, hertz, percent, plain, slope};
+use crate::document::{Finding, Tone};
+use dolmen::monitoring::{
+    ChangeForm, NotJudged, StructureAlarm, TiltTrend, WatchedChange, WatchedMode, WeatherKnown,
+};
+use dolmen_project::WorkKind;
+use dolmen_words::{Quantity, Sentence, messages};
+use dolmen_work::watched::WatchAnswer;
+
+/// Changes that are told one by one.
+const TOLD_MOST: usize = 4;
+
+messages! {
+    /// Findings on a history.
+    pub(crate) enum Found in "watch.findings" {
+        OpenAlarm { frequency: Quantity, since: String, confirmed: String } => {
+            en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it under [[watch.works]].",
+            ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [[watch.works]]에 기록한다.",
+        },
+        FurtherAlarms { count: usize } => {
+            en: "Further alarms without an answer: {count}.",
+            ko: "조치되지 않은 경보가 {count}건 더 있다.",
+        },
+        NoOpenAlarm { answered: usize, last: String } => {
+            en: "No open alarm up to the survey of {last} (answered earlier: {answered}).",
+            ko: "{last} 조사까지 조치되지 않은 경보가 없다(조치된 경보: {answered}건).",
+        },
+        NoneJudged { training: usize } => {
+            en: "No survey was judged against those before it: that needs more than {training} surveys.",
+            ko: "이전 조사와 비교하여 판정한 조사가 없다. 판정에는 조사 {training}회를 초과하는 기록이 필요하다.",
+        },
+        LastNotJudged { last: String, reason: Sentence } => {
+            en: "The survey of {last} was not judged: {reason}.",
+            ko: "{last} 조사는 판정하지 않았다: {reason}.",
+        },
+        Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
+            en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; were it alike everywhere, {stiffness} of stiffness.",
+            ko: "{frequency} 모드는 {after}와 {before} 사이에 {by} ± {half} 변하였다({chance}){cause}. 전체가 같은 비율로 변하였다면 강성 변화는 {stiffness}이다.",
+        },
+        Drifted { frequency: Quantity, by: Quantity, half: Quantity, since: String, yearly: Quantity, chance: Sentence } => {
+            en: "{frequency} drifts by {yearly} a year since about {since}, {by} ± {half} so far ({chance}).",
+            ko: "{frequency} 모드는 {since}경부터 해마다 {yearly}씩 점진적으로 변하여 지금까지 {by} ± {half} 변하였다({chance}).",
+        },
+        Further { count: usize } => {
+            en: "Further changes of modes: {count}.",
+            ko: "그 밖의 모드 변화: {count}건.",
+        },
+        Unchanged { modes: usize, from: String, to: String, least: Quantity } => {
+            en: "No lasting change was shown from {from} to {to}, modes followed: {modes}. A step of {least} halfway would have been seen with 80 % probability in each; smaller ones could have been missed.",
+            ko: "{from}부터 {to}까지 추적한 모드 {modes}개에서 지속적인 변화가 확인되지 않았다. 중간 시점의 {least} 급변은 각 모드에서 80 %의 확률로 발견되었을 것이나 그보다 작은 변화는 놓쳤을 수 있다.",
+        },
+        TooFew { from: String, to: String } => {
+            en: "Whether a frequency changed lastingly from {from} to {to} cannot be said: no mode was found in 8 surveys or more. Measure on, or compare two surveys.",
+            ko: "{from}부터 {to}까지 고유진동수가 지속적으로 변하였는지 판단할 수 없다. 8회 이상의 조사에서 확인된 모드가 없다. 계측을 계속하거나 두 조사를 비교한다.",
+        },
+        Missed { frequency: Quantity, least: Quantity } => {
+            en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
+            ko: "그 밖에 {least}의 지속적인 급변은 가장 불리한 모드({frequency})에서 80 %의 확률로 발견되었을 것이다.",
+        },
+        Worked { date: String, frequency: Quantity, by: Quantity, half: Quantity } => {
+            en: "With the repair of {date} {frequency} changed by {by} ± {half}.",
+            ko: "{date} 보수 전후로 {frequency} 모드는 {by} ± {half} 변하였다.",
+        },
+        NoTemperature => {
+            en: "Temperatures are not known: a lasting change and the weather are told apart only as far as the seasons repeat. Enter temperature_c with each survey.",
+            ko: "기온을 알 수 없어 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 temperature_c를 기록한다.",
+        },
+        WithTime { frequency: Quantity, correlation: Quantity } => {
+            en: "Temperature went with time ({frequency}: correlation {correlation}): ageing and weather are hardly told apart, and less is seen.",
+            ko: "기온이 시간과 함께 변하여({frequency}: 상관계수 {correlation}) 노후와 날씨의 영향이 잘 구별되지 않으며 발견할 수 있는 변화가 줄어든다.",
+        },
+        TiltGrows { direction: String, yearly: Quantity, half: Quantity } => {
+            en: "The tilt along {direction} grows by {yearly} ± {half} mm/m a year, beyond chance.",
+            ko: "{direction} 방향 기울기가 해마다 {yearly} ± {half} mm/m씩 유의하게 변한다.",
+        },
+        TiltReaches { direction: String, yearly: Quantity, half: Quantity, limit: Quantity, years: Quantity, earliest: Quantity, latest: Quantity } => {
+            en: "The tilt along {direction} changes by {yearly} ± {half} mm/m a year, beyond chance; at that rate it reaches its limit of {limit} mm/m in {years} years ({earliest} to {latest}).",
+            ko: "{direction} 방향 기울기가 해마다 {yearly} ± {half} mm/m씩 유의하게 변한다. 이 속도로는 {years}년({earliest}~{latest}년) 뒤에 한계 {limit} mm/m에 이른다.",
+        },
+        TiltBeyond { direction: String, now: Quantity, limit: Quantity } => {
+            en: "The tilt along {direction} is {now} mm/m, beyond its limit of {limit} mm/m.",
+            ko: "{direction} 방향 기울기가 {now} mm/m로 한계 {limit} mm/m를 넘었다.",
+        },
+        NoTilt { direction: String, least: Quantity } => {
+            en: "Tilt along {direction}: no trend; {least} mm/m a year would have been seen.",
+            ko: "{direction} 방향 기울기: 경향 없음. 해마다 {least} mm/m의 변화는 발견되었을 것이다.",
+        },
+        Sensor { survey: String, channel: String } => {
+            en: "Shapes jumped on {survey} while frequencies did not: sensor \"{channel}\" was moved, replaced or turned, not the structure.",
+            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다. 구조물이 아니라 센서 \"{channel}\"이(가) 이동·교체되었거나 방향이 바뀌었다.",
+        },
+        Sensors { survey: String } => {
+            en: "Shapes jumped on {survey} while frequencies did not: sensors were moved, replaced or turned, not the structure.",
+            ko: "{survey}에 고유진동수는 그대로이나 모드형상이 급변하였다. 구조물이 아니라 센서가 이동·교체되었거나 방향이 바뀌었다.",
+        },
+        Jumped { from: Quantity, to: Quantity, survey: String, mac: Quantity } => {
+            en: "{from} ended and {to} began on {survey} with a like shape (MAC {mac}): perhaps one mode that jumped.",
+            ko: "{survey}에 {from} 모드가 사라지고 모드형상이 비슷한(MAC {mac}) {to} 모드가 나타났다. 한 모드가 급변한 것일 수 있다.",
+        },
+        Rate { share: Quantity } => {
+            en: "Confirmed false alarms come at the stated mean rate; over these years at least one with {share} probability.",
+            ko: "확정된 오경보는 정해진 평균 빈도로 발생하며, 이 기간에 한 번 이상 발생할 확률은 {share}이다.",
+        },
+        Chance { p: Quantity } => { en: "p = {p}", ko: "p = {p}" },
+        ChanceBelow => { en: "p < 0.001", ko: "p < 0.001" },
+    }
+}
+
+messages! {
+    /// Why, or what stands near in time.
+    pub(crate) enum Cause in "watch.cause" {
+        Nothing => { en: "", ko: "" },
+        Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ", 같은 기간의 사건 {number}: {what}" },
+        Training => { en: "too few surveys before it", ko: "이전 조사가 너무 적다" },
+        NewLevel => { en: "the level after a repair or alarm is still being learned", ko: "보수 또는 경보 이후의 수준을 아직 익히는 중이다" },
+        Temperature { temperature: Quantity } => { en: "no earlier surveys at {temperature}", ko: "{temperature}에서 실시한 이전 조사가 없다" },
+        NoTemperature => { en: "its temperature is not known", ko: "기온을 알 수 없다" },
+        NotFound => { en: "none of the modes that are followed was found", ko: "추적 중인 모드가 확인되지 않았다" },
+    }
+}
+
+pub(super) fn chance(p: f64) -> Sentence {
+    match p < 0.001 {
+        true => Found::ChanceBelow.into(),
+        false => Found::Chance { p: plain(p, 3) }.into(),
+    }
+}
+
+/// The findings: alarms, changes, what could have been missed, tilts, what is doubtful.
+pub(crate) fn findings(answer: &WatchAnswer) -> Vec<Finding> {
+    let mut all = alarms(answer);
+    all.extend(last_survey(answer));
+    all.extend(changes(answer));
+    all.extend(weather(answer));
+    all.extend(answer.watched.tilts.iter().filter_map(tilt));
+    all.extend(works(answer));
+    all.extend(sensors(answer));
+    all.push(Finding::new(
+        Tone::Plain,
+        Found::Rate {
+            share: percent(answer.watched.false_alarm_probability, 0),
+        },
+    ));
+    all
+}
+
+fn name(answer: &WatchAnswer, survey: usize) -> String {
+    answer
+        .surveys
+        .get(survey)
+        .map_or_else(String::new, |survey| survey.name.clone())
+}
+
+fn mode_hz(answer: &WatchAnswer, mode: usize) -> Quantity {
+    hertz(
+        answer
+            .watched
+            .modes
+            .get(mode)
+            .map_or(f64::NAN, |mode| mode.track.frequency_hz),
+    )
+}
+
+fn alarms(answer: &WatchAnswer) -> Vec<Finding> {
+    let watched = &answer.watched;
+    let open: Vec<&StructureAlarm> = watched.alarms.iter().filter(|alarm| !alarm.is_answered).collect();
+    let is_judged = watched
+        .modes
+        .iter()
+        .any(|mode| mode.judged.judged.iter().any(|judged| judged.score.is_ok()));
+    let Some(first) = open.first() else {
+        let last = name(answer, answer.surveys.len().saturating_sub(1));
+        let answered = watched.alarms.len();
+        return match is_judged {
+            true => vec![Finding::key(Tone::Good, Found::NoOpenAlarm { answered, last })],
+            false => vec![Finding::key(Tone::Unknown, Found::NoneJudged { training: 10 })],
+        };
+    };
+    let mut all = vec![Finding::key(
+        Tone::Bad,
+        Found::OpenAlarm {
+            frequency: mode_hz(answer, first.mode),
+            since: name(answer, first.alarm.since),
+            confirmed: name(answer, first.alarm.survey),
+        },
+    )];
+    if open.len() > 1 {
+        all.push(Finding::key(
+            Tone::Bad,
+            Found::FurtherAlarms {
+                count: open.len() - 1,
+            },
+        ));
+    }
+    all
+}
+
+/// Why the last survey was not judged, where no mode of it was.
+fn last_survey(answer: &WatchAnswer) -> Option<Finding> {
+    let last = answer.surveys.len().checked_sub(1)?;
+    let of_last = answer.watched.modes.iter().filter_map(|mode| {
+        let found = mode.judged.judged.last()?;
+        (found.survey == last).then_some(found)
+    });
+    let mut reason = Some(Cause::NotFound);
+    for judged in of_last {
+        match judged.score {
+            Ok(_) => return None,
+            Err(NotJudged::Training) => return None, // said of the whole history
+            Err(NotJudged::NewLevel) => reason = Some(Cause::NewLevel),
+            Err(NotJudged::NoTemperature) => reason = Some(Cause::NoTemperature),
+            Err(NotJudged::Temperature) => {
+                let temperature_c = answer.surveys[last].temperature_c.unwrap_or(f64::NAN);
+                let unit = dolmen_words::Unit::si("°C");
+                let temperature = Quantity::new(temperature_c, unit, dolmen_words::Digits::Trimmed(3));
+                reason = Some(Cause::Temperature { temperature });
+            }
+        }
+    }
+    let reason: Sentence = reason?.into();
+    let last = name(answer, last);
+    Some(Finding::key(Tone::Unknown, Found::LastNotJudged { last, reason }))
+}
+
+fn changes(answer: &WatchAnswer) -> Vec<Finding> {
+    let watched = &answer.watched;
+    let listed: Vec<(&WatchedMode, &WatchedChange)> = watched
+        .modes
+        .iter()
+        .flat_map(|mode| mode.changes.iter().map(move |change| (mode, change)))
+        .collect();
+    let (from, to) = (
+        name(answer, 0),
+        name(answer, answer.surveys.len().saturating_sub(1)),
+    );
+    let least = watched
+        .modes
+        .iter()
+        .filter_map(|mode| Some((mode.seen_from_ratio?, mode.track.frequency_hz)))
+        .max_by(|a, b| a.0.total_cmp(&b.0));
+    let Some((least, of_hz)) = least else {
+        return vec![Finding::key(Tone::Unknown, Found::TooFew { from, to })];
+    };
+    if listed.is_empty() {
+        let said = Found::Unchanged {
+            modes: watched.modes.len(),
+            from,
+            to,
+            least: percent(least, 2),
+        };
+        return vec![Finding::key(Tone::Good, said)];
+    }
+    let mut strongest = listed.clone();
+    strongest.sort_by(|a, b| (b.1.ratio / b.1.sd).abs().total_cmp(&(a.1.ratio / a.1.sd).abs()));
+    let mut all: Vec<Finding> = strongest
+        .iter()
+        .take(TOLD_MOST)
+        .map(|(mode, change)| Finding::key(Tone::Warn, told(answer, mode, change)))
+        .collect();
+    if listed.len() > TOLD_MOST {
+        let count = listed.len() - TOLD_MOST;
+        all.push(Finding::key(Tone::Warn, Found::Further { count }));
+    }
+    all.push(Finding::new(
+        Tone::Plain,
+        Found::Missed {
+            frequency: hertz(of_hz),
+            least: percent(least, 2),
+        },
+    ));
+    all
+}
+
+fn told(answer: &WatchAnswer, mode: &WatchedMode, change: &WatchedChange) -> Found {
+    let frequency = hertz(mode.track.frequency_hz);
+    let (by, half) = (bare_percent(change.ratio, 2), percent(HALF_95 * change.sd, 2));
+    match change.form {
+        ChangeForm::Step => Found::Stepped {
+            frequency,
+            by,
+            half,
+            after: name(answer, change.after),
+            before: name(answer, change.before),
+            chance: chance(change.p_value),
+            stiffness: percent(change.ratio * (2.0 + change.ratio), 1),
+            cause: event(answer, change).into(),
+        },
+        ChangeForm::Slope => Found::Drifted {
+            frequency,
+            by,
+            half,
+            since: name(answer, change.from),
+            yearly: percent(change.per_year.unwrap_or(f64::NAN), 2),
+            chance: chance(change.p_value),
+        },
+    }
+}
+
+/// An event that the interval of the date holds.
+fn event(answer: &WatchAnswer, change: &WatchedChange) -> Cause {
+    let day = |survey: usize| answer.surveys.get(survey).map_or(f64::NAN, |survey| survey.day);
+    let within = answer.works.iter().enumerate().find(|(_, (when, work))| {
+        work.kind == WorkKind::Event && (day(change.after)..=day(change.before)).contains(when)
+    });
+    within.map_or(Cause::Nothing, |(i, (_, work))| Cause::Event {
+        number: i + 1,
+        what: work.what.clone().unwrap_or_else(|| work.date.clone()),
+    })
+}
+
+fn weather(answer: &WatchAnswer) -> Vec<Finding> {
+    let of_modes = || {
+        let modes = answer.watched.modes.iter();
+        modes.filter_map(|mode| Some((mode, mode.weather.as_ref()?)))
+    };
+    let mut all = Vec::new();
+    let blind = |known| matches!(known, WeatherKnown::Season | WeatherKnown::Nothing);
+    if of_modes().any(|(_, weather)| blind(weather.known)) {
+        all.push(Finding::key(Tone::Unknown, Found::NoTemperature));
+    }
+    let with_time = of_modes().find_map(|(mode, weather)| Some((mode, weather.with_time?)));
+    if let Some((mode, correlation)) = with_time {
+        let said = Found::WithTime {
+            frequency: hertz(mode.track.frequency_hz),
+            correlation: plain(correlation, 2),
+        };
+        all.push(Finding::key(Tone::Unknown, said));
+    }
+    all
+}
+
+fn tilt(trend: &TiltTrend) -> Option<Finding> {
+    let found = trend.slope.as_ref()?;
+    let direction = trend.series.direction.clone();
+    let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
+    if let Some(reach) = found.reach {
+        if (found.now / reach.limit) >= 1.0 {
+            let (now, limit) = (slope(found.now, 2), slope(reach.limit, 2));
+            return Some(Finding::key(
+                Tone::Bad,
+                Found::TiltBeyond {
+                    direction,
+                    now,
+                    limit,
+                },
+            ));
+        }
+        if let (Some(years), Some(earliest)) = (reach.years, reach.years_earliest) {
+            let said = Found::TiltReaches {
+                direction,
+                yearly,
+                half,
+                limit: slope(reach.limit, 2),
+                years: plain(years, 0),
+                earliest: plain(earliest, 0),
+                latest: plain(reach.years_latest.unwrap_or(f64::INFINITY), 0),
+            };
+            return Some(Finding::key(Tone::Warn, said));
+        }
+    }
+    Some(match trend.is_beyond_chance() {
+        true => Finding::key(
+            Tone::Warn,
+            Found::TiltGrows {
+                direction,
+                yearly,
+                half,
+            },
+        ),
+        false => {
+            let least = slope(found.seen_from_per_year, 3);
+            Finding::new(Tone::Plain, Found::NoTilt { direction, least })
+        }
+    })
+}
+
+fn works(answer: &WatchAnswer) -> Vec<Finding> {
+    let each = answer.watched.modes.iter().flat_map(|mode| {
+        mode.works.iter().map(move |effect| {
+            let date = answer
+                .works
+                .get(effect.work)
+                .map_or_else(String::new, |(_, work)| work.date.clone());
+            let said = Found::Worked {
+                date,
+                frequency: hertz(mode.track.frequency_hz),
+                by: bare_percent(effect.ratio, 2),
+                half: percent(HALF_95 * effect.sd, 2),
+            };
+            Finding::new(Tone::Plain, said)
+        })
+    });
+    each.collect()
+}
+
+fn sensors(answer: &WatchAnswer) -> Vec<Finding> {
+    let tracked = &answer.watched.tracked;
+    let sensors = tracked.sensors.iter().map(|change| {
+        let survey = name(answer, change.survey);
+        let said = match &change.channel {
+            Some(channel) => Found::Sensor {
+                survey,
+                channel: channel.clone(),
+            },
+            None => Found::Sensors { survey },
+        };
+        Finding::key(Tone::Warn, said)
+    });
+    let jumped = tracked.jumped.iter().map(|jumped| {
+        let said = Found::Jumped {
+            from: hertz(jumped.from_hz),
+            to: hertz(jumped.to_hz),
+            survey: name(answer, jumped.at),
+            mac: plain(jumped.assurance, 2),
+        };
+        Finding::key(Tone::Warn, said)
+    });
+    sensors.chain(jumped).collect()
+}

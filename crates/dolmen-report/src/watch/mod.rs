@@ -1,0 +1,85 @@
+//! The structure over the years: findings, and the section on its surveys in time.
+
+mod findings;
+mod numbers;
+mod tables;
+
+pub(crate) use findings::findings;
+
+use crate::document::{Block, Document};
+use crate::figures::years;
+use dolmen_words::{Quantity, Sentence, Template, messages};
+use dolmen_work::watched::WatchAnswer;
+use numbers::percent;
+
+messages! {
+    /// The head of the section, its figure, and what it does not prove.
+    pub(crate) enum Years in "watch" {
+        Head => { en: "The structure over the years", ko: "여러 해에 걸친 구조물의 변화" },
+        Drawn => {
+            en: "Frequencies with what explains them, and each survey against those before it.",
+            ko: "고유진동수와 그 설명 모형, 이전 조사로부터의 예측에 대한 각 조사의 위치.",
+        },
+        Panels => {
+            en: "From above: relative frequency of each mode (dots) with weather, works and changes (lines); the moving average of each mode over its limit, beyond ±1 an alarm; T² of all modes over its limit; tilt. Upright lines are works and events, numbered as in the list.",
+            ko: "위에서부터 모드별 상대 고유진동수(점)와 기온·보수·변화로 설명되는 값(선), 모드별 이동평균의 한계 대비 값(±1을 벗어나면 경보), 전체 모드의 T²의 한계 대비 값, 기울기. 세로선은 보수와 사건이며 번호는 목록과 같다.",
+        },
+        Work { number: usize, date: String, what: String } => {
+            en: "{number}. {date}: {what}",
+            ko: "{number}. {date}: {what}",
+        },
+        LeftOut { names: String } => {
+            en: "Left out, since their names begin with no date, they have no modes, or another survey is of the same day: {names}.",
+            ko: "이름이 날짜로 시작하지 않거나, 모드가 없거나, 같은 날의 다른 조사가 있어 제외한 조사: {names}.",
+        },
+        NoProof { share: Quantity } => {
+            en: "The search for changes finds one where there is none with {share} probability, all modes together; alarms are counted apart. Frequencies also follow moisture, added mass and the strength of the motion. No change shown is no proof that nothing changed.",
+            ko: "변화 탐색이 없는 변화를 찾아낼 확률은 모든 모드를 합하여 {share}이며, 경보는 따로 센다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변한다. 변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다.",
+        },
+    }
+}
+
+/// The sentences on a history as they are written.
+pub(crate) const TEMPLATES: [&[Template]; 4] = [
+    Years::TEMPLATES,
+    findings::Found::TEMPLATES,
+    findings::Cause::TEMPLATES,
+    tables::Listed::TEMPLATES,
+];
+
+/// The section on the surveys of a project in time.
+pub(crate) fn sections(answer: &WatchAnswer) -> Document<'_> {
+    let mut document = Document::default();
+    document.heading(Years::Head);
+    document.figure(vec![Years::Drawn.into(), Years::Panels.into()], |language| {
+        years(answer, language)
+    });
+    let works: Vec<Sentence> = answer
+        .works
+        .iter()
+        .enumerate()
+        .map(|(i, (_, work))| {
+            let what = work.what.clone().unwrap_or_default();
+            let date = work.date.clone();
+            Years::Work {
+                number: i + 1,
+                date,
+                what,
+            }
+            .into()
+        })
+        .collect();
+    if !works.is_empty() {
+        document.put(Block::List(works));
+    }
+    tables::put(&mut document, answer);
+    if !answer.left_out.is_empty() {
+        document.note(Years::LeftOut {
+            names: answer.left_out.join(", "),
+        });
+    }
+    document.paragraph(Years::NoProof {
+        share: percent(answer.watched.significance, 0),
+    });
+    document
+}

@@ -1,0 +1,75 @@
+//! Storeys and dampers of a building against what limits them.
+
+use super::{BuildingAnswer, BuildingSimulation};
+use crate::part_limit::{Limited, Part, PartLimit};
+use dolmen::assess::demand::DriftLimit;
+use dolmen_project::{BuiltDamper, strokes_of};
+
+/// By the spectrum of the site, with the dampers where there are any; empty where that is not computed.
+pub(crate) fn by_spectrum(answer: &BuildingAnswer, limit: Option<&DriftLimit>) -> Vec<PartLimit> {
+    let Some(standing) = &answer.stands else {
+        return Vec::new();
+    };
+    let (edges, centres) = match (&standing.damped, &standing.spectral) {
+        (Some(damped), _) => (&damped.edge_drift_m, &damped.centre_drift_m),
+        (None, Some(alone)) if standing.dampers.is_empty() => (&alone.edge_drift_m, &alone.centre_drift_m),
+        _ => return Vec::new(),
+    };
+    let mut all = Vec::new();
+    for (i, storey) in standing.building.storeys().iter().enumerate() {
+        for (axis, direction) in ["x", "y"].into_iter().enumerate() {
+            let drift_m = edges[i].unwrap_or(centres[i])[axis];
+            let part = Part::BelowFloor(answer.floors[i].clone());
+            all.push(PartLimit::of_drift(
+                part,
+                direction,
+                drift_m / storey.height_m,
+                limit,
+            ));
+        }
+    }
+    let strokes = standing.damped.iter().flat_map(|damped| &damped.strokes_m);
+    all.extend(rooms(&standing.dampers, strokes.copied()));
+    all
+}
+
+/// Dampers against their rooms, m, in the order of [`strokes_of`].
+fn rooms(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<PartLimit> {
+    let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
+    pairs
+        .map(|(stroke, stroke_m)| PartLimit {
+            part: Part::Damper(stroke.name),
+            direction: None,
+            limited: Limited::Room,
+            demand: stroke_m.abs(),
+            capacity: stroke.room_m,
+        })
+        .collect()
+}
+
+impl BuildingSimulation {
+    /// Each storey against its allowable drift in any direction, and each damper against its room.
+    pub fn parts(&self) -> Vec<PartLimit> {
+        let storeys = self.floors.iter().zip(self.building.building().storeys());
+        let drifts = storeys.zip(&self.history.peaks.storeys);
+        let mut all: Vec<PartLimit> = drifts
+            .map(|((floor, storey), peak)| {
+                let ratio = peak.resultant.size_m / storey.height_m;
+                PartLimit::of_drift(
+                    Part::BelowFloor(floor.clone()),
+                    "",
+                    ratio,
+                    self.drift_limit.as_ref(),
+                )
+            })
+            .collect();
+        let strokes = self.history.peaks.strokes_m.iter();
+        all.extend(rooms(&self.dampers, strokes.map(|stroke| stroke.value)));
+        all
+    }
+
+    /// Whether a storey drifted beyond what any model of small drifts can tell of.
+    pub fn falls(&self) -> bool {
+        self.parts().iter().any(PartLimit::falls)
+    }
+}

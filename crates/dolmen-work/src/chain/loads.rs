@@ -1,0 +1,252 @@
+//! A chain under wind, static loads and their combinations.
+
+use crate::error::WorkError;
+use crate::loads::{ChainCombination, CombinationAnswer, LoadsAnswer, WindMet, WindOnLink};
+use dolmen::assess::ChainCheck;
+use dolmen::dynamics::JointOpening;
+use dolmen::stability::{ChainLoading, ChainUnderLoads, JointHold, LinkLoad, chain_under_loads};
+use dolmen::structure::wind::{WindBody, WindError};
+use dolmen::structure::{Chain, Link};
+use dolmen_project::{ChainPart, CombinationPart, LoadPart, LoadsPart, Pick, WindArea, WindGiven};
+
+/// What loads beside the weight do to a chain; `None` if there are none.
+pub(crate) fn loads(
+    part: &ChainPart,
+    given: &LoadsPart,
+    check: &ChainCheck,
+    tilt_rad: f64,
+    pick: Pick<'_>,
+) -> Result<Option<LoadsAnswer>, WorkError> {
+    if given.is_empty() {
+        return Ok(None);
+    }
+    let chain = part.build(pick)?;
+    let wind = given.wind().map(|wind| wind_met(part, wind, check, &chain, pick));
+    let mut answer = LoadsAnswer {
+        has_wind: given.wind().is_some(),
+        has_loads: !given.loads.is_empty(),
+        tilt_rad,
+        combinations: Vec::new(),
+        wind,
+    };
+    let met = match &answer.wind {
+        Some(Err(_)) => return Ok(Some(answer)),
+        Some(Ok(met)) => Some(met),
+        None => None,
+    };
+    let model = Model {
+        stiffness: part.stiffness_n_m_rad(pick),
+        holds: holds(part, pick),
+        loads: given.loads.iter().map(|load| acting(load, pick)).collect(),
+        met,
+        tilt_rad,
+        chain,
+    };
+    let each = given
+        .combinations
+        .iter()
+        .map(|combination| model.under(combination));
+    let combinations = each.collect::<Result<Vec<_>, _>>()?;
+    answer.combinations = combinations;
+    Ok(Some(answer))
+}
+
+/// What holds each joint.
+fn holds(part: &ChainPart, pick: Pick<'_>) -> Vec<JointHold> {
+    let of = |i: usize| {
+        let joint = part.joints.as_ref().and_then(|joints| joints.get(i));
+        match (joint.and_then(|joint| joint.opening), part.bed(i, pick)) {
+            (Some(JointOpening::Held), _) => JointHold::Held,
+            (_, Some(bed)) => JointHold::Bed(bed),
+            (_, None) => JointHold::Unknown,
+        }
+    };
+    (0..part.links.len()).map(of).collect()
+}
+
+/// A static load in numbers.
+struct Acting {
+    link: usize,
+    height_m: Option<f64>,
+    force_n: f64,
+    weight_n: f64,
+    moment_n_m: f64,
+}
+
+fn acting(load: &LoadPart, pick: Pick<'_>) -> Acting {
+    Acting {
+        link: load.part,
+        height_m: load.height.as_ref().map(&mut *pick),
+        force_n: load.force.as_ref().map_or(0.0, &mut *pick),
+        weight_n: load.weight.as_ref().map_or(0.0, &mut *pick),
+        moment_n_m: load.moment.as_ref().map_or(0.0, &mut *pick),
+    }
+}
+
+/// The wind on each link.
+fn wind_met(
+    part: &ChainPart,
+    wind: &WindGiven,
+    check: &ChainCheck,
+    chain: &Chain,
+    pick: Pick<'_>,
+) -> Result<WindMet, WindError> {
+    let frequency_hz = check
+        .modes
+        .first()
+        .filter(|mode| mode.omega_squared > 0.0)
+        .map(|mode| mode.frequency_hz);
+    let own = |i: usize, pick: Pick<'_>| -> f64 {
+        let replaced = |area: &&WindArea| area.part == i && area.height.is_none();
+        let mut replacing = wind.areas.iter().filter(replaced).peekable();
+        if replacing.peek().is_some() {
+            return replacing.map(|area| pick(&area.area)).sum();
+        }
+        let link = &part.links[i];
+        let width = link.breadth.as_ref().or(link.bed_width.as_ref());
+        width.map_or(f64::NAN, &mut *pick) * pick(&link.length)
+    };
+    let areas: Vec<f64> = (0..part.links.len()).map(|i| own(i, pick)).collect();
+    let height_m = chain.height_m();
+    let body = WindBody {
+        height_m,
+        breadth_m: areas.iter().sum::<f64>() / height_m,
+        frequency_hz,
+        damping_ratio: part.damping_ratio.as_ref().map(&mut *pick),
+    };
+    let pressure = wind.build(pick).pressure(&body)?;
+    let coefficient = pick(&wind.force_coefficient);
+    let bottoms = chain.joint_heights_m();
+    let mut links = Vec::with_capacity(areas.len());
+    for (i, (own_m2, bottom_m)) in areas.iter().zip(bottoms).enumerate() {
+        let length_m = chain.links()[i].length_m;
+        let strip = pressure.strip(bottom_m, bottom_m + length_m);
+        let mut of = WindOnLink {
+            area_m2: *own_m2,
+            ..WindOnLink::default()
+        };
+        let replaced = |area: &&WindArea| area.part == i && area.height.is_none();
+        let mut replacing = wind.areas.iter().filter(replaced).peekable();
+        // areas in the place of the link's own may have coefficients of their own
+        let effective_m2 = match replacing.peek().is_some() {
+            true => replacing
+                .map(|area| {
+                    let own = area.force_coefficient.as_ref().map_or(coefficient, &mut *pick);
+                    own * pick(&area.area)
+                })
+                .sum(),
+            false => coefficient * own_m2,
+        };
+        of.force_n += effective_m2 / length_m * strip.force_n_m;
+        of.moment_n_m += effective_m2 / length_m * strip.moment_n;
+        for area in wind.areas.iter().filter(|area| area.part == i) {
+            let Some(height) = &area.height else { continue };
+            let (height_m, area_m2) = (pick(height), pick(&area.area));
+            let own = area.force_coefficient.as_ref().map_or(coefficient, &mut *pick);
+            let force_n = own * area_m2 * pressure.at_pa(height_m);
+            of.area_m2 += area_m2;
+            of.force_n += force_n;
+            of.moment_n_m += force_n * height_m;
+        }
+        links.push(of);
+    }
+    Ok(WindMet {
+        pressure_at_top_pa: pressure.at_pa(height_m),
+        response_factor: pressure.response_factor,
+        resonance: pressure.resonance,
+        frequency_hz,
+        force_n: links.iter().map(|of| of.force_n).sum(),
+        moment_n_m: links.iter().map(|of| of.moment_n_m).sum(),
+        links,
+    })
+}
+
+/// What does not depend on the combination.
+struct Model<'a> {
+    chain: Chain,
+    stiffness: Option<Vec<f64>>,
+    holds: Vec<JointHold>,
+    loads: Vec<Acting>,
+    met: Option<&'a WindMet>,
+    tilt_rad: f64,
+}
+
+impl Model<'_> {
+    /// The chain under a combination, the wind in the worse of its two directions.
+    fn under(&self, combination: &CombinationPart) -> Result<CombinationAnswer, WorkError> {
+        let chain = self.weighted(combination)?;
+        let ahead = self.blown(&chain, combination, 1.0)?;
+        let blows = self.met.is_some() && combination.wind > 0.0;
+        let back = match blows && !self.loads.is_empty() {
+            true => Some(self.blown(&chain, combination, -1.0)?),
+            false => None,
+        };
+        let factor = |of: &ChainUnderLoads| of.factor.unwrap_or(f64::INFINITY);
+        let (under, wind_reversed) = match back {
+            Some(back) if factor(&back) < factor(&ahead) => (back, true),
+            _ => (ahead, false),
+        };
+        Ok(CombinationAnswer {
+            name: combination.name.clone(),
+            weight: combination.weight,
+            wind: combination.wind,
+            loads: combination.loads,
+            chain: ChainCombination { under, wind_reversed },
+        })
+    }
+
+    /// The chain with the factor on its weight, and the weight that static loads add in their place.
+    fn weighted(&self, combination: &CombinationPart) -> Result<Chain, WorkError> {
+        let gravity_m_s2 = self.chain.gravity_m_s2() * combination.weight;
+        let mut links: Vec<Link> = self.chain.links().to_vec();
+        for load in &self.loads {
+            let added_kg = combination.loads * load.weight_n / gravity_m_s2;
+            let at_m = self.above_joint_m(load);
+            let link = &mut links[load.link];
+            let mass_kg = link.mass_kg + added_kg;
+            link.centroid_m = (link.mass_kg * link.centroid_m + added_kg * at_m) / mass_kg;
+            link.mass_kg = mass_kg;
+        }
+        Ok(Chain::new(links, gravity_m_s2)?)
+    }
+
+    fn above_joint_m(&self, load: &Acting) -> f64 {
+        let length_m = self.chain.links()[load.link].length_m;
+        load.height_m.map_or(length_m, |height_m| {
+            (height_m - self.chain.joint_heights_m()[load.link]).clamp(0.0, length_m)
+        })
+    }
+
+    fn blown(
+        &self,
+        chain: &Chain,
+        combination: &CombinationPart,
+        sign: f64,
+    ) -> Result<ChainUnderLoads, WorkError> {
+        let mut all = Vec::new();
+        let bottoms = chain.joint_heights_m();
+        for (i, of) in self.met.iter().flat_map(|met| met.links.iter().enumerate()) {
+            let factor = sign * combination.wind;
+            all.push(LinkLoad {
+                link: i + 1,
+                height_m: 0.0,
+                force_n: factor * of.force_n,
+                moment_n_m: factor * (of.moment_n_m - of.force_n * bottoms[i]),
+            });
+        }
+        for load in &self.loads {
+            all.push(LinkLoad {
+                link: load.link + 1,
+                height_m: self.above_joint_m(load),
+                force_n: combination.loads * load.force_n,
+                moment_n_m: combination.loads * load.moment_n_m,
+            });
+        }
+        let loading = ChainLoading {
+            loads: &all,
+            holds: &self.holds,
+            tilt_rad: self.tilt_rad,
+        };
+        Ok(chain_under_loads(chain, self.stiffness.as_deref(), &loading)?)
+    }
+}

@@ -1,0 +1,124 @@
+//! The answer on wind and static loads.
+
+use dolmen::stability::{ChainUnderLoads, Verdict};
+use dolmen::structure::wind::{Resonance, WindError};
+
+/// What loads beside the weight do.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LoadsAnswer {
+    /// Whether the file gives a wind.
+    pub has_wind: bool,
+    /// Whether it gives static loads.
+    pub has_loads: bool,
+    /// The wind as it meets the structure; why it is not known; `None` without wind.
+    pub wind: Option<Result<WindMet, WindError>>,
+    /// Tilt as surveyed that is counted with every combination, rad.
+    pub tilt_rad: f64,
+    /// Each combination; empty where the wind is not known.
+    pub combinations: Vec<CombinationAnswer>,
+}
+
+/// Wind as it meets a structure, without a factor of a combination.
+#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+pub struct WindMet {
+    /// Peak velocity pressure at the top, with the factor for size and resonance, Pa.
+    pub pressure_at_top_pa: f64,
+    /// c_s c_d or G_D; 1 for a gust as given.
+    pub response_factor: f64,
+    /// What it says of resonance.
+    pub resonance: Resonance,
+    /// Lowest natural frequency, Hz; `None` where it is not known.
+    pub frequency_hz: Option<f64>,
+    /// What each link takes, lowest first.
+    pub links: Vec<WindOnLink>,
+    /// Whole force, N.
+    pub force_n: f64,
+    /// Its moment about the ground, N m.
+    pub moment_n_m: f64,
+}
+
+/// What one link takes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, serde::Serialize)]
+pub struct WindOnLink {
+    /// Area, m², banners and signs included.
+    pub area_m2: f64,
+    /// Force, N.
+    pub force_n: f64,
+    /// Moment about the ground, N m.
+    pub moment_n_m: f64,
+}
+
+/// One combination.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CombinationAnswer {
+    /// Its name in the file; `None`: everything as it is.
+    pub name: Option<String>,
+    /// Factors on weight, wind and static loads.
+    pub weight: f64,
+    /// On wind.
+    pub wind: f64,
+    /// On static loads.
+    pub loads: f64,
+    /// What it does to a chain.
+    pub chain: ChainCombination,
+}
+
+/// A chain under a combination, in the worse of the two directions of the wind.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainCombination {
+    /// Moments and limits.
+    pub under: ChainUnderLoads,
+    /// Whether the wind blows against the positive direction of the static loads.
+    pub wind_reversed: bool,
+}
+
+impl CombinationAnswer {
+    /// Least factor on wind and loads at which a joint reaches its limit; `None` where no limit is known.
+    pub fn factor(&self) -> Option<f64> {
+        self.chain.under.factor
+    }
+
+    /// By the factor; unknown where a limit or the stiffness is not known, unless it overturns all the same.
+    pub fn verdict(&self) -> Verdict {
+        let under = &self.chain.under;
+        let by_factor = match under.factor {
+            Some(f64::INFINITY) => Verdict::Stable,
+            Some(factor) => Verdict::of_load_factor(factor),
+            None => Verdict::Unknown,
+        };
+        match by_factor {
+            Verdict::Unstable => Verdict::Unstable,
+            _ if !under.limits_known || !under.second_order => Verdict::Unknown,
+            verdict => verdict,
+        }
+    }
+}
+
+impl LoadsAnswer {
+    /// The combination with the worst verdict, of equals that with the least factor.
+    pub fn worst(&self) -> Option<&CombinationAnswer> {
+        self.combinations.iter().min_by(|a, b| {
+            let severity = |of: &CombinationAnswer| match of.verdict() {
+                Verdict::Unstable => 0,
+                Verdict::Unknown => 1,
+                Verdict::Marginal => 2,
+                Verdict::Stable => 3,
+            };
+            let factor = |of: &CombinationAnswer| of.factor().unwrap_or(f64::INFINITY);
+            severity(a)
+                .cmp(&severity(b))
+                .then(factor(a).total_cmp(&factor(b)))
+        })
+    }
+
+    /// The worst verdict; unknown where the wind is not known.
+    pub fn verdict(&self) -> Verdict {
+        self.worst().map_or(Verdict::Unknown, CombinationAnswer::verdict)
+    }
+
+    /// Least factor of all combinations.
+    pub fn factor(&self) -> Option<f64> {
+        let factors = self.combinations.iter().filter_map(CombinationAnswer::factor);
+        factors.min_by(f64::total_cmp)
+    }
+}

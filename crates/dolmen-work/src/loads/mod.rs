@@ -1,0 +1,7 @@
+//! Wind, static loads and their combinations: what they ask of each joint, and which combination is the worst.
+
+mod answer;
+mod words;
+
+pub use answer::{ChainCombination, CombinationAnswer, LoadsAnswer, WindMet, WindOnLink};
+pub use words::{Governed, Governing};

@@ -1,0 +1,152 @@
+//! Parts of a structure against what limits them: storeys, joints, dampers.
+
+use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit};
+use dolmen::stability::stack::DemandVerdict;
+
+/// What is limited.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Limited {
+    /// Drift of a storey over its height.
+    Drift,
+    /// Moment of a joint, N m: at N b/2 its bed stands on its edge.
+    BedEdge,
+    /// Stroke of a damper, m.
+    Room,
+}
+
+/// A part of a structure.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// A storey of a frame, by name.
+    Storey(String),
+    /// The storey of a building below a floor.
+    BelowFloor(String),
+    /// The joint below a link, by the name of the link.
+    JointBelow(String),
+    /// A damper, or "NAME liquid".
+    Damper(String),
+}
+
+impl Part {
+    /// Its name, or that of what it is below.
+    pub fn name(&self) -> &str {
+        match self {
+            Part::Storey(name) | Part::BelowFloor(name) | Part::JointBelow(name) | Part::Damper(name) => name,
+        }
+    }
+}
+
+/// A part against its limit.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartLimit {
+    /// The part.
+    pub part: Part,
+    /// Along what; `None` where it is the same in all directions.
+    pub direction: Option<String>,
+    /// What is limited.
+    pub limited: Limited,
+    /// How much of it is asked for.
+    pub demand: f64,
+    /// How much of it there is; `None` where no limit is known.
+    pub capacity: Option<f64>,
+}
+
+impl PartLimit {
+    /// The drift of a storey over its height against what is allowed.
+    pub(crate) fn of_drift(part: Part, direction: &str, ratio: f64, limit: Option<&DriftLimit>) -> Self {
+        PartLimit {
+            part,
+            direction: (!direction.is_empty()).then(|| direction.to_owned()),
+            limited: Limited::Drift,
+            demand: ratio.abs(),
+            capacity: limit.map(DriftLimit::ratio),
+        }
+    }
+
+    /// Capacity over demand; `None` without a limit.
+    pub fn ratio(&self) -> Option<f64> {
+        Some(self.capacity? / self.demand)
+    }
+
+    /// Demand over capacity; `None` without a limit.
+    pub fn use_ratio(&self) -> Option<f64> {
+        Some(self.demand / self.capacity?)
+    }
+
+    /// Whether a storey drifts beyond what any model of small drifts can tell of: it falls.
+    pub fn falls(&self) -> bool {
+        self.limited == Limited::Drift && self.demand > DRIFT_RATIO_MOST
+    }
+
+    /// Above, near or below; unknown without a limit.
+    pub fn verdict(&self) -> DemandVerdict {
+        match self.ratio() {
+            _ if self.falls() => DemandVerdict::Below,
+            Some(ratio) => DemandVerdict::of_ratio(ratio),
+            None => DemandVerdict::Unknown,
+        }
+    }
+
+    /// How near its limit a part is: the larger the worse; one that falls before all others.
+    fn use_of(&self) -> f64 {
+        match self.use_ratio() {
+            _ if self.falls() => self.demand / DRIFT_RATIO_MOST * 1e3,
+            Some(of) if of.is_nan() => f64::INFINITY,
+            Some(of) => of,
+            None => -1.0 / (1.0 + self.demand),
+        }
+    }
+}
+
+/// The part that is worst: the one nearest its limit, of those without a limit the one that does most.
+pub fn worst_part(parts: &[PartLimit], limited: Limited) -> Option<&PartLimit> {
+    let of = parts.iter().filter(|part| part.limited == limited);
+    of.max_by(|a, b| a.use_of().total_cmp(&b.use_of()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn drift(name: &str, demand: f64, capacity: Option<f64>) -> PartLimit {
+        PartLimit {
+            part: Part::Storey(name.into()),
+            direction: None,
+            limited: Limited::Drift,
+            demand,
+            capacity,
+        }
+    }
+
+    #[test]
+    fn holds_words_follow_capacity_over_demand_and_ten_per_cent_falls_without_a_limit() {
+        for (demand, capacity, word) in [
+            (0.010, Some(0.015), DemandVerdict::Above),
+            (0.0125, Some(0.015), DemandVerdict::Near),
+            (0.0151, Some(0.015), DemandVerdict::Below),
+            (0.02, None, DemandVerdict::Unknown),
+            (0.1001, None, DemandVerdict::Below),
+            (f64::NAN, Some(0.015), DemandVerdict::Unknown),
+        ] {
+            assert_eq!(
+                drift("a", demand, capacity).verdict(),
+                word,
+                "{demand} {capacity:?}"
+            );
+        }
+    }
+
+    #[test]
+    fn holds_the_part_nearest_its_limit_is_the_worst() {
+        let parts = [
+            drift("free", 0.05, None),
+            drift("used", 0.010, Some(0.015)),
+            drift("most", 0.012, Some(0.015)),
+        ];
+        let worst = worst_part(&parts, Limited::Drift).unwrap();
+        assert_eq!(worst.part.name(), "most");
+        let without = [drift("less", 0.01, None), drift("more", 0.02, None)];
+        assert_eq!(worst_part(&without, Limited::Drift).unwrap().part.name(), "more");
+        assert_eq!(worst_part(&parts, Limited::Room), None);
+    }
+}

@@ -1,0 +1,157 @@
+//! The record of a structure over the years: every survey of a project in time.
+
+use crate::change_fault::ChangeFault;
+use crate::compare::surveyed;
+use crate::error::WorkError;
+use crate::identify;
+use crate::opened::Opened;
+use crate::progress::Progress;
+use crate::survey_dates::{date, day_of};
+use crate::surveyed::SurveyAnswer;
+use crate::watched::{WatchAnswer, WatchedSurvey};
+use dolmen::modal::Pairing;
+use dolmen::monitoring::{
+    History, HistorySurvey, TiltReading, Tracking, WatchOptions, Work, watch as watched,
+};
+use dolmen_project::{Project, Survey, WorkKind, WorkPart};
+use dolmen_records::Files;
+
+/// Surveys with modes that a history needs.
+pub const SURVEYS_LEAST: usize = 3;
+
+/// Surveys from which on a report has a section on the years: with fewer no change is sought, and two are compared.
+const REPORTED_LEAST: usize = 8;
+
+/// Whether a project has surveys enough for a section of its report.
+pub fn can_watch(project: &Project) -> bool {
+    let usable = project
+        .surveys
+        .iter()
+        .filter(|survey| date(&survey.name).is_some() && has_modes(survey));
+    usable.count() >= REPORTED_LEAST
+}
+
+fn has_modes(survey: &Survey) -> bool {
+    survey.records.is_some()
+        || !survey.setups.is_empty()
+        || survey.modes.values().any(|modes| !modes.is_empty())
+}
+
+/// What the surveys of a project say of its structure over the years.
+///
+/// # Errors
+/// Fewer than three surveys with a date and modes; records that cannot be read.
+pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Result<WatchAnswer, WorkError> {
+    let answers: Vec<SurveyAnswer> = opened
+        .project
+        .surveys
+        .iter()
+        .filter(|survey| survey.records.is_some() || !survey.setups.is_empty())
+        .map(|survey| identify::found_in(survey, files, progress))
+        .collect::<Result<_, _>>()?;
+    watch_of(opened, &answers)
+}
+
+/// The same; `answers` hold what records gave.
+///
+/// # Errors
+/// [`ChangeFault`].
+pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer, WorkError> {
+    let project = &opened.project;
+    let mut left_out = Vec::new();
+    let mut surveys: Vec<HistorySurvey> = Vec::new();
+    for survey in &project.surveys {
+        let Some(when) = date(&survey.name).filter(|_| has_modes(survey) || !survey.tilt.is_empty()) else {
+            left_out.push(survey.name.clone());
+            continue;
+        };
+        let answer = answers.iter().find(|answer| answer.name == survey.name);
+        surveys.push(history_survey(survey, day_of(when), answer));
+    }
+    surveys.sort_by(|a, b| a.day.total_cmp(&b.day));
+    let mut kept: Vec<HistorySurvey> = Vec::with_capacity(surveys.len());
+    for survey in surveys {
+        match kept.last().is_some_and(|last| last.day == survey.day) {
+            true => left_out.push(survey.name),
+            false => kept.push(survey),
+        }
+    }
+    let with_modes = kept.iter().filter(|survey| !survey.modes.is_empty()).count();
+    if with_modes < SURVEYS_LEAST {
+        return Err(ChangeFault::TooFewToWatch {
+            given: with_modes,
+            least: SURVEYS_LEAST,
+        }
+        .into());
+    }
+    let mut works: Vec<(f64, WorkPart)> = project
+        .watch
+        .works
+        .iter()
+        .filter_map(|work| Some((day_of(date(&work.date)?), work.clone())))
+        .collect();
+    works.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let history = History {
+        works: works
+            .iter()
+            .map(|(day, work)| Work {
+                day: *day,
+                splits: work.kind == WorkKind::Repair,
+                answers: matches!(work.kind, WorkKind::Repair | WorkKind::Inspection),
+            })
+            .collect(),
+        surveys: kept,
+    };
+    let usual = WatchOptions::default();
+    let options = WatchOptions {
+        tracking: Tracking {
+            frequency_within: project
+                .change
+                .frequency_within
+                .unwrap_or(Pairing::default().frequency_within),
+            ..Tracking::default()
+        },
+        years_between_false_alarms: project
+            .watch
+            .years_between_false_alarms
+            .unwrap_or(usual.years_between_false_alarms),
+        tilt_limit: project.watch.tilt_limit,
+        ..usual
+    };
+    let watched = watched(&history, &options).map_err(ChangeFault::from)?;
+    Ok(WatchAnswer {
+        file: opened.file.clone(),
+        project: opened.project.clone(),
+        surveys: history
+            .surveys
+            .iter()
+            .map(|survey| WatchedSurvey {
+                name: survey.name.clone(),
+                day: survey.day,
+                temperature_c: survey.temperature_c,
+                frequencies_hz: survey.modes.iter().map(|mode| mode.frequency_hz).collect(),
+            })
+            .collect(),
+        left_out,
+        works,
+        watched,
+    })
+}
+
+fn history_survey(survey: &Survey, day: f64, answer: Option<&SurveyAnswer>) -> HistorySurvey {
+    let of = surveyed(survey, answer);
+    let tilts = survey.tilt.iter();
+    HistorySurvey {
+        name: of.name,
+        day,
+        temperature_c: of.temperature_c,
+        modes: of.modes,
+        tilts: tilts
+            .map(|(direction, tilt)| TiltReading {
+                direction: direction.clone(),
+                datum: survey.datum.clone(),
+                ratio: tilt.ratio,
+            })
+            .collect(),
+    }
+}
