@@ -4,6 +4,8 @@
 //! cargo run --release -p dolmen --example pagoda_over_the_years > examples/pagoda_over_the_years/project.toml
 //! ```
 
+#![allow(clippy::print_stdout, reason = "it writes a project file")]
+
 use dolmen::numeric::Random;
 use std::f64::consts::TAU;
 

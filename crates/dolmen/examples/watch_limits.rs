@@ -4,6 +4,8 @@
 //! cargo run --release -p dolmen --example watch_limits > table.rs
 //! ```
 
+#![allow(clippy::print_stdout, reason = "it writes a table")]
+
 use dolmen::monitoring::{NullSeries, null_statistics};
 use dolmen::numeric::quantile;
 use rayon::prelude::*;

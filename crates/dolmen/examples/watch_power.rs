@@ -4,6 +4,8 @@
 //! cargo run --release -p dolmen --example watch_power [HISTORIES]
 //! ```
 
+#![allow(clippy::print_stdout, reason = "it writes a table")]
+
 use dolmen::monitoring::{ChangeForm, MadeHistory, WatchOptions, made_history, watch};
 use dolmen::numeric::{Random, clopper_pearson};
 use rayon::prelude::*;
