@@ -94,7 +94,7 @@ impl DriftLimit {
     ///     importance: ImportanceClass::Third,
     ///     non_structural: NonStructural::Brittle,
     /// };
-    /// assert_eq!(brittle.ratio(), 0.0125);
+    /// assert!((brittle.ratio() - 0.0125).abs() < 1e-15);
     /// ```
     pub fn ratio(&self) -> f64 {
         match self {
