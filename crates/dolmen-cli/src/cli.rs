@@ -166,9 +166,19 @@ pub(crate) struct Compare {
 #[derive(Debug, Args)]
 pub(crate) struct Watch {
     /// Project file with three surveys or more, or a folder that holds project.toml
-    pub(crate) project: PathBuf,
+    #[arg(required_unless_present = "all", conflicts_with = "all")]
+    pub(crate) project: Option<PathBuf>,
+    /// Every structure of a store, a line each, the worst first
+    #[arg(long)]
+    pub(crate) all: bool,
+    /// The store: a file; else DOLMEN_STORE
+    #[arg(long, value_name = "FILE", requires = "all")]
+    pub(crate) store: Option<String>,
+    /// With --all: a table (CSV)
+    #[arg(long, requires = "all")]
+    pub(crate) csv: bool,
     /// Write the figure (SVG) and the result (JSON) into this folder
-    #[arg(long, short, value_name = "DIR")]
+    #[arg(long, short, value_name = "DIR", conflicts_with = "all")]
     pub(crate) output: Option<PathBuf>,
 }
 

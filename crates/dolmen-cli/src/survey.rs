@@ -40,9 +40,9 @@ pub(crate) fn run(options: &Survey, manner: &Manner) -> Result<Outcome> {
 }
 
 /// The store, and the manner of the answers.
-struct Where<'a> {
-    options: &'a StoreWhere,
-    manner: &'a Manner,
+pub(crate) struct Where<'a> {
+    pub(crate) options: &'a StoreWhere,
+    pub(crate) manner: &'a Manner,
 }
 
 fn variable(name: &str) -> Option<String> {
@@ -57,7 +57,7 @@ fn now_us() -> i64 {
 
 impl Where<'_> {
     /// A fault of a store in the language of the user.
-    fn told(&self, fault: StoreError) -> anyhow::Error {
+    pub(crate) fn told(&self, fault: StoreError) -> anyhow::Error {
         anyhow!("{}", store_fault(&fault.fault()).text(self.manner.language()))
     }
 
@@ -76,7 +76,7 @@ impl Where<'_> {
         named.unwrap_or_else(|| "unknown".to_owned())
     }
 
-    fn open(&self) -> Result<Store> {
+    pub(crate) fn open(&self) -> Result<Store> {
         Store::open(&self.place()?, self.wait()).map_err(|fault| self.told(fault))
     }
 

@@ -1,21 +1,39 @@
-//! `dolmen watch`: the record of a structure over the years.
+//! `dolmen watch`: the record of a structure over the years, or of every structure of a store.
 
 use crate::cli::Watch;
+use crate::cli_survey::StoreWhere;
 use crate::manner::Manner;
 use crate::note::note;
 use crate::outcome::Outcome;
 use crate::progress::Terminal;
 use crate::say::{say, say_json};
+use crate::survey::Where;
 use anyhow::Result;
 use dolmen_folder::{Found, Outputs};
 use dolmen_report::files::watch_files;
 use dolmen_report::json::watch_json;
+use dolmen_report::kept::{inventory_csv, inventory_json, inventory_text, store_fault};
 use dolmen_report::text::watch_text;
+use dolmen_store::{Search, Store, StoreError, StoredFiles};
+use dolmen_work::inventory::{InventoryLine, worst_first};
 use dolmen_work::judgement::{Colour, Verb, exit_status};
-use dolmen_work::watch::watch;
+use dolmen_work::watch::{watch, watch_observed};
+use dolmen_work::{Opened, told};
+use rayon::prelude::*;
+use std::path::Path;
+
+/// Structures that are read before they are watched together.
+const TOGETHER: usize = 256;
 
 pub(crate) fn run(options: &Watch, manner: &Manner) -> Result<Outcome> {
-    let found = Found::open(&options.project, manner.access())?;
+    match &options.project {
+        Some(project) => one(project, options, manner),
+        None => all(options, manner),
+    }
+}
+
+fn one(project: &Path, options: &Watch, manner: &Manner) -> Result<Outcome> {
+    let found = Found::open(project, manner.access())?;
     let answer = watch(&found.opened, &found.files, &Terminal::new(manner.quiet))?;
     if manner.json {
         say_json(&watch_json(&answer))?;
@@ -28,9 +46,77 @@ pub(crate) fn run(options: &Watch, manner: &Manner) -> Result<Outcome> {
             note!("years.svg and watch.json are in {}", folder.display());
         }
     }
-    let colour = match answer.open_alarms() {
-        0 => Colour::Green,
-        _ => Colour::Red,
+    Ok(judged(answer.open_alarms() > 0 || answer.is_tilt_beyond()))
+}
+
+fn judged(is_alarming: bool) -> Outcome {
+    let colour = if is_alarming { Colour::Red } else { Colour::Green };
+    Outcome::Judged(exit_status(Verb::Watch, colour, true))
+}
+
+/// A structure as it was read from the store.
+struct Stored {
+    structure: String,
+    text: Vec<u8>,
+    files: StoredFiles,
+    observed: std::collections::BTreeMap<String, Vec<dolmen::modal::ObservedMode>>,
+}
+
+fn all(options: &Watch, manner: &Manner) -> Result<Outcome> {
+    let place = StoreWhere {
+        store: options.store.clone(),
+        who: None,
+        wait: 10.0,
     };
-    Ok(Outcome::Judged(exit_status(Verb::Watch, colour, true)))
+    let at = Where {
+        options: &place,
+        manner,
+    };
+    let mut store = at.open()?;
+    let mut names = Vec::new();
+    store
+        .structures(&Search::default(), &mut |row| {
+            names.push(row.name);
+            Ok(())
+        })
+        .map_err(|fault| at.told(fault))?;
+    let mut lines: Vec<InventoryLine> = Vec::with_capacity(names.len());
+    for some in names.chunks(TOGETHER) {
+        let stored: Vec<(&String, Result<Stored, StoreError>)> =
+            some.iter().map(|name| (name, read(&mut store, name))).collect();
+        lines.par_extend(stored.into_par_iter().map(|(name, stored)| match stored {
+            Ok(stored) => watched(stored),
+            Err(fault) => {
+                let why = store_fault(&fault.fault()).text(manner.language());
+                InventoryLine::not_watched(name.clone(), why)
+            }
+        }));
+    }
+    let lines = worst_first(lines);
+    match (manner.json, options.csv) {
+        (true, _) => say_json(&inventory_json(&lines))?,
+        (false, true) => say(&inventory_csv(&lines))?,
+        (false, false) => say(&inventory_text(&lines, manner.style()))?,
+    }
+    Ok(judged(lines.iter().any(InventoryLine::is_alarming)))
+}
+
+fn read(store: &mut Store, structure: &str) -> Result<Stored, StoreError> {
+    let exported = store.export(structure)?;
+    Ok(Stored {
+        structure: structure.to_owned(),
+        files: store.files(&exported),
+        text: exported.text,
+        observed: store.observed(structure)?,
+    })
+}
+
+fn watched(stored: Stored) -> InventoryLine {
+    let text = String::from_utf8_lossy(&stored.text).into_owned();
+    let found = Opened::read(text, stored.structure.clone(), &stored.files)
+        .and_then(|opened| watch_observed(&opened, &stored.observed));
+    match found {
+        Ok(answer) => InventoryLine::watched(stored.structure, &answer),
+        Err(why) => InventoryLine::not_watched(stored.structure, told(&why)),
+    }
 }

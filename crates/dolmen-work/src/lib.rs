@@ -19,6 +19,7 @@ mod fingerprint;
 pub mod flags;
 pub mod frame;
 mod identify;
+pub mod inventory;
 pub mod judgement;
 pub mod kept;
 mod kinds;

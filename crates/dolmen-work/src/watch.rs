@@ -9,12 +9,14 @@ use crate::progress::Progress;
 use crate::survey_dates::{date, day_of};
 use crate::surveyed::SurveyAnswer;
 use crate::watched::{WatchAnswer, WatchedSurvey};
-use dolmen::modal::Pairing;
+use dolmen::assess::Surveyed;
+use dolmen::modal::{ObservedMode, Pairing};
 use dolmen::monitoring::{
     History, HistorySurvey, TiltReading, Tracking, WatchOptions, Work, watch as watched,
 };
 use dolmen_project::{Project, Survey, WorkKind, WorkPart};
 use dolmen_records::Files;
+use std::collections::BTreeMap;
 
 /// Surveys with modes that a history needs.
 pub const SURVEYS_LEAST: usize = 3;
@@ -57,6 +59,29 @@ pub fn watch(opened: &Opened, files: &dyn Files, progress: &dyn Progress) -> Res
 /// # Errors
 /// [`ChangeFault`].
 pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer, WorkError> {
+    watch_surveys(opened, |survey| {
+        surveyed(survey, answers.iter().find(|answer| answer.name == survey.name))
+    })
+}
+
+/// The same; `observed` holds the modes of surveys with records, as a store keeps them.
+///
+/// # Errors
+/// [`ChangeFault`].
+pub fn watch_observed(
+    opened: &Opened,
+    observed: &BTreeMap<String, Vec<ObservedMode>>,
+) -> Result<WatchAnswer, WorkError> {
+    watch_surveys(opened, |survey| {
+        let mut of = surveyed(survey, None);
+        if let Some(modes) = observed.get(&survey.name) {
+            of.modes.clone_from(modes);
+        }
+        of
+    })
+}
+
+fn watch_surveys(opened: &Opened, of: impl Fn(&Survey) -> Surveyed) -> Result<WatchAnswer, WorkError> {
     let project = &opened.project;
     let mut left_out = Vec::new();
     let mut surveys: Vec<HistorySurvey> = Vec::new();
@@ -65,8 +90,7 @@ pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer
             left_out.push(survey.name.clone());
             continue;
         };
-        let answer = answers.iter().find(|answer| answer.name == survey.name);
-        surveys.push(history_survey(survey, day_of(when), answer));
+        surveys.push(history_survey(survey, day_of(when), of(survey)));
     }
     surveys.sort_by(|a, b| a.day.total_cmp(&b.day));
     let mut kept: Vec<HistorySurvey> = Vec::with_capacity(surveys.len());
@@ -138,8 +162,7 @@ pub fn watch_of(opened: &Opened, answers: &[SurveyAnswer]) -> Result<WatchAnswer
     })
 }
 
-fn history_survey(survey: &Survey, day: f64, answer: Option<&SurveyAnswer>) -> HistorySurvey {
-    let of = surveyed(survey, answer);
+fn history_survey(survey: &Survey, day: f64, of: Surveyed) -> HistorySurvey {
     let tilts = survey.tilt.iter();
     HistorySurvey {
         name: of.name,

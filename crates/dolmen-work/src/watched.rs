@@ -43,4 +43,12 @@ impl WatchAnswer {
             .filter(|alarm| !alarm.is_answered)
             .count()
     }
+
+    /// Whether a tilt is beyond its limit on the day of its last reading.
+    pub fn is_tilt_beyond(&self) -> bool {
+        let slopes = self.watched.tilts.iter().filter_map(|trend| trend.slope);
+        slopes
+            .filter_map(|slope| Some((slope.now, slope.reach?.limit)))
+            .any(|(now, limit)| now.abs() >= limit)
+    }
 }

@@ -57,6 +57,7 @@ const CRATES: [(&str, &[&str]); 12] = [
         "dolmen-store",
         &[
             "dolmen",
+            "dolmen-linalg",
             "dolmen-words",
             "dolmen-records",
             "dolmen-project",

@@ -17,6 +17,7 @@ mod habits;
 mod handovers;
 mod import_circles;
 mod imports;
+mod inventories;
 mod judgements;
 mod keys;
 mod korean;

@@ -3,6 +3,7 @@
 mod done;
 mod fault;
 mod formats;
+mod inventory;
 mod list;
 mod moment;
 mod show;
@@ -10,15 +11,17 @@ mod show;
 pub use done::{added_text, exported_text, imported_text, marked_text, verified_text};
 pub use fault::store_fault;
 pub use formats::{ListFormat, Listing};
+pub use inventory::{inventory_csv, inventory_json, inventory_text};
 pub use list::{StructureList, SurveyList};
 pub use show::structure_text;
 
 use dolmen_words::Template;
 
 /// The sentences on stores as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 4] = [
+pub(crate) const TEMPLATES: [&[Template]; 5] = [
     fault::Faults::TEMPLATES,
     list::Listed::TEMPLATES,
+    inventory::Watched::TEMPLATES,
     show::Shown::TEMPLATES,
     done::Done::TEMPLATES,
 ];

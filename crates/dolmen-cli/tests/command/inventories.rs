@@ -1,0 +1,110 @@
+// SOURCE     docs/watch.md, docs/store.md.
+// GOAL       Every structure of a store is watched as its project file alone would be, the worst first; what cannot be watched says why.
+// TOLERANCE  none: words, rows, exit statuses; numbers as `dolmen watch` gives them.
+
+use super::stores::{good, json};
+use super::verbs::Scratch;
+use std::fs;
+
+const STORE: &str = "--store s.db";
+
+/// A pagoda of the example by another name, whose last survey is that of `until`.
+fn pagoda(scratch: &Scratch, folder: &str, until: &str) {
+    let path = scratch.path().join("examples/pagoda_over_the_years/project.toml");
+    let text = fs::read_to_string(path).unwrap();
+    let end = text.find(&format!("[survey.{until}")).unwrap();
+    let text = text[..end].replace("A pagoda over the years (made up)", folder);
+    fs::create_dir_all(scratch.path().join(folder)).unwrap();
+    fs::write(scratch.path().join(folder).join("project.toml"), text).unwrap();
+}
+
+#[test]
+fn holds_every_structure_is_watched_and_the_worst_stands_first() {
+    let scratch = Scratch::with_examples("watch-all");
+    // before the earthquake of 2021: nothing has changed
+    pagoda(&scratch, "quiet", "2021");
+    good(scratch.briefly(&format!(
+        "survey add examples/naju_flagpole quiet examples/pagoda_over_the_years {STORE}"
+    )));
+    let answer = scratch.briefly(&format!("watch --all {STORE}"));
+    assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
+    let place = |words: &str| {
+        answer
+            .stdout
+            .find(words)
+            .unwrap_or_else(|| panic!("{words}: {}", answer.stdout))
+    };
+    assert!(place("A pagoda over") < place("quiet"), "{}", answer.stdout);
+    assert!(
+        answer.words().contains("flagpole was not watched:") && answer.words().contains("1 of 3"),
+        "{}",
+        answer.stdout
+    );
+    assert!(
+        answer.stdout.lines().all(|line| line.chars().count() <= 80),
+        "{}",
+        answer.stdout
+    );
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    let alone = json(&scratch, "watch examples/pagoda_over_the_years");
+    let first = &all["structures"][0]["history"];
+    assert_eq!(first["open_alarms"], alone["open_alarms"]);
+    assert_eq!(first["modes"], alone["modes"].as_array().unwrap().len());
+    let changes = alone["changes"].as_array().unwrap();
+    assert!(
+        changes
+            .iter()
+            .any(|change| change["change_ratio"] == first["change"]["ratio"])
+    );
+    assert_eq!(
+        first["tilt"]["years_to_limit"],
+        alone["tilts"][0]["years_to_limit"]
+    );
+    assert_eq!(all["alarming"], 1);
+    let csv = good_or_alarm(&scratch, &format!("watch --all {STORE} --csv"));
+    assert_eq!(csv.lines().count(), 4, "{csv}");
+    assert!(csv.starts_with("\u{feff}structure,open_alarms"), "{csv}");
+}
+
+fn good_or_alarm(scratch: &Scratch, words: &str) -> String {
+    let answer = scratch.briefly(words);
+    assert!(answer.status <= 1, "{}{}", answer.stdout, answer.stderr);
+    answer.stdout
+}
+
+#[test]
+fn holds_modes_of_records_are_those_that_were_stored() {
+    let scratch = Scratch::with_examples("watch-stored");
+    let path = scratch.path().join("examples/palisaden/project.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let (head, ambient) = text.split_at(text.find("[survey.ambient]").unwrap());
+    let years: String = ["2019", "2020", "2021"]
+        .map(|year| ambient.replace("survey.ambient", &format!("survey.{year}")))
+        .concat();
+    let years = head.to_owned() + &years;
+    fs::write(&path, years).unwrap();
+    good(scratch.briefly(&format!("survey add examples/palisaden {STORE}")));
+    let alone = json(&scratch, "watch examples/palisaden");
+    let all = json(&scratch, &format!("watch --all {STORE}"));
+    let history = &all["structures"][0]["history"];
+    let modes = alone["modes"].as_array().unwrap().len();
+    assert!(modes >= 3, "{alone}");
+    assert_eq!(history["modes"], modes);
+    assert_eq!(history["surveys"], 3);
+}
+
+#[test]
+fn refuses_a_store_without_all_and_a_project_with_it() {
+    let scratch = Scratch::with_examples("watch-all-flags");
+    for words in [
+        "watch --store s.db examples/naju_flagpole",
+        "watch --all examples/naju_flagpole --store s.db",
+        "watch",
+    ] {
+        let answer = scratch.briefly(words);
+        assert_eq!(answer.status, 2, "{words}: {}{}", answer.stdout, answer.stderr);
+    }
+    let answer = scratch.briefly("watch --all --store none.db");
+    assert_eq!(answer.status, 2);
+    assert!(answer.stderr.contains("no store"), "{}", answer.stderr);
+}

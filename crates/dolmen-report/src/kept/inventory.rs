@@ -1,0 +1,181 @@
+//! Many structures over the years, a line each.
+
+use super::formats::{line, number, quoted, text as text_cell};
+use crate::document::{Block, Cell, Column, Document, Table, TextStyle, document_text};
+use dolmen_words::{Digits, Quantity, Unit, messages};
+use dolmen_work::inventory::{History, InventoryLine};
+use serde_json::{Value, json};
+
+/// Rows on a terminal without --full.
+const ROWS_MOST: usize = 12;
+
+messages! {
+    /// The list of structures that are watched.
+    pub(crate) enum Watched in "store.watched" {
+        Caption { alarming: usize, structures: usize } => {
+            en: "Structures with an open alarm or a tilt beyond its limit: {alarming} of {structures}, the worst first. A change is the strongest lasting one of any mode.",
+            ko: "조치되지 않은 경보가 있거나 기울기 한계를 넘은 구조물: {structures}기 중 {alarming}기, 나쁜 것부터. 변화는 모든 모드 중 가장 뚜렷한 지속적 변화이다.",
+        },
+        Structure => { en: "structure", ko: "구조물" },
+        Text { text: String } => { en: "{text}", ko: "{text}" },
+        Alarms => { en: "alarms", ko: "경보" },
+        Change => { en: "change", ko: "변화" },
+        After => { en: "changed after", ko: "변화 시점(이후)" },
+        Tilt => { en: "tilt", ko: "기울기" },
+        Years => { en: "tilt limit in", ko: "기울기 한계까지" },
+        Last => { en: "last survey", ko: "최근 조사" },
+        LeftOut { structure: String, why: String } => {
+            en: "{structure} was not watched: {why}",
+            ko: "{structure}: 경년 변화를 검토하지 못하였다. {why}",
+        },
+        MoreLeftOut { count: usize } => {
+            en: "{count} more were not watched: --full, --csv and --json say why.",
+            ko: "그 밖에 {count}기를 검토하지 못하였다. 이유는 --full, --csv, --json으로 본다.",
+        },
+        More { count: usize } => {
+            en: "{count} more below: --full, --csv and --json give all.",
+            ko: "나머지 {count}기는 --full, --csv, --json으로 본다.",
+        },
+        Nothing => { en: "No structure is in the store.", ko: "저장소에 구조물이 없다." },
+    }
+}
+
+fn words(text: &str) -> Cell {
+    Cell::words(Watched::Text {
+        text: text.to_owned(),
+    })
+}
+
+fn row(structure: &str, history: &History, is_alarming: bool, is_full: bool) -> Vec<Cell> {
+    let ratio = |value: f64, unit, digits| Quantity::new(value, unit, digits);
+    let count = ratio(history.open_alarms as f64, Unit::ratio(), Digits::Fixed(0));
+    let change = history.change.as_ref();
+    let tilt = history.tilt.as_ref();
+    let mut cells = vec![
+        words(structure),
+        match is_alarming && history.open_alarms > 0 {
+            true => Cell::Bad(count),
+            false => Cell::number(count),
+        },
+        Cell::Number(change.map(|change| ratio(change.ratio, Unit::percent(), Digits::Fixed(2)))),
+        match (tilt, history.is_tilt_beyond) {
+            (Some(tilt), true) => Cell::Bad(ratio(1000.0 * tilt.now, Unit::si("mm/m"), Digits::Fixed(1))),
+            _ => Cell::Number(tilt.map(|tilt| ratio(1000.0 * tilt.now, Unit::si("mm/m"), Digits::Fixed(1)))),
+        },
+        words(&history.last_survey),
+    ];
+    if is_full {
+        cells.extend([
+            words(change.map_or("–", |change| &change.after)),
+            Cell::Number(
+                tilt.and_then(|tilt| tilt.years_to_limit)
+                    .map(|years| ratio(years, Unit::si("a"), Digits::Fixed(0))),
+            ),
+        ]);
+    }
+    cells
+}
+
+fn columns(is_full: bool) -> Vec<Column> {
+    let mut columns = vec![
+        Column::words(Watched::Structure),
+        Column::numbers(Watched::Alarms, Unit::ratio()),
+        Column::numbers(Watched::Change, Unit::percent()),
+        Column::numbers(Watched::Tilt, Unit::si("mm/m")),
+        Column::words(Watched::Last),
+    ];
+    if is_full {
+        columns.extend([
+            Column::words(Watched::After),
+            Column::numbers(Watched::Years, Unit::si("a")),
+        ]);
+    }
+    columns
+}
+
+/// The structures for people, in the order given: those that were watched as a table, the others with the reason.
+pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
+    let mut document = Document::default();
+    if lines.is_empty() {
+        document.paragraph(Watched::Nothing);
+        return document_text(&document, style);
+    }
+    let most = if style.is_full { usize::MAX } else { ROWS_MOST };
+    let watched: Vec<(&InventoryLine, &History)> = lines
+        .iter()
+        .filter_map(|line| Some((line, line.history.as_ref()?)))
+        .collect();
+    let table = Table {
+        caption: vec![
+            Watched::Caption {
+                alarming: lines.iter().filter(|line| line.is_alarming()).count(),
+                structures: lines.len(),
+            }
+            .into(),
+        ],
+        columns: columns(style.is_full),
+        rows: watched
+            .iter()
+            .take(most)
+            .map(|(line, history)| row(&line.structure, history, line.is_alarming(), style.is_full))
+            .collect(),
+    };
+    document.put(Block::Table(table));
+    let left = watched.len().saturating_sub(most);
+    if left > 0 {
+        document.note(Watched::More { count: left });
+    }
+    let not: Vec<(&str, &str)> = lines
+        .iter()
+        .filter_map(|line| Some((line.structure.as_str(), line.not_watched.as_deref()?)))
+        .collect();
+    let told = if style.is_full { usize::MAX } else { 3 };
+    for (structure, why) in not.iter().take(told) {
+        document.note(Watched::LeftOut {
+            structure: (*structure).to_owned(),
+            why: (*why).to_owned(),
+        });
+    }
+    if not.len() > told {
+        document.note(Watched::MoreLeftOut {
+            count: not.len() - told,
+        });
+    }
+    document_text(&document, style)
+}
+
+/// The structures as JSON.
+pub fn inventory_json(lines: &[InventoryLine]) -> Value {
+    let alarming = lines.iter().filter(|line| line.is_alarming()).count();
+    json!({ "structures": lines, "alarming": alarming })
+}
+
+/// The structures as a table (CSV), with the mark by which Excel knows UTF-8.
+pub fn inventory_csv(lines: &[InventoryLine]) -> String {
+    let head = "\u{feff}structure,open_alarms,is_tilt_beyond,change_ratio,change_sd,frequency_hz,change_after,change_before,\
+                tilt_direction,tilt,tilt_limit,years_to_limit,surveys,last_survey,not_watched\r\n";
+    let each = lines.iter().map(|of| {
+        let history = of.history.as_ref();
+        let change = history.and_then(|history| history.change.as_ref());
+        let tilt = history.and_then(|history| history.tilt.as_ref());
+        let whole = |value: Option<usize>| value.map_or_else(String::new, |value| value.to_string());
+        line(&[
+            quoted(&of.structure),
+            whole(history.map(|history| history.open_alarms)),
+            history.map_or_else(String::new, |history| history.is_tilt_beyond.to_string()),
+            number(change.map(|change| change.ratio)),
+            number(change.map(|change| change.sd)),
+            number(change.map(|change| change.frequency_hz)),
+            text_cell(change.map(|change| change.after.as_str())),
+            text_cell(change.map(|change| change.before.as_str())),
+            text_cell(tilt.map(|tilt| tilt.direction.as_str())),
+            number(tilt.map(|tilt| tilt.now)),
+            number(tilt.and_then(|tilt| tilt.limit)),
+            number(tilt.and_then(|tilt| tilt.years_to_limit)),
+            whole(history.map(|history| history.surveys)),
+            text_cell(history.map(|history| history.last_survey.as_str())),
+            text_cell(of.not_watched.as_deref()),
+        ])
+    });
+    head.to_owned() + &each.collect::<String>()
+}

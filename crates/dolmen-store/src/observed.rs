@@ -1,0 +1,121 @@
+//! Modes that were found in the records of a structure, as a history of its surveys needs them, and its files.
+
+use crate::database::{Value, all};
+use crate::error::StoreError;
+use crate::find::Exported;
+use crate::raw::RawFolder;
+use crate::store::{Store, refuse_unknown};
+use dolmen::modal::{ObservedMode, ObservedPoint};
+use dolmen::signal::Channel;
+use dolmen_linalg::Complex64;
+use dolmen_records::{FileError, Files};
+use std::collections::BTreeMap;
+
+/// Files of a project in a store, by the names that it writes.
+pub struct StoredFiles {
+    raw: RawFolder,
+    files: BTreeMap<String, (String, u64)>,
+}
+
+impl Files for StoredFiles {
+    fn read(&self, name: &str, most_bytes: u64) -> Result<Vec<u8>, FileError> {
+        let shown = || name.to_owned();
+        let Some((hash, bytes)) = self.files.get(name) else {
+            return Err(FileError::Unreadable {
+                shown: shown(),
+                why: "it is not in the store".to_owned(),
+            });
+        };
+        if *bytes > most_bytes {
+            return Err(FileError::TooLarge {
+                shown: shown(),
+                bytes: *bytes,
+                most: most_bytes,
+            });
+        }
+        let read = self.raw.read(hash, *bytes);
+        read.map_err(|fault| FileError::Unreadable {
+            shown: shown(),
+            why: fault.fault().to_string(),
+        })
+    }
+}
+
+impl Store {
+    /// The files of a stored project, read when they are asked for.
+    pub fn files(&self, project: &Exported) -> StoredFiles {
+        let files = project.files.iter();
+        StoredFiles {
+            raw: self.raw.clone(),
+            files: files
+                .map(|(path, hash, bytes)| (path.clone(), (hash.clone(), *bytes)))
+                .collect(),
+        }
+    }
+
+    /// The modes of each survey of the latest state that has records, by the latest analysis of them.
+    ///
+    /// # Errors
+    /// There is no such structure, or the database cannot be read.
+    pub fn observed(&mut self, name: &str) -> Result<BTreeMap<String, Vec<ObservedMode>>, StoreError> {
+        let database = self.database.as_mut();
+        refuse_unknown(database, name)?;
+        let sql = "select v.name, m.position, m.frequency_hz, m.frequency_sd_hz, m.damping_ratio, m.damping_ratio_sd, \
+             q.channel, q.real_part, q.imaginary_part \
+             from project_survey ps join survey v on v.hash = ps.survey \
+             join mode m on m.analysis = (select n.hash from survey_analysis sa join analysis n on n.hash = sa.analysis \
+               where sa.survey = v.hash order by n.at_us desc, n.hash limit 1) \
+             left join mode_point q on q.analysis = m.analysis and q.mode = m.position \
+             where ps.project = (select project from adoption where structure = $1 order by at_us desc limit 1) \
+             order by ps.position, m.position, q.position";
+        let mut found: BTreeMap<String, Vec<ObservedMode>> = BTreeMap::new();
+        let mut last = None;
+        for row in all(database, sql, &[Value::Text(name.to_owned())])? {
+            let [
+                survey,
+                position,
+                frequency,
+                frequency_sd,
+                damping,
+                damping_sd,
+                channel,
+                real,
+                imaginary,
+            ] = row.as_slice()
+            else {
+                continue;
+            };
+            let (Value::Text(survey), Value::Whole(position), Value::Number(frequency_hz)) =
+                (survey, position, frequency)
+            else {
+                continue;
+            };
+            let real_of = |value: &Value| match value {
+                Value::Number(number) => Some(*number),
+                _ => None,
+            };
+            let modes = found.entry(survey.clone()).or_default();
+            if last.as_ref() != Some(&(survey.clone(), *position)) {
+                last = Some((survey.clone(), *position));
+                modes.push(ObservedMode {
+                    frequency_hz: *frequency_hz,
+                    frequency_sd_hz: real_of(frequency_sd),
+                    damping_ratio: real_of(damping),
+                    damping_ratio_sd: real_of(damping_sd),
+                    degrees_of_freedom: f64::INFINITY,
+                    direction: None,
+                    shape: Vec::new(),
+                });
+            }
+            if let (Value::Text(channel), Some(re), Some(im), Some(mode)) =
+                (channel, real_of(real), real_of(imaginary), modes.last_mut())
+            {
+                mode.shape.push(ObservedPoint {
+                    channel: Channel::named(channel.clone()),
+                    component: Complex64::new(re, im),
+                });
+            }
+        }
+        Ok(found)
+    }
+}

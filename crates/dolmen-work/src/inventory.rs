@@ -1,0 +1,164 @@
+//! Many structures over the years: what each history says in a line, the worst first.
+
+use crate::watched::WatchAnswer;
+use serde::Serialize;
+use std::cmp::Reverse;
+
+/// The strongest lasting change of a history.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct StrongestChange {
+    /// Frequency of the mode, Hz.
+    pub frequency_hz: f64,
+    /// Relative change.
+    pub ratio: f64,
+    /// Its standard deviation.
+    pub sd: f64,
+    /// The survey after which it came,
+    pub after: String,
+    /// and that before which it came.
+    pub before: String,
+}
+
+/// The tilt that is nearest its limit, or the largest where there is none.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct NearestTilt {
+    /// Its direction.
+    pub direction: String,
+    /// On the day of the last reading, the season removed: horizontal over vertical.
+    pub now: f64,
+    /// The tilt that must not be reached.
+    pub limit: Option<f64>,
+    /// Years until then, where the tilt grows beyond chance.
+    pub years_to_limit: Option<f64>,
+}
+
+/// What the history of a structure says.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct History {
+    /// Surveys that were watched.
+    pub surveys: usize,
+    /// The last one.
+    pub last_survey: String,
+    /// Modes that were followed.
+    pub modes: usize,
+    /// Confirmed alarms without an answer.
+    pub open_alarms: usize,
+    /// Whether a tilt is beyond its limit.
+    pub is_tilt_beyond: bool,
+    /// The strongest lasting change.
+    pub change: Option<StrongestChange>,
+    /// The tilt to look at.
+    pub tilt: Option<NearestTilt>,
+}
+
+/// A structure of an inventory.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct InventoryLine {
+    /// The structure.
+    pub structure: String,
+    /// What its history says; `None` where it was not watched.
+    pub history: Option<History>,
+    /// Why it was not watched.
+    pub not_watched: Option<String>,
+}
+
+impl InventoryLine {
+    /// A structure that was watched.
+    pub fn watched(structure: String, answer: &WatchAnswer) -> Self {
+        InventoryLine {
+            structure,
+            history: Some(History::of(answer)),
+            not_watched: None,
+        }
+    }
+
+    /// A structure that could not be.
+    pub fn not_watched(structure: String, why: String) -> Self {
+        InventoryLine {
+            structure,
+            history: None,
+            not_watched: Some(why),
+        }
+    }
+
+    /// Whether somebody must go there: an open alarm, or a tilt beyond its limit.
+    pub fn is_alarming(&self) -> bool {
+        let history = self.history.as_ref();
+        history.is_some_and(|history| history.open_alarms > 0 || history.is_tilt_beyond)
+    }
+
+    /// Open alarms and tilts beyond their limit first, then changes, then what was not watched, then the rest.
+    fn rank(&self) -> u8 {
+        match &self.history {
+            Some(_) if self.is_alarming() => 0,
+            Some(history) if history.change.is_some() => 1,
+            None => 2,
+            Some(_) => 3,
+        }
+    }
+}
+
+impl History {
+    fn of(answer: &WatchAnswer) -> Self {
+        let watched = &answer.watched;
+        let name = |survey: usize| {
+            let found = answer.surveys.get(survey);
+            found.map_or_else(String::new, |survey| survey.name.clone())
+        };
+        let changes = watched
+            .modes
+            .iter()
+            .flat_map(|mode| mode.changes.iter().map(move |change| (mode, change)));
+        let strongest =
+            changes.max_by(|a, b| (a.1.ratio / a.1.sd).abs().total_cmp(&(b.1.ratio / b.1.sd).abs()));
+        let tilts = watched
+            .tilts
+            .iter()
+            .filter_map(|trend| Some((trend, trend.slope.as_ref()?)));
+        let share = |slope: &dolmen::monitoring::TiltSlope| match slope.reach {
+            Some(reach) => slope.now.abs() / reach.limit,
+            None => slope.now.abs(),
+        };
+        let nearest = tilts.max_by(|a, b| share(a.1).total_cmp(&share(b.1)));
+        History {
+            surveys: answer.surveys.len(),
+            last_survey: name(answer.surveys.len().saturating_sub(1)),
+            modes: watched.modes.len(),
+            open_alarms: answer.open_alarms(),
+            is_tilt_beyond: answer.is_tilt_beyond(),
+            change: strongest.map(|(mode, change)| StrongestChange {
+                frequency_hz: mode.track.frequency_hz,
+                ratio: change.ratio,
+                sd: change.sd,
+                after: name(change.after),
+                before: name(change.before),
+            }),
+            tilt: nearest.map(|(trend, slope)| NearestTilt {
+                direction: trend.series.direction.clone(),
+                now: slope.now,
+                limit: slope.reach.map(|reach| reach.limit),
+                years_to_limit: slope
+                    .reach
+                    .filter(|_| trend.is_beyond_chance())
+                    .and_then(|reach| reach.years),
+            }),
+        }
+    }
+}
+
+/// The structures in the order in which they should be looked at: the worst first, of equals by name.
+pub fn worst_first(mut lines: Vec<InventoryLine>) -> Vec<InventoryLine> {
+    let size = |line: &InventoryLine| {
+        let change = line.history.as_ref().and_then(|history| history.change.as_ref());
+        change.map_or(0.0, |change| change.ratio.abs())
+    };
+    lines.sort_by(|a, b| {
+        let alarms =
+            |line: &InventoryLine| Reverse(line.history.as_ref().map_or(0, |history| history.open_alarms));
+        (a.rank(), alarms(a))
+            .cmp(&(b.rank(), alarms(b)))
+            .then(size(b).total_cmp(&size(a)))
+            .then_with(|| a.structure.cmp(&b.structure))
+    });
+    lines
+}
