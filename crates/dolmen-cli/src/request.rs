@@ -71,8 +71,10 @@ pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<Simulate
             Rotations::Small => ChainRotations::Small,
         },
         law: match options.law {
-            crate::cli::Law::Springs => Law::Springs,
-            crate::cli::Law::Rigid => Law::Rigid,
+            None => Law::AsKnown,
+            Some(crate::cli::Law::Springs) => Law::Springs,
+            Some(crate::cli::Law::Rigid) => Law::Rigid,
+            Some(crate::cli::Law::Both) => Law::Both,
         },
         contact_rule: match options.points {
             Points::P4 => ContactRule::Corners,
@@ -85,6 +87,7 @@ pub(crate) fn simulation(options: &Simulate, manner: &Manner) -> Result<Simulate
         output_step_s: options.output_step,
         to_the_end: options.to_the_end,
         however_long: manner.yes,
+        repeats: usize::from(options.repeats),
         // numbers alone are of one run
         compare: options.output.is_some() || !manner.json,
         keep: options.output.is_some(),

@@ -13,8 +13,8 @@ use dolmen_work::state::{Check, State};
 /// All findings, what is worst first.
 pub(crate) fn all_findings(answer: &ProjectReport) -> Vec<Finding> {
     let mut all = answer.check().map_or(Vec::new(), check::findings);
-    if let Some(simulated) = answer.stack_simulation() {
-        all.extend(stack_simulation::findings(simulated));
+    if let Some(runs) = answer.own_stack_runs() {
+        all.extend(stack_simulation::findings(runs));
     }
     all.extend(frame_simulation::findings(&answer.frame_simulations()));
     all.extend(chain::simulation_findings(&answer.chain_simulations()));

@@ -8,7 +8,7 @@ use crate::photos::Photos;
 use crate::portfolio::PortfolioAnswer;
 use crate::score::ScoreAnswer;
 use crate::simulation::{SimulateAnswer, Simulation};
-use crate::stack::StackSimulation;
+use crate::stack::{StackRuns, StackSimulation};
 use crate::state::{SensitivityOf, State, VariantAnswer};
 use crate::study::{LeftOutStudy, StudyAnswer};
 use crate::surveyed::SurveyAnswer;
@@ -161,11 +161,21 @@ impl ProjectReport {
     }
 
     /// Those of stacks.
-    pub fn stack_simulations(&self) -> impl Iterator<Item = &StackSimulation> {
+    pub fn stack_runs(&self) -> impl Iterator<Item = &StackRuns> {
         self.simulations().filter_map(|run| match run {
-            Simulation::Stack(run) => Some(&**run),
+            Simulation::Stack(runs) => Some(&**runs),
             _ => None,
         })
+    }
+
+    /// Of each stack the run that decides.
+    pub fn stack_simulations(&self) -> impl Iterator<Item = &StackSimulation> {
+        self.stack_runs().map(|runs| &runs.deciding)
+    }
+
+    /// The stack as it is under the motion; `None` if none was asked for, or it does not stand.
+    pub fn own_stack_runs(&self) -> Option<&StackRuns> {
+        self.stack_runs().find(|runs| runs.deciding.variant.is_none())
     }
 
     /// The stack as it is under the motion; `None` if none was asked for, or it does not stand.

@@ -179,6 +179,7 @@ const FLAGS: &[Flag] = &[
         ..flag(FlagVerb::Simulate, "rotations", &[Chain])
     },
     flag(FlagVerb::Simulate, "law", &[Stack]),
+    flag(FlagVerb::Simulate, "repeats", &[Stack]),
     flag(FlagVerb::Simulate, "points", &[Stack]),
     flag(FlagVerb::Simulate, "step", &[Stack, Building]),
     flag(FlagVerb::Simulate, "duration", MOVING),

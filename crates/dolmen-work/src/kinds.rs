@@ -150,6 +150,9 @@ pub(crate) fn can_move(project: &Project) -> bool {
 /// Time between the samples of histories in a report, s.
 const REPORT_STEP_S: f64 = 0.01;
 
+/// Runs of a stack in a report, each but the first with small differences. Chosen here.
+const REPORT_REPEATS: usize = 8;
+
 /// A version under a motion as a report shows it.
 pub(crate) fn simulated_for_report(
     version: &Version<'_>,
@@ -181,13 +184,14 @@ pub(crate) fn simulated_for_report(
         }
         Structure::Stack(part) => {
             let how = StackOptions {
-                law: Law::Springs,
+                law: Law::AsKnown,
                 contact_rule: ContactRule::Four,
                 step_s: None,
                 duration_s: None,
                 output_step_s: REPORT_STEP_S,
                 to_the_end: false,
                 however_long: false,
+                repeats: REPORT_REPEATS,
             };
             match stack::simulate::simulate(version, part, motion, &how, progress)? {
                 Shaken::Simulated(run) => vec![Simulation::Stack(run)],

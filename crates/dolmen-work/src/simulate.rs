@@ -46,6 +46,8 @@ pub struct SimulateOptions {
     pub to_the_end: bool,
     /// Whether a run of very many steps or samples is computed all the same.
     pub however_long: bool,
+    /// How often a stack is run in all, each but the first with small differences.
+    pub repeats: usize,
     /// Whether a building is also run without its dampers.
     pub compare: bool,
     /// Whether every history of a building is kept.
@@ -60,13 +62,14 @@ impl Default for SimulateOptions {
             direction: None,
             push: None,
             rotations: ChainRotations::Large,
-            law: Law::Springs,
+            law: Law::AsKnown,
             contact_rule: ContactRule::Four,
             step_s: None,
             duration_s: None,
             output_step_s: 0.01,
             to_the_end: false,
             however_long: false,
+            repeats: 1,
             compare: true,
             keep: true,
         }
@@ -180,6 +183,7 @@ impl PreparedSimulation<'_> {
                     output_step_s: options.output_step_s,
                     to_the_end: options.to_the_end,
                     however_long: options.however_long,
+                    repeats: options.repeats,
                 };
                 match stack::simulate::simulate(&version, part, motion, &how, progress)? {
                     Shaken::Simulated(run) => answer.simulations.push(Simulation::Stack(run)),

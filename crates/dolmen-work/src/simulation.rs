@@ -4,7 +4,7 @@ use crate::building::BuildingSimulation;
 use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::judgement::Evidence;
-use crate::stack::StackSimulation;
+use crate::stack::StackRuns;
 use dolmen::stability::stack::Standing;
 
 /// A simulation of a structure of any kind, with what went in.
@@ -14,8 +14,8 @@ pub enum Simulation {
     Chain(Box<ChainSimulation>),
     /// Of a frame in one direction.
     Frame(Box<FrameSimulation>),
-    /// Of a stack.
-    Stack(Box<StackSimulation>),
+    /// Of a stack, by one law of contact or both.
+    Stack(Box<StackRuns>),
     /// Of a building.
     Building(Box<BuildingSimulation>),
 }
@@ -26,7 +26,7 @@ impl Simulation {
         match self {
             Simulation::Chain(of) => of.variant.as_deref(),
             Simulation::Frame(of) => of.variant.as_deref(),
-            Simulation::Stack(of) => of.variant.as_deref(),
+            Simulation::Stack(of) => of.deciding.variant.as_deref(),
             Simulation::Building(of) => of.variant.as_deref(),
         }
     }

@@ -11,7 +11,7 @@ const EL_CENTRO: &str = "--motion el-centro-1940-ns";
 fn holds_a_block_that_slides_stands_and_every_file_says_the_same() {
     let scratch = Scratch::with_examples("slides");
     let answer = scratch.dolmen(&format!(
-        "simulate examples/piled_blocks {EL_CENTRO} --peak 0.6g -o out"
+        "simulate examples/piled_blocks {EL_CENTRO} --peak 0.6g --law springs -o out"
     ));
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     for said in [
@@ -71,7 +71,7 @@ fn holds_a_block_that_slides_stands_and_every_file_says_the_same() {
 #[test]
 fn holds_a_stack_that_falls_has_status_1_and_names_the_stone() {
     let scratch = Scratch::with_examples("falls");
-    let words = format!("simulate examples/p10 {EL_CENTRO} --peak 4g --points 4");
+    let words = format!("simulate examples/p10 {EL_CENTRO} --peak 4g --points 4 --law springs");
     let answer = scratch.dolmen(&words);
     assert_eq!(answer.status, 1, "{}{}", answer.stdout, answer.stderr);
     assert!(answer.stdout.contains("It fell; 'block "), "{}", answer.stdout);
@@ -152,7 +152,8 @@ fn refuses_motions_and_options_that_cannot_be() {
         "{}",
         answer.stderr
     );
-    let fits = "simulate examples/piled_blocks --motion-file record.csv --unit gal --duration 0.5";
+    let fits =
+        "simulate examples/piled_blocks --motion-file record.csv --unit gal --duration 0.5 --law springs";
     let answer = scratch.dolmen(fits);
     assert_eq!(answer.status, 3, "{}", answer.stderr);
     assert!(
@@ -282,4 +283,120 @@ fn holds_a_stone_that_still_topples_at_the_end_is_no_survivor() {
     let runs = fs::read_to_string(scratch.path().join("out/rest/runs.csv")).unwrap();
     let ends: Vec<bool> = runs.lines().skip(1).map(|line| line.contains(",fell,")).collect();
     assert_eq!(ends, [false, true, true], "{runs}");
+}
+
+/// A block on another under a pulse, with joints of which the file says what `stiffness` says.
+fn two_blocks(name: &str, stiffness: &str) -> Scratch {
+    let scratch = Scratch::new(name);
+    let text = format!(
+        "schema = 1\nkind = \"stack\"\nname = \"Two\"\ndensity = 2600\njoint = {{ friction = 0.5{stiffness} }}\n\
+         blocks = [{{ name = \"lower\", width = 0.4, height = 0.5 }}, {{ name = \"upper\", width = 0.3, height = 0.9 }}]\n\
+         [motion.pulse]\nfiles = {{ x = \"pulse.csv\" }}\n"
+    );
+    fs::write(scratch.path().join("project.toml"), text).unwrap();
+    let row = |i: u32| {
+        let t = 0.005 * f64::from(i);
+        let a = 3.5 * (4.0 * std::f64::consts::PI * t).sin();
+        format!("{t},{a}\n")
+    };
+    let text = format!("time_s,x_m_s2\n{}", (0..=200).map(row).collect::<String>());
+    fs::write(scratch.path().join("pulse.csv"), text).unwrap();
+    scratch
+}
+
+#[test]
+fn holds_both_laws_run_where_no_stiffness_is_measured_and_the_worse_one_decides() {
+    let json = |answer: &str| -> serde_json::Value { serde_json::from_str(answer).unwrap() };
+    let assumed = two_blocks("laws-assumed", "");
+    let both = assumed.briefly("simulate . --motion pulse");
+    assert!(
+        both.words().contains("with springs in the joints it "),
+        "{}",
+        both.stdout
+    );
+    assert!(
+        both.words().contains(". With rigid joints it "),
+        "{}",
+        both.stdout
+    );
+    let found = json(&assumed.briefly("simulate . --motion pulse --json").stdout);
+    let alone = ["springs", "rigid"].map(|law| {
+        let answer = assumed.briefly(&format!("simulate . --motion pulse --json --law {law}"));
+        let run = json(&answer.stdout);
+        assert_eq!(run["law"], law);
+        assert!(run["other_law"].is_null() && run["laws_differ"].is_null());
+        (run["damage_state"].as_u64().unwrap(), answer.status, run)
+    });
+    let worse = usize::from(alone[1].0 > alone[0].0);
+    assert_eq!(both.status, alone[worse].1);
+    assert_eq!(found["joints"], alone[worse].2["joints"]);
+    assert_eq!(found["other_law"]["joints"], alone[1 - worse].2["joints"]);
+    assert_eq!(found["judgement"], alone[worse].2["judgement"]);
+    let differ = alone[0].0 != alone[1].0;
+    assert_eq!(found["laws_differ"], differ);
+    assert!(differ, "{} {}", alone[0].0, alone[1].0);
+    let said = "depends on joint stiffness that nobody measured";
+    assert!(both.words().contains(said), "{}", both.stdout);
+    // one law where a stiffness is measured
+    let measured = ", normal_stiffness = { value = \"1e9 Pa/m\", source = \"measured\" }";
+    let measured = two_blocks("laws-measured", measured);
+    let one = json(&measured.briefly("simulate . --motion pulse --json").stdout);
+    assert_eq!(
+        (one["law"].as_str(), one["other_law"].is_null()),
+        (Some("springs"), true)
+    );
+    let both = json(
+        &measured
+            .briefly("simulate . --motion pulse --law both --json")
+            .stdout,
+    );
+    assert!(both["other_law"].is_object());
+    // the files of the other law stand in a folder of its name
+    assumed.briefly("simulate . --motion pulse -o out");
+    let other = found["other_law"]["law"].as_str().unwrap();
+    for file in ["simulation.json", "joints.csv", "film.glb"] {
+        assert!(assumed.path().join("out").join(file).is_file(), "{file}");
+        assert!(
+            assumed.path().join("out").join(other).join(file).is_file(),
+            "{file}"
+        );
+    }
+}
+
+#[test]
+fn holds_a_law_that_cannot_run_beside_is_said() {
+    let scratch = two_blocks("laws-bonded", ", tension = \"0.1 MPa\"");
+    let answer = scratch.briefly("simulate . --motion pulse");
+    let said = "rigid joints could not be tried beside it: the joint between";
+    assert!(answer.words().contains(said), "{}", answer.stdout);
+    let both = scratch.briefly("simulate . --motion pulse --law both");
+    assert_eq!(both.status, 2, "{}{}", both.stdout, both.stderr);
+}
+
+#[test]
+fn holds_repeats_are_of_their_seed_and_print_median_and_range() {
+    let scratch = two_blocks("repeats", "");
+    let run = |words: &str| scratch.briefly(&format!("simulate . --motion pulse --law springs {words}"));
+    let json = |answer: &str| -> serde_json::Value { serde_json::from_str(answer).unwrap() };
+    let [one, other] = ["--repeats 5 --json", "--repeats 5 --json"].map(|words| json(&run(words).stdout));
+    assert_eq!(one["repeats"], other["repeats"]);
+    let repeats = &one["repeats"];
+    assert_eq!(
+        (repeats["runs"].as_u64(), repeats["undecided"].as_u64()),
+        (Some(5), Some(0))
+    );
+    let of = |key: &str| ["least", "median", "most"].map(|which| repeats[key][which].as_f64().unwrap());
+    for key in ["peak_opening_m", "peak_slip_m"] {
+        let [least, median, most] = of(key);
+        assert!(
+            least <= median && median <= most && least < most,
+            "{key}: {repeats}"
+        );
+    }
+    let said = "friction ± 2 %, edges of beds ± 1 mm, motion ± 0.5 %";
+    let text = run("--repeats 5").words();
+    assert!(text.contains("Of 5 runs") && text.contains(said), "{text}");
+    assert!(json(&run("--json").stdout)["repeats"].is_null());
+    let pole = scratch.briefly("simulate . --motion pulse --repeats 0");
+    assert_eq!(pole.status, 2, "{}", pole.stdout);
 }

@@ -1,7 +1,7 @@
 //! The stack of a project file.
 
 use super::surveyed_lean::SurveyedLean;
-use crate::quantity::Quantity;
+use crate::quantity::{Evidence, Quantity};
 use dolmen::structure::stack::{Body, Solid};
 
 /// The shape of a block as the file gives it.
@@ -262,6 +262,11 @@ pub struct SideSupportPart {
     pub stiffness: Quantity,
 }
 
+/// Whether the file says of a value that it was measured or tested.
+fn is_measured(value: &Quantity) -> bool {
+    matches!(value.source, Some(Evidence::Measured | Evidence::Test))
+}
+
 /// Blocks, lowest first, the joints between them, and what ties and holds them.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StackPart {
@@ -288,6 +293,14 @@ pub struct StackPart {
 }
 
 impl StackPart {
+    /// Whether every joint has a normal stiffness that was measured or tested; what has none takes Dolmen's own, which is assumed.
+    pub fn has_measured_stiffness(&self) -> bool {
+        let is_measured = |bed: &BedPart| bed.normal_stiffness.as_ref().map(is_measured);
+        let blocks = self.blocks.iter().map(|block| &block.joint);
+        let mut own = blocks.chain(self.contacts.iter().map(|contact| &contact.joint));
+        is_measured(&self.joint) == Some(true) && own.all(|bed| is_measured(bed) != Some(false))
+    }
+
     /// Whether its blocks carry their own tilt, offset or coordinates, so that a surveyed tilt is not added to them.
     pub fn carries_own_lean(&self) -> bool {
         self.blocks.iter().any(BlockPart::has_own_place)

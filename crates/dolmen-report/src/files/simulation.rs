@@ -4,7 +4,9 @@ use super::named::NamedFile;
 use super::paraview::paraview;
 use crate::figures::{self, building_histories, chain_histories, frame_histories};
 use crate::film::stack_film;
-use crate::json::{building_simulation_json, chain_simulation_json, frame_simulation_json, simulation_json};
+use crate::json::{
+    building_simulation_json, chain_simulation_json, frame_simulation_json, simulation_json, stack_runs_json,
+};
 use crate::tables::{
     building_histories_csv, building_peaks_csv, chain_energy_csv, chain_histories_csv, chain_slips_csv,
     chain_uplifts_csv, energy_csv, frame_energy_csv, frame_histories_csv, frame_slips_csv, joints_csv,
@@ -13,7 +15,7 @@ use crate::tables::{
 use dolmen_records::meshes::{PoseError, stack_3dec, stack_json, stack_obj};
 use dolmen_words::Language;
 use dolmen_work::simulation::Simulation;
-use dolmen_work::stack::StackSimulation;
+use dolmen_work::stack::{StackRuns, StackSimulation};
 use serde_json::Value;
 
 /// A simulation of any kind as JSON.
@@ -21,7 +23,7 @@ pub fn simulation_value(simulation: &Simulation) -> Value {
     match simulation {
         Simulation::Chain(run) => chain_simulation_json(run),
         Simulation::Frame(run) => frame_simulation_json(run),
-        Simulation::Stack(run) => simulation_json(run),
+        Simulation::Stack(runs) => stack_runs_json(runs),
         Simulation::Building(run) => building_simulation_json(run),
     }
 }
@@ -47,9 +49,10 @@ pub fn simulation_files(simulation: &Simulation, language: Language) -> Result<V
             put("energy.csv", frame_energy_csv(run));
             frame_histories(run, language)
         }
-        Simulation::Stack(run) => {
-            files.extend(stack(run, language)?);
-            figures::stack_histories(run, language)
+        Simulation::Stack(runs) => {
+            files.extend(stack(&runs.deciding, language)?);
+            files.extend(other_law(runs, language)?);
+            figures::stack_histories(&runs.deciding, language)
         }
         Simulation::Building(run) => {
             put("histories.csv", building_histories_csv(run));
@@ -65,6 +68,19 @@ pub fn simulation_files(simulation: &Simulation, language: Language) -> Result<V
         }
         Simulation::Chain(_) | Simulation::Stack(_) | Simulation::Building(_) => files,
     })
+}
+
+/// The run of the law that does not decide, in a folder of its name.
+fn other_law(runs: &StackRuns, language: Language) -> Result<Vec<NamedFile>, PoseError> {
+    let Some(run) = &runs.other else {
+        return Ok(Vec::new());
+    };
+    let mut files = vec![NamedFile::json("simulation.json", &simulation_json(run))];
+    files.extend(stack(run, language)?);
+    let figures = figures::stack_histories(run, language);
+    files.extend(figures.into_iter().map(NamedFile::figure));
+    let within = |file: NamedFile| file.within(run.law.name());
+    Ok(files.into_iter().map(within).collect())
 }
 
 fn stack(simulation: &StackSimulation, language: Language) -> Result<Vec<NamedFile>, PoseError> {

@@ -30,7 +30,7 @@ pub use identify::identification_json;
 pub use motion::motion_report_json;
 pub use rank::rank_json;
 pub use score::{score_json, score_quality_json};
-pub use simulation::simulation_json;
+pub use simulation::{simulation_json, stack_runs_json};
 pub use study::study_json;
 pub use study_state::{missing_json, shard_json};
 pub use tune::{together_json, tune_json};

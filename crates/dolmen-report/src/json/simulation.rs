@@ -6,10 +6,57 @@ use super::with::with;
 use crate::stack_simulation::points_a_side;
 use dolmen::blocks::Outcome;
 use dolmen::signal::Component;
-use dolmen_work::judgement::judge_stack_run;
+use dolmen_work::judgement::{judge_stack_run, judge_stack_runs};
 use dolmen_work::motion::MotionAnswer;
-use dolmen_work::stack::StackSimulation;
+use dolmen_work::stack::{LeftOut, Repeat, Repeats, StackRuns, StackSimulation};
 use serde_json::{Value, json};
+
+/// The run that decides, as [`simulation_json`], with that of the other law of contact.
+pub fn stack_runs_json(runs: &StackRuns) -> Value {
+    let left_out = runs.left_out.as_ref().map(|why| match why {
+        LeftOut::TooLong { updates, most } => {
+            json!({ "kind": "too_long", "updates": updates, "updates_most": most })
+        }
+        LeftOut::Refused { why } => json!({ "kind": "refused", "why": why }),
+        LeftOut::NoSolution { at_s } => json!({ "kind": "no_solution", "at_s": at_s }),
+    });
+    let mut value = simulation_json(&runs.deciding);
+    value["judgement"] = judgement(&judge_stack_runs(runs));
+    value["other_law"] = runs.other.as_ref().map(simulation_json).into();
+    value["law_left_out"] = left_out.into();
+    value["repeats"] = runs.repeats.as_ref().map(repeats).into();
+    value["laws_differ"] = runs
+        .other
+        .is_some()
+        .then(|| runs.differing_states().is_some())
+        .into();
+    value
+}
+
+/// The runs with small differences.
+fn repeats(of: &Repeats) -> Value {
+    let spread = |value: fn(&Repeat) -> f64| {
+        let found = of.spread(value);
+        found.map(|of| json!({ "least": of.least, "median": of.median, "most": of.most }))
+    };
+    let edge_m = if of.moves_edges {
+        of.differences.bed_edge_m
+    } else {
+        0.0
+    };
+    json!({
+        "runs": of.runs.len(),
+        "undecided": of.undecided,
+        "seed": of.seed,
+        "friction_share": of.differences.friction_share,
+        "bed_edge_m": edge_m,
+        "motion_share": of.differences.motion_share,
+        "peak_opening_m": spread(|run| run.peak_opening_m),
+        "peak_slip_m": spread(|run| run.peak_slip_m),
+        "residual_slip_m": spread(|run| run.residual_slip_m),
+        "damage_states": of.runs.iter().map(|run| run.state.number()).collect::<Vec<_>>(),
+    })
+}
 
 /// Everything of a simulation but its histories: what went in, how it ended, peaks and residuals, the balance of energy.
 pub fn simulation_json(simulation: &StackSimulation) -> Value {

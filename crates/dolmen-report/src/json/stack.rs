@@ -1,5 +1,6 @@
 //! The check of a stack, as JSON.
 
+use dolmen::assess::SettleRun;
 use dolmen::stability::stack::CutLimits;
 use dolmen::structure::stack::{Body, Stack};
 use dolmen_project::SurveyedLean;
@@ -25,6 +26,7 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
         "standing": limits.standing.to_string(),
         "gravity_margin": limits.gravity_margin,
         "verdict": check.verdict,
+        "settle_run": check.settle_run.as_ref().map(settle_run),
         "capacity": check.capacity,
         "frequencies": answer.frequencies.as_ref().map(frequencies),
         "period_of_thumb_s": check.period_of_thumb.period_s,
@@ -43,6 +45,25 @@ pub(super) fn stack(answer: &StackAnswer) -> Value {
 /// The survey and the slope that the model takes from it.
 pub(super) fn lean(of: &SurveyedLean) -> Value {
     json!({ "survey": of.survey, "slope": of.slope })
+}
+
+/// The run under its own weight.
+fn settle_run(of: &SettleRun) -> Value {
+    match of {
+        SettleRun::Stood {
+            settlement_m,
+            length_s,
+        } => {
+            json!({ "kind": "stood", "settlement_m": settlement_m, "length_s": length_s })
+        }
+        SettleRun::Fell { block } => json!({ "kind": "fell", "block": block }),
+        SettleRun::NoRest { why } => {
+            json!({ "kind": "no_rest", "why": why.as_ref().map(ToString::to_string) })
+        }
+        SettleRun::TooMany { stones } => {
+            json!({ "kind": "too_many", "stones": stones, "stones_most": SettleRun::STONES_MOST })
+        }
+    }
 }
 
 fn frequencies(frequencies: &StackFrequencies) -> Value {

@@ -7,6 +7,7 @@ use super::verdict::banner;
 use super::words::{at, direction, first_with_ties, joint_moves, moves_together};
 use crate::document::{Finding, Tone};
 use dolmen::assess::StackNote;
+use dolmen::structure::stack::Stack;
 use dolmen_words::{Sentence, messages};
 use dolmen_work::state::StackAnswer;
 
@@ -56,14 +57,17 @@ pub(crate) fn findings(answer: &StackAnswer) -> Vec<Finding> {
         all.push(Finding::new(Tone::Plain, Found::WithTies { moves, at }));
     }
     all.extend(answer.lean.as_ref().map(lean));
-    all.extend(check.notes.iter().map(noted));
+    all.extend(check.notes.iter().map(|of| noted(of, &answer.stack)));
     all
 }
 
-fn noted(of: &StackNote) -> Finding {
+fn noted(of: &StackNote, stack: &Stack) -> Finding {
+    let said = note(of, stack);
     match of {
-        StackNote::AnalysisFalls => Finding::key(Tone::Bad, note(of)),
-        StackNote::FrictionCarries => Finding::key(Tone::Warn, note(of)),
+        StackNote::AnalysisFalls | StackNote::FrictionFell { .. } => Finding::key(Tone::Bad, said),
+        StackNote::FrictionStood => Finding::key(Tone::Plain, said),
+        StackNote::FrictionNoRest | StackNote::FrictionNotRun { .. } => Finding::key(Tone::Unknown, said),
+        StackNote::FrictionCarries => Finding::key(Tone::Warn, said),
         StackNote::SharedLoad
         | StackNote::AnalysisLower { .. }
         | StackNote::AnalysisBetween { .. }
@@ -73,6 +77,6 @@ fn noted(of: &StackNote) -> Finding {
         | StackNote::TensionLeftOut
         | StackNote::KineticLess { .. }
         | StackNote::TiesLeftOut
-        | StackNote::PeriodUnknown => Finding::new(Tone::Warn, note(of)),
+        | StackNote::PeriodUnknown => Finding::new(Tone::Warn, said),
     }
 }

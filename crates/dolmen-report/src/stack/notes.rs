@@ -2,6 +2,7 @@
 
 use super::words::in_g;
 use dolmen::assess::StackNote;
+use dolmen::structure::stack::{Body, Stack};
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
@@ -30,6 +31,22 @@ messages! {
         FrictionCarries => {
             en: "Friction carries it: forces that balance the weight exist, which is necessary but does not prove that it stands, since joints that slip may choose other forces. No run under its own weight was made, so the verdict is no better than marginal.",
             ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며, 미끄러지는 접합면은 다른 힘을 택할 수 있으므로 서 있음을 증명하지는 않는다. 자중에 대한 시간이력 해석을 하지 않았으므로 판정은 '여유 부족'을 넘지 않는다.",
+        },
+        FrictionStood => {
+            en: "Friction carries it: forces that balance the weight exist, which alone does not prove that it stands; in a run under its own weight, on the springs of its joints, it stood.",
+            ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하며(필요조건), 접촉 스프링 위에서 자중에 대한 시간이력 해석을 한 결과 서 있었다.",
+        },
+        FrictionFell { stone: String } => {
+            en: "Friction would have to carry it: forces that balance the weight exist, but in a run under its own weight, on the springs of its joints, '{stone}' fell.",
+            ko: "마찰이 하중을 지탱하여야 한다: 자중과 평형을 이루는 힘은 존재하나, 접촉 스프링 위에서 자중에 대한 시간이력 해석을 한 결과 ‘{stone}’이(가) 떨어졌다.",
+        },
+        FrictionNoRest => {
+            en: "Friction would have to carry it: forces that balance the weight exist, but a run under its own weight, on the springs of its joints, found no rest. It is not known to stand.",
+            ko: "마찰이 하중을 지탱하여야 한다: 자중과 평형을 이루는 힘은 존재하나, 접촉 스프링 위에서 자중에 대한 시간이력 해석이 정지 상태에 이르지 않아 서 있다고 판정할 수 없다.",
+        },
+        FrictionNotRun { stones: usize, most: usize } => {
+            en: "Friction carries it: forces that balance the weight exist, which alone does not prove that it stands. A run under its own weight would; with {stones} stones, more than {most}, a check makes none: simulate it.",
+            ko: "마찰이 하중을 지탱한다: 자중과 평형을 이루는 힘이 존재하나 이는 필요조건이며 서 있음을 증명하지는 않는다. 부재가 {stones}개로 {most}개를 넘어 자중에 대한 시간이력 해석을 하지 않았다. simulate로 해석한다.",
         },
         NoStrength => {
             en: "The limit analysis knows no compressive strength: with stones that share their load the capacity is an upper bound.",
@@ -63,7 +80,7 @@ messages! {
 }
 
 /// A note of the check.
-pub(super) fn note(of: &StackNote) -> Sentence {
+pub(super) fn note(of: &StackNote, stack: &Stack) -> Sentence {
     let said = match of {
         StackNote::SharedLoad => Notes::SharedLoad,
         StackNote::AnalysisLower {
@@ -88,6 +105,15 @@ pub(super) fn note(of: &StackNote) -> Sentence {
         },
         StackNote::AnalysisFalls => Notes::Falls,
         StackNote::FrictionCarries => Notes::FrictionCarries,
+        StackNote::FrictionStood => Notes::FrictionStood,
+        StackNote::FrictionFell { block } => Notes::FrictionFell {
+            stone: stack.name(Body::Block(*block)).to_owned(),
+        },
+        StackNote::FrictionNoRest => Notes::FrictionNoRest,
+        StackNote::FrictionNotRun { stones, most } => Notes::FrictionNotRun {
+            stones: *stones,
+            most: *most,
+        },
         StackNote::StrengthNotInAnalysis => Notes::NoStrength,
         StackNote::SideSupportsLeftOut => Notes::NoSideSupports,
         StackNote::CohesionCounted => Notes::Cohesion,

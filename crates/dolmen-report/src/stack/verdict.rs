@@ -37,8 +37,8 @@ messages! {
             ko: "지진이 없어도 서 있지 못한다: {why}.",
         },
         Thresholds { limit: Quantity, below: Quantity, least: Quantity } => {
-            en: "stable: margin ≥ {limit} · marginal: below {below}, moves below {least}, or friction carries stones that share their load · unstable: it does not stand. The margin is what is left, without shaking, of the way from the middle of a joint to its edge, or of friction. An earthquake is not in this verdict.",
-            ko: "안정: 여유도 ≥ {limit} · 여유 부족: {below} 미만이거나 {least} 미만에서 움직이거나, 하중을 나누어 지지하는 부재를 마찰이 지탱함 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다.",
+            en: "stable: margin ≥ {limit}, and where friction carries stones that share their load, a run under their own weight that stood · marginal: below {below}, or moves below {least} · unstable: it does not stand. The margin is what is left, without shaking, of the way from the middle of a joint to its edge, or of friction. An earthquake is not in this verdict.",
+            ko: "안정: 여유도 ≥ {limit}(하중을 나누어 지지하는 부재를 마찰이 지탱하면 자중 시간이력 해석에서도 서 있어야 함) · 여유 부족: {below} 미만이거나 {least} 미만에서 움직임 · 불안정: 서 있지 못함. 여유도는 지진이 없을 때 접합면 중심에서 모서리까지의 거리(또는 마찰) 중 남은 비율이다. 이 판정에 지진은 포함되지 않는다.",
         },
     }
 }

@@ -1,10 +1,7 @@
 //! How a simulated stack ended, and what that is worth.
 
-use super::run::{Run, made_too_much};
-use crate::document::{Finding, Tone};
 use crate::simulated::{Simulated, cut, milli, seconds};
-use crate::stack::lean;
-use dolmen::blocks::{ContactLaw, Outcome, StackHistory};
+use dolmen::blocks::{Outcome, StackHistory};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::stack::StackSimulation;
 
@@ -58,59 +55,6 @@ messages! {
             en: "the run diverged at {at}; nothing of it can be used. Lower the step, and report the input.",
             ko: "해석이 {at}에 발산하여 결과를 사용할 수 없다. 시간 간격을 줄이고, 입력 자료를 개발자에게 알려 주기 바란다.",
         },
-    }
-}
-
-/// How it ended and what may be concluded from it, the most important first.
-pub(crate) fn findings(simulation: &StackSimulation) -> Vec<Finding> {
-    let said = Ending::Under {
-        motion: simulation.motion.motion.name().to_owned(),
-        peak: Quantity::new(
-            simulation.peak_horizontal_g(),
-            Unit::si("g"),
-            Digits::Significant(3),
-        ),
-        ending: ending(simulation),
-    };
-    let mut all = vec![Finding::key(tone(simulation), said)];
-    all.extend(simulation.lean.as_ref().map(lean));
-    all.extend(made_too_much(simulation).map(|said| Finding::key(Tone::Warn, said)));
-    if leaves_restitution_out(simulation) {
-        all.push(Finding::key(Tone::Warn, Run::RestitutionUnused));
-    }
-    if is_sensitive(&simulation.history.outcome) {
-        all.push(Finding::key(Tone::Plain, Run::OneCase));
-    }
-    all
-}
-
-fn leaves_restitution_out(simulation: &StackSimulation) -> bool {
-    let joints = simulation.stack.joints();
-    match simulation.law {
-        ContactLaw::Springs(_) => joints.iter().any(|joint| joint.material.restitution > 0.0),
-        ContactLaw::Rigid(_) => false,
-    }
-}
-
-/// Whether stones moved against each other so far that small differences of the input count.
-fn is_sensitive(outcome: &Outcome) -> bool {
-    matches!(
-        outcome,
-        Outcome::Uplifted { .. } | Outcome::Slid { .. } | Outcome::Fell { .. } | Outcome::StillMoving { .. }
-    )
-}
-
-pub(super) fn tone(simulation: &StackSimulation) -> Tone {
-    match simulation.history.outcome {
-        _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
-        _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
-        Outcome::Stood => Tone::Good,
-        Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
-        Outcome::Fell { .. } => Tone::Bad,
-        Outcome::StillMoving { .. }
-        | Outcome::Stopped { .. }
-        | Outcome::NotConverged { .. }
-        | Outcome::Diverged { .. } => Tone::Unknown,
     }
 }
 

@@ -1,10 +1,13 @@
 //! What is said of a stack under a motion: how it ended, joint by joint, in time.
 
 mod ending;
+mod findings;
+mod laws;
+mod repeats;
 mod run;
 mod tables;
 
-pub(crate) use ending::findings;
+pub(crate) use findings::findings;
 pub(crate) use run::points_a_side;
 
 use crate::document::{Block, Document, Figure, TextStyle, Tone, document_text, findings_text};
@@ -12,7 +15,7 @@ use crate::figures::{StackPlot, stack_after};
 use crate::simulated::{Simulated, capitalised, motion_section};
 use dolmen_words::{Sentence, Template, messages};
 use dolmen_work::answer::ProjectReport;
-use dolmen_work::stack::StackSimulation;
+use dolmen_work::stack::{StackRuns, StackSimulation};
 
 messages! {
     /// The head and figures of a simulated stack.
@@ -44,30 +47,33 @@ messages! {
 }
 
 /// The sentences on simulated stacks as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 4] = [
+pub(crate) const TEMPLATES: [&[Template]; 6] = [
     ending::Ending::TEMPLATES,
+    laws::Laws::TEMPLATES,
+    repeats::Repeated::TEMPLATES,
     Shown::TEMPLATES,
     tables::Tables::TEMPLATES,
     run::Run::TEMPLATES,
 ];
 
 /// How it ended; in full each joint and the balance of energy.
-pub fn simulation_text(simulation: &StackSimulation, style: TextStyle) -> String {
-    let found = findings(simulation);
+pub fn simulation_text(runs: &StackRuns, style: TextStyle) -> String {
+    let found = findings(runs);
     if !style.is_full {
         return findings_text(found.iter().filter(|of| of.is_key), style);
     }
     let mut document = Document::default();
-    ended(&mut document, simulation);
-    details(&mut document, simulation);
+    ended(&mut document, runs);
+    details(&mut document, &runs.deciding);
     findings_text(&found, style) + &document_text(&document, style)
 }
 
 /// The section of the structure as given, and its variants beside it.
 pub(crate) fn sections(answer: &ProjectReport) -> Document<'_> {
     let mut document = Document::default();
-    if let Some(simulation) = answer.stack_simulation() {
-        ended(&mut document, simulation);
+    if let Some(runs) = answer.own_stack_runs() {
+        let simulation = &runs.deciding;
+        ended(&mut document, runs);
         motion_section(&mut document, &simulation.motion);
         details(&mut document, simulation);
         if let Some(table) = tables::versions(answer) {
@@ -77,13 +83,20 @@ pub(crate) fn sections(answer: &ProjectReport) -> Document<'_> {
     document
 }
 
-fn ended(document: &mut Document<'_>, simulation: &StackSimulation) {
+fn ended(document: &mut Document<'_>, runs: &StackRuns) {
     document.heading(Shown::Head);
-    let said = capitalised(ending::ending(simulation));
-    document.put(match ending::tone(simulation) {
+    let said = capitalised(laws::endings(runs));
+    document.put(match findings::tone(&runs.deciding) {
         Tone::Bad => Block::Warning(said),
         Tone::Good | Tone::Warn | Tone::Plain | Tone::Unknown => Block::Paragraph(vec![said]),
     });
+    if let Some(finding) = laws::finding(runs) {
+        document.put(Block::Paragraph(vec![finding.sentence]));
+    }
+    laws::section(document, runs);
+    if let Some(repeats) = &runs.repeats {
+        document.put(Block::Paragraph(vec![repeats::finding(repeats).sentence]));
+    }
 }
 
 fn details<'a>(document: &mut Document<'a>, simulation: &'a StackSimulation) {

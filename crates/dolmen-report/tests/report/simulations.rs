@@ -18,7 +18,7 @@ use dolmen_report::tables::{energy_csv, joints_csv, poses_csv};
 use dolmen_report::text::{TextStyle, simulation_text};
 use dolmen_words::Language;
 use dolmen_work::motion::MotionAnswer;
-use dolmen_work::stack::StackSimulation;
+use dolmen_work::stack::{StackRuns, StackSimulation};
 use serde_json::Value;
 
 fn simulation() -> StackSimulation {
@@ -64,7 +64,7 @@ fn simulation() -> StackSimulation {
 
 /// All that a terminal says of it, in one line.
 fn said_of(simulation: &StackSimulation) -> String {
-    let text = simulation_text(simulation, TextStyle::plain());
+    let text = simulation_text(&StackRuns::of(simulation.clone()), TextStyle::plain());
     text.split_whitespace().collect::<Vec<_>>().join(" ")
 }
 

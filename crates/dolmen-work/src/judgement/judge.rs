@@ -4,7 +4,7 @@ use super::colour::Colour;
 use super::earthquake::{Earthquake, EarthquakeFinding, of_row, of_site};
 use super::evidence::Evidence;
 use super::exit::{Verb, exit_status};
-use super::runs::{of_building, of_chain, of_frame, of_simulation, of_stack};
+use super::runs::{of_building, of_chain, of_frame, of_simulation, of_stack, of_stack_runs};
 use super::weight::Weight;
 use crate::answer::{Answer, CheckAnswer};
 use crate::building::{BuildingSimulation, TogetherAnswer, TogetherChoice, TuneAnswer};
@@ -12,7 +12,7 @@ use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::loads::Governing;
 use crate::simulation::SimulateAnswer;
-use crate::stack::StackSimulation;
+use crate::stack::{StackRuns, StackSimulation};
 use crate::state::State;
 use dolmen::damper::Choice;
 use dolmen_project::Project;
@@ -273,6 +273,12 @@ pub fn judge_simulation(simulated: &SimulateAnswer) -> Judgement {
 pub fn judge_stack_run(run: &StackSimulation) -> Judgement {
     let is_done = run.falls() || run.is_whole();
     Judgement::of_run(run.variant.as_deref(), of_stack(run), is_done)
+}
+
+/// The judgement of a stack by each law of contact that was run.
+pub fn judge_stack_runs(runs: &StackRuns) -> Judgement {
+    let (found, is_done) = of_stack_runs(runs);
+    Judgement::of_run(runs.deciding.variant.as_deref(), found, is_done)
 }
 
 /// The judgement of one simulated frame, in one direction.

@@ -14,6 +14,7 @@ pub use evidence::{Evidence, MeasuredFrequency, first_sway, lowest_measured, mea
 pub use exit::{Verb, exit_status, first_status};
 pub use judge::{
     AssumedInputs, Judgement, VersionJudgement, judge, judge_building_run, judge_chain_run, judge_check,
-    judge_frame_run, judge_simulation, judge_stack_run,
+    judge_frame_run, judge_simulation, judge_stack_run, judge_stack_runs,
 };
+pub(crate) use runs::is_worse_stack_run;
 pub use weight::Weight;

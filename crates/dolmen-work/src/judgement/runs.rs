@@ -6,7 +6,7 @@ use crate::chain::ChainSimulation;
 use crate::frame::FrameSimulation;
 use crate::part_limit::PartLimit;
 use crate::simulation::Simulation;
-use crate::stack::StackSimulation;
+use crate::stack::{StackRuns, StackSimulation};
 use dolmen::assess::{DamageState, JointDamage};
 use dolmen::blocks::Outcome;
 
@@ -26,11 +26,26 @@ enum Ending {
 /// A simulation of any kind, and whether it came to its end or to a fall.
 pub(super) fn of_simulation(run: &Simulation) -> (Vec<EarthquakeFinding>, bool) {
     match run {
-        Simulation::Stack(run) => (of_stack(run), run.falls() || run.is_whole()),
+        Simulation::Stack(runs) => of_stack_runs(runs),
         Simulation::Frame(run) => (of_frame(run), run.falls() || run.is_whole()),
         Simulation::Chain(run) => (of_chain(run), run.falls() || run.is_whole()),
         Simulation::Building(run) => (of_building(run), run.ended_before_the_motion_s().is_none()),
     }
+}
+
+/// A stack by each law of contact that was run: the worse one decides.
+pub(super) fn of_stack_runs(runs: &StackRuns) -> (Vec<EarthquakeFinding>, bool) {
+    let is_done = runs.each().all(|run| run.falls() || run.is_whole());
+    (of_stack(&runs.deciding), is_done)
+}
+
+/// Whether a run of a stack is worse than another: by its word, of equal words by its damage.
+pub(crate) fn is_worse_stack_run(run: &StackSimulation, other: &StackSimulation) -> bool {
+    let rank = |run: &StackSimulation| {
+        let word = Earthquake::worst(&of_stack(run));
+        (word, run.damage.state.number())
+    };
+    rank(run) > rank(other)
 }
 
 /// A stack: whether a stone fell, its damage, its ties.

@@ -3,13 +3,13 @@
 use super::frequencies;
 use crate::error::WorkError;
 use crate::state::StackAnswer;
-use dolmen::assess::{StackCheckOptions, check_stack};
+use dolmen::assess::{StackCheckOptions, check_stack, with_settle_run};
 use dolmen_project::{Pick, StackPart};
 
 /// What is known of a stack, each input with the value that `pick` chooses.
 pub(crate) fn check(part: &StackPart, pick: Pick<'_>) -> Result<StackAnswer, WorkError> {
     let stack = part.build(pick)?;
-    let check = check_stack(&stack, &StackCheckOptions::default())?;
+    let check = with_settle_run(&stack, check_stack(&stack, &StackCheckOptions::default())?);
     let frequencies = frequencies::of(&stack, &check);
     Ok(StackAnswer {
         stack,

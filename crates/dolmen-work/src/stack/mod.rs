@@ -2,9 +2,13 @@
 
 pub(crate) mod check;
 pub(crate) mod frequencies;
+mod repeats;
+mod runs;
 pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod study;
 
+pub use repeats::{Repeat, Repeats, Spread};
+pub use runs::{LeftOut, StackRuns};
 pub use simulate::Law;
 pub use simulation::StackSimulation;

@@ -1,24 +1,35 @@
 //! A stack under a ground motion.
 
-use super::StackSimulation;
+use super::repeats::repeats;
+use super::{LeftOut, StackRuns, StackSimulation};
 use crate::error::WorkError;
+use crate::judgement::is_worse_stack_run;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
+use crate::told::told;
 use crate::version::Version;
 use dolmen::assess::{DamageThresholds, stack_damage};
-use dolmen::blocks::{AfterFall, ContactLaw, ContactRule, Rigid, Springs, simulate_stack};
-use dolmen::stability::stack::{StackLimits, Standing, stack_limits};
+use dolmen::blocks::{AfterFall, ContactLaw, ContactRule, Outcome, Rigid, Springs, simulate_stack};
+use dolmen::stability::stack::{StackLimitStates, StackLimits, Standing, stack_limits};
 use dolmen::structure::stack::Stack;
 use dolmen_project::{Quantity, StackPart};
 
-/// The law of contact.
+/// Updates of contact points, their number times that of the steps, up to which the rigid law is run without being asked for. Chosen here: about a
+/// minute where stones slide on each other.
+const RIGID_UPDATES_MOST: f64 = 3e7;
+
+/// The law of contact, or both.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Law {
-    /// Springs, dashpots, friction.
+    /// Springs, and rigid contact beside them where the stiffness of the joints is not measured.
     #[default]
+    AsKnown,
+    /// Springs, dashpots, friction.
     Springs,
     /// Unilateral contact, friction, restitution.
     Rigid,
+    /// Both, however long the second takes.
+    Both,
 }
 
 /// How a stack is run.
@@ -30,12 +41,13 @@ pub(crate) struct StackOptions {
     pub(crate) output_step_s: f64,
     pub(crate) to_the_end: bool,
     pub(crate) however_long: bool,
+    pub(crate) repeats: usize,
 }
 
 /// What came of a stack that was to be shaken.
 pub(crate) enum Shaken {
     /// It was simulated.
-    Simulated(Box<StackSimulation>),
+    Simulated(Box<StackRuns>),
     /// It does not stand without any shaking.
     DoesNotStand(Standing),
 }
@@ -53,50 +65,153 @@ pub(crate) fn simulate(
     if !limits.standing.stands() {
         return Ok(Shaken::DoesNotStand(limits.standing));
     }
-    let law = law(options, &stack);
-    let whole_s = law.run_length_s(motion.motion.duration_s());
-    let history = simulating(progress, whole_s, |reached| {
-        simulate_stack(&stack, Some(&motion.motion), &law, reached)
-    })?;
-    Ok(Shaken::Simulated(Box::new(StackSimulation {
-        damage: stack_damage(&stack, &limits, &history, &DamageThresholds::default()),
-        limits,
-        file: version.file.to_owned(),
-        name: version.project.name.clone(),
-        variant: version.variant.map(str::to_owned),
+    let shaken = Shakable {
+        version,
+        part,
         stack,
-        lean: part.lean.clone(),
+        limits,
         motion,
-        law,
-        history,
-    })))
+    };
+    let first = shaken.run(
+        law_of(options, options.law == Law::Rigid, &shaken.stack),
+        progress,
+    )?;
+    let is_alone = match options.law {
+        Law::Springs | Law::Rigid => true,
+        Law::AsKnown => part.has_measured_stiffness(),
+        Law::Both => false,
+    };
+    let mut runs = match is_alone || progress.is_cancelled() {
+        true => StackRuns::of(first),
+        false => shaken.beside(first, options, progress)?,
+    };
+    if options.repeats > 1 && !progress.is_cancelled() {
+        runs.repeats = Some(repeats(&runs.deciding, options.repeats, progress)?);
+    }
+    Ok(Shaken::Simulated(Box::new(runs)))
 }
 
-fn law(options: &StackOptions, stack: &Stack) -> ContactLaw {
+/// A stack and what shakes it.
+struct Shakable<'a> {
+    version: &'a Version<'a>,
+    part: &'a StackPart,
+    stack: Stack,
+    limits: StackLimitStates,
+    motion: MotionAnswer,
+}
+
+impl Shakable<'_> {
+    fn run(&self, law: ContactLaw, progress: &dyn Progress) -> Result<StackSimulation, WorkError> {
+        let (stack, motion) = (&self.stack, &self.motion.motion);
+        let whole_s = law.run_length_s(motion.duration_s());
+        let history = simulating(progress, whole_s, |reached| {
+            simulate_stack(stack, Some(motion), &law, reached)
+        })?;
+        let version = self.version;
+        Ok(StackSimulation {
+            damage: stack_damage(stack, &self.limits, &history, &DamageThresholds::default()),
+            limits: self.limits.clone(),
+            file: version.file.to_owned(),
+            name: version.project.name.clone(),
+            variant: version.variant.map(str::to_owned),
+            stack: stack.clone(),
+            lean: self.part.lean.clone(),
+            motion: self.motion.clone(),
+            law,
+            history,
+        })
+    }
+
+    /// Rigid contact beside the run on springs.
+    fn beside(
+        &self,
+        springs: StackSimulation,
+        options: &StackOptions,
+        progress: &dyn Progress,
+    ) -> Result<StackRuns, WorkError> {
+        let is_asked = options.law == Law::Both;
+        let law = law_of(options, true, &self.stack);
+        let updates = updates(&law, &springs);
+        let left_out = |why| StackRuns {
+            left_out: Some(why),
+            ..StackRuns::of(springs.clone())
+        };
+        if !is_asked && updates > RIGID_UPDATES_MOST {
+            return Ok(left_out(LeftOut::TooLong {
+                updates,
+                most: RIGID_UPDATES_MOST,
+            }));
+        }
+        let rigid = match self.run(law, progress) {
+            Ok(run) => run,
+            Err(why) if is_asked => return Err(why),
+            Err(why) => return Ok(left_out(LeftOut::Refused { why: told(&why) })),
+        };
+        let is_worse = is_worse_stack_run(&rigid, &springs);
+        match rigid.history.outcome {
+            Outcome::NotConverged { at_s, .. } | Outcome::Diverged { at_s }
+                if !is_asked && !shows_more(&rigid, &springs) =>
+            {
+                return Ok(left_out(LeftOut::NoSolution { at_s }));
+            }
+            _ => {}
+        }
+        let (deciding, other) = match is_worse {
+            true => (rigid, springs),
+            false => (springs, rigid),
+        };
+        Ok(StackRuns {
+            deciding,
+            other: Some(other),
+            left_out: None,
+            repeats: None,
+        })
+    }
+}
+
+/// Whether a run that was cut short shows more damage than another.
+fn shows_more(cut: &StackSimulation, other: &StackSimulation) -> bool {
+    let is_used = !matches!(cut.history.outcome, Outcome::Diverged { .. });
+    is_used && cut.damage.state.number() > other.damage.state.number()
+}
+
+/// Contact points of all joints times the steps of the motion.
+fn updates(law: &ContactLaw, beside: &StackSimulation) -> f64 {
+    let step_s = match law {
+        ContactLaw::Springs(_) => beside.history.time_step_s,
+        ContactLaw::Rigid(rigid) => rigid.time_step_s,
+    };
+    let length_s = law.run_length_s(beside.motion.motion.duration_s());
+    beside.history.contact_points as f64 * length_s / step_s
+}
+
+fn law_of(options: &StackOptions, is_rigid: bool, stack: &Stack) -> ContactLaw {
     let contact_rule = options.contact_rule;
     let (duration_s, output_step_s) = (options.duration_s, options.output_step_s);
     let after_fall = match options.to_the_end {
         true => AfterFall::Continue,
         false => AfterFall::Stop,
     };
-    match options.law {
-        Law::Springs => ContactLaw::Springs(Springs {
+    if is_rigid {
+        // a step that is given is that of the law that was asked for
+        let given = options.step_s.filter(|_| options.law == Law::Rigid);
+        return ContactLaw::Rigid(Rigid {
             contact_rule,
-            time_step_s: options.step_s,
-            duration_s,
-            output_step_s,
-            after_fall,
-            however_long: options.however_long,
-            ..Springs::default()
-        }),
-        Law::Rigid => ContactLaw::Rigid(Rigid {
-            contact_rule,
-            time_step_s: options.step_s.unwrap_or_else(|| Rigid::usual_step_s(stack)),
+            time_step_s: given.unwrap_or_else(|| Rigid::usual_step_s(stack)),
             duration_s,
             output_step_s,
             after_fall,
             however_long: options.however_long,
             ..Rigid::default()
-        }),
+        });
     }
+    ContactLaw::Springs(Springs {
+        contact_rule,
+        time_step_s: options.step_s,
+        duration_s,
+        output_step_s,
+        after_fall,
+        however_long: options.however_long,
+        ..Springs::default()
+    })
 }

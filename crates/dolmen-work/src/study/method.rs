@@ -150,12 +150,14 @@ pub fn part_of_step(halvings: u32) -> String {
 
 /// An input in words, with its path; in English, and of what has no words here, the path alone.
 pub fn input_words(path: &str, language: Language) -> String {
-    const WORDS: [(&str, &str); 14] = [
+    const WORDS: [(&str, &str); 16] = [
         ("joint.friction", "접합면 마찰계수"),
         ("joint.normal_stiffness", "접합면 수직강성"),
         ("joint.shear_stiffness", "접합면 전단강성"),
         ("joint.damping_ratio", "접합면 감쇠비"),
-        ("joint.restitution", "접합면 반발계수"),
+        ("joint.restitution", "접합면 수직 반발계수"),
+        ("joint.normal_restitution", "접합면 수직 반발계수"),
+        ("joint.rocking_restitution", "접합면 로킹 반발계수"),
         ("density", "밀도"),
         ("pagoda.storeys", "탑 층수"),
         ("pagoda.body_height", "탑신 높이"),

@@ -14,6 +14,7 @@ mod probability;
 mod risk;
 mod score;
 mod sensitivity;
+mod settle_run;
 mod stack;
 mod trends;
 
@@ -44,5 +45,6 @@ pub use score::{
     shapley_shares, unlike_trained,
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
-pub use stack::{MARGINAL_BELOW_G, StackCheck, StackCheckOptions, StackNote, check_stack};
+pub use settle_run::with_settle_run;
+pub use stack::{MARGINAL_BELOW_G, SettleRun, StackCheck, StackCheckOptions, StackNote, check_stack};
 pub use trends::{Direction, Trend, trend};

@@ -1,6 +1,7 @@
 //! A whole check of a stack of stones: whether it stands, at what acceleration it begins to move, what is asked of it.
 
 use super::AssessError;
+use crate::blocks::BlocksError;
 use crate::stability::Verdict;
 use crate::stability::stack::{
     DemandComparison, Holding, LimitAnalysis, LimitAnalysisResult, LimitAnalysisStatus, PeriodOfThumb,
@@ -37,8 +38,42 @@ pub struct StackCheck {
     pub period_of_thumb: PeriodOfThumb,
     /// Against the demand, if there is one.
     pub demand: Option<DemandComparison>,
+    /// The run under its own weight, where friction carries and one was asked for: [`with_settle_run`](super::with_settle_run).
+    pub settle_run: Option<SettleRun>,
     /// What to know of these numbers.
     pub notes: Vec<StackNote>,
+}
+
+/// What came of a run of a stack under its own weight.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SettleRun {
+    /// It settled and stayed.
+    Stood {
+        /// How far its highest stone settled on the springs of the joints, m.
+        settlement_m: f64,
+        /// Length of the run, s.
+        length_s: f64,
+    },
+    /// A stone came down.
+    Fell {
+        /// The first, as an index of the stack's blocks.
+        block: usize,
+    },
+    /// It found no rest, or had none at the end.
+    NoRest {
+        /// Why the run was refused; `None` if it was made and stones moved on.
+        why: Option<BlocksError>,
+    },
+    /// It has too many stones.
+    TooMany {
+        /// How many.
+        stones: usize,
+    },
+}
+
+impl SettleRun {
+    /// Most stones of a stack that is run in a check. Chosen here: they take a second or two.
+    pub const STONES_MOST: usize = 200;
 }
 
 /// What to know of a check of a stack. `Display` says it as a sentence.
@@ -65,6 +100,22 @@ pub enum StackNote {
     /// Forces were found that balance it, but they need friction: joints that slip may choose others, so only a run under its
     /// own weight shows that it stands.
     FrictionCarries,
+    /// The same, and a run under its own weight stood.
+    FrictionStood,
+    /// The same, but in a run under its own weight a stone fell.
+    FrictionFell {
+        /// The first, as an index of the stack's blocks.
+        block: usize,
+    },
+    /// The same, but a run under its own weight found no rest.
+    FrictionNoRest,
+    /// The same, and no run under its own weight was made of so many stones.
+    FrictionNotRun {
+        /// How many it has.
+        stones: usize,
+        /// How many are run in a check.
+        most: usize,
+    },
     /// The limit analysis knows no compressive strength, so of the stack that shares its load this is an upper bound.
     StrengthNotInAnalysis,
     /// Side supports are left out.
@@ -118,6 +169,24 @@ impl fmt::Display for StackNote {
                 f,
                 "an admissible state exists, with friction: that is necessary, and only a run under its own weight shows that it \
                  stands"
+            ),
+            StackNote::FrictionStood => write!(
+                f,
+                "friction carries it: an admissible state exists, and a run under its own weight on the springs of its joints stood"
+            ),
+            StackNote::FrictionFell { block } => write!(
+                f,
+                "an admissible state exists, with friction, but in a run under its own weight on the springs of its joints stone {} fell",
+                block + 1
+            ),
+            StackNote::FrictionNoRest => write!(
+                f,
+                "an admissible state exists, with friction, but a run under its own weight on the springs of its joints found no rest"
+            ),
+            StackNote::FrictionNotRun { stones, most } => write!(
+                f,
+                "an admissible state exists, with friction: that is necessary, and no run under its own weight was made of {stones} \
+                 stones, more than {most}"
             ),
             StackNote::StrengthNotInAnalysis => write!(
                 f,
@@ -195,6 +264,7 @@ pub fn check_stack(stack: &Stack, options: &StackCheckOptions) -> Result<StackCh
         rocking: None,
         period_of_thumb: period_of_thumb(stack.height_m())?,
         demand: None,
+        settle_run: None,
         notes: Vec::new(),
         limits,
     };
@@ -331,20 +401,31 @@ fn analyse(stack: &Stack, options: &StackCheckOptions, check: &mut StackCheck) -
     }
     check.capacity = least;
     // forces were found that balance the weight: it stands
-    let by_joints = check
-        .limits
-        .gravity_margin
-        .map_or(Verdict::Stable, Verdict::of_gravity_margin);
     let carries = !check.limits.statically_determinate && friction_carries(stack, options, check)?;
     if carries {
         check.notes.push(StackNote::FrictionCarries);
     }
-    let near = least.is_some_and(|least| least.acceleration_g < MARGINAL_BELOW_G);
-    check.verdict = match near || carries {
-        true => by_joints.max(Verdict::Marginal),
-        false => by_joints,
+    let by_margins = by_margins(check);
+    check.verdict = match carries {
+        true => by_margins.max(Verdict::Marginal),
+        false => by_margins,
     };
     Ok(())
+}
+
+/// The verdict of a stack that stands, by its joints and by how little moves it.
+pub(super) fn by_margins(check: &StackCheck) -> Verdict {
+    let by_joints = check
+        .limits
+        .gravity_margin
+        .map_or(Verdict::Stable, Verdict::of_gravity_margin);
+    let is_near = check
+        .capacity
+        .is_some_and(|least| least.acceleration_g < MARGINAL_BELOW_G);
+    match is_near {
+        true => by_joints.max(Verdict::Marginal),
+        false => by_joints,
+    }
 }
 
 /// Whether no forces balance the weight with a tenth of the friction and no bond: what slips is then not excluded by equilibrium.

@@ -164,6 +164,15 @@ impl Assembly {
         })
     }
 
+    /// The patch of two bodies and its outline, the lower index first; `None` where they do not meet.
+    pub(super) fn contact_of(&self, first: usize, second: usize) -> Option<&(Patch, Outline)> {
+        let (first, second) = (first.min(second), first.max(second));
+        // pairs stand by their second body from 1 on, then by their first
+        let pair = self.pairs.get(second * second.checked_sub(1)? / 2 + first)?;
+        debug_assert_eq!((pair.first, pair.second), (first, second));
+        pair.contact.as_ref()
+    }
+
     /// The patch of a pair.
     pub(super) fn patch_mut(&mut self, pair: usize) -> Option<&mut Patch> {
         self.pairs[pair].contact.as_mut().map(|(patch, _)| patch)

@@ -36,8 +36,8 @@ pub enum Outcome {
         /// What is left of the way from the plumb line of its centroid to the edge of what carries it, over that at rest, –.
         margin_ratio: f64,
     },
-    /// A stone fell: its centroid dropped by more than a quarter of its smallest dimension, or it turned over by more than
-    /// 45°.
+    /// A stone fell, judged against what it stood on: its centroid dropped below its place there by more than half its least thickness, its bed
+    /// turned by more than 45°, it touched nothing of it for a second or at the end, or it rests there on another face.
     Fell {
         /// The first, as an index of the stack's blocks.
         block: usize,

@@ -10,6 +10,7 @@ mod contact_points;
 mod ensemble;
 mod error;
 mod faces;
+mod fall;
 mod forces;
 mod frequencies;
 mod history;

@@ -3,6 +3,7 @@
 use super::after_fall::AfterFall;
 use super::assembly::Assembly;
 use super::bodies::RigidBody;
+use super::fall::Falls;
 use super::forces::Forces;
 use super::history::{Energy, JointHistory, Outcome, Pose, StackHistory};
 use super::patch::LANES;
@@ -14,21 +15,16 @@ use glam::DVec3;
 
 /// Time between looks for peaks and falls, s: peaks are flat, and no stone falls faster. Chosen here.
 const LOOK_STEP_S: f64 = 5e-3;
-/// Cosine of the turn that counts as a fall, 45°. Chosen here.
-const UPRIGHT_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
 /// Part of its bed's width by which a stone must slide to lie on the brink, and part of its plumb line's way to the edge below
 /// which it does. Chosen here: half of what keeps it from tipping is gone.
 const BRINK: f64 = 0.5;
-/// Drop of a stone that counts as a fall, in parts of its smallest dimension. Chosen here.
-const DROP: f64 = 0.25;
 
 /// Gathers a [`StackHistory`].
 pub(super) struct Observer {
     watches: Vec<Watch>,
     /// Of each, what was seen last.
     seen: Vec<Seen>,
-    settled: Vec<DVec3>,
-    drops: Vec<f64>,
+    falls: Falls,
     /// Of each block, how far inside what carries it its plumb line lies at rest, m.
     margins: Vec<Option<f64>>,
     sample_every: usize,
@@ -52,12 +48,6 @@ impl Observer {
     pub(super) fn new(stack: &Stack, assembly: &Assembly, output_step_s: f64, h: f64) -> Self {
         let sample_every = ((output_step_s / h).round() as usize).max(1);
         let looks = whole_at_least(output_step_s / LOOK_STEP_S).min(sample_every);
-        let smallest = |block: &crate::structure::stack::Block| {
-            let [low, high] = block.solid.bounds_m();
-            (0..3)
-                .map(|axis| high[axis] - low[axis])
-                .fold(f64::INFINITY, f64::min)
-        };
         let highest = (1..assembly.bodies.len())
             .max_by(|&a, &b| assembly.bodies[a].drawn.z.total_cmp(&assembly.bodies[b].drawn.z))
             .map_or(0.0, |index| {
@@ -72,12 +62,7 @@ impl Observer {
         Observer {
             seen: vec![Seen::default(); watches.len()],
             watches,
-            settled: assembly.bodies.iter().map(|body| body.position).collect(),
-            drops: stack
-                .blocks()
-                .iter()
-                .map(|block| DROP * smallest(block))
-                .collect(),
+            falls: Falls::of(stack, assembly),
             sample_every,
             looks,
             margins: (1..assembly.bodies.len())
@@ -229,18 +214,14 @@ impl Observer {
         ) {
             return;
         }
-        for (block, drop) in self.drops.iter().enumerate() {
-            let place = assembly.bodies[block + 1].position;
-            if !place.is_finite() {
-                self.outcome = Some(Outcome::Diverged { at_s });
-                return;
-            }
-            let upright = assembly.bodies[block + 1].rotation.z_axis.z;
-            if self.settled[block + 1].z - place.z > *drop || upright < UPRIGHT_LEAST {
-                let joint = self.gave_way(&assembly.bodies);
-                self.outcome = Some(Outcome::Fell { block, joint, at_s });
-                return;
-            }
+        if assembly.bodies.iter().any(|body| !body.position.is_finite()) {
+            self.outcome = Some(Outcome::Diverged { at_s });
+            return;
+        }
+        if let Some((block, at_s)) = self.falls.look(assembly, at_s) {
+            let joint = self.gave_way(&assembly.bodies);
+            self.outcome = Some(Outcome::Fell { block, joint, at_s });
+            return;
         }
         if self.outcome.is_none() {
             let opened = self
@@ -340,6 +321,25 @@ impl Observer {
         }
     }
 
+    /// What the places of the stones at the end say, beyond that joints opened or none did.
+    fn at_the_end(&self, assembly: &Assembly) -> Option<Outcome> {
+        let at_s = self.history.time_s.last().copied().unwrap_or_default();
+        match self.moving(assembly) {
+            Some((block, margin_ratio)) if !self.swings.die_down() => Some(Outcome::StillMoving {
+                block,
+                margin_ratio,
+                at_s,
+            }),
+            _ => match self.falls.at_rest(assembly, at_s) {
+                Some((block, at_s)) => {
+                    let joint = self.gave_way(&assembly.bodies);
+                    Some(Outcome::Fell { block, joint, at_s })
+                }
+                None => self.on_the_brink(assembly),
+            },
+        }
+    }
+
     /// The history; `steps` are the one taken and the longest stable one, s.
     pub(super) fn finish(self, assembly: &Assembly, steps: [f64; 2]) -> StackHistory {
         let links = assembly.links().iter().enumerate();
@@ -348,14 +348,7 @@ impl Observer {
             .map(|(index, _)| index)
             .collect();
         let outcome = match self.outcome {
-            None | Some(Outcome::Uplifted { .. }) => match self.moving(assembly) {
-                Some((block, margin_ratio)) if !self.swings.die_down() => Some(Outcome::StillMoving {
-                    block,
-                    margin_ratio,
-                    at_s: self.history.time_s.last().copied().unwrap_or_default(),
-                }),
-                _ => self.on_the_brink(assembly).or(self.outcome.clone()),
-            },
+            None | Some(Outcome::Uplifted { .. }) => self.at_the_end(assembly).or(self.outcome.clone()),
             _ => self.outcome.clone(),
         };
         StackHistory {

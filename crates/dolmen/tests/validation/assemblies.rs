@@ -4,7 +4,9 @@
 // GOAL       Equilibrium decides whether an assembly stands: arches of odd and even counts, leaning slabs, corbels.
 // TOLERANCE  1e-4 of t/R by bisection of the verdict; 1e-6 of the acceleration; no difference in the verdict.
 
-use dolmen::assess::{MARGINAL_BELOW_G, StackCheckOptions, StackNote, check_stack};
+use dolmen::assess::{
+    MARGINAL_BELOW_G, SettleRun, StackCheckOptions, StackNote, check_stack, with_settle_run,
+};
 use dolmen::numeric::Random;
 use dolmen::stability::Verdict;
 use dolmen::stability::stack::{JointMotion, LimitAnalysis, LimitAnalysisStatus, Shaking, limit_analysis};
@@ -213,6 +215,41 @@ fn reproduces_the_least_thickness_of_arches() {
         assert_eq!(check.capacity.unwrap().acceleration_g < MARGINAL_BELOW_G, near);
         assert!(check.notes.contains(&StackNote::FrictionCarries));
     }
+}
+
+#[test]
+fn holds_friction_that_carries_is_stable_only_with_a_run_that_stood() {
+    let checked = |plane: &Plane| {
+        let stack = plane.stack().unwrap();
+        let check = check_stack(&stack, &StackCheckOptions::default()).unwrap();
+        assert!(check.notes.contains(&StackNote::FrictionCarries));
+        assert_eq!(
+            (check.verdict, check.settle_run.is_none()),
+            (Verdict::Marginal, true)
+        );
+        with_settle_run(&stack, check)
+    };
+    for (n, thickness, friction) in [(17, 0.3, 0.7), (9, 0.2, 0.7), (16, 0.15, 0.7)] {
+        let check = checked(&Plane::arch(n, thickness, 0.0, friction));
+        assert_eq!(check.verdict, Verdict::Stable, "{n} {thickness}");
+        assert!(check.notes.contains(&StackNote::FrictionStood));
+        let Some(SettleRun::Stood { settlement_m, .. }) = check.settle_run else {
+            panic!("{:?}", check.settle_run)
+        };
+        // on springs of 1e9 Pa/m; a stone that fell would have gone by half its thickness
+        assert!((1e-8..0.02 * thickness).contains(&settlement_m), "{settlement_m}");
+    }
+    // a little above the least thickness it is marginal, or not known to stand on springs that yield: never stable
+    let thin = checked(&Plane::arch(17, 0.109, 0.0, 0.7)).verdict;
+    assert!(
+        matches!(thin, Verdict::Marginal | Verdict::Unknown | Verdict::Unstable),
+        "{thin:?}"
+    );
+    // too many stones to be run in a check
+    let many = checked(&Plane::arch(SettleRun::STONES_MOST + 1, 0.3, 0.0, 0.7));
+    assert_eq!(many.verdict, Verdict::Unknown);
+    let stones = SettleRun::STONES_MOST + 1;
+    assert_eq!(many.settle_run, Some(SettleRun::TooMany { stones }));
 }
 
 /// Joints with what they do, and in the plane where they stay closed.

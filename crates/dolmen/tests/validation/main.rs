@@ -35,6 +35,7 @@ mod setups;
 mod sliding_pile;
 mod stack_contacts;
 mod stack_ends;
+mod stack_falls;
 mod stack_limits;
 mod stack_motion;
 mod stack_rigid;

@@ -188,6 +188,31 @@ impl Solid {
         }
     }
 
+    /// Stretched about a point.
+    pub(super) fn stretched(&self, stretch: DMat3, about: DVec3) -> Self {
+        let place = |v: DVec3| about + stretch * (v - about);
+        let second = DMat3::from_cols_array_2d(&self.second_m5);
+        let bulk = stretch.determinant();
+        Solid {
+            vertices_m: self
+                .vertices_m
+                .iter()
+                .map(|v| place((*v).into()).into())
+                .collect(),
+            faces: self.faces.clone(),
+            volume_m3: bulk * self.volume_m3,
+            centroid_m: place(self.centroid_m.into()).into(),
+            second_m5: (stretch * second * stretch.transpose() * bulk).to_cols_array_2d(),
+            openings: self
+                .openings
+                .iter()
+                .map(|o| o.stretched(stretch, about))
+                .collect(),
+            mesh: self.mesh.iter().map(|t| t.map(place)).collect(),
+            scan: self.scan.clone(),
+        }
+    }
+
     /// Outward unit normal of a face.
     pub(crate) fn normal(&self, face: usize) -> DVec3 {
         // Newell: right for any planar polygon

@@ -1,0 +1,67 @@
+//! What may be concluded from a simulated stack.
+
+use super::ending::Ending;
+use super::run::{Run, made_too_much};
+use super::{laws, repeats};
+use crate::document::{Finding, Tone};
+use crate::stack::lean;
+use dolmen::blocks::{ContactLaw, Outcome};
+use dolmen_words::{Digits, Quantity, Unit};
+use dolmen_work::stack::{StackRuns, StackSimulation};
+
+/// How it ended and what may be concluded from it, the most important first.
+pub(crate) fn findings(runs: &StackRuns) -> Vec<Finding> {
+    let simulation = &runs.deciding;
+    let said = Ending::Under {
+        motion: simulation.motion.motion.name().to_owned(),
+        peak: Quantity::new(
+            simulation.peak_horizontal_g(),
+            Unit::si("g"),
+            Digits::Significant(3),
+        ),
+        ending: laws::endings(runs),
+    };
+    let mut all = vec![Finding::key(tone(simulation), said)];
+    all.extend(laws::finding(runs));
+    all.extend(runs.repeats.as_ref().map(repeats::finding));
+    all.extend(simulation.lean.as_ref().map(lean));
+    let made = runs.each().find_map(made_too_much);
+    all.extend(made.map(|said| Finding::key(Tone::Warn, said)));
+    if runs.other.is_none() && leaves_restitution_out(simulation) {
+        all.push(Finding::key(Tone::Warn, Run::RestitutionUnused));
+    }
+    if runs.repeats.is_none() && runs.each().any(|run| is_sensitive(&run.history.outcome)) {
+        all.push(Finding::key(Tone::Plain, Run::OneCase));
+    }
+    all
+}
+
+fn leaves_restitution_out(simulation: &StackSimulation) -> bool {
+    let joints = simulation.stack.joints();
+    match simulation.law {
+        ContactLaw::Springs(_) => joints.iter().any(|joint| joint.material.restitution > 0.0),
+        ContactLaw::Rigid(_) => false,
+    }
+}
+
+/// Whether stones moved against each other so far that small differences of the input count.
+fn is_sensitive(outcome: &Outcome) -> bool {
+    matches!(
+        outcome,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } | Outcome::Fell { .. } | Outcome::StillMoving { .. }
+    )
+}
+
+pub(super) fn tone(simulation: &StackSimulation) -> Tone {
+    match simulation.history.outcome {
+        _ if simulation.ended_before_the_motion_s().is_some() => Tone::Unknown,
+        _ if simulation.shifted().is_some() && !simulation.falls() => Tone::Warn,
+        Outcome::Stood => Tone::Good,
+        Outcome::Uplifted { .. } | Outcome::Slid { .. } => Tone::Warn,
+        Outcome::Fell { .. } => Tone::Bad,
+        Outcome::StillMoving { .. }
+        | Outcome::Stopped { .. }
+        | Outcome::NotConverged { .. }
+        | Outcome::Diverged { .. } => Tone::Unknown,
+    }
+}

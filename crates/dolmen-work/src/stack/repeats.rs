@@ -1,0 +1,158 @@
+//! A stack under a motion again and again, with differences too small to be measured.
+
+use super::StackSimulation;
+use crate::error::WorkError;
+use crate::progress::Progress;
+use dolmen::assess::{DamageState, DamageThresholds, stack_damage};
+use dolmen::blocks::{BlocksError, ContactLaw, Outcome, StackHistory};
+use dolmen::blocks::{StackRun, simulate_rigid, simulate_springs_many};
+use dolmen::numeric::Random;
+use dolmen::signal::GroundMotion;
+use dolmen::structure::stack::{SmallDifferences, Stack};
+
+/// Seed of the differences: the same in every run. Chosen here.
+const SEED: u64 = 1;
+
+/// What one run with small differences found.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Repeat {
+    /// The state of damage.
+    pub state: DamageState,
+    /// Largest opening of any joint, m.
+    pub peak_opening_m: f64,
+    /// Largest slip of any joint, m.
+    pub peak_slip_m: f64,
+    /// Largest slip left in any joint, m.
+    pub residual_slip_m: f64,
+}
+
+/// Runs of one law with small differences, the first as given.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Repeats {
+    /// How large the differences are.
+    pub differences: SmallDifferences,
+    /// Whether edges of beds differ too.
+    pub moves_edges: bool,
+    /// Seed they were drawn from.
+    pub seed: u64,
+    /// Runs that came to a verdict.
+    pub runs: Vec<Repeat>,
+    /// Runs that did not: stopped, without a solution, or refused.
+    pub undecided: usize,
+}
+
+/// Least, median and largest value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spread {
+    /// The least.
+    pub least: f64,
+    /// The middle one, or the mean of both.
+    pub median: f64,
+    /// The largest.
+    pub most: f64,
+}
+
+impl Repeats {
+    /// Least, median and largest of a value; `None` without a run.
+    pub fn spread(&self, of: impl Fn(&Repeat) -> f64) -> Option<Spread> {
+        let mut values: Vec<f64> = self.runs.iter().map(of).collect();
+        values.sort_by(f64::total_cmp);
+        let (least, most) = (*values.first()?, *values.last()?);
+        let half = values.len() / 2;
+        let median = match values.len() % 2 {
+            0 => 0.5 * (values[half - 1] + values[half]),
+            _ => values[half],
+        };
+        Some(Spread { least, median, most })
+    }
+
+    /// Every state of damage that a run found, from the least, with the number of its runs.
+    pub fn states(&self) -> Vec<(DamageState, usize)> {
+        let mut states: Vec<DamageState> = self.runs.iter().map(|run| run.state).collect();
+        states.sort_by_key(|state| state.number());
+        let mut counted: Vec<(DamageState, usize)> = Vec::new();
+        for state in states {
+            match counted.last_mut().filter(|(last, _)| *last == state) {
+                Some((_, count)) => *count += 1,
+                None => counted.push((state, 1)),
+            }
+        }
+        counted
+    }
+}
+
+/// The run again, so often in all, each but the first with small differences.
+pub(super) fn repeats(
+    run: &StackSimulation,
+    count: usize,
+    progress: &dyn Progress,
+) -> Result<Repeats, WorkError> {
+    let differences = SmallDifferences::default();
+    let mut found = Repeats {
+        differences,
+        moves_edges: differences.moves_edges(&run.stack),
+        seed: SEED,
+        runs: Vec::new(),
+        undecided: 0,
+    };
+    found.add(run, Ok(run.history.clone()));
+    let mut cases: Vec<(Stack, GroundMotion)> = Vec::new();
+    for stream in 1..count {
+        let mut random = Random::new(SEED, stream as u64);
+        let factor = differences.motion_factor(&mut random);
+        match differences.applied_to(&run.stack, &mut random) {
+            Ok(stack) => cases.push((stack, run.motion.motion.clone().scaled(factor)?)),
+            Err(_) => found.undecided += 1,
+        }
+    }
+    let mut histories: Vec<Option<Result<StackHistory, BlocksError>>> = vec![None; cases.len()];
+    let mut keep = |place: usize, history| histories[place] = Some(history);
+    match &run.law {
+        ContactLaw::Springs(options) => {
+            let runs: Vec<StackRun<'_>> = cases
+                .iter()
+                .map(|(stack, motion)| StackRun {
+                    stack,
+                    motion: Some(motion),
+                    options,
+                })
+                .collect();
+            simulate_springs_many(&runs, &mut |_, _| !progress.is_cancelled(), &mut keep);
+        }
+        ContactLaw::Rigid(options) => {
+            for (place, (stack, motion)) in cases.iter().enumerate() {
+                let go_on = &mut |_: f64| !progress.is_cancelled();
+                keep(place, simulate_rigid(stack, Some(motion), options, go_on));
+            }
+        }
+    }
+    for history in histories {
+        match history {
+            Some(history) => found.add(run, history),
+            None => found.undecided += 1,
+        }
+    }
+    Ok(found)
+}
+
+impl Repeats {
+    fn add(&mut self, run: &StackSimulation, history: Result<StackHistory, BlocksError>) {
+        let decided = history.ok().filter(|history| {
+            !matches!(
+                history.outcome,
+                Outcome::Stopped { .. } | Outcome::NotConverged { .. } | Outcome::Diverged { .. }
+            )
+        });
+        let Some(history) = decided else {
+            self.undecided += 1;
+            return;
+        };
+        let damage = stack_damage(&run.stack, &run.limits, &history, &DamageThresholds::default());
+        self.runs.push(Repeat {
+            state: damage.state,
+            peak_opening_m: damage.largest(|joint| joint.peak_uplift_m),
+            peak_slip_m: damage.largest(|joint| joint.peak_slip_m),
+            residual_slip_m: damage.largest(|joint| joint.residual_slip_m),
+        });
+    }
+}

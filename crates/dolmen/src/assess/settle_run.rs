@@ -1,0 +1,74 @@
+//! A run under its own weight of a stack that friction carries: forces that balance are necessary, that it stays is seen.
+
+use super::stack::{SettleRun, StackCheck, StackNote, by_margins};
+use crate::blocks::{Outcome, Springs, simulate_springs};
+use crate::stability::Verdict;
+use crate::structure::stack::Stack;
+
+/// Length of the run after the stones have settled on the springs of their joints, s. Chosen here: a stone that slips falls a metre in half of it.
+const LENGTH_S: f64 = 1.0;
+
+/// The check with a run of the stack under its own weight on the springs of its joints, where friction carries stones that share their load;
+/// elsewhere the check as it is.
+///
+/// A stack that stood has the verdict of its margins; one that did not, or was not run, is unknown; one that fell is unstable.
+///
+/// # Limits
+/// The run starts from where Newton steps find the stones at rest. Static loads beyond the weight are not in it.
+pub fn with_settle_run(stack: &Stack, check: StackCheck) -> StackCheck {
+    let Some(carries) = check
+        .notes
+        .iter()
+        .position(|note| *note == StackNote::FrictionCarries)
+    else {
+        return check;
+    };
+    let found = settle_run(stack);
+    let (note, verdict) = match &found {
+        SettleRun::Stood { .. } => (StackNote::FrictionStood, by_margins(&check)),
+        SettleRun::Fell { block } => (StackNote::FrictionFell { block: *block }, Verdict::Unstable),
+        SettleRun::NoRest { .. } => (StackNote::FrictionNoRest, Verdict::Unknown),
+        SettleRun::TooMany { stones } => {
+            let most = SettleRun::STONES_MOST;
+            (
+                StackNote::FrictionNotRun {
+                    stones: *stones,
+                    most,
+                },
+                Verdict::Unknown,
+            )
+        }
+    };
+    let mut check = check;
+    check.notes[carries] = note;
+    check.verdict = verdict;
+    check.settle_run = Some(found);
+    check
+}
+
+/// The run itself.
+fn settle_run(stack: &Stack) -> SettleRun {
+    let stones = stack.blocks().len();
+    if stones > SettleRun::STONES_MOST {
+        return SettleRun::TooMany { stones };
+    }
+    let options = Springs {
+        duration_s: Some(LENGTH_S),
+        ..Springs::default()
+    };
+    match simulate_springs(stack, None, &options, &mut |_| true) {
+        Err(why) => SettleRun::NoRest { why: Some(why) },
+        Ok(history) => match history.outcome {
+            Outcome::Stood | Outcome::Uplifted { .. } => SettleRun::Stood {
+                settlement_m: history.settlement_m,
+                length_s: LENGTH_S,
+            },
+            Outcome::Fell { block, .. } => SettleRun::Fell { block },
+            Outcome::Slid { .. }
+            | Outcome::StillMoving { .. }
+            | Outcome::Stopped { .. }
+            | Outcome::NotConverged { .. }
+            | Outcome::Diverged { .. } => SettleRun::NoRest { why: None },
+        },
+    }
+}

@@ -1,0 +1,170 @@
+//! When a stone has fallen: judged against what it stood on, not against the ground.
+
+use super::assembly::Assembly;
+use super::bodies::{RigidBody, index_of};
+use super::hulls::Hull;
+use super::patch::{LANES, Patch};
+use crate::structure::stack::{Body, Stack};
+use glam::{DMat3, DVec3};
+
+/// Drop of a stone's centroid against what it stood on that counts as a fall, in parts of its least thickness. Chosen here.
+const DROP: f64 = 0.5;
+/// Cosine of the turn of a bed on what it lay on that counts as a fall, 45°.
+const TURN_LEAST: f64 = std::f64::consts::FRAC_1_SQRT_2;
+/// Time without contact after which it is lost for good, s: a stone that flies so long comes down metres below. Chosen here.
+const APART_MOST_S: f64 = 1.0;
+/// Time for which a stack is still before it is at rest, s: less of a stone apart is a leap.
+const REST_S: f64 = 0.5;
+/// Gap up to which two stones touch, m. Chosen here: ten times that of an open joint.
+const TOUCHES_M: f64 = 1e-3;
+/// Cosine of the angle between two faces from which a stone lies on another one, 10°. Chosen here: beds lie within 5° of each other.
+const SAME_FACE: f64 = 0.985;
+
+/// What a stone stands on at rest.
+#[derive(Clone, Debug)]
+struct Support {
+    body: usize,
+    /// The stone's centroid at rest, from that of the support, in the support's axes as drawn, m.
+    place: DVec3,
+    /// Normal of the joint, from the support into the stone, in the axes as drawn.
+    normal: DVec3,
+}
+
+#[derive(Clone, Debug)]
+struct Stone {
+    supports: Vec<Support>,
+    /// Drop that counts as a fall, m.
+    drop: f64,
+    /// Since when it touches nothing that it stood on, s.
+    apart_since_s: Option<f64>,
+}
+
+/// Watches every stone for its fall.
+#[derive(Clone, Debug)]
+pub(super) struct Falls {
+    stones: Vec<Stone>,
+}
+
+impl Falls {
+    /// Stones at rest.
+    pub(super) fn of(stack: &Stack, assembly: &Assembly) -> Self {
+        let bodies = &assembly.bodies;
+        let each = stack.blocks().iter().enumerate().map(|(block, of)| {
+            let joints = stack.joints().iter().filter(|joint| joint.upper == block);
+            let mut supports: Vec<Support> = joints
+                .map(|joint| {
+                    let axes = DMat3::from_cols_array_2d(&joint.axes);
+                    Support::of(bodies, index_of(joint.lower), block + 1, axes.z_axis)
+                })
+                .collect();
+            if supports.is_empty() {
+                // held by ties or from aside alone
+                supports.push(Support::of(bodies, index_of(Body::Ground), block + 1, DVec3::Z));
+            }
+            Stone {
+                supports,
+                drop: DROP * least_thickness(&Hull::of(&of.solid)),
+                apart_since_s: None,
+            }
+        });
+        Falls {
+            stones: each.collect(),
+        }
+    }
+
+    /// The first stone that has fallen, and when, s; it is looked at in order of time.
+    pub(super) fn look(&mut self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
+        for (block, stone) in self.stones.iter_mut().enumerate() {
+            let body = &assembly.bodies[block + 1];
+            if stone
+                .supports
+                .iter()
+                .any(|of| of.is_left(assembly, body, stone.drop))
+            {
+                return Some((block, time_s));
+            }
+            let touches = |of: &Support| touches(assembly, of.body, block + 1);
+            if stone.supports.iter().any(touches) {
+                stone.apart_since_s = None;
+                continue;
+            }
+            let since_s = *stone.apart_since_s.get_or_insert(time_s);
+            if time_s - since_s > APART_MOST_S {
+                return Some((block, since_s));
+            }
+        }
+        None
+    }
+
+    /// Of a stack that came to rest: the stone that no longer touches what it stood on, or lies on another face, and since when it is known, s.
+    pub(super) fn at_rest(&self, assembly: &Assembly, time_s: f64) -> Option<(usize, f64)> {
+        let fallen = |(block, stone): (usize, &Stone)| {
+            if let Some(since_s) = stone.apart_since_s {
+                let rests = time_s - since_s >= REST_S;
+                return rests.then_some((block, since_s));
+            }
+            let lies = |of: &Support| lies_on_another_face(assembly, of, block + 1);
+            stone.supports.iter().any(lies).then_some((block, time_s))
+        };
+        self.stones.iter().enumerate().find_map(fallen)
+    }
+}
+
+impl Support {
+    fn of(bodies: &[RigidBody], body: usize, stone: usize, normal: DVec3) -> Self {
+        let (support, stone) = (&bodies[body], &bodies[stone]);
+        Support {
+            body,
+            place: support.rotation.transpose() * (stone.position - support.position),
+            normal,
+        }
+    }
+
+    /// Whether a stone dropped too far below its place on this, or its bed turned over on it.
+    fn is_left(&self, assembly: &Assembly, stone: &RigidBody, drop: f64) -> bool {
+        let support = &assembly.bodies[self.body];
+        let place = support.position + support.rotation * self.place;
+        let turn = (support.rotation * self.normal).dot(stone.rotation * self.normal);
+        place.z - stone.position.z > drop || turn < TURN_LEAST
+    }
+}
+
+/// Least distance of two parallel planes that hold a body between them, one of them a face of it, m.
+fn least_thickness(hull: &Hull) -> f64 {
+    let along = |normal: &DVec3| {
+        let places = hull.corners.iter().map(|corner| corner.dot(*normal));
+        let (low, high) = places.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), place| {
+            (low.min(place), high.max(place))
+        });
+        high - low
+    };
+    hull.normals.iter().map(along).fold(f64::INFINITY, f64::min)
+}
+
+/// Whether two bodies touch.
+fn touches(assembly: &Assembly, first: usize, second: usize) -> bool {
+    let Some((patch, _)) = assembly.contact_of(first, second) else {
+        return false;
+    };
+    let motion = patch.motion(&assembly.bodies);
+    let gap = |lane: usize, points: &super::patch::Points| motion.at(points.x[lane], points.y[lane]).z;
+    let mut points = patch.points.iter();
+    points.any(|group| (0..LANES).any(|lane| group.area[lane] > 0.0 && gap(lane, group) < TOUCHES_M))
+}
+
+/// Whether a stone rests on a support with another face than its bed.
+fn lies_on_another_face(assembly: &Assembly, support: &Support, stone: usize) -> bool {
+    let Some((patch, outline)) = assembly.contact_of(support.body, stone) else {
+        return false;
+    };
+    let inward = face_of(patch, stone);
+    !outline.of_edges() && touches(assembly, support.body, stone) && inward.dot(support.normal) < SAME_FACE
+}
+
+/// Normal of the face of a body that a patch lies on, into the body, in the axes as drawn.
+fn face_of(patch: &Patch, body: usize) -> DVec3 {
+    match patch.point_body == body {
+        true => patch.point_axes.z_axis,
+        false => -patch.plane_axes.z_axis,
+    }
+}
