@@ -1,6 +1,6 @@
 //! What can be typed: the verbs and their flags, with the help that clap prints.
 
-use crate::cli_language::positive;
+use crate::cli_language::{day, positive};
 use crate::cli_portfolio::{Rank, Score};
 use crate::cli_survey;
 use crate::cli_tune::Tune;
@@ -485,7 +485,7 @@ pub(crate) struct Report {
     #[command(flatten)]
     pub(crate) motion: Motion,
     /// Date to print on the page, such as 2026-05-12; none without it
-    #[arg(long)]
+    #[arg(long, value_name = "DAY", value_parser = day)]
     pub(crate) date: Option<String>,
 }
 

@@ -35,6 +35,14 @@ fn system_locale() -> Option<String> {
     None
 }
 
+/// A day of the calendar.
+pub(crate) fn day(text: &str) -> Result<String, String> {
+    match dolmen_project::is_day(text) {
+        true => Ok(text.to_owned()),
+        false => Err("must be a day of the calendar, such as 2026-05-12".to_owned()),
+    }
+}
+
 /// A positive number.
 pub(crate) fn positive(text: &str) -> Result<f64, String> {
     match text.parse::<f64>() {

@@ -84,7 +84,11 @@ fn model<'a>(whole: &mut Document<'a>, answer: &'a ProjectReport, state: &'a Sta
         (Structure::Chain(part), Check::Chain(check)) => {
             whole.append(chain::sections(part, check));
             let heights_m = chain::joint_heights_m(part);
-            whole.append(loads::sections(state.loads.as_ref(), heights_m));
+            whole.append(loads::sections(
+                &answer.project.loads,
+                state.loads.as_ref(),
+                heights_m,
+            ));
         }
         (Structure::Frame(part), Check::Frame(all)) => whole.append(frame::sections(part, all)),
         (_, Check::Stack(check)) => {

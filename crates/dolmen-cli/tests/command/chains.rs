@@ -405,3 +405,50 @@ fn holds_combinations_strength_and_codes_have_their_words() {
         silent.stdout
     );
 }
+
+#[test]
+fn holds_variants_have_the_verdict_of_their_wind() {
+    let scratch = Scratch::with_examples("chain_wind_variants");
+    let answer = scratch.dolmen("check examples/naju_flagpole/wind.toml");
+    let found = json(&scratch, "check examples/naju_flagpole/wind.toml", 1);
+    let own = &found["variants"][1]["state"]["loads"]["combinations"][0]["load_factor"];
+    assert!(own.as_f64().unwrap() < 1.0, "{own}");
+    let said = format!(
+        "Variant “EN 1991-1-4, 25 m/s, town” bears {:.3} times its wind and static loads, the structure as it is 0.429 times: unstable.",
+        own.as_f64().unwrap()
+    );
+    assert!(answer.words().contains(&said), "{said}: {}", answer.stdout);
+    assert!(
+        !answer.words().contains("leaves the load factor"),
+        "{}",
+        answer.stdout
+    );
+}
+
+#[test]
+fn refuses_factors_on_nothing_and_says_what_no_combination_counts() {
+    let scratch = Scratch::with_examples("chain_uncounted");
+    let with = |lines: &str| {
+        let path = flagpole_in(&scratch, "uncounted", &|text| {
+            let (head, rest) = text.split_once("[survey").unwrap();
+            format!("{head}{lines}\n[survey{rest}")
+        });
+        scratch.briefly(&format!("check {path}"))
+    };
+    let forgotten = with("[combination.storm]\nweight = 0.9");
+    assert!(
+        forgotten.words().contains("no combination has a factor on it"),
+        "{}",
+        forgotten.stdout
+    );
+    assert!(!forgotten.stdout.contains('∞'), "{}", forgotten.stdout);
+    let nothing = with("[combination.storm]\nwind = 1.5\nloads = 1.0");
+    assert_eq!(nothing.status, 2, "{}", nothing.stdout);
+    assert!(
+        nothing
+            .stderr
+            .contains("combination.storm.loads = 1, but the file has no loads"),
+        "{}",
+        nothing.stderr
+    );
+}

@@ -11,6 +11,7 @@ use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::needed::listed;
 use crate::reader::Reader;
+use crate::written::short;
 
 /// Largest factor of a combination, our choice: codes have 1.7 at the most.
 const FACTOR_MOST: f64 = 10.0;
@@ -56,6 +57,29 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     written.sort_by_key(|(_, raw)| raw.span.start);
     for (name, raw) in written {
         combinations.extend(combination(reader, name, raw));
+    }
+    let missing = [
+        (
+            "wind",
+            raw.wind.is_none(),
+            "write wind = { speed, means, force_coefficient }, or wind = \"sheltered\"",
+        ),
+        (
+            "loads",
+            raw.loads.is_none(),
+            "write loads = [{ name, at, force }]",
+        ),
+    ];
+    for (name, raw) in raw.combination.iter().flatten() {
+        for ((key, is_missing, help), factor) in missing.iter().zip([&raw.value.wind, &raw.value.loads]) {
+            if let Some(factor) = factor.as_ref().filter(|factor| *is_missing && factor.value > 0.0) {
+                let path = format!("combination.{name}.{key}");
+                let message = format!("{path} = {}, but the file has no {key}", short(factor.value));
+                reader.fault(
+                    Fault::new(factor.span.clone(), &path, message).help(format!("{help}; or take it out")),
+                );
+            }
+        }
     }
     let answer = LoadsPart {
         wind,

@@ -1,7 +1,7 @@
 //! Days of the calendar.
 
 /// Whether a text is a day as "2026-05-12".
-pub(super) fn is_day(text: &str) -> bool {
+pub fn is_day(text: &str) -> bool {
     let parts: Vec<&str> = text.split('-').collect();
     let [year, month, day] = parts.as_slice() else {
         return false;

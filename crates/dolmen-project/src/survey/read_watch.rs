@@ -1,10 +1,11 @@
 //! Reads `[watch]`.
 
-use super::watch::{WatchPart, WorkKind, WorkPart, date_of};
+use super::watch::{WatchPart, WorkKind, WorkPart};
 use super::watch_file::{WatchRaw, WorkKindRaw, WorkRaw};
 use crate::error::Fault;
 use crate::file_number::{At, NumberRaw};
 use crate::reader::Reader;
+use crate::report::is_day;
 use crate::units::tilt_ratio;
 
 /// Bounds of the mean time between false alarms, years. Ours: below a month everything alarms, beyond ten lives nothing does.
@@ -56,6 +57,15 @@ fn tilt_limit(reader: &mut Reader, given: &At<NumberRaw>) -> Option<f64> {
     None
 }
 
+/// A year, a month or a day of the calendar, and nothing behind it.
+fn is_date(text: &str) -> bool {
+    match text.len() {
+        4 => is_day(&format!("{text}-01-01")),
+        7 => is_day(&format!("{text}-01")),
+        _ => is_day(text),
+    }
+}
+
 fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart> {
     let raw = &given.value;
     let mut needed = |key: &str, is_there: bool, allowed: &str| {
@@ -72,7 +82,7 @@ fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart
         "needs \"repair\", \"inspection\", \"sensors\" or \"event\"",
     );
     let date = raw.date.as_ref()?;
-    if date_of(&date.value).is_none() {
+    if !is_date(&date.value) {
         let path = format!("{path}.date");
         let fault = Fault::new(
             date.span.clone(),

@@ -11,7 +11,7 @@ use crate::engineer::{self, Pictures};
 use crate::figures::Shaking;
 use crate::headline::{verdict_line, worse};
 use crate::{building, chain, demand, frame, loads, stack};
-use dolmen_project::Structure;
+use dolmen_project::{Project, Structure};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Sentence, messages};
 use dolmen_work::answer::CheckAnswer;
@@ -77,7 +77,7 @@ fn worse_text(answer: &CheckAnswer, judged: &VersionJudgement, style: TextStyle)
 
 fn full_text(answer: &CheckAnswer, state: &State, versions: &[VersionJudgement], style: TextStyle) -> String {
     let mut out = all_findings_text(&findings(answer), style);
-    out += &sections_text(&answer.project.structure, state, style);
+    out += &sections_text(&answer.project, state, style);
     out += &made_stones_text(&answer.project, style);
     for (variant, judged) in answer.variants.iter().zip(versions.iter().skip(1)) {
         out += &variant_text(answer, variant, judged, style);
@@ -122,13 +122,17 @@ fn variant_text(
             {
                 document_text(&chain::stiffness_sections(part, check), style)
                     + &document_text(
-                        &loads::sections(variant.state.loads.as_ref(), chain::joint_heights_m(part)),
+                        &loads::sections(
+                            &own.project.loads,
+                            variant.state.loads.as_ref(),
+                            chain::joint_heights_m(part),
+                        ),
                         style,
                     )
             }
             (_, Check::Stack(check), Some(Check::Stack(base))) if check == base => String::new(),
             (_, Check::Building(check), Some(Check::Building(base))) if check == base => String::new(),
-            (structure, _, _) => sections_text(structure, &variant.state, style),
+            _ => sections_text(&own.project, &variant.state, style),
         };
         out += &document_text(&sampled::of_state(&variant.state), style);
         let notes = own.project.warnings.iter();
@@ -149,7 +153,8 @@ fn side_by_side<'a>(answer: &'a CheckAnswer, state: &State) -> Document<'a> {
 }
 
 /// The sections of one version.
-fn sections_text(structure: &Structure, state: &State, style: TextStyle) -> String {
+fn sections_text(project: &Project, state: &State, style: TextStyle) -> String {
+    let structure = &project.structure;
     let sections = match (structure, &state.check) {
         (Structure::Chain(part), Check::Chain(check)) => chain::sections(part, check),
         (Structure::Frame(part), Check::Frame(directions)) => frame::sections(part, directions),
@@ -159,7 +164,10 @@ fn sections_text(structure: &Structure, state: &State, style: TextStyle) -> Stri
     };
     let asked = state.demand.as_ref().map(demand::sections).unwrap_or_default();
     let loaded = match structure {
-        Structure::Chain(part) => loads::sections(state.loads.as_ref(), chain::joint_heights_m(part)),
+        Structure::Chain(part) => {
+            let heights_m = chain::joint_heights_m(part);
+            loads::sections(&project.loads, state.loads.as_ref(), heights_m)
+        }
         _ => Document::default(),
     };
     document_text(&sections, style) + &document_text(&loaded, style) + &document_text(&asked, style)

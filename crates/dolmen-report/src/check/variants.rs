@@ -32,6 +32,15 @@ messages! {
             en: "Variant “{variant}” ({direction}) changes the load factor from {from} to {to}: {verdict}.",
             ko: "대안 ‘{variant}’({direction})에서 하중배율이 {from}에서 {to}로 바뀐다: {verdict}.",
         },
+        Loaded { variant: Both, to: Quantity, from: Quantity, verdict: Both } => {
+            en: "Variant “{variant}” bears {to} times its wind and static loads, the structure as it is {from} times: {verdict}.",
+            ko: "대안 ‘{variant}’: 풍하중·정하중의 {to}배에서 한계에 이른다(현재 {from}배): {verdict}.",
+        },
+        LoadedAlone { variant: Both, to: Quantity, verdict: Both } => {
+            en: "Variant “{variant}” bears {to} times its wind and static loads: {verdict}.",
+            ko: "대안 ‘{variant}’: 풍하중·정하중의 {to}배에서 한계에 이른다: {verdict}.",
+        },
+        Borne => { en: "loads borne ×", ko: "하중 저항 배수" },
         Head => { en: "Variants compared", ko: "대안 비교" },
         Drawn => { en: "Load factor and margins of each variant.", ko: "대안별 하중배율과 여유도." },
         DrawnMeaning => { en: "Left of 1 it falls.", ko: "1의 왼쪽은 전도이다." },
@@ -54,6 +63,9 @@ struct Row {
     name: Both,
     direction: Option<String>,
     load_factor: Option<f64>,
+    /// Factor on wind and static loads at which a joint reaches its limit.
+    borne: Option<f64>,
+    /// With wind and static loads.
     verdict: Verdict,
     margins: Vec<Option<f64>>,
     frequency_hz: Option<f64>,
@@ -81,10 +93,38 @@ pub(super) fn findings(answer: &CheckAnswer) -> Vec<Finding> {
             after
                 .into_iter()
                 .zip(&basis)
-                .filter_map(|(new, old)| changed(new, old)),
+                .flat_map(|(new, old)| [loaded(&new, old), changed(new, old)])
+                .flatten(),
         );
     }
     all
+}
+
+/// What becomes of wind and static loads.
+fn loaded(after: &Row, before: &Row) -> Option<Finding> {
+    let new = after.borne?;
+    let factor = |factor: f64| Quantity::beside_one(factor, 3);
+    let verdict = Both::of(|language| verdict_word(after.verdict, language));
+    let variant = after.name.clone();
+    let said = match before.borne {
+        Some(old) => Variants::Loaded {
+            variant,
+            to: factor(new),
+            from: factor(old),
+            verdict,
+        },
+        None => Variants::LoadedAlone {
+            variant,
+            to: factor(new),
+            verdict,
+        },
+    };
+    let tone = match (after.verdict, before.borne.is_some_and(|old| new < old)) {
+        (Verdict::Unstable, _) => Tone::Bad,
+        (_, true) => Tone::Warn,
+        _ => Tone::Plain,
+    };
+    Some(Finding::key(tone, said))
 }
 
 fn changed(after: Row, before: &Row) -> Option<Finding> {
@@ -97,6 +137,9 @@ fn changed(after: Row, before: &Row) -> Option<Finding> {
         false => Tone::Plain,
     };
     let is_same = (new / old - 1.0).abs() < SAME_SHARE;
+    if is_same && after.borne.is_some() {
+        return None; // said with its loads
+    }
     let said = match (is_same, after.direction) {
         (true, None) => Variants::Same {
             variant,
@@ -163,6 +206,7 @@ fn dot(row: &Row, language: Language) -> VariantDot {
 
 fn table(all: &[Row]) -> Table {
     let with_falls = all.iter().any(|row| row.falls.is_some());
+    let with_loads = all.iter().any(|row| row.borne.is_some());
     let row = |row: &Row| {
         let unknown = || Cell::words(Variants::Unknown);
         let margin = match row.least_margin() {
@@ -183,6 +227,13 @@ fn table(all: &[Row]) -> Table {
             margin,
             frequency.map_or_else(unknown, Cell::number),
         ];
+        if with_loads {
+            let factor = row.borne.map(|factor| Quantity::beside_one(factor, 4));
+            cells.push(match row.borne.is_some_and(|factor| factor <= 1.0) {
+                true => factor.map_or(Cell::Number(None), Cell::Bad),
+                false => Cell::Number(factor),
+            });
+        }
         if with_falls {
             cells.push(Cell::Number(row.falls.map(|share| {
                 Quantity::new(share, Unit::percent(), dolmen_words::Digits::Significant(3))
@@ -197,6 +248,9 @@ fn table(all: &[Row]) -> Table {
         Column::numbers(Variants::LeastMargin, Unit::ratio()),
         Column::numbers(Variants::Lowest, Unit::si("Hz")),
     ];
+    if with_loads {
+        columns.push(Column::numbers(Variants::Borne, Unit::ratio()));
+    }
     if with_falls {
         columns.push(Column::numbers(Variants::FallsShare, Unit::percent()));
     }
@@ -240,7 +294,11 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                 name: name.clone(),
                 direction: None,
                 load_factor: stability.map(|of| of.load_factor),
-                verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
+                borne: state.loads.as_ref().and_then(|loads| loads.factor()),
+                verdict: match &state.loads {
+                    Some(_) => state.verdict(),
+                    None => stability.map_or(Verdict::Unknown, |of| of.verdict),
+                },
                 margins: joints.map(|joint| joint.margin).collect(),
                 frequency_hz: first(&check.modes),
                 falls,
@@ -255,6 +313,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                     name: name.clone(),
                     direction: Some(of.direction.clone()),
                     load_factor: stability.map(|of| of.load_factor),
+                    borne: None,
                     verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
                     margins: storeys.map(|storey| storey.margin).collect(),
                     frequency_hz: first(&of.check.modes),
@@ -269,6 +328,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                 name: name.clone(),
                 direction: None,
                 load_factor: Some(answer.load_factor()),
+                borne: None,
                 verdict: Verdict::of_load_factor(answer.load_factor()),
                 margins: answer.falls.iter().map(|fall| Some(fall.load_factor)).collect(),
                 frequency_hz: mode.map(|mode| mode.frequency_hz),

@@ -10,7 +10,7 @@ const WIDTH_PX: f64 = 260.0;
 /// Above it, for heads and what leans out.
 const TOP_PX: f64 = 46.0;
 /// Left of the first view, for dimensions.
-pub(super) const LEFT_PX: f64 = 96.0;
+pub(super) const LEFT_PX: f64 = 124.0;
 /// Names take this at most.
 const NAMES_PX: f64 = 190.0;
 /// Between two lines of names.

@@ -21,16 +21,28 @@ messages! {
             ko: "파일에 풍하중이 없다. 판정은 자중만을 고려한 것이며, 폭풍은 접합면의 저항을 넘을 수 있다.",
         },
         Everything => { en: "Wind and static loads as they are", ko: "주어진 풍하중·정하중" },
-        Wind => { en: "The wind of the file", ko: "파일의 풍하중" },
-        Loads => { en: "The static loads of the file", ko: "파일의 정하중" },
+        Wind => { en: "The wind of the file", ko: "입력한 풍하중" },
+        Loads => { en: "The static loads of the file", ko: "입력한 정하중" },
         Combination { name: String } => { en: "Combination {name}", ko: "하중조합 {name}" },
         Overturns { what: Sentence, joint: usize, moment: Quantity, limit: Quantity, factor: Quantity } => {
             en: "{what}: the bed of joint {joint} does not bear it. The moment there is {moment}, and {limit} is the most that the bed passes; {factor} times the load is borne.",
-            ko: "{what}: 접합면 {joint}이(가) 견디지 못한다. 작용 모멘트는 {moment}, 접합면이 전달할 수 있는 한계는 {limit}이며, 하중의 {factor}배까지 견딘다.",
+            ko: "{what}: 접합면 {joint}이(가) 견디지 못한다. 작용 모멘트는 {moment}, 접합면이 전달할 수 있는 한계는 {limit}이며, 하중의 {factor}배에서 한계에 이른다.",
         },
         Bears { what: Sentence, joint: usize, moment: Quantity, limit: Quantity, factor: Quantity, stable: Quantity } => {
             en: "{what}: {factor} times the load is borne; “stable” needs {stable}. Joint {joint} governs, with a moment of {moment} against {limit} that its bed passes; beds begin to open at a third of that.",
             ko: "{what}: 하중의 {factor}배까지 견디며 ‘안정’ 판정에는 {stable}배가 필요하다. 지배 접합면은 접합면 {joint}이고 작용 모멘트 {moment}, 접합면 한계 {limit}이다. 접합면은 한계의 3분의 1에서 벌어지기 시작한다.",
+        },
+        WindInNone => {
+            en: "Wind is in the file, but no combination has a factor on it: it was not counted. Write wind = 1 into [combination.NAME].",
+            ko: "파일에 풍하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 wind = 1을 쓴다.",
+        },
+        LoadsInNone => {
+            en: "Static loads are in the file, but no combination has a factor on them: they were not counted. Write loads = 1 into [combination.NAME].",
+            ko: "파일에 정하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 loads = 1을 쓴다.",
+        },
+        NothingPushes { what: Sentence } => {
+            en: "{what}: nothing pushes from the side, so that the weight alone was judged.",
+            ko: "{what}: 수평으로 작용하는 하중이 없어 자중만을 판정하였다.",
         },
         Falls { what: Sentence } => {
             en: "{what}: it falls under the weight of this combination alone.",
@@ -46,7 +58,7 @@ messages! {
         },
         NoResonance { frequency: Quantity } => {
             en: "At {frequency} gusts make it swing: a gust as given does not hold that. Give the 10-minute mean with code = \"EN 1991-1-4\" and the damping ratio.",
-            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 준다.",
+            ko: "고유진동수가 {frequency}이므로 돌풍에 공진할 수 있으나, 주어진 돌풍 값에는 공진 효과가 없다. 10분 평균 풍속을 code = \"EN 1991-1-4\" 및 감쇠비와 함께 입력해야 한다.",
         },
     }
 }
@@ -136,6 +148,13 @@ pub(crate) fn findings(project: &Project, state: &State) -> Vec<Finding> {
         let why = why_not(why);
         all.push(Finding::key(Tone::Unknown, Found::NotKnown { why }));
     }
+    let in_none = |of: fn(&CombinationAnswer) -> f64| answer.combinations.iter().all(|each| of(each) == 0.0);
+    if answer.has_wind && in_none(|of| of.wind) && !answer.combinations.is_empty() {
+        all.push(Finding::key(Tone::Warn, Found::WindInNone));
+    }
+    if answer.has_loads && in_none(|of| of.loads) && !answer.combinations.is_empty() {
+        all.push(Finding::key(Tone::Warn, Found::LoadsInNone));
+    }
     all.extend(answer.worst().and_then(|worst| of_combination(answer, worst)));
     if let Some(Ok(met)) = &answer.wind
         && met.resonance == Resonance::NotCounted
@@ -157,6 +176,9 @@ fn of_combination(answer: &LoadsAnswer, worst: &CombinationAnswer) -> Option<Fin
     let tone = Tone::of(verdict);
     if under.factor == Some(0.0) && under.joints.iter().all(|joint| joint.moment_n_m.is_none()) {
         return Some(Finding::key(tone, Found::Falls { what }));
+    }
+    if under.factor == Some(f64::INFINITY) {
+        return Some(Finding::key(Tone::Plain, Found::NothingPushes { what }));
     }
     let joint = under.governing_joint.unwrap_or(1);
     let of = under.joints.get(joint - 1)?;

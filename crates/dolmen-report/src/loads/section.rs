@@ -4,6 +4,8 @@ use super::findings::{what, why_not};
 use crate::document::{Block, Cell, Column, Document, Table};
 use crate::figures::chain_moments;
 use dolmen::stability::{JointUnderLoads, Verdict};
+use dolmen::structure::wind::{EurocodeTerrain, Kds41Exposure};
+use dolmen_project::{LoadPart, LoadsPart, WindGiven, WindPart, WindSpeed};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
 use dolmen_work::loads::{CombinationAnswer, LoadsAnswer, WindMet};
 
@@ -15,9 +17,38 @@ messages! {
             en: "The wind is not compared: {why}.",
             ko: "풍하중을 검토하지 못하였다. {why}.",
         },
-        Wind { force: Quantity, moment: Quantity, pressure: Quantity, factor: Quantity } => {
-            en: "The wind pushes with {force} and a moment of {moment} about the lowest joint; its pressure at the top is {pressure}, with a factor of {factor} for gusts, size and resonance.",
-            ko: "풍하중의 합력은 {force}, 최하단 접합면에 대한 모멘트는 {moment}이다. 최상단 풍압은 {pressure}이며 돌풍·규모·공진을 고려한 계수 {factor}이(가) 포함되어 있다.",
+        Gust { speed: String, coefficient: String } => {
+            en: "The wind: a gust of {speed}, as given; force coefficient {coefficient}.",
+            ko: "입력 풍하중: 최대순간풍속 {speed}, 풍력계수 {coefficient}.",
+        },
+        Pressure { pressure: String, coefficient: String } => {
+            en: "The wind: a peak pressure of {pressure}, as given; force coefficient {coefficient}.",
+            ko: "입력 풍하중: 최대 풍압 {pressure}, 풍력계수 {coefficient}.",
+        },
+        Eurocode { speed: String, terrain: String, orography: Quantity, coefficient: String } => {
+            en: "The wind: {speed} as the mean of 10 minutes, EN 1991-1-4, terrain {terrain}, c_o {orography}; force coefficient {coefficient}.",
+            ko: "입력 풍하중: 10분 평균 풍속 {speed}, EN 1991-1-4, 지형 {terrain}, c_o {orography}, 풍력계수 {coefficient}.",
+        },
+        Kds41 { speed: String, exposure: String, topography: Quantity, importance: Quantity, coefficient: String } => {
+            en: "The wind: {speed} as the mean of 10 minutes, KDS 41 12 00 (its text was not at hand), exposure {exposure}, K_zt {topography}, I_w {importance}; force coefficient {coefficient}.",
+            ko: "입력 풍하중: 10분 평균 풍속 {speed}, KDS 41 12 00(기준 원문 미확인), 지표면조도 {exposure}, K_zt {topography}, I_w {importance}, 풍력계수 {coefficient}.",
+        },
+        Source { source: String } => { en: "Source of the wind: {source}.", ko: "풍하중의 출처: {source}." },
+        Listed { name: String, part: usize, what: String } => {
+            en: "Static load ‘{name}’ on part {part}: {what}.",
+            ko: "정하중 ‘{name}’(부재 {part}): {what}.",
+        },
+        SizeAndResonance { factor: Quantity } => {
+            en: "c_s c_d {factor}, for size and resonance, multiplies the peak pressure.",
+            ko: "최대 풍압에 규모·공진을 고려한 c_s c_d {factor}을(를) 곱하였다.",
+        },
+        GustFactor { factor: Quantity } => {
+            en: "The gust factor G_D of {factor} multiplies the pressure of the mean.",
+            ko: "평균 풍압에 가스트영향계수 G_D {factor}을(를) 곱하였다.",
+        },
+        Wind { force: Quantity, moment: Quantity, pressure: Quantity } => {
+            en: "It pushes with {force} and a moment of {moment} about the lowest joint; its pressure at the top is {pressure}.",
+            ko: "풍하중의 합력은 {force}, 최하단 접합면에 대한 모멘트는 {moment}, 최상단 풍압은 {pressure}이다.",
         },
         Tilt { tilt: Quantity } => {
             en: "The tilt as surveyed, 1/{tilt}, leans the same way in every combination.",
@@ -25,15 +56,15 @@ messages! {
         },
         Combinations => { en: "Combinations.", ko: "하중조합." },
         CombinationsMeaning => {
-            en: "The load factor is what wind and static loads can be multiplied by until a joint reaches its limit, the weight as it is.",
-            ko: "하중계수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 어느 접합면이 한계에 이르는 값이다.",
+            en: "“Borne ×” is what wind and static loads can be multiplied by until a joint reaches its limit, the weight as it is.",
+            ko: "저항 배수는 자중을 그대로 두고 풍하중과 정하중에 곱하여 어느 접합면이 한계에 이르는 값이다.",
         },
         Combination => { en: "Combination", ko: "하중조합" },
         VerdictHead => { en: "verdict", ko: "판정" },
         Weight => { en: "weight ×", ko: "자중 ×" },
         WindTimes => { en: "wind ×", ko: "풍하중 ×" },
         LoadsTimes => { en: "loads ×", ko: "정하중 ×" },
-        Factor => { en: "load factor", ko: "하중계수" },
+        Factor => { en: "borne ×", ko: "저항 배수" },
         Governs => { en: "joint", ko: "지배 접합면" },
         Stable => { en: "stable", ko: "안정" },
         Marginal => { en: "marginal", ko: "여유 부족" },
@@ -57,8 +88,8 @@ messages! {
             ko: "이 하중에서 최상단의 변위는 {top}이다.",
         },
         Opens => {
-            en: "Springs are linear here up to the limit, but a bed begins to open at a third of it and is softer from there: a load factor just above 1 is no proof.",
-            ko: "여기서는 한계까지 선형 스프링으로 계산하나, 접합면은 한계의 3분의 1에서 벌어지기 시작하여 강성이 저하된다. 1을 조금 넘는 하중계수는 안전의 증거가 아니다.",
+            en: "Springs are linear here up to the limit, but a bed begins to open at a third of it and is softer from there: bearing little more than once the load is no proof.",
+            ko: "여기서는 한계까지 선형 스프링으로 계산하나, 접합면은 한계의 3분의 1에서 벌어지기 시작하여 강성이 저하된다. 1을 조금 넘는 저항 배수는 안전의 증거가 아니다.",
         },
         Figure => { en: "Moments against what the beds pass.", ko: "작용 모멘트와 접합면 한계." },
         FigureMeaning => {
@@ -72,12 +103,33 @@ messages! {
 const DIGITS: usize = 4;
 
 /// The section; nothing where nothing acts beside the weight.
-pub(crate) fn sections<'a>(answer: Option<&'a LoadsAnswer>, heights_m: Vec<f64>) -> Document<'a> {
+pub(crate) fn sections<'a>(
+    given: &LoadsPart,
+    answer: Option<&'a LoadsAnswer>,
+    heights_m: Vec<f64>,
+) -> Document<'a> {
     let mut document = Document::default();
     let Some(answer) = answer else {
         return document;
     };
     document.heading(Shown::Head);
+    if let WindPart::Given(wind) = &given.wind {
+        document.paragraph(as_given(wind));
+        if let Some(Ok(met)) = &answer.wind {
+            let factor = Quantity::ratio(met.response_factor, 3);
+            match &wind.speed {
+                WindSpeed::Eurocode { .. } => document.paragraph(Shown::SizeAndResonance { factor }),
+                WindSpeed::Kds41 { .. } => document.paragraph(Shown::GustFactor { factor }),
+                WindSpeed::Gust(_) | WindSpeed::Pressure(_) => {}
+            }
+        }
+        if let Some(source) = wind.source.clone() {
+            document.paragraph(Shown::Source { source });
+        }
+    }
+    for load in &given.loads {
+        document.paragraph(listed(load));
+    }
     match &answer.wind {
         Some(Err(why)) => document.note(Shown::NotKnown { why: why_not(why) }),
         Some(Ok(met)) => document.paragraph(wind(met)),
@@ -107,12 +159,75 @@ pub(crate) fn sections<'a>(answer: Option<&'a LoadsAnswer>, heights_m: Vec<f64>)
     document
 }
 
+/// What the file says of the wind, and what its code makes of it.
+fn as_given(wind: &WindGiven) -> Shown {
+    let coefficient = wind.force_coefficient.written.clone();
+    match &wind.speed {
+        WindSpeed::Pressure(pressure) => Shown::Pressure {
+            pressure: pressure.written.clone(),
+            coefficient,
+        },
+        WindSpeed::Gust(speed) => Shown::Gust {
+            speed: speed.written.clone(),
+            coefficient,
+        },
+        WindSpeed::Eurocode {
+            speed,
+            terrain,
+            orography,
+        } => Shown::Eurocode {
+            speed: speed.written.clone(),
+            terrain: match terrain {
+                EurocodeTerrain::Zero => "0",
+                EurocodeTerrain::I => "I",
+                EurocodeTerrain::Ii => "II",
+                EurocodeTerrain::Iii => "III",
+                EurocodeTerrain::Iv => "IV",
+            }
+            .to_owned(),
+            orography: Quantity::ratio(*orography, 3),
+            coefficient,
+        },
+        WindSpeed::Kds41 {
+            speed,
+            exposure,
+            topography,
+            importance,
+        } => Shown::Kds41 {
+            speed: speed.written.clone(),
+            exposure: match exposure {
+                Kds41Exposure::A => "A",
+                Kds41Exposure::B => "B",
+                Kds41Exposure::C => "C",
+                Kds41Exposure::D => "D",
+            }
+            .to_owned(),
+            topography: Quantity::ratio(*topography, 3),
+            importance: Quantity::ratio(*importance, 3),
+            coefficient,
+        },
+    }
+}
+
+fn listed(load: &LoadPart) -> Shown {
+    let values = [&load.force, &load.weight, &load.moment];
+    let written: Vec<&str> = values
+        .into_iter()
+        .flatten()
+        .map(|value| value.written.as_str())
+        .collect();
+    Shown::Listed {
+        name: load.name.clone(),
+        part: load.part + 1,
+        what: written.join(", "),
+    }
+}
+
 fn wind(met: &WindMet) -> Shown {
     Shown::Wind {
         force: Quantity::engineering(met.force_n, "N", DIGITS),
         moment: Quantity::engineering(met.moment_n_m, "N·m", DIGITS),
         pressure: Quantity::engineering(met.pressure_at_top_pa, "Pa", DIGITS),
-        factor: Quantity::ratio(met.response_factor, 3),
     }
 }
 

@@ -16,8 +16,8 @@ messages! {
     /// Findings on a history.
     pub(crate) enum Found in "watch.findings" {
         OpenAlarm { frequency: Quantity, since: String, confirmed: String } => {
-            en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it under [[watch.works]].",
-            ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [[watch.works]]에 기록한다.",
+            en: "ALARM: {frequency} left what earlier surveys predict, since {since}, confirmed on {confirmed}, and no repair or inspection followed. Look at the structure; then enter it into works of [watch].",
+            ko: "경보: {frequency} 모드가 {since}부터 이전 조사의 예측을 벗어났고 {confirmed}에 확정되었으나 이후 보수나 점검이 없다. 구조물을 점검하고 [watch]의 works에 기록한다.",
         },
         FurtherAlarms { count: usize } => {
             en: "Further alarms without an answer: {count}.",
@@ -36,7 +36,7 @@ messages! {
             ko: "{last} 조사는 판정하지 않았다: {reason}.",
         },
         Stepped { frequency: Quantity, by: Quantity, half: Quantity, after: String, before: String, chance: Sentence, stiffness: Quantity, cause: Sentence } => {
-            en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; were it alike everywhere, {stiffness} of stiffness.",
+            en: "{frequency} changed by {by} ± {half} between {after} and {before} ({chance}){cause}; if all stiffness changed alike, by {stiffness}.",
             ko: "{frequency} 모드는 {after}와 {before} 사이에 {by} ± {half} 변하였다({chance}){cause}. 전체가 같은 비율로 변하였다면 강성 변화는 {stiffness}이다.",
         },
         Drifted { frequency: Quantity, by: Quantity, half: Quantity, since: String, yearly: Quantity, chance: Sentence } => {
@@ -57,7 +57,7 @@ messages! {
         },
         Missed { frequency: Quantity, least: Quantity } => {
             en: "Beside that, a lasting step of {least} would have been seen with 80 % probability, in the mode that shows least ({frequency}).",
-            ko: "그 밖에 {least}의 지속적인 급변은 가장 불리한 모드({frequency})에서 80 %의 확률로 발견되었을 것이다.",
+            ko: "이 밖에 {least} 이상의 계단형 변화가 있었다면 80 % 확률로 검출되었을 것이다(가장 불리한 모드 {frequency}).",
         },
         Worked { date: String, frequency: Quantity, by: Quantity, half: Quantity } => {
             en: "With the repair of {date} {frequency} changed by {by} ± {half}.",
@@ -112,10 +112,10 @@ messages! {
     /// Why, or what stands near in time.
     pub(crate) enum Cause in "watch.cause" {
         Nothing => { en: "", ko: "" },
-        Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ", 같은 기간의 사건 {number}: {what}" },
+        Event { number: usize, what: String } => { en: ", as event {number} fell into that time ({what})", ko: ", 이 기간에 사건 {number}({what})이 있었다" },
         Training => { en: "too few surveys before it", ko: "이전 조사가 너무 적다" },
         NewLevel => { en: "the level after a repair or alarm is still being learned", ko: "보수 또는 경보 이후의 수준을 아직 익히는 중이다" },
-        Temperature { temperature: Quantity } => { en: "no earlier surveys at {temperature}", ko: "{temperature}에서 실시한 이전 조사가 없다" },
+        Temperature { temperature: Quantity } => { en: "too few earlier surveys near {temperature}", ko: "{temperature} 부근에서 실시한 이전 조사가 너무 적다" },
         NoTemperature => { en: "its temperature is not known", ko: "기온을 알 수 없다" },
         NotFound => { en: "none of the modes that are followed was found", ko: "추적 중인 모드가 확인되지 않았다" },
     }

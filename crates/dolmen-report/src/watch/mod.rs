@@ -34,7 +34,7 @@ messages! {
         },
         NoProof { share: Quantity } => {
             en: "The search for changes finds one where there is none with {share} probability, all modes together; alarms are counted apart. Frequencies also follow moisture, added mass and the strength of the motion. No change shown is no proof that nothing changed.",
-            ko: "변화 탐색이 없는 변화를 찾아낼 확률은 모든 모드를 합하여 {share}이며, 경보는 따로 센다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변한다. 변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다.",
+            ko: "실제로는 변화가 없는데 변화로 판정할 확률은 모든 모드를 합하여 {share}이며, 경보는 따로 센다. 고유진동수는 습도, 부가 질량, 진동의 세기에 따라서도 변한다. 변화가 확인되지 않았다는 것은 변화가 없다는 증명이 아니다.",
         },
     }
 }
