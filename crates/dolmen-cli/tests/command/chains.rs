@@ -452,3 +452,28 @@ fn refuses_factors_on_nothing_and_says_what_no_combination_counts() {
         nothing.stderr
     );
 }
+
+#[test]
+fn holds_what_loads_weigh_counts_in_the_verdict_and_the_frequency() {
+    let scratch = Scratch::with_examples("chain_heavy");
+    let with = |weight: f64| {
+        let path = flagpole_in(&scratch, "heavy", &|text| {
+            let (head, rest) = text.split_once("[survey").unwrap();
+            let head = head.replace("value = 30,", "value = 9,");
+            format!(
+                "{head}loads = [{{ name = \"lamp\", at = \"shaft 5\", weight = {weight} }}]\n[survey{rest}"
+            )
+        });
+        let answer = scratch.dolmen(&format!("--json check {path}"));
+        serde_json::from_str::<Value>(&answer.stdout).unwrap()["state"]["loads"].clone()
+    };
+    let [light, heavy] = [0.001, 2.5].map(with);
+    let of = |loads: &Value| loads["combinations"][0]["weight_factor"].as_f64().unwrap();
+    // 2.923 of its own weight; a lamp of 2.5 kN at the top of 68 kN of stone leaves half of it
+    assert!((of(&light) - 2.923).abs() < 5e-3, "{light}");
+    assert!(of(&heavy) < 1.5, "{}", of(&heavy));
+    let hz = |loads: &Value| loads["wind"]["frequency_hz"].as_f64().unwrap();
+    assert!(hz(&heavy) < 0.8 * hz(&light), "{} {}", hz(&heavy), hz(&light));
+    let verdict = &heavy["combinations"][0]["verdict"];
+    assert_eq!(verdict, "marginal");
+}

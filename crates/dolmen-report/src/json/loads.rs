@@ -29,6 +29,7 @@ fn combination(of: &CombinationAnswer) -> Value {
         "verdict": of.verdict(),
         "load_factor": of.factor().filter(|factor| factor.is_finite()),
         "wind_reversed": of.chain.wind_reversed,
+        "weight_factor": of.chain.weight_factor.filter(|factor| factor.is_finite()),
         "under": of.chain.under,
     })
 }

@@ -40,6 +40,10 @@ messages! {
             en: "Static loads are in the file, but no combination has a factor on them: they were not counted. Write loads = 1 into [combination.NAME].",
             ko: "파일에 정하중이 있으나 어느 하중조합에도 계수가 없어 고려하지 않았다. [combination.이름]에 loads = 1을 쓴다.",
         },
+        Heavy { what: Sentence, factor: Quantity, stable: Quantity } => {
+            en: "{what}: it falls at {factor} times what it weighs with its loads; “stable” needs {stable}.",
+            ko: "{what}: 하중의 무게를 포함한 자중의 {factor}배에서 전도되며 ‘안정’ 판정에는 {stable}배가 필요하다.",
+        },
         NothingPushes { what: Sentence } => {
             en: "{what}: nothing pushes from the side, so that the weight alone was judged.",
             ko: "{what}: 수평으로 작용하는 하중이 없어 자중만을 판정하였다.",
@@ -176,6 +180,13 @@ fn of_combination(answer: &LoadsAnswer, worst: &CombinationAnswer) -> Option<Fin
     let tone = Tone::of(verdict);
     if under.factor == Some(0.0) && under.joints.iter().all(|joint| joint.moment_n_m.is_none()) {
         return Some(Finding::key(tone, Found::Falls { what }));
+    }
+    let weighs_too_much = matches!(worst.weight_verdict(), Verdict::Marginal | Verdict::Unstable);
+    let by_loads = under.factor.map_or(Verdict::Unknown, Verdict::of_load_factor);
+    if let (true, Verdict::Stable, Some(factor)) = (weighs_too_much, by_loads, worst.chain.weight_factor) {
+        let factor = Quantity::beside_one(factor, DIGITS);
+        let stable = Quantity::ratio(Verdict::MARGINAL_BELOW, 2);
+        return Some(Finding::key(tone, Found::Heavy { what, factor, stable }));
     }
     if under.factor == Some(f64::INFINITY) {
         return Some(Finding::key(Tone::Plain, Found::NothingPushes { what }));

@@ -4,9 +4,11 @@ use crate::error::WorkError;
 use crate::loads::{ChainCombination, CombinationAnswer, LoadsAnswer, WindMet, WindOnLink};
 use dolmen::assess::ChainCheck;
 use dolmen::dynamics::JointOpening;
-use dolmen::stability::{ChainLoading, ChainUnderLoads, JointHold, LinkLoad, chain_under_loads};
+use dolmen::stability::{
+    ChainLoading, ChainUnderLoads, JointHold, LinkLoad, chain_stability, chain_under_loads,
+};
 use dolmen::structure::wind::{WindBody, WindError};
-use dolmen::structure::{Chain, Link};
+use dolmen::structure::{Chain, Link, NaturalMode};
 use dolmen_project::{ChainPart, CombinationPart, LoadPart, LoadsPart, Pick, WindArea, WindGiven};
 
 /// What loads beside the weight do to a chain; `None` if there are none.
@@ -21,7 +23,19 @@ pub(crate) fn loads(
         return Ok(None);
     }
     let chain = part.build(pick)?;
-    let wind = given.wind().map(|wind| wind_met(part, wind, check, &chain, pick));
+    let acting: Vec<Acting> = given.loads.iter().map(|load| acting(load, pick)).collect();
+    let stiffness = part.stiffness_n_m_rad(pick);
+    let frequency_hz = match (&stiffness, acting.iter().any(|load| load.weight_n != 0.0)) {
+        // what loads weigh swings too
+        (Some(stiffness), true) => {
+            let heavy = weighted(&chain, &acting, [1.0, 1.0])?;
+            first_hz(&heavy.natural_modes(stiffness)?)
+        }
+        _ => first_hz(&check.modes),
+    };
+    let wind = given
+        .wind()
+        .map(|wind| wind_met(part, wind, frequency_hz, &chain, pick));
     let mut answer = LoadsAnswer {
         has_wind: given.wind().is_some(),
         has_loads: !given.loads.is_empty(),
@@ -35,9 +49,9 @@ pub(crate) fn loads(
         None => None,
     };
     let model = Model {
-        stiffness: part.stiffness_n_m_rad(pick),
+        stiffness,
         holds: holds(part, pick),
-        loads: given.loads.iter().map(|load| acting(load, pick)).collect(),
+        loads: acting,
         met,
         tilt_rad,
         chain,
@@ -87,15 +101,10 @@ fn acting(load: &LoadPart, pick: Pick<'_>) -> Acting {
 fn wind_met(
     part: &ChainPart,
     wind: &WindGiven,
-    check: &ChainCheck,
+    frequency_hz: Option<f64>,
     chain: &Chain,
     pick: Pick<'_>,
 ) -> Result<WindMet, WindError> {
-    let frequency_hz = check
-        .modes
-        .first()
-        .filter(|mode| mode.omega_squared > 0.0)
-        .map(|mode| mode.frequency_hz);
     let own = |i: usize, pick: Pick<'_>| -> f64 {
         let replaced = |area: &&WindArea| area.part == i && area.height.is_none();
         let mut replacing = wind.areas.iter().filter(replaced).peekable();
@@ -174,7 +183,12 @@ struct Model<'a> {
 impl Model<'_> {
     /// The chain under a combination, the wind in the worse of its two directions.
     fn under(&self, combination: &CombinationPart) -> Result<CombinationAnswer, WorkError> {
-        let chain = self.weighted(combination)?;
+        let chain = weighted(&self.chain, &self.loads, [combination.weight, combination.loads])?;
+        let stability = self
+            .stiffness
+            .as_ref()
+            .map(|k| chain_stability(&chain, k))
+            .transpose()?;
         let ahead = self.blown(&chain, combination, 1.0)?;
         let blows = self.met.is_some() && combination.wind > 0.0;
         let back = match blows && !self.loads.is_empty() {
@@ -191,29 +205,11 @@ impl Model<'_> {
             weight: combination.weight,
             wind: combination.wind,
             loads: combination.loads,
-            chain: ChainCombination { under, wind_reversed },
-        })
-    }
-
-    /// The chain with the factor on its weight, and the weight that static loads add in their place.
-    fn weighted(&self, combination: &CombinationPart) -> Result<Chain, WorkError> {
-        let gravity_m_s2 = self.chain.gravity_m_s2() * combination.weight;
-        let mut links: Vec<Link> = self.chain.links().to_vec();
-        for load in &self.loads {
-            let added_kg = combination.loads * load.weight_n / gravity_m_s2;
-            let at_m = self.above_joint_m(load);
-            let link = &mut links[load.link];
-            let mass_kg = link.mass_kg + added_kg;
-            link.centroid_m = (link.mass_kg * link.centroid_m + added_kg * at_m) / mass_kg;
-            link.mass_kg = mass_kg;
-        }
-        Ok(Chain::new(links, gravity_m_s2)?)
-    }
-
-    fn above_joint_m(&self, load: &Acting) -> f64 {
-        let length_m = self.chain.links()[load.link].length_m;
-        load.height_m.map_or(length_m, |height_m| {
-            (height_m - self.chain.joint_heights_m()[load.link]).clamp(0.0, length_m)
+            chain: ChainCombination {
+                under,
+                wind_reversed,
+                weight_factor: stability.map(|found| found.load_factor),
+            },
         })
     }
 
@@ -237,7 +233,7 @@ impl Model<'_> {
         for load in &self.loads {
             all.push(LinkLoad {
                 link: load.link + 1,
-                height_m: self.above_joint_m(load),
+                height_m: above_joint_m(&self.chain, load),
                 force_n: combination.loads * load.force_n,
                 moment_n_m: combination.loads * load.moment_n_m,
             });
@@ -249,4 +245,31 @@ impl Model<'_> {
         };
         Ok(chain_under_loads(chain, self.stiffness.as_deref(), &loading)?)
     }
+}
+
+fn first_hz(modes: &[NaturalMode]) -> Option<f64> {
+    let mode = modes.first().filter(|mode| mode.omega_squared > 0.0);
+    mode.map(|mode| mode.frequency_hz)
+}
+
+/// The chain with a factor on its weight, and, with another, the weight that static loads add in their place.
+fn weighted(chain: &Chain, loads: &[Acting], [weight, loaded]: [f64; 2]) -> Result<Chain, WorkError> {
+    let gravity_m_s2 = chain.gravity_m_s2() * weight;
+    let mut links: Vec<Link> = chain.links().to_vec();
+    for load in loads {
+        let added_kg = loaded * load.weight_n / gravity_m_s2;
+        let at_m = above_joint_m(chain, load);
+        let link = &mut links[load.link];
+        let mass_kg = link.mass_kg + added_kg;
+        link.centroid_m = (link.mass_kg * link.centroid_m + added_kg * at_m) / mass_kg;
+        link.mass_kg = mass_kg;
+    }
+    Ok(Chain::new(links, gravity_m_s2)?)
+}
+
+fn above_joint_m(chain: &Chain, load: &Acting) -> f64 {
+    let length_m = chain.links()[load.link].length_m;
+    load.height_m.map_or(length_m, |height_m| {
+        (height_m - chain.joint_heights_m()[load.link]).clamp(0.0, length_m)
+    })
 }

@@ -70,6 +70,8 @@ pub struct ChainCombination {
     pub under: ChainUnderLoads,
     /// Whether the wind blows against the positive direction of the static loads.
     pub wind_reversed: bool,
+    /// Factor on the weight of the combination, static loads included, at which it falls; `None` without stiffness.
+    pub weight_factor: Option<f64>,
 }
 
 impl CombinationAnswer {
@@ -78,7 +80,14 @@ impl CombinationAnswer {
         self.chain.under.factor
     }
 
-    /// By the factor; unknown where a limit or the stiffness is not known, unless it overturns all the same.
+    /// By the factor on what it weighs.
+    pub fn weight_verdict(&self) -> Verdict {
+        self.chain
+            .weight_factor
+            .map_or(Verdict::Unknown, Verdict::of_load_factor)
+    }
+
+    /// By the factors on loads and on weight; unknown where a limit or the stiffness is not known, unless it overturns all the same.
     pub fn verdict(&self) -> Verdict {
         let under = &self.chain.under;
         let by_factor = match under.factor {
@@ -88,7 +97,12 @@ impl CombinationAnswer {
         };
         match by_factor {
             Verdict::Unstable => Verdict::Unstable,
+            _ if self.weight_verdict() == Verdict::Unstable => Verdict::Unstable,
             _ if !under.limits_known || !under.second_order => Verdict::Unknown,
+            Verdict::Stable => match self.weight_verdict() {
+                Verdict::Marginal => Verdict::Marginal,
+                _ => Verdict::Stable,
+            },
             verdict => verdict,
         }
     }

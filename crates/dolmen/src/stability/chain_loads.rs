@@ -178,7 +178,10 @@ pub fn chain_under_loads(
                 tilt_moment_n_m,
                 rotation_rad: turn,
                 limit_n_m,
-                factor: limit_n_m.map(|limit| (limit - tilt_moment_n_m.abs()).max(0.0) / acting),
+                factor: limit_n_m.map(|limit| match limit - tilt_moment_n_m.abs() {
+                    left if left <= 0.0 => 0.0, // the tilt alone
+                    left => left / acting,
+                }),
             }
         })
         .collect();
