@@ -57,6 +57,11 @@ impl Sqlite {
             }
             (known, _) => known?,
         };
+        // another process may have made it since
+        let known = match known == 0 && (opened.schema()? != 0 || opened.has_tables()?) {
+            true => opened.whole("pragma application_id")?,
+            false => known,
+        };
         if known != APPLICATION && (known != 0 || opened.schema()? != 0 || opened.has_tables()?) {
             return Err(StoreFault::Foreign { shown }.into());
         }
