@@ -60,18 +60,18 @@ fn condition(search: &Search) -> (String, Vec<Value>) {
 }
 
 /// Values of a row in turn, each of its kind.
-struct Taker {
+pub(crate) struct Taker {
     values: std::vec::IntoIter<Value>,
     of: &'static str,
 }
 
 impl Taker {
-    fn of(values: Vec<Value>, of: &'static str) -> Self {
+    pub(crate) fn of(values: Vec<Value>, of: &'static str) -> Self {
         let values = values.into_iter();
         Taker { values, of }
     }
 
-    fn take<T: crate::database::Field>(&mut self, column: &'static str) -> Result<T, StoreError> {
+    pub(crate) fn take<T: crate::database::Field>(&mut self, column: &'static str) -> Result<T, StoreError> {
         let value = self.values.next().and_then(T::of);
         value.ok_or(StoreError::WrongValue {
             table: self.of,

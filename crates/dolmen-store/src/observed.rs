@@ -2,7 +2,7 @@
 
 use crate::database::{Value, all};
 use crate::error::StoreError;
-use crate::find::Exported;
+use crate::find::{Exported, Taker};
 use crate::raw::RawFolder;
 use crate::store::{Store, refuse_unknown};
 use dolmen::modal::{ObservedMode, ObservedPoint};
@@ -71,47 +71,28 @@ impl Store {
         let mut found: BTreeMap<String, Vec<ObservedMode>> = BTreeMap::new();
         let mut last = None;
         for row in all(database, sql, &[Value::Text(name.to_owned())])? {
-            let [
-                survey,
-                position,
-                frequency,
-                frequency_sd,
-                damping,
-                damping_sd,
-                channel,
-                real,
-                imaginary,
-            ] = row.as_slice()
-            else {
-                continue;
+            let mut row = Taker::of(row, "mode");
+            let survey: String = row.take("survey")?;
+            let position: i64 = row.take("position")?;
+            let mode = ObservedMode {
+                frequency_hz: row.take("frequency_hz")?,
+                frequency_sd_hz: row.take("frequency_sd_hz")?,
+                damping_ratio: row.take("damping_ratio")?,
+                damping_ratio_sd: row.take("damping_ratio_sd")?,
+                degrees_of_freedom: f64::INFINITY,
+                direction: None,
+                shape: Vec::new(),
             };
-            let (Value::Text(survey), Value::Whole(position), Value::Number(frequency_hz)) =
-                (survey, position, frequency)
-            else {
-                continue;
-            };
-            let real_of = |value: &Value| match value {
-                Value::Number(number) => Some(*number),
-                _ => None,
-            };
+            let channel: Option<String> = row.take("channel")?;
+            let parts: [Option<f64>; 2] = [row.take("real_part")?, row.take("imaginary_part")?];
             let modes = found.entry(survey.clone()).or_default();
-            if last.as_ref() != Some(&(survey.clone(), *position)) {
-                last = Some((survey.clone(), *position));
-                modes.push(ObservedMode {
-                    frequency_hz: *frequency_hz,
-                    frequency_sd_hz: real_of(frequency_sd),
-                    damping_ratio: real_of(damping),
-                    damping_ratio_sd: real_of(damping_sd),
-                    degrees_of_freedom: f64::INFINITY,
-                    direction: None,
-                    shape: Vec::new(),
-                });
+            if last.as_ref() != Some(&(survey.clone(), position)) {
+                last = Some((survey, position));
+                modes.push(mode);
             }
-            if let (Value::Text(channel), Some(re), Some(im), Some(mode)) =
-                (channel, real_of(real), real_of(imaginary), modes.last_mut())
-            {
+            if let (Some(channel), [Some(re), Some(im)], Some(mode)) = (channel, parts, modes.last_mut()) {
                 mode.shape.push(ObservedPoint {
-                    channel: Channel::named(channel.clone()),
+                    channel: Channel::named(channel),
                     component: Complex64::new(re, im),
                 });
             }

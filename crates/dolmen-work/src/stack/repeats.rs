@@ -6,7 +6,7 @@ use crate::progress::Progress;
 use dolmen::assess::{DamageState, DamageThresholds, stack_damage};
 use dolmen::blocks::{BlocksError, ContactLaw, Outcome, StackHistory};
 use dolmen::blocks::{StackRun, simulate_rigid, simulate_springs_many};
-use dolmen::numeric::Random;
+use dolmen::numeric::{Random, quantile};
 use dolmen::signal::GroundMotion;
 use dolmen::structure::stack::{SmallDifferences, Stack};
 
@@ -55,14 +55,9 @@ pub struct Spread {
 impl Repeats {
     /// Least, median and largest of a value; `None` without a run.
     pub fn spread(&self, of: impl Fn(&Repeat) -> f64) -> Option<Spread> {
-        let mut values: Vec<f64> = self.runs.iter().map(of).collect();
-        values.sort_by(f64::total_cmp);
-        let (least, most) = (*values.first()?, *values.last()?);
-        let half = values.len() / 2;
-        let median = match values.len() % 2 {
-            0 => 0.5 * (values[half - 1] + values[half]),
-            _ => values[half],
-        };
+        let values: Vec<f64> = self.runs.iter().map(of).collect();
+        let at = |probability: f64| quantile(&values, probability).ok();
+        let [least, median, most] = [at(0.0)?, at(0.5)?, at(1.0)?];
         Some(Spread { least, median, most })
     }
 

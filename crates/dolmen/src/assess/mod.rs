@@ -16,6 +16,7 @@ mod score;
 mod sensitivity;
 mod settle_run;
 mod stack;
+mod stack_notes;
 mod trends;
 
 pub use capacity::{
@@ -46,5 +47,6 @@ pub use score::{
 };
 pub use sensitivity::{CentroidEffect, Sensitivity, elasticity};
 pub use settle_run::with_settle_run;
-pub use stack::{MARGINAL_BELOW_G, SettleRun, StackCheck, StackCheckOptions, StackNote, check_stack};
+pub use stack::{MARGINAL_BELOW_G, StackCheck, StackCheckOptions, check_stack};
+pub use stack_notes::{SettleRun, StackNote};
 pub use trends::{Direction, Trend, trend};

@@ -1,6 +1,7 @@
 //! A run under its own weight of a stack that friction carries: forces that balance are necessary, that it stays is seen.
 
-use super::stack::{SettleRun, StackCheck, StackNote, by_margins};
+use super::stack::{StackCheck, by_margins};
+use super::stack_notes::{SettleRun, StackNote};
 use crate::blocks::{Outcome, Springs, simulate_springs};
 use crate::stability::Verdict;
 use crate::structure::stack::Stack;

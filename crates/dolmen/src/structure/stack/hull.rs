@@ -8,7 +8,7 @@
 //! | q | `GRID` | cells over the largest extent | – |
 //! | (b − a) × (c − a) · (p − a) | `side` | six times the volume of a tetrahedron, > 0 if p is outside abc | cells³ |
 
-use super::scan::Plane;
+use super::hull_faces::merged;
 use super::{Solid, StackError};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
@@ -26,11 +26,6 @@ pub(super) const FLAT: f64 = 1e-6;
 const UNITS_M: [f64; 3] = [1e-3, 1e-4, 1e-5];
 /// A face is never flattened by more than this part of the largest extent. Chosen here: 5 mm of a stone of one metre.
 const FLATTENED_MOST: f64 = 0.005;
-/// Cosine of the largest angle between a facet and the face of rounded corners that it joins: chamfers keep their own.
-const ALIGNED_LEAST: f64 = 0.5;
-/// A corner this many tolerances off the plane so far may still lie in the plane of all: a fourth corner of a
-/// parallelogram carries the rounding of the other three. Chosen here.
-const REACH: f64 = 4.0;
 
 type Cell = [i64; 3];
 
@@ -309,162 +304,6 @@ fn first_tetrahedron(points: &[DVec3], thin: f64) -> Option<[usize; 4]> {
     let normal = along.cross(points[c] - points[a]).normalize_or_zero();
     let (d, thickness) = farthest(&|p| (p - points[a]).dot(normal).abs())?;
     (length > 0.0 && width > thin && thickness > thin).then_some([a, b, c, d])
-}
-
-/// Triangles of one plane joined into faces; `None` if their edge is no single loop.
-fn merged(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> Option<Vec<Vec<usize>>> {
-    let group = groups(points, triangles, flat, exact);
-    let mut met: BTreeMap<usize, BTreeSet<usize>> = BTreeMap::new();
-    for (triangle, &group) in triangles.iter().zip(&group) {
-        for &corner in triangle {
-            met.entry(corner).or_default().insert(group);
-        }
-    }
-    let count = group.iter().max()? + 1;
-    let mut borders: Vec<BTreeMap<usize, usize>> = vec![BTreeMap::new(); count];
-    let owner = edge_owners(triangles);
-    let mut edges = vec![0; count];
-    for (triangle, &own) in triangles.iter().zip(&group) {
-        for edge in 0..3 {
-            let (from, to) = (triangle[edge], triangle[(edge + 1) % 3]);
-            if group[*owner.get(&(to, from))?] != own {
-                borders[own].insert(from, to);
-                edges[own] += 1;
-            }
-        }
-    }
-    let mut faces = Vec::with_capacity(count);
-    for (border, edges) in borders.iter().zip(edges) {
-        let (&start, _) = border.first_key_value()?;
-        let (mut face, mut at, mut length) = (Vec::new(), start, 0);
-        loop {
-            if met[&at].len() >= 3 {
-                face.push(at); // where only two faces meet, the corner lies within an edge
-            }
-            at = *border.get(&at)?;
-            length += 1;
-            if at == start || length > edges {
-                break;
-            }
-        }
-        if length != edges || face.len() < 3 {
-            return None;
-        }
-        faces.push(face);
-    }
-    Some(faces)
-}
-
-/// The triangle on the left of each directed edge.
-pub(super) fn edge_owners(triangles: &[[usize; 3]]) -> BTreeMap<(usize, usize), usize> {
-    let edges = triangles.iter().enumerate().flat_map(|(number, triangle)| {
-        (0..3).map(move |edge| ((triangle[edge], triangle[(edge + 1) % 3]), number))
-    });
-    edges.collect()
-}
-
-/// The number of the face each triangle lies in: faces are grown from the largest triangle on.
-fn groups(points: &[DVec3], triangles: &[[usize; 3]], flat: f64, exact: f64) -> Vec<usize> {
-    let normal = |t: &[usize; 3]| (points[t[1]] - points[t[0]]).cross(points[t[2]] - points[t[0]]);
-    let normals: Vec<DVec3> = triangles.iter().map(normal).collect();
-    let mut by_area: Vec<usize> = (0..triangles.len()).collect();
-    by_area.sort_by(|&a, &b| {
-        normals[b]
-            .length()
-            .total_cmp(&normals[a].length())
-            .then(a.cmp(&b))
-    });
-    let owner = edge_owners(triangles);
-    let mut group = vec![usize::MAX; triangles.len()];
-    let mut count = 0;
-    for seed in by_area {
-        if group[seed] != usize::MAX {
-            continue;
-        }
-        group[seed] = count;
-        let mut face = Face::of(points, triangles[seed], normals[seed], flat, exact);
-        let (mut own, mut at, mut plane_moved) = (vec![seed], 0, false);
-        loop {
-            while at < own.len() {
-                let triangle = own[at];
-                at += 1;
-                for edge in 0..3 {
-                    let [from, to] = [0, 1].map(|i| triangles[triangle][(edge + i) % 3]);
-                    let Some(&beyond) = owner.get(&(to, from)) else {
-                        continue;
-                    };
-                    if group[beyond] == usize::MAX
-                        && let Some(moved) = face.takes(triangles[beyond], normals[beyond])
-                    {
-                        group[beyond] = count;
-                        own.push(beyond);
-                        plane_moved |= moved;
-                    }
-                }
-            }
-            if !std::mem::take(&mut plane_moved) {
-                break;
-            }
-            at = 0; // what did not lie in the plane before may do so now
-        }
-        count += 1;
-    }
-    group
-}
-
-/// A face while it grows.
-struct Face<'a> {
-    points: &'a [DVec3],
-    corners: BTreeSet<usize>,
-    plane: Plane,
-    flat: f64,
-    exact: f64,
-}
-
-impl<'a> Face<'a> {
-    fn of(points: &'a [DVec3], triangle: [usize; 3], normal: DVec3, flat: f64, exact: f64) -> Self {
-        let normal = normal.normalize_or_zero();
-        let plane = Plane {
-            normal,
-            offset_m: normal.dot(points[triangle[0]]),
-        };
-        Face {
-            points,
-            corners: triangle.into(),
-            plane,
-            flat,
-            exact,
-        }
-    }
-
-    /// Takes a triangle in if its corners lie in one plane with all others; whether the plane moved, `None` if not taken.
-    fn takes(&mut self, triangle: [usize; 3], normal: DVec3) -> Option<bool> {
-        let height = |plane: &Plane, i: usize| plane.height_m(self.points[i]).abs();
-        let farthest = triangle
-            .map(|i| height(&self.plane, i))
-            .into_iter()
-            .fold(0.0, f64::max);
-        let aligned = self.plane.normal.dot(normal);
-        let least = if farthest <= self.exact {
-            0.0
-        } else {
-            ALIGNED_LEAST * normal.length()
-        };
-        if farthest > REACH * self.flat || aligned < least {
-            return None;
-        }
-        let moved = farthest > self.flat;
-        if moved {
-            let all = || self.corners.iter().copied().chain(triangle);
-            let plane = Plane::weighted(|| all().map(|i| (1.0, self.points[i])), self.plane.normal)?;
-            if all().any(|i| height(&plane, i) > self.flat) {
-                return None;
-            }
-            self.plane = plane;
-        }
-        self.corners.extend(triangle);
-        Some(moved)
-    }
 }
 
 #[cfg(test)]

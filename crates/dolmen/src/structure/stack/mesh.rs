@@ -159,7 +159,7 @@ fn check_edges(vertices_m: &[[f64; 3]], triangles: &[[usize; 3]]) -> Result<(), 
 
 /// All triangles must hang together.
 fn check_pieces(triangles: &[[usize; 3]]) -> Result<(), StackError> {
-    let owners = super::hull::edge_owners(triangles);
+    let owners = super::hull_faces::edge_owners(triangles);
     let mut piece = vec![usize::MAX; triangles.len()];
     let mut sizes: Vec<usize> = Vec::new();
     for seed in 0..triangles.len() {

@@ -5,6 +5,7 @@ mod beds;
 mod cut;
 mod error;
 mod hull;
+mod hull_faces;
 mod joint;
 mod material;
 mod mesh;

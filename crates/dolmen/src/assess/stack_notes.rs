@@ -1,0 +1,184 @@
+//! What to know of a check of a stack, and what its run under its own weight found.
+
+use crate::blocks::BlocksError;
+use std::fmt;
+
+/// What came of a run of a stack under its own weight.
+#[derive(Clone, Debug, PartialEq)]
+pub enum SettleRun {
+    /// It settled and stayed.
+    Stood {
+        /// How far its highest stone settled on the springs of the joints, m.
+        settlement_m: f64,
+        /// Length of the run, s.
+        length_s: f64,
+    },
+    /// A stone came down.
+    Fell {
+        /// The first, as an index of the stack's blocks.
+        block: usize,
+    },
+    /// It found no rest, or had none at the end.
+    NoRest {
+        /// Why the run was refused; `None` if it was made and stones moved on.
+        why: Option<BlocksError>,
+    },
+    /// It has too many stones.
+    TooMany {
+        /// How many.
+        stones: usize,
+    },
+}
+
+impl SettleRun {
+    /// Most stones of a stack that is run in a check. Chosen here: they take a second or two.
+    pub const STONES_MOST: usize = 200;
+}
+
+/// What to know of a check of a stack. `Display` says it as a sentence.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum StackNote {
+    /// Stones share their load: the joints alone give an upper bound, the limit analysis decides.
+    SharedLoad,
+    /// The limit analysis finds less than the joints one by one: parts move together, twist or slide and open.
+    AnalysisLower {
+        /// Acceleration of the joints one by one, over gravity; `None` where they give none.
+        joints_g: Option<f64>,
+        /// Acceleration of the limit analysis, over gravity.
+        analysis_g: f64,
+    },
+    /// The limit analysis, which decides, found the least acceleration of all directions between two numbers only.
+    AnalysisBetween {
+        /// Balanced in every direction, over gravity.
+        at_least_g: f64,
+        /// Not balanced in one, over gravity.
+        analysis_g: f64,
+    },
+    /// The joints one by one find it standing, the limit analysis does not.
+    AnalysisFalls,
+    /// Forces were found that balance it, but they need friction: joints that slip may choose others, so only a run under its
+    /// own weight shows that it stands.
+    FrictionCarries,
+    /// The same, and a run under its own weight stood.
+    FrictionStood,
+    /// The same, but in a run under its own weight a stone fell.
+    FrictionFell {
+        /// The first, as an index of the stack's blocks.
+        block: usize,
+    },
+    /// The same, but a run under its own weight found no rest.
+    FrictionNoRest,
+    /// The same, and no run under its own weight was made of so many stones.
+    FrictionNotRun {
+        /// How many it has.
+        stones: usize,
+        /// How many are run in a check.
+        most: usize,
+    },
+    /// The limit analysis knows no compressive strength, so of the stack that shares its load this is an upper bound.
+    StrengthNotInAnalysis,
+    /// Side supports are left out.
+    SideSupportsLeftOut,
+    /// Cohesion counts in full in every joint at once, although a bond breaks brittle and one by one.
+    CohesionCounted,
+    /// The tensile strength of joints is left out.
+    TensionLeftOut,
+    /// Friction of moving joints is less than of resting ones.
+    KineticLess {
+        /// Acceleration at which it would slide with the kinetic friction, over gravity.
+        slides_at_g: f64,
+    },
+    /// Ties are left out of the capacity; the thresholds with ties stand beside it.
+    TiesLeftOut,
+    /// The demand lacks the spectrum at the first period.
+    PeriodUnknown,
+}
+
+impl fmt::Display for StackNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            StackNote::SharedLoad => write!(
+                f,
+                "stones share their load, so the joints one by one give an upper bound; the limit analysis decides"
+            ),
+            StackNote::AnalysisLower {
+                joints_g: Some(joints_g),
+                analysis_g,
+            } => write!(
+                f,
+                "the limit analysis finds {analysis_g:.3} g, less than the {joints_g:.3} g of the joints one by one: parts move \
+                 together, twist, or slide and open"
+            ),
+            StackNote::AnalysisLower { analysis_g, .. } => {
+                write!(f, "only the limit analysis gives a limit: {analysis_g:.3} g")
+            }
+            StackNote::AnalysisBetween {
+                at_least_g,
+                analysis_g,
+            } => write!(
+                f,
+                "the limit analysis found balance in every direction up to {at_least_g:.3} g, and none at {analysis_g:.3} g in one: \
+                 use the lower"
+            ),
+            StackNote::AnalysisFalls => write!(
+                f,
+                "joint by joint it seems to stand, but no forces in the joints balance its weight and static loads"
+            ),
+            StackNote::FrictionCarries => write!(
+                f,
+                "an admissible state exists, with friction: that is necessary, and only a run under its own weight shows that it \
+                 stands"
+            ),
+            StackNote::FrictionStood => write!(
+                f,
+                "friction carries it: an admissible state exists, and a run under its own weight on the springs of its joints stood"
+            ),
+            StackNote::FrictionFell { block } => write!(
+                f,
+                "an admissible state exists, with friction, but in a run under its own weight on the springs of its joints stone {} fell",
+                block + 1
+            ),
+            StackNote::FrictionNoRest => write!(
+                f,
+                "an admissible state exists, with friction, but a run under its own weight on the springs of its joints found no rest"
+            ),
+            StackNote::FrictionNotRun { stones, most } => write!(
+                f,
+                "an admissible state exists, with friction: that is necessary, and no run under its own weight was made of {stones} \
+                 stones, more than {most}"
+            ),
+            StackNote::StrengthNotInAnalysis => write!(
+                f,
+                "the limit analysis knows no compressive strength: with stones that share their load the capacity is an \
+                 upper bound"
+            ),
+            StackNote::SideSupportsLeftOut => write!(
+                f,
+                "side supports are left out of all thresholds; what they hold is not counted, which is on the safe side"
+            ),
+            StackNote::CohesionCounted => write!(
+                f,
+                "cohesion counts against sliding in full in every joint at once; a bond breaks brittle and one joint after the \
+                 other, so this is on the unsafe side"
+            ),
+            StackNote::TensionLeftOut => write!(
+                f,
+                "the tensile strength of joints is left out of all thresholds, which is on the safe side"
+            ),
+            StackNote::KineticLess { slides_at_g } => write!(
+                f,
+                "sliding is found with the static friction; a joint that moves once has the kinetic one, and with that in every \
+                 joint sliding begins at {slides_at_g:.3} g"
+            ),
+            StackNote::TiesLeftOut => write!(
+                f,
+                "ties are left out of the capacity, which is on the safe side; thresholds with ties at their strength stand \
+                 beside it"
+            ),
+            StackNote::PeriodUnknown => write!(
+                f,
+                "the first period is not known, so what elastic joints add to the shaking is not in the comparison"
+            ),
+        }
+    }
+}
