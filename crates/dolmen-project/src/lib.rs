@@ -65,7 +65,7 @@ pub use quantity::{Evidence, Pick, Quantity};
 pub use read::{parse_project, parse_project_with};
 pub use report::{
     Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,
-    is_day,
+    calendar_day, is_day,
 };
 pub use safe_text::texts;
 pub use schema::json_schema;

@@ -56,7 +56,7 @@ pub(super) struct Tabled {
 }
 
 impl Tabled {
-    /// The list in place of the table that names it; what is wrong in it stands where it is named.
+    /// The list in place of the table that names it; its faults stand where the project file names it.
     pub(super) fn put<'i>(&'i self, root: &mut DeTable<'i>) {
         let Ok(parsed) = DeTable::parse(&self.text) else {
             return; // written here

@@ -9,6 +9,7 @@ use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
 use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
+use dolmen::structure::lowest_frequency_hz;
 use dolmen_project::{Project, Structure};
 
 /// The demand of the project's site on its structure; `None` if the file has no site.
@@ -80,8 +81,7 @@ fn periods(check: &Check) -> Vec<(String, f64)> {
         |frequency_hz: f64| (frequency_hz > 0.0 && frequency_hz.is_finite()).then_some(1.0 / frequency_hz);
     match check {
         Check::Chain(chain) => {
-            let first = chain.modes.first().filter(|mode| mode.omega_squared > 0.0);
-            let period = first.and_then(|mode| of(mode.frequency_hz));
+            let period = lowest_frequency_hz(&chain.modes).and_then(of);
             period
                 .into_iter()
                 .map(|period_s| ("all".to_owned(), period_s))
@@ -89,12 +89,8 @@ fn periods(check: &Check) -> Vec<(String, f64)> {
         }
         Check::Frame(directions) => {
             let each = directions.iter().filter_map(|direction| {
-                let first = direction
-                    .check
-                    .modes
-                    .first()
-                    .filter(|mode| mode.omega_squared > 0.0)?;
-                Some((direction.direction.clone(), of(first.frequency_hz)?))
+                let period_s = of(lowest_frequency_hz(&direction.check.modes)?)?;
+                Some((direction.direction.clone(), period_s))
             });
             each.collect()
         }

@@ -139,6 +139,6 @@ fn holds_several_projects_are_one_document() {
     }
     assert!(
         there.iter().any(|text| text.contains("examples/nothing")),
-        "what is left out is named"
+        "the answer names what it leaves out"
     );
 }

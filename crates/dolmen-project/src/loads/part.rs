@@ -167,7 +167,7 @@ impl WindGiven {
 }
 
 impl LoadsPart {
-    /// Nothing is said.
+    /// The file says nothing.
     pub(crate) fn none() -> Self {
         LoadsPart {
             wind: WindPart::NotSaid,

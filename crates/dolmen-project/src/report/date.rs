@@ -1,19 +1,25 @@
 //! Days of the calendar.
 
-/// Whether a text is a day as "2026-05-12".
-pub fn is_day(text: &str) -> bool {
+/// Year, month and day of a text such as "2026-05-12"; `None` if it is no day of the calendar.
+pub fn calendar_day(text: &str) -> Option<[u16; 3]> {
     let parts: Vec<&str> = text.split('-').collect();
-    let [year, month, day] = parts.as_slice() else {
-        return false;
-    };
-    let widths = [year.len(), month.len(), day.len()] == [4, 2, 2];
-    let digits = parts.iter().all(|part| part.bytes().all(|b| b.is_ascii_digit()));
-    let number = |part: &str| part.parse::<u32>().unwrap_or(0);
-    let (year, month, day) = (number(year), number(month), number(day));
-    widths && digits && (1..=12).contains(&month) && (1..=days(year, month)).contains(&day)
+    let digits = |part: &&str| part.bytes().all(|b| b.is_ascii_digit());
+    let numbers: Option<Vec<u16>> = parts.iter().map(|part| part.parse().ok()).collect();
+    match (numbers?.as_slice(), parts.iter().all(digits)) {
+        ([year, month, day], true) if parts.iter().map(|part| part.len()).eq([4, 2, 2]) => {
+            let is_there = (1..=12).contains(month) && (1..=days(*year, *month)).contains(day);
+            is_there.then_some([*year, *month, *day])
+        }
+        _ => None,
+    }
 }
 
-fn days(year: u32, month: u32) -> u32 {
+/// Whether a text is a day of the calendar.
+pub fn is_day(text: &str) -> bool {
+    calendar_day(text).is_some()
+}
+
+fn days(year: u16, month: u16) -> u16 {
     let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
     match month {
         4 | 6 | 9 | 11 => 30,

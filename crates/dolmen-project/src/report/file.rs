@@ -134,7 +134,7 @@ pub(crate) struct SensorRaw {
 #[derive(Debug, serde::Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct GradeRaw {
-    /// "A" to "F" of the Korean periodic inspection, or a word of the scale that is named.
+    /// "A" to "F" of the Korean periodic inspection, or a word of the scale given.
     #[schemars(required)]
     pub(super) value: Option<At<NamesRaw>>,
     /// The scale; the Korean periodic inspection (A to F) if not given.

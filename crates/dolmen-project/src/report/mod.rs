@@ -6,7 +6,7 @@ mod part;
 mod parts_named;
 mod read;
 
-pub use date::is_day;
+pub use date::{calendar_day, is_day};
 pub(crate) use file::ReportRaw;
 pub use part::{
     Author, Grade, GradeScale, Location, MaterialMethod, MaterialTest, PhotoPart, ReportPart, SensorPart,

@@ -71,7 +71,7 @@ pub struct PhotoPart {
     pub caption: Option<Names>,
     /// The part that it shows.
     pub of: Option<String>,
-    /// Where the file is named: `report.photos[2].file`.
+    /// Where the project file names it: `report.photos[2].file`.
     pub path: String,
 }
 

@@ -1,4 +1,4 @@
-//! What an engineer gives for a report, and what inspections found: what is read, and what is said of what cannot be.
+//! What an engineer gives for a report, and what inspections found: what is read, and the faults of what cannot be.
 
 use super::project::{CHAIN, chain_with, example, read, refused};
 use dolmen_project::{DamageKind, GradeScale, MaterialMethod, Severity, canonical_text};

@@ -1,4 +1,4 @@
-//! Lists of parts in a table beside the file: the same project as if they were written in it, and what is said of tables that cannot be.
+//! Lists of parts in a table beside the file: the same project as if they were written in it, and the faults of tables that cannot be.
 
 use dolmen_project::{MemoryFiles, Project, Structure, parse_project_with};
 

@@ -4,7 +4,7 @@ use crate::document::{Block, Cell, Column, Document, Finding, Table, Tone};
 use crate::figures::{VariantDot, variants_compared};
 use crate::html::words::verdict_word;
 use dolmen::stability::Verdict;
-use dolmen::structure::NaturalMode;
+use dolmen::structure::lowest_frequency_hz;
 use dolmen_words::message::Both;
 use dolmen_words::{Language, Quantity, Unit, messages};
 use dolmen_work::answer::CheckAnswer;
@@ -281,10 +281,6 @@ impl Row {
 }
 
 fn rows(state: &State, name: &Both) -> Vec<Row> {
-    let first = |modes: &[NaturalMode]| {
-        let mode = modes.first().filter(|mode| mode.omega_squared > 0.0);
-        mode.map(|mode| mode.frequency_hz)
-    };
     let falls = state.sampled.as_ref().map(|sampled| sampled.unstable.estimate);
     match &state.check {
         Check::Chain(check) => {
@@ -300,7 +296,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                     None => stability.map_or(Verdict::Unknown, |of| of.verdict),
                 },
                 margins: joints.map(|joint| joint.margin).collect(),
-                frequency_hz: first(&check.modes),
+                frequency_hz: lowest_frequency_hz(&check.modes),
                 falls,
             }]
         }
@@ -316,7 +312,7 @@ fn rows(state: &State, name: &Both) -> Vec<Row> {
                     borne: None,
                     verdict: stability.map_or(Verdict::Unknown, |of| of.verdict),
                     margins: storeys.map(|storey| storey.margin).collect(),
-                    frequency_hz: first(&of.check.modes),
+                    frequency_hz: lowest_frequency_hz(&of.check.modes),
                     falls,
                 }
             })

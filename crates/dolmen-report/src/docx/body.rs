@@ -287,7 +287,7 @@ fn caption(
             Some((chapter, number)) => {
                 field(xml, "STYLEREF 1 \\s", chapter, Ink::BOLD);
                 words(xml, ".", Ink::BOLD);
-                // LibreOffice begins anew where it is told to, Word with each head as well
+                // LibreOffice begins anew only where the file says so, Word with each head as well
                 let anew = if number == "1" { " \\r 1" } else { "" };
                 field(xml, &format!("{counted} \\s 1{anew}"), number, Ink::BOLD);
             }

@@ -19,7 +19,7 @@ use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::Colour;
 
 impl Body<'_> {
-    /// All that is said of one project; its number where there are several.
+    /// The whole report on one project; its number where there are several.
     pub(super) fn project(
         &mut self,
         answer: &ProjectReport,

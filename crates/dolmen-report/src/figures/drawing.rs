@@ -238,7 +238,7 @@ fn put_sensors(scene: &mut Scene, view: &View, sensors: &[([f64; 3], String)]) {
         let free = |other: &[f64; 2]| {
             (other[0] - at[0]).abs() > text_width(names, 11.0) || (other[1] - at[1]).abs() > 11.0
         };
-        // those that hide behind each other in this view are named once
+        // one name for those that hide behind each other in this view
         if labelled.iter().all(free) {
             scene.text([at[0] + 8.0, at[1]], &label);
             labelled.push(at);

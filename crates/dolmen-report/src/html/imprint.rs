@@ -11,27 +11,7 @@ pub struct Imprint {
 
 /// Year, month and day, if the date is written as 2026-05-12 and is one of the calendar.
 pub(crate) fn day(date: Option<&str>) -> Option<[u16; 3]> {
-    let parts: Vec<&str> = date?.split('-').collect();
-    let numbers: Option<Vec<u16>> = parts.iter().map(|part| part.parse().ok()).collect();
-    let lengths: Vec<usize> = parts.iter().map(|part| part.len()).collect();
-    match numbers.as_deref() {
-        Some([year, month, day]) if lengths == [4, 2, 2] => {
-            let is_there = (1..=days(*year, *month)).contains(day);
-            is_there.then_some([*year, *month, *day])
-        }
-        _ => None,
-    }
-}
-
-fn days(year: u16, month: u16) -> u16 {
-    let leap = year.is_multiple_of(4) && (!year.is_multiple_of(100) || year.is_multiple_of(400));
-    match month {
-        1 | 3 | 5 | 7 | 8 | 10 | 12 => 31,
-        4 | 6 | 9 | 11 => 30,
-        2 if leap => 29,
-        2 => 28,
-        _ => 0,
-    }
+    dolmen_project::calendar_day(date?)
 }
 
 /// A project that could not be reported on.

@@ -89,7 +89,7 @@ fn contents(answers: &[ProjectReport], others: &[NotReported], language: Languag
     }
 }
 
-/// What is said of a project; its number where there are several.
+/// The report on a project; its number where there are several.
 fn article(answer: &ProjectReport, language: Language, imprint: &Imprint, number: Option<usize>) -> Markup {
     let project = &answer.project;
     let mut numbers = number.map_or(Numbers::alone(), Numbers::of_project);

@@ -1,4 +1,4 @@
-//! What is said of wind and static loads: findings, and the section of their combinations.
+//! Wind and static loads in a report: findings, and the section of their combinations.
 
 mod findings;
 mod section;

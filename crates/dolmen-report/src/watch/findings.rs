@@ -9,7 +9,7 @@ use dolmen_project::WorkKind;
 use dolmen_words::{Quantity, Sentence, messages};
 use dolmen_work::watched::WatchAnswer;
 
-/// Changes that are told one by one.
+/// Changes that get a finding each; the others are counted.
 const TOLD_MOST: usize = 4;
 
 messages! {
@@ -64,11 +64,11 @@ messages! {
             ko: "{date} 보수 전후로 {frequency} 모드는 {by} ± {half} 변하였다.",
         },
         NoTemperature => {
-            en: "Temperatures are not known: a lasting change and the weather are told apart only as far as the seasons repeat. Enter temperature_c with each survey.",
+            en: "Temperatures are not known: only repeating seasons can tell a lasting change from the weather. Enter temperature_c with each survey.",
             ko: "기온을 알 수 없어 지속적인 변화와 날씨의 영향은 계절이 반복되는 만큼만 구별된다. 조사마다 temperature_c를 기록한다.",
         },
         WithTime { frequency: Quantity, correlation: Quantity } => {
-            en: "Temperature went with time ({frequency}: correlation {correlation}): ageing and weather are hardly told apart, and less is seen.",
+            en: "Temperature went with time ({frequency}: correlation {correlation}): ageing and weather can hardly be separated, and less is seen.",
             ko: "기온이 시간과 함께 변하여({frequency}: 상관계수 {correlation}) 노후와 날씨의 영향이 잘 구별되지 않으며 발견할 수 있는 변화가 줄어든다.",
         },
         TiltGrows { direction: String, yearly: Quantity, half: Quantity } => {

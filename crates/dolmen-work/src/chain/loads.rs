@@ -8,7 +8,7 @@ use dolmen::stability::{
     ChainLoading, ChainUnderLoads, JointHold, LinkLoad, chain_stability, chain_under_loads,
 };
 use dolmen::structure::wind::{WindBody, WindError};
-use dolmen::structure::{Chain, Link, NaturalMode};
+use dolmen::structure::{Chain, Link, lowest_frequency_hz};
 use dolmen_project::{ChainPart, CombinationPart, LoadPart, LoadsPart, Pick, WindArea, WindGiven};
 
 /// What loads beside the weight do to a chain; `None` if there are none.
@@ -29,9 +29,9 @@ pub(crate) fn loads(
         // what loads weigh swings too
         (Some(stiffness), true) => {
             let heavy = weighted(&chain, &acting, [1.0, 1.0])?;
-            first_hz(&heavy.natural_modes(stiffness)?)
+            lowest_frequency_hz(&heavy.natural_modes(stiffness)?)
         }
-        _ => first_hz(&check.modes),
+        _ => lowest_frequency_hz(&check.modes),
     };
     let wind = given
         .wind()
@@ -245,11 +245,6 @@ impl Model<'_> {
         };
         Ok(chain_under_loads(chain, self.stiffness.as_deref(), &loading)?)
     }
-}
-
-fn first_hz(modes: &[NaturalMode]) -> Option<f64> {
-    let mode = modes.first().filter(|mode| mode.omega_squared > 0.0);
-    mode.map(|mode| mode.frequency_hz)
 }
 
 /// The chain with a factor on its weight, and, with another, the weight that static loads add in their place.

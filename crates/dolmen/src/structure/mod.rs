@@ -29,7 +29,7 @@ pub use identification::{
 };
 pub use inverse::{FrequencyRoots, StiffnessSearch};
 pub use left_out::LeftOut;
-pub use natural::NaturalMode;
+pub use natural::{NaturalMode, lowest_frequency_hz};
 pub use stiffness_note::StiffnessNote;
 pub use stiffness_words::{Misfit, OfSpring, Proportion, Spring, Thoroughness};
 pub use tapered_cantilever::{Section, TaperedCantilever};

@@ -13,3 +13,9 @@ pub struct NaturalMode {
     /// The structure's own coordinates: link rotations of a chain (rad per unit of `displacement`), Y_i of a frame.
     pub coordinates: Vec<f64>,
 }
+
+/// Frequency of the lowest mode, Hz; `None` without a mode, or if the structure falls in its shape. Modes ascend.
+pub fn lowest_frequency_hz(modes: &[NaturalMode]) -> Option<f64> {
+    let lowest = modes.first().filter(|mode| mode.omega_squared > 0.0);
+    lowest.map(|mode| mode.frequency_hz)
+}

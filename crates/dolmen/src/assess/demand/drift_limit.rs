@@ -11,7 +11,7 @@ const EUROCODE_RATIOS: [f64; 3] = [0.005, 0.0075, 0.010];
 /// ν of importance classes I to IV, recommended values: EN 1998-1:2004, 4.4.3.2 (2), note.
 const EUROCODE_NU: [f64; 4] = [0.5, 0.5, 0.4, 0.4];
 
-/// Drift over height beyond which no storey is said to stand: models of small drifts end there. Chosen here, as
+/// Drift over height beyond which Dolmen calls no storey standing: models of small drifts end there. Chosen here, as
 /// [`FrameRun::drift_ratio_most`](crate::dynamics::FrameRun).
 pub const DRIFT_RATIO_MOST: f64 = 0.1;
 
