@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 struct Met {
     changed: bool,
-    /// Of the first change of the first mode: date off, surveys; size off.
+    /// Of the strongest step of the first mode near the true one: date off, surveys; size off.
     off: Option<(f64, f64)>,
     /// Confirmed alarms, and the delay of the first one after the step.
     alarms: usize,
@@ -39,7 +39,8 @@ fn one(of: &MadeHistory, replicates: usize) -> Met {
     let near = found.modes[0]
         .changes
         .iter()
-        .find(|change| change.form == ChangeForm::Step && change.from.abs_diff(step.0) <= of.surveys / 5);
+        .filter(|change| change.form == ChangeForm::Step && change.from.abs_diff(step.0) <= of.surveys / 5)
+        .max_by(|a, b| (a.ratio / a.sd).abs().total_cmp(&(b.ratio / b.sd).abs()));
     let after = found
         .alarms
         .iter()
