@@ -1,6 +1,7 @@
 //! Many structures over the years: what each history says in a line, the worst first.
 
 use crate::watched::WatchAnswer;
+use dolmen::monitoring::TiltSlope;
 use serde::Serialize;
 use std::cmp::Reverse;
 
@@ -115,10 +116,7 @@ impl History {
             .tilts
             .iter()
             .filter_map(|trend| Some((trend, trend.slope.as_ref()?)));
-        let share = |slope: &dolmen::monitoring::TiltSlope| match slope.reach {
-            Some(reach) => slope.now.abs() / reach.limit,
-            None => slope.now.abs(),
-        };
+        let share = |slope: &TiltSlope| slope.share_of_limit().unwrap_or(slope.now.abs());
         let nearest = tilts.max_by(|a, b| share(a.1).total_cmp(&share(b.1)));
         History {
             surveys: answer.surveys.len(),

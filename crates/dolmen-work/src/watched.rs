@@ -48,7 +48,7 @@ impl WatchAnswer {
     pub fn is_tilt_beyond(&self) -> bool {
         let slopes = self.watched.tilts.iter().filter_map(|trend| trend.slope);
         slopes
-            .filter_map(|slope| Some((slope.now, slope.reach?.limit)))
-            .any(|(now, limit)| now.abs() >= limit)
+            .filter_map(|slope| slope.share_of_limit())
+            .any(|share| share >= 1.0)
     }
 }

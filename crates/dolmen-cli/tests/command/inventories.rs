@@ -108,3 +108,21 @@ fn refuses_a_store_without_all_and_a_project_with_it() {
     assert_eq!(answer.status, 2);
     assert!(answer.stderr.contains("no store"), "{}", answer.stderr);
 }
+
+#[test]
+fn holds_a_tilt_to_the_other_side_alarms_as_little() {
+    let scratch = Scratch::with_examples("watch-left");
+    pagoda(&scratch, "left", "2016-08");
+    let path = scratch.path().join("left/project.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    let right = scratch.briefly("watch left --json");
+    assert_eq!(right.status, 0, "{}{}", right.stdout, right.stderr);
+    fs::write(&path, text.replace("tilt.x = \"", "tilt.x = \"-")).unwrap();
+    let left = scratch.briefly("watch left --json");
+    assert_eq!(left.status, 0, "{}{}", left.stdout, left.stderr);
+    let now = |answer: &str| -> f64 {
+        let value: serde_json::Value = serde_json::from_str(answer).unwrap();
+        value["tilts"][0]["now"].as_f64().unwrap()
+    };
+    assert!((now(&right.stdout) + now(&left.stdout)).abs() < 1e-9);
+}

@@ -46,14 +46,14 @@ fn words(text: &str) -> Cell {
     })
 }
 
-fn row(structure: &str, history: &History, is_alarming: bool, is_full: bool) -> Vec<Cell> {
+fn row(structure: &str, history: &History, is_full: bool) -> Vec<Cell> {
     let ratio = |value: f64, unit, digits| Quantity::new(value, unit, digits);
     let count = ratio(history.open_alarms as f64, Unit::ratio(), Digits::Fixed(0));
     let change = history.change.as_ref();
     let tilt = history.tilt.as_ref();
     let mut cells = vec![
         words(structure),
-        match is_alarming && history.open_alarms > 0 {
+        match history.open_alarms > 0 {
             true => Cell::Bad(count),
             false => Cell::number(count),
         },
@@ -117,7 +117,7 @@ pub fn inventory_text(lines: &[InventoryLine], style: TextStyle) -> String {
         rows: watched
             .iter()
             .take(most)
-            .map(|(line, history)| row(&line.structure, history, line.is_alarming(), style.is_full))
+            .map(|(line, history)| row(&line.structure, history, style.is_full))
             .collect(),
     };
     document.put(Block::Table(table));

@@ -336,8 +336,11 @@ fn tilt(trend: &TiltTrend) -> Option<Finding> {
     let direction = trend.series.direction.clone();
     let (yearly, half) = (slope(found.per_year, 3), slope(HALF_95 * found.sd_per_year, 3));
     if let Some(reach) = found.reach {
-        if (found.now / reach.limit) >= 1.0 {
-            let (now, limit) = (slope(found.now, 2), slope(reach.limit, 2));
+        if found.share_of_limit().is_some_and(|share| share >= 1.0) {
+            let (now, limit) = (
+                slope(found.now, 2),
+                slope(reach.limit.abs().copysign(found.now), 2),
+            );
             return Some(Finding::key(
                 Tone::Bad,
                 Found::TiltBeyond {

@@ -57,18 +57,25 @@ pub struct TiltSlope {
     pub seen_from_per_year: f64,
     /// Tilt on the day of the last reading, the season removed.
     pub now: f64,
-    /// Tilt at the limit less that now, over the limit's distance; `None` without a limit.
+    /// When it reaches the limit; `None` without a limit.
     pub reach: Option<TiltReach>,
+}
+
+impl TiltSlope {
+    /// Tilt now over its limit, whatever their signs; `None` without a limit.
+    pub fn share_of_limit(&self) -> Option<f64> {
+        self.reach.map(|reach| (self.now / reach.limit).abs())
+    }
 }
 
 /// When a tilt reaches its limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TiltReach {
-    /// The limit, with the sign of the tilt.
+    /// The limit, with the sign of the slope where that is beyond chance, else of the tilt now.
     pub limit: f64,
-    /// Years from the last reading to it, at the slope; `None` where the slope is not beyond chance or leads away from it.
+    /// Years from the last reading to it, at the slope; `None` where the slope is not beyond chance, or the tilt is beyond the limit.
     pub years: Option<f64>,
-    /// Ends of the 95 % interval; the later infinite where the slope may be none.
+    /// Ends of the 95 % interval of a ratio of two estimates (Fieller 1954), the tilt now and the slope, not before the last reading.
     pub years_earliest: Option<f64>,
     /// The later end.
     pub years_latest: Option<f64>,
@@ -147,16 +154,17 @@ pub(super) fn tilt_trend(
     };
     let quantile = student_two_sided_quantile(0.05, degrees)?;
     let reach = limit.map(|limit| {
-        let limit = if now < 0.0 { -limit.abs() } else { limit.abs() };
+        let is_seen = p_value < significance;
+        let side = if is_seen { per_year } else { now };
+        let limit = limit.abs().copysign(side);
         let left = limit - now;
-        let until = |slope: f64| (slope * left > 0.0).then(|| left / slope);
-        let toward = per_year * left.signum();
-        let is_seen = p_value < significance && toward > 0.0;
+        let is_ahead = is_seen && left * per_year > 0.0 && now.abs() < limit.abs();
+        let [earliest, latest] = fieller(&fit, left, quantile).unwrap_or([0.0, f64::INFINITY]);
         TiltReach {
             limit,
-            years: until(per_year).filter(|_| is_seen),
-            years_earliest: until(per_year + left.signum() * quantile * sd).filter(|_| is_seen),
-            years_latest: until(per_year - left.signum() * quantile * sd).filter(|_| is_seen),
+            years: is_ahead.then(|| left / per_year),
+            years_earliest: is_ahead.then_some(earliest.max(0.0)),
+            years_latest: is_ahead.then_some(latest),
         }
     });
     Ok(TiltTrend {
@@ -171,6 +179,34 @@ pub(super) fn tilt_trend(
             reach,
         }),
     })
+}
+
+/// When a line with the fitted tilt now and slope has gone so far: the ends of the interval that holds the truth with the probability of the quantile.
+///
+/// ```text
+/// (d − b T)² ≤ q² Var(a + b T),   Var = v_aa + 2 T v_ab + T² v_bb
+/// ```
+/// `None` where the slope may be none, so that the interval has no end.
+///
+/// # Source
+/// Fieller (1954) J. R. Stat. Soc. B 16(2):175-185.
+fn fieller(fit: &Fit, left: f64, quantile: f64) -> Option<[f64; 2]> {
+    let k = fit.coefficients.len();
+    let variance = |a: f64, b: f64| {
+        let mut h = vec![0.0; k];
+        (h[0], h[1]) = (a, b);
+        quantile * quantile * fit.form(h)
+    };
+    let (of_now, of_slope) = (variance(1.0, 0.0), variance(0.0, 1.0));
+    let both = 0.5 * (variance(1.0, 1.0) - of_now - of_slope);
+    let slope = fit.coefficients[1];
+    let [c, half_b, a] = [
+        left * left - of_now,
+        left * slope + both,
+        slope * slope - of_slope,
+    ];
+    let root = (half_b * half_b - a * c).max(0.0).sqrt();
+    (a > 0.0).then(|| [(half_b - root) / a, (half_b + root) / a])
 }
 
 #[cfg(test)]
@@ -215,6 +251,55 @@ mod tests {
             reach.years_earliest.unwrap() < truth && truth < reach.years_latest.unwrap(),
             "{reach:?} {truth}"
         );
+    }
+
+    #[test]
+    fn holds_the_interval_of_years_holds_the_truth_as_often_as_it_says() {
+        // 40 half years that end short of the limit by what the slope does in 2, 5 and 20 years
+        for years_left in [2.0, 5.0, 20.0] {
+            let mut held = 0;
+            let drawn = 400;
+            for seed in 0..drawn {
+                let mut random = Random::new(21, seed);
+                let days: Vec<f64> = (0..40).map(|i| 182.625 * f64::from(i)).collect();
+                let per_year = -2e-4; // towards the negative limit, from a tilt that is positive at first
+                let end = -5e-3 - per_year * years_left;
+                let last = days[39];
+                let series = TiltSeries {
+                    direction: "x".into(),
+                    datum: None,
+                    surveys: (0..40).collect(),
+                    ratios: days
+                        .iter()
+                        .map(|day| end + per_year * (day - last) / YEAR_DAYS + 1.5e-4 * random.normal())
+                        .collect(),
+                    days,
+                };
+                let found = tilt_trend(series, &[], 0.05, Some(5e-3)).unwrap().slope.unwrap();
+                let reach = found.reach.unwrap();
+                assert_eq!(reach.limit, -5e-3);
+                held += usize::from(
+                    reach.years_earliest.unwrap() <= years_left && years_left <= reach.years_latest.unwrap(),
+                );
+            }
+            let share = held as f64 / drawn as f64;
+            assert!((0.90..=0.99).contains(&share), "{years_left} years: {share}");
+        }
+    }
+
+    #[test]
+    fn exact_a_negative_tilt_is_held_against_its_own_limit() {
+        let mirrored = |sign: f64| {
+            let series = made(1e-4, 5e-5);
+            let ratios = series.ratios.iter().map(|ratio| sign * ratio).collect();
+            let found = tilt_trend(TiltSeries { ratios, ..series }, &[], 0.05, Some(1.0 / 150.0));
+            found.unwrap().slope.unwrap()
+        };
+        let [right, left] = [1.0, -1.0].map(mirrored);
+        assert!((right.share_of_limit().unwrap() - left.share_of_limit().unwrap()).abs() < 1e-9);
+        assert!(left.share_of_limit().unwrap() < 1.0);
+        let years = |of: TiltSlope| of.reach.unwrap().years.unwrap();
+        assert!((years(right) - years(left)).abs() < 1e-6);
     }
 
     #[test]
