@@ -52,6 +52,19 @@ messages! {
         },
         WordTie { word: Both } => { en: "{word} (a tie broke)", ko: "{word}(결속재 파단)" },
         WordNoLimit { word: Both } => { en: "{word} (no limit is known)", ko: "{word}(판정 기준 없음)" },
+        WordNoBed { word: Both, part: String } => {
+            en: "{word} (the bed below ‘{part}’ is not known)",
+            ko: "{word}(‘{part}’ 하부 접합면의 폭 미상)",
+        },
+        WordNoStiffness { word: Both } => { en: "{word} (the stiffness is not known)", ko: "{word}(강성 미상)" },
+        WordNoStiffnessIn { word: Both, direction: String } => {
+            en: "{word} (the stiffness of direction {direction} is not known)",
+            ko: "{word}({direction} 방향 강성 미상)",
+        },
+        WordDoesNotStand { word: Both } => {
+            en: "{word} (it does not stand without shaking)",
+            ko: "{word}(지진 없이도 서 있지 못함)",
+        },
         WordOpen { word: Both } => { en: "{word} (the run is not whole)", ko: "{word}(해석 미완료)" },
         Assumed { assumed: usize, all: usize } => {
             en: "assumed inputs: {assumed} of {all}",
@@ -211,6 +224,18 @@ fn word(of: &EarthquakeFinding) -> Headline {
         },
         (DecidedBy::Strength, _) => Headline::WordTie { word },
         (DecidedBy::NoLimit, _) => Headline::WordNoLimit { word },
+        (DecidedBy::BedUnknown, _) => Headline::WordNoBed {
+            word,
+            part: of.part.clone().unwrap_or_default(),
+        },
+        (DecidedBy::StiffnessUnknown, _) => match &of.part {
+            None => Headline::WordNoStiffness { word },
+            Some(direction) => Headline::WordNoStiffnessIn {
+                word,
+                direction: direction.clone(),
+            },
+        },
+        (DecidedBy::DoesNotStand, _) => Headline::WordDoesNotStand { word },
         (DecidedBy::Unfinished, _) => Headline::WordOpen { word },
         (DecidedBy::Room, Some(of_room)) => Headline::WordRoom {
             word,

@@ -100,7 +100,7 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
     let tilts = tilts(project, &check);
     let loads = kinds::loads(project, &check, &tilts, &mut Quantity::nominal)?;
     Ok(Some(State {
-        demand: demand::of(project, &check)?,
+        demand: demand::of(project, &check, &tilts)?,
         check,
         tilts,
         loads,

@@ -1,39 +1,43 @@
 //! What an earthquake asks for at the site of a project.
 
+use crate::chain::loads::AtRest;
 use crate::error::WorkError;
 use crate::judgement::first_sway;
-use crate::part_limit::PartLimit;
-use crate::state::{Check, DemandAnswer, SpectralAt};
+use crate::part_limit::Compared;
+use crate::state::{Check, DemandAnswer, SpectralAt, TiltCheck};
 use crate::told::told;
 use crate::{building, chain, frame};
 use dolmen::assess::StackCheckOptions;
 use dolmen::assess::demand::stack_against_site;
 use dolmen::stability::Verdict;
 use dolmen::structure::lowest_frequency_hz;
-use dolmen_project::{Project, Structure};
+use dolmen_project::{Project, Quantity, Structure};
 
 /// The demand of the project's site on its structure; `None` if the file has no site.
-pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer>, WorkError> {
+pub(crate) fn of(
+    project: &Project,
+    check: &Check,
+    tilts: &[TiltCheck],
+) -> Result<Option<DemandAnswer>, WorkError> {
     let Some(part) = &project.site else {
         return Ok(None);
     };
     let mut answer = DemandAnswer {
         site: part.demand()?,
         stack: None,
-        parts: Vec::new(),
+        compared: Compared::default(),
         drift_limit: project.drift_limit.clone(),
         spectral: Vec::new(),
         refused: None,
     };
-    for (direction, period_s) in periods(check) {
-        // of a building the modes' own damping is known, and its response is read at that
-        let own = match check {
-            Check::Building(building) => {
-                first_sway(building, &direction).map(|(_, damping_ratio)| damping_ratio)
-            }
-            _ => None,
+    let at_rest = at_rest(project, tilts)?;
+    for (direction, period_s) in periods(project, check, at_rest.as_ref())? {
+        let own = own_damping_ratio(project, check, &direction);
+        let damping_ratio = match check {
+            // its response is read at the damping of its modes
+            Check::Building(_) => own.unwrap_or(answer.site.damping_ratio),
+            _ => answer.site.damping_ratio_of(own),
         };
-        let damping_ratio = own.unwrap_or(answer.site.damping_ratio);
         match answer.site.spectrum.acceleration_m_s2(period_s, damping_ratio) {
             Ok(acceleration_m_s2) => answer.spectral.push(SpectralAt {
                 direction,
@@ -44,8 +48,8 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
             Err(why) => answer.refused = Some(told(&why)),
         }
     }
-    match parts(project, check, &answer) {
-        Ok(parts) => answer.parts = parts,
+    match compared(project, check, at_rest.as_ref(), &answer) {
+        Ok(compared) => answer.compared = compared,
         Err(why) => answer.refused = Some(told(&why)),
     }
     if let Check::Stack(stack) = check {
@@ -64,24 +68,76 @@ pub(crate) fn of(project: &Project, check: &Check) -> Result<Option<DemandAnswer
     Ok(Some(answer))
 }
 
+/// A chain as it leans, before it is shaken.
+fn at_rest(project: &Project, tilts: &[TiltCheck]) -> Result<Option<AtRest>, WorkError> {
+    let Structure::Chain(part) = &project.structure else {
+        return Ok(None);
+    };
+    let tilt_rad = TiltCheck::resultant(tilts);
+    chain::loads::at_rest(part, &project.loads, tilt_rad, &mut Quantity::nominal).map(Some)
+}
+
+/// The damping ratio that the file gives a structure in a direction, or a building's mode has.
+fn own_damping_ratio(project: &Project, check: &Check, direction: &str) -> Option<f64> {
+    let given = match (&project.structure, check) {
+        (Structure::Chain(part), _) => part.damping_ratio.as_ref(),
+        (Structure::Frame(part), _) => {
+            let own = part.directions.iter().find(|own| own.name == direction);
+            own.and_then(|own| own.damping_ratio.as_ref())
+        }
+        (_, Check::Building(building)) => {
+            return first_sway(building, direction).map(|(_, damping_ratio)| damping_ratio);
+        }
+        _ => None,
+    };
+    given.map(|given| given.value)
+}
+
 /// Storeys, joints and dampers against what limits them under the spectrum of the site.
-fn parts(project: &Project, check: &Check, answer: &DemandAnswer) -> Result<Vec<PartLimit>, WorkError> {
+fn compared(
+    project: &Project,
+    check: &Check,
+    at_rest: Option<&AtRest>,
+    answer: &DemandAnswer,
+) -> Result<Compared, WorkError> {
     let limit = answer.drift_limit.as_ref();
-    match (&project.structure, check) {
-        (Structure::Chain(part), Check::Chain(_)) => chain::limits::by_spectrum(part, &answer.site),
-        (Structure::Frame(part), Check::Frame(_)) => frame::limits::by_spectrum(part, &answer.site, limit),
-        (_, Check::Building(building)) => Ok(building::limits::by_spectrum(building, limit)),
-        _ => Ok(Vec::new()),
+    match (&project.structure, check, at_rest) {
+        (Structure::Chain(part), Check::Chain(_), Some(at_rest)) => {
+            let damping_ratio = answer
+                .site
+                .damping_ratio_of(own_damping_ratio(project, check, "all"));
+            chain::limits::by_spectrum(part, at_rest, &answer.site, damping_ratio)
+        }
+        (Structure::Frame(part), Check::Frame(_), _) => frame::limits::by_spectrum(part, &answer.site, limit),
+        (_, Check::Building(building), _) => Ok(Compared {
+            parts: building::limits::by_spectrum(building, limit),
+            not_compared: Vec::new(),
+        }),
+        _ => Ok(Compared::default()),
     }
 }
 
 /// First periods that are known, by direction, s.
-fn periods(check: &Check) -> Vec<(String, f64)> {
+fn periods(
+    project: &Project,
+    check: &Check,
+    at_rest: Option<&AtRest>,
+) -> Result<Vec<(String, f64)>, WorkError> {
     let of =
         |frequency_hz: f64| (frequency_hz > 0.0 && frequency_hz.is_finite()).then_some(1.0 / frequency_hz);
-    match check {
-        Check::Chain(chain) => {
-            let period = lowest_frequency_hz(&chain.modes).and_then(of);
+    Ok(match check {
+        Check::Chain(_) => {
+            let stiffness = match &project.structure {
+                Structure::Chain(part) => part.stiffness_n_m_rad(&mut Quantity::nominal),
+                _ => None,
+            };
+            let frequency_hz = match (at_rest, stiffness) {
+                (Some(at_rest), Some(stiffness)) => {
+                    lowest_frequency_hz(&at_rest.chain.natural_modes(&stiffness)?)
+                }
+                _ => None,
+            };
+            let period = frequency_hz.and_then(of);
             period
                 .into_iter()
                 .map(|period_s| ("all".to_owned(), period_s))
@@ -110,5 +166,5 @@ fn periods(check: &Check) -> Vec<(String, f64)> {
             });
             each.collect()
         }
-    }
+    })
 }

@@ -97,10 +97,9 @@ pub(crate) fn loads(
     tilts: &[TiltCheck],
     pick: Pick<'_>,
 ) -> Result<Option<LoadsAnswer>, WorkError> {
-    // directions of a survey are across each other
-    let tilt_rad = tilts.iter().map(|of| of.tilt * of.tilt).sum::<f64>().sqrt();
     match (&project.structure, check) {
         (Structure::Chain(part), Check::Chain(check)) => {
+            let tilt_rad = TiltCheck::resultant(tilts);
             chain::loads::loads(part, &project.loads, check, tilt_rad, pick)
         }
         _ => Ok(None),

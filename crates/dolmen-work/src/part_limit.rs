@@ -47,8 +47,39 @@ pub struct PartLimit {
     pub limited: Limited,
     /// How much of it is asked for.
     pub demand: f64,
-    /// How much of it there is; `None` where no limit is known.
+    /// How much of it there is, less what is taken without shaking; `None` where no limit is known.
     pub capacity: Option<f64>,
+    /// How much of the limit the tilt as surveyed and static loads take without shaking; 0 where none of them counts.
+    pub taken: f64,
+}
+
+/// Parts against their limits under the spectrum of a site, and what was not compared.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Compared {
+    /// Every part.
+    pub parts: Vec<PartLimit>,
+    /// Directions without any.
+    pub not_compared: Vec<NotCompared>,
+}
+
+/// A direction in which nothing was compared.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct NotCompared {
+    /// The direction; `None` where it is the same in all.
+    pub direction: Option<String>,
+    /// Why.
+    pub why: WhyNotCompared,
+}
+
+/// Why nothing was compared in a direction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WhyNotCompared {
+    /// Its stiffness is not known.
+    StiffnessUnknown,
+    /// It falls under its own weight.
+    Falls,
+    /// It falls under its own weight while its joints slip.
+    FallsSlipping,
 }
 
 impl PartLimit {
@@ -60,6 +91,7 @@ impl PartLimit {
             limited: Limited::Drift,
             demand: ratio.abs(),
             capacity: limit.map(DriftLimit::ratio),
+            taken: 0.0,
         }
     }
 
@@ -115,6 +147,7 @@ mod tests {
             limited: Limited::Drift,
             demand,
             capacity,
+            taken: 0.0,
         }
     }
 

@@ -2,7 +2,7 @@
 
 use crate::building::BuildingAnswer;
 use crate::loads::LoadsAnswer;
-use crate::part_limit::PartLimit;
+use crate::part_limit::Compared;
 use dolmen::assess::demand::{DriftLimit, SiteDemand, StackDemandCheck};
 use dolmen::assess::{ChainCheck, FrameCheck, Probability, StackCheck};
 use dolmen::blocks::{MatchedFrequency, StackMode};
@@ -50,7 +50,7 @@ pub struct DemandAnswer {
     /// A stack against it; `None` for other structures, and where the site gives no acceleration of the ground.
     pub stack: Option<StackDemandCheck>,
     /// Storeys, joints and dampers against what limits them.
-    pub parts: Vec<PartLimit>,
+    pub compared: Compared,
     /// Allowable drift of storeys; `None` where the file gives none.
     pub drift_limit: Option<DriftLimit>,
     /// The spectrum at the first period of each direction that is known.
@@ -66,7 +66,7 @@ pub struct SpectralAt {
     pub direction: String,
     /// T₁, s.
     pub period_s: f64,
-    /// ζ at which the spectrum is read: that of the mode of a building, else that of the site.
+    /// ζ at which the spectrum is read: that of the mode of a building, of a chain or frame what the file gives it, else that of the site.
     pub damping_ratio: f64,
     /// S_a(T₁, ζ), m/s².
     pub acceleration_m_s2: f64,
@@ -90,6 +90,11 @@ pub struct TiltCheck {
 }
 
 impl TiltCheck {
+    /// The tilt of all directions together, which are across each other, rad.
+    pub(crate) fn resultant(tilts: &[TiltCheck]) -> f64 {
+        tilts.iter().map(|of| of.tilt * of.tilt).sum::<f64>().sqrt()
+    }
+
     /// Unstable if the tilt has reached the uplift limit, marginal within [`Verdict::MARGINAL_BELOW`] of it.
     pub fn verdict(&self) -> Verdict {
         self.uplift_tilt.map_or(Verdict::Unknown, |limit| {

@@ -8,6 +8,7 @@ use crate::limits;
 use dolmen::assess::demand::{StackDemandCheck, StackDemandRow};
 use dolmen::stability::stack::DemandVerdict;
 use dolmen_words::{Digits, Quantity, Sentence, messages};
+use dolmen_work::part_limit::{NotCompared, WhyNotCompared};
 use dolmen_work::state::DemandAnswer;
 
 /// Digits of accelerations and ratios.
@@ -40,6 +41,30 @@ messages! {
             en: "; what elastic joints add to it is not known",
             ko: ". 탄성 접합면의 증폭은 알 수 없다",
         },
+        NoStiffness => {
+            en: "The demand of the site is not compared: the stiffness is not known.",
+            ko: "강성을 알 수 없어 부지의 요구 수준과 비교하지 않는다.",
+        },
+        NoStiffnessIn { direction: String } => {
+            en: "Direction {direction} is not compared with the demand of the site: its stiffness is not known.",
+            ko: "{direction} 방향은 강성을 알 수 없어 부지의 요구 수준과 비교하지 않는다.",
+        },
+        Falls => {
+            en: "The demand of the site is not compared: it falls under its own weight.",
+            ko: "자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+        },
+        FallsIn { direction: String } => {
+            en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight.",
+            ko: "{direction} 방향은 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+        },
+        FallsSlipping => {
+            en: "The demand of the site is not compared: it falls under its own weight while its joints slip.",
+            ko: "접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+        },
+        FallsSlippingIn { direction: String } => {
+            en: "Direction {direction} is not compared with the demand of the site: it falls under its own weight while its joints slip.",
+            ko: "{direction} 방향은 접합부가 미끄러질 때 자중만으로 붕괴하므로 부지의 요구 수준과 비교하지 않는다.",
+        },
         BySpectrum => { en: "by the spectrum of the site", ko: "부지 스펙트럼에 대하여" },
         NotCompared { why: String } => {
             en: "The demand of the site is not compared: {why}.",
@@ -58,13 +83,27 @@ pub(crate) fn findings(answer: Option<&DemandAnswer>) -> Vec<Finding> {
     let refused = answer.refused.clone();
     let refused = refused.map(|why| Finding::key(Tone::Unknown, Found::NotCompared { why }));
     let parts = limits::findings(
-        &answer.parts,
+        &answer.compared.parts,
         answer.drift_limit.as_ref(),
         Some(Found::BySpectrum.into()),
     );
+    let without = answer.compared.not_compared.iter();
+    let without = without.map(|of| Finding::key(Tone::Unknown, not_compared(of)));
     let unverified = unverified(&answer.site).map(|said| Finding::new(Tone::Warn, said));
-    let compared = compared.into_iter().chain(refused).chain(parts);
+    let compared = compared.into_iter().chain(refused).chain(without).chain(parts);
     compared.chain(unverified).collect()
+}
+
+/// Why a direction was not compared.
+pub(super) fn not_compared(of: &NotCompared) -> Found {
+    match (of.why, of.direction.clone()) {
+        (WhyNotCompared::StiffnessUnknown, None) => Found::NoStiffness,
+        (WhyNotCompared::StiffnessUnknown, Some(direction)) => Found::NoStiffnessIn { direction },
+        (WhyNotCompared::Falls, None) => Found::Falls,
+        (WhyNotCompared::Falls, Some(direction)) => Found::FallsIn { direction },
+        (WhyNotCompared::FallsSlipping, None) => Found::FallsSlipping,
+        (WhyNotCompared::FallsSlipping, Some(direction)) => Found::FallsSlippingIn { direction },
+    }
 }
 
 fn compared(stack: &StackDemandCheck, source: &str) -> Option<Finding> {

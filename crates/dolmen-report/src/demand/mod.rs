@@ -15,6 +15,7 @@ use crate::document::{Document, Figure, Series};
 use crate::figures::{design_spectrum, spectrum_curves};
 use crate::limits;
 use dolmen_words::{Quantity, Sentence, Template, messages};
+use dolmen_work::part_limit::Compared;
 use dolmen_work::state::DemandAnswer;
 
 messages! {
@@ -70,8 +71,11 @@ pub(crate) fn sections(answer: &DemandAnswer) -> Document<'_> {
         Some(stack) => comparison::section(&mut document, stack),
         None => periods::section(&mut document, &answer.spectral),
     }
-    limits::section(&mut document, &answer.parts, answer.drift_limit.as_ref());
-    let is_compared = answer.stack.is_some() || !answer.parts.is_empty();
+    for of in &answer.compared.not_compared {
+        document.note(findings::not_compared(of));
+    }
+    limits::section(&mut document, &answer.compared.parts, answer.drift_limit.as_ref());
+    let is_compared = answer.stack.is_some() || answer.compared != Compared::default();
     if !is_compared && answer.refused.is_none() {
         document.note(Demand::BearsUnknown);
     }

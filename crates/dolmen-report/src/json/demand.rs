@@ -4,6 +4,7 @@ use crate::demand::{ground_word, type_word};
 use crate::limits::parts_json;
 use dolmen::assess::demand::{ShakenDirection, SiteParameters, StackDemandCheck};
 use dolmen::stability::stack::{DemandVerdict, LimitKind, Threshold};
+use dolmen_work::part_limit::{NotCompared, WhyNotCompared};
 use dolmen_work::state::DemandAnswer;
 use serde_json::{Value, json};
 
@@ -18,11 +19,23 @@ pub(super) fn demand(answer: &DemandAnswer) -> Value {
         "peak_ground_acceleration_m_s2": site.peak_ground_acceleration_m_s2,
         "vertical": site.vertical.map(|v| json!({ "ratio": v.ratio, "verified": v.verified })),
         "unverified": spectrum.unverified.iter().map(ToString::to_string).collect::<Vec<_>>(),
-        "limits": parts_json(&answer.parts, answer.drift_limit.as_ref()),
+        "limits": parts_json(&answer.compared.parts, answer.drift_limit.as_ref()),
+        "not_compared": answer.compared.not_compared.iter().map(not_compared).collect::<Vec<_>>(),
         "spectral": answer.spectral,
         "refused": answer.refused,
         "stack": answer.stack.as_ref().map(stack),
         "near_below": DemandVerdict::NEAR_BELOW,
+    })
+}
+
+fn not_compared(of: &NotCompared) -> Value {
+    json!({
+        "direction": of.direction,
+        "why": match of.why {
+            WhyNotCompared::StiffnessUnknown => "stiffness unknown",
+            WhyNotCompared::Falls => "falls",
+            WhyNotCompared::FallsSlipping => "falls while its joints slip",
+        },
     })
 }
 

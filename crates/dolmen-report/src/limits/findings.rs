@@ -34,6 +34,10 @@ messages! {
             en: "{part} has a moment of {moment}, and its bed stands on its edge at {most}: capacity over demand {ratio}.",
             ko: "{part}의 모멘트는 {moment}, 접합면이 모서리로만 지지되는 모멘트는 {most}이다(저항/요구 {ratio}).",
         },
+        BedEdgeLeft { part: Sentence, moment: Quantity, left: Quantity, taken: Quantity, ratio: Quantity } => {
+            en: "{part} has a moment of {moment}; of what its bed passes, tilt and loads take {taken} and leave {left}: capacity over demand {ratio}.",
+            ko: "{part}의 모멘트는 {moment}이다. 접합면의 전도 모멘트에서 기울기와 정하중의 몫 {taken}을(를) 뺀 값은 {left}이다(저항/요구 {ratio}).",
+        },
         NoBed { part: Sentence, moment: Quantity } => {
             en: "{part} has a moment of {moment}; without bed_width nothing is decided.",
             ko: "{part}의 모멘트는 {moment}이나 bed_width가 없어 판정하지 않는다.",
@@ -79,6 +83,13 @@ fn said(of: &PartLimit, limit: Option<&DriftLimit>) -> Found {
             part,
             drift: percent(of.demand),
             most: Quantity::percent(DRIFT_RATIO_MOST, 2),
+        },
+        (Limited::BedEdge, Some((left, ratio))) if of.taken > 0.0 => Found::BedEdgeLeft {
+            part,
+            moment: moment(of.demand),
+            left: moment(left),
+            taken: moment(of.taken),
+            ratio: Quantity::beside_one(ratio, DIGITS),
         },
         (Limited::BedEdge, Some((most, ratio))) => Found::BedEdge {
             part,

@@ -29,6 +29,7 @@ fn part(of: &PartLimit) -> Value {
         },
         "demand": of.demand,
         "capacity": of.capacity,
+        "taken": of.taken,
         "demand_over_capacity": of.use_ratio(),
         "verdict": of.verdict(),
     })

@@ -26,6 +26,10 @@ messages! {
             en: "Moment of each joint against that at which its bed stands on its edge.",
             ko: "접합면별 모멘트와 모서리로만 지지되는 모멘트.",
         },
+        MomentsLeft => {
+            en: "Moment of each joint by the shaking against what tilt and static loads leave of that at which its bed stands on its edge.",
+            ko: "접합면별 지진 모멘트와, 모서리로만 지지되는 모멘트에서 기울기와 정하중의 몫을 뺀 값.",
+        },
         UseMeaning => {
             en: "Below 1 it is within its limit, from 0.8 near it.",
             ko: "비가 1 이하이면 허용 범위 안이며 0.8을 넘으면 근접이다.",
@@ -37,6 +41,7 @@ messages! {
         Drift => { en: "drift / height", ko: "층간변위비" },
         Allowed => { en: "allowed", ko: "허용값" },
         Moment => { en: "moment", ko: "모멘트" },
+        Left => { en: "left", ko: "남은 모멘트" },
         Edge => { en: "on its edge at", ko: "전도 모멘트" },
         Use => { en: "demand / limit", ko: "요구/허용" },
     }
@@ -62,11 +67,11 @@ pub(crate) fn section(document: &mut Document<'_>, parts: &[PartLimit], limit: O
     }
     let moments = of(Limited::BedEdge);
     if !moments.is_empty() {
-        document.put(Block::Table(table(
-            (Limits::Moments, Limits::Moment, Limits::Edge),
-            &moments,
-            &kilo("N·m"),
-        )));
+        let heads = match moments.iter().any(|of| of.taken > 0.0) {
+            true => (Limits::MomentsLeft, Limits::Moment, Limits::Left),
+            false => (Limits::Moments, Limits::Moment, Limits::Edge),
+        };
+        document.put(Block::Table(table(heads, &moments, &kilo("N·m"))));
     }
 }
 

@@ -38,6 +38,7 @@ fn rooms(dampers: &[BuiltDamper], strokes_m: impl Iterator<Item = f64>) -> Vec<P
     let pairs = strokes_of(dampers).into_iter().zip(strokes_m);
     pairs
         .map(|(stroke, stroke_m)| PartLimit {
+            taken: 0.0,
             part: Part::Damper(stroke.name),
             direction: None,
             limited: Limited::Room,

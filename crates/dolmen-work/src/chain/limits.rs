@@ -1,10 +1,12 @@
 //! Joints of a chain against the edges of their beds.
 
 use super::ChainSimulation;
+use super::loads::AtRest;
 use crate::error::WorkError;
-use crate::part_limit::{Limited, Part, PartLimit};
+use crate::part_limit::{Compared, Limited, NotCompared, Part, PartLimit, WhyNotCompared};
 use dolmen::assess::demand::{SiteDemand, chain_moments_by_spectrum};
 use dolmen::dynamics::ChainRotations;
+use dolmen::stability::JointHold;
 use dolmen_project::{ChainPart, Quantity};
 
 /// Names of the links, lowest first.
@@ -14,35 +16,50 @@ pub(crate) fn link_names(part: &ChainPart) -> Vec<String> {
         .collect()
 }
 
-fn at_edge(link: String, moment_n_m: f64, most_n_m: f64) -> PartLimit {
+fn at_edge(link: String, moment_n_m: f64, most_n_m: Option<f64>, taken_n_m: f64) -> PartLimit {
     PartLimit {
         part: Part::JointBelow(link),
         direction: None,
         limited: Limited::BedEdge,
         demand: moment_n_m.abs(),
-        capacity: most_n_m.is_finite().then_some(most_n_m),
+        capacity: most_n_m.map(|most| (most - taken_n_m).max(0.0)),
+        taken: taken_n_m,
     }
 }
 
-/// The elastic moments by the spectrum of the site; empty where the joints are not known, or it falls.
-pub(crate) fn by_spectrum(part: &ChainPart, site: &SiteDemand) -> Result<Vec<PartLimit>, WorkError> {
+/// The elastic moments by the spectrum of the site, against what the tilt as surveyed and static loads leave of each bed. A joint that is
+/// held has no limit.
+pub(crate) fn by_spectrum(
+    part: &ChainPart,
+    at_rest: &AtRest,
+    site: &SiteDemand,
+    damping_ratio: f64,
+) -> Result<Compared, WorkError> {
+    let none = |why| Compared {
+        parts: Vec::new(),
+        not_compared: vec![NotCompared { direction: None, why }],
+    };
     let Some(stiffness) = part.stiffness_n_m_rad(&mut Quantity::nominal) else {
-        return Ok(Vec::new());
+        return Ok(none(WhyNotCompared::StiffnessUnknown));
     };
-    let chain = part.build(&mut Quantity::nominal)?;
-    let Some(moments) = chain_moments_by_spectrum(&chain, &stiffness, site)? else {
-        return Ok(Vec::new());
-    };
-    let Some(model) = part.moving(ChainRotations::Small, &mut Quantity::nominal)? else {
-        return Ok(Vec::new());
+    let Some(moments) = chain_moments_by_spectrum(&at_rest.chain, &stiffness, site, damping_ratio)? else {
+        return Ok(none(WhyNotCompared::Falls));
     };
     let each = link_names(part)
         .into_iter()
         .zip(moments)
-        .zip(model.moment_most_n_m());
-    Ok(each
-        .map(|((link, moment), most)| at_edge(link, moment, *most))
-        .collect())
+        .zip(at_rest.under.joints.iter().zip(&at_rest.holds));
+    let limited = each.filter(|(_, (_, hold))| **hold != JointHold::Held);
+    let parts = limited.map(|((link, moment), (joint, _))| {
+        // which way the loads push and the structure leans is not known to be the same, nor to be another
+        let loads_n_m = joint.moment_n_m.unwrap_or(joint.rigid_moment_n_m);
+        let taken_n_m = joint.tilt_moment_n_m.abs() + loads_n_m.abs();
+        at_edge(link, moment, joint.limit_n_m, taken_n_m)
+    });
+    Ok(Compared {
+        parts: parts.collect(),
+        not_compared: Vec::new(),
+    })
 }
 
 impl ChainSimulation {
@@ -53,8 +70,11 @@ impl ChainSimulation {
     /// Each joint against the edge of its bed.
     pub fn parts(&self) -> Vec<PartLimit> {
         let each = self.links.iter().zip(self.model.moment_most_n_m()).enumerate();
-        each.map(|(joint, (link, most))| at_edge(link.clone(), self.joint_moment_peak_n_m(joint), *most))
-            .collect()
+        each.map(|(joint, (link, most))| {
+            let most = most.is_finite().then_some(*most);
+            at_edge(link.clone(), self.joint_moment_peak_n_m(joint), most, 0.0)
+        })
+        .collect()
     }
 
     /// The link that rotated beyond what the linear equations can tell of, and by how much, rad; `None` for equations of large rotations.

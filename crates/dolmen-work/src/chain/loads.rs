@@ -8,7 +8,7 @@ use dolmen::stability::{
     ChainLoading, ChainUnderLoads, JointHold, LinkLoad, chain_stability, chain_under_loads,
 };
 use dolmen::structure::wind::{WindBody, WindError};
-use dolmen::structure::{Chain, Link, lowest_frequency_hz};
+use dolmen::structure::{Chain, Inertia, Link, lowest_frequency_hz};
 use dolmen_project::{ChainPart, CombinationPart, LoadPart, LoadsPart, Pick, WindArea, WindGiven};
 
 /// What loads beside the weight do to a chain; `None` if there are none.
@@ -63,6 +63,46 @@ pub(crate) fn loads(
     let combinations = each.collect::<Result<Vec<_>, _>>()?;
     answer.combinations = combinations;
     Ok(Some(answer))
+}
+
+/// A chain at rest, leaning as surveyed under its weight and static loads, before it is shaken.
+pub(crate) struct AtRest {
+    /// With the weight of the loads.
+    pub(crate) chain: Chain,
+    /// What holds each joint.
+    pub(crate) holds: Vec<JointHold>,
+    /// Moments of the tilt and of the loads, and the limit of each joint.
+    pub(crate) under: ChainUnderLoads,
+}
+
+/// The chain at rest, each load as it is.
+pub(crate) fn at_rest(
+    part: &ChainPart,
+    given: &LoadsPart,
+    tilt_rad: f64,
+    pick: Pick<'_>,
+) -> Result<AtRest, WorkError> {
+    let model = Model {
+        chain: part.build(pick)?,
+        stiffness: part.stiffness_n_m_rad(pick),
+        holds: holds(part, pick),
+        loads: given.loads.iter().map(|load| acting(load, pick)).collect(),
+        met: None,
+        tilt_rad,
+    };
+    let still = CombinationPart {
+        name: None,
+        weight: 1.0,
+        wind: 0.0,
+        loads: 1.0,
+    };
+    let chain = weighted(&model.chain, &model.loads, [still.weight, still.loads])?;
+    let under = model.blown(&chain, &still, 1.0)?;
+    Ok(AtRest {
+        chain,
+        holds: model.holds,
+        under,
+    })
 }
 
 /// What holds each joint.
@@ -256,6 +296,10 @@ fn weighted(chain: &Chain, loads: &[Acting], [weight, loaded]: [f64; 2]) -> Resu
         let at_m = above_joint_m(chain, load);
         let link = &mut links[load.link];
         let mass_kg = link.mass_kg + added_kg;
+        let own_kg_m2 = link.inertia_kg_m2();
+        let apart_m = at_m - link.centroid_m;
+        let reduced_kg = link.mass_kg * added_kg / mass_kg;
+        link.inertia = Inertia::Given(own_kg_m2 + reduced_kg * apart_m * apart_m);
         link.centroid_m = (link.mass_kg * link.centroid_m + added_kg * at_m) / mass_kg;
         link.mass_kg = mass_kg;
     }

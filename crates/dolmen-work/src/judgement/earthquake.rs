@@ -2,7 +2,7 @@
 
 use super::colour::Colour;
 use crate::building::RowStroke;
-use crate::part_limit::{Limited, Part, PartLimit, worst_part};
+use crate::part_limit::{Limited, NotCompared, Part, PartLimit, WhyNotCompared, worst_part};
 use crate::state::State;
 use dolmen::assess::DamageState;
 use dolmen::stability::stack::DemandVerdict;
@@ -42,6 +42,12 @@ pub enum DecidedBy {
     Room,
     /// Nothing: there is no limit to hold the answer against, or it could not be compared.
     NoLimit,
+    /// Nothing: the bed of a joint is not known.
+    BedUnknown,
+    /// Nothing: the stiffness is not known, at least in one direction.
+    StiffnessUnknown,
+    /// Nothing: it does not stand without shaking.
+    DoesNotStand,
     /// Nothing: the run was stopped, or ended before it could tell.
     Unfinished,
 }
@@ -138,6 +144,9 @@ impl DecidedBy {
             DecidedBy::BedEdge => "bed_edge",
             DecidedBy::Room => "room",
             DecidedBy::NoLimit => "no_limit",
+            DecidedBy::BedUnknown => "bed_unknown",
+            DecidedBy::StiffnessUnknown => "stiffness_unknown",
+            DecidedBy::DoesNotStand => "does_not_stand",
             DecidedBy::Unfinished => "unfinished",
         }
     }
@@ -154,16 +163,40 @@ pub(super) fn of_site(state: &State) -> Vec<EarthquakeFinding> {
             ..EarthquakeFinding::new(Earthquake::of_demand(stack.verdict), DecidedBy::CodeDemand, None)
         }];
     }
-    of_parts(&demand.parts, None)
+    let mut found: Vec<EarthquakeFinding> = demand.compared.not_compared.iter().map(of_none).collect();
+    if found.is_empty() || !demand.compared.parts.is_empty() {
+        found.extend(of_parts(&demand.compared.parts, None));
+    }
+    found
 }
 
-/// Parts against their limits: the worst storey, the worst joint, every damper; where nothing could be compared, that.
+/// A direction that was not compared: nothing is decided, whatever the others have.
+fn of_none(of: &NotCompared) -> EarthquakeFinding {
+    let decided_by = match of.why {
+        WhyNotCompared::StiffnessUnknown => DecidedBy::StiffnessUnknown,
+        WhyNotCompared::Falls | WhyNotCompared::FallsSlipping => DecidedBy::DoesNotStand,
+    };
+    EarthquakeFinding {
+        part: of.direction.clone(),
+        ..EarthquakeFinding::new(Earthquake::NotDecided, decided_by, None)
+    }
+}
+
+/// Parts against their limits: the worst storey, the worst joint, every damper; a joint whose bed is not known; where nothing could be
+/// compared, that.
 pub(super) fn of_parts(parts: &[PartLimit], motion: Option<&str>) -> Vec<EarthquakeFinding> {
     let dampers = parts.iter().filter(|part| part.limited == Limited::Room);
     let worst = [Limited::Drift, Limited::BedEdge].map(|limited| worst_part(parts, limited));
     let compared = worst.into_iter().flatten().chain(dampers);
     let compared = compared.filter(|part| part.capacity.is_some() || part.falls());
-    let found: Vec<EarthquakeFinding> = compared.map(|part| of_part(part, motion)).collect();
+    let mut found: Vec<EarthquakeFinding> = compared.map(|part| of_part(part, motion)).collect();
+    let is_bed = |part: &&PartLimit| part.limited == Limited::BedEdge;
+    if let Some(unknown) = parts.iter().filter(is_bed).find(|part| part.capacity.is_none()) {
+        found.push(EarthquakeFinding {
+            part: Some(unknown.part.name().to_owned()),
+            ..EarthquakeFinding::new(Earthquake::NotDecided, DecidedBy::BedUnknown, motion)
+        });
+    }
     match found.is_empty() {
         true => vec![EarthquakeFinding::new(
             Earthquake::NotDecided,
@@ -195,6 +228,7 @@ pub(super) fn of_row(row: &RowStroke) -> EarthquakeFinding {
         limited: Limited::Room,
         demand: row.stroke_m.abs(),
         capacity: Some(row.room_m),
+        taken: 0.0,
     };
     of_part(&part, row.motion.as_deref())
 }
@@ -226,6 +260,25 @@ mod tests {
         ] {
             assert_eq!(Earthquake::of_damage(state).colour(), colour, "{state:?}");
         }
+    }
+
+    #[test]
+    fn holds_what_is_not_known_of_one_part_is_not_decided_by_another() {
+        let joint = |name: &str, demand: f64, capacity: Option<f64>| PartLimit {
+            part: Part::JointBelow(name.into()),
+            direction: None,
+            limited: Limited::BedEdge,
+            demand,
+            capacity,
+            taken: 0.0,
+        };
+        let strong = joint("strong", 1.0, Some(4.0));
+        let weak = joint("weak", 1.0, Some(0.5));
+        let unknown = joint("unknown", 1.0, None);
+        let word = |parts: &[PartLimit]| Earthquake::worst(&of_parts(parts, None));
+        assert_eq!(word(std::slice::from_ref(&strong)), Earthquake::Above);
+        assert_eq!(word(&[strong.clone(), unknown.clone()]), Earthquake::NotDecided);
+        assert_eq!(word(&[strong, unknown, weak]), Earthquake::BelowDemand);
     }
 
     #[test]

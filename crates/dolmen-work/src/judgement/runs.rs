@@ -233,6 +233,7 @@ mod tests {
             assert_eq!(of_fall(ending, is_nan).0, expected, "{ending:?} {is_nan}");
         }
         let storey = |demand: f64, capacity: Option<f64>| PartLimit {
+            taken: 0.0,
             part: Part::Storey("a".into()),
             direction: None,
             limited: Limited::Drift,

@@ -6,6 +6,7 @@
 //! | L | `influence` | inertia force on each coordinate for a unit acceleration of the ground | kg, kg m |
 //! | Γ | – | φᵀL/φᵀMφ | – |
 //! | S_a | – | spectral acceleration at the period of the mode | m/s² |
+//! | ζ | `damping_ratio` | damping ratio of every mode | – |
 //! | ρ | – | correlation coefficient of two modes | – |
 
 use super::SiteDemand;
@@ -30,6 +31,7 @@ impl PlaneModes {
         mass: &Matrix,
         influence: &[f64],
         site: &SiteDemand,
+        zeta: f64,
     ) -> Result<Option<Self>, AssessError> {
         if modes
             .iter()
@@ -37,7 +39,6 @@ impl PlaneModes {
         {
             return Ok(None);
         }
-        let zeta = site.damping_ratio;
         let mut responses = Vec::with_capacity(modes.len());
         for mode in modes {
             let phi = &mode.coordinates;
@@ -84,10 +85,11 @@ impl PlaneModes {
     }
 }
 
-/// Largest elastic drift of each storey of a frame by the spectrum of a site, m, lowest first, P-delta counted; `None` for a frame that falls.
+/// Largest elastic drift of each storey of a frame by the spectrum of a site, m, lowest first, every mode damped alike and P-delta counted;
+/// `None` for a frame that falls.
 ///
 /// # Errors
-/// [`AssessError::Structure`] for a wrong stiffness; what the spectrum refuses at a period of a mode.
+/// [`AssessError::Structure`] for a wrong stiffness; what the spectrum refuses at a period of a mode or at the damping ratio.
 ///
 /// # Limits
 /// Elastic, at one stiffness: joints that slip are taken all stuck or all slipping, as `stiffness_n_m` has it, and what their friction takes
@@ -99,21 +101,23 @@ pub fn frame_drifts_by_spectrum(
     frame: &Frame,
     stiffness_n_m: &[f64],
     site: &SiteDemand,
+    damping_ratio: f64,
 ) -> Result<Option<Vec<f64>>, AssessError> {
     let modes = frame.natural_modes(stiffness_n_m)?;
     let influence: Vec<f64> = frame.storeys().iter().map(|storey| storey.mass_kg).collect();
-    let found = PlaneModes::new(&modes, &frame.mass_matrix(), &influence, site)?;
+    let found = PlaneModes::new(&modes, &frame.mass_matrix(), &influence, site, damping_ratio)?;
     Ok(found.map(|modes| modes.steps()))
 }
 
-/// Largest moment of each joint of a chain by the spectrum of a site, N m, lowest first, gravity counted; `None` for a chain that falls.
+/// Largest moment of each joint of a chain by the spectrum of a site, N m, lowest first, every mode damped alike and gravity counted;
+/// `None` for a chain that falls.
 ///
 /// ```text
 /// τ_i = k_i |θ_i − θ_{i−1}|
 /// ```
 ///
 /// # Errors
-/// [`AssessError::Structure`] for a wrong stiffness; what the spectrum refuses at a period of a mode.
+/// [`AssessError::Structure`] for a wrong stiffness; what the spectrum refuses at a period of a mode or at the damping ratio.
 ///
 /// # Limits
 /// Elastic: a bed that opens is softer than this, and lets the moment grow no further than N b/2.
@@ -124,10 +128,11 @@ pub fn chain_moments_by_spectrum(
     chain: &Chain,
     stiffness_n_m_rad: &[f64],
     site: &SiteDemand,
+    damping_ratio: f64,
 ) -> Result<Option<Vec<f64>>, AssessError> {
     let modes = chain.natural_modes(stiffness_n_m_rad)?;
     let influence = chain.base_influence_kg_m();
-    let found = PlaneModes::new(&modes, &chain.mass_matrix(), &influence, site)?;
+    let found = PlaneModes::new(&modes, &chain.mass_matrix(), &influence, site, damping_ratio)?;
     Ok(found.map(|modes| {
         let rotations = modes.steps();
         rotations
@@ -171,7 +176,9 @@ mod tests {
             let period_s = std::f64::consts::TAU / omega_squared.sqrt();
             site().spectrum.acceleration_m_s2(period_s, 0.05).unwrap()
         };
-        let drift = frame_drifts_by_spectrum(&frame, &[k], &site()).unwrap().unwrap();
+        let drift = frame_drifts_by_spectrum(&frame, &[k], &site(), 0.05)
+            .unwrap()
+            .unwrap();
         close(drift[0], at(omega_squared) / omega_squared);
         let (m, l, length_m, g, k) = (1000.0, 1.5, 3.0, 9.8, 1e6);
         let link = Link {
@@ -183,9 +190,19 @@ mod tests {
         };
         let chain = Chain::new(vec![link], g).unwrap();
         let inertia = m * l * l + m * length_m * length_m / 12.0;
-        let moment = chain_moments_by_spectrum(&chain, &[k], &site()).unwrap().unwrap();
+        let moment = chain_moments_by_spectrum(&chain, &[k], &site(), 0.05)
+            .unwrap()
+            .unwrap();
         let stiffness = k - m * g * l;
         close(moment[0], k * m * l * at(stiffness / inertia) / stiffness);
+        // another damping ratio is one mode's by the spectrum's own rule
+        let period_s = std::f64::consts::TAU / (stiffness / inertia).sqrt();
+        let read = |zeta: f64| site().spectrum.acceleration_m_s2(period_s, zeta).unwrap();
+        let damped = chain_moments_by_spectrum(&chain, &[k], &site(), 0.01)
+            .unwrap()
+            .unwrap();
+        assert!(read(0.01) > 1.2 * read(0.05));
+        close(damped[0] / moment[0], read(0.01) / read(0.05));
     }
 
     #[test]
@@ -198,7 +215,7 @@ mod tests {
             axial_n: 0.0,
         };
         let frame = Frame::new(vec![storey.clone(), storey], Convention::Drift).unwrap();
-        let drifts = frame_drifts_by_spectrum(&frame, &[k, k], &site())
+        let drifts = frame_drifts_by_spectrum(&frame, &[k, k], &site(), 0.05)
             .unwrap()
             .unwrap();
         let golden = (1.0 + 5.0_f64.sqrt()) / 2.0;
@@ -235,6 +252,9 @@ mod tests {
             axial_n: 1e5,
         };
         let frame = Frame::new(vec![storey], Convention::Drift).unwrap();
-        assert_eq!(frame_drifts_by_spectrum(&frame, &[2e4], &site()).unwrap(), None);
+        assert_eq!(
+            frame_drifts_by_spectrum(&frame, &[2e4], &site(), 0.05).unwrap(),
+            None
+        );
     }
 }

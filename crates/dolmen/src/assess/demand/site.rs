@@ -133,6 +133,13 @@ impl SiteDemand {
         }
     }
 
+    /// The damping ratio at which the spectrum is read for a structure: its own if it has one, else that of the site. A table holds for its own
+    /// alone.
+    pub fn damping_ratio_of(&self, own: Option<f64>) -> f64 {
+        let of_table = self.spectrum.table_damping_ratio();
+        of_table.or(own).unwrap_or(self.damping_ratio)
+    }
+
     /// The return period that was chosen, years; `None` where the code has one alone, or none.
     pub fn return_period_years(&self) -> Option<u32> {
         match self.parameters {

@@ -227,6 +227,14 @@ impl DesignSpectrum {
         }
     }
 
+    /// The only damping ratio at which it can be read; `None` where a rule gives others.
+    pub(super) fn table_damping_ratio(&self) -> Option<f64> {
+        match &self.shape {
+            Shape::Branches(_) => None,
+            Shape::Table { damping_ratio, .. } => Some(*damping_ratio),
+        }
+    }
+
     /// Spectral acceleration, m/s², at a period and a damping ratio.
     ///
     /// ```text
