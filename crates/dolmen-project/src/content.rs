@@ -42,6 +42,8 @@ pub enum WarningKind {
     ThinRod,
     /// Axial forces not given, taken from the masses.
     AxialFromMasses,
+    /// Free-standing columns, which simulations leave out.
+    ColumnsNotInMotion,
     /// Values of the joints of a stack that are not given: Dolmen's own are taken.
     JointDefaults,
     /// A surveyed tilt that the model does not lean by.

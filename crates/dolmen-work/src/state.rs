@@ -1,6 +1,7 @@
 //! Whether a version of a structure stands, and everything that speaks for or against it.
 
 use crate::building::BuildingAnswer;
+use crate::frame::StoreyColumns;
 use crate::loads::LoadsAnswer;
 use crate::part_limit::Compared;
 use dolmen::assess::demand::{DriftLimit, SiteDemand, StackDemandCheck};
@@ -210,6 +211,8 @@ pub struct DirectionCheck {
     pub check: FrameCheck,
     /// The same while every joint slips; `None` where slipping takes no stiffness away, or it is not known.
     pub slipping: Option<FrameCheck>,
+    /// What free-standing columns hold, of the storeys that have some.
+    pub columns: Vec<StoreyColumns>,
 }
 
 /// A variant and whether it stands.

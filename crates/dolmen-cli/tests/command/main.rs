@@ -7,6 +7,7 @@ mod building_studies;
 mod buildings;
 mod chains;
 mod changes;
+mod columns;
 mod decisions;
 mod demands;
 mod docs;

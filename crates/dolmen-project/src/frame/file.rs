@@ -18,6 +18,25 @@ pub(crate) struct StoreyRaw {
     pub(super) height: Option<At<QuantityRaw>>,
     /// Axial force as axial says; from the masses if none is given; 0 leaves P-delta out.
     pub(super) axial_force: Option<At<QuantityRaw>>,
+    /// Columns that stand free on foot stones, all alike.
+    pub(super) columns: Option<At<ColumnsRaw>>,
+}
+
+/// Columns of a storey that stand free, as high as the storey: square, rectangular or round.
+#[derive(Debug, serde::Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(crate) struct ColumnsRaw {
+    /// How many; they share the axial force alike.
+    #[schemars(required)]
+    pub(super) count: Option<At<i64>>,
+    /// Width of foot and head in the direction of motion; or diameter.
+    pub(super) width: Option<At<QuantityRaw>>,
+    /// Width across it, in a frame of one direction; that of width without it.
+    pub(super) breadth: Option<At<QuantityRaw>>,
+    /// Diameter of foot and head; or width.
+    pub(super) diameter: Option<At<QuantityRaw>>,
+    /// Pressure over indentation of what foot and head press on; rigid without it.
+    pub(super) bed_stiffness: Option<At<QuantityRaw>>,
 }
 
 /// What axial_force is.

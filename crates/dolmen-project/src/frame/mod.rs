@@ -1,5 +1,6 @@
 //! Frames: rigid storeys on lateral springs.
 
+mod columns;
 mod doubts;
 mod file;
 mod friction;
@@ -9,6 +10,8 @@ mod slips;
 
 pub(crate) use doubts::doubt_frame;
 pub(crate) use file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
-pub use part::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
+pub use part::{
+    Axial, ColumnsPart, DirectionPart, FootPart, FramePart, FrictionPart, SlipForces, StoreyPart,
+};
 pub(crate) use read::frame;
 pub(crate) use slips::judge_frame;

@@ -5,6 +5,7 @@ use crate::quantity::{Pick, Quantity};
 use dolmen::dynamics::{
     DynamicsError, FrictionActsOn, FrictionFrame, StoreyFriction, ViscousDamping, slip_forces_n,
 };
+use dolmen::stability::{FootSection, FreeColumns, StabilityError};
 use dolmen::structure::{Convention, Frame, Storey, StructureError};
 
 /// What `axial_force` of a storey is.
@@ -29,6 +30,90 @@ pub struct StoreyPart {
     pub height: Quantity,
     /// Axial force as [`FramePart::axial`] says, N; `None` with [`Axial::FromMasses`].
     pub axial_force: Option<Quantity>,
+    /// Columns that stand free, if given.
+    pub columns: Option<ColumnsPart>,
+}
+
+/// Foot and head of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FootPart {
+    /// A rectangle.
+    Rectangle {
+        /// In the direction of motion, m.
+        width: Quantity,
+        /// Across it, m; `None` for a square.
+        breadth: Option<Quantity>,
+    },
+    /// A circle.
+    Circle {
+        /// Diameter, m.
+        diameter: Quantity,
+    },
+}
+
+/// Equal columns of a storey that stand free on foot stones; as high as the storey.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ColumnsPart {
+    /// How many.
+    pub count: usize,
+    /// Foot and head.
+    pub foot: FootPart,
+    /// Pressure over indentation, N/m³; `None` for a rigid bed.
+    pub bed_stiffness: Option<Quantity>,
+}
+
+impl FootPart {
+    /// Width in the direction of motion.
+    pub fn width(&self) -> &Quantity {
+        match self {
+            FootPart::Rectangle { width, .. } => width,
+            FootPart::Circle { diameter } => diameter,
+        }
+    }
+
+    /// Area with the file's own values, m².
+    pub(super) fn area_m2(&self) -> f64 {
+        let width_m = self.width().value;
+        match self {
+            FootPart::Rectangle { breadth, .. } => {
+                width_m * breadth.as_ref().map_or(width_m, |breadth| breadth.value)
+            }
+            FootPart::Circle { .. } => std::f64::consts::PI / 4.0 * width_m * width_m,
+        }
+    }
+
+    fn build(&self, pick: Pick<'_>) -> FootSection {
+        match self {
+            FootPart::Rectangle { width, breadth } => {
+                let width_m = pick(width);
+                FootSection::Rectangle {
+                    width_m,
+                    breadth_m: breadth.as_ref().map_or(width_m, pick),
+                }
+            }
+            FootPart::Circle { diameter } => FootSection::Circle {
+                diameter_m: pick(diameter),
+            },
+        }
+    }
+}
+
+impl ColumnsPart {
+    /// The columns of a storey of the frame, each input with the value that `pick` chooses.
+    ///
+    /// # Errors
+    /// None with the file's own values; [`StabilityError`] if a picked one is impossible.
+    pub fn build(&self, storey: &Storey, pick: Pick<'_>) -> Result<FreeColumns, StabilityError> {
+        let section = self.foot.build(pick);
+        let bed_stiffness_n_m3 = self.bed_stiffness.as_ref().map(pick);
+        FreeColumns::new(
+            self.count,
+            section,
+            storey.height_m,
+            storey.axial_n,
+            bed_stiffness_n_m3,
+        )
+    }
 }
 
 /// One horizontal direction: each is a frame of its own with the same storeys.
@@ -165,6 +250,13 @@ impl FramePart {
         for storey in &self.storeys {
             all.extend([storey.heaviness.quantity(), &storey.height]);
             all.extend(&storey.axial_force);
+            if let Some(columns) = &storey.columns {
+                all.push(columns.foot.width());
+                if let FootPart::Rectangle { breadth, .. } = &columns.foot {
+                    all.extend(breadth);
+                }
+                all.extend(&columns.bed_stiffness);
+            }
         }
         for direction in &self.directions {
             all.extend(direction.stiffness.iter().flatten());

@@ -1,5 +1,6 @@
 //! Frames from what is written.
 
+use super::columns::{agree, columns};
 use super::file::{AxialRaw, ConventionRaw, DirectionRaw, StoreyRaw};
 use super::friction::friction;
 use super::part::{Axial, DirectionPart, FramePart, StoreyPart};
@@ -30,6 +31,10 @@ fn storey(reader: &mut Reader, raw: &At<StoreyRaw>, path: &str) -> Option<Storey
         Measure::Force,
         Bound::NotNegative,
     );
+    let columns = match &storey.columns {
+        None => None,
+        Some(raw) => Some(columns(reader, raw, &format!("{path}.columns"))),
+    };
     let heaviness = heaviness(
         reader,
         storey.weight.as_ref(),
@@ -42,6 +47,10 @@ fn storey(reader: &mut Reader, raw: &At<StoreyRaw>, path: &str) -> Option<Storey
         heaviness: heaviness?,
         height: height?,
         axial_force,
+        columns: match columns {
+            None => None,
+            Some(columns) => Some(columns?),
+        },
     })
 }
 
@@ -74,13 +83,18 @@ pub(crate) fn frame(
         None | Some(ConventionRaw::Drift) => Convention::Drift,
         Some(ConventionRaw::Grounded) => Convention::Grounded,
     };
-    Some(FramePart {
+    let frame = FramePart {
         storeys: storeys.into_iter().collect::<Option<_>>()?,
         axial: axial?,
         convention,
         directions: directions?,
         gravity_m_s2,
-    })
+    };
+    if let Some(first) = frame.storeys.iter().position(|storey| storey.columns.is_some()) {
+        let path = format!("storeys[{}].columns", first + 1);
+        reader.warn(WarningKind::ColumnsNotInMotion, &path, Warned::ColumnsNotInMotion);
+    }
+    agree(reader, &frame).then_some(frame)
 }
 
 /// What the axial forces are: given for all storeys and named, or for none.

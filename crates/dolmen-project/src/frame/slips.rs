@@ -1,7 +1,9 @@
 //! Probable slips in a frame.
 
+use super::columns;
 use super::part::{Axial, FramePart, StoreyPart};
 use crate::measure::Measure;
+use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{guess, mass_kg, rounded, rounded_length, unit_of, within};
 
@@ -57,6 +59,12 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
         return;
     }
     judge_axial(reader, frame, &masses);
+    let built = frame.build(&mut Quantity::nominal).ok();
+    for (i, storey) in frame.storeys.iter().enumerate() {
+        if let (Some(columns), Some(built)) = (&storey.columns, &built) {
+            columns::judge(reader, columns, built.storeys()[i].axial_n);
+        }
+    }
     for direction in &frame.directions {
         for (stiffness, mass_kg) in direction.stiffness.iter().flatten().zip(&masses) {
             let frequency_hz = (stiffness.value / mass_kg).sqrt() / std::f64::consts::TAU;

@@ -101,6 +101,7 @@ messages! {
         Fragility => { en: "Fragility", ko: "취약도" },
         SketchOfTheFrame => { en: "Sketch of the frame", ko: "골조 모식도" },
         DisplacementAtTheTopOfEachStorey => { en: "Displacement at the top of each storey", ko: "각 층 상단의 변위" },
+        ForceOfColumns => { en: "Force of free-standing columns against drift", ko: "자립 기둥의 복원력-층간변위 곡선" },
         ForceAgainstDrift => { en: "Force against drift", ko: "층 전단력-층간변위 이력곡선" },
         StabilisationDiagram => { en: "Stabilisation diagram", ko: "안정화 선도" },
         ModeShapesInPlan => { en: "Mode shapes in plan", ko: "평면상의 모드형상" },
@@ -140,6 +141,12 @@ messages! {
 messages! {
     /// Legends and words in the figures of a structure.
     pub(crate) enum Signs in "figure.sign" {
+        ColumnsAlone => { en: "columns", ko: "기둥" },
+        SpringsBeside => { en: "joints and walls, linear", ko: "접합부·벽체(선형)" },
+        ColumnsAndSprings => { en: "both", ko: "합계" },
+        FeetLiftOff => { en: "feet lift off", ko: "주각 들림 시작" },
+        GreatestForce => { en: "greatest force", ko: "최대 복원력" },
+        ColumnsFall => { en: "columns fall", ko: "기둥 전도" },
         Nominal => { en: "nominal", ko: "기준값" },
         FactorOneFalls => { en: "λ = 1: falls", ko: "λ = 1: 전도" },
         BelowItMarginal => { en: "below it marginal", ko: "미만이면 여유 부족" },

@@ -1,5 +1,6 @@
 //! What a frame's check says in plain words.
 
+use super::columns;
 use super::notes::load_note;
 use crate::document::{Finding, Tone};
 use crate::load_factor::load_factor_finding;
@@ -38,14 +39,18 @@ messages! {
 pub(crate) fn findings(directions: &[DirectionCheck]) -> Vec<Finding> {
     let mut all: Vec<Finding> = Vec::new();
     for direction in directions {
-        let own = of_direction(&direction.check).into_iter().map(|found| Finding {
-            sentence: Found::OfDirection {
-                direction: direction.direction.clone(),
-                said: found.sentence,
-            }
-            .into(),
-            ..found
-        });
+        let columns = direction.columns.iter().flat_map(columns::findings);
+        let own = of_direction(&direction.check)
+            .into_iter()
+            .chain(columns)
+            .map(|found| Finding {
+                sentence: Found::OfDirection {
+                    direction: direction.direction.clone(),
+                    said: found.sentence,
+                }
+                .into(),
+                ..found
+            });
         all.extend(own);
         for finding in direction.check.notes.iter().map(load_finding) {
             // a slip in the loads is the same in every direction

@@ -1,5 +1,6 @@
 //! What is said of a frame of rigid storeys: findings, and the sections of its check.
 
+mod columns;
 mod findings;
 mod modes;
 mod notes;
@@ -34,13 +35,15 @@ messages! {
 }
 
 /// The sentences on frames as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 6] = [
+pub(crate) const TEMPLATES: [&[Template]; 8] = [
     findings::Found::TEMPLATES,
     notes::Loads::TEMPLATES,
     Stability::TEMPLATES,
     storeys::Storeys::TEMPLATES,
     modes::Modes::TEMPLATES,
     slipping::Slipping::TEMPLATES,
+    columns::Found::TEMPLATES,
+    columns::Columns::TEMPLATES,
 ];
 
 /// The sections of a frame.
@@ -60,6 +63,9 @@ pub(crate) fn sections<'a>(part: &FramePart, directions: &'a [DirectionCheck]) -
         modes::section(&mut document, frame.clone(), &direction.check);
         if let Some(slipping) = &direction.slipping {
             slipping::section(&mut document, slipping);
+        }
+        for columns in &direction.columns {
+            columns::section(&mut document, columns);
         }
     }
     document

@@ -30,6 +30,10 @@ messages! {
             ko: "모든 층의 층간변위가 층고의 {most} 이내이다.",
         },
         Stuck => { en: "No joint slipped.", ko: "미끄러진 접합부는 없다." },
+        ColumnsLeftOut => {
+            en: "The restoring moment of the free-standing columns is not in this motion: the frame moves on its storey stiffness and friction alone, and does not soften where feet lift off. `dolmen check` says what the columns hold.",
+            ko: "이 해석에는 자립 기둥의 복원모멘트를 반영하지 않았으며, 골조는 층강성과 마찰만으로 거동하여 주각이 들린 뒤의 강성 저하가 나타나지 않는다. 기둥의 복원력은 `dolmen check`에서 확인한다.",
+        },
         AtRest => { en: "At the end it is at rest.", ko: "종료 시 정지 상태이다." },
         Moving => {
             en: "At the end it is still moving: what is left is where it comes to rest if nothing slips any more.",
@@ -50,11 +54,19 @@ pub(crate) fn findings(simulations: &[&FrameSimulation]) -> Vec<Finding> {
 pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     let mut all = vec![finding(simulation)];
     all.extend(undamped(simulation.undamped.as_ref()));
+    all.extend(columns_left_out(simulation));
     // what fell has said so
     if !simulation.falls() {
         all.extend(limits(simulation));
     }
     all
+}
+
+/// That the columns are not in the motion; nothing where the file has none.
+pub(super) fn columns_left_out(simulation: &FrameSimulation) -> Option<Finding> {
+    simulation
+        .leaves_columns_out
+        .then(|| Finding::key(Tone::Warn, Ending::ColumnsLeftOut))
 }
 
 fn limits(simulation: &FrameSimulation) -> Vec<Finding> {

@@ -86,6 +86,7 @@ pub(crate) fn gate() -> ProjectReport {
         direction: d.name.clone(),
         check: check_frame(&frame, None).unwrap(),
         slipping: None,
+        columns: Vec::new(),
     });
     let check = Check::Frame(checks.collect());
     let survey = SurveyAnswer {

@@ -9,6 +9,7 @@ use dolmen::assess::FrameCheck;
 use dolmen_project::Project;
 use dolmen_words::Language;
 use dolmen_work::answer::CheckAnswer;
+use dolmen_work::frame::{Springs, StoreyColumns};
 use dolmen_work::judgement::judge_check;
 use dolmen_work::state::{Check, DirectionCheck, SensitivityOf, State};
 use serde_json::{Value, json};
@@ -86,6 +87,7 @@ fn direction(direction: &DirectionCheck) -> Value {
         "direction": direction.direction,
         "check": frame(&direction.check),
         "slipping": direction.slipping.as_ref().map(frame),
+        "columns": direction.columns.iter().map(columns).collect::<Vec<_>>(),
     })
 }
 
@@ -96,5 +98,26 @@ fn frame(check: &FrameCheck) -> Value {
         "stability": check.stability,
         "modes": check.modes,
         "notes": check.notes.iter().map(ToString::to_string).collect::<Vec<_>>(),
+    })
+}
+
+fn columns(columns: &StoreyColumns) -> Value {
+    let springs_n_m = match columns.springs {
+        Springs::Beside { stiffness_n_m } => Some(stiffness_n_m),
+        Springs::Unknown | Springs::RigidBed | Springs::Grounded | Springs::LessThanBeds { .. } => None,
+    };
+    json!({
+        "storey": columns.storey,
+        "count": columns.count,
+        "axial_n": columns.axial_n,
+        "height_m": columns.height_m,
+        "bed_stiffness_n_m3": columns.bed_stiffness_n_m3,
+        "least_bed_stiffness_n_m3": columns.least_bed_stiffness_n_m3,
+        "bed_stiffness_n_m": columns.bed_stiffness_n_m,
+        "stands": columns.standing.is_some(),
+        "standing": columns.standing,
+        "springs_n_m": springs_n_m,
+        "curve": columns.curve,
+        "swings": columns.swings,
     })
 }

@@ -43,6 +43,7 @@ pub fn frame_simulation_json(simulation: &FrameSimulation) -> Value {
         },
         "output_step_s": options.output_step_s,
         "undamped": simulation.undamped.is_some(),
+        "leaves_columns_out": simulation.leaves_columns_out,
         "duration_s": history.time_s.last(),
         "outcome": outcome(simulation),
         "limits": parts_json(&simulation.parts(), simulation.drift_limit.as_ref()),

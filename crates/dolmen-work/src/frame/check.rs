@@ -1,5 +1,6 @@
 //! The check of a frame.
 
+use super::columns::columns;
 use crate::error::WorkError;
 use crate::state::DirectionCheck;
 use dolmen::assess::check_frame;
@@ -19,6 +20,7 @@ pub(crate) fn check(part: &FramePart, pick: Pick<'_>) -> Result<Vec<DirectionChe
         };
         checks.push(DirectionCheck {
             direction: direction.name.clone(),
+            columns: columns(part, &frame, stiffness.as_deref(), pick)?,
             check,
             slipping,
         });

@@ -84,6 +84,7 @@ pub(crate) fn simulate(
             storeys: storey_names(part),
             undamped: (!is_damped(part, direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(direction))),
+            leaves_columns_out: part.storeys.iter().any(|storey| storey.columns.is_some()),
             frame,
             motion: motion.clone(),
             component,

@@ -30,6 +30,8 @@ pub struct FrameSimulation {
     pub component: Component,
     /// That it ran without viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,
+    /// Whether free-standing columns are in the file: their restoring moment is not in the motion.
+    pub leaves_columns_out: bool,
     /// Options of the run.
     pub options: FrameRun,
     /// Allowable drift of storeys; `None` where the file gives none.

@@ -85,7 +85,11 @@ pub(crate) fn adaptive_nodes(
         open = next;
     }
     done.sort_by(|a, b| a.low.total_cmp(&b.low));
-    Some(done.iter().flat_map(|part| rule(part.low, part.high)).collect())
+    Some(
+        done.iter()
+            .flat_map(|part| nodes_15(part.low, part.high))
+            .collect(),
+    )
 }
 
 struct Interval {
@@ -95,7 +99,8 @@ struct Interval {
     errors: Vec<f64>,
 }
 
-fn rule(low: f64, high: f64) -> Vec<Node> {
+/// Kronrod's rule of 15 points: exact for polynomials of degree 22.
+pub(crate) fn nodes_15(low: f64, high: f64) -> Vec<Node> {
     let (middle, half) = (0.5 * (low + high), 0.5 * (high - low));
     let mut nodes = Vec::with_capacity(15);
     for (i, (node, weight)) in NODES.iter().zip(KRONROD).enumerate() {
@@ -118,7 +123,7 @@ fn rule(low: f64, high: f64) -> Vec<Node> {
 fn interval(low: f64, high: f64, functions: &mut impl FnMut(f64) -> Option<Vec<f64>>) -> Option<Interval> {
     let half = 0.5 * (high - low);
     let (mut fine, mut coarse) = (Vec::new(), Vec::new());
-    for (i, node) in rule(low, high).into_iter().enumerate() {
+    for (i, node) in nodes_15(low, high).into_iter().enumerate() {
         let values = functions(node.x)?;
         if i == 0 {
             fine = vec![0.0; values.len()];

@@ -1,3 +1,4 @@
+use crate::numeric::NumericError;
 use crate::structure::StructureError;
 use dolmen_linalg::LinalgError;
 
@@ -10,6 +11,9 @@ pub enum StabilityError {
     /// A decomposition failed.
     #[error(transparent)]
     Linalg(#[from] LinalgError),
+    /// A root was not found.
+    #[error(transparent)]
+    Numeric(#[from] NumericError),
     /// An option or load out of its range.
     #[error("{option} is {given}, but must be {allowed}")]
     Option {
@@ -76,6 +80,7 @@ impl StabilityError {
         match self {
             Self::Structure(why) => why.did_not_converge(),
             Self::Linalg(why) => why.did_not_converge(),
+            Self::Numeric(_) => true,
             Self::Option { .. }
             | Self::VerticalAcceleration { .. }
             | Self::Direction { .. }

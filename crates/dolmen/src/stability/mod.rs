@@ -7,6 +7,7 @@ mod chain_stability;
 mod edge_moment;
 mod error;
 mod frame;
+mod free_columns;
 pub mod stack;
 mod verdict;
 
@@ -19,4 +20,5 @@ pub use chain_stability::{chain_stability, failing_joint};
 pub use edge_moment::BedEdge;
 pub use error::StabilityError;
 pub use frame::{FrameStability, StoreyStability, frame_stability};
+pub use free_columns::{ColumnPoint, ColumnStanding, FootPressure, FootSection, FreeColumns};
 pub use verdict::Verdict;

@@ -2,8 +2,8 @@
 
 use super::{
     Case, ValidationError, arches, building_motion, choi_2021, chopra_2017, columns, dampers, dry_friction,
-    fragility, free_decay, hwang_min_hong, joined, kim_koo_hong_2018, owen_prieur_2017, park_min_2010,
-    pyoma2, rigid_blocks, second_methods, setups, survey_change, watch, wind,
+    fragility, free_columns, free_decay, hwang_min_hong, joined, kim_koo_hong_2018, owen_prieur_2017,
+    park_min_2010, pyoma2, rigid_blocks, second_methods, setups, survey_change, watch, wind,
 };
 
 /// All cases, source by source.
@@ -21,6 +21,7 @@ pub fn cases() -> Result<Vec<Case>, ValidationError> {
     let sources = [
         choi_2021::cases()?,
         columns::cases()?,
+        free_columns::cases()?,
         wind::cases()?,
         park_min_2010::cases()?,
         kim_koo_hong_2018::cases()?,

@@ -13,6 +13,7 @@ mod dampers;
 mod dry_friction;
 mod error;
 mod fragility;
+mod free_columns;
 mod free_decay;
 mod hwang_min_hong;
 mod joined;

@@ -23,6 +23,7 @@ mod el_centro;
 mod frame_edges;
 mod frame_friction;
 mod frame_laws;
+mod free_columns;
 mod ground_motions;
 mod limit_analysis_microlp;
 mod liquid_columns;

@@ -1,0 +1,138 @@
+//! What the free-standing columns of a frame hold.
+
+use crate::error::WorkError;
+use dolmen::stability::{ColumnPoint, ColumnStanding, FreeColumns};
+use dolmen::structure::{Convention, Frame};
+use dolmen_project::{FramePart, Pick};
+
+/// Points of the curve of force against drift. Chosen here: smooth on paper.
+const CURVE_POINTS: usize = 80;
+/// Amplitudes of swings, shares of the rotation at which the columns fall. Chosen here.
+const SWINGS: [f64; 6] = [0.01, 0.05, 0.1, 0.25, 0.5, 0.75];
+
+/// The free-standing columns of one storey.
+#[derive(Clone, Debug, PartialEq)]
+pub struct StoreyColumns {
+    /// The storey, from 1 at the bottom.
+    pub storey: usize,
+    /// How many columns.
+    pub count: usize,
+    /// N, the axial force of the storey, N.
+    pub axial_n: f64,
+    /// h, the height of the columns, m.
+    pub height_m: f64,
+    /// Bed stiffness given, N/m³; `None` for a rigid bed.
+    pub bed_stiffness_n_m3: Option<f64>,
+    /// Bed stiffness at which they would just stand alone, N/m³.
+    pub least_bed_stiffness_n_m3: f64,
+    /// Stiffness that the beds give the storey at small drift, N/m; `None` on a rigid bed.
+    pub bed_stiffness_n_m: Option<f64>,
+    /// How they stand by their weight alone; `None` if they do not.
+    pub standing: Option<ColumnStanding>,
+    /// What is beside them.
+    pub springs: Springs,
+    /// Their force against drift, from upright to the fall; empty if they do not stand.
+    pub curve: Vec<ColumnPoint>,
+    /// Free swings of the mass above the storey, small ones first; empty if they do not stand.
+    pub swings: Vec<ColumnSwing>,
+}
+
+/// The springs of a storey beside its columns.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Springs {
+    /// The stiffness of the storey is not known.
+    Unknown,
+    /// The bed is rigid: a finite stiffness of the storey cannot be divided into springs and columns.
+    RigidBed,
+    /// The stiffness of the storey acts on the displacement from the ground, the columns on drift.
+    Grounded,
+    /// The stiffness of the storey less what the beds give it at small drift, N/m.
+    Beside {
+        /// Of the joints, walls and braces, N/m.
+        stiffness_n_m: f64,
+    },
+    /// The beds alone would give more than the whole stiffness of the storey.
+    LessThanBeds {
+        /// Stiffness given, N/m.
+        stiffness_n_m: f64,
+    },
+}
+
+/// A free swing.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+pub struct ColumnSwing {
+    /// Its amplitude, and the force of the columns there.
+    pub at: ColumnPoint,
+    /// Frequency on the columns alone, Hz.
+    pub columns_hz: f64,
+    /// Frequency with the springs beside them, Hz; `None` where those are not known.
+    pub with_springs_hz: Option<f64>,
+}
+
+/// The columns of each storey that has some, in a direction whose storeys have `stiffness_n_m` in all.
+pub(super) fn columns(
+    part: &FramePart,
+    frame: &Frame,
+    stiffness_n_m: Option<&[f64]>,
+    pick: Pick<'_>,
+) -> Result<Vec<StoreyColumns>, WorkError> {
+    let mut all = Vec::new();
+    for (i, (given, storey)) in part.storeys.iter().zip(frame.storeys()).enumerate() {
+        let Some(given) = &given.columns else {
+            continue;
+        };
+        let columns = given.build(storey, pick)?;
+        let of_storey = stiffness_n_m.and_then(|all| all.get(i).copied());
+        let springs = springs(of_storey, frame.convention(), columns.bed_stiffness_n_m());
+        let mass_kg = frame.storeys()[i..].iter().map(|above| above.mass_kg).sum();
+        let standing = columns.standing()?;
+        all.push(StoreyColumns {
+            storey: i + 1,
+            count: given.count,
+            axial_n: storey.axial_n,
+            height_m: storey.height_m,
+            bed_stiffness_n_m3: given.bed_stiffness.as_ref().map(&mut *pick),
+            least_bed_stiffness_n_m3: columns.least_bed_stiffness_n_m3(),
+            bed_stiffness_n_m: columns.bed_stiffness_n_m(),
+            standing,
+            springs,
+            curve: columns.curve(CURVE_POINTS)?,
+            swings: standing.map_or_else(Vec::new, |standing| {
+                swings(&columns, standing.falls.rotation_rad, mass_kg, springs)
+            }),
+        });
+    }
+    Ok(all)
+}
+
+fn springs(stiffness_n_m: Option<f64>, convention: Convention, beds_n_m: Option<f64>) -> Springs {
+    match (stiffness_n_m, convention, beds_n_m) {
+        (None, _, _) => Springs::Unknown,
+        (Some(_), Convention::Grounded, _) => Springs::Grounded,
+        (Some(_), Convention::Drift, None) => Springs::RigidBed,
+        (Some(whole), Convention::Drift, Some(beds)) if whole < beds => {
+            Springs::LessThanBeds { stiffness_n_m: whole }
+        }
+        (Some(whole), Convention::Drift, Some(beds)) => Springs::Beside {
+            stiffness_n_m: whole - beds,
+        },
+    }
+}
+
+fn swings(columns: &FreeColumns, falls_rad: f64, mass_kg: f64, springs: Springs) -> Vec<ColumnSwing> {
+    let each = SWINGS.iter().map(|share| {
+        let rotation_rad = share * falls_rad;
+        let on = |spring_n_m| columns.swing_frequency_hz(mass_kg, spring_n_m, rotation_rad);
+        ColumnSwing {
+            at: columns.at(rotation_rad),
+            columns_hz: on(0.0),
+            with_springs_hz: match springs {
+                Springs::Beside { stiffness_n_m } => Some(on(stiffness_n_m)),
+                Springs::Unknown | Springs::RigidBed | Springs::Grounded | Springs::LessThanBeds { .. } => {
+                    None
+                }
+            },
+        }
+    });
+    each.collect()
+}

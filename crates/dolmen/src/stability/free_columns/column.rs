@@ -1,0 +1,230 @@
+//! A row of equal columns that rock on their feet and under what they carry.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | n | `count` | columns | – |
+//! | b, h | `width_m`, `height_m` | width of foot and head, height of the column | m |
+//! | N, e | `normal_n`, `eccentricity_m` | axial force of one column; distance of the resultants from the axis at foot and head | N, m |
+//! | θ, u, V | `rotation_rad`, `drift_m`, `force_n` | rotation of the columns, displacement of the head, force on all columns | rad, m, N |
+
+use super::foot::FootSection;
+use crate::numeric::{Bracketing, bracketed_root, highest, nodes_15};
+use crate::stability::StabilityError;
+
+/// Equal columns that stand free, with what they carry on their heads.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct FreeColumns {
+    count: usize,
+    section: FootSection,
+    height_m: f64,
+    axial_n: f64,
+    bed_stiffness_n_m3: Option<f64>,
+}
+
+/// A point of the curve of force against drift.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ColumnPoint {
+    /// θ, rad.
+    pub rotation_rad: f64,
+    /// u, m.
+    pub drift_m: f64,
+    /// V, the horizontal force that all columns together resist with, N.
+    pub force_n: f64,
+}
+
+/// How columns stand by their weight alone.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ColumnStanding {
+    /// Where the edges of foot and head lift off.
+    pub uplift: ColumnPoint,
+    /// Where they resist most.
+    pub greatest: ColumnPoint,
+    /// Where they fall: V is 0.
+    pub falls: ColumnPoint,
+}
+
+/// Share of a decade in which a curve e(θ) beyond uplift is integrated by one rule: a factor of 2. Chosen here: 1e-14.
+const PANEL: f64 = 2.0;
+
+impl FreeColumns {
+    /// `axial_n` is the whole weight that the columns carry, the same on each; a bed stiffness of `None` is rigid.
+    ///
+    /// # Errors
+    /// [`StabilityError::Option`] unless all are positive.
+    pub fn new(
+        count: usize,
+        section: FootSection,
+        height_m: f64,
+        axial_n: f64,
+        bed_stiffness_n_m3: Option<f64>,
+    ) -> Result<FreeColumns, StabilityError> {
+        let breadth_m = match section {
+            FootSection::Rectangle { breadth_m, .. } => breadth_m,
+            FootSection::Circle { diameter_m } => diameter_m,
+        };
+        let given = [
+            ("count", count as f64),
+            ("width_m", section.width_m()),
+            ("breadth_m", breadth_m),
+            ("height_m", height_m),
+            ("axial_n", axial_n),
+            ("bed_stiffness_n_m3", bed_stiffness_n_m3.unwrap_or(1.0)),
+        ];
+        for (option, given) in given {
+            if !(given > 0.0 && given.is_finite()) {
+                return Err(StabilityError::Option {
+                    option,
+                    given,
+                    allowed: "positive and finite",
+                });
+            }
+        }
+        Ok(FreeColumns {
+            count,
+            section,
+            height_m,
+            axial_n,
+            bed_stiffness_n_m3,
+        })
+    }
+
+    /// The weight on all columns together, N.
+    pub fn axial_n(&self) -> f64 {
+        self.axial_n
+    }
+
+    /// What the beds of foot and head give against drift while they bear all over, N/m: 2 n k_w I/h². The weight takes N/h
+    /// from it. `None` on a rigid bed, where it has no bound.
+    pub fn bed_stiffness_n_m(&self) -> Option<f64> {
+        let moment_n_m = self.bed_stiffness_n_m3? * self.section.second_moment_m4();
+        Some(2.0 * self.count as f64 * moment_n_m / self.height_m.powi(2))
+    }
+
+    /// The bed stiffness at which columns this heavy just stand, N/m³: k_w = N h/(2 n I), that is k_w B b³/6 = N h/n.
+    pub fn least_bed_stiffness_n_m3(&self) -> f64 {
+        self.normal_n() * self.height_m / (2.0 * self.section.second_moment_m4())
+    }
+
+    /// Whether they stand by their weight alone, and how; `None` if not.
+    ///
+    /// # Errors
+    /// [`StabilityError::Numeric`] if a root is not found: none is known.
+    pub fn standing(&self) -> Result<Option<ColumnStanding>, StabilityError> {
+        let rigid_rad = (self.section.width_m() / self.height_m).atan();
+        let Some(bed) = self.bed_stiffness_n_m3 else {
+            return Ok(Some(ColumnStanding {
+                uplift: self.at(0.0),
+                greatest: self.at(0.0),
+                falls: self.at(rigid_rad),
+            }));
+        };
+        if bed <= self.least_bed_stiffness_n_m3() {
+            return Ok(None);
+        }
+        let uplift_rad = self.section.uplift_rotation_rad(bed, self.normal_n());
+        let greatest_rad = highest(&|rotation| self.restoring_n(rotation), uplift_rad, rigid_rad);
+        let balance = |rotation: f64| self.restoring_n(rotation);
+        let falls_rad = bracketed_root(balance, greatest_rad, rigid_rad, &Bracketing::default())?;
+        Ok(Some(ColumnStanding {
+            uplift: self.at(uplift_rad),
+            greatest: self.at(greatest_rad),
+            falls: self.at(falls_rad),
+        }))
+    }
+
+    /// Drift and force at a rotation θ ≥ 0.
+    ///
+    /// ```text
+    /// V = n N tan(ψ − θ),  tan ψ = 2 e(θ)/h          the resultants at foot and head and the force are in line
+    /// u = h sin θ + 2 ∫ e sin θ dθ                    foot and head roll without slipping
+    /// rigid bed, e = b/2:  V = n N tan(α − θ),  u = h sin θ + b (1 − cos θ),  tan α = b/h
+    /// ```
+    ///
+    /// At θ = 0 on a rigid bed V is that just after the columns begin to move.
+    ///
+    /// # Limits
+    /// Foot and head alike, equal beds at both; the weight of the column itself is in N or left out. Neither slips, and
+    /// nothing crushes.
+    pub fn at(&self, rotation_rad: f64) -> ColumnPoint {
+        let rolled_m = match self.bed_stiffness_n_m3 {
+            None => self.section.width_m() * 2.0 * (0.5 * rotation_rad).sin().powi(2),
+            Some(_) => self.integral(0.0, rotation_rad, &|t| 2.0 * self.eccentricity_m(t) * t.sin()),
+        };
+        ColumnPoint {
+            rotation_rad,
+            drift_m: self.height_m * rotation_rad.sin() + rolled_m,
+            force_n: self.restoring_n(rotation_rad),
+        }
+    }
+
+    /// The curve of force against drift from upright to where the columns fall, of `points` rotations; empty if they do not
+    /// stand.
+    ///
+    /// # Errors
+    /// As [`FreeColumns::standing`].
+    pub fn curve(&self, points: usize) -> Result<Vec<ColumnPoint>, StabilityError> {
+        let Some(standing) = self.standing()? else {
+            return Ok(Vec::new());
+        };
+        // squared: the curve bends most where the feet lift off
+        let share = |i: usize| (i as f64 / (points.max(2) - 1) as f64).powi(2);
+        let rotations = (0..points.max(2)).map(|i| share(i) * standing.falls.rotation_rad);
+        Ok(rotations.map(|rotation| self.at(rotation)).collect())
+    }
+
+    pub(super) fn normal_n(&self) -> f64 {
+        self.axial_n / self.count as f64
+    }
+
+    pub(super) fn height_m(&self) -> f64 {
+        self.height_m
+    }
+
+    /// V, N.
+    pub(super) fn restoring_n(&self, rotation_rad: f64) -> f64 {
+        let lever = (2.0 * self.eccentricity_m(rotation_rad)).atan2(self.height_m);
+        self.axial_n * (lever - rotation_rad).tan()
+    }
+
+    pub(super) fn eccentricity_m(&self, rotation_rad: f64) -> f64 {
+        match self.bed_stiffness_n_m3 {
+            None => 0.5 * self.section.width_m(),
+            Some(bed) => {
+                let pressure = self.section.pressure(bed, self.normal_n(), rotation_rad);
+                pressure.eccentricity_m
+            }
+        }
+    }
+
+    /// ∫ f dθ from `low` to `high`, cut where the feet lift off and at each doubling beyond.
+    pub(super) fn integral(&self, low: f64, high: f64, f: &dyn Fn(f64) -> f64) -> f64 {
+        let mut sum = 0.0;
+        let mut from = low;
+        for cut in self.cuts(low, high) {
+            let nodes = nodes_15(from, cut);
+            sum += nodes.iter().map(|node| node.weight * f(node.x)).sum::<f64>();
+            from = cut;
+        }
+        sum
+    }
+
+    /// Ends of the intervals between `low` and `high` in which e(θ) is smooth; `high` is the last.
+    pub(super) fn cuts(&self, low: f64, high: f64) -> Vec<f64> {
+        let uplift = self
+            .bed_stiffness_n_m3
+            .map(|bed| self.section.uplift_rotation_rad(bed, self.normal_n()));
+        let mut cuts = Vec::new();
+        if let Some(mut cut) = uplift {
+            while cut < high {
+                if cut > low {
+                    cuts.push(cut);
+                }
+                cut *= PANEL;
+            }
+        }
+        cuts.push(high);
+        cuts
+    }
+}
