@@ -51,7 +51,11 @@ fn nothing(answer: &IdentifyAnswer) -> Option<Nothing> {
         return Some(Nothing::NoSurvey);
     }
     let is_empty = |survey: &&SurveyAnswer| {
-        survey.records.is_none() && survey.setups.is_none() && survey.stiffness.is_empty()
+        survey.records.is_none()
+            && survey.setups.is_none()
+            && survey.stiffness.is_empty()
+            && survey.plan.is_none()
+            && survey.without_stiffness.is_none()
     };
     let surveys = answer.surveys.iter().filter(is_empty);
     let surveys: Vec<String> = surveys.map(|survey| survey.name.clone()).collect();

@@ -1,6 +1,7 @@
 //! `dolmen identify`: records to modes, modes to stiffness.
 
 use crate::answer::IdentifyAnswer;
+use crate::building::{self, stiffness::FromModes};
 use crate::error::{Within as _, WorkError};
 use crate::kinds;
 use crate::opened::Opened;
@@ -110,6 +111,7 @@ pub(crate) fn found_in(
         records,
         setups,
         stiffness: Vec::new(),
+        plan: None,
         without_stiffness: None,
     })
 }
@@ -205,6 +207,13 @@ fn of_survey(
         });
     }
     answer.stiffness = stiffness;
+    if let Structure::Building(part) = &project.structure {
+        match building::stiffness::stiffness(part, survey).within(context)? {
+            Some(FromModes::Plan(plan)) => answer.plan = Some(plan),
+            Some(FromModes::Without(why)) => answer.without_stiffness = Some(why),
+            None => {}
+        }
+    }
     Ok(answer)
 }
 

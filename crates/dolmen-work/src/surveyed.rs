@@ -1,10 +1,12 @@
 //! What was identified from one survey.
 
+use crate::building::PlanAnswer;
 use dolmen::modal::{JointSetups, MergedMode, MergedSetups, ModalAnalysis, Modes, Note, SensorDoubt};
 use dolmen::signal::ChannelFault;
+use dolmen::structure::building::PlanStiffnessError;
 use dolmen::structure::{Convention, StiffnessSolutions};
 
-/// What the sensors lack.
+/// Why no stiffness is sought.
 #[derive(Clone, Debug, PartialEq)]
 pub enum WithoutStiffness {
     /// No channel has both a position and a direction.
@@ -19,6 +21,17 @@ pub enum WithoutStiffness {
         /// Names of those that have a position and a direction.
         channels: Vec<String>,
     },
+    /// A building of more floors than one.
+    Floors {
+        /// How many.
+        floors: usize,
+    },
+    /// The walls of a building's storey are turned from x and y, so that sway along one pushes along the other.
+    WallsTurned,
+    /// A survey of a building has a record, but states no modes.
+    OnlyRecord,
+    /// The modes of a building are refused.
+    Plan(PlanStiffnessError),
 }
 
 impl std::fmt::Display for WithoutStiffness {
@@ -38,6 +51,19 @@ impl std::fmt::Display for WithoutStiffness {
                  direction in which each measures",
                 channels.join(", ")
             ),
+            WithoutStiffness::Floors { floors } => write!(
+                f,
+                "no stiffness is sought: the building has {floors} floors, and stiffness is found from modes for one floor on one storey only"
+            ),
+            WithoutStiffness::WallsTurned => write!(
+                f,
+                "no stiffness is sought: the walls of the storey are turned from x and y, so that it has more unknowns than k_x, k_y and k_θ; turn the axes of the plan with the walls"
+            ),
+            WithoutStiffness::OnlyRecord => write!(
+                f,
+                "no stiffness is sought: the survey states no modes of the building; write those that its record shows as modes or frequencies along x, y and torsion"
+            ),
+            WithoutStiffness::Plan(why) => write!(f, "no stiffness is sought: {why}"),
         }
     }
 }
@@ -53,7 +79,9 @@ pub struct SurveyAnswer {
     pub setups: Option<SetupsAnswer>,
     /// Stiffness from its modes, one entry a direction and convention.
     pub stiffness: Vec<StiffnessAnswer>,
-    /// Why its modes lead to no stiffness of a chain or frame, where they do not.
+    /// Stiffness in plan from its modes, of a building with one floor.
+    pub plan: Option<Box<PlanAnswer>>,
+    /// Why its modes lead to no stiffness, where they do not.
     pub without_stiffness: Option<WithoutStiffness>,
 }
 

@@ -130,6 +130,11 @@ pub(super) struct ModeRaw {
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
     /// "translation" if not given.
     pub(super) kind: Option<ModeKindRaw>,
+    /// Of a building, of a mode along x or y: the floor's rotation (counterclockwise) times its radius of gyration, over the displacement
+    /// of its centre of mass along the direction; 0 if it does not turn.
+    pub(super) twist: Option<At<f64>>,
+    /// Standard deviation of twist; 0 if not given.
+    pub(super) twist_sd: Option<At<f64>>,
     /// Measured points of the shape.
     pub(super) shape: Option<Vec<At<ShapeRaw>>>,
 }

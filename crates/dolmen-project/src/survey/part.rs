@@ -3,6 +3,7 @@
 use super::inspection::Inspection;
 use super::records::RecordSource;
 use crate::quantity::{Pick, Quantity};
+use dolmen::structure::building::Twist;
 use dolmen::structure::{MeasuredMode, ShapePoint};
 use std::collections::BTreeMap;
 
@@ -35,6 +36,8 @@ pub struct SurveyMode {
     pub shape: Vec<ShapePoint>,
     /// Translation or torsion.
     pub kind: ModeKind,
+    /// Of a building: ρθ of the floor over the displacement of its centre of mass along the direction.
+    pub twist: Option<Twist>,
 }
 
 impl SurveyMode {

@@ -13,6 +13,7 @@ use crate::report::PartNames;
 use crate::units::tilt_ratio;
 use crate::written::short;
 use dolmen::structure::ShapePoint;
+use dolmen::structure::building::Twist;
 use std::collections::BTreeMap;
 
 /// Air temperatures of surveys, °C, our choice: wider than any place where heritage stands.
@@ -20,6 +21,8 @@ const TEMPERATURE_C: (f64, f64) = (-60.0, 60.0);
 
 /// Steepest tilt that a survey of a standing monument can hold, our choice: Pisa before its repair had 1/10.
 const TILT_MOST: f64 = 0.25;
+/// Largest twist of a mode along x or y: a floor that turns more than this beside its sway is in torsion. Our choice.
+const TWIST_MOST: f64 = 2.0;
 
 /// All surveys, in the order of the file.
 pub(crate) fn surveys(reader: &mut Reader, raw: Option<&BTreeMap<String, At<SurveyRaw>>>) -> Vec<Survey> {
@@ -61,6 +64,7 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
                     damping_ratio: None,
                     shape: Vec::new(),
                     kind: ModeKind::Translation,
+                    twist: None,
                 });
             }
         }
@@ -272,6 +276,7 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
         let fault = Fault::new(span, &path, format!("{path} does not move at any point"));
         reader.fault(fault.allowed("at least one displacement must differ from 0"));
     }
+    let twist = twist(reader, raw, path);
     Some(SurveyMode {
         frequency: frequency?,
         damping_ratio,
@@ -280,6 +285,41 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
             None | Some(ModeKindRaw::Translation) => ModeKind::Translation,
             Some(ModeKindRaw::Torsion) => ModeKind::Torsion,
         },
+        twist,
+    })
+}
+
+/// How much the floor turns, with its deviation.
+fn twist(reader: &mut Reader, raw: &ModeRaw, path: &str) -> Option<Twist> {
+    let (path, sd_path) = (format!("{path}.twist"), format!("{path}.twist_sd"));
+    let Some(given) = &raw.twist else {
+        if let Some(sd) = &raw.twist_sd {
+            let fault = Fault::new(
+                sd.span.clone(),
+                &sd_path,
+                format!("{sd_path} stands without twist"),
+            );
+            reader.fault(fault.help("give twist, 0 for a floor that does not turn"));
+        }
+        return None;
+    };
+    if let Some(ModeKindRaw::Torsion) = raw.kind {
+        let fault = Fault::new(
+            given.span.clone(),
+            &path,
+            format!("{path} is of a mode of torsion"),
+        );
+        reader.fault(
+            fault.help("twist belongs to the modes along x and y: how much the floor turns beside its sway"),
+        );
+        return None;
+    }
+    let most = TWIST_MOST;
+    let ratio = reader.within(Some(given), &path, -most, most)?;
+    let sd = reader.within(raw.twist_sd.as_ref(), &sd_path, 0.0, most);
+    Some(Twist {
+        ratio,
+        sd: sd.unwrap_or(0.0),
     })
 }
 

@@ -83,6 +83,7 @@ messages! {
     pub(crate) enum Titles in "figure.title" {
         DistributionOfTheLoadFactor => { en: "Distribution of the load factor", ko: "하중배율의 분포" },
         VariantsCompared => { en: "Variants compared", ko: "대안 비교" },
+        PlanModes => { en: "How the floor moves in each mode", ko: "모드별 바닥의 움직임" },
         PlanWithTheCentresOfTheModes => { en: "Plan with the centres of the modes", ko: "모드 중심을 표시한 평면도" },
         AccelerationOfTheGround => { en: "Acceleration of the ground", ko: "지반 가속도" },
         RotationOfTheTopFloor => { en: "Rotation of the top floor", ko: "최상층의 회전" },

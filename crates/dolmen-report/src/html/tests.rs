@@ -90,6 +90,7 @@ pub(crate) fn gate() -> ProjectReport {
     });
     let check = Check::Frame(checks.collect());
     let survey = SurveyAnswer {
+        plan: None,
         without_stiffness: None,
         setups: None,
         records: None,
@@ -319,6 +320,7 @@ pub(crate) fn survey() -> ProjectReport {
     let text = "schema = 1\nkind = \"survey\"\nname = { en = \"Tower\", ko = \"탑\" }\n\
                 [survey.now.records]\nfile = \"r.csv\"\nsampling_rate = \"100 Hz\"\n";
     let survey = SurveyAnswer {
+        plan: None,
         without_stiffness: None,
         name: "now".into(),
         setups: None,

@@ -2,6 +2,7 @@
 
 use super::notes::stiffness_note;
 use super::place::place;
+use super::plan;
 use super::solutions::stiffness_quantities;
 use super::words::{Words, counted};
 use crate::document::{Finding, Tone};
@@ -91,18 +92,31 @@ pub(crate) fn findings(project: &Project, all: &[SurveyAnswer]) -> Vec<Finding> 
         ..choice(&survey.name, answer)
     });
     let unsought = all.iter().filter_map(|survey| survey.without_stiffness.as_ref());
-    own.chain(unsought.map(without)).chain(others).collect()
+    let in_plan = all
+        .iter()
+        .filter_map(|survey| Some((survey, survey.plan.as_ref()?)));
+    let in_plan = in_plan.flat_map(|(survey, answer)| plan::findings(&survey.name, answer));
+    own.chain(in_plan)
+        .chain(unsought.map(without))
+        .chain(others)
+        .collect()
 }
 
 fn without(why: &WithoutStiffness) -> Finding {
-    let said = match why {
-        WithoutStiffness::NoPlace => Found::NoPlace,
+    let said: Sentence = match why {
+        WithoutStiffness::NoPlace => Found::NoPlace.into(),
         WithoutStiffness::AllTwist { direction } => Found::AllTwist {
             direction: direction.clone(),
-        },
+        }
+        .into(),
         WithoutStiffness::OffTheAxes { channels } => Found::OffTheAxes {
             channels: channels.clone(),
-        },
+        }
+        .into(),
+        WithoutStiffness::Floors { floors } => plan::Plan::WhatFloors { floors: *floors }.into(),
+        WithoutStiffness::WallsTurned => plan::Plan::WhatTurned.into(),
+        WithoutStiffness::OnlyRecord => plan::Plan::WhatRecord.into(),
+        WithoutStiffness::Plan(why) => plan::refused(why).into(),
     };
     Finding::key(Tone::Warn, said)
 }

@@ -1,9 +1,10 @@
-//! What vibration says of the stiffness of a chain or frame: findings, and the section of every solution.
+//! What vibration says of the stiffness of a structure: findings, and the section of every solution.
 
 mod findings;
 mod left_out;
 mod notes;
 mod place;
+mod plan;
 mod seen;
 mod solutions;
 mod words;
@@ -37,13 +38,14 @@ messages! {
 }
 
 /// The sentences on stiffness from vibration as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 8] = [
+pub(crate) const TEMPLATES: [&[Template]; 9] = [
     findings::Found::TEMPLATES,
     place::Place::TEMPLATES,
     words::Words::TEMPLATES,
     Stiffness::TEMPLATES,
     solutions::Solutions::TEMPLATES,
     seen::Seen::TEMPLATES,
+    plan::Plan::TEMPLATES,
     notes::Notes::TEMPLATES,
     left_out::Left::TEMPLATES,
 ];
@@ -51,13 +53,16 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
 /// The section of all surveys that lead to a stiffness.
 pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
-    if all.iter().all(|survey| survey.stiffness.is_empty()) {
+    if all.iter().all(|survey| survey.stiffness.is_empty() && survey.plan.is_none()) {
         return document;
     }
     document.heading(Stiffness::Head);
     for survey in all {
         for answer in &survey.stiffness {
             of_answer(&mut document, project, survey, answer);
+        }
+        if let Some(answer) = &survey.plan {
+            plan::section(&mut document, &survey.name, answer);
         }
         if let Some(said) = seen::masses(survey, project) {
             document.note(said);

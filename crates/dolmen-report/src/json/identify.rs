@@ -5,9 +5,11 @@ use super::with::with;
 use crate::modal::{decay_remarks, setup_remarks};
 use dolmen::modal::{Agreement, AtAmplitude, Decay, MergedMode, Method, Mode, ModeDecay, Modes, Settings};
 use dolmen::signal::Channel;
+use dolmen::structure::building::{PlanMode, PlanSolution};
 use dolmen_words::advice::Advice;
 use dolmen_words::{Language, Sentence};
 use dolmen_work::answer::IdentifyAnswer;
+use dolmen_work::building::PlanAnswer;
 use dolmen_work::surveyed::{RecordAnswer, SetupsAnswer, StiffnessAnswer, SurveyAnswer};
 use serde_json::{Value, json};
 
@@ -25,6 +27,7 @@ fn survey(survey: &SurveyAnswer) -> Value {
         "records": survey.records.as_ref().map(record),
         "setups": survey.setups.as_ref().map(setups),
         "stiffness": survey.stiffness.iter().map(stiffness).collect::<Vec<_>>(),
+        "plan": survey.plan.as_deref().map(plan),
         "without_stiffness": survey.without_stiffness.as_ref().map(ToString::to_string),
     })
 }
@@ -155,6 +158,34 @@ fn identified(modes: &Modes) -> Value {
         "duration_s": modes.duration_s,
         "channels": modes.channels.iter().map(channel).collect::<Vec<_>>(),
         "modes": modes.modes.iter().map(mode).collect::<Vec<_>>(),
+    })
+}
+
+/// Stiffness of a building's storey in plan, SI.
+fn plan(answer: &PlanAnswer) -> Value {
+    let found = &answer.found;
+    let mode = |mode: &PlanMode| {
+        json!({
+            "frequency_hz": mode.frequency_hz,
+            "frequency_sd_hz": mode.frequency_sd_hz,
+            "motion": mode.motion,
+            "twist": mode.twist.map(|twist| twist.ratio),
+            "twist_sd": mode.twist.map(|twist| twist.sd),
+        })
+    };
+    let solution = |one: &PlanSolution| with(one, json!({ "energy_shares": one.energy_shares() }));
+    json!({
+        "modes": answer.modes.iter().map(mode).collect::<Vec<_>>(),
+        "centre_of_mass_m": answer.centre_of_mass_m,
+        "written_stiffness": answer.written.stiffness,
+        "written_eccentricity_m": answer.written.eccentricity_m,
+        "eccentricity_from": found.eccentricity_from,
+        "solutions": found.solutions.iter().map(solution).collect::<Vec<_>>(),
+        "accepted": found.accepted().count(),
+        "load_factors": answer.load_factors,
+        "complete": found.complete,
+        "singles": found.singles,
+        "free": found.free,
     })
 }
 

@@ -5,6 +5,7 @@ pub(crate) mod check;
 pub(crate) mod limits;
 pub(crate) mod simulate;
 mod simulation;
+pub(crate) mod stiffness;
 pub(crate) mod study;
 pub(crate) mod tune;
 mod tune_answer;
@@ -15,6 +16,7 @@ mod tuned;
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
 };
+pub use stiffness::{PlanAnswer, Written};
 pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
 pub use tune::tune;
 pub use tune_answer::{

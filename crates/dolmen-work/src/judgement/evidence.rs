@@ -146,12 +146,17 @@ pub fn measured_frequencies(surveys: &[Survey], check: &Check) -> Vec<MeasuredFr
     let each = surveys
         .iter()
         .flat_map(|survey| survey.modes.iter().map(move |of| (survey, of)));
-    let compared = each.filter_map(|(survey, (direction, modes))| {
-        let measured = &lowest_measured(modes)?.frequency;
+    let compared = each.flat_map(|(survey, (direction, modes))| {
+        let translation = lowest_measured(modes).map(|mode| (direction.as_str(), mode));
+        let torsion = lowest_torsion(modes).map(|mode| ("torsion", mode));
+        translation.into_iter().chain(torsion).map(move |of| (survey, of))
+    });
+    let compared = compared.filter_map(|(survey, (direction, mode))| {
+        let measured = &mode.frequency;
         let is_measured = |sd_hz: &f64| *sd_hz > 0.0 && measured.cov_source != Some(Source::Assumed);
         Some(MeasuredFrequency {
             survey: survey.name.clone(),
-            direction: direction.clone(),
+            direction: direction.to_owned(),
             measured_hz: measured.value,
             sd_hz: Some(measured.standard_deviation()).filter(is_measured),
             computed_hz: first_frequency(check, direction)?,
@@ -166,9 +171,17 @@ pub fn lowest_measured(modes: &[SurveyMode]) -> Option<&SurveyMode> {
     modes.iter().find(is_measured)
 }
 
+/// The lowest mode of torsion whose frequency was measured.
+fn lowest_torsion(modes: &[SurveyMode]) -> Option<&SurveyMode> {
+    let is_measured = |mode: &&SurveyMode| mode.kind == ModeKind::Torsion && !mode.frequency.is_assumed();
+    modes.iter().find(is_measured)
+}
+
 /// Lowest frequency of a model in a direction, Hz.
 fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
     match check {
+        // chains and frames do not twist
+        Check::Chain(_) if direction == "torsion" => None,
         Check::Chain(chain) => chain.modes.first().map(|mode| mode.frequency_hz),
         Check::Frame(all) => {
             let own = all.iter().find(|d| d.direction == direction);
@@ -183,11 +196,13 @@ fn first_frequency(check: &Check, direction: &str) -> Option<f64> {
     }
 }
 
-/// Frequency, Hz, and damping ratio of the mode of a building that has the most mass along "x" or "y".
+/// Frequency, Hz, and damping ratio of the mode of a building that has the most mass along "x" or "y", or the most moment of inertia:
+/// "torsion".
 pub fn first_sway(answer: &BuildingAnswer, direction: &str) -> Option<(f64, f64)> {
     let axis = match direction {
         "x" => 0,
         "y" => 1,
+        "torsion" => 2,
         _ => return None,
     };
     let standing = answer.stands.as_ref()?;

@@ -19,6 +19,9 @@ pub enum ValidationError {
     /// A building of a source was refused.
     #[error(transparent)]
     Building(#[from] crate::structure::building::BuildingError),
+    /// Its stiffness in plan was not found.
+    #[error(transparent)]
+    Plan(#[from] crate::structure::building::PlanStiffnessError),
     /// Its stability could not be assessed.
     #[error(transparent)]
     Stability(#[from] StabilityError),
@@ -54,6 +57,7 @@ impl ValidationError {
         match self {
             Self::Structure(why) => why.did_not_converge(),
             Self::Building(why) => why.did_not_converge(),
+            Self::Plan(why) => why.did_not_converge(),
             Self::Stability(why) => why.did_not_converge(),
             Self::Blocks(why) => why.did_not_converge(),
             Self::Dynamics(why) => why.did_not_converge(),

@@ -29,6 +29,7 @@ mod limit_analysis_microlp;
 mod liquid_columns;
 mod made_records;
 mod park_min_2010;
+mod plan_stiffness;
 mod pyoma2;
 mod rocking_and_sliding;
 mod rocking_block;

@@ -9,6 +9,9 @@ mod matrices;
 mod modes;
 mod outline;
 mod plan_direction;
+mod plan_roots;
+mod plan_scatter;
+mod plan_stiffness;
 mod stability;
 
 pub use building_of_floors::{Building, PDelta};
@@ -20,4 +23,8 @@ pub use modes::{BuildingMode, BuildingModes, ModeCentre};
 pub use outline::Outline;
 pub(crate) use outline::{nearest_on_floor, nearest_on_side};
 pub use plan_direction::PlanDirection;
+pub use plan_stiffness::{
+    EccentricityFrom, MovesOtherwise, PlanMode, PlanMotion, PlanSolution, PlanStiffness, PlanStiffnessError,
+    PlanStorey, SingleStiffness, Twist, plan_stiffness,
+};
 pub use stability::{StoreyFall, storey_falls};

@@ -1,0 +1,427 @@
+//! Stiffness of one storey in plan, and its eccentricity, from the three frequencies of its floor.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | m, ρ | `mass_kg`, `gyration_m` | mass of the floor and its radius of gyration about the centre of mass | kg, m |
+//! | w | `weight_takes_n_m` | what the weight takes of the sway stiffness, m g/h; 0 without P-delta | N/m |
+//! | e_x, e_y | `eccentricity_m` | centre of rigidity from the centre of mass | m |
+//! | k_x, k_y, k_θ | `stiffness` | along x, along y, against turning about the centre of rigidity | N/m, N·m/rad |
+//! | t | `twist` | ρθ/u of the mode along x, ρθ/v of that along y, of the centre of mass | – |
+//! | λ_j | | (2π f_j)² | (rad/s)² |
+
+use super::plan_roots::{PlanRoot, roots_with_shapes, roots_with_stated_centre};
+use super::plan_scatter::scatter;
+
+/// Frequencies closer than this part of themselves are one: sway and twist that couple then have no shapes of their own.
+const REPEATED: f64 = 1e-6;
+/// A mode moves otherwise than measured where another motion has more than this many times the energy of the measured one. Our choice:
+/// who sees a floor sway or twist sees the larger part of its motion.
+const OTHERWISE: f64 = 2.0;
+
+/// How a floor moves in a mode, for the most part.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum PlanMotion {
+    /// Along x.
+    X,
+    /// Along y.
+    Y,
+    /// It turns.
+    Torsion,
+}
+
+impl PlanMotion {
+    /// All three, in the order of the coordinates u, v, θ.
+    pub const ALL: [PlanMotion; 3] = [PlanMotion::X, PlanMotion::Y, PlanMotion::Torsion];
+
+    /// Its place in [`PlanMotion::ALL`].
+    pub fn index(self) -> usize {
+        self as usize
+    }
+}
+
+/// How much a floor turns in a mode along x or y.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Twist {
+    /// ρθ over the displacement of the centre of mass along the direction of the mode; θ counterclockwise.
+    pub ratio: f64,
+    /// Its standard deviation; 0 if it is not known.
+    pub sd: f64,
+}
+
+/// One measured mode of the floor.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanMode {
+    /// Frequency, Hz.
+    pub frequency_hz: f64,
+    /// Its standard deviation, Hz; 0 if it is not known.
+    pub frequency_sd_hz: f64,
+    /// How the floor moves, if that was measured.
+    pub motion: Option<PlanMotion>,
+    /// How much it turns beside that.
+    pub twist: Option<Twist>,
+}
+
+/// The floor on its storey, without the stiffness.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PlanStorey {
+    /// Mass, kg.
+    pub mass_kg: f64,
+    /// Radius of gyration about the centre of mass, m.
+    pub gyration_m: f64,
+    /// What the weight takes of the sway stiffness, m g/h, N/m; 0 without P-delta.
+    pub weight_takes_n_m: f64,
+    /// Centre of rigidity from the centre of mass as it is stated, m. Not used where twists give it.
+    pub eccentricity_m: [f64; 2],
+}
+
+/// Where the eccentricity is from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
+pub enum EccentricityFrom {
+    /// It was stated.
+    Stated,
+    /// From the twists of the modes along x and y.
+    Twists,
+}
+
+/// A mode of a solution moves otherwise than the measured one.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct MovesOtherwise {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// As it was measured.
+    pub measured: PlanMotion,
+    /// As it would be.
+    pub would_be: PlanMotion,
+    /// The part of the energy that this has.
+    pub share: f64,
+}
+
+/// A stiffness that has the measured frequencies.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct PlanSolution {
+    /// k_x, k_y, N/m, and k_θ about the centre of rigidity, N·m/rad.
+    pub stiffness: [f64; 3],
+    /// Standard deviations from those of what was measured, linearised; `None` where one of these is not known.
+    pub stiffness_sd: Option<[f64; 3]>,
+    /// Centre of rigidity from the centre of mass, m.
+    pub eccentricity_m: [f64; 2],
+    /// Its standard deviations; `None` where it was stated, or one of what was measured is not known.
+    pub eccentricity_sd_m: Option<[f64; 2]>,
+    /// u, v and ρθ of the centre of mass in each mode, ascending, their squares summing to 1.
+    pub shapes: [[f64; 3]; 3],
+    /// By how many per cent a stiffness is off, most, where each frequency is off by 1 %; 2 if sway and twist do not couple.
+    pub amplification: f64,
+    /// The first mode that contradicts the measured motion: the solution is not accepted. `None`: it is.
+    pub moves_otherwise: Option<MovesOtherwise>,
+}
+
+impl PlanSolution {
+    /// Parts of the energy of each mode, ascending, in u, v and θ of the centre of mass.
+    pub fn energy_shares(&self) -> [[f64; 3]; 3] {
+        self.shapes.map(|shape| shape.map(|q| q * q))
+    }
+}
+
+/// One stiffness that its own frequency gives, whatever the others are.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct SingleStiffness {
+    /// Which one.
+    pub motion: PlanMotion,
+    /// k_x, k_y, N/m, or k_θ, N·m/rad.
+    pub stiffness: f64,
+    /// Its standard deviation; `None` where that of the frequency is not known.
+    pub stiffness_sd: Option<f64>,
+}
+
+/// What the frequencies of a floor say of its storey.
+#[derive(Clone, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct PlanStiffness {
+    /// Every positive stiffness that has the three frequencies, accepted ones first, then by k_x. Empty with fewer frequencies.
+    pub solutions: Vec<PlanSolution>,
+    /// Where their eccentricity is from.
+    pub eccentricity_from: EccentricityFrom,
+    /// Whether all solutions in complex numbers were reached. If not, one may be missing.
+    pub complete: bool,
+    /// With fewer than three frequencies: what these determine by themselves.
+    pub singles: Vec<SingleStiffness>,
+    /// With fewer than three frequencies: what stays free.
+    pub free: Vec<PlanMotion>,
+}
+
+impl PlanStiffness {
+    /// Solutions whose modes move as they were measured.
+    pub fn accepted(&self) -> impl Iterator<Item = &PlanSolution> {
+        self.solutions.iter().filter(|one| one.moves_otherwise.is_none())
+    }
+}
+
+/// Why no stiffness can be sought.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum PlanStiffnessError {
+    /// A number is refused.
+    #[error("{quantity} is {given}, but must be {allowed}")]
+    Argument {
+        /// Its name with its unit.
+        quantity: &'static str,
+        /// The value given.
+        given: f64,
+        /// What is allowed.
+        allowed: &'static str,
+    },
+    /// No frequency, or more than a floor has.
+    #[error("{given} modes were measured, but one floor has 3: along x, along y, torsion")]
+    Modes {
+        /// How many.
+        given: usize,
+    },
+    /// Two modes of one motion.
+    #[error("two modes of motion {motion:?} were measured, but one floor has one of each")]
+    Twice {
+        /// The motion.
+        motion: PlanMotion,
+    },
+    /// Two frequencies that are one, with sway and twist coupled.
+    #[error(
+        "{frequency_hz} Hz was measured twice: sway and twist that couple have no shapes of their own at one frequency"
+    )]
+    Repeated {
+        /// The frequency, Hz.
+        frequency_hz: f64,
+    },
+    /// A decomposition failed.
+    #[error(transparent)]
+    Structure(#[from] crate::structure::StructureError),
+    /// A decomposition failed.
+    #[error(transparent)]
+    Linalg(#[from] dolmen_linalg::LinalgError),
+}
+
+impl PlanStiffnessError {
+    /// Whether an iteration ended before it converged: the input may be good.
+    pub fn did_not_converge(&self) -> bool {
+        match self {
+            Self::Structure(why) => why.did_not_converge(),
+            Self::Linalg(why) => why.did_not_converge(),
+            Self::Argument { .. } | Self::Modes { .. } | Self::Twice { .. } | Self::Repeated { .. } => false,
+        }
+    }
+}
+
+/// Every stiffness of a storey in plan that gives its floor the measured frequencies.
+///
+/// ```text
+/// K = k_x b_x b_xᵀ + k_y b_y b_yᵀ + k_θ b_θ b_θᵀ − w diag(1, 1, ρ²)                                   3 × 3
+/// b_x = [1 0 −e_y]ᵀ,  b_y = [0 1 e_x]ᵀ,  b_θ = [0 0 1]ᵀ,   det(K − λ_j diag(m, m, m ρ²)) = 0,  j = 1…3
+/// ```
+/// With the eccentricity stated, all six solutions in complex numbers are followed, and the real positive ones kept. With the
+/// twists of the modes along x and y the eccentricity is found too: the shapes are orthogonal and K has no entry between u and v,
+/// which leaves one unknown and a cubic. A twist of one of the two modes alone is not used.
+///
+/// Solutions whose modes move otherwise than measured are kept with the reason. With fewer than three frequencies the result says
+/// what each determines by itself (only without eccentricity in its way), and what stays free.
+///
+/// # Errors
+/// [`PlanStiffnessError`].
+///
+/// # Limits
+/// One rigid floor; walls along x and y; deviations are linearised, and masses taken as exact.
+///
+/// # Example
+/// ```
+/// use dolmen::structure::building::{PlanMode, PlanMotion, PlanStorey, plan_stiffness};
+/// let storey = PlanStorey { mass_kg: 604e3, gyration_m: 8.0, weight_takes_n_m: 0.0, eccentricity_m: [0.0, 0.0] };
+/// let mode = |frequency_hz, motion| PlanMode { frequency_hz, frequency_sd_hz: 0.03, motion: Some(motion), twist: None };
+/// let modes = [mode(1.5, PlanMotion::X), mode(1.1, PlanMotion::Y), mode(1.3, PlanMotion::Torsion)];
+/// let found = plan_stiffness(&storey, &modes)?;
+/// let one = found.accepted().next().unwrap();
+/// assert!((one.stiffness[1] / (604e3 * (std::f64::consts::TAU * 1.1_f64).powi(2)) - 1.0).abs() < 1e-9);
+/// # Ok::<(), dolmen::structure::building::PlanStiffnessError>(())
+/// ```
+pub fn plan_stiffness(storey: &PlanStorey, modes: &[PlanMode]) -> Result<PlanStiffness, PlanStiffnessError> {
+    check(storey, modes)?;
+    let mut ascending = modes.to_vec();
+    ascending.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    let [first, second, third] = ascending[..] else {
+        return Ok(of_few(storey, &ascending));
+    };
+    let modes = [first, second, third];
+    let twists = twists(&modes);
+    let centred = storey.eccentricity_m == [0.0, 0.0] && twists.is_none();
+    for pair in modes.windows(2).filter(|_| !centred) {
+        let (before, own) = (pair[0].frequency_hz, pair[1].frequency_hz);
+        if own - before <= REPEATED * own {
+            return Err(PlanStiffnessError::Repeated { frequency_hz: own });
+        }
+    }
+    let lambda = modes.map(|mode| (std::f64::consts::TAU * mode.frequency_hz).powi(2));
+    let (found, from) = match twists {
+        Some(labelled) => (
+            roots_with_shapes(storey, &lambda, &labelled),
+            EccentricityFrom::Twists,
+        ),
+        None => (
+            roots_with_stated_centre(storey, &lambda)?,
+            EccentricityFrom::Stated,
+        ),
+    };
+    let mut solutions = Vec::with_capacity(found.roots.len());
+    for root in &found.roots {
+        solutions.push(solution(storey, &modes, root, from)?);
+    }
+    solutions.sort_by(|a, b| {
+        let refused = |one: &PlanSolution| one.moves_otherwise.is_some();
+        let by_stiffness = a.stiffness[0].total_cmp(&b.stiffness[0]);
+        refused(a).cmp(&refused(b)).then(by_stiffness)
+    });
+    Ok(PlanStiffness {
+        solutions,
+        eccentricity_from: from,
+        complete: found.complete,
+        singles: Vec::new(),
+        free: Vec::new(),
+    })
+}
+
+/// Which of the ascending modes moves along x, along y and turns, with the twists of the first two.
+pub(super) struct Labelled {
+    pub(super) mode_of: [usize; 3],
+    pub(super) twist: [f64; 2],
+}
+
+fn twists(modes: &[PlanMode; 3]) -> Option<Labelled> {
+    let at = |motion| modes.iter().position(|mode| mode.motion == Some(motion));
+    let [x, y] = [at(PlanMotion::X)?, at(PlanMotion::Y)?];
+    let twist = [modes[x].twist?.ratio, modes[y].twist?.ratio];
+    Some(Labelled {
+        mode_of: [x, y, 3 - x - y],
+        twist,
+    })
+}
+
+fn check(storey: &PlanStorey, modes: &[PlanMode]) -> Result<(), PlanStiffnessError> {
+    let positive = |quantity, given: f64| match given > 0.0 && given.is_finite() {
+        true => Ok(()),
+        false => Err(PlanStiffnessError::Argument {
+            quantity,
+            given,
+            allowed: "a positive number",
+        }),
+    };
+    let not_negative = |quantity, given: f64| match given >= 0.0 && given.is_finite() {
+        true => Ok(()),
+        false => Err(PlanStiffnessError::Argument {
+            quantity,
+            given,
+            allowed: "0 or a positive number",
+        }),
+    };
+    let number = |quantity, given: f64| match given.is_finite() {
+        true => Ok(()),
+        false => Err(PlanStiffnessError::Argument {
+            quantity,
+            given,
+            allowed: "a number",
+        }),
+    };
+    positive("mass_kg", storey.mass_kg)?;
+    positive("gyration_m", storey.gyration_m)?;
+    not_negative("weight_takes_n_m", storey.weight_takes_n_m)?;
+    for given in storey.eccentricity_m {
+        number("eccentricity_m", given)?;
+    }
+    if modes.is_empty() || modes.len() > 3 {
+        return Err(PlanStiffnessError::Modes { given: modes.len() });
+    }
+    for mode in modes {
+        positive("frequency_hz", mode.frequency_hz)?;
+        not_negative("frequency_sd_hz", mode.frequency_sd_hz)?;
+        if let Some(twist) = mode.twist {
+            number("twist", twist.ratio)?;
+            not_negative("twist sd", twist.sd)?;
+        }
+    }
+    for motion in PlanMotion::ALL {
+        if modes.iter().filter(|mode| mode.motion == Some(motion)).count() > 1 {
+            return Err(PlanStiffnessError::Twice { motion });
+        }
+    }
+    Ok(())
+}
+
+/// What fewer than three frequencies say: sway along x is alone where e_y is 0, along y where e_x is 0, torsion where both are.
+fn of_few(storey: &PlanStorey, modes: &[PlanMode]) -> PlanStiffness {
+    let [e_x, e_y] = storey.eccentricity_m;
+    let alone = [e_y == 0.0, e_x == 0.0, e_x == 0.0 && e_y == 0.0];
+    let (mut singles, mut free) = (Vec::new(), Vec::new());
+    for motion in PlanMotion::ALL {
+        let own = modes.iter().find(|mode| mode.motion == Some(motion));
+        match own.filter(|_| alone[motion.index()]) {
+            Some(mode) => singles.push(single(storey, motion, mode)),
+            None => free.push(motion),
+        }
+    }
+    PlanStiffness {
+        solutions: Vec::new(),
+        eccentricity_from: EccentricityFrom::Stated,
+        complete: true,
+        singles,
+        free,
+    }
+}
+
+/// k = m ω² + w, and k_θ = ρ² (m ω² + w).
+fn single(storey: &PlanStorey, motion: PlanMotion, mode: &PlanMode) -> SingleStiffness {
+    let arm = match motion {
+        PlanMotion::X | PlanMotion::Y => 1.0,
+        PlanMotion::Torsion => storey.gyration_m.powi(2),
+    };
+    let inertia = storey.mass_kg * (std::f64::consts::TAU * mode.frequency_hz).powi(2);
+    let relative = mode.frequency_sd_hz / mode.frequency_hz;
+    SingleStiffness {
+        motion,
+        stiffness: arm * (inertia + storey.weight_takes_n_m),
+        stiffness_sd: Some(arm * 2.0 * inertia * relative).filter(|_| relative > 0.0),
+    }
+}
+
+fn solution(
+    storey: &PlanStorey,
+    modes: &[PlanMode; 3],
+    root: &PlanRoot,
+    from: EccentricityFrom,
+) -> Result<PlanSolution, PlanStiffnessError> {
+    let scatter = scatter(storey, modes, root, from)?;
+    let mut solution = PlanSolution {
+        stiffness: root.stiffness,
+        stiffness_sd: scatter.stiffness_sd,
+        eccentricity_m: root.eccentricity_m,
+        eccentricity_sd_m: scatter.eccentricity_sd_m,
+        shapes: root.shapes,
+        amplification: scatter.amplification,
+        moves_otherwise: None,
+    };
+    solution.moves_otherwise = moves_otherwise(modes, &solution.energy_shares());
+    Ok(solution)
+}
+
+fn moves_otherwise(modes: &[PlanMode; 3], energy_shares: &[[f64; 3]; 3]) -> Option<MovesOtherwise> {
+    let of_mode = |(mode, shares): (&PlanMode, &[f64; 3])| {
+        let measured = mode.motion?;
+        let most = |a: &PlanMotion, b: &PlanMotion| shares[a.index()].total_cmp(&shares[b.index()]);
+        let would_be = PlanMotion::ALL.into_iter().max_by(most)?;
+        let share = shares[would_be.index()];
+        (share > OTHERWISE * shares[measured.index()]).then_some(MovesOtherwise {
+            frequency_hz: mode.frequency_hz,
+            measured,
+            would_be,
+            share,
+        })
+    };
+    modes.iter().zip(energy_shares).find_map(of_mode)
+}
