@@ -21,6 +21,7 @@ const COMMANDS: [&str; 33] = [
     "identify examples/naju_flagpole",
     "identify examples/heunginjimun_gate",
     "identify examples/struck_column",
+    "identify examples/gate_in_plan",
     "compare examples/gate_through_the_seasons",
     "watch examples/pagoda_over_the_years",
     "simulate examples/three_storey_pagoda --motion el-centro-1940-ns --keep-first 2",

@@ -25,6 +25,7 @@ mod korean;
 mod layout;
 mod limits;
 mod names;
+mod plan_stiffness;
 mod prints;
 mod safety;
 mod score_forms;

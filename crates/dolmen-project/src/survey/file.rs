@@ -130,8 +130,7 @@ pub(super) struct ModeRaw {
     pub(super) damping_ratio: Option<At<QuantityRaw>>,
     /// "translation" if not given.
     pub(super) kind: Option<ModeKindRaw>,
-    /// Of a building, of a mode along x or y: the floor's rotation (counterclockwise) times its radius of gyration, over the displacement
-    /// of its centre of mass along the direction; 0 if it does not turn.
+    /// Of a building, along x or y: rotation of the floor times its radius of gyration over the displacement of its centre of mass.
     pub(super) twist: Option<At<f64>>,
     /// Standard deviation of twist; 0 if not given.
     pub(super) twist_sd: Option<At<f64>>,

@@ -525,3 +525,20 @@ fn refuses_a_damper_heavier_than_the_building() {
         "{answer}"
     );
 }
+
+#[test]
+fn refuses_a_twist_without_a_sway() {
+    let survey = |mode: &str| format!("{BUILDING}[[survey.s.modes.x]]\nfrequency = 2.0\n{mode}\n");
+    let project = read(&survey("twist = -0.2\ntwist_sd = 0.01"));
+    let twist = project.surveys[0].modes["x"][0].twist.unwrap();
+    assert_eq!((twist.ratio, twist.sd), (-0.2, 0.01));
+    for (mode, said) in [
+        ("twist = 0.1\nkind = \"torsion\"", "is of a mode of torsion"),
+        ("twist_sd = 0.1", "stands without twist"),
+        ("twist = 2.5", "is outside its range"),
+        ("twist = 0.5\ntwist_sd = -0.1", "is outside its range"),
+    ] {
+        let answer = refused(&survey(mode));
+        assert!(answer.contains(said), "{mode}: {answer}");
+    }
+}

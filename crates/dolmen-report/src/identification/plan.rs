@@ -33,6 +33,10 @@ messages! {
             en: "{solutions} different solutions explain the measured modes equally well; none is preferred here. How each mode moves (x, y or torsion), and the twists of the modes along x and y, tell them apart.",
             ko: "서로 다른 해 {solutions}개가 계측 모드를 똑같이 잘 설명하므로 어느 것도 택하지 않는다. 각 모드의 거동(x, y 또는 비틀림)과 x, y 방향 모드의 비틀림비를 계측하면 구별할 수 있다.",
         },
+        SeveralMove { solutions: usize } => {
+            en: "{solutions} different solutions explain the measured modes equally well; none is preferred here. The twists of the modes along x and y tell them apart, and give the centre of rigidity.",
+            ko: "서로 다른 해 {solutions}개가 계측 모드를 똑같이 잘 설명하므로 어느 것도 택하지 않는다. x, y 방향 모드의 비틀림비를 계측하면 구별할 수 있고 강성 중심도 구해진다.",
+        },
         Refused { solutions: usize } => {
             en: "none is accepted. Solutions with the 3 frequencies: {solutions}; in each a mode moves otherwise than it was measured. Check how the modes were told apart, and the masses and centres of the floor.",
             ko: "받아들일 수 있는 해가 없다. 고유진동수 3개를 갖는 해 {solutions}개 모두에서 어떤 모드가 계측과 다르게 움직인다. 모드의 구분과 바닥의 질량, 중심을 확인해야 한다.",
@@ -97,8 +101,8 @@ messages! {
             ko: "해 A의 모드별 바닥의 움직임(평면).",
         },
         ShapesMeaning => {
-            en: "Dashed: at rest. Black dot: centre of mass, purple cross: centre of rigidity.",
-            ko: "점선은 정지 상태, 검은 점은 질량 중심, 보라색 십자는 강성 중심이다.",
+            en: "Dashed: at rest. Black dot: centre of mass as it moves; purple cross: centre of rigidity at rest.",
+            ko: "점선은 정지 상태, 검은 점은 움직인 질량 중심, 보라색 십자는 정지 상태의 강성 중심이다.",
         },
         ModesCaption => { en: "Modes of the accepted solutions.", ko: "받아들인 해의 모드." },
         ModesMeaning => {
@@ -218,7 +222,14 @@ fn chosen(answer: &PlanAnswer) -> (Tone, Plan, Option<&'static str>) {
     match found.accepted().count() {
         0 if solutions == 0 => (Tone::Bad, Plan::Impossible, Some("no-real-root")),
         0 => (Tone::Bad, Plan::Refused { solutions }, Some("no-real-root")),
-        solutions => (Tone::Warn, Plan::Several { solutions }, Some("indistinguishable")),
+        solutions => {
+            let all_move = answer.modes.iter().all(|mode| mode.motion.is_some());
+            let said = match all_move {
+                true => Plan::SeveralMove { solutions },
+                false => Plan::Several { solutions },
+            };
+            (Tone::Warn, said, Some("indistinguishable"))
+        }
     }
 }
 

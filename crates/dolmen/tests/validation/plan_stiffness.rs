@@ -3,7 +3,7 @@
 // PARAMETERS 200 floors drawn at random: 10 to 1000 t, ρ 2 to 12 m, centre of rigidity up to ρ/2 off, frequencies 0.5 to 5 Hz, half of
 //            them with P-delta.
 // TOLERANCE  roots 1e-8, the digits that a root of frequencies good to 2e-10 holds at amplifications up to 50; closed forms 1e-12;
-//            Monte Carlo 6 %, three deviations of a deviation from 4000 draws and what is not linear at 0.5 %.
+//            Monte Carlo 8 %, four deviations of a deviation from 1500 draws and what is not linear at 0.5 %.
 
 use dolmen::numeric::Random;
 use dolmen::structure::Building;
@@ -342,11 +342,11 @@ fn holds_twists_give_back_stiffness_and_eccentricity_of_200_storeys() {
     assert!(alone > 150, "{alone} of 200 have one accepted solution");
 }
 
-/// Largest relative difference of the linearised deviations from those of 4000 draws, with the solution nearest to the first.
+/// Largest relative difference of the linearised deviations from those of 1500 draws, with the solution nearest to the first.
 fn against_draws(storey: &PlanStorey, modes: &[PlanMode; 3], found: &PlanStiffness) -> f64 {
     let one = found.accepted().next().unwrap();
     let mut random = Random::new(20261125, 3);
-    const DRAWS: usize = 4000;
+    const DRAWS: usize = 1500;
     let mut sums = [[0.0; 2]; 5];
     for _ in 0..DRAWS {
         let drawn = modes.map(|mode| PlanMode {
@@ -382,7 +382,7 @@ fn against_draws(storey: &PlanStorey, modes: &[PlanMode; 3], found: &PlanStiffne
 }
 
 #[test]
-fn agrees_deviations_with_4000_draws() {
+fn agrees_deviations_with_1500_draws() {
     let stiffness = [9e7, 5e7, 6e9];
     for height_m in [None, Some(5.0)] {
         let storey = PlanStorey {
@@ -397,7 +397,7 @@ fn agrees_deviations_with_4000_draws() {
         for modes in [alone, with_twists] {
             let found = plan_stiffness(&storey, &modes).unwrap();
             let worst = against_draws(&storey, &modes, &found);
-            assert!(worst < 0.06, "{worst} with {modes:?}");
+            assert!(worst < 0.08, "{worst} with {modes:?}");
         }
     }
 }
