@@ -44,7 +44,11 @@ fn exact_the_gate_in_plan_has_one_accepted_stiffness_of_six() {
     ] {
         assert!(said.contains(wanted), "{wanted}: {}", answer.stdout);
     }
-    assert!(answer.stdout.lines().all(|line| line.chars().count() <= 80), "{}", answer.stdout);
+    assert!(
+        answer.stdout.lines().all(|line| line.chars().count() <= 80),
+        "{}",
+        answer.stdout
+    );
 }
 
 #[test]
@@ -61,7 +65,10 @@ fn holds_check_contradicts_the_first_guess_and_agrees_with_what_was_found() {
         .replace("y = { value = 40,", &format!("y = {{ value = {},", k(1) / 1e6));
     fs::write(&path, &found).unwrap();
     let said = scratch.dolmen("check examples/gate_in_plan").words();
-    assert!(!said.contains("in direction x") && !said.contains("in direction y"), "{said}");
+    assert!(
+        !said.contains("in direction x") && !said.contains("in direction y"),
+        "{said}"
+    );
     // a model of another torsion is contradicted too
     fs::write(&path, found.replace("1700 MN*m/rad", "3000 MN*m/rad")).unwrap();
     let said = scratch.dolmen("check examples/gate_in_plan").words();
@@ -78,10 +85,15 @@ fn refuses_two_frequencies_and_says_what_stays_free() {
     let answer = scratch.briefly("identify examples/gate_in_plan");
     assert_eq!(answer.status, 0, "{}", answer.stderr);
     let said = answer.words();
-    assert!(said.contains("A floor has 3 modes, and 2 of them measured leave k_θ free"), "{said}");
+    assert!(
+        said.contains("A floor has 3 modes, and 2 of them measured leave k_θ free"),
+        "{said}"
+    );
     assert!(said.contains("determined in part: k_x"), "{said}");
     // off the middle nothing is determined by itself
-    let off = gate("plan_few_off", |text| no_torsion(text).replace("centre = [0, 0]", "centre = [1, 0.5]"));
+    let off = gate("plan_few_off", |text| {
+        no_torsion(text).replace("centre = [0, 0]", "centre = [1, 0.5]")
+    });
     let said = off.briefly("identify examples/gate_in_plan").words();
     assert!(said.contains("leave k_x, k_y and k_θ free"), "{said}");
 }

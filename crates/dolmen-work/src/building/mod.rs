@@ -3,6 +3,7 @@
 mod answer;
 pub(crate) mod check;
 pub(crate) mod limits;
+mod plan_answer;
 pub(crate) mod simulate;
 mod simulation;
 pub(crate) mod stiffness;
@@ -16,7 +17,7 @@ mod tuned;
 pub use answer::{
     BuildingAnswer, BuildingSpectral, DampedSpectral, MINOR_RATIO, StandingBuilding, stiffness_word,
 };
-pub use stiffness::{PlanAnswer, Written};
+pub use plan_answer::{PlanAnswer, Written};
 pub use simulation::{Against, BeyondRoom, BuildingSimulation, LargestDrift, WatchedPoint};
 pub use tune::tune;
 pub use tune_answer::{

@@ -1,45 +1,16 @@
 //! Stiffness of a building's storey in plan from the modes of a survey.
 
+use super::plan_answer::{PlanAnswer, Written};
 use crate::error::WorkError;
 use crate::surveyed::WithoutStiffness;
 use dolmen::structure::building::{
-    EccentricityFrom, Floor, Outline, PlanMode, PlanMotion, PlanSolution, PlanStiffness, PlanStorey, Storey,
-    StoreyFall, StoreyStiffness, plan_stiffness, storey_falls,
+    EccentricityFrom, Floor, PlanMode, PlanMotion, PlanSolution, PlanStorey, Storey, StoreyFall,
+    StoreyStiffness, plan_stiffness, storey_falls,
 };
 use dolmen_project::{BuildingPart, ModeKind, Quantity, Survey};
 
 /// A stiffness between x and y, over that along them, below which walls stand along x and y: rounding of turned ones. Our choice.
 const ALONG_AXES: f64 = 1e-9;
-
-/// What the modes of a survey say of the storey of a building with one floor.
-#[derive(Clone, Debug)]
-pub struct PlanAnswer {
-    /// The modes that went in, ascending.
-    pub modes: Vec<PlanMode>,
-    /// The floor that they are of.
-    pub storey: PlanStorey,
-    /// Its outline in plan, if that is known.
-    pub outline: Option<Outline>,
-    /// Its centre of mass in plan, m.
-    pub centre_of_mass_m: [f64; 2],
-    /// The stiffness that the file has.
-    pub written: Written,
-    /// Every solution.
-    pub found: PlanStiffness,
-    /// Load factor λ with each solution, in the same order.
-    pub load_factors: Vec<f64>,
-    /// A twist is given, but not those of both modes along x and y: it was not used.
-    pub twist_unused: bool,
-}
-
-/// The stiffness of the file.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Written {
-    /// k_x, k_y, N/m, k_θ about the centre of rigidity, N·m/rad.
-    pub stiffness: [f64; 3],
-    /// Centre of rigidity from the centre of mass, m.
-    pub eccentricity_m: [f64; 2],
-}
 
 /// What a survey of a building leads to.
 pub(crate) enum FromModes {

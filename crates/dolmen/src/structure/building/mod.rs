@@ -12,6 +12,7 @@ mod plan_direction;
 mod plan_roots;
 mod plan_scatter;
 mod plan_stiffness;
+mod plan_storey;
 mod stability;
 
 pub use building_of_floors::{Building, PDelta};
@@ -23,8 +24,6 @@ pub use modes::{BuildingMode, BuildingModes, ModeCentre};
 pub use outline::Outline;
 pub(crate) use outline::{nearest_on_floor, nearest_on_side};
 pub use plan_direction::PlanDirection;
-pub use plan_stiffness::{
-    EccentricityFrom, MovesOtherwise, PlanMode, PlanMotion, PlanSolution, PlanStiffness, PlanStiffnessError,
-    PlanStorey, SingleStiffness, Twist, plan_stiffness,
-};
+pub use plan_stiffness::{MovesOtherwise, PlanSolution, PlanStiffness, SingleStiffness, plan_stiffness};
+pub use plan_storey::{EccentricityFrom, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey, Twist};
 pub use stability::{StoreyFall, storey_falls};

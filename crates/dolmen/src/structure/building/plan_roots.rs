@@ -8,7 +8,7 @@
 //! | p, s | | v of the mode along x over its u; u of that along y over its v | – |
 //! | A, B | `a`, `b` | λ_x − λ_θ, λ_y − λ_θ | (rad/s)² |
 
-use super::plan_stiffness::{Labelled, PlanStiffnessError, PlanStorey};
+use super::plan_storey::{Labelled, PlanStiffnessError, PlanStorey};
 use crate::structure::inverse::{SpringModel, roots_by_continuation};
 use dolmen_linalg::{Matrix, symmetric_eigen};
 

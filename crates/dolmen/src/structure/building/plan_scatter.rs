@@ -5,7 +5,7 @@
 //! ```
 
 use super::plan_roots::{PlanRoot, springs};
-use super::plan_stiffness::{EccentricityFrom, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey};
+use super::plan_storey::{EccentricityFrom, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey};
 use dolmen_linalg::{Matrix, solve};
 use std::f64::consts::TAU;
 

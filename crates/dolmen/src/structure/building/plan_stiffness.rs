@@ -11,79 +11,13 @@
 
 use super::plan_roots::{PlanRoot, roots_with_shapes, roots_with_stated_centre};
 use super::plan_scatter::scatter;
+use super::plan_storey::{EccentricityFrom, Labelled, PlanMode, PlanMotion, PlanStiffnessError, PlanStorey};
 
 /// Frequencies closer than this part of themselves are one: sway and twist that couple then have no shapes of their own.
 const REPEATED: f64 = 1e-6;
 /// A mode moves otherwise than measured where another motion has more than this many times the energy of the measured one. Our choice:
 /// who sees a floor sway or twist sees the larger part of its motion.
 const OTHERWISE: f64 = 2.0;
-
-/// How a floor moves in a mode, for the most part.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
-pub enum PlanMotion {
-    /// Along x.
-    X,
-    /// Along y.
-    Y,
-    /// It turns.
-    Torsion,
-}
-
-impl PlanMotion {
-    /// All three, in the order of the coordinates u, v, θ.
-    pub const ALL: [PlanMotion; 3] = [PlanMotion::X, PlanMotion::Y, PlanMotion::Torsion];
-
-    /// Its place in [`PlanMotion::ALL`].
-    pub fn index(self) -> usize {
-        self as usize
-    }
-}
-
-/// How much a floor turns in a mode along x or y.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Twist {
-    /// ρθ over the displacement of the centre of mass along the direction of the mode; θ counterclockwise.
-    pub ratio: f64,
-    /// Its standard deviation; 0 if it is not known.
-    pub sd: f64,
-}
-
-/// One measured mode of the floor.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanMode {
-    /// Frequency, Hz.
-    pub frequency_hz: f64,
-    /// Its standard deviation, Hz; 0 if it is not known.
-    pub frequency_sd_hz: f64,
-    /// How the floor moves, if that was measured.
-    pub motion: Option<PlanMotion>,
-    /// How much it turns beside that.
-    pub twist: Option<Twist>,
-}
-
-/// The floor on its storey, without the stiffness.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct PlanStorey {
-    /// Mass, kg.
-    pub mass_kg: f64,
-    /// Radius of gyration about the centre of mass, m.
-    pub gyration_m: f64,
-    /// What the weight takes of the sway stiffness, m g/h, N/m; 0 without P-delta.
-    pub weight_takes_n_m: f64,
-    /// Centre of rigidity from the centre of mass as it is stated, m. Not used where twists give it.
-    pub eccentricity_m: [f64; 2],
-}
-
-/// Where the eccentricity is from.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize), serde(rename_all = "snake_case"))]
-pub enum EccentricityFrom {
-    /// It was stated.
-    Stated,
-    /// From the twists of the modes along x and y.
-    Twists,
-}
 
 /// A mode of a solution moves otherwise than the measured one.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -161,58 +95,6 @@ impl PlanStiffness {
     }
 }
 
-/// Why no stiffness can be sought.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum PlanStiffnessError {
-    /// A number is refused.
-    #[error("{quantity} is {given}, but must be {allowed}")]
-    Argument {
-        /// Its name with its unit.
-        quantity: &'static str,
-        /// The value given.
-        given: f64,
-        /// What is allowed.
-        allowed: &'static str,
-    },
-    /// No frequency, or more than a floor has.
-    #[error("{given} modes were measured, but one floor has 3: along x, along y, torsion")]
-    Modes {
-        /// How many.
-        given: usize,
-    },
-    /// Two modes of one motion.
-    #[error("two modes of motion {motion:?} were measured, but one floor has one of each")]
-    Twice {
-        /// The motion.
-        motion: PlanMotion,
-    },
-    /// Two frequencies that are one, with sway and twist coupled.
-    #[error(
-        "{frequency_hz} Hz was measured twice: sway and twist that couple have no shapes of their own at one frequency"
-    )]
-    Repeated {
-        /// The frequency, Hz.
-        frequency_hz: f64,
-    },
-    /// A decomposition failed.
-    #[error(transparent)]
-    Structure(#[from] crate::structure::StructureError),
-    /// A decomposition failed.
-    #[error(transparent)]
-    Linalg(#[from] dolmen_linalg::LinalgError),
-}
-
-impl PlanStiffnessError {
-    /// Whether an iteration ended before it converged: the input may be good.
-    pub fn did_not_converge(&self) -> bool {
-        match self {
-            Self::Structure(why) => why.did_not_converge(),
-            Self::Linalg(why) => why.did_not_converge(),
-            Self::Argument { .. } | Self::Modes { .. } | Self::Twice { .. } | Self::Repeated { .. } => false,
-        }
-    }
-}
-
 /// Every stiffness of a storey in plan that gives its floor the measured frequencies.
 ///
 /// ```text
@@ -286,12 +168,6 @@ pub fn plan_stiffness(storey: &PlanStorey, modes: &[PlanMode]) -> Result<PlanSti
         singles: Vec::new(),
         free: Vec::new(),
     })
-}
-
-/// Which of the ascending modes moves along x, along y and turns, with the twists of the first two.
-pub(super) struct Labelled {
-    pub(super) mode_of: [usize; 3],
-    pub(super) twist: [f64; 2],
 }
 
 fn twists(modes: &[PlanMode; 3]) -> Option<Labelled> {
