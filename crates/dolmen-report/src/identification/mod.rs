@@ -53,7 +53,10 @@ pub(crate) const TEMPLATES: [&[Template]; 9] = [
 /// The section of all surveys that lead to a stiffness.
 pub(crate) fn sections<'a>(project: &'a Project, all: &'a [SurveyAnswer]) -> Document<'a> {
     let mut document = Document::default();
-    if all.iter().all(|survey| survey.stiffness.is_empty() && survey.plan.is_none()) {
+    if all
+        .iter()
+        .all(|survey| survey.stiffness.is_empty() && survey.plan.is_none())
+    {
         return document;
     }
     document.heading(Stiffness::Head);
