@@ -76,7 +76,7 @@ fn main() -> ExitCode {
         Ok(Outcome::Unfinished) => ExitCode::from(tools::NO_CONVERGENCE),
         Ok(Outcome::Judged(status)) => ExitCode::from(status),
         Err(fault) => {
-            tools::complain(&fault);
+            tools::complain(&fault, &cli.manner);
             ExitCode::from(tools::exit_status(&fault))
         }
     }

@@ -25,7 +25,7 @@ use dolmen_report::xlsx::workbook;
 use dolmen_work::answer::ProjectReport;
 use dolmen_work::judgement::{Verb, first_status, judge};
 use dolmen_work::motion::MotionRequest;
-use dolmen_work::{FlagVerb, ReportOptions, Sampling, report, told};
+use dolmen_work::{FlagVerb, ReportOptions, Sampling, report, told_in};
 use std::cell::LazyCell;
 use std::path::{Path, PathBuf};
 
@@ -136,10 +136,10 @@ pub(crate) fn run(options: &Report, typed: &Typed, manner: &Manner) -> Result<Ou
             Ok(answer) => answers.push(answer),
             Err(fault) if options.projects.len() == 1 => return Err(fault),
             Err(fault) => {
-                tools::complain(&fault);
+                tools::complain(&fault, manner);
                 others.push(NotReported {
                     file: path.display().to_string(),
-                    why: told(fault.as_ref()),
+                    why: told_in(fault.as_ref(), manner.language()),
                 });
                 faults.push(fault);
             }

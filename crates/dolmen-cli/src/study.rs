@@ -55,7 +55,7 @@ fn each(
             (Ok(_), Err(fault)) => Err(fault),
             (worst, Ok(_)) => worst,
             (Err(first), Err(fault)) => {
-                tools::complain(&fault); // the first is said at the end
+                tools::complain(&fault, manner); // the first is said at the end
                 Err(first)
             }
         };

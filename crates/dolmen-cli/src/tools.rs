@@ -13,7 +13,7 @@ use dolmen_project::json_schema;
 use dolmen_report::explain::{EXPLANATIONS, explain as look_up, nearest_code};
 use dolmen_report::files::NamedFile;
 use dolmen_report::sentences::sentences_csv;
-use dolmen_work::{did_not_converge, told};
+use dolmen_work::{complaint, did_not_converge};
 use serde_json::json;
 use std::io::Write as _;
 use std::path::Path;
@@ -24,12 +24,8 @@ pub(crate) const NO_CONVERGENCE: u8 = 3;
 const BAD_INPUT: u8 = 2;
 
 /// Prints an error with its causes, to standard error.
-pub(crate) fn complain(fault: &anyhow::Error) {
-    let mut text = told(fault.as_ref());
-    if !text.starts_with("error") {
-        text.insert_str(0, "error: ");
-    }
-    note!("{text}");
+pub(crate) fn complain(fault: &anyhow::Error, manner: &Manner) {
+    note!("{}", complaint(fault.as_ref(), manner.language()));
 }
 
 /// The exit status that an error stands for.
@@ -123,7 +119,7 @@ mod tests {
     use dolmen::blocks::BlocksError;
     use dolmen::signal::SignalError;
     use dolmen_records::records::RecordError;
-    use dolmen_work::{ChangeFault, WorkError};
+    use dolmen_work::{ChangeFault, WorkError, told};
 
     #[test]
     fn holds_advice_and_exit_status_see_through_the_layers_above() {

@@ -4,7 +4,9 @@
 
 use super::error::Fault;
 use super::schema_tree::Tree;
-use dolmen_words::nearest;
+use super::wrong::{Common, WrongKey, either, of_schema};
+use dolmen_words::message::Both;
+use dolmen_words::{Language, nearest};
 use std::borrow::Cow;
 use std::ops::Range;
 use toml::Spanned;
@@ -163,10 +165,17 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
     fn unknown(&mut self, key: &Spanned<Cow<'i, str>>, value: &Node<'i>, path: &str, above: &Above<'_>) {
         let name = key.get_ref().as_ref();
         let place = match path.len() - name.len() {
-            0 => "the top level".to_owned(),
-            end => path[..end - 1].to_owned(),
+            0 => Both::from(WrongKey::TopLevel),
+            end => path[..end - 1].into(),
         };
-        let fault = Fault::new(key.span(), path, format!("{place} has no key \"{name}\""));
+        let fault = Fault::new(
+            key.span(),
+            path,
+            WrongKey::HasNoKey {
+                place,
+                name: name.to_string(),
+            },
+        );
         let mut owner = above.parent;
         while let Some(table) = owner {
             let owns = entry(table.properties, name).is_some();
@@ -174,20 +183,28 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
                 let header_line = self.text[..header.start].matches('\n').count() + 1;
                 let header = self.text[header.clone()].trim();
                 let (belongs, remedy) = match table.path {
-                    "" => ("the top level".to_owned(), "above the first [table]".to_owned()),
+                    "" => (
+                        Both::from(WrongKey::TopLevel),
+                        Both::from(WrongKey::AboveFirstTable),
+                    ),
                     path => (
-                        format!("[{path}]"),
-                        format!("above line {header_line}, below [{path}]"),
+                        Both::from(format!("[{path}]")),
+                        Both::from(WrongKey::AboveLineBelow {
+                            header_line: header_line.to_string(),
+                            path: path.to_string(),
+                        }),
                     ),
                 };
-                let message =
-                    format!("\"{name}\" belongs to {belongs} but stands below {header} (line {header_line})");
+                let message = WrongKey::BelongsToButStands {
+                    name: name.to_string(),
+                    belongs,
+                    header: header.to_string(),
+                    header_line: header_line.to_string(),
+                };
                 self.faults.push(
                     Fault::new(key.span(), path, message)
-                        .allowed("swallowed by the table above it")
-                        .help(format!(
-                            "move it {remedy}: in TOML a key belongs to the last [table] before it"
-                        )),
+                        .allowed(WrongKey::SwallowedByTableAbove)
+                        .help(WrongKey::MoveItInToml { remedy }),
                 );
                 if table.parent.is_none() {
                     self.swallowed.push(Swallowed {
@@ -209,11 +226,15 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             Some(near) => {
                 self.meant
                     .push(join(path[..path.len() - name.len()].trim_end_matches('.'), near));
-                format!("did you mean \"{near}\"?")
+                Both::from(Common::DidYouMean {
+                    near: near.to_string(),
+                })
             }
-            None => format!("known keys are {}", known.join(", ")),
+            None => Both::from(WrongKey::KnownKeysAre {
+                known: known.join(", "),
+            }),
         };
-        self.faults.push(fault.allowed("unknown key").help(help));
+        self.faults.push(fault.allowed(WrongKey::UnknownKey).help(help));
     }
 
     fn required(&mut self, table: &DeTable<'i>, span: &Range<usize>, schema: &'static Tree, path: &str) {
@@ -228,26 +249,35 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             {
                 continue;
             }
-            let subject = if path.is_empty() { "the file" } else { path };
+            let subject = match path {
+                "" => WrongKey::File.into(),
+                path => Both::from(path),
+            };
             let mut fault = Fault::new(
                 span.clone(),
                 &below,
-                format!("{subject} has no \"{name}\", but needs it"),
+                WrongKey::HasNoButNeeds {
+                    subject,
+                    name: name.to_string(),
+                },
             );
             let property = schema.get("properties").and_then(|all| all.get(name));
             if let Some(meaning) = property.and_then(description) {
-                fault = fault.help(format!("write {name} = …: {}", lower_first(&meaning)));
+                fault = fault.help(WrongKey::Write {
+                    name: name.to_string(),
+                    meaning: Both {
+                        english: lower_first(&meaning),
+                        korean: of_schema(&meaning).korean,
+                    },
+                });
             }
             if path.is_empty() {
                 fault = fault.at_top();
-                fault =
-                    match name {
-                        "schema" => fault
-                            .help("write schema = 1 as the first line: it is the version of the file format"),
-                        "kind" => fault
-                            .help("write kind = \"chain\", \"frame\", \"stack\" or \"survey\" near the top"),
-                        _ => fault,
-                    };
+                fault = match name {
+                    "schema" => fault.help(WrongKey::WriteSchemaAsFirst),
+                    "kind" => fault.help(WrongKey::WriteKindChainFrame),
+                    _ => fault,
+                };
             }
             self.faults.push(fault);
         }
@@ -267,13 +297,22 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             return true;
         }
         let allowed = match schema.get("x-must-be").and_then(Tree::text) {
-            Some(must_be) => must_be.to_owned(),
+            Some(must_be) => of_schema(must_be),
             None => alternatives(&words),
         };
-        let mut fault = Fault::new(span.clone(), path, format!("{path} = \"{word}\" is not known"));
-        fault = fault.allowed(format!("must be {allowed}"));
+        let mut fault = Fault::new(
+            span.clone(),
+            path,
+            WrongKey::IsNotKnown {
+                path: path.to_string(),
+                word: word.to_string(),
+            },
+        );
+        fault = fault.allowed(WrongKey::MustBe { allowed });
         if let Some(near) = nearest(word, words.iter().copied()) {
-            fault = fault.help(format!("did you mean \"{near}\"?"));
+            fault = fault.help(Common::DidYouMean {
+                near: near.to_string(),
+            });
         }
         self.faults.push(fault);
         false
@@ -288,13 +327,24 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
     fn wrong_type(&mut self, node: &Node<'i>, schema: &'static Tree, branches: &[&'static Tree], path: &str) {
         let span = node.span();
         let needed = match schema.get("x-must-be").and_then(Tree::text) {
-            Some(must_be) => must_be.to_owned(),
+            Some(must_be) => of_schema(must_be),
             None => {
-                let mut types: Vec<&str> = branches.iter().filter_map(|branch| type_words(branch)).collect();
+                let mut types: Vec<Both> = branches.iter().filter_map(|branch| type_words(branch)).collect();
                 types.dedup();
-                types.join(" or ")
+                let types = |language| {
+                    types
+                        .iter()
+                        .map(|one| one.text(language).to_owned())
+                        .collect::<Vec<_>>()
+                };
+                Both {
+                    english: either(&types(Language::English)).english,
+                    korean: either(&types(Language::Korean)).korean,
+                }
             }
         };
+        let needed_word = needed.english.clone();
+        let is = |word: &str| needed_word.starts_with(word);
         let written = self.text.get(span.clone()).unwrap_or_default().trim();
         let is_short = !written.contains('\n') && written.chars().count() <= ECHO_MOST;
         let echo = if is_short && !written.starts_with("[[") && matches!(node.get_ref(), DeValue::Table(_)) {
@@ -305,31 +355,44 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
             String::new()
         };
         let given = type_word_of(node.get_ref());
-        let mut fault = Fault::new(span, path, format!("{path}{echo} is {given}"));
-        fault = fault.allowed(format!("must be {needed}"));
+        let mut fault = Fault::new(
+            span,
+            path,
+            WrongKey::Is {
+                path: path.to_string(),
+                echo: echo.to_string(),
+                given,
+            },
+        );
+        fault = fault.allowed(WrongKey::MustBeOfType { needed });
         let help = match node.get_ref() {
-            DeValue::String(_) if needed.starts_with("a number") || needed.starts_with("a whole") => {
-                Some("write a number without quotes".to_owned())
-            }
-            DeValue::Datetime(_) if needed == "text" => Some(format!("put it in quotes: \"{written}\"")),
+            DeValue::String(_) if is("a number") || is("a whole") => Some(WrongKey::WriteNumberWithoutQuotes),
+            DeValue::Datetime(_) if needed_word == "text" => Some(WrongKey::PutItInQuotes {
+                written: written.to_string(),
+            }),
             DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_)
-                if needed == "a list" && self.lists_tables(branches) =>
+                if needed_word == "a list" && self.lists_tables(branches) =>
             {
-                Some(format!(
-                    "list each with its values: {path} = [ {{ … }}, {{ … }} ]"
-                ))
+                Some(WrongKey::ListEachWithIts {
+                    path: path.to_string(),
+                })
             }
-            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a list" => {
-                Some(format!("put it in brackets: [{written}]"))
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed_word == "a list" => {
+                Some(WrongKey::PutItInBrackets {
+                    written: written.to_string(),
+                })
             }
-            DeValue::String(_) if needed == "a table" && path.ends_with(".files") => {
-                Some(format!("say which component it is: {{ x = {written} }}"))
+            DeValue::String(_) if needed_word == "a table" && path.ends_with(".files") => {
+                Some(WrongKey::SayWhichComponentIt {
+                    written: written.to_string(),
+                })
             }
-            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed == "a table" => {
+            DeValue::Integer(_) | DeValue::Float(_) | DeValue::String(_) if needed_word == "a table" => {
                 let (table, key) = path.rsplit_once('.').unwrap_or(("", path));
                 let named = branches.iter().any(|branch| property(branch, key).is_some());
-                (!table.is_empty() && named).then(|| {
-                    format!("{key} belongs one level deeper: give the {table} a name, [{table}.NAME], and put it there")
+                (!table.is_empty() && named).then(|| WrongKey::BelongsOneLevelDeeper {
+                    key: key.to_string(),
+                    table: table.to_string(),
                 })
             }
             _ => None,
@@ -463,35 +526,38 @@ fn fits(value: &DeValue<'_>, schema: &Tree) -> bool {
     }
 }
 
-fn type_words(schema: &Tree) -> Option<&'static str> {
-    Some(match type_of(schema)? {
-        "number" => "a number",
-        "integer" => "a whole number",
-        "string" => "text",
-        "boolean" => "true or false",
-        "array" => "a list",
-        "object" => "a table",
+fn type_words(schema: &Tree) -> Option<Both> {
+    Some(Both::from(match type_of(schema)? {
+        "number" => WrongKey::Number,
+        "integer" => WrongKey::WholeNumber,
+        "string" => WrongKey::Text,
+        "boolean" => WrongKey::TrueOrFalse,
+        "array" => WrongKey::List,
+        "object" => WrongKey::Table,
         _ => return None,
+    }))
+}
+
+fn type_word_of(value: &DeValue<'_>) -> Both {
+    Both::from(match value {
+        DeValue::String(_) => WrongKey::Text,
+        DeValue::Integer(_) | DeValue::Float(_) => WrongKey::Number,
+        DeValue::Boolean(_) => WrongKey::TrueOrFalse,
+        DeValue::Datetime(_) => WrongKey::Date,
+        DeValue::Array(_) => WrongKey::List,
+        DeValue::Table(_) => WrongKey::Table,
     })
 }
 
-fn type_word_of(value: &DeValue<'_>) -> &'static str {
-    match value {
-        DeValue::String(_) => "text",
-        DeValue::Integer(_) | DeValue::Float(_) => "a number",
-        DeValue::Boolean(_) => "true or false",
-        DeValue::Datetime(_) => "a date",
-        DeValue::Array(_) => "a list",
-        DeValue::Table(_) => "a table",
-    }
-}
-
 /// "a", "b" or "c", each in quotes.
-fn alternatives(words: &[&str]) -> String {
+fn alternatives(words: &[&str]) -> Both {
     let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
     match quoted.split_last() {
-        Some((last, [])) => last.clone(),
-        Some((last, others)) => format!("{} or {last}", others.join(", ")),
-        None => String::new(),
+        Some((last, [])) => Both::from(last.as_str()),
+        Some((last, others)) => Both::from(WrongKey::Or {
+            others: others.join(", "),
+            last: last.to_string(),
+        }),
+        None => Both::from(""),
     }
 }

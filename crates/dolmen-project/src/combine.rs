@@ -10,6 +10,7 @@ use super::read::{read_one, value_starts};
 use super::study::Override;
 use super::syntax::of_toml;
 use super::tabled::tabled;
+use super::wrong::WrongFile;
 use dolmen_records::Files;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -91,7 +92,9 @@ fn combined(
             None => faults.push(Fault::new(
                 0..0,
                 "variant",
-                format!("there is no variant \"{name}\""),
+                WrongFile::ThereIsNoVariant {
+                    name: name.to_string(),
+                },
             )),
         }
     }
@@ -108,11 +111,11 @@ fn combined(
 }
 
 fn not_a_path(given: &Override) -> Fault {
-    let message = format!(
-        "\"{}\" is no path of a value, or {} no value",
-        given.path, given.text
-    );
-    Fault::new(given.span.clone(), &given.path, message).help("write it as joint.friction or links[2].weight")
+    let message = WrongFile::IsNoPathOf {
+        path: given.path.to_string(),
+        text: given.text.to_string(),
+    };
+    Fault::new(given.span.clone(), &given.path, message).help(WrongFile::WriteItAsJoint)
 }
 
 /// The value of an override at the end of its path, as a table to lay over the file; every part stands where the study writes it.

@@ -1,5 +1,8 @@
 //! What is wrong with a project file: every problem found, each with its place.
 
+use super::wrong::Framed;
+use dolmen_words::Language;
+use dolmen_words::message::Both;
 use std::fmt;
 use std::ops::Range;
 use unicode_width::UnicodeWidthChar;
@@ -14,11 +17,11 @@ pub struct Problem {
     /// Where in the file: `links[2].centroid`; "" for the file as a whole.
     pub path: String,
     /// What is wrong, with the value.
-    pub message: String,
+    pub message: Both,
     /// What is allowed.
-    pub allowed: Option<String>,
+    pub allowed: Option<Both>,
     /// What to do.
-    pub help: Option<String>,
+    pub help: Option<Both>,
     /// The source line, or what stands around the problem where it is long.
     pub(super) text: String,
     /// Characters of `text` before the problem.
@@ -57,47 +60,67 @@ impl ProjectError {
 
 impl fmt::Display for ProjectError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        for (i, problem) in self.problems.iter().enumerate() {
-            if i > 0 {
-                writeln!(f)?;
-            }
-            problem.render(&self.file, f)?;
-        }
-        match self.more {
-            0 => Ok(()),
-            1 => writeln!(f, "\nand 1 problem more"),
-            more => writeln!(f, "\nand {more} problems more"),
-        }
+        f.write_str(&self.text(Language::English))
+    }
+}
+
+impl ProjectError {
+    /// All problems in a language, each with its line of the file.
+    pub fn text(&self, language: Language) -> String {
+        let each = self
+            .problems
+            .iter()
+            .map(|problem| problem.text(&self.file, language));
+        let mut text = each.collect::<Vec<_>>().join("\n");
+        let more = match self.more {
+            0 => return text,
+            1 => Framed::OneMore,
+            count => Framed::More { count },
+        };
+        text += &format!("\n{}\n", Both::from(more).text(language));
+        text
     }
 }
 
 impl Problem {
     /// Columns are counted as a terminal shows them: Hangul takes two.
-    fn render(&self, file: &str, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+    fn text(&self, file: &str, language: Language) -> String {
         let number = self.line.to_string();
         // " 7 | text": the bar stands below the bar, the arrow's tail one column before it.
         let arrow = " ".repeat(number.len() + 1);
         let gutter = " ".repeat(number.len() + 2);
-        writeln!(f, "error: {}", self.message)?;
-        writeln!(f, "{arrow}--> {file}:{}:{}", self.line, self.column)?;
         let columns = |characters: &mut dyn Iterator<Item = char>| {
             characters.filter_map(UnicodeWidthChar::width).sum::<usize>()
         };
         let before = columns(&mut self.text.chars().take(self.before));
         let marked = self.text.chars().skip(self.before).take(self.marked);
         let carets = columns(&mut marked.into_iter()).max(1);
-        writeln!(f, "{gutter}|")?;
-        writeln!(f, " {number} | {}", self.text)?;
-        write!(f, "{gutter}| {}{}", " ".repeat(before), "^".repeat(carets))?;
-        match &self.allowed {
-            Some(allowed) => writeln!(f, " {allowed}")?,
-            None => writeln!(f)?,
-        }
+        let error = Both::from(Framed::Error {
+            message: self.message.clone(),
+        });
+        let allowed = self.allowed.as_ref();
+        let allowed = allowed.map_or_else(String::new, |allowed| format!(" {}", allowed.text(language)));
+        let mut lines = vec![
+            error.text(language).to_owned(),
+            format!("{arrow}--> {file}:{}:{}", self.line, self.column),
+            format!("{gutter}|"),
+            format!(" {number} | {}", self.text),
+            format!("{gutter}| {}{}{allowed}", " ".repeat(before), "^".repeat(carets)),
+        ];
         if let Some(help) = &self.help {
-            writeln!(f, "{gutter}= help: {help}")?;
+            let help = Both::from(Framed::Help { help: help.clone() });
+            lines.push(format!("{gutter}= {}", help.text(language)));
         }
-        Ok(())
+        lines.join("\n") + "\n"
     }
+}
+
+/// A sentence as an error: "error: …", "오류: …".
+pub fn headed(message: &str, language: Language) -> String {
+    let error = Framed::Error {
+        message: message.into(),
+    };
+    Both::from(error).text(language).to_owned()
 }
 
 /// A problem before its line is known: a span of bytes of the text.
@@ -105,13 +128,13 @@ impl Problem {
 pub(super) struct Fault {
     pub(super) span: Range<usize>,
     pub(super) path: String,
-    message: String,
-    allowed: Option<String>,
-    help: Option<String>,
+    message: Both,
+    allowed: Option<Both>,
+    help: Option<Both>,
 }
 
 impl Fault {
-    pub(super) fn new(span: Range<usize>, path: &str, message: impl Into<String>) -> Self {
+    pub(super) fn new(span: Range<usize>, path: &str, message: impl Into<Both>) -> Self {
         Fault {
             span,
             path: path.to_owned(),
@@ -121,12 +144,12 @@ impl Fault {
         }
     }
 
-    pub(super) fn allowed(mut self, allowed: impl Into<String>) -> Self {
+    pub(super) fn allowed(mut self, allowed: impl Into<Both>) -> Self {
         self.allowed = Some(allowed.into());
         self
     }
 
-    pub(super) fn help(mut self, help: impl Into<String>) -> Self {
+    pub(super) fn help(mut self, help: impl Into<Both>) -> Self {
         self.help = Some(help.into());
         self
     }
@@ -139,13 +162,20 @@ impl Fault {
 
     /// Says in which cell of a table it was found.
     pub(super) fn say_cell(&mut self, file: &str, cell: &str) {
-        self.message = format!("{} ({file}, cell {cell})", self.message);
+        self.message = Both::from(Framed::InCell {
+            message: self.message.clone(),
+            file: file.to_owned(),
+            cell: cell.to_owned(),
+        });
     }
 
     /// Says in which variant it was found.
     pub(super) fn in_variant(mut self, name: &str) -> Self {
         self.path = format!("variant.{name}.{}", self.path);
-        self.message = format!("in variant \"{name}\": {}", self.message);
+        self.message = Both::from(Framed::InVariant {
+            variant: name.to_owned(),
+            message: self.message,
+        });
         self
     }
 
@@ -200,7 +230,14 @@ const QUOTED_BEFORE: usize = 60;
 const SENTENCE_MOST: usize = 1000;
 
 /// A sentence of bounded length, its end kept: that says what is allowed.
-fn shortened(sentence: String) -> String {
+fn shortened(sentence: Both) -> Both {
+    Both {
+        english: shortened_text(sentence.english),
+        korean: shortened_text(sentence.korean),
+    }
+}
+
+fn shortened_text(sentence: String) -> String {
     let length = sentence.chars().count();
     if length <= SENTENCE_MOST {
         return sentence;

@@ -2,6 +2,8 @@
 
 use super::error::Fault;
 use super::schema::KEYS_OF_KIND;
+use super::wrong::{Common, WrongFile};
+use dolmen_words::message::Both;
 use toml::de::{DeTable, DeValue};
 
 /// Keys of another kind: `storeys` in a chain.
@@ -19,19 +21,24 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
     if kind == "survey"
         && let Some((key, _)) = root.remove_entry("motion")
     {
-        let message = "\"motion\" moves a structure, but this file has kind = \"survey\"";
-        let fault = Fault::new(key.span(), "motion", message).allowed("has no meaning here");
-        faults.push(fault.help("take it out, or write the kind of the structure with its parts"));
+        let message = WrongFile::MotionMovesStructureBut;
+        let fault = Fault::new(key.span(), "motion", message).allowed(Common::NoMeaningHere);
+        faults.push(fault.help(WrongFile::TakeItOutOr));
     }
     for (owner, keys) in KEYS_OF_KIND.iter().filter(|(owner, _)| *owner != kind) {
         for name in *keys {
             if let Some((key, _)) = root.remove_entry(*name) {
-                let message =
-                    format!("\"{name}\" belongs to kind = \"{owner}\", but this file has kind = \"{kind}\"");
-                let help = format!("take it out, or write kind = \"{owner}\"");
+                let message = WrongFile::BelongsToKindBut {
+                    name: name.to_string(),
+                    owner: owner.to_string(),
+                    kind: kind.to_string(),
+                };
+                let help = WrongFile::TakeItOutOrWrite {
+                    owner: owner.to_string(),
+                };
                 faults.push(
                     Fault::new(key.span(), name, message)
-                        .allowed("has no meaning here")
+                        .allowed(Common::NoMeaningHere)
                         .help(help),
                 );
             }
@@ -41,14 +48,14 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
 }
 
 /// Keys of a study that mean something for some kinds alone, with those kinds and their name.
-const STUDY_KEYS: [(&str, &[&str], &str); 7] = [
-    ("law", &["stack"], "stacks"),
-    ("points", &["stack"], "stacks"),
-    ("damage", &["stack"], "stacks"),
-    ("direction", &["frame"], "frames"),
-    ("harmonic", &["frame", "chain"], "frames and chains"),
-    ("release", &["frame"], "frames"),
-    ("drift_limits", &["building"], "buildings"),
+const STUDY_KEYS: [(&str, &[&str], WrongFile); 7] = [
+    ("law", &["stack"], WrongFile::Stacks),
+    ("points", &["stack"], WrongFile::Stacks),
+    ("damage", &["stack"], WrongFile::Stacks),
+    ("direction", &["frame"], WrongFile::Frames),
+    ("harmonic", &["frame", "chain"], WrongFile::FramesAndChains),
+    ("release", &["frame"], WrongFile::Frames),
+    ("drift_limits", &["building"], WrongFile::Buildings),
 ];
 
 fn foreign_study_keys(root: &mut DeTable<'_>, kind: &str, faults: &mut Vec<Fault>) {
@@ -64,14 +71,18 @@ fn foreign_study_keys(root: &mut DeTable<'_>, kind: &str, faults: &mut Vec<Fault
                 continue;
             };
             let path = format!("study.{}.{name}", study.get_ref());
-            let message = format!("{name} is for {words}, but this file has a {kind}");
-            let help = match (*name, kinds) {
-                ("direction", _) => "take it out; directions = [\"0 deg\", …] turn the motion",
-                _ => "take it out",
+            let message = WrongFile::IsForButThis {
+                name: name.to_string(),
+                words: words.clone().into(),
+                kind: kind.to_string(),
+            };
+            let help: Both = match (*name, kinds) {
+                ("direction", _) => WrongFile::TakeItOutDirections.into(),
+                _ => Common::TakeItOut.into(),
             };
             faults.push(
                 Fault::new(key.span(), &path, message)
-                    .allowed("has no meaning here")
+                    .allowed(Common::NoMeaningHere)
                     .help(help),
             );
         }

@@ -44,6 +44,7 @@ mod usual_numbers;
 mod warned;
 mod way;
 mod written;
+mod wrong;
 
 pub use building::{
     BuildingPart, BuiltDamper, DamperBody, DamperFault, DamperFrequency, DamperMass, DamperPart, DampingPart,
@@ -56,10 +57,8 @@ pub use content::{Project, Structure, Variant, Warning, WarningKind};
 pub use dolmen_records::{FileError, Files, MemoryFiles, NoFiles};
 pub use doubted::Doubted;
 pub use doubts::{likely, looks_like_radians};
-pub use error::{Problem, ProjectError};
-pub use frame::{
-    Axial, ColumnsPart, DirectionPart, FootPart, FramePart, FrictionPart, SlipForces, StoreyPart,
-};
+pub use error::{Problem, ProjectError, headed};
+pub use frame::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
 pub use heaviness::Heaviness;
 pub use loads::{CombinationPart, LoadPart, LoadsPart, WindArea, WindGiven, WindPart, WindSpeed};
 pub use names::Names;
@@ -88,3 +87,4 @@ pub use survey::{
 pub use tabled::lists_in_tables;
 pub use units::{AngleError, parse_angle_rad};
 pub use warned::Warned;
+pub use wrong::ERRORS;

@@ -1,6 +1,8 @@
 //! What a number of the file measures, and which values it may have.
 
 use super::units::Dimension;
+use super::wrong::WrongUnit;
+use dolmen_words::message::Both;
 
 /// What a number of the file measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -75,28 +77,28 @@ impl Measure {
     }
 
     /// A unit to name in a message.
-    pub(super) fn example(self) -> &'static str {
+    pub(super) fn example(self) -> Both {
         match self {
-            Measure::Length => "m or mm",
-            Measure::Force => "kN",
-            Measure::Mass => "t or kg",
-            Measure::JointStiffness => "kN*m/rad",
-            Measure::StoreyStiffness => "kN/mm",
-            Measure::JointDamping => "kN*m*s/rad",
-            Measure::Dashpot => "kN*s/m",
-            Measure::Moment => "kN*m",
-            Measure::Inertia => "t*m2",
-            Measure::Frequency => "Hz",
-            Measure::Acceleration => "m/s2",
-            Measure::GroundAcceleration => "g or m/s2",
-            Measure::Ratio => "%, or none",
-            Measure::Density => "kg/m3 or t/m3",
-            Measure::Stress => "kPa or MPa",
-            Measure::BedStiffness => "GPa/m",
-            Measure::Angle => "deg",
-            Measure::Velocity => "m/s",
-            Measure::Area => "m2",
-            Measure::Tilt => "mm/m or deg, or \"1/200\"",
+            Measure::Length => WrongUnit::MOrMm.into(),
+            Measure::Force => "kN".into(),
+            Measure::Mass => WrongUnit::TOrKg.into(),
+            Measure::JointStiffness => "kN*m/rad".into(),
+            Measure::StoreyStiffness => "kN/mm".into(),
+            Measure::JointDamping => "kN*m*s/rad".into(),
+            Measure::Dashpot => "kN*s/m".into(),
+            Measure::Moment => "kN*m".into(),
+            Measure::Inertia => "t*m2".into(),
+            Measure::Frequency => "Hz".into(),
+            Measure::Acceleration => "m/s2".into(),
+            Measure::GroundAcceleration => WrongUnit::GOrMS2.into(),
+            Measure::Ratio => WrongUnit::OrNone.into(),
+            Measure::Density => WrongUnit::KgM3OrT.into(),
+            Measure::Stress => WrongUnit::KpaOrMpa.into(),
+            Measure::BedStiffness => "GPa/m".into(),
+            Measure::Angle => "deg".into(),
+            Measure::Velocity => "m/s".into(),
+            Measure::Area => "m2".into(),
+            Measure::Tilt => WrongUnit::MmMOrDeg.into(),
         }
     }
 }

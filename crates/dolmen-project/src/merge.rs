@@ -3,6 +3,7 @@
 
 use super::check::Node;
 use super::error::Fault;
+use super::wrong::WrongFile;
 use toml::de::{DeTable, DeValue};
 
 /// Lays `patch` over `base`; returns what cannot be laid.
@@ -51,11 +52,16 @@ fn patch_list<'i>(list: &mut [Node<'i>], patch: &DeTable<'i>, path: &str) -> Vec
         match number.and_then(|index| list.get_mut(index)) {
             Some(under) => faults.extend(lay(under, value, &format!("{path}[{}]", key.get_ref()))),
             None => {
-                let message = format!("{path} has no element \"{}\"", key.get_ref());
-                let allowed = format!("must be a number from 1 to {count}");
-                let help = format!(
-                    "a list is changed by number, {path} = {{ 2 = {{ … }} }}, or replaced: {path} = [ … ]"
-                );
+                let message = WrongFile::HasNoElement {
+                    path: path.to_string(),
+                    key: key.get_ref().to_string(),
+                };
+                let allowed = WrongFile::MustBeNumberFrom {
+                    count: count.to_string(),
+                };
+                let help = WrongFile::ListIsChangedBy {
+                    path: path.to_string(),
+                };
                 faults.push(Fault::new(key.span(), path, message).allowed(allowed).help(help));
             }
         }

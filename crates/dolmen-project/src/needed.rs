@@ -6,13 +6,15 @@ use super::heaviness::Heaviness;
 use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
 use super::reader::Reader;
+use super::wrong::{Common, WrongFile};
+use dolmen_words::message::Both;
 use std::ops::Range;
 
 /// Most parts of a structure, our choice: no chain or frame that people model by hand comes near.
 const PARTS_MOST: usize = 1000;
 
 /// Reports a key that the file lacks.
-pub(super) fn missing(reader: &mut Reader, key: &str, message: &str, help: &str) {
+pub(super) fn missing(reader: &mut Reader, key: &str, message: impl Into<Both>, help: impl Into<Both>) {
     if !reader.is_reported(key) {
         reader.fault(Fault::new(0..0, key, message).at_top().help(help));
     }
@@ -41,12 +43,14 @@ pub(super) fn heaviness(
             let fault = Fault::new(
                 weight.span.clone(),
                 path,
-                format!("{path} has both weight and mass"),
+                WrongFile::HasBothWeightAnd {
+                    path: path.to_string(),
+                },
             );
             reader.fault(
                 fault
-                    .allowed("must be one of them")
-                    .help("take one out: weight = mass × gravity"),
+                    .allowed(WrongFile::EitherOne)
+                    .help(WrongFile::TakeOneOutWeight),
             );
             None
         }
@@ -54,8 +58,14 @@ pub(super) fn heaviness(
             let reported =
                 reader.is_reported(&format!("{path}.weight")) || reader.is_reported(&format!("{path}.mass"));
             if !reported {
-                let fault = Fault::new(part.clone(), path, format!("{path} has neither weight nor mass"));
-                reader.fault(fault.help("give weight = … (a force) or mass = …"));
+                let fault = Fault::new(
+                    part.clone(),
+                    path,
+                    WrongFile::HasNeitherWeightNor {
+                        path: path.to_string(),
+                    },
+                );
+                reader.fault(fault.help(WrongFile::GiveWeightForceOr));
             }
             None
         }
@@ -68,8 +78,17 @@ pub(super) fn countable<T>(reader: &mut Reader, list: &At<Vec<T>>, path: &str) -
     if (1..=PARTS_MOST).contains(&count) {
         return true;
     }
-    let fault = Fault::new(list.span.clone(), path, format!("{path} has {count} elements"));
-    reader.fault(fault.allowed(format!("must be 1 to {PARTS_MOST}")));
+    let fault = Fault::new(
+        list.span.clone(),
+        path,
+        WrongFile::HasElements {
+            path: path.to_string(),
+            count: count.to_string(),
+        },
+    );
+    reader.fault(fault.allowed(WrongFile::MustBeTo {
+        most: PARTS_MOST.to_string(),
+    }));
     false
 }
 
@@ -88,11 +107,17 @@ pub(super) fn one_each<T>(
     let fault = Fault::new(
         span.clone(),
         path,
-        format!("{path} has {} elements for {needed} {part}", list.len()),
+        WrongFile::HasElementsFor {
+            path: path.to_string(),
+            count: list.len().to_string(),
+            needed: needed.to_string(),
+            part: part.to_string(),
+        },
     );
-    reader.fault(fault.allowed(format!(
-        "must be {needed}, one for each of the {part}, lowest first"
-    )));
+    reader.fault(fault.allowed(WrongFile::MustBeOneFor {
+        needed: needed.to_string(),
+        part: part.to_string(),
+    }));
     false
 }
 
@@ -121,12 +146,18 @@ pub(super) fn lengths<const N: usize>(
     reader: &mut Reader,
     raw: &At<Vec<At<QuantityRaw>>>,
     path: &str,
-    as_written: &str,
+    as_written: impl Into<Both>,
 ) -> Option<[Quantity; N]> {
     if raw.value.len() != N {
-        let message = format!("{path} has {} numbers", raw.value.len());
+        let message = Common::HasNumbers {
+            path: path.to_string(),
+            count: raw.value.len().to_string(),
+        };
         let fault = Fault::new(raw.span.clone(), path, message);
-        reader.fault(fault.allowed(format!("must be {N}: {as_written}")));
+        reader.fault(fault.allowed(WrongFile::MustBe {
+            n: N.to_string(),
+            as_written: as_written.into(),
+        }));
         return None;
     }
     let mut all = Vec::with_capacity(N);

@@ -5,6 +5,8 @@ use super::file_number::{At, QuantityRaw};
 use super::measure::{Bound, Measure};
 use super::quantity::Quantity;
 use super::reader::Reader;
+use super::wrong::WrongNumber;
+use dolmen_words::message::Both;
 
 /// Largest damping ratio of a mode. Chosen here: above it a percentage was meant.
 const DAMPING_RATIO_MOST: f64 = 0.5;
@@ -15,13 +17,7 @@ pub(super) fn damping_ratio(
     path: &str,
 ) -> Option<Quantity> {
     let ratio = reader.quantity(raw, path, Measure::Ratio, Bound::NotNegative)?;
-    below(
-        reader,
-        ratio,
-        raw,
-        DAMPING_RATIO_MOST,
-        "write 2 % as 0.02 or \"2 %\"",
-    )
+    below(reader, ratio, raw, DAMPING_RATIO_MOST, WrongNumber::WriteAsOr)
 }
 
 /// A ratio that must not be above a bound.
@@ -30,7 +26,7 @@ pub(super) fn below(
     ratio: Quantity,
     raw: Option<&At<QuantityRaw>>,
     most: f64,
-    help: &str,
+    help: impl Into<Both>,
 ) -> Option<Quantity> {
     if ratio.value <= most {
         return Some(ratio);
@@ -38,6 +34,12 @@ pub(super) fn below(
     let span = raw.map_or(0..0, |raw| raw.span.clone());
     let message = format!("{} = {}", ratio.path, ratio.written);
     let fault = Fault::new(span, &ratio.path, message);
-    reader.fault(fault.allowed(format!("must be 0 to {most}")).help(help));
+    reader.fault(
+        fault
+            .allowed(WrongNumber::ZeroTo {
+                most: most.to_string(),
+            })
+            .help(help),
+    );
     None
 }

@@ -32,8 +32,10 @@ use super::syntax::{of_toml, version};
 use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
 use super::warned::Warned;
+use super::wrong::{Common, WrongFile};
 use dolmen::structure::StructureError;
 use dolmen_records::{Files, NoFiles};
+use dolmen_words::message::Both;
 use dolmen_words::nearest;
 use serde::Deserialize;
 use std::borrow::Cow;
@@ -124,11 +126,11 @@ fn read_with(text: &str, files: &dyn Files, lists: &[Tabled]) -> Result<Project,
     let mut read_variants = Vec::new();
     if let Some(variants) = variants {
         let DeValue::Table(table) = variants.get_ref() else {
-            let fault = Fault::new(variants.span(), "variant", "variant is not a table");
+            let fault = Fault::new(variants.span(), "variant", WrongFile::VariantIsNotTable);
             faults.push(
                 fault
-                    .allowed("must be a table")
-                    .help("write [variant.NAME] above what it changes"),
+                    .allowed(WrongFile::MustBeTable)
+                    .help(WrongFile::WriteVariantNameAbove),
             );
             return Err(faults);
         };
@@ -193,15 +195,29 @@ fn unknown_variants(project: &Project, variants: &[Variant]) -> Vec<Fault> {
             }
             let path = format!("study.{}.variants[{}]", study.name, i + 1);
             let span = project.spans.get(&path).cloned().unwrap_or(0..0);
-            let fault = Fault::new(span, &path, format!("there is no variant \"{name}\""));
-            let help = match nearest(name, known.iter().copied()) {
-                Some(near) => format!("did you mean \"{near}\"?"),
-                None => format!("write [variant.{name}], or take it out"),
+            let fault = Fault::new(
+                span,
+                &path,
+                WrongFile::ThereIsNoVariant {
+                    name: name.to_string(),
+                },
+            );
+            let help: Both = match nearest(name, known.iter().copied()) {
+                Some(near) => Common::DidYouMean {
+                    near: near.to_string(),
+                }
+                .into(),
+                None => WrongFile::WriteVariantOrTake {
+                    name: name.to_string(),
+                }
+                .into(),
             };
             faults.push(match known.is_empty() {
                 true => fault.help(help),
                 false => fault
-                    .allowed(format!("must be one of {}", known.join(", ")))
+                    .allowed(WrongFile::MustBeOneOf {
+                        known: known.join(", "),
+                    })
                     .help(help),
             });
         }
@@ -396,12 +412,14 @@ fn name(reader: &mut Reader, raw: At<NamesRaw>, path: &str) -> Option<Names> {
     let names = names(raw.value);
     let is_empty = |name: &Option<String>| name.as_deref().is_none_or(|name| name.trim().is_empty());
     if is_empty(&names.en) && is_empty(&names.ko) {
-        let fault = Fault::new(raw.span, path, format!("{path} is empty"));
-        reader.fault(
-            fault
-                .allowed("needs text")
-                .help("name = { en = \"…\", ko = \"…\" }, or one of them"),
+        let fault = Fault::new(
+            raw.span,
+            path,
+            Common::IsEmpty {
+                path: path.to_string(),
+            },
         );
+        reader.fault(fault.allowed(WrongFile::NeedsText).help(WrongFile::NameEnKoOr));
         return None;
     }
     Some(names)
@@ -447,11 +465,17 @@ fn variant<'i>(
 ) -> Option<Variant> {
     let path = format!("variant.{name}");
     let DeValue::Table(table) = patch.get_ref() else {
-        let fault = Fault::new(patch.span(), &path, format!("{path} is not a table"));
+        let fault = Fault::new(
+            patch.span(),
+            &path,
+            WrongFile::IsNotTable {
+                path: path.to_string(),
+            },
+        );
         faults.push(
             fault
-                .allowed("must be a table")
-                .help("give the variant a name: [variant.NAME] above what it changes"),
+                .allowed(WrongFile::MustBeTable)
+                .help(WrongFile::GiveVariantNameVariant),
         );
         return None;
     };
@@ -464,12 +488,15 @@ fn variant<'i>(
             let fault = Fault::new(
                 written.span(),
                 &path,
-                format!("variant \"{name}\" cannot change {key}"),
+                WrongFile::VariantCannotChange {
+                    name: name.to_string(),
+                    key: key.to_string(),
+                },
             );
             faults.push(
                 fault
-                    .allowed("holds for the whole file")
-                    .help("take it out, or make another file"),
+                    .allowed(WrongFile::HoldsForWholeFile)
+                    .help(WrongFile::TakeItOutOrMake),
             );
         }
     }
@@ -516,8 +543,14 @@ fn title<'i>(
         Ok(raw) => Some(names(raw)),
         Err(_) => {
             let path = format!("{path}.title");
-            let fault = Fault::new(span, &path, format!("{path} is not a name"));
-            faults.push(fault.allowed("must be text, or { en = \"…\", ko = \"…\" }"));
+            let fault = Fault::new(
+                span,
+                &path,
+                WrongFile::IsNotName {
+                    path: path.to_string(),
+                },
+            );
+            faults.push(fault.allowed(WrongFile::MustBeTextOr));
             None
         }
     }

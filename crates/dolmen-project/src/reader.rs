@@ -10,8 +10,10 @@ use super::quantity::{Evidence, Quantity};
 use super::units::{Dimension, Unit, UnitError, parse_unit, split_number, tilt_ratio};
 use super::warned::Warned;
 use super::written::{short, with_unit};
+use super::wrong::{Common, WrongNumber, WrongUnit};
 use dolmen_records::Files;
 use dolmen_words::Sentence;
+use dolmen_words::message::Both;
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
@@ -140,16 +142,29 @@ impl<'f> Reader<'f> {
     }
 
     /// A probable slip: a fault, or a warning where `allow` names it.
-    pub(super) fn slip(&mut self, path: &str, message: String, help: String) {
+    pub(super) fn slip(&mut self, path: &str, message: impl Into<Both>, help: impl Into<Both>) {
         if let Some((_, used)) = self.allow.iter_mut().find(|(allowed, _)| allowed.value == path) {
             *used = true;
-            self.warn(WarningKind::Allowed, path, Warned::Allowed { slip: message });
+            self.warn(
+                WarningKind::Allowed,
+                path,
+                Warned::Allowed { slip: message.into() },
+            );
             return;
         }
-        let stop = if help.ends_with('?') { "" } else { "." };
-        let help = format!("{help}{stop} If it is right, write allow = [\"{path}\"]");
+        let (help, path_named) = (help.into(), path.to_owned());
+        let help = match help.english.ends_with('?') {
+            true => WrongNumber::IfRightThen {
+                help,
+                path: path_named,
+            },
+            false => WrongNumber::IfRight {
+                help,
+                path: path_named,
+            },
+        };
         let fault = Fault::new(self.place(path), path, message);
-        self.fault(fault.allowed("probably a slip").help(help));
+        self.fault(fault.allowed(WrongNumber::ProbablySlip).help(help));
     }
 
     /// A pattern that looks like a slip but may be right: a warning, or nothing where `allow` names it.
@@ -202,16 +217,19 @@ impl<'f> Reader<'f> {
         let unit = match parse_unit(text) {
             Ok(unit) => unit,
             Err(fault) => {
-                let whole = match &fault {
-                    UnitError::Unknown { symbol, .. } if symbol == text.trim() => String::new(),
-                    _ => format!("in \"{}\" ", text.trim()),
+                let (of, said) = (of.to_owned(), fault.said());
+                let message = match &fault {
+                    UnitError::Unknown { symbol, .. } if symbol == text.trim() => WrongUnit::At { of, said },
+                    _ => WrongUnit::AtIn {
+                        of,
+                        text: text.trim().to_owned(),
+                        said,
+                    },
                 };
-                let message = format!("{of}: {whole}{fault}");
-                let help = fault.help();
                 self.fault(
                     Fault::new(span.clone(), path, message)
-                        .allowed("unknown unit")
-                        .help(help),
+                        .allowed(Common::UnknownUnit)
+                        .help(fault.help()),
                 );
                 return None;
             }
@@ -220,20 +238,30 @@ impl<'f> Reader<'f> {
             return Some(unit);
         }
         let needed = measure.dimension();
-        let message = format!(
-            "{of} needs {needed}, but \"{}\" is {}",
-            text.trim(),
-            unit.dimension
-        );
+        let message = WrongNumber::NeedsButIs {
+            of: of.to_string(),
+            needed: needed.said(),
+            text: text.trim().to_string(),
+            dimension: unit.dimension.said(),
+        };
         let (part, key) = of.rsplit_once('.').unwrap_or(("", of));
-        let help = match (key, unit.dimension) {
-            ("weight", Dimension::MASS) => format!("write mass instead of weight in {part}"),
-            ("mass", Dimension::FORCE) => format!("write weight instead of mass in {part}"),
-            _ => format!("use a unit such as {}", measure.example()),
+        let help: Both = match (key, unit.dimension) {
+            ("weight", Dimension::MASS) => WrongNumber::WriteMassInsteadOf {
+                part: part.to_string(),
+            }
+            .into(),
+            ("mass", Dimension::FORCE) => WrongNumber::WriteWeightInsteadOf {
+                part: part.to_string(),
+            }
+            .into(),
+            _ => Common::UseUnitSuchAs {
+                example: measure.example(),
+            }
+            .into(),
         };
         self.fault(
             Fault::new(span.clone(), path, message)
-                .allowed("wrong kind of unit")
+                .allowed(WrongNumber::WrongKindOfUnit)
                 .help(help),
         );
         None
@@ -251,16 +279,23 @@ impl<'f> Reader<'f> {
         let (value, unit_text, unit_span) = match raw {
             NumberRaw::Number(value) => match unit {
                 Some(unit) => (*value, unit.value.as_str(), &unit.span),
-                None if *value != 0.0 && with_its_unit(measure).is_some() => {
-                    let (what, units) = with_its_unit(measure).unwrap_or_default();
+                None if let (true, Some((what, units))) = (*value != 0.0, with_its_unit(measure)) => {
                     let given = short(*value);
-                    let fault = Fault::new(span.clone(), path, format!("{path} = {given} has no unit"));
-                    let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
-                    self.fault(
-                        fault
-                            .allowed(format!("must be {what} with its unit"))
-                            .help(format!("write {one} or {other}")),
+                    let fault = Fault::new(
+                        span.clone(),
+                        path,
+                        WrongNumber::HasNoUnit {
+                            path: path.to_string(),
+                            given: given.to_string(),
+                        },
                     );
+                    let [one, other] = units.map(|unit| format!("\"{given} {unit}\""));
+                    self.fault(fault.allowed(WrongNumber::MustBeWithIts { what }).help(
+                        WrongNumber::WriteOr {
+                            one: one.to_string(),
+                            other: other.to_string(),
+                        },
+                    ));
                     return None;
                 }
                 None => {
@@ -275,12 +310,15 @@ impl<'f> Reader<'f> {
             },
             NumberRaw::Text(text) if measure == Measure::Tilt => {
                 let Some(value) = tilt_ratio(text) else {
-                    let fault = Fault::new(span.clone(), path, format!("{path} = \"{text}\" is not a tilt"));
-                    self.fault(
-                        fault.allowed(
-                            "must be a ratio, or text such as \"1/177\", \"0.32 deg\", \"5.65 mm/m\"",
-                        ),
+                    let fault = Fault::new(
+                        span.clone(),
+                        path,
+                        WrongNumber::IsNotTilt {
+                            path: path.to_string(),
+                            text: text.to_string(),
+                        },
                     );
+                    self.fault(fault.allowed(Common::MustBeTilt));
                     return None;
                 };
                 return Some(Number {
@@ -290,15 +328,17 @@ impl<'f> Reader<'f> {
                 });
             }
             NumberRaw::Text(text) => {
-                let allowed = format!(
-                    "must be a number, or text with a unit such as {}",
-                    measure.example()
-                );
+                let allowed = WrongNumber::MustBeNumberOr {
+                    example: measure.example(),
+                };
                 let Some((value, rest)) = split_number(text) else {
                     let fault = Fault::new(
                         span.clone(),
                         path,
-                        format!("{path} = \"{text}\" is text, not a number"),
+                        WrongNumber::IsTextNotNumber {
+                            path: path.to_string(),
+                            text: text.to_string(),
+                        },
                     );
                     self.fault(fault.allowed(allowed));
                     return None;
@@ -308,30 +348,41 @@ impl<'f> Reader<'f> {
                     let fault = Fault::new(
                         span.clone(),
                         path,
-                        format!("{path} = \"{text}\" is text without a unit"),
+                        WrongNumber::IsTextWithoutUnit {
+                            path: path.to_string(),
+                            text: text.to_string(),
+                        },
                     );
-                    let help = format!(
-                        "write {0} without quotes, or with its unit: \"{0} {bare}\"",
-                        text.trim()
-                    );
+                    let help = WrongNumber::WriteWithoutQuotesOr {
+                        text: text.trim().to_string(),
+                        bare: bare.to_string(),
+                    };
                     self.fault(fault.allowed(allowed).help(help));
                     return None;
                 }
                 if rest.starts_with(',') {
-                    let fault = Fault::new(span.clone(), path, format!("{path} = \"{text}\" holds a comma"));
+                    let fault = Fault::new(
+                        span.clone(),
+                        path,
+                        WrongNumber::HoldsComma {
+                            path: path.to_string(),
+                            text: text.to_string(),
+                        },
+                    );
                     self.fault(
                         fault
-                            .allowed("unclear number")
-                            .help("write decimals with a point and no thousands separator"),
+                            .allowed(WrongNumber::UnclearNumber)
+                            .help(WrongNumber::WriteDecimalsWithPoint),
                     );
                     return None;
                 }
                 if let Some(unit) = unit {
-                    let message = format!(
-                        "{path} has its unit twice: in \"{text}\" and unit = \"{}\"",
-                        unit.value
-                    );
-                    self.fault(Fault::new(unit.span.clone(), path, message).help("keep one of them"));
+                    let message = WrongNumber::HasItsUnitTwice {
+                        path: path.to_string(),
+                        text: text.to_string(),
+                        unit: unit.value.to_string(),
+                    };
+                    self.fault(Fault::new(unit.span.clone(), path, message).help(Common::KeepOneOfThem));
                     return None;
                 }
                 if rest.is_empty() {
@@ -392,10 +443,10 @@ impl<'f> Reader<'f> {
             quantity.note.clone_from(&table.note);
             quantity.cov = match (&table.cov, &table.sd) {
                 (Some(_), Some(sd)) => {
-                    let message = format!("{path} has both cov and sd");
-                    self.fault(
-                        Fault::new(sd.span.clone(), path, message).help("keep one of them: cov = sd / value"),
-                    );
+                    let message = WrongNumber::HasBothCovAnd {
+                        path: path.to_string(),
+                    };
+                    self.fault(Fault::new(sd.span.clone(), path, message).help(WrongNumber::CovOrSd));
                     return None;
                 }
                 (Some(cov), None) => Some(self.cov(cov.value, cov, &format!("{path}.cov"))?),
@@ -406,12 +457,15 @@ impl<'f> Reader<'f> {
                 (None, None) => None,
             };
             if quantity.cov.is_some_and(|cov| cov > 0.0) && quantity.value <= 0.0 {
-                let message = format!("{path} = {} has a scatter", quantity.written);
+                let message = WrongNumber::HasScatter {
+                    path: path.to_string(),
+                    written: quantity.written.to_string(),
+                };
                 let fault = Fault::new(raw.span.clone(), path, message);
                 self.fault(
                     fault
-                        .allowed("must be above 0 to have one")
-                        .help("a number with a cov or sd stands for a lognormal variable, which is positive"),
+                        .allowed(WrongNumber::ScatterAboveZero)
+                        .help(WrongNumber::NumberWithCovOr),
                 );
                 return None;
             }
@@ -445,12 +499,15 @@ impl<'f> Reader<'f> {
         let fault = Fault::new(
             written.span.clone(),
             path,
-            format!("{path} = {given} is outside its range"),
+            WrongNumber::CovOutsideRange {
+                path: path.to_string(),
+                given: given.to_string(),
+            },
         );
-        let (allowed, help) = if path.ends_with(".sd") {
-            ("must be 0 to the value itself", "sd is in the unit of value")
+        let (allowed, help): (Both, _) = if path.ends_with(".sd") {
+            (WrongNumber::SdRange.into(), WrongNumber::SdUnit)
         } else {
-            ("must be 0 to 1", "cov is standard deviation / mean: 5 % is 0.05")
+            (Common::ZeroToOne.into(), WrongNumber::CovIsStandardDeviation)
         };
         self.fault(fault.allowed(allowed).help(help));
         None
@@ -465,18 +522,23 @@ impl<'f> Reader<'f> {
         path: &str,
         bound: Bound,
     ) -> Option<()> {
-        let (fits, allowed) = match bound {
-            Bound::Positive => (value > 0.0, "must be above 0"),
-            Bound::NotNegative => (value >= 0.0, "must be 0 or above"),
-            Bound::Any => (true, "must be a finite number"),
+        let (fits, allowed): (bool, Both) = match bound {
+            Bound::Positive => (value > 0.0, WrongNumber::AboveZero.into()),
+            Bound::NotNegative => (value >= 0.0, Common::ZeroOrMore.into()),
+            Bound::Any => (true, WrongNumber::Finite.into()),
         };
         if fits && value.is_finite() {
             return Some(());
         }
         let message = if value.is_nan() {
-            format!("{path} is not a number")
+            WrongNumber::IsNotNumber {
+                path: path.to_string(),
+            }
         } else {
-            format!("{path} = {written} cannot be")
+            WrongNumber::CannotBe {
+                path: path.to_string(),
+                written: written.to_string(),
+            }
         };
         self.fault(Fault::new(span.clone(), path, message).allowed(allowed));
         None
@@ -494,8 +556,14 @@ impl<'f> Reader<'f> {
         if (least..=most).contains(&number.value) {
             return Some(number.value);
         }
-        let message = format!("{path} = {} is outside its range", short(number.value));
-        let allowed = format!("must be {} to {}", short(least), short(most));
+        let message = WrongNumber::OutsideRange {
+            path: path.to_string(),
+            number: short(number.value),
+        };
+        let allowed = WrongNumber::MustBeWithin {
+            least: short(least),
+            most: short(most),
+        };
         self.fault(Fault::new(number.span.clone(), path, message).allowed(allowed));
         None
     }
@@ -513,8 +581,14 @@ impl<'f> Reader<'f> {
             .ok()
             .filter(|count| (least..=most).contains(count));
         if count.is_none() {
-            let message = format!("{path} = {} is outside its range", number.value);
-            let allowed = format!("must be {least} to {most}");
+            let message = WrongNumber::OutsideRange {
+                path: path.to_string(),
+                number: number.value.to_string(),
+            };
+            let allowed = WrongNumber::MustBeWithin {
+                least: least.to_string(),
+                most: most.to_string(),
+            };
             self.fault(Fault::new(number.span.clone(), path, message).allowed(allowed));
         }
         count
@@ -522,10 +596,10 @@ impl<'f> Reader<'f> {
 }
 
 /// What a bare number cannot be, and units to offer.
-fn with_its_unit(measure: Measure) -> Option<(&'static str, [&'static str; 2])> {
+fn with_its_unit(measure: Measure) -> Option<(Both, [&'static str; 2])> {
     match measure {
-        Measure::Angle => Some(("an angle", ["deg", "rad"])),
-        Measure::GroundAcceleration => Some(("an acceleration", ["g", "m/s2"])),
+        Measure::Angle => Some((WrongNumber::Angle.into(), ["deg", "rad"])),
+        Measure::GroundAcceleration => Some((Common::Acceleration.into(), ["g", "m/s2"])),
         _ => None,
     }
 }

@@ -2,6 +2,7 @@
 //! stand in terminals.
 
 use super::error::Fault;
+use super::wrong::WrongFile;
 use dolmen_words::same_file_name;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -52,15 +53,16 @@ fn one_file_each(table: &str, named: &DeTable<'_>, faults: &mut Vec<Fault>) {
             continue;
         };
         let path = format!("{table}.{name}");
-        let message = format!(
-            "{table} \"{name}\" is named as \"{}\" but for capitals or the way letters are composed",
-            twin.get_ref()
-        );
+        let message = WrongFile::IsNamedAsBut {
+            table: table.to_string(),
+            name: name.to_string(),
+            twin: twin.get_ref().to_string(),
+        };
         let fault = Fault::new(key.span(), &path, message);
         faults.push(
             fault
-                .allowed("results would be one folder on Windows")
-                .help("give it another name"),
+                .allowed(WrongFile::ResultsWouldBeOne)
+                .help(WrongFile::GiveItAnotherName),
         );
     }
 }
@@ -79,12 +81,15 @@ fn signs(text: &str, span: std::ops::Range<usize>, path: &str, faults: &mut Vec<
         .chars()
         .map(|sign| if steers(sign) { '?' } else { sign })
         .collect();
-    let message = format!("{path} holds the control character U+{:04X}", u32::from(sign));
+    let message = WrongFile::HoldsControlCharacterU {
+        path: path.to_string(),
+        sign: format!("{:04X}", u32::from(sign)),
+    };
     let fault = Fault::new(span, &path, message);
     faults.push(
         fault
-            .allowed("only letters, digits, signs and line ends")
-            .help("take it out: copied text sometimes brings one along"),
+            .allowed(WrongFile::OnlyLettersDigitsSigns)
+            .help(WrongFile::TakeItOutCopied),
     );
 }
 
@@ -122,7 +127,7 @@ mod tests {
         fault
             .problems
             .into_iter()
-            .map(|problem| problem.message)
+            .map(|problem| problem.message.english)
             .collect()
     }
 

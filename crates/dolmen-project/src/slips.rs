@@ -26,6 +26,7 @@ use super::stack::judge_stack;
 use super::survey::Survey;
 use super::usual::within;
 use super::written::short;
+use super::wrong::{Common, Slip};
 
 /// Measured frequency, Hz.
 const FREQUENCY_HZ: (f64, f64) = (0.05, 200.0);
@@ -44,15 +45,10 @@ pub(super) fn judge(
     if let Some(gravity) = gravity
         && !within(gravity.value, GRAVITY_M_S2)
     {
-        let message = format!(
-            "gravity = {} is not that of the Earth, 9.78 to 9.83 m/s2",
-            gravity.written
-        );
-        reader.slip(
-            &gravity.path,
-            message,
-            "981 gal, 9.81 m/s2 and 1 g are the same".to_owned(),
-        );
+        let message = Slip::GravityIsNotThat {
+            written: gravity.written.to_string(),
+        };
+        reader.slip(&gravity.path, message, Slip::GalMS2And);
     }
     match structure {
         Some(Structure::Chain(chain)) => judge_chain(reader, chain),
@@ -71,25 +67,29 @@ fn judge_modes(reader: &mut Reader, survey: &Survey) {
         let frequency = &mode.frequency;
         if !within(frequency.value, FREQUENCY_HZ) {
             let (least, most) = FREQUENCY_HZ;
-            let message = format!(
-                "{} = {}, but structures sway at {least} to {most} Hz",
-                frequency.path, frequency.written
-            );
+            let message = Slip::ButStructuresSwayAt {
+                path: frequency.path.to_string(),
+                written: frequency.written.to_string(),
+                least: least.to_string(),
+                most: most.to_string(),
+            };
             let help = if frequency.value < 1.0 {
-                "did you mean kHz?"
+                Slip::DidYouMeanKhz
             } else {
-                "did you mean mHz or 1/min?"
+                Slip::DidYouMeanMhz
             };
             reader.slip(&frequency.path, message, help.to_owned());
         }
         if let Some(damping) = &mode.damping_ratio
             && damping.value > DAMPING_RATIO_MOST
         {
-            let message = format!(
-                "{} = {}, but structures have 0.005 to 0.1",
-                damping.path, damping.written
-            );
-            let help = format!("did you mean \"{} %\"?", short(damping.value));
+            let message = Slip::ButStructuresHaveTo {
+                path: damping.path.to_string(),
+                written: damping.written.to_string(),
+            };
+            let help = Common::IsItPerCent {
+                percent: short(damping.value),
+            };
             reader.slip(&damping.path, message, help);
         }
     }

@@ -2,6 +2,7 @@
 
 use super::error::Fault;
 use super::schema::SCHEMA_VERSION;
+use super::wrong::{WrongToml, of_parser};
 use toml::de::DeTable;
 
 /// A fault of TOML itself.
@@ -9,7 +10,13 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     let span = error.span().unwrap_or(0..0);
     let first = error.message().lines().next().unwrap_or_default();
     let rest: Vec<&str> = error.message().lines().skip(1).collect();
-    let mut fault = Fault::new(span.clone(), "", format!("this is not TOML: {first}"));
+    let mut fault = Fault::new(
+        span.clone(),
+        "",
+        WrongToml::ThisIsNotToml {
+            first: of_parser(first),
+        },
+    );
     if !rest.is_empty() {
         fault = fault.allowed(rest.join(", "));
     }
@@ -17,7 +24,7 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
     let at_point =
         text.get(span.start..).is_some_and(|rest| rest.starts_with('.')) || bare_point == Some('.');
     if first.contains("mantissa") && at_point {
-        fault = fault.help("a number begins with a digit: write 0.02, not .02");
+        fault = fault.help(WrongToml::NumberBeginsWithDigit);
     }
     let line = text
         .get(span.start..)
@@ -28,13 +35,17 @@ pub(super) fn of_toml(error: &toml::de::Error, text: &str) -> Fault {
         .unwrap_or_default();
     let whole = format!("{before}{line}");
     if whole.contains(['“', '”', '‘', '’', '„', '「', '」']) {
-        fault = fault.help("curly quotes are no quotes of TOML: write plain ones, \"…\"");
+        fault = fault.help(WrongToml::CurlyQuotesAreNo);
     } else if let Some(written) = decimal_comma(&whole) {
-        fault = fault.help(format!("a decimal comma? Write {}", written.replace(',', ".")));
+        fault = fault.help(WrongToml::DecimalCommaWrite {
+            number: written.replace(',', "."),
+        });
     }
     if first.contains("duplicate key") {
         let line = text.get(span).unwrap_or_default();
-        fault = fault.help(format!("\"{line}\" is given twice in the same table: keep one"));
+        fault = fault.help(WrongToml::IsGivenTwiceIn {
+            line: line.to_string(),
+        });
     }
     fault
 }
@@ -66,16 +77,24 @@ pub(super) fn version(root: &DeTable<'_>) -> Result<(), Vec<Fault>> {
     let fault = Fault::new(
         span,
         "schema",
-        format!("schema = {} is not known", given.as_str()),
+        WrongToml::SchemaIsNotKnown {
+            given: given.as_str().to_string(),
+        },
     );
-    let fault = fault.allowed(format!("must be {SCHEMA_VERSION}"));
+    let fault = fault.allowed(WrongToml::MustBe {
+        version: SCHEMA_VERSION.to_string(),
+    });
     let dolmen = env!("CARGO_PKG_VERSION");
     let help = match number {
-        Some(number) if number > SCHEMA_VERSION => format!(
-            "the file is of a newer format: this is Dolmen {dolmen}, which reads schema {SCHEMA_VERSION}; get a Dolmen \
-             that reads schema {number}"
-        ),
-        _ => format!("Dolmen {dolmen} reads schema {SCHEMA_VERSION}: write schema = {SCHEMA_VERSION}"),
+        Some(number) if number > SCHEMA_VERSION => WrongToml::FileIsOfNewer {
+            dolmen: dolmen.to_string(),
+            version: SCHEMA_VERSION.to_string(),
+            number: number.to_string(),
+        },
+        _ => WrongToml::DolmenReadsSchemaWrite {
+            dolmen: dolmen.to_string(),
+            version: SCHEMA_VERSION.to_string(),
+        },
     };
     Err(vec![fault.help(help)])
 }

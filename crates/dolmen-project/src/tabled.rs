@@ -5,7 +5,9 @@ use super::error::Fault;
 use super::measure::Measure;
 use super::placed::place;
 use super::units::parse_unit;
+use super::wrong::{Common, WrongTable};
 use dolmen_records::{Files, SHEET_BYTES_MOST, SheetCell, SheetValue, read_sheet};
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::ops::Range;
@@ -102,7 +104,7 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
         };
         let word = |name: &str| table.get(name).and_then(|value| value.get_ref().as_str());
         let Some(file) = word("file") else { continue };
-        let at = |path: &str, message: String| Fault::new(given.span(), path, message);
+        let at = |path: &str, message: Both| Fault::new(given.span(), path, message);
         if let Some((other, _)) = table
             .iter()
             .find(|(name, _)| !["file", "sheet"].contains(&name.get_ref().as_ref()))
@@ -111,22 +113,32 @@ pub(super) fn tabled(text: &str, files: &dyn Files) -> Result<Vec<Tabled>, Vec<F
             let fault = Fault::new(
                 other.span(),
                 &format!("{key}.{name}"),
-                format!("{key} has the key \"{name}\" beside file"),
+                WrongTable::HasKeyBesideFile {
+                    key: key.to_string(),
+                    name: name.to_string(),
+                },
             );
-            faults.push(fault.allowed("must be file and sheet alone"));
+            faults.push(fault.allowed(WrongTable::MustBeFileAnd));
             continue;
         }
         let bytes = match files.read(file, SHEET_BYTES_MOST) {
             Ok(bytes) => bytes,
             Err(why) => {
-                faults.push(at(key, format!("{key}.file = \"{file}\": {why}")));
+                faults.push(at(
+                    key,
+                    Both::from(WrongTable::File {
+                        key: key.to_string(),
+                        file: file.to_string(),
+                        why: why.to_string().into(),
+                    }),
+                ));
                 continue;
             }
         };
         let rows = match read_sheet(&bytes, file, word("sheet")) {
             Ok(rows) => rows,
             Err(why) => {
-                faults.push(at(key, format!("{file} {why}")));
+                faults.push(at(key, format!("{file} {why}").into()));
                 continue;
             }
         };
@@ -179,7 +191,7 @@ fn list(
     rows: &[Vec<SheetCell>],
     root: &DeTable<'_>,
     file: &str,
-) -> Result<Written, Vec<(String, String)>> {
+) -> Result<Written, Vec<(Both, Both)>> {
     let mut faults = Vec::new();
     let mut heads: Vec<Option<(&'static str, Option<String>)>> = Vec::new();
     let (header, body) = rows.split_first().unwrap_or((&rows[0], &[]));
@@ -191,24 +203,36 @@ fn list(
         };
         match column(head, columns) {
             Some((of, _)) if heads.iter().flatten().any(|(known, _)| *known == of.0) => {
-                let message = format!(
-                    "{file}, cell {}: the column \"{}\" is there twice",
-                    cell.place, of.0
-                );
-                faults.push((message, "keep one of them".to_owned()));
+                let message = WrongTable::CellColumnIsThere {
+                    file: file.to_string(),
+                    place: cell.place.to_string(),
+                    of: of.0.to_string(),
+                };
+                faults.push((message.into(), Common::KeepOneOfThem.into()));
             }
             Some((of, unit)) => match checked_unit(of, unit, root) {
                 Ok(unit) => heads.push(Some((of.0, unit))),
-                Err((said, help)) => faults.push((format!("{file}, cell {}: {said}", cell.place), help)),
+                Err((said, help)) => faults.push((
+                    Both::from(WrongTable::Cell {
+                        file: file.to_string(),
+                        place: cell.place.to_string(),
+                        said,
+                    }),
+                    help,
+                )),
             },
             None => {
                 let known: Vec<&str> = columns.iter().map(|(known, ..)| *known).collect();
-                let message = format!("{file}, cell {}: \"{head}\" is no column of {key}", cell.place);
-                let help = format!(
-                    "name it one of {}, in English or Korean, or take it out",
-                    known.join(", ")
-                );
-                faults.push((message, help));
+                let message = WrongTable::CellIsNoColumn {
+                    file: file.to_string(),
+                    place: cell.place.to_string(),
+                    head: head.to_string(),
+                    key: key.to_string(),
+                };
+                let help = WrongTable::NameItOneOf {
+                    known: known.join(", "),
+                };
+                faults.push((message.into(), help.into()));
             }
         }
     }
@@ -225,11 +249,11 @@ fn list(
                 continue;
             }
             let Some((name, unit)) = heads.get(at).and_then(Option::as_ref) else {
-                let message = format!("{file}, cell {}: stands under no head", cell.place);
-                faults.push((
-                    message,
-                    "name the column in the first row, or clear the cell".to_owned(),
-                ));
+                let message = WrongTable::CellStandsUnderNo {
+                    file: file.to_string(),
+                    place: cell.place.to_string(),
+                };
+                faults.push((message.into(), WrongTable::NameColumnInFirst.into()));
                 continue;
             };
             let value = written(name, &cell.value, unit.as_deref());
@@ -241,8 +265,12 @@ fn list(
         if row.iter().all(|cell| cell.value == SheetValue::Empty) {
             let place = row.first().map_or("", |cell| cell.place.as_str());
             faults.push((
-                format!("{file}, cell {place}: the row is empty"),
-                "delete the row".to_owned(),
+                WrongTable::CellRowIsEmpty {
+                    file: file.to_string(),
+                    place: place.to_string(),
+                }
+                .into(),
+                WrongTable::DeleteRow.into(),
             ));
         }
     }
@@ -272,29 +300,45 @@ fn checked_unit(
     column: &Column,
     unit: Option<&str>,
     root: &DeTable<'_>,
-) -> Result<Option<String>, (String, String)> {
+) -> Result<Option<String>, (Both, Both)> {
     let (name, _, measure) = column;
     let Some(unit) = unit else { return Ok(None) };
     let Some(measure) = measure else {
         return Err((
-            format!("the column \"{name}\" has no unit, but its head says \"{unit}\""),
-            "take it out".to_owned(),
+            WrongTable::ColumnHasNoUnit {
+                name: name.to_string(),
+                unit: unit.to_string(),
+            }
+            .into(),
+            Common::TakeItOut.into(),
         ));
     };
     let needed = measure.dimension();
     let read = parse_unit(unit).ok().filter(|read| read.dimension == needed);
     let Some(read) = read else {
-        let said = format!("the column \"{name}\" needs {needed}, but its head says \"{unit}\"");
-        return Err((said, format!("use a unit such as {}", measure.example())));
+        let said = WrongTable::ColumnNeedsButIts {
+            name: name.to_string(),
+            needed: needed.said(),
+            unit: unit.to_string(),
+        };
+        return Err((
+            said.into(),
+            Common::UseUnitSuchAs {
+                example: measure.example(),
+            }
+            .into(),
+        ));
     };
     if let Some((key, of_file)) = unit_of_file(root, *measure)
         && parse_unit(of_file).is_ok_and(|own| own.factor != read.factor)
     {
-        let said = format!("the column \"{name}\" is in {unit}, but units.{key} of the file is {of_file}");
-        return Err((
-            said,
-            "say one unit in both, or leave it out of the head".to_owned(),
-        ));
+        let said = WrongTable::ColumnIsInBut {
+            name: name.to_string(),
+            unit: unit.to_string(),
+            key: key.to_string(),
+            of_file: of_file.to_string(),
+        };
+        return Err((said.into(), WrongTable::SayOneUnitIn.into()));
     }
     Ok(Some(unit.to_owned()))
 }

@@ -1,7 +1,9 @@
 //! Units as people write them, with their dimensions: "kN*m/rad", "kN/mm", "t", "m/s2", "g".
 
+use super::wrong::{Common, WrongUnit};
 pub(super) use dolmen::known::STANDARD_GRAVITY_M_S2;
-use std::fmt;
+use dolmen_words::Language;
+use dolmen_words::message::Both;
 
 /// Powers of metre, kilogram and second. An angle has none: N m/rad and N m are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -48,37 +50,37 @@ impl Dimension {
 }
 
 /// What is named in a message: the dimension in words.
-impl fmt::Display for Dimension {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let name = match *self {
-            Dimension::RATIO => "a plain number or an angle",
-            Dimension::LENGTH => "a length",
-            Dimension::AREA => "an area",
-            Dimension::MASS => "a mass",
-            Dimension::FREQUENCY => "a frequency",
-            Dimension::FORCE => "a force",
-            Dimension::MOMENT => "a moment (or rotational stiffness)",
-            Dimension::FORCE_PER_LENGTH => "a force per length (lateral stiffness)",
-            Dimension::ROTATIONAL_DAMPING => "a rotational damping",
-            Dimension::DASHPOT => "a force per velocity (dashpot)",
-            Dimension::INERTIA => "a moment of inertia",
-            Dimension::VELOCITY => "a velocity",
-            Dimension::ACCELERATION => "an acceleration",
+impl Dimension {
+    pub(super) fn said(self) -> Both {
+        let name = match self {
+            Dimension::RATIO => WrongUnit::PlainNumberOrAngle,
+            Dimension::LENGTH => WrongUnit::Length,
+            Dimension::AREA => WrongUnit::Area,
+            Dimension::MASS => WrongUnit::Mass,
+            Dimension::FREQUENCY => WrongUnit::Frequency,
+            Dimension::FORCE => WrongUnit::Force,
+            Dimension::MOMENT => WrongUnit::MomentOrRotationalStiffness,
+            Dimension::FORCE_PER_LENGTH => WrongUnit::ForcePerLengthLateral,
+            Dimension::ROTATIONAL_DAMPING => WrongUnit::RotationalDamping,
+            Dimension::DASHPOT => WrongUnit::ForcePerVelocityDashpot,
+            Dimension::INERTIA => WrongUnit::MomentOfInertia,
+            Dimension::VELOCITY => WrongUnit::Velocity,
+            Dimension::ACCELERATION => return Common::Acceleration.into(),
             Dimension {
                 metre: 0,
                 kilogram: 0,
                 second: 1,
-            } => "a time",
-            Dimension::DENSITY => "a density",
-            Dimension::STRESS => "a stress",
-            Dimension::STRESS_PER_LENGTH => "a stress per length (stiffness of a joint per area)",
+            } => WrongUnit::Time,
+            Dimension::DENSITY => WrongUnit::Density,
+            Dimension::STRESS => WrongUnit::Stress,
+            Dimension::STRESS_PER_LENGTH => WrongUnit::StressPerLengthStiffness,
             Dimension {
                 metre,
                 kilogram,
                 second,
-            } => return write!(f, "m^{metre} kg^{kilogram} s^{second}"),
+            } => return Both::from(format!("m^{metre} kg^{kilogram} s^{second}")),
         };
-        f.write_str(name)
+        name.into()
     }
 }
 
@@ -140,32 +142,37 @@ pub(super) enum UnitError {
     },
 }
 
-impl fmt::Display for UnitError {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            UnitError::Empty => f.write_str("there is no unit"),
-            UnitError::Unknown { symbol, .. } => write!(f, "\"{symbol}\" is not a known unit"),
-            UnitError::ProductAfterSlash => f.write_str("what stands below the / is not clear"),
-            UnitError::Power { symbol } => {
-                write!(f, "the power of \"{symbol}\" is not one of 1 to {POWER_MOST}")
-            }
-        }
-    }
-}
-
 impl UnitError {
-    pub(super) fn help(&self) -> String {
-        match self {
+    pub(super) fn said(&self) -> Both {
+        Both::from(match self {
+            UnitError::Empty => WrongUnit::ThereIsNoUnit,
+            UnitError::Unknown { symbol, .. } => WrongUnit::IsNotKnownUnit {
+                symbol: symbol.clone(),
+            },
+            UnitError::ProductAfterSlash => WrongUnit::WhatStandsBelowIs,
+            UnitError::Power { symbol } => WrongUnit::PowerIsNot {
+                symbol: symbol.clone(),
+                most: POWER_MOST.to_string(),
+            },
+        })
+    }
+
+    pub(super) fn help(&self) -> Both {
+        Both::from(match self {
             UnitError::Unknown {
                 nearest: Some(nearest),
                 ..
-            } => format!("did you mean \"{nearest}\"?"),
-            UnitError::ProductAfterSlash => "write products before one / at the end: \"kN*m/rad\"".to_owned(),
+            } => WrongUnit::DidYouMean {
+                nearest: (*nearest).to_owned(),
+            },
+            UnitError::ProductAfterSlash => WrongUnit::WriteProductsBeforeOne,
             _ => {
                 let symbols: Vec<&str> = SYMBOLS.iter().map(|(symbol, ..)| *symbol).collect();
-                format!("units are products and one quotient of {}", symbols.join(" "))
+                WrongUnit::UnitsAreProductsAnd {
+                    symbols: symbols.join(" "),
+                }
             }
-        }
+        })
     }
 }
 
@@ -293,37 +300,51 @@ pub(super) fn tilt_ratio(text: &str) -> Option<f64> {
 /// # Errors
 /// What is wrong, in a sentence.
 pub fn parse_angle_rad(text: &str) -> Result<f64, AngleError> {
-    let refuse = |why: String| AngleError {
+    let refuse = |said: Both| AngleError {
         text: text.to_owned(),
-        why,
+        why: WrongUnit::Refused {
+            said,
+            help: WrongUnit::WriteItAsE.into(),
+        }
+        .into(),
     };
-    let help = "write it as \"1e-4 rad\" or \"0.5 deg\"";
     let Some((value, unit)) = split_number(text) else {
-        return Err(refuse(format!("it begins with no number; {help}")));
+        return Err(refuse(WrongUnit::ItBeginsWithNo.into()));
     };
     if unit.is_empty() {
-        return Err(refuse(format!("it has no unit; {help}")));
+        return Err(refuse(WrongUnit::ItHasNoUnit.into()));
     }
     let unit = match parse_unit(unit) {
         Ok(known) if known.dimension == Dimension::RATIO && unit != "%" => known,
-        Ok(_) => return Err(refuse(format!("its unit is not one of an angle; {help}"))),
-        Err(fault) => return Err(refuse(format!("{fault}; {help}"))),
+        Ok(_) => return Err(refuse(WrongUnit::ItsUnitIsNot.into())),
+        Err(fault) => return Err(refuse(fault.said())),
     };
     if value.is_finite() {
         Ok(value * unit.factor)
     } else {
-        Err(refuse(format!("it is no number; {help}")))
+        Err(refuse(WrongUnit::ItIsNoNumber.into()))
     }
 }
 
 /// Why a text is no angle.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("\"{text}\" is no angle: {why}")]
+#[error("{}", self.text(Language::English))]
 pub struct AngleError {
     /// The text.
     pub text: String,
     /// What is wrong with it, and what to write.
-    pub why: String,
+    pub why: Both,
+}
+
+impl AngleError {
+    /// The sentence in a language.
+    pub fn text(&self, language: Language) -> String {
+        let said = WrongUnit::IsNoAngle {
+            text: self.text.clone(),
+            why: self.why.clone(),
+        };
+        Both::from(said).text(language).to_owned()
+    }
 }
 
 #[cfg(test)]
@@ -375,7 +396,7 @@ mod tests {
     fn refuses_what_is_not_a_unit_and_names_the_nearest() {
         let fault = |text: &str| {
             let fault = parse_unit(text).unwrap_err();
-            format!("{fault}; {}", fault.help())
+            format!("{}; {}", fault.said().english, fault.help().english)
         };
         assert_eq!(fault("KN"), "\"KN\" is not a known unit; did you mean \"kN\"?");
         assert!(fault("ton").starts_with("\"ton\" is not a known unit; units are products"));

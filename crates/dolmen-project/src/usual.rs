@@ -3,6 +3,8 @@
 use super::heaviness::Heaviness;
 use super::quantity::Quantity;
 use super::written::short;
+use super::wrong::Slip;
+use dolmen_words::message::Both;
 
 pub(super) fn within(value: f64, range: (f64, f64)) -> bool {
     (range.0..=range.1).contains(&value)
@@ -18,7 +20,7 @@ const FAMILIES: [&[(&str, f64)]; 3] = [
 const NEAR: f64 = 6.0;
 
 /// The unit that would bring a value, `ratio` times what is usual, back.
-pub(super) fn guess(ratio: f64, unit: &str) -> String {
+pub(super) fn guess(ratio: f64, unit: &str) -> Slip {
     let family = FAMILIES
         .iter()
         .find(|family| family.iter().any(|(name, _)| *name == unit));
@@ -30,10 +32,14 @@ pub(super) fn guess(ratio: f64, unit: &str) -> String {
         if let Some((name, factor)) = best
             && off(*factor) <= NEAR.ln()
         {
-            return format!("did you mean {name}?");
+            return Slip::DidYouMean {
+                name: name.to_string(),
+            };
         }
     }
-    format!("it is about {} × what is usual: check its unit", rounded(ratio))
+    Slip::ItIsAboutWhat {
+        ratio: rounded(ratio),
+    }
 }
 
 /// A ratio for a message: three significant digits, below 1 as a fraction.
@@ -90,19 +96,38 @@ pub(super) fn odd_ones(values: &[f64], most: f64, usual: f64) -> Vec<usize> {
     }
 }
 
-/// "388 × the link below" or "1/388 of the link above".
-pub(super) fn beside_neighbour(parts: &[&Quantity], i: usize, part: &str) -> String {
-    let (other, place) = match i.checked_sub(1).and_then(|below| parts.get(below)) {
-        Some(below) => (*below, "below"),
-        None => match parts.get(i + 1) {
-            Some(above) => (*above, "above"),
-            None => return String::new(),
-        },
-    };
+/// "388 × the link below" or "1/388 of the link above"; `None` of a part alone.
+pub(super) fn beside_neighbour(parts: &[&Quantity], i: usize, part: Slip) -> Option<Slip> {
+    let below = i.checked_sub(1).and_then(|below| parts.get(below));
+    let other = below.or_else(|| parts.get(i + 1))?;
     let ratio = parts[i].value / other.value;
-    if ratio >= 1.0 {
-        format!("{} × the {part} {place}", rounded(ratio))
-    } else {
-        format!("{} of the {part} {place}", rounded(ratio))
+    let (part, is_below) = (part.into(), below.is_some());
+    let ratio_named = rounded(ratio);
+    Some(match (ratio >= 1.0, is_below) {
+        (true, true) => Slip::Below {
+            ratio: ratio_named,
+            part,
+        },
+        (true, false) => Slip::Above {
+            ratio: ratio_named,
+            part,
+        },
+        (false, true) => Slip::OfBelow {
+            ratio: ratio_named,
+            part,
+        },
+        (false, false) => Slip::OfAbove {
+            ratio: ratio_named,
+            part,
+        },
+    })
+}
+
+/// A value beside others of its kind.
+pub(super) fn beside_others(quantity: &Quantity, beside: Both) -> Slip {
+    Slip::Beside {
+        path: quantity.path.clone(),
+        written: quantity.written.clone(),
+        beside,
     }
 }

@@ -1,5 +1,6 @@
 //! What warnings on a project say.
 
+use dolmen_words::message::Both;
 use dolmen_words::messages;
 
 messages! {
@@ -57,7 +58,7 @@ messages! {
             en: "the tilt of survey {survey} is not in the model: several blocks stand on the ground; give each block its own tilt",
             ko: "조사 {survey}의 기울기는 모델에 반영되지 않았다. 지반 위에 놓인 부재가 여러 개이므로 부재별 tilt를 준다",
         },
-        Allowed { slip: String } => {
+        Allowed { slip: Both } => {
             en: "{slip}; the file allows it",
             ko: "의심스러운 값을 파일의 allow 항목에 따라 허용하였다: {slip}",
         },

@@ -4,6 +4,7 @@ use super::error::Fault;
 use super::file_number::At;
 use super::file_way::WayRaw;
 use super::reader::Reader;
+use super::wrong::WrongNumber;
 
 pub(super) fn way(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<[f64; 3]> {
     let vector = match &raw.value {
@@ -22,10 +23,14 @@ pub(super) fn way(reader: &mut Reader, raw: &At<WayRaw>, path: &str) -> Option<[
         WayRaw::Vector(numbers) => unit_vector(numbers),
     };
     if vector.is_none() {
-        let fault = Fault::new(raw.span.clone(), path, format!("{path} is not a direction"));
-        reader.fault(
-            fault.allowed("must be \"x\", \"-x\", \"y\", \"-y\", \"z\", \"-z\", or three numbers not all 0"),
+        let fault = Fault::new(
+            raw.span.clone(),
+            path,
+            WrongNumber::IsNotDirection {
+                path: path.to_string(),
+            },
         );
+        reader.fault(fault.allowed(WrongNumber::MustBeXX));
     }
     vector
 }

@@ -27,6 +27,7 @@ pub fn sentences() -> Vec<Template> {
     groups.push(headline::TEMPLATES);
     groups.push(dolmen_project::Warned::TEMPLATES);
     groups.push(dolmen_project::Doubted::TEMPLATES);
+    groups.extend(dolmen_project::ERRORS);
     groups.extend(frame::TEMPLATES);
     groups.extend(demand::TEMPLATES);
     groups.extend(limits::TEMPLATES);

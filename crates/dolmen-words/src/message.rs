@@ -5,7 +5,6 @@
 use crate::Language;
 use crate::particles::{Ending, ending, ending_of_unit, particles};
 use crate::quantity::{Quantity, Values};
-use std::fmt;
 
 /// A piece of a sentence: renderers set each in their own way and keep the number.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,6 +75,31 @@ impl Both {
     /// Its name in a language.
     pub fn text(&self, language: Language) -> &str {
         language.pick(&self.english, &self.korean)
+    }
+}
+
+/// The same in both languages: a symbol, a name, or what has no Korean yet.
+impl From<String> for Both {
+    fn from(text: String) -> Self {
+        Both {
+            korean: text.clone(),
+            english: text,
+        }
+    }
+}
+
+/// The same in both languages: a symbol, a name, or what has no Korean yet.
+impl From<&str> for Both {
+    fn from(text: &str) -> Self {
+        Both::from(text.to_owned())
+    }
+}
+
+/// A message, as plain text.
+impl<T: Into<Sentence>> From<T> for Both {
+    fn from(message: T) -> Self {
+        let sentence: Sentence = message.into();
+        Both::of(|language| sentence.text(language))
     }
 }
 
@@ -167,6 +191,19 @@ impl Sentence {
         language.pick(&self.english, &self.korean)
     }
 
+    /// A message with its arguments.
+    pub fn of_template(template: &Template, arguments: Vec<Given>) -> Self {
+        Sentence {
+            id: template.id(),
+            english: filled(template.english, Language::English, &arguments),
+            korean: filled(template.korean, Language::Korean, &arguments),
+            arguments: arguments
+                .into_iter()
+                .map(|given| (given.name, given.english))
+                .collect(),
+        }
+    }
+
     /// A symbol, the same in both languages: "kN·m/rad".
     pub fn of_symbol(symbol: &str) -> Self {
         let runs = vec![Run::Text(symbol.to_owned())];
@@ -184,6 +221,61 @@ impl Sentence {
     }
 }
 
+/// An argument of a sentence, as it is said in each language.
+#[derive(Clone, Debug)]
+pub struct Given {
+    name: &'static str,
+    english: Vec<Run>,
+    korean: Vec<Run>,
+}
+
+impl Given {
+    /// An argument by its name.
+    pub fn of(name: &'static str, argument: &impl Argument) -> Self {
+        Given {
+            name,
+            english: argument.said(Language::English),
+            korean: argument.said(Language::Korean),
+        }
+    }
+}
+
+/// The pieces of a sentence: each `{name}` is the argument of that name, doubled braces are braces.
+fn filled(template: &str, language: Language, arguments: &[Given]) -> Vec<Run> {
+    let mut slots = Slots::default();
+    let places: Vec<(&str, Slot)> = arguments
+        .iter()
+        .map(|given| {
+            let runs = match language {
+                Language::English => given.english.clone(),
+                Language::Korean => given.korean.clone(),
+            };
+            (given.name, slots.put(runs))
+        })
+        .collect();
+    let mut formatted = String::with_capacity(template.len());
+    let mut rest = template;
+    while let Some(at) = rest.find(['{', '}']) {
+        let (text, braced) = rest.split_at(at);
+        formatted.push_str(text);
+        let (sign, behind) = braced.split_at(1);
+        rest = match (behind.strip_prefix(sign), behind.split_once('}')) {
+            (Some(behind), _) => {
+                formatted.push_str(sign);
+                behind
+            }
+            (None, Some((name, behind))) => {
+                let place = places.iter().find(|(known, _)| *known == name);
+                formatted.extend(place.map(|(_, slot)| slot.0));
+                behind
+            }
+            (None, None) => behind, // refused at compile time
+        };
+    }
+    formatted.push_str(rest);
+    slots.fill(&formatted, language)
+}
+
 /// Arguments of one sentence while it is formatted: each is one private character, put in its place afterwards. So a name is never
 /// taken for a particle, and renderers get the values.
 #[derive(Debug, Default)]
@@ -192,12 +284,6 @@ pub struct Slots(Vec<Vec<Run>>);
 /// The place of an argument in a format string.
 #[derive(Clone, Copy, Debug)]
 pub struct Slot(char);
-
-impl fmt::Display for Slot {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Write::write_char(formatter, self.0)
-    }
-}
 
 /// The first character of the private use area, which no sentence holds.
 const FIRST_SLOT: u32 = 0xE000;
@@ -269,6 +355,47 @@ pub const fn holds(sentence: &str, argument: &str) -> bool {
     false
 }
 
+/// Whether every place `{argument}` of a sentence is that of a known argument: asked at compile time.
+pub const fn knows(sentence: &str, names: &[&str]) -> bool {
+    let sentence = sentence.as_bytes();
+    let mut at = 0;
+    while at < sentence.len() {
+        let is_brace = sentence[at] == b'{' || sentence[at] == b'}';
+        if is_brace && at + 1 < sentence.len() && sentence[at + 1] == sentence[at] {
+            at += 2;
+        } else if is_brace {
+            let mut end = at + 1;
+            while end < sentence.len() && sentence[end] != b'}' {
+                end += 1;
+            }
+            if sentence[at] == b'}' || end == sentence.len() || !is_one_of(sentence, at + 1, end, names) {
+                return false;
+            }
+            at = end + 1;
+        } else {
+            at += 1;
+        }
+    }
+    true
+}
+
+/// Whether the bytes from `start` to `end` are one of the names.
+const fn is_one_of(sentence: &[u8], start: usize, end: usize, names: &[&str]) -> bool {
+    let mut number = 0;
+    while number < names.len() {
+        let name = names[number].as_bytes();
+        let mut same = 0;
+        while same < name.len() && start + same < end && sentence[start + same] == name[same] {
+            same += 1;
+        }
+        if same == name.len() && start + same == end {
+            return true;
+        }
+        number += 1;
+    }
+    false
+}
+
 /// Makes an enum of messages; `Sentence::from(message)` says it in both languages. At most 60 variants an enum: the time to compile
 /// grows faster than their number.
 ///
@@ -332,30 +459,26 @@ macro_rules! messages {
             );
         };)*)?)*
 
+        $(const _: () = {
+            const NAMES: &[&str] = &[$($(stringify!($argument)),*)?];
+            assert!(
+                $crate::message::knows($english, NAMES) && $crate::message::knows($korean, NAMES),
+                concat!(stringify!($message), " has a place for an argument that it does not have")
+            );
+        };)*
+
         impl From<$name> for $crate::Sentence {
             fn from(message: $name) -> Self {
-                #[allow(unused_imports, reason = "a group may have no arguments")]
-                use $crate::message::{Argument as _, Slots, message_id};
-                use $crate::Language::{English, Korean};
                 match message {
-                    $($name::$message $({ $($argument),* })? => Self {
-                        id: message_id($group, stringify!($message)),
-                        arguments: vec![$($((stringify!($argument), $argument.said(English))),*)?],
-                        english: {
-                            #[allow(unused_mut, reason = "a sentence may have no arguments")]
-                            let mut slots = Slots::default();
-                            $($(let $argument = slots.put($argument.said(English));)*)?
-                            let formatted = format!($english);
-                            slots.fill(&formatted, English)
+                    $($name::$message $({ $($argument),* })? => $crate::Sentence::of_template(
+                        &$crate::Template {
+                            group: $group,
+                            message: stringify!($message),
+                            english: $english,
+                            korean: $korean,
                         },
-                        korean: {
-                            #[allow(unused_mut, reason = "a sentence may have no arguments")]
-                            let mut slots = Slots::default();
-                            $($(let $argument = slots.put($argument.said(Korean));)*)?
-                            let formatted = format!($korean);
-                            slots.fill(&formatted, Korean)
-                        },
-                    }),*
+                        vec![$($($crate::message::Given::of(stringify!($argument), &$argument)),*)?],
+                    )),*
                 }
             }
         }
@@ -414,6 +537,8 @@ mod tests {
             (template.id().as_str(), template.english),
             ("test/many", "All: {all}.")
         );
+        assert!(knows("{a} {{b}} {c}", &["a", "c"]) && knows("한 {a}", &["a"]) && !knows("{ab}", &["a"]));
+        assert!(!knows("{a", &["a"]) && !knows("a}", &["a"]) && !knows("{a}", &["ab"]));
         assert!(holds("{a} b", "a") && holds("b {ab}", "ab") && !holds("{ab} a", "a") && !holds("{a", "a"));
         assert_eq!(
             message_id("chain", "ModelContradicted"),

@@ -60,6 +60,6 @@ pub use progress::{Progress, Silent, Stage};
 pub use report::{ReportOptions, report};
 pub use simulate::{PreparedSimulation, SimulateOptions, prepare};
 pub use survey_dates::date as survey_date;
-pub use told::{did_not_converge, told};
+pub use told::{complaint, did_not_converge, told, told_in};
 pub use undamped::{IdentifiedDamping, Undamped};
 pub use validate::validate;

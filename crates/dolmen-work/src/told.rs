@@ -12,9 +12,10 @@ use dolmen::stability::StabilityError;
 use dolmen::structure::StructureError;
 use dolmen::structure::building::BuildingError;
 use dolmen::validation::ValidationError;
-use dolmen_project::DamperFault;
+use dolmen_project::{AngleError, DamperFault, ProjectError, headed};
 use dolmen_records::motions::MotionError;
 use dolmen_records::records::RecordError;
+use dolmen_words::Language;
 use dolmen_words::advice::advice;
 use std::error::Error;
 
@@ -54,13 +55,43 @@ fn chain<'e>(fault: &'e (dyn Error + 'static)) -> impl Iterator<Item = &'e (dyn 
     })
 }
 
-/// An error with its causes in one line, each with what can be done in the project file or with the command.
+/// An error with its causes in one line, each with what can be done in the project file or with the command; in English.
 pub fn told(fault: &(dyn Error + 'static)) -> String {
+    told_in(fault, Language::English)
+}
+
+/// The same in a language, where there is a sentence in it: of project files and angles.
+pub fn told_in(fault: &(dyn Error + 'static), language: Language) -> String {
     let each = chain(fault).map(|cause| {
         let advice = advice(handed_on(cause)).unwrap_or_default();
-        format!("{cause}{advice}")
+        format!("{}{advice}", said(cause, language))
     });
     short_numbers(&each.collect::<Vec<_>>().join(": "))
+}
+
+/// The same as it stands on a terminal, "error: " before it.
+pub fn complaint(fault: &(dyn Error + 'static), language: Language) -> String {
+    let text = told_in(fault, language);
+    let starts = [Language::English, Language::Korean].map(|language| headed("", language));
+    match starts
+        .iter()
+        .any(|start| text.starts_with(start.trim_end_matches([':', ' '])))
+    {
+        true => text,
+        false => headed(&text, language),
+    }
+}
+
+/// An error without its causes.
+fn said(cause: &(dyn Error + 'static), language: Language) -> String {
+    let own = handed_on(cause);
+    if let Some(project) = own.downcast_ref::<ProjectError>() {
+        return project.text(language);
+    }
+    if let Some(angle) = own.downcast_ref::<AngleError>() {
+        return angle.text(language);
+    }
+    cause.to_string()
 }
 
 /// Numbers of more than 15 digits in a row with a power of ten: an error may quote 1e300.

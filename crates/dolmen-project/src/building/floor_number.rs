@@ -3,6 +3,7 @@
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
+use crate::wrong::WrongBuilding;
 
 /// A floor by its number, from 1 at the bottom.
 pub(super) fn floor_number(
@@ -16,9 +17,15 @@ pub(super) fn floor_number(
         .ok()
         .filter(|floor| (1..=floors).contains(floor));
     if found.is_none() {
-        let message = format!("{path} = {}, but the building has {floors} floors", given.value);
+        let message = WrongBuilding::ButBuildingHasFloors {
+            path: path.to_string(),
+            given: given.value.to_string(),
+            floors: floors.to_string(),
+        };
         let fault = Fault::new(given.span.clone(), path, message);
-        reader.fault(fault.allowed(format!("must be 1 (the lowest) to {floors}")));
+        reader.fault(fault.allowed(WrongBuilding::MustBeLowestTo {
+            floors: floors.to_string(),
+        }));
     }
     found
 }

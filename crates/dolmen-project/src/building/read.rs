@@ -12,6 +12,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::{countable, heaviness, lengths, missing};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::WrongBuilding;
 use dolmen::dynamics::{DynamicsError, VibratingBuilding};
 use dolmen::structure::Building;
 use dolmen::structure::building::{BuildingError, Outline, PDelta, PlanDirection};
@@ -24,8 +25,8 @@ pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
         missing(
             reader,
             "floors",
-            "a building needs floors",
-            "floors = [ { mass = …, sides = [10, 8], height = …, walls = [ … ] }, … ], lowest first",
+            WrongBuilding::BuildingNeedsFloors,
+            WrongBuilding::FloorsMassSidesHeight,
         );
         return None;
     };
@@ -43,9 +44,13 @@ pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
         let fault = Fault::new(
             list.span.clone(),
             "floors",
-            format!("floors has {count} floors in all"),
+            WrongBuilding::FloorsHasFloorsIn {
+                count: count.to_string(),
+            },
         );
-        reader.fault(fault.allowed(format!("must be at most {FLOORS_MOST}")));
+        reader.fault(fault.allowed(WrongBuilding::MustBeAtMost {
+            most: FLOORS_MOST.to_string(),
+        }));
         return None;
     }
     names_apart(reader, &floors, list);
@@ -67,16 +72,28 @@ pub(crate) fn building(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) ->
 
 /// Two floors of one name, or two walls of one storey, would be one in every table.
 fn names_apart(reader: &mut Reader, floors: &[FloorPart], list: &At<Vec<At<FloorRaw>>>) {
-    let mut refuse = |what: &str, path: &str, span, name: &str| {
-        let fault = Fault::new(span, path, format!("two {what} are named \"{name}\""));
-        reader.fault(fault.help("give each its own name"));
+    let mut refuse = |what: WrongBuilding, path: &str, span, name: &str| {
+        let fault = Fault::new(
+            span,
+            path,
+            WrongBuilding::TwoAreNamed {
+                what: what.into(),
+                name: name.to_string(),
+            },
+        );
+        reader.fault(fault.help(WrongBuilding::GiveEachItsOwn));
     };
     for (i, (floor, raw)) in floors.iter().zip(&list.value).enumerate() {
         let path = format!("floors[{}]", i + 1);
         if let Some(name) = &floor.name
             && floors[..i].iter().any(|other| other.name.as_ref() == Some(name))
         {
-            refuse("floors", &format!("{path}.name"), raw.span.clone(), name);
+            refuse(
+                WrongBuilding::Floors,
+                &format!("{path}.name"),
+                raw.span.clone(),
+                name,
+            );
         }
         let (StoreyStiffnessPart::Walls(walls), Some(raw)) = (&floor.stiffness, &raw.value.walls) else {
             continue;
@@ -86,7 +103,7 @@ fn names_apart(reader: &mut Reader, floors: &[FloorPart], list: &At<Vec<At<Floor
                 && walls[..k].iter().any(|other| other.name.as_ref() == Some(name))
             {
                 let path = format!("{path}.walls[{}].name", k + 1);
-                refuse("walls of one storey", &path, raw.span.clone(), name);
+                refuse(WrongBuilding::WallsOfOneStorey, &path, raw.span.clone(), name);
             }
         }
     }
@@ -127,27 +144,30 @@ fn floor(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<FloorPar
             let fault = Fault::new(
                 reader.place(&radius.path),
                 path,
-                format!("{path} has both gyration and inertia"),
+                WrongBuilding::HasBothGyrationAnd {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("keep one of them: inertia = mass × gyration²"));
+            reader.fault(fault.help(WrongBuilding::KeepOneOfThem));
             return None;
         }
     };
     if matches!(outline, Some(None)) {
         for (key, is_missing, what) in [
-            ("centre", centre.is_none(), "its centre of mass"),
+            ("centre", centre.is_none(), WrongBuilding::ItsCentreOfMass),
             (
                 "gyration",
                 gyration == GyrationPart::OfArea,
-                "its radius of gyration",
+                WrongBuilding::ItsRadiusOfGyration,
             ),
         ] {
             if is_missing {
-                let message = format!("{path} has neither sides nor outline, so that {what} is not known");
+                let message = WrongBuilding::HasNeitherSidesNor {
+                    path: path.to_string(),
+                    what: what.into(),
+                };
                 let fault = Fault::new(raw.span.clone(), &format!("{path}.{key}"), message);
-                reader.fault(fault.help(format!(
-                    "give sides = [x, y], outline = [[x, y], …], or {key} = …"
-                )));
+                reader.fault(fault.help(WrongBuilding::GiveSidesXY { key: key.to_string() }));
             }
         }
     }
@@ -173,7 +193,7 @@ fn outline(reader: &mut Reader, floor: &FloorRaw, path: &str) -> Option<Option<O
         (None, None) => return Some(None),
         (Some(sides), None) => {
             let key = format!("{path}.sides");
-            let [x, y]: [Quantity; 2] = lengths(reader, sides, &key, "[along x, along y]")?;
+            let [x, y]: [Quantity; 2] = lengths(reader, sides, &key, WrongBuilding::AlongXAlongY)?;
             (&sides.span, key, Outline::rectangle([0.0, 0.0], x.value, y.value))
         }
         (None, Some(corners)) => {
@@ -189,9 +209,11 @@ fn outline(reader: &mut Reader, floor: &FloorRaw, path: &str) -> Option<Option<O
             let fault = Fault::new(
                 corners.span.clone(),
                 path,
-                format!("{path} has both sides and outline"),
+                WrongBuilding::HasBothSidesAnd {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("keep one of them: sides are those of a rectangle about the origin"));
+            reader.fault(fault.help(WrongBuilding::KeepOneOfThemSides));
             return None;
         }
     };
@@ -227,20 +249,21 @@ fn stiffness(reader: &mut Reader, raw: &At<FloorRaw>, path: &str) -> Option<Stor
             let fault = Fault::new(
                 whole.span.clone(),
                 path,
-                format!("{path} has both walls and stiffness"),
+                WrongBuilding::HasBothWallsAnd {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("keep one of them: the stiffness of a storey is the sum of its walls"));
+            reader.fault(fault.help(WrongBuilding::KeepOneOfThemStiffness));
             None
         }
         (None, None) => {
             let walls = format!("{path}.walls");
             if !reader.is_reported(&walls) && !reader.is_reported(&format!("{path}.stiffness")) {
-                let message = format!("{path} has neither walls nor stiffness");
+                let message = WrongBuilding::HasNeitherWallsNor {
+                    path: path.to_string(),
+                };
                 let fault = Fault::new(raw.span.clone(), &walls, message);
-                reader.fault(fault.help(
-                    "give walls = [ { x = …, y = …, stiffness_x = …, stiffness_y = … }, … ], or stiffness = { x = …, y = …, rotation = …, \
-                     centre = [x, y] }",
-                ));
+                reader.fault(fault.help(WrongBuilding::GiveWallsXY));
             }
             None
         }
@@ -280,9 +303,11 @@ fn wall(reader: &mut Reader, raw: &At<WallRaw>, path: &str) -> Option<WallPart> 
     let angle = of(&wall.angle, "angle", Measure::Angle, Bound::Any);
     if stiffness_x.is_none() && stiffness_y.is_none() && reader.faults.len() == before {
         let key = format!("{path}.stiffness_x");
-        let message = format!("{path} has neither stiffness_x nor stiffness_y");
+        let message = WrongBuilding::HasNeitherStiffnessX {
+            path: path.to_string(),
+        };
         let fault = Fault::new(raw.span.clone(), &key, message);
-        reader.fault(fault.help("give the lateral stiffness of the wall along x, along y, or both"));
+        reader.fault(fault.help(WrongBuilding::GiveLateralStiffnessOf));
     }
     (reader.faults.len() == before).then_some(())?;
     Some(WallPart {
@@ -317,12 +342,12 @@ fn whole_storey(
     ];
     if let Some(matrix) = &given.matrix {
         if let Some(extra) = whole.iter().flatten().next() {
-            let message = format!(
-                "{path} has both matrix and {}",
-                extra.path.rsplit('.').next().unwrap_or("")
-            );
+            let message = WrongBuilding::HasBothMatrixAnd {
+                path: path.to_string(),
+                other: extra.path.rsplit('.').next().unwrap_or("").to_string(),
+            };
             let fault = Fault::new(matrix.span.clone(), path, message);
-            reader.fault(fault.help("keep one of them: the matrix holds x, y and rotation"));
+            reader.fault(fault.help(WrongBuilding::KeepOneOfThemMatrix));
             return None;
         }
         let rows: Option<Vec<[f64; 3]>> = matrix
@@ -334,9 +359,11 @@ fn whole_storey(
             let fault = Fault::new(
                 matrix.span.clone(),
                 &format!("{path}.matrix"),
-                format!("{path}.matrix is not 3 × 3"),
+                WrongBuilding::MatrixIsNot {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.allowed("must be three rows of three numbers, against u, v, θ, in SI"));
+            reader.fault(fault.allowed(WrongBuilding::MustBeThreeRows));
             return None;
         };
         return Some(StoreyStiffnessPart::Matrix {
@@ -351,13 +378,9 @@ fn whole_storey(
     {
         if found.is_none() && written.is_none() {
             let key = format!("{path}.{key}");
-            let message = format!("{key} is missing");
+            let message = WrongBuilding::IsMissing { key: key.to_string() };
             let fault = Fault::new(raw.span.clone(), &key, message);
-            reader.fault(
-                fault.help(
-                    "a storey resists along x, along y, and against turning: rotation = \"… kN*m/rad\"",
-                ),
-            );
+            reader.fault(fault.help(WrongBuilding::StoreyResistsAlongX));
         }
     }
     let [x, y, rotation] = whole;
@@ -382,9 +405,11 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
             .and_then(|raw| lengths(reader, raw, &format!("{path}.place"), "[x, y]"));
         let Some(name) = &raw.value.name else { continue };
         if all.iter().any(|other| other.name == name.value) {
-            let message = format!("two points are named \"{}\"", name.value);
+            let message = WrongBuilding::TwoPointsAreNamed {
+                name: name.value.to_string(),
+            };
             let fault = Fault::new(name.span.clone(), &format!("{path}.name"), message);
-            reader.fault(fault.help("give each its own name"));
+            reader.fault(fault.help(WrongBuilding::GiveEachItsOwn));
         }
         if let (Some(floor), Some([x, y])) = (floor, &place)
             && let Some(other) = all.iter().find(|other| {
@@ -392,8 +417,11 @@ fn points(reader: &mut Reader, raw: Option<&At<Vec<At<WatchedRaw>>>>, floors: us
                 other.floor == floor && u.value == x.value && v.value == y.value
             })
         {
-            let message = format!("point \"{}\" is where \"{}\" is", name.value, other.name);
-            reader.slip(&path, message, "is its place right?".to_owned());
+            let message = WrongBuilding::PointIsWhereIs {
+                name: name.value.to_string(),
+                other: other.name.to_string(),
+            };
+            reader.slip(&path, message, WrongBuilding::IsItsPlaceRight);
         }
         if let (Some(floor), Some(place)) = (floor, place) {
             all.push(WatchedPart {
@@ -451,7 +479,7 @@ pub(crate) fn buildable(reader: &mut Reader, part: &mut BuildingPart) {
             return;
         }
         Err(why) => {
-            let message = format!("damping: {why}");
+            let message = WrongBuilding::Damping { why: why.to_string() };
             reader.fault(Fault::new(reader.place("damping"), "damping", message));
             return; // dampers are tuned to damped modes
         }

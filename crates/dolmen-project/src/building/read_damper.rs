@@ -12,8 +12,10 @@ use crate::quantity::Quantity;
 use crate::ratio::damping_ratio;
 use crate::reader::Reader;
 use crate::units::parse_angle_rad;
+use crate::wrong::{Common, WrongDamper, either};
 use dolmen::damper::TuningRule;
 use dolmen::structure::building::PlanDirection;
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 
 pub(super) fn damping(reader: &mut Reader, raw: Option<&At<DampingRaw>>) -> Option<DampingPart> {
@@ -27,9 +29,9 @@ pub(super) fn damping(reader: &mut Reader, raw: Option<&At<DampingRaw>>) -> Opti
         given.caughey.is_some(),
     ];
     if count.iter().filter(|given| **given).count() != 1 {
-        let message = "damping needs one of ratio, ratios, rayleigh and caughey";
+        let message = WrongDamper::DampingNeedsOneOf;
         let fault = Fault::new(raw.span.clone(), "damping", message);
-        reader.fault(fault.help("write damping = { ratio = 0.05 } for 5 % in every mode"));
+        reader.fault(fault.help(WrongDamper::WriteDampingRatioFor));
         return None;
     }
     if let Some(ratio) = &given.ratio {
@@ -59,9 +61,11 @@ pub(super) fn damping(reader: &mut Reader, raw: Option<&At<DampingRaw>>) -> Opti
     match <[[Quantity; 2]; 2]>::try_from(all) {
         Ok(anchors) => Some(DampingPart::Rayleigh(Box::new(anchors))),
         Err(_) => {
-            let message = format!("damping.rayleigh has {found} frequencies");
+            let message = WrongDamper::DampingRayleighHasFrequencies {
+                found: found.to_string(),
+            };
             let fault = Fault::new(anchors.span.clone(), "damping.rayleigh", message);
-            reader.fault(fault.allowed("must be 2: mass and stiffness are two numbers"));
+            reader.fault(fault.allowed(WrongDamper::MustBeMassAnd));
             None
         }
     }
@@ -69,8 +73,14 @@ pub(super) fn damping(reader: &mut Reader, raw: Option<&At<DampingRaw>>) -> Opti
 
 fn ratios(reader: &mut Reader, list: &At<Vec<At<QuantityRaw>>>, path: &str) -> Option<Vec<Quantity>> {
     if list.value.is_empty() {
-        let fault = Fault::new(list.span.clone(), path, format!("{path} is empty"));
-        reader.fault(fault.allowed("needs a damping ratio"));
+        let fault = Fault::new(
+            list.span.clone(),
+            path,
+            Common::IsEmpty {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.allowed(WrongDamper::NeedsDampingRatio));
         return None;
     }
     let each = list.value.iter().enumerate();
@@ -147,13 +157,12 @@ fn place(reader: &mut Reader, raw: Option<&At<Vec<At<QuantityRaw>>>>, path: &str
 fn ratio_of(reader: &mut Reader, raw: Option<&At<QuantityRaw>>, path: &str) -> Option<Quantity> {
     let ratio = reader.quantity(raw, path, Measure::Ratio, Bound::NotNegative)?;
     if ratio.value > 1.0 {
-        let message = format!("{path} = {}, but above 1 nothing swings any more", ratio.written);
+        let message = WrongDamper::ButAboveNothingSwings {
+            path: path.to_string(),
+            written: ratio.written.to_string(),
+        };
         let fault = Fault::new(reader.place(path), path, message);
-        reader.fault(
-            fault
-                .allowed("must be 0 to 1")
-                .help("write 12 % as 0.12 or \"12 %\""),
-        );
+        reader.fault(fault.allowed(Common::ZeroToOne).help(WrongDamper::WriteAsOr));
         return None;
     }
     Some(ratio)
@@ -210,12 +219,12 @@ fn only_its_keys(reader: &mut Reader, kind: DamperKindRaw, given: &DamperRaw, pa
         };
         let words: Vec<String> = kinds.iter().map(|kind| format!("\"{}\"", word(*kind))).collect();
         let path = format!("{path}.{key}");
-        let message = format!(
-            "{path} belongs to kind = {}, but this is a \"{}\"",
-            words.join(" or "),
-            word(kind)
-        );
-        reader.fault(Fault::new(span, &path, message).help("take it out, or change kind"));
+        let message = WrongDamper::BelongsToKindBut {
+            path: path.to_string(),
+            words: either(&words),
+            kind: word(kind).to_string(),
+        };
+        reader.fault(Fault::new(span, &path, message).help(WrongDamper::TakeItOutOr));
         fits = false;
     }
     fits.then_some(())
@@ -239,8 +248,14 @@ fn link(
     let given = &raw.value;
     if given.coefficient.is_none() {
         let key = format!("{path}.coefficient");
-        let fault = Fault::new(raw.span.clone(), &key, format!("{path} has no coefficient"));
-        reader.fault(fault.help("give force per velocity: coefficient = \"500 kN*s/m\""));
+        let fault = Fault::new(
+            raw.span.clone(),
+            &key,
+            WrongDamper::HasNoCoefficient {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.help(WrongDamper::GiveForcePerVelocity));
         return None;
     }
     let coefficient = positive(
@@ -263,18 +278,23 @@ fn link(
         let fault = Fault::new(
             raw.span.clone(),
             &key,
-            format!("{path} ties floor {to_floor} to itself"),
+            WrongDamper::TiesFloorToItself {
+                path: path.to_string(),
+                to_floor: to_floor.to_string(),
+            },
         );
-        reader.fault(fault.help("a floor is rigid: name another in to_floor, 0 for the ground"));
+        reader.fault(fault.help(WrongDamper::FloorIsRigidName));
         return None;
     }
     if to_floor == 0 && to_place.is_some() {
         let fault = Fault::new(
             raw.span.clone(),
             &key,
-            format!("{path}.to_place is of the ground"),
+            WrongDamper::ToPlaceIsOf {
+                path: path.to_string(),
+            },
         );
-        reader.fault(fault.help("the ground moves alike everywhere: take to_place out"));
+        reader.fault(fault.help(WrongDamper::GroundMovesAlikeEverywhere));
         return None;
     }
     Some(DamperBody::Link {
@@ -317,27 +337,28 @@ fn moving(
     let liquid_ratio = ratio_of(reader, given.liquid_damping_ratio.as_ref(), &liquid_key);
     for (given, least) in [(&length_ratio, 1.0), (&liquid_share, 1.0)] {
         if let Some(given) = given.as_ref().filter(|given| given.value >= least) {
-            let message = format!("{} = {} is not below 1", given.path, given.written);
+            let message = WrongDamper::IsNotBelow {
+                path: given.path.to_string(),
+                written: given.written.to_string(),
+            };
             let fault = Fault::new(reader.place(&given.path), &given.path, message);
-            reader.fault(
-                fault.help("it is a part of the whole: the vertical arms, the container, have the rest"),
-            );
+            reader.fault(fault.help(WrongDamper::ItIsPartOf));
         }
     }
     let parts = masses(reader, given.masses.as_ref(), path);
     let tuning = given.tuning.as_ref().map(|tuning| rule(tuning.value));
     (reader.faults.len() == before).then_some(())?;
     if let (None, Some(ratio)) = (&mass, mass_ratio.as_ref().filter(|ratio| ratio.value > 1.0)) {
-        let message = format!(
-            "{} = {}, but a damper is lighter than what it damps",
-            ratio.path, ratio.written
-        );
+        let message = WrongDamper::ButDamperIsLighter {
+            path: ratio.path.to_string(),
+            written: ratio.written.to_string(),
+        };
         let fault = Fault::new(reader.place(&ratio.path), &ratio.path, message);
-        let fault = fault.allowed("must be above 0, at most 1");
-        reader.fault(fault.help("a mass ratio is 0.01 to 0.1, as a rule: write 5 % as 0.05 or \"5 %\""));
+        let fault = fault.allowed(WrongDamper::MustBeAboveAt);
+        reader.fault(fault.help(WrongDamper::MassRatioIsTo));
         return None;
     }
-    let mut refuse = |message: String, help: &str| -> Option<DamperBody> {
+    let mut refuse = |message: WrongDamper, help: Both| -> Option<DamperBody> {
         reader.fault(Fault::new(raw.span.clone(), path, message).help(help));
         None
     };
@@ -345,12 +366,19 @@ fn moving(
         (Some(mass), None) => DamperMass::Mass(mass),
         (None, Some(ratio)) => DamperMass::Ratio(ratio),
         (Some(_), Some(_)) => {
-            return refuse(format!("{path} has both mass and mass_ratio"), "keep one of them");
+            return refuse(
+                WrongDamper::HasBothMassAnd {
+                    path: path.to_string(),
+                },
+                Common::KeepOneOfThem.into(),
+            );
         }
         (None, None) => {
             return refuse(
-                format!("{path} has neither mass nor mass_ratio"),
-                "give mass = …, or mass_ratio = … of the modal mass of its mode",
+                WrongDamper::HasNeitherMassNor {
+                    path: path.to_string(),
+                },
+                WrongDamper::GiveMassOrMass.into(),
             );
         }
     };
@@ -366,8 +394,10 @@ fn moving(
     ];
     if ways.iter().filter(|given| **given).count() > 1 {
         return refuse(
-            format!("{path} has its frequency twice: frequency, frequency_ratio and length are one number"),
-            "keep one of them",
+            WrongDamper::HasItsFrequencyTwice {
+                path: path.to_string(),
+            },
+            Common::KeepOneOfThem.into(),
         );
     }
     let frequency = match (frequency, frequency_ratio, own_length, tuning) {
@@ -377,28 +407,36 @@ fn moving(
         (.., Some(_)) => DamperFrequency::Tuned,
         (None, None, None, None) => {
             return refuse(
-                format!("{path} has no frequency"),
-                "give frequency = …, frequency_ratio = … of its mode's, or tuning = \"den_hartog\"",
+                WrongDamper::HasNoFrequency {
+                    path: path.to_string(),
+                },
+                WrongDamper::GiveFrequencyFrequencyRatio.into(),
             );
         }
     };
     if ratio.is_none() && tuning.is_none() {
         return refuse(
-            format!("{path} has no damping_ratio"),
-            "give damping_ratio = … on its own frequency, or tuning = \"den_hartog\"",
+            WrongDamper::HasNoDampingRatio {
+                path: path.to_string(),
+            },
+            WrongDamper::GiveDampingRatioOn.into(),
         );
     }
     if tuning.is_some() && ratio.is_some() && !matches!(frequency, DamperFrequency::Tuned) {
         return refuse(
-            format!("{path} names a tuning, but gives its frequency and damping_ratio"),
-            "take tuning out, or what it is to give",
+            WrongDamper::NamesTuningButGives {
+                path: path.to_string(),
+            },
+            WrongDamper::TakeTuningOutOr.into(),
         );
     }
     let moving = match kind {
         DamperKindRaw::Tlcd | DamperKindRaw::Tlcmd if length_ratio.is_none() => {
             return refuse(
-                format!("{path} has no length_ratio"),
-                "give the horizontal length of the column over its total length: length_ratio = 0.7",
+                WrongDamper::HasNoLengthRatio {
+                    path: path.to_string(),
+                },
+                WrongDamper::GiveHorizontalLengthOf.into(),
             );
         }
         DamperKindRaw::Tlcd => MovingPart::Column {
@@ -410,15 +448,19 @@ fn moving(
                 (None, Some(length)) => DamperFrequency::Length(length),
                 _ => {
                     return refuse(
-                        format!("{path} needs one of liquid_frequency and length"),
-                        "give the liquid's frequency, or the total length of its column",
+                        WrongDamper::NeedsOneOfLiquid {
+                            path: path.to_string(),
+                        },
+                        WrongDamper::GiveLiquidSFrequency.into(),
                     );
                 }
             };
             let (Some(liquid_share), Some(liquid_damping_ratio)) = (liquid_share, liquid_ratio) else {
                 return refuse(
-                    format!("{path} needs liquid_share and liquid_damping_ratio"),
-                    "give the liquid's part of the mass, and its damping ratio",
+                    WrongDamper::NeedsLiquidShareAnd {
+                        path: path.to_string(),
+                    },
+                    WrongDamper::GiveLiquidSPart.into(),
                 );
             };
             MovingPart::ColumnMass {
@@ -476,8 +518,11 @@ fn masses(reader: &mut Reader, raw: Option<&At<Vec<At<MassRaw>>>>, path: &str) -
         );
         let frequency = match (frequency, ratio) {
             (Some(_), Some(ratio)) => {
-                let message = format!("{path} has both frequency and frequency_ratio");
-                reader.fault(Fault::new(reader.place(&ratio.path), &path, message).help("keep one of them"));
+                let message = WrongDamper::HasBothFrequencyAnd {
+                    path: path.to_string(),
+                };
+                reader
+                    .fault(Fault::new(reader.place(&ratio.path), &path, message).help(Common::KeepOneOfThem));
                 return None;
             }
             (Some(frequency), None) => Some(DamperFrequency::Frequency(frequency)),
@@ -500,9 +545,12 @@ fn masses(reader: &mut Reader, raw: Option<&At<Vec<At<MassRaw>>>>, path: &str) -
         let fault = Fault::new(
             list.span.clone(),
             &key,
-            format!("the shares of {key} add up to {}", sum + 0.0), // −0 of none
+            WrongDamper::SharesOfAddUp {
+                key: key.to_string(),
+                sum: (sum + 0.0).to_string(),
+            }, // −0 of none
         );
-        reader.fault(fault.allowed("must add up to 1: they are parts of the damper's mass"));
+        reader.fault(fault.allowed(WrongDamper::MustAddUpTo));
         return None;
     }
     Some(parts)
@@ -531,11 +579,12 @@ fn direction(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Optio
     match parse_angle_rad(&raw.value) {
         Ok(angle) => Some(PlanDirection::Degrees(angle.to_degrees())),
         Err(_) => {
-            let message = format!("{path} = \"{}\" is no direction", raw.value);
+            let message = WrongDamper::IsNoDirection {
+                path: path.to_string(),
+                given: raw.value.to_string(),
+            };
             let fault = Fault::new(raw.span.clone(), path, message);
-            reader.fault(
-                fault.allowed("must be \"x\", \"y\", or an angle from x, counterclockwise (\"30 deg\")"),
-            );
+            reader.fault(fault.allowed(WrongDamper::MustBeXY));
             None
         }
     }

@@ -4,6 +4,7 @@ use super::part::{BuildingPart, FloorPart, StoreyStiffnessPart, WallPart};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{guess, mass_kg, rounded_length, unit_of, within};
+use crate::wrong::{Common, WrongBuilding};
 
 /// Mass of a floor, kg.
 const FLOOR_MASS_KG: (f64, f64) = (1e3, 2e7);
@@ -26,20 +27,22 @@ pub(crate) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
         let height = &floor.height;
         if !within(height.value, STOREY_HEIGHT_M) {
             let (least, most) = STOREY_HEIGHT_M;
-            let message = format!(
-                "{} = {}, but storeys are {least} to {most} m high",
-                height.path, height.written
-            );
+            let message = Common::StoreyHeight {
+                path: height.path.to_string(),
+                written: height.written.to_string(),
+                least: least.to_string(),
+                most: most.to_string(),
+            };
             let help = guess(height.value / STOREY_HEIGHT_USUAL_M, unit_of(height));
             reader.slip(&height.path, message, help);
         }
         let mass = mass_kg(&floor.heaviness, building.gravity_m_s2);
         let given = floor.heaviness.quantity();
         if !within(mass, FLOOR_MASS_KG) {
-            let message = format!(
-                "{} = {}, but floors have 1 t to 20 000 t",
-                given.path, given.written
-            );
+            let message = WrongBuilding::ButFloorsHaveT {
+                path: given.path.to_string(),
+                written: given.written.to_string(),
+            };
             let ratio = if mass > 1e5 { 1000.0 } else { 0.001 };
             reader.slip(&given.path, message, guess(ratio, unit_of(given)));
             continue; // stiffness is compared with masses
@@ -65,17 +68,14 @@ pub(crate) fn judge_building(reader: &mut Reader, building: &BuildingPart) {
             let frequency_hz = (stiffness / mass).sqrt() / std::f64::consts::TAU;
             if !within(frequency_hz, STOREY_FREQUENCY_HZ) {
                 let (least, most) = STOREY_FREQUENCY_HZ;
-                let message = format!(
-                    "{} = {}: the storey with its own floor alone would sway at {} Hz, but storeys sway at {least} to {most} Hz",
-                    quantity.path,
-                    quantity.written,
-                    rounded_length(frequency_hz)
-                );
-                reader.slip(
-                    &quantity.path,
-                    message,
-                    "is it in N/mm, kN/mm or kN/m?".to_owned(),
-                );
+                let message = WrongBuilding::StoreyWithItsOwn {
+                    path: quantity.path.to_string(),
+                    written: quantity.written.to_string(),
+                    frequency_hz: rounded_length(frequency_hz),
+                    least: least.to_string(),
+                    most: most.to_string(),
+                };
+                reader.slip(&quantity.path, message, Common::StiffnessUnit);
             }
         }
     }
@@ -94,11 +94,12 @@ fn judge_plan(reader: &mut Reader, floor: &FloorPart) {
     let side_m = extent(0).max(extent(1));
     if side_m > FLOOR_SIDE_MOST_M {
         let path = floor.height.path.replace(".height", "");
-        let message = format!(
-            "{path} is {} m long, but floors are at most {FLOOR_SIDE_MOST_M} m",
-            rounded_length(side_m)
-        );
-        reader.slip(&path, message, "are its sides in mm?".to_owned());
+        let message = WrongBuilding::IsMLongBut {
+            path: path.to_string(),
+            side_m: rounded_length(side_m),
+            most: FLOOR_SIDE_MOST_M.to_string(),
+        };
+        reader.slip(&path, message, WrongBuilding::AreItsSidesIn);
         return;
     }
     let mut places = Vec::new();
@@ -112,18 +113,13 @@ fn judge_plan(reader: &mut Reader, floor: &FloorPart) {
         let beyond_m = outline.beyond_m([x.value, y.value]);
         if beyond_m > OFF_FLOOR_MOST * side_m {
             let given = if x.value.abs() > y.value.abs() { x } else { y };
-            let message = format!(
-                "{} = {} lies {} m off its floor, which is {} m long",
-                given.path,
-                given.written,
-                rounded_length(beyond_m),
-                rounded_length(side_m)
-            );
-            reader.slip(
-                &given.path,
-                message,
-                "is it in m, and from the same origin as the outline?".to_owned(),
-            );
+            let message = WrongBuilding::LiesMOffIts {
+                path: given.path.to_string(),
+                written: given.written.to_string(),
+                beyond_m: rounded_length(beyond_m),
+                side_m: rounded_length(side_m),
+            };
+            reader.slip(&given.path, message, WrongBuilding::IsItInM);
         }
     }
 }

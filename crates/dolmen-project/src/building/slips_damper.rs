@@ -6,6 +6,7 @@ use super::part::BuildingPart;
 use crate::error::Fault;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::WrongDamper;
 use dolmen::damper::DamperKind;
 use dolmen::dynamics::VibratingBuilding;
 use dolmen::structure::Building;
@@ -43,12 +44,12 @@ pub(super) fn judge_dampers(reader: &mut Reader, part: &BuildingPart, vibrating:
         };
         let mass_kg: f64 = built.iter().map(|own| own.kind.mass_kg()).sum();
         if mass_kg > HEAVY * building.mass_kg() {
-            let message = format!(
-                "{path} weighs {:.1} t, {:.0} % of the building",
-                1e-3 * mass_kg,
-                100.0 * mass_kg / building.mass_kg()
-            );
-            let help = "does its mode hardly move at its place?".to_owned();
+            let message = WrongDamper::WeighsTOfBuilding {
+                path: path.to_string(),
+                mass_t: format!("{:.1}", 1e-3 * mass_kg),
+                percent: format!("{:.0}", 100.0 * mass_kg / building.mass_kg()),
+            };
+            let help = WrongDamper::DoesItsModeHardly;
             reader.slip(&path, message, help);
         }
         for own in &built {
@@ -67,16 +68,13 @@ fn judge_tune(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &Buildi
     let is_out = |ratio: f64| !(1.0 / OUT_OF_TUNE..=OUT_OF_TUNE).contains(&ratio);
     let ratio = hz / mode.frequency_hz;
     if is_out(ratio) {
-        let message = format!(
-            "{path}: its frequency is {hz:.4} Hz, {ratio:.2} of that of its mode, {:.4} Hz",
-            mode.frequency_hz
-        );
-        reader.slip(
-            path,
-            message,
-            "is its frequency in Hz, not rad/s, its length (of a column) in m, and its mode the one meant?"
-                .to_owned(),
-        );
+        let message = WrongDamper::ItsFrequencyIsHz {
+            path: path.to_string(),
+            hz: format!("{:.4}", hz),
+            ratio: format!("{:.2}", ratio),
+            frequency_hz: format!("{:.4}", mode.frequency_hz),
+        };
+        reader.slip(path, message, WrongDamper::IsItsFrequencyIn.to_owned());
     }
     if let DamperKind::LiquidColumnMass {
         liquid_frequency_hz, ..
@@ -84,11 +82,13 @@ fn judge_tune(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &Buildi
     {
         let ratio = liquid_frequency_hz / mode.frequency_hz;
         if is_out(ratio) {
-            let message = format!(
-                "{path}: its liquid swings at {liquid_frequency_hz:.4} Hz, {ratio:.2} of the frequency of its mode, {:.4} Hz",
-                mode.frequency_hz
-            );
-            let help = "is liquid_frequency in Hz, or length the whole length of the column?".to_owned();
+            let message = WrongDamper::ItsLiquidSwingsAt {
+                path: path.to_string(),
+                liquid_frequency_hz: format!("{:.4}", liquid_frequency_hz),
+                ratio: format!("{:.2}", ratio),
+                frequency_hz: format!("{:.4}", mode.frequency_hz),
+            };
+            let help = WrongDamper::IsLiquidFrequencyIn;
             reader.slip(path, message, help);
         }
     }
@@ -108,10 +108,12 @@ fn judge_dashpot(reader: &mut Reader, path: &str, own: &BuiltDamper, modes: &Bui
         .map(|(j, mode)| (j + 1, given(&mode.shape, mode.omega_rad_s)))
         .max_by(|a, b| a.1.total_cmp(&b.1));
     if let Some((mode, ratio)) = most.filter(|(_, ratio)| *ratio > STRUT) {
-        let message = format!(
-            "{path}: its coefficient would give mode {mode} a damping ratio of {ratio:.1} by itself: it is a strut, and no damper"
-        );
-        reader.slip(path, message, "is it in N*s/m, kN*s/m or MN*s/m?".to_owned());
+        let message = WrongDamper::ItsCoefficientWouldGive {
+            path: path.to_string(),
+            mode: mode.to_string(),
+            ratio: format!("{:.1}", ratio),
+        };
+        reader.slip(path, message, WrongDamper::IsItInN);
     }
 }
 
@@ -124,13 +126,13 @@ fn judge_room(reader: &mut Reader, damper: &DamperPart, building: &Building) {
     let most_m = outline.map_or(ROOM_MOST_M, |outline| 0.5 * longest_side_m(outline));
     for room in damper.stroke.iter().chain(&damper.liquid_stroke) {
         if !(ROOM_LEAST_M..=most_m).contains(&room.value) {
-            let message = format!(
-                "{} = {}, but dampers have {} mm to {most_m} m of room each way here",
-                room.path,
-                room.written,
-                1e3 * ROOM_LEAST_M
-            );
-            reader.slip(&room.path, message, "is it in m or mm?".to_owned());
+            let message = WrongDamper::ButDampersHaveMm {
+                path: room.path.to_string(),
+                written: room.written.to_string(),
+                least: (1e3 * ROOM_LEAST_M).to_string(),
+                most_m: most_m.to_string(),
+            };
+            reader.slip(&room.path, message, WrongDamper::IsItInM);
         }
     }
 }

@@ -8,6 +8,7 @@ use crate::measure::{Bound, Measure};
 use crate::quantity::Quantity;
 use crate::ratio::damping_ratio;
 use crate::reader::Reader;
+use crate::wrong::WrongChain;
 
 /// Damping of a whole chain, beside that of its joints: one of the two.
 pub(super) fn chain_damping(
@@ -21,9 +22,11 @@ pub(super) fn chain_damping(
         .flatten()
         .find_map(|joint| joint.damping.as_ref())
     {
-        let message = format!("damping_ratio and {} both damp the joints", own.path);
+        let message = WrongChain::DampingRatioAndBoth {
+            path: own.path.to_string(),
+        };
         let fault = Fault::new(reader.place("damping_ratio"), "damping_ratio", message);
-        reader.fault(fault.help("keep one of them: damping_ratio makes a dashpot of every joint"));
+        reader.fault(fault.help(WrongChain::KeepOneOfThem));
         return None;
     }
     Some(ratio)
@@ -46,20 +49,24 @@ pub(super) fn joint_friction(reader: &mut Reader, raw: &JointRaw, path: &str) ->
     let (kinetic, fixed) = match (kinetic, fixed) {
         (Some(kinetic), fixed) => (kinetic, fixed),
         (None, Some(fixed)) if raw.friction_moment.is_none() => {
-            let message = format!("{} stands without friction_moment", fixed.path);
+            let message = WrongChain::StandsWithoutFrictionMoment {
+                path: fixed.path.to_string(),
+            };
             let fault = Fault::new(reader.place(&fixed.path), &fixed.path, message);
-            reader.fault(fault.help("give friction_moment too: the moment while the joint turns"));
+            reader.fault(fault.help(WrongChain::GiveFrictionMomentToo));
             return None;
         }
         _ => return None,
     };
     if let Some(fixed) = fixed.as_ref().filter(|fixed| fixed.value < kinetic.value) {
-        let message = format!(
-            "{} = {} is below {} = {}",
-            fixed.path, fixed.written, kinetic.path, kinetic.written
-        );
+        let message = WrongChain::IsBelow {
+            path: fixed.path.to_string(),
+            written: fixed.written.to_string(),
+            other: kinetic.path.to_string(),
+            other_written: kinetic.written.to_string(),
+        };
         let fault = Fault::new(reader.place(&fixed.path), &fixed.path, message);
-        reader.fault(fault.help("a joint that stands holds at least what one that turns does"));
+        reader.fault(fault.help(WrongChain::JointThatStandsHolds));
         return None;
     }
     Some(JointFrictionPart { kinetic, fixed })

@@ -13,6 +13,7 @@ use crate::needed::{countable, heaviness, missing, one_each};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::warned::Warned;
+use crate::wrong::{Common, WrongChain};
 use dolmen::dynamics::JointOpening;
 
 fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> {
@@ -30,19 +31,27 @@ fn link(reader: &mut Reader, raw: &At<LinkRaw>, path: &str) -> Option<LinkPart> 
         let fault = Fault::new(
             reader.place(&breadth.path),
             path,
-            format!("{path} has both inertia and breadth"),
+            WrongChain::HasBothInertiaAnd {
+                path: path.to_string(),
+            },
         );
-        reader.fault(fault.help("keep one of them: breadth makes the inertia that of a box"));
+        reader.fault(fault.help(WrongChain::KeepOneOfThemBreadth));
     }
     let (length, centroid) = (length?, centroid?);
     if centroid.value > length.value {
         let path = &centroid.path;
-        let message = format!("{path} = {} lies above the link's top", centroid.written);
+        let message = WrongChain::LiesAboveLinkS {
+            path: path.to_string(),
+            written: centroid.written.to_string(),
+        };
         let top = reader.echo(length.value, Measure::Length);
         let (number, unit) = top.split_once(' ').unwrap_or((&top, ""));
         let fault = Fault::new(reader.place(path), path, message)
-            .allowed(format!("must be 0 to {number} {unit}, the link's own length"))
-            .help("centroid is measured from the link's lower joint, not from the ground");
+            .allowed(WrongChain::MustBeToLink {
+                number: number.to_string(),
+                unit: unit.to_string(),
+            })
+            .help(WrongChain::CentroidIsMeasuredFrom);
         reader.fault(fault);
     }
     Some(LinkPart {
@@ -107,16 +116,16 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         missing(
             reader,
             "links",
-            "a chain needs links",
-            "links = [ { weight = …, length = …, centroid = … }, … ]",
+            WrongChain::ChainNeedsLinks,
+            WrongChain::LinksWeightLengthCentroid,
         );
     }
     if raw.joints.is_none() {
         missing(
             reader,
             "joints",
-            "a chain needs joints",
-            "write joints = \"unknown\" if nobody has measured them, or [ { stiffness = … }, … ]",
+            WrongChain::ChainNeedsJoints,
+            WrongChain::WriteJointsUnknownIf,
         );
     }
     let links_raw = links_raw?;
@@ -185,18 +194,23 @@ fn edges_known(reader: &mut Reader, links: &[LinkPart], joints: Option<&[JointPa
     for (i, (link, joint)) in links.iter().zip(joints.unwrap_or_default()).enumerate() {
         if joint.opening == Some(JointOpening::AtBedEdge) && link.bed_width.is_none() {
             let path = format!("joints[{}].opening", i + 1);
-            let message = format!("{path} = \"edge\", but the width of its bed is not given");
+            let message = WrongChain::EdgeButWidthOf {
+                path: path.to_string(),
+            };
             let fault = Fault::new(reader.place(&joint.stiffness.path), &path, message);
-            reader.fault(fault.help("give bed_width there, or write opening = \"held\""));
+            reader.fault(fault.help(WrongChain::GiveBedWidthThere));
         }
     }
 }
 
 fn give_bed_width(reader: &mut Reader, link: &mut LinkPart, width: Quantity) {
     if let Some(given) = &link.bed_width {
-        let message = format!("{} is the same bed as {}", width.path, given.path);
+        let message = WrongChain::IsSameBedAs {
+            path: width.path.to_string(),
+            other: given.path.to_string(),
+        };
         let fault = Fault::new(reader.place(&width.path), &width.path, message);
-        reader.fault(fault.allowed("given twice").help("keep one of them"));
+        reader.fault(fault.allowed(WrongChain::GivenTwice).help(Common::KeepOneOfThem));
     } else {
         link.bed_width = Some(width);
     }

@@ -5,9 +5,12 @@ use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{
-    beside_neighbour, guess, mass_kg, median_of_others, odd_ones, rounded, rounded_length, unit_of, within,
+    beside_neighbour, beside_others, guess, mass_kg, median_of_others, odd_ones, rounded, rounded_length,
+    unit_of, within,
 };
 use crate::written::short;
+use crate::wrong::{Slip, WrongChain};
+use dolmen_words::message::Both;
 
 /// Density of stone that a link is compared with, kg/m³: granite 2600, marble 2700, sandstone 2300.
 const STONE_KG_M3: f64 = 2500.0;
@@ -64,11 +67,14 @@ fn judge_lengths(reader: &mut Reader, lengths: &[&Quantity]) -> bool {
         if within(length.value, LINK_LENGTH_M) && !odd.contains(&i) {
             continue;
         }
-        let beside = match beside_neighbour(lengths, i, "link") {
-            beside if beside.is_empty() => format!("links are {least} to {most} m long"),
-            beside => beside,
-        };
-        let message = format!("{} = {}, {beside}", length.path, length.written);
+        let beside = beside_neighbour(lengths, i, Slip::Link).map(Both::from);
+        let beside = beside.unwrap_or_else(|| {
+            Both::from(WrongChain::LinksAreToM {
+                least: least.to_string(),
+                most: most.to_string(),
+            })
+        });
+        let message = beside_others(length, beside);
         let ratio = if length.value > 1.0 { 1000.0 } else { 0.001 };
         reader.slip(&length.path, message, guess(ratio, unit_of(length)));
     }
@@ -89,21 +95,20 @@ fn judge_link_masses(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
         let share = side_m / height_m;
         if odd.contains(&i) {
             let median = median_of_others(&per_length, i).unwrap_or(SHAFT_KG_M);
-            let beside = beside_neighbour(&given, i, "link");
-            let message = format!("{} = {}, {beside}", quantity.path, quantity.written);
+            let beside = beside_neighbour(&given, i, Slip::Link).map_or_else(|| Both::from(""), Both::from);
+            let message = beside_others(quantity, beside);
             reader.slip(
                 &quantity.path,
                 message,
                 guess(per_length[i] / median, unit_of(quantity)),
             );
         } else if !within(share, LINK_SIDE_TO_HEIGHT) {
-            let message = format!(
-                "{} = {}: as stone the link would be {} m wide, and the whole is {} m high",
-                quantity.path,
-                quantity.written,
-                rounded_length(side_m),
-                rounded_length(height_m)
-            );
+            let message = WrongChain::AsStoneLinkWould {
+                path: quantity.path.to_string(),
+                written: quantity.written.to_string(),
+                side_m: rounded_length(side_m),
+                height_m: rounded_length(height_m),
+            };
             let ratio = if share > 1.0 { 1000.0 } else { 0.001 };
             reader.slip(&quantity.path, message, guess(ratio, unit_of(quantity)));
         }
@@ -116,23 +121,21 @@ fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
     let share = link.centroid.value / length_m;
     if share > 0.0 && share < CENTROID_SHARE_LEAST {
         let centroid = &link.centroid;
-        let message = format!(
-            "{} = {} is {} of the link's length: a block's centre of mass is near its middle",
-            centroid.path,
-            centroid.written,
-            rounded(share)
-        );
+        let message = WrongChain::IsOfLinkS {
+            path: centroid.path.to_string(),
+            written: centroid.written.to_string(),
+            share: rounded(share),
+        };
         reader.slip(&centroid.path, message, guess(0.001, unit_of(centroid)));
     }
     if let Some(breadth) = &link.breadth {
         let density = mass_kg / (length_m * breadth.value * breadth.value);
         if !within(density, BOX_DENSITY_KG_M3) {
-            let message = format!(
-                "{} = {}: the link's density would be about {} kg/m3",
-                breadth.path,
-                breadth.written,
-                rounded(density)
-            );
+            let message = WrongChain::LinkSDensityWould {
+                path: breadth.path.to_string(),
+                written: breadth.written.to_string(),
+                density: rounded(density),
+            };
             reader.slip(
                 &breadth.path,
                 message,
@@ -144,32 +147,33 @@ fn judge_link(reader: &mut Reader, link: &LinkPart, mass_kg: f64) {
         let gyration = (inertia.value / mass_kg).sqrt() / length_m.max(side_m);
         if !within(gyration, GYRATION) {
             let radius_m = (inertia.value / mass_kg).sqrt();
-            let message = format!(
-                "{} = {}: the link's radius of gyration would be {} m, and the link is {} m long",
-                inertia.path,
-                inertia.written,
-                rounded_length(radius_m),
-                short(length_m)
-            );
-            let help = format!("a thin rod of this mass and length has {}", {
-                let (unit, factor) = reader.bare_unit(Measure::Inertia);
-                format!(
-                    "{} {unit}",
-                    rounded_length(mass_kg * length_m * length_m / 12.0 / factor)
-                )
-            });
+            let message = WrongChain::LinkSRadiusOf {
+                path: inertia.path.to_string(),
+                written: inertia.written.to_string(),
+                radius_m: rounded_length(radius_m),
+                length_m: short(length_m),
+            };
+            let help = WrongChain::ThinRodOfThis {
+                factor: ({
+                    let (unit, factor) = reader.bare_unit(Measure::Inertia);
+                    format!(
+                        "{} {unit}",
+                        rounded_length(mass_kg * length_m * length_m / 12.0 / factor)
+                    )
+                })
+                .to_string(),
+            };
             reader.slip(&inertia.path, message, help);
         }
     }
     if let Some(bed) = &link.bed_width {
         let ratio = bed.value / side_m;
         if !within(ratio, (1.0 / BED_RATIO_MOST, BED_RATIO_MOST)) {
-            let message = format!(
-                "{} = {}: the link would be {} m wide as stone",
-                bed.path,
-                bed.written,
-                rounded_length(side_m)
-            );
+            let message = WrongChain::LinkWouldBeM {
+                path: bed.path.to_string(),
+                written: bed.written.to_string(),
+                side_m: rounded_length(side_m),
+            };
             reader.slip(&bed.path, message, guess(ratio, unit_of(bed)));
         }
     }
@@ -194,13 +198,13 @@ fn judge_joints(reader: &mut Reader, chain: &ChainPart, masses: &[f64]) {
             continue;
         }
         let product = reader.echo(above(i), Measure::JointStiffness);
-        let message = format!(
-            "{} = {} is {} × the weight times height above the joint, {product}",
-            stiffness.path,
-            stiffness.written,
-            rounded(shares[i])
-        );
-        let help = "a joint that keeps a chain upright has about 1 × that or more; is it in N m/rad, kN m/rad or kN m/deg?";
+        let message = WrongChain::IsWeightTimesHeight {
+            path: stiffness.path.to_string(),
+            written: stiffness.written.to_string(),
+            share: rounded(shares[i]),
+            product: product.to_string(),
+        };
+        let help = WrongChain::JointThatKeepsChain;
         reader.slip(&stiffness.path, message, help.to_owned());
     }
 }
@@ -219,13 +223,13 @@ fn judge_friction(reader: &mut Reader, joints: &[JointPart], above: &dyn Fn(usiz
                 continue;
             }
             let product = reader.echo(above(i), Measure::Moment);
-            let message = format!(
-                "{} = {} is {} × the weight times height above the joint, {product}",
-                moment.path,
-                moment.written,
-                rounded(share)
-            );
-            let help = "friction holds a small part of that; is it in N m or kN m? A bare number is in units.moment, N m without it";
+            let message = WrongChain::IsWeightTimesHeightAbove {
+                path: moment.path.to_string(),
+                written: moment.written.to_string(),
+                share: rounded(share),
+                product: product.to_string(),
+            };
+            let help = WrongChain::FrictionHoldsSmallPart;
             reader.slip(&moment.path, message, help.to_owned());
         }
     }

@@ -6,6 +6,7 @@ use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::mass_kg;
+use crate::wrong::WrongChain;
 
 /// Refuses a strength without a bed, and a bed that crushes under the weight above it alone.
 pub(super) fn beds_bear(reader: &mut Reader, part: &ChainPart) {
@@ -17,9 +18,11 @@ pub(super) fn beds_bear(reader: &mut Reader, part: &ChainPart) {
         let given = joint.strength.as_ref().or(joint.bed_depth.as_ref());
         let (Some(given), Some(bed)) = (given, part.bed(i, &mut Quantity::nominal)) else {
             if let Some(given) = given {
-                let message = format!("{} is given, but the width of its bed is not", given.path);
+                let message = WrongChain::IsGivenButWidth {
+                    path: given.path.to_string(),
+                };
                 let fault = Fault::new(reader.place(&given.path), &given.path, message);
-                reader.fault(fault.help("give bed_width there too"));
+                reader.fault(fault.help(WrongChain::GiveBedWidthThereToo));
             }
             continue;
         };
@@ -29,15 +32,16 @@ pub(super) fn beds_bear(reader: &mut Reader, part: &ChainPart) {
             .is_some_and(|strength_pa| pressure_pa >= strength_pa)
         {
             let pressure = reader.echo(pressure_pa, Measure::Stress);
-            let message = format!(
-                "{} = {} is not above {pressure}, the weight above over the whole bed",
-                given.path, given.written
-            );
+            let message = WrongChain::IsNotAboveWeight {
+                path: given.path.to_string(),
+                written: given.written.to_string(),
+                pressure: pressure.to_string(),
+            };
             let fault = Fault::new(reader.place(&given.path), &given.path, message);
             reader.fault(
                 fault
-                    .allowed("the bed crushes under the weight alone")
-                    .help("is it in Pa, kPa or MPa? Mortar has 1 to 10 MPa, granite 100 MPa and more"),
+                    .allowed(WrongChain::BedCrushesUnderWeight)
+                    .help(WrongChain::IsItInPa),
             );
         }
     }

@@ -9,6 +9,7 @@ use crate::needed::one_each;
 use crate::quantity::Quantity;
 use crate::ratio::below;
 use crate::reader::Reader;
+use crate::wrong::WrongFrame;
 use dolmen::dynamics::FrictionActsOn;
 
 /// Largest coefficient of friction: timber and stone, dry, reach 0.8. Chosen here.
@@ -42,24 +43,22 @@ pub(super) fn friction(
             let fault = Fault::new(
                 raw.span.clone(),
                 &slipping_path,
-                format!("{path} has law = \"jenkins\", but no slipping_stiffness"),
+                WrongFrame::HasLawJenkinsBut {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(
-                fault.help(
-                    "give what is left of each storey's stiffness while its joints slip; 0 for nothing",
-                ),
-            );
+            reader.fault(fault.help(WrongFrame::GiveWhatIsLeft));
             return None;
         }
         (FrictionLawRaw::Coulomb, Some(list)) => {
             let fault = Fault::new(
                 list.span.clone(),
                 &slipping_path,
-                format!(
-                    "{slipping_path} is given, but the law is \"coulomb\": its slider stands beside the whole spring"
-                ),
+                WrongFrame::IsGivenButLaw {
+                    slipping_path: slipping_path.to_string(),
+                },
             );
-            reader.fault(fault.help("write law = \"jenkins\", or take slipping_stiffness out"));
+            reader.fault(fault.help(WrongFrame::WriteLawJenkinsOr));
             return None;
         }
     };
@@ -71,15 +70,15 @@ pub(super) fn friction(
     {
         if slipping.value >= whole.value {
             let path = format!("{slipping_path}[{}]", i + 1);
-            let message = format!(
-                "{path} = {} is not below {} = {}",
-                slipping.written, whole.path, whole.written
-            );
+            let message = WrongFrame::IsNotBelow {
+                path: path.to_string(),
+                written: slipping.written.to_string(),
+                other: whole.path.to_string(),
+                other_written: whole.written.to_string(),
+            };
             let span = reader.place(&path);
             let fault = Fault::new(span, &path, message);
-            reader.fault(fault.help(
-                "stiffness is what vibration measures, with all joints stuck; slipping joints leave less",
-            ));
+            reader.fault(fault.help(WrongFrame::StiffnessIsWhatVibration));
             return None;
         }
     }
@@ -97,7 +96,6 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
     let given = &raw.value;
     match (&given.coefficient, &given.force) {
         (Some(coefficient), None) => {
-            let help = "it is slip force over axial force; for forces write force = [ … ]";
             let kinetic_path = format!("{path}.coefficient");
             let kinetic = reader.quantity(
                 Some(coefficient),
@@ -105,14 +103,26 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                 Measure::Ratio,
                 Bound::NotNegative,
             )?;
-            let kinetic = below(reader, kinetic, Some(coefficient), COEFFICIENT_MOST, help)?;
+            let kinetic = below(
+                reader,
+                kinetic,
+                Some(coefficient),
+                COEFFICIENT_MOST,
+                WrongFrame::ItIsSlipForce,
+            )?;
             let fixed_path = format!("{path}.static_coefficient");
             let fixed = match &given.static_coefficient {
                 None => None,
                 Some(fixed) => {
                     let read =
                         reader.quantity(Some(fixed), &fixed_path, Measure::Ratio, Bound::NotNegative)?;
-                    Some(below(reader, read, Some(fixed), COEFFICIENT_MOST, help)?)
+                    Some(below(
+                        reader,
+                        read,
+                        Some(fixed),
+                        COEFFICIENT_MOST,
+                        WrongFrame::ItIsSlipForce,
+                    )?)
                 }
             };
             if let Some(fixed) = fixed.as_ref().filter(|fixed| fixed.value < kinetic.value) {
@@ -120,12 +130,13 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                     .static_coefficient
                     .as_ref()
                     .map_or(0..0, |raw| raw.span.clone());
-                let message = format!(
-                    "{fixed_path} = {} is below coefficient = {}",
-                    fixed.written, kinetic.written
-                );
+                let message = WrongFrame::IsBelowCoefficient {
+                    fixed_path: fixed_path.to_string(),
+                    written: fixed.written.to_string(),
+                    other_written: kinetic.written.to_string(),
+                };
                 let fault = Fault::new(span, &fixed_path, message);
-                reader.fault(fault.allowed("must be at least the coefficient while slipping"));
+                reader.fault(fault.allowed(WrongFrame::MustBeAtLeast));
                 return None;
             }
             Some(SlipForces::Coefficient {
@@ -138,9 +149,11 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                 let fault = Fault::new(
                     fixed.span.clone(),
                     &format!("{path}.static_coefficient"),
-                    format!("{path} has both force and static_coefficient"),
+                    WrongFrame::HasBothForceAnd {
+                        path: path.to_string(),
+                    },
                 );
-                reader.fault(fault.help("give coefficient and static_coefficient, or force alone"));
+                reader.fault(fault.help(WrongFrame::GiveCoefficientAndStatic));
                 return None;
             }
             let forces_path = format!("{path}.force");
@@ -157,9 +170,11 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
             let fault = Fault::new(
                 force.span.clone(),
                 path,
-                format!("{path} has both coefficient and force"),
+                WrongFrame::HasBothCoefficientAnd {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("keep one of them: force = coefficient × axial force"));
+            reader.fault(fault.help(WrongFrame::KeepOneOfThem));
             None
         }
         (None, None) => {
@@ -167,11 +182,11 @@ fn slip(reader: &mut Reader, raw: &At<FrictionRaw>, path: &str, storeys: usize) 
                 let fault = Fault::new(
                     raw.span.clone(),
                     path,
-                    format!("{path} has neither coefficient nor force"),
+                    WrongFrame::HasNeitherCoefficientNor {
+                        path: path.to_string(),
+                    },
                 );
-                reader.fault(fault.help(
-                    "write friction = { coefficient = 0.3 }, or force = [ … ] with one for each storey",
-                ));
+                reader.fault(fault.help(WrongFrame::WriteFrictionCoefficientOr));
             }
             None
         }

@@ -13,6 +13,7 @@ use crate::needed::{countable, heaviness, missing, one_each};
 use crate::ratio::damping_ratio;
 use crate::reader::Reader;
 use crate::warned::Warned;
+use crate::wrong::WrongFrame;
 use dolmen::structure::Convention;
 use std::collections::BTreeMap;
 
@@ -64,8 +65,8 @@ pub(crate) fn frame(
         missing(
             reader,
             "storeys",
-            "a frame needs storeys",
-            "storeys = [ { mass = …, height = … }, … ]",
+            WrongFrame::FrameNeedsStoreys,
+            WrongFrame::StoreysMassHeight,
         );
         return None;
     };
@@ -110,14 +111,8 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
             Some(Axial::FromMasses)
         }
         (0, Some(axial)) => {
-            let fault = Fault::new(
-                axial.span.clone(),
-                "axial",
-                "axial is given, but no storey has an axial_force",
-            );
-            reader.fault(
-                fault.help("give each storey its axial_force, or take axial out: it then follows the masses"),
-            );
+            let fault = Fault::new(axial.span.clone(), "axial", WrongFrame::AxialIsGivenBut);
+            reader.fault(fault.help(WrongFrame::GiveEachStoreyIts));
             None
         }
         (count, _) if count < storeys.value.len() => {
@@ -131,21 +126,19 @@ fn axial(reader: &mut Reader, raw: &FileRaw, storeys: &At<Vec<At<StoreyRaw>>>) -
                 .value
                 .get(first)
                 .map_or(0..0, |storey| storey.span.clone());
-            let message = format!(
-                "storeys[{}] has no axial_force, but another storey has",
-                first + 1
-            );
+            let message = WrongFrame::StoreysHasNoAxial {
+                first: (first + 1).to_string(),
+            };
             let fault = Fault::new(span, &path, message);
-            reader.fault(fault.help("give all of them, or none: they then follow from the masses"));
+            reader.fault(fault.help(WrongFrame::GiveAllOfThem));
             None
         }
         (_, None) => {
             missing(
                 reader,
                 "axial",
-                "axial_force is given, but not what it is: \"axial\" is missing",
-                "write axial = \"storey\" if it is the force in the storey's columns (its own level and all above), \
-                 axial = \"level\" if it is the load added at its top",
+                WrongFrame::AxialForceIsGiven,
+                WrongFrame::WriteAxialStoreyIf,
             );
             None
         }

@@ -6,6 +6,7 @@ use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
 use crate::usual::{guess, mass_kg, rounded, rounded_length, unit_of, within};
+use crate::wrong::{Common, WrongFrame};
 
 /// Mass of a storey, kg.
 const STOREY_MASS_KG: (f64, f64) = (1e3, 2e7);
@@ -25,10 +26,12 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
         let height = &storey.height;
         if !within(height.value, STOREY_HEIGHT_M) {
             let (least, most) = STOREY_HEIGHT_M;
-            let message = format!(
-                "{} = {}, but storeys are {least} to {most} m high",
-                height.path, height.written
-            );
+            let message = Common::StoreyHeight {
+                path: height.path.to_string(),
+                written: height.written.to_string(),
+                least: least.to_string(),
+                most: most.to_string(),
+            };
             reader.slip(
                 &height.path,
                 message,
@@ -46,10 +49,10 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
         if !within(*mass_kg, STOREY_MASS_KG) {
             is_mass_odd = true;
             let given = storey.heaviness.quantity();
-            let message = format!(
-                "{} = {}, but storeys have 1 t to 20 000 t",
-                given.path, given.written
-            );
+            let message = WrongFrame::ButStoreysHaveT {
+                path: given.path.to_string(),
+                written: given.written.to_string(),
+            };
             let ratio = if *mass_kg > 1e5 { 1000.0 } else { 0.001 };
             reader.slip(&given.path, message, guess(ratio, unit_of(given)));
         }
@@ -70,17 +73,14 @@ pub(crate) fn judge_frame(reader: &mut Reader, frame: &FramePart) {
             let frequency_hz = (stiffness.value / mass_kg).sqrt() / std::f64::consts::TAU;
             if !within(frequency_hz, STOREY_FREQUENCY_HZ) {
                 let (least, most) = STOREY_FREQUENCY_HZ;
-                let message = format!(
-                    "{} = {}: the storey alone would sway at {} Hz, but storeys sway at {least} to {most} Hz",
-                    stiffness.path,
-                    stiffness.written,
-                    rounded_length(frequency_hz)
-                );
-                reader.slip(
-                    &stiffness.path,
-                    message,
-                    "is it in N/mm, kN/mm or kN/m?".to_owned(),
-                );
+                let message = WrongFrame::StoreyAloneWouldSway {
+                    path: stiffness.path.to_string(),
+                    written: stiffness.written.to_string(),
+                    frequency_hz: rounded_length(frequency_hz),
+                    least: least.to_string(),
+                    most: most.to_string(),
+                };
+                reader.slip(&stiffness.path, message, Common::StiffnessUnit);
             }
         }
     }
@@ -115,14 +115,16 @@ fn judge_axial(reader: &mut Reader, frame: &FramePart, masses: &[f64]) {
     }
     let matches = |shares: &[f64]| shares.iter().all(|share| (share - 1.0).abs() <= AXIAL_MATCH);
     if !matches(&shares) && matches(&axial_shares(&frame.storeys, &weights, other)) {
-        let message = format!(
-            "axial = \"{}\", but the axial forces are the weights of the masses only if they are read as \"{other_word}\"",
-            if axial == Axial::Storey { "storey" } else { "level" },
-        );
+        let message = WrongFrame::AxialButAxialForces {
+            word: (if axial == Axial::Storey { "storey" } else { "level" }).to_string(),
+            other_word: other_word.to_string(),
+        };
         reader.slip(
             "axial",
             message,
-            format!("did you mean axial = \"{other_word}\"?"),
+            WrongFrame::DidYouMeanAxial {
+                other_word: other_word.to_string(),
+            },
         );
         return;
     }
@@ -132,12 +134,12 @@ fn judge_axial(reader: &mut Reader, frame: &FramePart, masses: &[f64]) {
         };
         if *share != 0.0 && !within(*share, AXIAL_SHARE) {
             let weight = reader.echo(weights[i..].iter().sum(), Measure::Force);
-            let message = format!(
-                "{} = {}: the storey's columns would carry {} × the weight of the masses above, {weight}",
-                force.path,
-                force.written,
-                rounded(*share)
-            );
+            let message = WrongFrame::StoreySColumnsWould {
+                path: force.path.to_string(),
+                written: force.written.to_string(),
+                share: rounded(*share),
+                weight: weight.to_string(),
+            };
             reader.slip(&force.path, message, guess(*share, unit_of(force)));
         }
     }

@@ -7,6 +7,7 @@ use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
 use crate::written::short;
+use crate::wrong::{Common, WrongLimits};
 use dolmen::assess::demand::{DRIFT_RATIO_MOST, DriftLimit, ImportanceClass, NonStructural, SeismicGrade};
 
 const PATH: &str = "limits";
@@ -20,23 +21,23 @@ pub(crate) fn limits(
     let raw = raw?;
     reader.mark(PATH, &raw.span);
     if !matches!(kind, Some(KindRaw::Frame | KindRaw::Building) | None) {
-        let message = "[limits] holds allowable drifts of storeys, which this kind does not have";
-        let fault = Fault::new(raw.span.clone(), PATH, message).allowed("has no meaning here");
-        reader.fault(fault.help("take it out: joints and stones have limits of their own"));
+        let message = WrongLimits::LimitsHoldsAllowableDrifts;
+        let fault = Fault::new(raw.span.clone(), PATH, message).allowed(Common::NoMeaningHere);
+        reader.fault(fault.help(WrongLimits::TakeItOutJoints));
         return None;
     }
     let given = &raw.value;
     match (&given.code, &given.storey_drift) {
         (Some(_), Some(drift)) => {
-            let fault = Fault::new(drift.span.clone(), PATH, "limits has both code and storey_drift");
-            reader.fault(fault.help("keep one of them"));
+            let fault = Fault::new(drift.span.clone(), PATH, WrongLimits::LimitsHasBothCode);
+            reader.fault(fault.help(Common::KeepOneOfThem));
             None
         }
         (None, None) => {
             if !reader.is_reported("limits.code") && !reader.is_reported("limits.storey_drift") {
-                let message = "limits has neither code nor storey_drift";
+                let message = WrongLimits::LimitsHasNeitherCode;
                 let fault = Fault::new(raw.span.clone(), PATH, message);
-                let help = "write code = \"KDS 41 17 00\" with importance = \"special\", \"I\" or \"II\", or storey_drift = \"1.5 %\"";
+                let help = WrongLimits::WriteCodeKdsWith;
                 reader.fault(fault.help(help));
             }
             None
@@ -54,9 +55,10 @@ fn own(reader: &mut Reader, given: &LimitsRaw) -> Option<DriftLimit> {
         ("non_structural", given.non_structural.as_ref().map(|at| &at.span)),
     ] {
         if let Some(span) = span {
-            let message = format!("limits.{key} goes with a code, but limits has storey_drift");
-            reader
-                .fault(Fault::new(span.clone(), &format!("{PATH}.{key}"), message).help("keep one of them"));
+            let message = WrongLimits::LimitsGoesWithCode { key: key.to_string() };
+            reader.fault(
+                Fault::new(span.clone(), &format!("{PATH}.{key}"), message).help(Common::KeepOneOfThem),
+            );
             return None;
         }
     }
@@ -64,10 +66,12 @@ fn own(reader: &mut Reader, given: &LimitsRaw) -> Option<DriftLimit> {
     let ratio = reader.plain(raw, AT, Measure::Tilt, Bound::Positive)?;
     if ratio > DRIFT_RATIO_MOST {
         let span = raw.map_or(0..0, |raw| raw.span.clone());
-        let message = format!("{AT} is {} of the height", short(ratio));
-        let fault =
-            Fault::new(span, AT, message).allowed("must be at most 10 %: no storey is known to stand beyond");
-        reader.fault(fault.help("did you mean per cent? \"1.5 %\" is 0.015"));
+        let message = WrongLimits::IsOfHeight {
+            key: AT.to_string(),
+            ratio: short(ratio),
+        };
+        let fault = Fault::new(span, AT, message).allowed(WrongLimits::MustBeAtMost);
+        reader.fault(fault.help(WrongLimits::DidYouMeanPer));
         return None;
     }
     let source = given.source.as_ref().map(|source| source.value.clone());
@@ -78,24 +82,20 @@ fn of_code(reader: &mut Reader, raw: &At<LimitsRaw>, code: LimitCodeRaw) -> Opti
     const AT: &str = "limits.importance";
     let given = &raw.value;
     let allowed = match code {
-        LimitCodeRaw::Kds41 => "must be \"special\", \"I\" or \"II\" with KDS 41 17 00",
-        LimitCodeRaw::Eurocode8 => "must be \"I\", \"II\", \"III\" or \"IV\" with EN 1998-1",
+        LimitCodeRaw::Kds41 => WrongLimits::MustBeSpecialI,
+        LimitCodeRaw::Eurocode8 => WrongLimits::MustBeIIi,
     };
     let Some(importance) = &given.importance else {
         if !reader.is_reported(AT) {
-            let fault = Fault::new(
-                raw.span.clone(),
-                AT,
-                "limits has no \"importance\", but its code needs it",
-            );
-            reader.fault(fault.allowed(allowed).help("write importance = \"I\""));
+            let fault = Fault::new(raw.span.clone(), AT, WrongLimits::LimitsHasNoImportance);
+            reader.fault(fault.allowed(allowed).help(WrongLimits::WriteImportanceI));
         }
         return None;
     };
     if let (LimitCodeRaw::Kds41, Some(other)) = (code, &given.non_structural) {
         let path = "limits.non_structural";
-        let message = "limits.non_structural has no meaning with code = \"KDS 41 17 00\"";
-        reader.fault(Fault::new(other.span.clone(), path, message).help("take it out"));
+        let message = WrongLimits::LimitsNonStructuralHas;
+        reader.fault(Fault::new(other.span.clone(), path, message).help(Common::TakeItOut));
         return None;
     }
     use ImportanceRaw::{I, Ii, Iii, Iv, Special};
@@ -117,7 +117,7 @@ fn of_code(reader: &mut Reader, raw: &At<LimitsRaw>, code: LimitCodeRaw) -> Opti
             },
         },
         (LimitCodeRaw::Kds41, Iii | Iv) | (LimitCodeRaw::Eurocode8, Special) => {
-            let fault = Fault::new(importance.span.clone(), AT, "this class is of another code");
+            let fault = Fault::new(importance.span.clone(), AT, WrongLimits::ThisClassIsOf);
             reader.fault(fault.allowed(allowed));
             return None;
         }

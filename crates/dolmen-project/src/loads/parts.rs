@@ -7,6 +7,8 @@ use crate::file_number::At;
 use crate::measure::Measure;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongLoads};
+use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
 /// Parts that loads can act on: how lists of them are called, and their names.
@@ -60,16 +62,26 @@ pub(super) fn part_of(reader: &mut Reader, raw: &At<String>, path: &str, parts: 
         ([], Some(i)) => Some(i),
         (several, _) => {
             let problem = match several.is_empty() {
-                true => format!("{path}: there is no part \"{written}\""),
-                false => format!("{path}: {} parts are called \"{written}\"", several.len()),
+                true => WrongLoads::ThereIsNoPart {
+                    path: path.to_string(),
+                    written: written.to_string(),
+                },
+                false => WrongLoads::PartsAreCalled {
+                    path: path.to_string(),
+                    count: several.len().to_string(),
+                    written: written.to_string(),
+                },
             };
-            let help = match nearest(written, parts.names.iter().flatten().copied()) {
-                Some(near) if several.is_empty() => format!("did you mean \"{near}\"?"),
-                _ => format!(
-                    "write \"{0}[1]\" for the lowest to \"{0}[{1}]\"",
-                    parts.list,
-                    parts.names.len()
-                ),
+            let help: Both = match nearest(written, parts.names.iter().flatten().copied()) {
+                Some(near) if several.is_empty() => Common::DidYouMean {
+                    near: near.to_string(),
+                }
+                .into(),
+                _ => WrongLoads::WriteForLowestTo {
+                    list: parts.list.to_string(),
+                    count: parts.names.len().to_string(),
+                }
+                .into(),
             };
             reader.fault(Fault::new(raw.span.clone(), path, problem).help(help));
             None
@@ -83,19 +95,21 @@ pub(super) fn on_part(reader: &mut Reader, height: &Quantity, part: usize, parts
     if (bottom_m..=top_m).contains(&height.value) {
         return Some(());
     }
-    let message = format!(
-        "{} = {} is not on {}[{}]",
-        height.path,
-        height.written,
-        parts.list,
-        part + 1
-    );
+    let message = WrongLoads::IsNotOn {
+        path: height.path.to_string(),
+        written: height.written.to_string(),
+        list: parts.list.to_string(),
+        part: (part + 1).to_string(),
+    };
     let [bottom, top] = [bottom_m, top_m].map(|m| reader.echo(m, Measure::Length));
     let fault = Fault::new(reader.place(&height.path), &height.path, message);
     reader.fault(
         fault
-            .allowed(format!("must be {bottom} to {top}"))
-            .help("heights count from the lowest joint; name the part that stands there"),
+            .allowed(WrongLoads::MustBeTo {
+                bottom: bottom.to_string(),
+                top: top.to_string(),
+            })
+            .help(WrongLoads::HeightsCountFromLowest),
     );
     None
 }

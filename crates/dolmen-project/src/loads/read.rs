@@ -12,6 +12,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::listed;
 use crate::reader::Reader;
 use crate::written::short;
+use crate::wrong::{Common, WrongLoads};
 
 /// Largest factor of a combination, our choice: codes have 1.7 at the most.
 const FACTOR_MOST: f64 = 10.0;
@@ -34,11 +35,11 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
     let Some(parts) = parts(structure) else {
         for (key, span) in keys {
             if let Some(span) = span {
-                let fault = Fault::new(span, key, format!("{key} is not read for this kind of structure"));
+                let fault = Fault::new(span, key, WrongLoads::IsNotReadFor { key: key.to_string() });
                 reader.fault(
                     fault
-                        .allowed("has no meaning here")
-                        .help("take it out: wind and static loads are for kind = \"chain\""),
+                        .allowed(Common::NoMeaningHere)
+                        .help(WrongLoads::TakeItOutWind),
                 );
             }
         }
@@ -59,24 +60,22 @@ pub(crate) fn loads(reader: &mut Reader, raw: &FileRaw, structure: Option<&Struc
         combinations.extend(combination(reader, name, raw));
     }
     let missing = [
-        (
-            "wind",
-            raw.wind.is_none(),
-            "write wind = { speed, means, force_coefficient }, or wind = \"sheltered\"",
-        ),
-        (
-            "loads",
-            raw.loads.is_none(),
-            "write loads = [{ name, at, force }]",
-        ),
+        ("wind", raw.wind.is_none(), WrongLoads::WriteWindSpeedMeans),
+        ("loads", raw.loads.is_none(), WrongLoads::WriteLoadsNameAt),
     ];
     for (name, raw) in raw.combination.iter().flatten() {
         for ((key, is_missing, help), factor) in missing.iter().zip([&raw.value.wind, &raw.value.loads]) {
             if let Some(factor) = factor.as_ref().filter(|factor| *is_missing && factor.value > 0.0) {
                 let path = format!("combination.{name}.{key}");
-                let message = format!("{path} = {}, but the file has no {key}", short(factor.value));
+                let message = WrongLoads::ButFileHasNo {
+                    path: path.to_string(),
+                    factor: short(factor.value),
+                    key: key.to_string(),
+                };
                 reader.fault(
-                    Fault::new(factor.span.clone(), &path, message).help(format!("{help}; or take it out")),
+                    Fault::new(factor.span.clone(), &path, message).help(WrongLoads::OrTakeItOut {
+                        help: help.clone().into(),
+                    }),
                 );
             }
         }
@@ -114,9 +113,11 @@ fn load(reader: &mut Reader, raw: &At<LoadRaw>, path: &str, parts: &Parts<'_>) -
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            format!("{path} has no force, weight or moment"),
+            WrongLoads::HasNoForceWeight {
+                path: path.to_string(),
+            },
         );
-        reader.fault(fault.help("give force = … (from the side), weight = … or moment = …"));
+        reader.fault(fault.help(WrongLoads::GiveForceFromSide));
         return None;
     }
     if let Some(height) = &height {
@@ -151,10 +152,10 @@ fn combination(reader: &mut Reader, name: &str, raw: &At<CombinationRaw>) -> Opt
     let fault = Fault::new(
         raw.span.clone(),
         &path,
-        format!("{path}.weight = 0 leaves no weight"),
+        WrongLoads::WeightLeavesNoWeight {
+            path: path.to_string(),
+        },
     );
-    reader.fault(
-        fault.help("stones without weight hold nothing: give the factor on the weight, such as 0.9 or 1"),
-    );
+    reader.fault(fault.help(WrongLoads::StonesWithoutWeightHold));
     None
 }

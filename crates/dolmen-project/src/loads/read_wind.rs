@@ -8,14 +8,13 @@ use crate::file_number::{At, QuantityRaw};
 use crate::measure::{Bound, Measure};
 use crate::needed::listed;
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongLoads};
 use dolmen::structure::wind::{EUROCODE_AIR_KG_M3, EurocodeTerrain, KDS_41_AIR_KG_M3, Kds41Exposure};
+use dolmen_words::message::Both;
 use std::ops::Range;
 
 /// Factors for hills and importance, our choice: codes end at 2 or so.
 const FACTOR: (f64, f64) = (0.5, 3.0);
-/// What to write where a speed says not what it is.
-const WRITE_MEANS: &str = "write means = \"gust\" for a gust of some 3 s, or means = \"10 min\" with code = \"EN 1991-1-4\" or \"KDS 41 12 00\" for \
-    the mean that weather stations and maps of codes give: the force differs by a factor of 2 to 3";
 
 pub(super) fn wind(reader: &mut Reader, raw: &At<WindOrShelteredRaw>, parts: &Parts<'_>) -> Option<WindPart> {
     reader.mark("wind", &raw.span);
@@ -67,15 +66,17 @@ fn widths_known(reader: &mut Reader, areas: &[WindArea], parts: &Parts<'_>) {
         .map(|part| format!("{}[{}]", parts.list, part + 1))
         .collect();
     if let Some(first) = unknown.first() {
-        let message = format!("wind: the width of {} is not known", unknown.join(", "));
-        let help = format!(
-            "give {first}.breadth or bed_width, or wind.areas = [{{ part = \"{first}\", area = … }}]"
-        );
+        let message = WrongLoads::WindWidthOfIs {
+            unknown: unknown.join(", "),
+        };
+        let help = WrongLoads::GiveBreadthOrBed {
+            first: first.to_string(),
+        };
         reader.fault(Fault::new(reader.place("wind"), "wind", message).help(help));
     }
 }
 
-fn refuse(reader: &mut Reader, span: Range<usize>, path: &str, message: &str, help: &str) {
+fn refuse(reader: &mut Reader, span: Range<usize>, path: &str, message: WrongLoads, help: WrongLoads) {
     reader.fault(Fault::new(span, path, message).help(help));
 }
 
@@ -87,15 +88,15 @@ fn speed(reader: &mut Reader, of: &WindRaw, span: &Range<usize>) -> Option<WindS
             reader,
             pressure.span.clone(),
             "wind",
-            "wind has both speed and pressure",
-            "keep one of them: pressure = ½ ρ speed²",
+            WrongLoads::WindHasBothSpeed,
+            WrongLoads::KeepOneOfThem,
         ),
         (None, None) => refuse(
             reader,
             span.clone(),
             "wind",
-            "wind has neither speed nor pressure",
-            "give speed = \"30 m/s\" or pressure = \"0.6 kPa\", with means = \"gust\" or \"10 min\"",
+            WrongLoads::WindHasNeitherSpeed,
+            WrongLoads::GiveSpeedMS,
         ),
         _ => {}
     }
@@ -105,8 +106,8 @@ fn speed(reader: &mut Reader, of: &WindRaw, span: &Range<usize>) -> Option<WindS
                 reader,
                 span.clone(),
                 "wind",
-                "wind does not say whether it is a gust or a mean",
-                WRITE_MEANS,
+                WrongLoads::WindDoesNotSay,
+                WrongLoads::WriteMeansGustFor,
             );
         }
         return None;
@@ -116,22 +117,22 @@ fn speed(reader: &mut Reader, of: &WindRaw, span: &Range<usize>) -> Option<WindS
             reader,
             code.span.clone(),
             "wind.code",
-            "wind has a code, but means = \"gust\": a code makes the gust from a 10-minute mean",
-            "write means = \"10 min\" if speed is the basic wind speed of the code, else take code and terrain out",
+            WrongLoads::WindHasCodeBut,
+            WrongLoads::WriteMeansMinIf,
         ),
         (MeansRaw::TenMinutes, _, Some(pressure)) => refuse(
             reader,
             pressure.span.clone(),
             "wind.pressure",
-            "wind.pressure is the mean of 10 minutes, which says nothing of gusts",
-            "give speed with a code, or the pressure of the gust with means = \"gust\"",
+            WrongLoads::WindPressureIsMean,
+            WrongLoads::GiveSpeedWithCode,
         ),
         (MeansRaw::TenMinutes, None, None) => refuse(
             reader,
             means.span.clone(),
             "wind.means",
-            "wind.means = \"10 min\", but no code makes the gust of it",
-            "write code = \"EN 1991-1-4\" or code = \"KDS 41 12 00\" with its terrain, or give the speed of the gust",
+            WrongLoads::WindMeansMinBut,
+            WrongLoads::WriteCodeEnOr,
         ),
         _ => {}
     }
@@ -185,25 +186,25 @@ fn foreign(reader: &mut Reader, of: &WindRaw) {
             "wind.terrain",
             of.terrain.as_ref().map(|at| &at.span),
             code.is_some(),
-            "a code",
+            WrongLoads::Code.into(),
         ),
         (
             "wind.topography",
             of.topography.as_ref().map(|at| &at.span),
             code.is_some(),
-            "a code",
+            WrongLoads::Code.into(),
         ),
         (
             "wind.importance_factor",
             of.importance_factor.as_ref().map(|at| &at.span),
             is_kds,
-            "code = \"KDS 41 12 00\"",
+            Both::from("code = \"KDS 41 12 00\""),
         ),
         (
             "wind.density",
             of.density.as_ref().map(|at| &at.span),
             of.pressure.is_none(),
-            "a speed",
+            WrongLoads::Speed.into(),
         ),
     ];
     for (path, span, fits, needs) in keys {
@@ -211,9 +212,12 @@ fn foreign(reader: &mut Reader, of: &WindRaw) {
             let fault = Fault::new(
                 span.clone(),
                 path,
-                format!("{path} has no meaning without {needs}"),
+                WrongLoads::HasNoMeaningWithout {
+                    path: path.to_string(),
+                    needs,
+                },
             );
-            reader.fault(fault.help("take it out"));
+            reader.fault(fault.help(Common::TakeItOut));
         }
     }
 }
@@ -225,12 +229,8 @@ enum Ground {
 
 fn terrain(reader: &mut Reader, of: &WindRaw, code: WindCodeRaw, span: &Range<usize>) -> Option<Ground> {
     let allowed = match code {
-        WindCodeRaw::Eurocode => {
-            "code = \"EN 1991-1-4\" has terrain \"0\" (sea), \"I\", \"II\", \"III\" (suburb, forest) or \"IV\" (town)"
-        }
-        WindCodeRaw::Kds41 => {
-            "code = \"KDS 41 12 00\" has terrain \"A\" (large town), \"B\", \"C\" (open country) or \"D\" (coast)"
-        }
+        WindCodeRaw::Eurocode => WrongLoads::CodeEnHasTerrain,
+        WindCodeRaw::Kds41 => WrongLoads::CodeKdsHasTerrain,
     };
     let Some(terrain) = &of.terrain else {
         if !reader.is_reported("wind.terrain") {
@@ -238,7 +238,7 @@ fn terrain(reader: &mut Reader, of: &WindRaw, code: WindCodeRaw, span: &Range<us
                 reader,
                 span.clone(),
                 "wind",
-                "wind has a code, but no terrain",
+                WrongLoads::WindHasCodeButNo,
                 allowed,
             );
         }
@@ -259,7 +259,7 @@ fn terrain(reader: &mut Reader, of: &WindRaw, code: WindCodeRaw, span: &Range<us
                 reader,
                 terrain.span.clone(),
                 "wind.terrain",
-                "wind.terrain is one of another code",
+                WrongLoads::WindTerrainIsOne,
                 allowed,
             );
             return None;

@@ -2,6 +2,7 @@
 
 use super::part::{LoadsPart, WindPart, WindSpeed};
 use crate::reader::Reader;
+use crate::wrong::WrongLoads;
 
 /// Speed of a gust or of the mean that codes take, m/s: a fresh breeze to the largest gusts measured.
 const SPEED_M_S: (f64, f64) = (8.0, 95.0);
@@ -18,18 +19,15 @@ pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
     };
     let quantity = wind.speed.quantity();
     let (range, help) = match &wind.speed {
-        WindSpeed::Pressure(_) => (PRESSURE_PA, "a gust of 30 m/s has 560 Pa; is it in Pa or kPa?"),
-        _ => (
-            SPEED_M_S,
-            "speeds are in m/s: 100 km/h is 28 m/s, 50 knots are 26 m/s",
-        ),
+        WindSpeed::Pressure(_) => (PRESSURE_PA, WrongLoads::GustOfMS),
+        _ => (SPEED_M_S, WrongLoads::SpeedsAreInM),
     };
     let outside = |value: f64, (least, most): (f64, f64)| !(least..=most).contains(&value);
     if outside(quantity.value, range) {
-        let message = format!(
-            "{} = {} is no storm that people design for",
-            quantity.path, quantity.written
-        );
+        let message = WrongLoads::IsNoStormThat {
+            path: quantity.path.to_string(),
+            written: quantity.written.to_string(),
+        };
         reader.slip(&quantity.path, message, help.to_owned());
     }
     let coefficients = wind
@@ -38,16 +36,17 @@ pub(crate) fn judge_loads(reader: &mut Reader, loads: &LoadsPart) {
         .filter_map(|area| area.force_coefficient.as_ref());
     for of in std::iter::once(&wind.force_coefficient).chain(coefficients) {
         if outside(of.value, COEFFICIENT) {
-            let message = format!("{} = {} is outside what bodies have", of.path, of.written);
-            reader.slip(
-                &of.path,
-                message,
-                "a square prism has 2.0, an octagon 1.3 to 1.45, a circle 0.7 to 1.2".to_owned(),
-            );
+            let message = WrongLoads::IsOutsideWhatBodies {
+                path: of.path.to_string(),
+                written: of.written.to_string(),
+            };
+            reader.slip(&of.path, message, WrongLoads::SquarePrismHasOctagon);
         }
     }
     if outside(wind.air_density_kg_m3, DENSITY_KG_M3) {
-        let message = format!("wind.density is {} kg/m3", wind.air_density_kg_m3);
-        reader.slip("wind.density", message, "air has 1.2 kg/m3".to_owned());
+        let message = WrongLoads::WindDensityIsKg {
+            density: wind.air_density_kg_m3.to_string(),
+        };
+        reader.slip("wind.density", message, WrongLoads::AirHasKgM3);
     }
 }

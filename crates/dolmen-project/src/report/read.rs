@@ -14,6 +14,8 @@ use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::names::{Names, names};
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongReport};
+use dolmen_words::message::Both;
 use dolmen_words::nearest;
 
 /// Velocities of ultrasonic pulses, m/s, our choice: from decayed timber to sound rock.
@@ -70,11 +72,17 @@ pub(crate) fn words(reader: &mut Reader, raw: Option<&At<NamesRaw>>, path: &str)
     let read = names(raw.value.clone());
     let given: Vec<&String> = [&read.en, &read.ko].into_iter().flatten().collect();
     if given.is_empty() || given.iter().any(|text| text.trim().is_empty()) {
-        let fault = Fault::new(raw.span.clone(), path, format!("{path} is empty"));
+        let fault = Fault::new(
+            raw.span.clone(),
+            path,
+            Common::IsEmpty {
+                path: path.to_string(),
+            },
+        );
         reader.fault(
             fault
-                .allowed("needs text, or { en = \"…\", ko = \"…\" }")
-                .help("write it, or take the key out: what is not given is left out of the report"),
+                .allowed(WrongReport::NeedsTextOrEn)
+                .help(WrongReport::WriteItOrTake),
         );
         return None;
     }
@@ -110,12 +118,15 @@ fn day(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<Stri
     let fault = Fault::new(
         raw.span.clone(),
         path,
-        format!("{path} = \"{}\" is not a day", raw.value),
+        WrongReport::IsNotDay {
+            path: path.to_string(),
+            given: raw.value.to_string(),
+        },
     );
     reader.fault(
         fault
-            .allowed("must be a day of the calendar: year, month, day")
-            .help("write it as \"2026-11-23\""),
+            .allowed(WrongReport::MustBeDayOf)
+            .help(WrongReport::WriteItAs),
     );
     None
 }
@@ -136,28 +147,40 @@ pub(crate) fn a_part(
     let fault = Fault::new(
         raw.span.clone(),
         path,
-        format!("{path} = \"{name}\" is no part of this structure"),
+        WrongReport::IsNoPartOf {
+            path: path.to_string(),
+            name: name.to_string(),
+        },
     );
-    let help = match nearest(name, parts.0.iter().map(String::as_str)) {
-        Some(near) => format!("did you mean \"{near}\"?"),
-        None => "name a part as the file does; one without a name by its number from below, \"3\"".to_owned(),
+    let help: Both = match nearest(name, parts.0.iter().map(String::as_str)) {
+        Some(near) => Common::DidYouMean {
+            near: near.to_string(),
+        }
+        .into(),
+        None => WrongReport::NamePartAsFile.into(),
     };
     reader.fault(
         fault
-            .allowed(format!("must be one of {}", listed(&parts.0)))
+            .allowed(WrongReport::MustBeOneOf {
+                parts: listed(&parts.0),
+            })
             .help(help),
     );
     None
 }
 
 /// The first few names.
-fn listed(names: &[String]) -> String {
+fn listed(names: &[String]) -> Both {
     const SHOWN: usize = 12;
     let first: Vec<&str> = names.iter().take(SHOWN).map(String::as_str).collect();
     match names.len() {
-        0 => "the parts of the structure".to_owned(),
-        count if count > SHOWN => format!("{} and {} more", first.join(", "), count - SHOWN),
-        _ => first.join(", "),
+        0 => WrongReport::PartsOfStructure.into(),
+        count if count > SHOWN => WrongReport::AndMore {
+            some: first.join(", "),
+            count: (count - SHOWN).to_string(),
+        }
+        .into(),
+        _ => first.join(", ").into(),
     }
 }
 
@@ -180,12 +203,14 @@ fn location(reader: &mut Reader, raw: Option<&At<LocationRaw>>) -> Option<Locati
         180.0,
     );
     if raw.latitude.is_some() != raw.longitude.is_some() {
-        let message = format!("{path} has one of latitude and longitude");
+        let message = WrongReport::HasOneOfLatitude {
+            path: path.to_string(),
+        };
         let fault = Fault::new(span.clone(), path, message);
         reader.fault(
             fault
-                .allowed("needs both or neither")
-                .help("give both in degrees, north and east positive"),
+                .allowed(WrongReport::NeedsBothOrNeither)
+                .help(WrongReport::GiveBothInDegrees),
         );
     }
     Some(Location {
@@ -204,8 +229,14 @@ fn photo(reader: &mut Reader, raw: &At<PhotoRaw>, path: &str, parts: &PartNames)
     let file = raw.file.as_ref()?;
     reader.mark(&file_path, &file.span);
     if file.value.trim().is_empty() {
-        let fault = Fault::new(file.span.clone(), &file_path, format!("{file_path} is empty"));
-        reader.fault(fault.allowed("needs the name of a JPEG or PNG file"));
+        let fault = Fault::new(
+            file.span.clone(),
+            &file_path,
+            WrongReport::IsEmpty {
+                file_path: file_path.to_string(),
+            },
+        );
+        reader.fault(fault.allowed(WrongReport::NeedsNameOfJpeg));
         return None;
     }
     Some(PhotoPart {
@@ -264,16 +295,24 @@ fn material_test(
         let fault = Fault::new(
             foreign.span.clone(),
             path,
-            format!("{path} has a reading of the other method"),
+            WrongReport::HasReadingOfOther {
+                path: path.to_string(),
+            },
         );
         reader.fault(
             fault
-                .allowed(format!("must be {own}"))
-                .help("list each test by itself"),
+                .allowed(WrongReport::MustBe { own: own.into() })
+                .help(WrongReport::ListEachTestBy),
         );
     } else if !other && raw.strength.is_none() {
-        let fault = Fault::new(span.clone(), path, format!("{path} has no result"));
-        reader.fault(fault.allowed(format!("needs {own}, strength or both")));
+        let fault = Fault::new(
+            span.clone(),
+            path,
+            WrongReport::HasNoResult {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.allowed(WrongReport::NeedsStrengthOrBoth { own: own.into() }));
     }
     Some(MaterialTest {
         method: match method {
@@ -310,15 +349,15 @@ fn grade(reader: &mut Reader, raw: &At<GradeRaw>) -> Option<Grade> {
     let value_path = format!("{path}.value");
     let value = words(reader, raw.value.as_ref(), &value_path)?;
     if scale.is_none() && raw.scale.is_none() && !PERIODIC.contains(&value.english()) {
-        let message = format!(
-            "{value_path} = \"{}\" is no grade of the periodic inspection",
-            value.english()
-        );
+        let message = WrongReport::IsNoGradeOf {
+            value_path: value_path.to_string(),
+            english: value.english().to_string(),
+        };
         let fault = Fault::new(reader.place(&value_path), &value_path, message);
         reader.fault(
             fault
-                .allowed("must be A, B, C, D, E or F")
-                .help("for another scale write its name: scale = \"…\""),
+                .allowed(WrongReport::MustBeBC)
+                .help(WrongReport::ForAnotherScaleWrite),
         );
         return None;
     }

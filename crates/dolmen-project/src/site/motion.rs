@@ -7,6 +7,7 @@ use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
 use crate::written::short;
+use crate::wrong::{Common, WrongSite};
 use dolmen::signal::{Component, Quantity};
 use dolmen_records::records::Unit;
 use std::collections::BTreeMap;
@@ -36,9 +37,11 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
             let fault = Fault::new(
                 files.span.clone(),
                 &path,
-                format!("{path} has both files and built_in"),
+                WrongSite::HasBothFilesAnd {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("keep one of them"));
+            reader.fault(fault.help(Common::KeepOneOfThem));
             None
         }
         (None, None) => {
@@ -47,11 +50,11 @@ fn motion(reader: &mut Reader, name: &str, raw: &At<MotionRaw>) -> Option<Motion
                 let fault = Fault::new(
                     raw.span.clone(),
                     &files_path,
-                    format!("{path} has neither files nor built_in"),
+                    WrongSite::HasNeitherFilesNor {
+                        path: path.to_string(),
+                    },
                 );
-                reader.fault(
-                    fault.help("write files = { x = \"record.at2\" }, or built_in = \"el-centro-1940-ns\""),
-                );
+                reader.fault(fault.help(WrongSite::WriteFilesXRecord));
             }
             None
         }
@@ -102,11 +105,17 @@ fn files_of(reader: &mut Reader, raw: &At<MotionFilesRaw>, path: &str) -> Option
         .collect();
     if named.is_empty() {
         if !reader.is_reported(path) {
-            let fault = Fault::new(raw.span.clone(), path, format!("{path} is empty"));
+            let fault = Fault::new(
+                raw.span.clone(),
+                path,
+                Common::IsEmpty {
+                    path: path.to_string(),
+                },
+            );
             reader.fault(
                 fault
-                    .allowed("needs x, y or z")
-                    .help("write { x = \"record.at2\" }"),
+                    .allowed(WrongSite::NeedsXYOr)
+                    .help(WrongSite::WriteXRecordAt2),
             );
         }
         return None;
@@ -119,9 +128,12 @@ fn unit(reader: &mut Reader, raw: Option<&At<String>>, path: &str) -> Option<Str
     match Unit::parse(&raw.value) {
         Ok(unit) if unit.quantity() == Quantity::Acceleration => Some(raw.value.clone()),
         _ => {
-            let message = format!("{path} = \"{}\" is no unit of acceleration", raw.value);
+            let message = WrongSite::IsNoUnitOf {
+                path: path.to_string(),
+                unit: raw.value.to_string(),
+            };
             let fault = Fault::new(raw.span.clone(), path, message);
-            reader.fault(fault.allowed("must be \"g\", \"gal\", \"m/s2\" or the like"));
+            reader.fault(fault.allowed(WrongSite::MustBeGGal));
             None
         }
     }
@@ -139,15 +151,20 @@ fn size(reader: &mut Reader, given: &MotionRaw, path: &str) -> Option<MotionSize
             let fault = Fault::new(
                 scale.span.clone(),
                 path,
-                format!("{path} has both scale and peak"),
+                Common::HasBothScaleAnd {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("keep one of them"));
+            reader.fault(fault.help(Common::KeepOneOfThem));
             None
         }
         (Some(scale), None) if scale.value == 0.0 || !scale.value.is_finite() => {
-            let message = format!("{path}.scale = {} cannot be", short(scale.value));
+            let message = WrongSite::ScaleCannotBe {
+                path: path.to_string(),
+                scale: short(scale.value),
+            };
             let fault = Fault::new(scale.span.clone(), path, message);
-            reader.fault(fault.allowed("must be a number other than 0"));
+            reader.fault(fault.allowed(WrongSite::MustBeNumberOther));
             None
         }
         (Some(scale), None) => Some(MotionSize::Scale(scale.value)),

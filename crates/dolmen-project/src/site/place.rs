@@ -5,6 +5,7 @@ use super::part::Place;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
+use crate::wrong::WrongSite;
 
 /// The place, if the site has one: both of its numbers or none.
 pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Place> {
@@ -15,8 +16,16 @@ pub(crate) fn place(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Pl
             Some(_) => ("site.latitude_deg", "longitude_deg"),
             None => ("site.longitude_deg", "latitude_deg"),
         };
-        let fault = Fault::new(one.span.clone(), path, format!("{path} stands alone"));
-        reader.fault(fault.help(format!("give {other} as well")));
+        let fault = Fault::new(
+            one.span.clone(),
+            path,
+            WrongSite::StandsAlone {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.help(WrongSite::GiveAsWell {
+            other: other.to_string(),
+        }));
         return None;
     }
     let latitude_deg = reader.within(latitude, "site.latitude_deg", -90.0, 90.0)?;

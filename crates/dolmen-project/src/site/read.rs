@@ -7,6 +7,7 @@ use crate::error::Fault;
 use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongSite, either};
 use dolmen::assess::demand::{EurocodeGround, EurocodeType, KoreanSite, KoreanZone, Site};
 use dolmen::assess::{AssessError, Hazard};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
@@ -14,6 +15,7 @@ use dolmen::numeric::NumericError;
 use dolmen::signal::Quantity;
 use dolmen_records::TABLE_BYTES_MOST;
 use dolmen_records::records::Unit;
+use dolmen_words::message::Both;
 
 /// Damping ratio that codes give their plateaus for.
 const DAMPING_RATIO: f64 = 0.05;
@@ -77,10 +79,8 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
     }
     let Some(code) = raw.value.code.as_ref() else {
         if !reader.is_reported("site.code") {
-            let fault = Fault::new(raw.span.clone(), "site.code", "site lacks code".to_owned());
-            reader.fault(
-                fault.help("give code = \"KDS 17 10 00\", \"KDS 41 17 00\", \"EN 1998-1\" or \"table\""),
-            );
+            let fault = Fault::new(raw.span.clone(), "site.code", WrongSite::SiteLacksCode);
+            reader.fault(fault.help(WrongSite::GiveCodeKdsKds));
         }
         return None;
     };
@@ -88,15 +88,17 @@ pub(crate) fn site(reader: &mut Reader, raw: Option<&At<SiteRaw>>) -> Option<Sit
     for (key, codes) in KEYS_OF_CODE {
         if let (Some(span), false) = (span_of(&raw.value, key), codes.contains(&code)) {
             let path = format!("site.{key}");
-            let message = format!("{path} has no meaning with code = \"{}\"", code_word(code));
+            let message = WrongSite::HasNoMeaningWith {
+                path: path.to_string(),
+                code: code_word(code).to_string(),
+            };
             let others: Vec<String> = codes
                 .iter()
                 .map(|c| format!("code = \"{}\"", code_word(*c)))
                 .collect();
-            reader.fault(
-                Fault::new(span, &path, message)
-                    .help(format!("take it out, or write {}", others.join(" or "))),
-            );
+            reader.fault(Fault::new(span, &path, message).help(Common::TakeItOutOr {
+                others: either(&others),
+            }));
         }
     }
     let before = reader.faults.len();
@@ -174,34 +176,28 @@ fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
         let path = format!("{PATH}.peaks[{}]", i + 1);
         peaks_m_s2.push(reader.plain(Some(peak), &path, Measure::GroundAcceleration, Bound::Positive)?);
     }
-    let mut refuse = |message: String, help: &str| {
-        reader.fault(Fault::new(raw.span.clone(), PATH, format!("{PATH}: {message}")).help(help));
+    let mut refuse = |message: Both, help: WrongSite| {
+        reader.fault(Fault::new(raw.span.clone(), PATH, WrongSite::Hazard { message }).help(help));
     };
     if peaks_m_s2.len() != periods.value.len() {
         refuse(
-            format!(
-                "{} peaks, but {} return periods",
-                peaks_m_s2.len(),
-                periods.value.len()
-            ),
-            "give each peak its return period",
+            WrongSite::PeaksButReturnPeriods {
+                peaks: peaks_m_s2.len().to_string(),
+                periods: periods.value.len().to_string(),
+            }
+            .into(),
+            WrongSite::GiveEachPeakIts,
         );
         return None;
     }
     let curve = match (peaks_m_s2.as_slice(), &given.k) {
         ([only], Some(k)) => Hazard::through(*only, periods.value[0], k.value),
         ([_], None) => {
-            refuse(
-                "one peak alone tells no slope".to_owned(),
-                "give a second one, or k",
-            );
+            refuse(WrongSite::OnePeakAloneTells.into(), WrongSite::GiveSecondOneOr);
             return None;
         }
         (_, Some(_)) => {
-            refuse(
-                "k goes with one peak alone".to_owned(),
-                "take it out: two peaks and more have slopes of their own",
-            );
+            refuse(WrongSite::KGoesWithOne.into(), WrongSite::TakeItOutTwo);
             return None;
         }
         (several, None) => {
@@ -219,7 +215,7 @@ fn hazard(reader: &mut Reader, raw: &At<HazardRaw>) -> Option<HazardPart> {
             source: HazardSource::File,
         }),
         Err(why) => {
-            refuse(why.to_string(), "peaks rise, and so do their return periods");
+            refuse(why.to_string().into(), WrongSite::PeaksRiseAndSo);
             None
         }
     }
@@ -244,11 +240,14 @@ fn key_of(why: &AssessError, code: CodeRaw) -> &'static str {
 }
 
 /// A key that a code needs.
-fn needs(reader: &mut Reader, raw: &At<SiteRaw>, key: &str, help: &str) {
+fn needs(reader: &mut Reader, raw: &At<SiteRaw>, key: &str, help: WrongSite) {
     let path = format!("site.{key}");
     if span_of(&raw.value, key).is_none() && !reader.is_reported(&path) {
         let code = raw.value.code.as_ref().map_or("", |code| code_word(code.value));
-        let message = format!("site has no \"{key}\", but code = \"{code}\" needs it");
+        let message = WrongSite::SiteHasNoBut {
+            key: key.to_string(),
+            code: code.to_string(),
+        };
         reader.fault(Fault::new(raw.span.clone(), &path, message).help(help));
     }
 }
@@ -263,9 +262,9 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
     );
     let zone_factor_g = match (&given.zone, &given.zone_factor) {
         (Some(_), Some(factor)) => {
-            let message = "site has both zone and zone_factor";
+            let message = WrongSite::SiteHasBothZone;
             let fault = Fault::new(factor.span.clone(), "site.zone_factor", message);
-            reader.fault(fault.help("keep one of them: zone I is 0.11 g, zone II 0.07 g"));
+            reader.fault(fault.help(WrongSite::KeepOneOfThem));
             None
         }
         (Some(zone), None) => Some(
@@ -277,21 +276,11 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
         ),
         (None, Some(_)) => factor.map(|m_s2| m_s2 / STANDARD_GRAVITY_M_S2),
         (None, None) => {
-            needs(
-                reader,
-                raw,
-                "zone",
-                "write zone = \"I\" (0.11 g), zone = \"II\" (0.07 g), or zone_factor = \"0.11 g\"",
-            );
+            needs(reader, raw, "zone", WrongSite::WriteZoneIG);
             None
         }
     };
-    needs(
-        reader,
-        raw,
-        "soil",
-        "write soil = \"S1\" (rock) to \"S5\" (deep and soft)",
-    );
+    needs(reader, raw, "soil", WrongSite::WriteSoilS1Rock);
     let soil = given.soil.as_ref().map(|soil| match soil.value {
         SoilRaw::S1 => KoreanSite::S1,
         SoilRaw::S2 => KoreanSite::S2,
@@ -306,7 +295,7 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
             soil: soil?,
         });
     }
-    let help = "write return_period_years = 50, 100, 200, 500, 1000, 2400 or 4800";
+    let help = WrongSite::WriteReturnPeriodYears;
     needs(reader, raw, "return_period_years", help);
     let years = given.return_period_years.as_ref()?;
     Some(Site::Kds17 {
@@ -318,18 +307,13 @@ fn korea(reader: &mut Reader, raw: &At<SiteRaw>, code: CodeRaw) -> Option<Site> 
 
 fn eurocode(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
     let given = &raw.value;
-    needs(
-        reader,
-        raw,
-        "spectrum_type",
-        "write spectrum_type = 1 (surface-wave magnitudes above 5.5 govern) or 2",
-    );
-    needs(reader, raw, "ground", "write ground = \"A\" (rock) to \"E\"");
+    needs(reader, raw, "spectrum_type", WrongSite::WriteSpectrumTypeSurface);
+    needs(reader, raw, "ground", WrongSite::WriteGroundRockTo);
     needs(
         reader,
         raw,
         "ground_acceleration",
-        "write ground_acceleration = \"0.2 g\", a_gR on type A ground",
+        WrongSite::WriteGroundAccelerationG,
     );
     let ground_m_s2 = reader.plain(
         given.ground_acceleration.as_ref(),
@@ -361,12 +345,7 @@ fn eurocode(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
 
 fn table(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
     let given = &raw.value;
-    needs(
-        reader,
-        raw,
-        "unit",
-        "write unit = \"g\" or unit = \"m/s2\", the unit of its accelerations",
-    );
+    needs(reader, raw, "unit", WrongSite::WriteUnitGOr);
     let factor = given
         .unit
         .as_ref()
@@ -382,34 +361,28 @@ fn table(reader: &mut Reader, raw: &At<SiteRaw>) -> Option<Site> {
         (None, Some(periods), Some(accelerations)) => {
             let (all, other) = (&periods.value, &accelerations.value);
             if all.len() != other.len() {
-                let message = format!(
-                    "site.accelerations has {} numbers, but site.periods_s {}",
-                    other.len(),
-                    all.len()
-                );
+                let message = WrongSite::SiteAccelerationsHasNumbers {
+                    accelerations: other.len().to_string(),
+                    periods: all.len().to_string(),
+                };
                 let fault = Fault::new(accelerations.span.clone(), "site.accelerations", message);
-                reader.fault(fault.allowed("must be one a period"));
+                reader.fault(fault.allowed(WrongSite::MustBeOnePeriod));
                 return None;
             }
             Some(all.iter().zip(other).map(|(t, a)| [*t, *a]).collect())
         }
         (Some(file), ..) => {
-            let fault = Fault::new(file.span.clone(), "site.file", "site has both a file and lists");
-            reader.fault(fault.help("keep the file, or periods_s and accelerations"));
+            let fault = Fault::new(file.span.clone(), "site.file", WrongSite::SiteHasBothFile);
+            reader.fault(fault.help(WrongSite::KeepFileOrPeriods));
             None
         }
         _ => {
-            needs(
-                reader,
-                raw,
-                "periods_s",
-                "write periods_s = [0, 0.1, …] and accelerations = [ … ], or file = \"spectrum.csv\"",
-            );
+            needs(reader, raw, "periods_s", WrongSite::WritePeriodsSAnd);
             needs(
                 reader,
                 raw,
                 "accelerations",
-                "write accelerations = [ … ], one a period, in unit",
+                WrongSite::WriteAccelerationsOnePeriod,
             );
             None
         }
@@ -435,9 +408,11 @@ fn acceleration_unit(reader: &mut Reader, unit: &At<String>) -> Option<f64> {
     match Unit::parse(&unit.value) {
         Ok(unit) if unit.quantity() == Quantity::Acceleration => Some(unit.si()),
         _ => {
-            let message = format!("site.unit = \"{}\" is no unit of acceleration", unit.value);
+            let message = WrongSite::SiteUnitIsNo {
+                unit: unit.value.to_string(),
+            };
             let fault = Fault::new(unit.span.clone(), "site.unit", message);
-            reader.fault(fault.allowed("must be \"g\", \"m/s2\" or \"gal\""));
+            reader.fault(fault.allowed(WrongSite::MustBeGM));
             None
         }
     }
@@ -445,14 +420,17 @@ fn acceleration_unit(reader: &mut Reader, unit: &At<String>) -> Option<f64> {
 
 /// Rows of two numbers; lines that begin with # and a first line of names are passed over.
 fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>> {
-    let refuse = |reader: &mut Reader, why: String| {
-        let message = format!("site.file = \"{}\": {why}", file.value);
+    let refuse = |reader: &mut Reader, why: Both| {
+        let message = WrongSite::SiteFile {
+            file: file.value.to_string(),
+            why,
+        };
         reader.fault(Fault::new(file.span.clone(), "site.file", message));
     };
     let bytes = match reader.files.read(&file.value, TABLE_BYTES_MOST) {
         Ok(bytes) => bytes,
         Err(why) => {
-            refuse(reader, why.to_string());
+            refuse(reader, why.to_string().into());
             return None;
         }
     };
@@ -470,8 +448,10 @@ fn rows_of_file(reader: &mut Reader, file: &At<String>) -> Option<Vec<[f64; 2]>>
             [Some(period_s), Some(acceleration)] => rows.push([period_s, acceleration]),
             _ if rows.is_empty() && !has_names => has_names = true,
             _ => {
-                let why = format!("line {} is not a period, s, and an acceleration", i + 1);
-                refuse(reader, why);
+                let why = WrongSite::LineIsNotPeriod {
+                    i: (i + 1).to_string(),
+                };
+                refuse(reader, why.into());
                 return None;
             }
         }

@@ -11,6 +11,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::{lengths, listed};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongStack};
 use dolmen::structure::stack::Body;
 
 /// One block, with what it stands on.
@@ -123,19 +124,28 @@ fn on(
         OnRaw::Several(names) => names.iter().map(String::as_str).collect(),
     };
     if given.is_empty() {
-        let fault = Fault::new(on.span.clone(), &path, format!("{path} is empty"));
-        reader.fault(fault.allowed("needs the name of a block, or \"ground\""));
+        let fault = Fault::new(
+            on.span.clone(),
+            &path,
+            Common::IsEmpty {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.allowed(WrongStack::NeedsNameOfBlock));
         return None;
     }
     let mut bodies = Vec::with_capacity(given.len());
     for name in given {
         if name == names[index] {
-            let message = format!("{path} = \"{name}\" is the block itself");
+            let message = WrongStack::IsBlockItself {
+                path: path.to_string(),
+                name: name.to_string(),
+            };
             let fault = Fault::new(on.span.clone(), &path, message);
-            reader.fault(fault.allowed("needs the name of another block, or \"ground\""));
+            reader.fault(fault.allowed(WrongStack::NeedsNameOfAnother));
             return None;
         }
-        bodies.push(body(reader, name, (&on.span, &path), names, "block")?);
+        bodies.push(body(reader, name, (&on.span, &path), names, WrongStack::OfBlock)?);
     }
     Some(bodies)
 }

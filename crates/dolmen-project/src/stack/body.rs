@@ -4,7 +4,9 @@ use super::file::BlockRaw;
 use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongStack};
 use dolmen::structure::stack::Body;
+use dolmen_words::message::Both;
 use dolmen_words::nearest;
 use std::ops::Range;
 
@@ -20,20 +22,23 @@ pub(super) fn names(reader: &mut Reader, blocks: &[At<BlockRaw>]) -> Vec<String>
             names.push(String::new());
             continue;
         };
-        let fault = |message: String| Fault::new(name.span.clone(), &path, message);
+        let fault = |message: WrongStack| Fault::new(name.span.clone(), &path, message);
         if name.value.trim().is_empty() || name.value == GROUND {
-            let fault = fault(format!("{path} = \"{}\" cannot be", name.value));
-            reader.fault(fault.allowed("needs a name other than \"ground\""));
+            let fault = fault(WrongStack::CannotBe {
+                path: path.to_string(),
+                name: name.value.to_string(),
+            });
+            reader.fault(fault.allowed(WrongStack::NeedsNameOtherThan));
         } else if let Some(other) = names.iter().position(|other| *other == name.value) {
-            let fault = fault(format!(
-                "{path} = \"{}\" is also the name of blocks[{}]",
-                name.value,
-                other + 1
-            ));
+            let fault = fault(WrongStack::IsAlsoNameOf {
+                path: path.to_string(),
+                name: name.value.to_string(),
+                other: (other + 1).to_string(),
+            });
             reader.fault(
                 fault
-                    .allowed("must be unique")
-                    .help("number them: \"body 1\", \"body 2\""),
+                    .allowed(WrongStack::MustBeUnique)
+                    .help(WrongStack::NumberThemBodyBody),
             );
         }
         names.push(name.value.clone());
@@ -47,7 +52,7 @@ pub(super) fn body(
     name: &str,
     place: (&Range<usize>, &str),
     known: &[String],
-    which: &str,
+    which: WrongStack,
 ) -> Option<Body> {
     if name == GROUND {
         return Some(Body::Ground);
@@ -56,12 +61,26 @@ pub(super) fn body(
         return Some(Body::Block(index));
     }
     let (span, path) = place;
-    let fault = Fault::new(span.clone(), path, format!("{path} = \"{name}\" is no {which}"));
-    let help = match nearest(name, known.iter().map(String::as_str)) {
-        Some(near) => format!("did you mean \"{near}\"?"),
-        None => format!("write the name of a block as it stands in blocks, or \"{GROUND}\""),
+    let fault = Fault::new(
+        span.clone(),
+        path,
+        WrongStack::IsNo {
+            path: path.to_string(),
+            name: name.to_string(),
+            which: which.into(),
+        },
+    );
+    let help: Both = match nearest(name, known.iter().map(String::as_str)) {
+        Some(near) => Common::DidYouMean {
+            near: near.to_string(),
+        }
+        .into(),
+        None => WrongStack::WriteNameOfBlock {
+            ground: GROUND.to_string(),
+        }
+        .into(),
     };
-    reader.fault(fault.allowed("unknown name").help(help));
+    reader.fault(fault.allowed(WrongStack::UnknownName).help(help));
     None
 }
 
@@ -73,11 +92,24 @@ pub(super) fn block_index(
     known: &[String],
 ) -> Option<usize> {
     let name = name?;
-    match body(reader, &name.value, (&name.span, path), known, "block")? {
+    match body(
+        reader,
+        &name.value,
+        (&name.span, path),
+        known,
+        WrongStack::OfBlock,
+    )? {
         Body::Block(index) => Some(index),
         Body::Ground => {
-            let fault = Fault::new(name.span.clone(), path, format!("{path} is \"{GROUND}\""));
-            reader.fault(fault.allowed("must be the name of a block"));
+            let fault = Fault::new(
+                name.span.clone(),
+                path,
+                WrongStack::Is {
+                    path: path.to_string(),
+                    ground: GROUND.to_string(),
+                },
+            );
+            reader.fault(fault.allowed(WrongStack::MustBeNameOf));
             None
         }
     }

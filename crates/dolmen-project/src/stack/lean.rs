@@ -8,6 +8,7 @@ use crate::file_number::At;
 use crate::reader::Reader;
 use crate::survey::Survey;
 use crate::warned::Warned;
+use crate::wrong::WrongStack;
 
 /// Slope beyond which a stack does not lie on level ground any more: joints are recognised up to 5°.
 const SLOPE_MOST: f64 = 0.087;
@@ -38,10 +39,14 @@ fn chosen<'a>(reader: &mut Reader, given: Option<&At<String>>, surveys: &'a [Sur
                 && let Some(given) = given
             {
                 let names: Vec<String> = tilted().map(|survey| format!("\"{}\"", survey.name)).collect();
-                let message = format!("as_surveyed = \"{name}\", but no survey of this name has a tilt");
+                let message = WrongStack::AsSurveyedButNo {
+                    name: name.to_string(),
+                };
                 let fault = Fault::new(given.span.clone(), "as_surveyed", message);
                 let allowed = [vec!["\"latest\"".to_owned(), "\"none\"".to_owned()], names].concat();
-                reader.fault(fault.allowed(format!("must be one of {}", allowed.join(", "))));
+                reader.fault(fault.allowed(WrongStack::MustBeOneOf {
+                    allowed: allowed.join(", "),
+                }));
             }
             found
         }

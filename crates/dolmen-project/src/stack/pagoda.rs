@@ -7,6 +7,7 @@ use crate::file_number::At;
 use crate::measure::{Bound, Measure};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::WrongStack;
 use dolmen::structure::stack::StackError;
 
 /// Most storeys: as the science allows.
@@ -41,9 +42,9 @@ pub(super) fn pagoda(reader: &mut Reader, raw: &At<PagodaRaw>) -> Option<(Pagoda
     let body_base_height_ratio = of(ratio, "body_base_height_ratio", Measure::Ratio, above);
     let slenderness = match (body, angle) {
         (Some(_), Some(angle)) => {
-            let message = "pagoda has both body_slenderness and slenderness_angle";
+            let message = WrongStack::PagodaHasBothBody;
             let fault = Fault::new(reader.place(&angle.path), &angle.path, message);
-            reader.fault(fault.help("keep one of them: it determines the other"));
+            reader.fault(fault.help(WrongStack::KeepOneOfThem));
             None
         }
         (Some(body), None) => Some(PagodaSlendernessPart::Body(body)),
@@ -75,7 +76,11 @@ pub(super) fn pagoda(reader: &mut Reader, raw: &At<PagodaRaw>) -> Option<(Pagoda
                 none if none.is_empty() => raw.span.clone(), // a default that does not go with the others
                 place => place,
             };
-            reader.fault(Fault::new(place, &path, format!("pagoda: {why}")));
+            reader.fault(Fault::new(
+                place,
+                &path,
+                WrongStack::Pagoda { why: why.to_string() },
+            ));
             None
         }
     }

@@ -16,26 +16,36 @@ use crate::needed::{countable, lengths, listed, missing};
 use crate::reader::Reader;
 use crate::warned::Warned;
 use crate::way::way;
+use crate::wrong::WrongStack;
+use dolmen_words::message::Both;
 
 pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Option<StackPart> {
-    let makers: Vec<&str> = [
-        raw.blocks.as_ref().map(|_| "blocks"),
-        raw.pagoda.as_ref().map(|_| "a pagoda"),
-        raw.arch.as_ref().map(|_| "an arch"),
-        raw.wall.as_ref().map(|_| "a wall"),
+    let makers: Vec<Both> = [
+        raw.blocks.as_ref().map(|_| Both::from("blocks")),
+        raw.pagoda.as_ref().map(|_| WrongStack::PagodaOther.into()),
+        raw.arch.as_ref().map(|_| WrongStack::Arch.into()),
+        raw.wall.as_ref().map(|_| WrongStack::Wall.into()),
     ]
     .into_iter()
     .flatten()
     .collect();
-    if let [first, second, ..] = makers[..] {
+    if let [first, second, ..] = &makers[..] {
+        let (first, second) = (first.clone(), second.clone());
         let (path, span) = match (&raw.blocks, &raw.pagoda, &raw.arch, &raw.wall) {
             (Some(list), ..) => ("blocks", list.span.clone()),
             (None, Some(pagoda), ..) => ("pagoda", pagoda.span.clone()),
             (None, None, Some(arch), _) => ("arch", arch.span.clone()),
             (None, None, None, wall) => ("wall", wall.as_ref().map_or(0..0, |wall| wall.span.clone())),
         };
-        let fault = Fault::new(span, path, format!("the file has both {first} and {second}"));
-        reader.fault(fault.help(format!("keep one of them: {second} makes its own blocks")));
+        let fault = Fault::new(
+            span,
+            path,
+            WrongStack::FileHasBothAnd {
+                first,
+                second: second.clone(),
+            },
+        );
+        reader.fault(fault.help(WrongStack::KeepOneOfThemMakes { second }));
         return None;
     }
     let mut list: &[At<BlockRaw>] = &[];
@@ -56,8 +66,8 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         let (part, names) = wall_part(reader, dimensions)?;
         (made, made_names) = (Some(MadePart::Wall(Box::new(part))), Some(names));
     } else {
-        let help = "blocks = [ { name = \"base\", width = …, height = … }, … ], lowest first; or pagoda = { storeys = 3, … }, arch = { … }, wall = { … }";
-        missing(reader, "blocks", "a stack needs blocks", help);
+        let help = WrongStack::BlocksNameBaseWidth;
+        missing(reader, "blocks", WrongStack::StackNeedsBlocks, help);
         return None;
     }
     let density = reader.quantity(raw.density.as_ref(), "density", Measure::Density, Bound::Positive);
@@ -71,9 +81,11 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     if density.is_none() && !reader.is_reported("density") {
         without_density(reader, list);
         if list.is_empty() {
-            let help = "write density = 2600 at the top level (granite, kg/m3)";
-            let what = format!("the stones of {} need a density", makers.join(", "));
-            missing(reader, "density", &what, help);
+            let help = WrongStack::WriteDensityAtTop;
+            let what = WrongStack::StonesOfNeedDensity {
+                makers: makers.clone(),
+            };
+            missing(reader, "density", what, help);
         }
     }
     let contacts = listed(
@@ -105,12 +117,12 @@ pub(crate) fn stack(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
     };
     if let Some(block) = stack.ring() {
         let path = format!("blocks[{}].on", block + 1);
-        let message = format!(
-            "{path}: '{}' stands, over the blocks below it, on itself",
-            stack.blocks[block].name
-        );
+        let message = WrongStack::StandsOverBlocksBelow {
+            path: path.to_string(),
+            name: stack.blocks[block].name.to_string(),
+        };
         let fault = Fault::new(list[block].span.clone(), &path, message);
-        reader.fault(fault.help("let one of them stand on \"ground\""));
+        reader.fault(fault.help(WrongStack::LetOneOfThem));
         return None;
     }
     warn_of_defaults(reader, &stack);
@@ -128,20 +140,29 @@ fn without_density(reader: &mut Reader, blocks: &[At<BlockRaw>]) {
     };
     let path = format!("blocks[{}].density", first + 1);
     let others = match without.count() {
-        0 => String::new(),
-        others => format!(", nor have {others} more blocks"),
+        0 => Both::from(""),
+        others => Both::from(WrongStack::NorHaveMoreBlocks {
+            others: others.to_string(),
+        }),
     };
-    let message = format!("blocks[{}] has no density{others}", first + 1);
+    let message = WrongStack::BlocksHasNoDensity {
+        first: (first + 1).to_string(),
+        others,
+    };
     let fault = Fault::new(block.span.clone(), &path, message);
-    reader.fault(fault.help(
-        "write density = 2600 at the top level for all blocks (granite, kg/m3), or density = … in the block",
-    ));
+    reader.fault(fault.help(WrongStack::WriteDensityAtTopLevel));
 }
 
 fn contact(reader: &mut Reader, raw: &At<ContactRaw>, path: &str, names: &[String]) -> Option<ContactPart> {
     let lower = raw.value.lower.as_ref().and_then(|name| {
         let path = format!("{path}.lower");
-        body(reader, &name.value, (&name.span, &path), names, "block")
+        body(
+            reader,
+            &name.value,
+            (&name.span, &path),
+            names,
+            WrongStack::OfBlock,
+        )
     });
     let upper = block_index(reader, raw.value.upper.as_ref(), &format!("{path}.upper"), names);
     let joint = bed(reader, raw.value.joint.as_ref(), &format!("{path}.joint"));
@@ -156,7 +177,13 @@ fn tie(reader: &mut Reader, raw: &At<TieRaw>, path: &str, names: &[String]) -> O
     let tie = &raw.value;
     let lower = tie.lower.as_ref().and_then(|name| {
         let path = format!("{path}.lower");
-        body(reader, &name.value, (&name.span, &path), names, "block")
+        body(
+            reader,
+            &name.value,
+            (&name.span, &path),
+            names,
+            WrongStack::OfBlock,
+        )
     });
     let upper = block_index(reader, tie.upper.as_ref(), &format!("{path}.upper"), names);
     let position_path = format!("{path}.position");

@@ -8,6 +8,7 @@ use crate::measure::{Bound, Measure};
 use crate::needed::lengths;
 use crate::quantity::Quantity;
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongStack, either};
 use dolmen::structure::stack::Solid;
 use dolmen_records::MESH_BYTES_MOST;
 use dolmen_records::meshes::read_mesh;
@@ -59,22 +60,32 @@ pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &
             && !shapes.contains(&shape)
         {
             let key_path = format!("{path}.{key}");
-            let message = format!("{key_path} has no meaning in a {}", shape_word(shape));
+            let message = WrongStack::HasNoMeaningIn {
+                key_path: key_path.to_string(),
+                shape: shape_word(shape).into(),
+            };
             let others: Vec<String> = shapes
                 .iter()
                 .map(|shape| format!("shape = \"{}\"", shape_word(*shape)))
                 .collect();
             let fault = Fault::new(quantity.span.clone(), &key_path, message);
-            reader.fault(fault.help(format!("take it out, or write {}", others.join(" or "))));
+            reader.fault(fault.help(Common::TakeItOutOr {
+                others: either(&others),
+            }));
         }
     }
     for (key, span, shapes) in other_keys(block) {
         if let (Some(span), false) = (span, shapes.contains(&shape)) {
             let key_path = format!("{path}.{key}");
-            let message = format!("{key_path} has no meaning in a {}", shape_word(shape));
+            let message = WrongStack::HasNoMeaningIn {
+                key_path: key_path.to_string(),
+                shape: shape_word(shape).into(),
+            };
             let others: Vec<&str> = shapes.iter().map(|shape| word_of(*shape)).collect();
             let fault = Fault::new(span, &key_path, message);
-            reader.fault(fault.help(format!("take it out, or write {}", others.join(" or "))));
+            reader.fault(fault.help(Common::TakeItOutOr {
+                others: either(&others),
+            }));
         }
     }
     match shape {
@@ -85,9 +96,13 @@ pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &
     let needs = |reader: &mut Reader, key: &str| {
         let key_path = format!("{path}.{key}");
         if written(key).is_none() && !reader.is_reported(&key_path) {
-            let message = format!("{path} has no \"{key}\", but a {} needs it", shape_word(shape));
+            let message = WrongStack::HasNoButNeeds {
+                path: path.to_string(),
+                key: key.to_string(),
+                shape: shape_word(shape).into(),
+            };
             let fault = Fault::new(raw.span.clone(), &key_path, message);
-            reader.fault(fault.help(format!("write {key} = …")));
+            reader.fault(fault.help(WrongStack::Write { key: key.to_string() }));
         }
         reader.quantity(written(key).as_ref(), &key_path, Measure::Length, Bound::Positive)
     };
@@ -123,9 +138,11 @@ pub(super) fn shape(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &
         ShapeRaw::Prism => {
             let sides_path = format!("{path}.sides");
             if block.sides.is_none() {
-                let message = format!("{path} has no \"sides\", but a prism needs it");
+                let message = WrongStack::HasNoSidesBut {
+                    path: path.to_string(),
+                };
                 let fault = Fault::new(raw.span.clone(), &sides_path, message);
-                reader.fault(fault.help("write sides = …"));
+                reader.fault(fault.help(WrongStack::WriteSides));
             }
             let sides = reader.count(block.sides.as_ref(), &sides_path, 3, SIDES_MOST);
             let (width, top_width) = (needs(reader, "width"), may(reader, "top_width"));
@@ -199,9 +216,11 @@ fn frame(reader: &mut Reader, block: &BlockRaw, path: &str) -> PointsFrame {
     for (key, span) in given {
         if let Some(span) = span {
             let key_path = format!("{path}.{key}");
-            let message = format!("{key_path} has no meaning with coordinates = \"site\"");
+            let message = WrongStack::HasNoMeaningWith {
+                key_path: key_path.to_string(),
+            };
             let fault = Fault::new(span.clone(), &key_path, message);
-            reader.fault(fault.help("take it out, or write coordinates = \"own\""));
+            reader.fault(fault.help(WrongStack::TakeItOutOr));
         }
     }
     PointsFrame::Site
@@ -212,9 +231,11 @@ fn points(reader: &mut Reader, raw: &At<BlockRaw>, path: &str) -> Option<ShapePa
     let points_path = format!("{path}.points");
     let Some(list) = &raw.value.points else {
         if !reader.is_reported(&points_path) {
-            let message = format!("{path} has no \"points\", but a solid of points needs them");
+            let message = WrongStack::HasNoPointsBut {
+                path: path.to_string(),
+            };
             let fault = Fault::new(raw.span.clone(), &points_path, message);
-            reader.fault(fault.help("write points = [[x, y, z], …], four or more"));
+            reader.fault(fault.help(WrongStack::WritePointsXY));
         }
         return None;
     };
@@ -243,9 +264,11 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
     let file_path = format!("{path}.file");
     let Some(file) = &raw.value.file else {
         if !reader.is_reported(&file_path) {
-            let message = format!("{path} has no \"file\", but a mesh needs it");
+            let message = WrongStack::HasNoFileBut {
+                path: path.to_string(),
+            };
             let fault = Fault::new(raw.span.clone(), &file_path, message);
-            reader.fault(fault.help("write file = \"stone.obj\" (OBJ, STL or PLY)"));
+            reader.fault(fault.help(WrongStack::WriteFileStoneObj));
         }
         return None;
     };
@@ -260,7 +283,12 @@ fn mesh(reader: &mut Reader, raw: &At<BlockRaw>, path: &str, name: &str) -> Opti
         None => reader.bare_unit(Measure::Length).1,
     };
     let refuse = |reader: &mut Reader, why: String| {
-        let message = format!("{file_path} = \"{}\", the mesh of '{name}': {why}", file.value);
+        let message = WrongStack::MeshOf {
+            file_path: file_path.to_string(),
+            file: file.value.to_string(),
+            name: name.to_string(),
+            why: why.into(),
+        };
         reader.fault(Fault::new(file.span.clone(), &file_path, message));
     };
     let read = reader.files.read(&file.value, MESH_BYTES_MOST);

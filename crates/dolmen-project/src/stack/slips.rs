@@ -3,9 +3,11 @@
 use super::part::{BedPart, BlockPart, MadePart, PagodaPart, PagodaSlendernessPart, ShapePart, StackPart};
 use crate::quantity::Quantity;
 use crate::reader::Reader;
-use crate::usual::{beside_neighbour, guess, median_of_others, odd_ones, unit_of, within};
+use crate::usual::{beside_neighbour, beside_others, guess, median_of_others, odd_ones, unit_of, within};
 use crate::written::short;
+use crate::wrong::{Common, Slip, StackSlip};
 use dolmen::structure::stack::Body;
+use dolmen_words::message::Both;
 
 /// A dimension of a block over the median of the others', either way: a spire of 80 mm on slabs of 2 m has 1/25.
 const SIZE_RATIO_MOST: f64 = 30.0;
@@ -91,14 +93,13 @@ fn judge_order(reader: &mut Reader, stack: &StackPart) {
         return;
     };
     if last_m > WIDER_MOST * first_m {
-        let message = format!(
-            "blocks: the last stone, '{}', stands on top and is {} m wide, the first, '{}', stands on the ground and is {} m",
-            last.name,
-            short(last_m),
-            first.name,
-            short(first_m)
-        );
-        let help = "list the stones lowest first, or say with on what each stands on";
+        let message = StackSlip::BlocksLastStoneStands {
+            top: last.name.to_string(),
+            last_m: short(last_m),
+            foot: first.name.to_string(),
+            first_m: short(first_m),
+        };
+        let help = StackSlip::ListStonesLowestFirst;
         reader.slip("blocks", message, help.to_owned());
     }
 }
@@ -122,10 +123,12 @@ fn judge_made(reader: &mut Reader, made: &MadePart) {
     for (given, range) in bounds {
         if let Some(given) = given.filter(|given| given.value != 0.0 && !within(given.value, range)) {
             let (least, most) = range;
-            let message = format!(
-                "{} = {}, but it is {least} to {most} m",
-                given.path, given.written
-            );
+            let message = StackSlip::ButItIsTo {
+                path: given.path.to_string(),
+                written: given.written.to_string(),
+                least: least.to_string(),
+                most: most.to_string(),
+            };
             reader.slip(
                 &given.path,
                 message,
@@ -138,14 +141,20 @@ fn judge_made(reader: &mut Reader, made: &MadePart) {
 fn judge_pagoda(reader: &mut Reader, pagoda: &PagodaPart) {
     let height = &pagoda.body_height;
     if !within(height.value, PAGODA_HEIGHT_M) {
-        let message = format!("{} = {}, but pagodas have 1 to 20 m", height.path, height.written);
+        let message = StackSlip::ButPagodasHaveTo {
+            path: height.path.to_string(),
+            written: height.written.to_string(),
+        };
         reader.slip(&height.path, message, guess(height.value / 4.0, unit_of(height)));
     }
     if let Some(PagodaSlendernessPart::Angle(angle)) = &pagoda.slenderness
         && !within(angle.value, SLENDERNESS_ANGLE)
     {
-        let message = format!("{} = {}, but pagodas have 0.2 to 0.6", angle.path, angle.written);
-        let help = "it is half width over height of the centroid, or an angle with its unit: \"21 deg\"";
+        let message = StackSlip::ButPagodasHaveToOther {
+            path: angle.path.to_string(),
+            written: angle.written.to_string(),
+        };
+        let help = StackSlip::ItIsHalfWidth;
         reader.slip(&angle.path, message, help.to_owned());
     }
 }
@@ -175,11 +184,17 @@ fn judge_sizes(reader: &mut Reader, stack: &StackPart) {
             }
             let (least, most) = SIZE_M;
             let usual = odd.contains(&i).then(|| median_of_others(&values, i)).flatten();
-            let beside = match usual {
-                Some(_) => beside_neighbour(sizes, i, "stone"),
-                None => format!("but stones are {least} to {most} m"),
-            };
-            let message = format!("{} = {}, {beside}", size.path, size.written);
+            let beside = usual.and_then(|_| beside_neighbour(sizes, i, Slip::Stone));
+            let beside = beside.map_or_else(
+                || {
+                    Both::from(StackSlip::ButStonesAreTo {
+                        least: least.to_string(),
+                        most: most.to_string(),
+                    })
+                },
+                Both::from,
+            );
+            let message = beside_others(size, beside);
             let help = guess(size.value / usual.unwrap_or(SIZE_USUAL_M), unit_of(size));
             reader.slip(&size.path, message, help);
         }
@@ -202,11 +217,13 @@ fn judge_extents(reader: &mut Reader, stack: &StackPart) {
         if !within(extent, SIZE_M) {
             let path = format!("blocks[{}].{key}", i + 1);
             let (least, most) = SIZE_M;
-            let message = format!(
-                "{path}: '{}' is {} m across, but stones are {least} to {most} m",
-                block.name,
-                short(extent)
-            );
+            let message = StackSlip::IsMAcrossBut {
+                path: path.to_string(),
+                name: block.name.to_string(),
+                extent: short(extent),
+                least: least.to_string(),
+                most: most.to_string(),
+            };
             reader.slip(&path, message, guess(extent / SIZE_USUAL_M, "m"));
         }
     }
@@ -242,15 +259,17 @@ fn judge_density(reader: &mut Reader, density: &Quantity) {
     if within(density.value, DENSITY_KG_M3) {
         return;
     }
-    let message = format!(
-        "{} = {}, but stone has 1500 to 3200 kg/m3",
-        density.path, density.written
-    );
+    let message = StackSlip::ButStoneHasTo {
+        path: density.path.to_string(),
+        written: density.written.to_string(),
+    };
     let in_tonnes = within(density.value * 1e3, DENSITY_KG_M3);
     let help = if in_tonnes {
-        format!("did you mean \"{} t/m3\"?", short(density.value))
+        StackSlip::DidYouMeanT {
+            tonnes: short(density.value),
+        }
     } else {
-        "2600 kg/m3, 2.6 t/m3 and a unit weight of 25.5 kN/m3 are the same: is it in kg/m3?".to_owned()
+        StackSlip::KgM3TM3
     };
     reader.slip(&density.path, message, help);
 }
@@ -258,29 +277,31 @@ fn judge_density(reader: &mut Reader, density: &Quantity) {
 fn judge_bed(reader: &mut Reader, bed: &BedPart) {
     for friction in bed.friction.iter().chain(&bed.friction_kinetic) {
         if !within(friction.value, FRICTION) {
-            let message = format!(
-                "{} = {}, but stone on stone has 0.4 to 0.8",
-                friction.path, friction.written
-            );
+            let message = StackSlip::ButStoneOnStone {
+                path: friction.path.to_string(),
+                written: friction.written.to_string(),
+            };
             let help = if friction.value > FRICTION.1 {
-                format!("did you mean \"{} %\"?", short(friction.value))
+                StackSlip::DidYouMean {
+                    percent: short(friction.value),
+                }
             } else {
-                "it is the friction coefficient, not an angle".to_owned()
+                StackSlip::ItIsFrictionCoefficient
             };
             reader.slip(&friction.path, message, help);
         }
     }
     for stiffness in bed.normal_stiffness.iter().chain(&bed.shear_stiffness) {
         if !within(stiffness.value, STIFFNESS_PA_M) {
-            let message = format!(
-                "{} = {}, but joints have 1e6 to 1e13 Pa/m",
-                stiffness.path, stiffness.written
-            );
+            let message = StackSlip::ButJointsHaveE6 {
+                path: stiffness.path.to_string(),
+                written: stiffness.written.to_string(),
+            };
             let ratio = stiffness.value / STIFFNESS_USUAL_PA_M;
             let help = if ratio < 1.0 {
-                "did you mean MPa/m or GPa/m?"
+                StackSlip::DidYouMeanMpa
             } else {
-                "1 GPa/m is 1e9 Pa/m"
+                StackSlip::GpaMIsE9
             };
             reader.slip(&stiffness.path, message, help.to_owned());
         }
@@ -291,32 +312,36 @@ fn judge_bed(reader: &mut Reader, bed: &BedPart) {
             && within(shear.value, STIFFNESS_PA_M)
             && !within(ratio, STIFFNESS_RATIO)
         {
-            let message = format!(
-                "{} = {} is {} × the normal stiffness, but joints have 0.3 to 1",
-                shear.path,
-                shear.written,
-                short(ratio)
-            );
-            reader.slip(&shear.path, message, "are both in the same unit?".to_owned());
+            let message = StackSlip::IsNormalStiffnessBut {
+                path: shear.path.to_string(),
+                written: shear.written.to_string(),
+                ratio: short(ratio),
+            };
+            reader.slip(&shear.path, message, StackSlip::AreBothInSame);
         }
     }
     for strength in bed.cohesion.iter().chain(&bed.tension) {
         if strength.value > STRENGTH_MOST_PA {
-            let message = format!(
-                "{} = {}, but mortar has 10 kPa to 1 MPa",
-                strength.path, strength.written
-            );
-            reader.slip(&strength.path, message, "did you mean Pa or kPa?".to_owned());
+            let message = StackSlip::ButMortarHasKpa {
+                path: strength.path.to_string(),
+                written: strength.written.to_string(),
+            };
+            reader.slip(&strength.path, message, StackSlip::DidYouMeanPa);
         }
     }
     if let Some(damping) = &bed.damping_ratio
         && damping.value > 1.0
     {
-        let message = format!("{} = {}, but it is 0 to 1", damping.path, damping.written);
+        let message = StackSlip::ButItIsToOther {
+            path: damping.path.to_string(),
+            written: damping.written.to_string(),
+        };
         reader.slip(
             &damping.path,
             message,
-            format!("did you mean \"{} %\"?", short(damping.value)),
+            Common::IsItPerCent {
+                percent: short(damping.value),
+            },
         );
     }
 }

@@ -10,8 +10,10 @@ use crate::file_number::{At, NumberRaw};
 use crate::measure::{Bound, Measure};
 use crate::names::names;
 use crate::reader::Reader;
+use crate::wrong::{Common, WrongStudy};
 use dolmen::assess::{DamageThresholds, Direction};
 use dolmen::known::STANDARD_GRAVITY_M_S2;
+use dolmen_words::message::Both;
 use std::collections::BTreeMap;
 use std::ops::Range;
 
@@ -69,7 +71,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     for axis in &vary {
         once(
             reader,
-            &below(&format!("vary.{}", axis.path)),
+            below(&format!("vary.{}", axis.path)).into(),
             axis.values.iter().map(|value| (value.text.as_str(), &value.span)),
         );
     }
@@ -80,14 +82,17 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     );
     once(
         reader,
-        &format!("{path}: set and vary"),
+        WrongStudy::SetAndVary {
+            path: path.to_string(),
+        }
+        .into(),
         named.map(|(path, span)| (path.as_str(), span)),
     );
     for (key, list) in [("motions", &given.motions), ("variants", &given.variants)] {
         let items = list.iter().flat_map(|list| &list.value);
         once(
             reader,
-            &below(key),
+            below(key).into(),
             items.map(|item| (item.value.as_str(), &item.span)),
         );
     }
@@ -97,7 +102,7 @@ fn study(reader: &mut Reader, text: &str, name: &str, raw: &At<StudyRaw>) -> Opt
     let turns = given.directions.iter().flat_map(|list| &list.value);
     once(
         reader,
-        &below("directions"),
+        below("directions").into(),
         turns.map(|turn| (text.get(turn.span.clone()).unwrap_or_default(), &turn.span)),
     );
     let texts = |list: &Option<At<Vec<At<String>>>>| -> Vec<String> {
@@ -212,9 +217,14 @@ fn periods(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str) -> V
         return PERIODS_S.to_vec();
     };
     if raw.value.len() > PERIODS_MOST {
-        let message = format!("{path} has {} periods", raw.value.len());
+        let message = WrongStudy::HasPeriods {
+            path: path.to_string(),
+            count: raw.value.len().to_string(),
+        };
         let fault = Fault::new(raw.span.clone(), path, message);
-        reader.fault(fault.allowed(format!("must have at most {PERIODS_MOST}")));
+        reader.fault(fault.allowed(WrongStudy::MustHaveAtMost {
+            most: PERIODS_MOST.to_string(),
+        }));
         return Vec::new();
     }
     let [least, most] = PERIOD_RANGE_S;
@@ -261,12 +271,13 @@ fn damage(reader: &mut Reader, raw: &At<DamageRaw>, path: &str) -> DamageThresho
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            format!(
-                "{path}: severe_offset_ratio is {}, below offset_ratio, {}",
-                found.severe_offset_ratio, found.offset_ratio
-            ),
+            WrongStudy::SevereOffsetRatioIs {
+                path: path.to_string(),
+                severe_offset_ratio: found.severe_offset_ratio.to_string(),
+                offset_ratio: found.offset_ratio.to_string(),
+            },
         );
-        reader.fault(fault.help("DS3 is worse than DS2: give both, the larger one for DS3"));
+        reader.fault(fault.help(WrongStudy::Ds3IsWorseThan));
     }
     found
 }
@@ -283,26 +294,37 @@ fn drift_limits(reader: &mut Reader, raw: Option<&At<Vec<At<f64>>>>, path: &str)
         Ok(limits) if rises && in_range => limits,
         _ => {
             let words: Vec<String> = values.iter().map(f64::to_string).collect();
-            let message = format!("{path} = [{}] are no limits", words.join(", "));
+            let message = WrongStudy::AreNoLimits {
+                path: path.to_string(),
+                words: words.join(", "),
+            };
             let fault = Fault::new(raw.span.clone(), path, message);
-            let fault = fault.allowed(format!("must be 4, rising, {RATIO_LEAST} to {DRIFT_MOST}"));
-            reader.fault(fault.help("drifts over the height of the storey: 1 % is 0.01"));
+            let fault = fault.allowed(WrongStudy::MustBeRisingTo {
+                least: RATIO_LEAST.to_string(),
+                most: DRIFT_MOST.to_string(),
+            });
+            reader.fault(fault.help(WrongStudy::DriftsOverHeightOf));
             DRIFT_LIMITS
         }
     }
 }
 
 /// Refuses what is written twice: it would count as more than it is.
-fn once<'v>(reader: &mut Reader, path: &str, items: impl Iterator<Item = (&'v str, &'v Range<usize>)>) {
+fn once<'v>(reader: &mut Reader, list: Both, items: impl Iterator<Item = (&'v str, &'v Range<usize>)>) {
     let mut seen: Vec<&str> = Vec::new();
     for (item, span) in items {
         let item = item.trim_matches(['"', '\'', ' ']);
         if seen.contains(&item) {
-            let fault = Fault::new(span.clone(), path, format!("{path} has {item} twice"));
-            let fault = fault.allowed("must have each once");
-            reader.fault(
-                fault.help("leave one of them out: runs of the same count as more scans than there are"),
+            let fault = Fault::new(
+                span.clone(),
+                &list.english,
+                WrongStudy::HasTwice {
+                    path: list.clone(),
+                    item: item.to_string(),
+                },
             );
+            let fault = fault.allowed(WrongStudy::MustHaveEachOnce);
+            reader.fault(fault.help(WrongStudy::LeaveOneOfThem));
             return;
         }
         seen.push(item);
@@ -311,8 +333,14 @@ fn once<'v>(reader: &mut Reader, path: &str, items: impl Iterator<Item = (&'v st
 
 fn scan(reader: &mut Reader, given: &StudyRaw, path: &str) -> Option<Scan> {
     if let (Some(_), Some(peak)) = (&given.scale, &given.peak) {
-        let fault = Fault::new(peak.span.clone(), path, format!("{path} has both scale and peak"));
-        reader.fault(fault.help("keep one of them"));
+        let fault = Fault::new(
+            peak.span.clone(),
+            path,
+            Common::HasBothScaleAnd {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.help(Common::KeepOneOfThem));
         return None;
     }
     let scales = series(
@@ -331,9 +359,12 @@ fn scan(reader: &mut Reader, given: &StudyRaw, path: &str) -> Option<Scan> {
         && *most > PEAK_MOST_M_S2
     {
         let path = format!("{path}.peak");
-        let message = format!("{path} goes up to {:.4} g", most / STANDARD_GRAVITY_M_S2);
-        let fault = Fault::new(raw.span.clone(), &path, message).allowed("must be 10 g or below");
-        reader.fault(fault.help("no ground moves like that: is the unit right?"));
+        let message = WrongStudy::GoesUpToG {
+            path: path.to_string(),
+            peak_g: format!("{:.4}", most / STANDARD_GRAVITY_M_S2),
+        };
+        let fault = Fault::new(raw.span.clone(), &path, message).allowed(WrongStudy::MustBeGOr);
+        reader.fault(fault.help(WrongStudy::NoGroundMovesLike));
         return None;
     }
     scales.map(Scan::Scales).or(peaks.map(Scan::Peaks))
@@ -345,9 +376,12 @@ fn seed(reader: &mut Reader, raw: Option<&At<i64>>, path: &str) -> u64 {
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            format!("{path} = {} cannot be", raw.value),
+            WrongStudy::CannotBe {
+                path: path.to_string(),
+                given: raw.value.to_string(),
+            },
         );
-        reader.fault(fault.allowed("must be 0 or above"));
+        reader.fault(fault.allowed(Common::ZeroOrMore));
         1
     })
 }
@@ -358,9 +392,12 @@ fn points(reader: &mut Reader, raw: Option<&At<i64>>, path: &str) -> u32 {
             let fault = Fault::new(
                 raw.span.clone(),
                 path,
-                format!("{path} = {} is not known", raw.value),
+                WrongStudy::IsNotKnown {
+                    path: path.to_string(),
+                    given: raw.value.to_string(),
+                },
             );
-            reader.fault(fault.allowed("must be 4, 9, 16 or 36"));
+            reader.fault(fault.allowed(WrongStudy::MustBeOr));
             16
         }
         Some(raw) => u32::try_from(raw.value).unwrap_or(16),
@@ -383,9 +420,14 @@ fn expected(
         if !vary.iter().any(|axis| axis.path == input.value) {
             let path = format!("{path}.expect[{}].input", i + 1);
             let known: Vec<&str> = vary.iter().map(|axis| axis.path.as_str()).collect();
-            let message = format!("{path} = \"{}\" is not varied", input.value);
+            let message = WrongStudy::IsNotVaried {
+                path: path.to_string(),
+                input: input.value.to_string(),
+            };
             let fault = Fault::new(input.span.clone(), &path, message);
-            reader.fault(fault.help(format!("varied are {}", known.join(", "))));
+            reader.fault(fault.help(WrongStudy::VariedAre {
+                known: known.join(", "),
+            }));
             continue;
         }
         found.push(ExpectedTrend {

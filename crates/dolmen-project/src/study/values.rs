@@ -9,6 +9,7 @@ use crate::paths::keys;
 use crate::reader::Reader;
 use crate::units::split_number;
 use crate::written::short;
+use crate::wrong::WrongStudy;
 use std::collections::BTreeMap;
 use std::ops::Range;
 use toml::de::DeValue;
@@ -42,9 +43,12 @@ pub(super) fn leaves<'r>(reader: &mut Reader, tree: Option<&'r At<TreeRaw>>, pla
     found.sort_by_key(|leaf| leaf.span.start);
     for leaf in &found {
         if keys(&leaf.path).is_none() {
-            let message = format!("{place}: \"{}\" is no path", leaf.path);
+            let message = WrongStudy::IsNoPath {
+                place: place.to_string(),
+                path: leaf.path.to_string(),
+            };
             let fault = Fault::new(leaf.span.clone(), place, message);
-            reader.fault(fault.help("write it as \"joint.friction\" or \"links[2].weight\""));
+            reader.fault(fault.help(WrongStudy::WriteItAsJoint));
         }
     }
     found
@@ -80,31 +84,39 @@ pub(super) fn axis(reader: &mut Reader, text: &str, place: &str, leaf: &Leaf<'_>
         text: text.to_owned(),
         span: span.clone(),
     };
-    let values: Vec<Override> =
-        match leaf.tree {
-            TreeRaw::List(list) => {
-                let written = list.iter().map(|item| (text.get(item.span.clone()), &item.span));
-                written
-                    .map(|(text, span)| at(text.unwrap_or_default(), span))
-                    .collect()
-            }
-            TreeRaw::Table(table) => {
-                let range = written_range(reader, text, &path, &leaf.span, table)?;
-                range.iter().map(|text| at(text, &leaf.span)).collect()
-            }
-            TreeRaw::Leaf => {
-                let fault = Fault::new(leaf.span.clone(), &path, format!("{path} is one value"));
-                let fault = fault.allowed("must be a list or a range");
-                reader.fault(fault.help(
-                    "write [ … ] or { from = …, to = …, steps = … }; what all runs share stands in set",
-                ));
-                return None;
-            }
-        };
+    let values: Vec<Override> = match leaf.tree {
+        TreeRaw::List(list) => {
+            let written = list.iter().map(|item| (text.get(item.span.clone()), &item.span));
+            written
+                .map(|(text, span)| at(text.unwrap_or_default(), span))
+                .collect()
+        }
+        TreeRaw::Table(table) => {
+            let range = written_range(reader, text, &path, &leaf.span, table)?;
+            range.iter().map(|text| at(text, &leaf.span)).collect()
+        }
+        TreeRaw::Leaf => {
+            let fault = Fault::new(
+                leaf.span.clone(),
+                &path,
+                WrongStudy::IsOneValue {
+                    path: path.to_string(),
+                },
+            );
+            let fault = fault.allowed(WrongStudy::MustBeListOr);
+            reader.fault(fault.help(WrongStudy::WriteOrFromTo));
+            return None;
+        }
+    };
     if values.is_empty() || values.len() > VALUES_MOST {
-        let message = format!("{path} has {} values", values.len());
+        let message = WrongStudy::HasValues {
+            path: path.to_string(),
+            count: values.len().to_string(),
+        };
         let fault = Fault::new(leaf.span.clone(), &path, message);
-        reader.fault(fault.allowed(format!("must have 1 to {VALUES_MOST}")));
+        reader.fault(fault.allowed(WrongStudy::MustHaveTo {
+            most: VALUES_MOST.to_string(),
+        }));
         return None;
     }
     Some(Axis {
@@ -121,14 +133,17 @@ fn written_range(
     span: &Range<usize>,
     table: &BTreeMap<String, At<TreeRaw>>,
 ) -> Option<Vec<String>> {
-    let mut refuse = |message: String, help: &str| {
+    let mut refuse = |message: WrongStudy, help: WrongStudy| {
         reader.fault(Fault::new(span.clone(), path, message).help(help));
     };
     let known = ["from", "to", "steps", "spacing"];
     if let Some(other) = table.keys().find(|key| !known.contains(&key.as_str())) {
         refuse(
-            format!("{path} has no key \"{other}\""),
-            "write { from = …, to = …, steps = … } and, if wanted, spacing = \"logarithmic\"",
+            WrongStudy::HasNoKey {
+                path: path.to_string(),
+                other: other.to_string(),
+            },
+            WrongStudy::WriteFromToSteps,
         );
         return None;
     }
@@ -143,26 +158,33 @@ fn written_range(
     let (Some(from), Some(to), Some(steps), Some(spacing)) = (number("from"), number("to"), steps, spacing)
     else {
         refuse(
-            format!("{path} is no range"),
-            "write { from = 3, to = 9, steps = 8 }, with units in quotes: from = \"0.1 g\"; spacing is \"linear\" or \"logarithmic\"",
+            WrongStudy::IsNoRange {
+                path: path.to_string(),
+            },
+            WrongStudy::WriteFromToStepsWith,
         );
         return None;
     };
     if from.unit != to.unit {
         refuse(
-            format!("{path} goes from {} to {}", written("from")?, written("to")?),
-            "write both ends in the same unit",
+            WrongStudy::GoesFromTo {
+                path: path.to_string(),
+                from: (written("from")?).to_string(),
+                to: (written("to")?).to_string(),
+            },
+            WrongStudy::WriteBothEndsIn,
         );
         return None;
     }
     let Some(values) = spaced(from.value, to.value, steps, spacing) else {
         refuse(
-            format!(
-                "{path} has {steps} steps from {} to {}",
-                short(from.value),
-                short(to.value)
-            ),
-            "take 2 to 10 000 steps between two different numbers, both above 0 if the spacing is logarithmic",
+            WrongStudy::HasStepsFromTo {
+                path: path.to_string(),
+                steps: steps.to_string(),
+                from: short(from.value),
+                to: short(to.value),
+            },
+            WrongStudy::TakeToStepsBetween,
         );
         return None;
     };
@@ -256,12 +278,12 @@ pub(super) fn series(
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            format!("{path} does not rise from value to value"),
+            WrongStudy::DoesNotRiseFrom {
+                path: path.to_string(),
+            },
         );
-        let fault = fault.allowed("must be rising");
-        reader.fault(fault.help(
-            "give each value once, the least first; a range needs from below to, and 2 to 10 000 steps",
-        ));
+        let fault = fault.allowed(WrongStudy::MustBeRising);
+        reader.fault(fault.help(WrongStudy::GiveEachValueOnce));
         return None;
     }
     values

@@ -5,6 +5,7 @@ use super::records::{ChannelSource, RecordSource};
 use crate::doubted::Doubted;
 use crate::reader::Reader;
 use crate::usual_numbers::{hertz, metres, ratio};
+use crate::wrong::WrongRecords;
 
 /// Distance of a sensor from the middle of the others, m; none stands so far away on one structure. Ours.
 const AWAY_MOST_M: f64 = 500.0;
@@ -46,16 +47,18 @@ fn rate(reader: &mut Reader, source: &RecordSource, path: &str) {
     if let Some(rate_hz) = source.sampling_rate_hz
         && !(RATE_HZ[0]..=RATE_HZ[1]).contains(&rate_hz)
     {
-        let message = format!(
-            "{path} is {rate_hz} Hz, but vibration is recorded at {} to {} Hz",
-            RATE_HZ[0], RATE_HZ[1]
-        );
+        let message = WrongRecords::IsHzButVibration {
+            path: path.to_string(),
+            rate_hz: rate_hz.to_string(),
+            least: RATE_HZ[0].to_string(),
+            most: RATE_HZ[1].to_string(),
+        };
         let help = match rate_hz < RATE_HZ[0] {
-            true => format!(
-                "is it the step in s? A step of {rate_hz} s is a rate of \"{} Hz\"",
-                1.0 / rate_hz
-            ),
-            false => "is it in Hz, not kHz?".to_owned(),
+            true => WrongRecords::IsItStepIn {
+                step: rate_hz.to_string(),
+                rate_hz: (1.0 / rate_hz).to_string(),
+            },
+            false => WrongRecords::IsItInHz,
         };
         reader.slip(&path, message, help);
     }

@@ -12,6 +12,7 @@ use crate::reader::Reader;
 use crate::report::PartNames;
 use crate::units::tilt_ratio;
 use crate::written::short;
+use crate::wrong::{Common, WrongSurvey};
 use dolmen::structure::ShapePoint;
 use dolmen::structure::building::Twist;
 use std::collections::BTreeMap;
@@ -76,9 +77,12 @@ fn survey(reader: &mut Reader, name: &str, raw: &At<SurveyRaw>) -> Survey {
             let fault = Fault::new(
                 span,
                 &path,
-                format!("{path} and frequencies.{direction} are both given"),
+                WrongSurvey::AndFrequenciesAreBoth {
+                    path: path.to_string(),
+                    direction: direction.to_string(),
+                },
             );
-            reader.fault(fault.help("keep modes: each mode there has its own frequency"));
+            reader.fault(fault.help(WrongSurvey::KeepModesEachMode));
             continue;
         }
         let listed = modes.entry(direction.clone()).or_default();
@@ -129,9 +133,11 @@ fn merge(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Merge {
         let fault = Fault::new(
             given.span.clone(),
             &path,
-            format!("{path} has no setups to put together"),
+            WrongSurvey::HasNoSetupsTo {
+                path: path.to_string(),
+            },
         );
-        reader.fault(fault.help("leave merge out, or list the records as setups"));
+        reader.fault(fault.help(WrongSurvey::LeaveMergeOutOr));
     }
     match given.value {
         MergeRaw::Poser => Merge::Poser,
@@ -144,16 +150,24 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
     let path = format!("{path}.setups");
     let listed = raw.setups.as_deref().unwrap_or_default();
     if let (Some(records), Some(_)) = (&raw.records, listed.first()) {
-        let message = format!("{path} and records are both given");
+        let message = WrongSurvey::AndRecordsAreBoth {
+            path: path.to_string(),
+        };
         let fault = Fault::new(records.span.clone(), &path, message);
-        reader.fault(fault.help("keep setups for several records, records for one"));
+        reader.fault(fault.help(WrongSurvey::KeepSetupsForSeveral));
     }
     if let [one] = listed {
-        let fault = Fault::new(one.span.clone(), &path, format!("{path} holds one record"));
+        let fault = Fault::new(
+            one.span.clone(),
+            &path,
+            WrongSurvey::HoldsOneRecord {
+                path: path.to_string(),
+            },
+        );
         reader.fault(
             fault
-                .allowed("needs two or more")
-                .help("write one record as records"),
+                .allowed(WrongSurvey::NeedsTwoOrMore)
+                .help(WrongSurvey::WriteOneRecordAs),
         );
     }
     for (i, setup) in listed.iter().enumerate() {
@@ -164,11 +178,15 @@ fn setups(reader: &mut Reader, raw: &SurveyRaw, path: &str) -> Vec<RecordSource>
         let known = |c: &ChannelRaw| c.name.is_some() || (c.position.is_some() && c.direction.is_some());
         if channels.is_empty() || !channels.iter().all(|c| known(&c.value)) {
             let path = format!("{path}[{}].channels", i + 1);
-            let message = format!("{path} do not tell which sensors stayed");
+            let message = WrongSurvey::DoNotTellWhich {
+                path: path.to_string(),
+            };
             let fault = Fault::new(setup.span.clone(), &path, message);
-            reader.fault(fault.allowed("each needs a name, or position and direction").help(
-                "a sensor that stayed has the same name (or place and direction) in every setup, one that moved another",
-            ));
+            reader.fault(
+                fault
+                    .allowed(WrongSurvey::EachNeedsNameOr)
+                    .help(WrongSurvey::SensorThatStayedHas),
+            );
         }
     }
     let numbered = listed.iter().enumerate();
@@ -190,20 +208,27 @@ pub(crate) fn change(reader: &mut Reader, raw: Option<&At<ChangeRaw>>) -> Change
     let read_per_c = reader.within(per_c, key, -COEFFICIENT_MOST, COEFFICIENT_MOST);
     let read_sd = reader.within(sd_per_c, sd_key, 0.0, COEFFICIENT_MOST);
     if let (Some(given), Some(_)) = (per_c.or(sd_per_c), &raw.temperature) {
-        let message = "change.temperature = \"fitted\" and a coefficient are both given";
+        let message = WrongSurvey::ChangeTemperatureFittedAnd;
         let fault = Fault::new(given.span.clone(), key, message);
-        reader.fault(fault.help("keep one of them"));
+        reader.fault(fault.help(Common::KeepOneOfThem));
     } else if let (Some(given), None) | (None, Some(given)) = (per_c, sd_per_c) {
         let (has, lacks) = if per_c.is_some() {
             (key, sd_key)
         } else {
             (sd_key, key)
         };
-        let fault = Fault::new(given.span.clone(), lacks, format!("{has} stands without {lacks}"));
+        let fault = Fault::new(
+            given.span.clone(),
+            lacks,
+            WrongSurvey::StandsWithout {
+                has: has.to_string(),
+                lacks: lacks.to_string(),
+            },
+        );
         reader.fault(
-            fault.allowed("needs both").help(
-                "a coefficient of temperature is never exact: give its standard deviation, 0 if you must",
-            ),
+            fault
+                .allowed(WrongSurvey::NeedsBoth)
+                .help(WrongSurvey::CoefficientOfTemperatureIs),
         );
     }
     ChangePart {
@@ -231,15 +256,17 @@ fn ascending(reader: &mut Reader, listed: &[SurveyMode]) {
         let [before, after] = pair else { continue };
         if after.frequency.value <= before.frequency.value {
             let path = &after.frequency.path;
-            let message = format!(
-                "{path} = {} does not lie above the mode before it",
-                after.frequency.written
-            );
+            let message = WrongSurvey::DoesNotLieAbove {
+                path: path.to_string(),
+                written: after.frequency.written.to_string(),
+            };
             let fault = Fault::new(reader.place(path), path, message);
             reader.fault(
                 fault
-                    .allowed(format!("must be above {}", before.frequency.written))
-                    .help("list the modes of a direction in ascending order, each once"),
+                    .allowed(WrongSurvey::MustBeAbove {
+                        written: before.frequency.written.to_string(),
+                    })
+                    .help(WrongSurvey::ListModesOfDirection),
             );
         }
     }
@@ -273,8 +300,14 @@ fn mode(reader: &mut Reader, raw: &At<ModeRaw>, path: &str) -> Option<SurveyMode
             .next()
             .map_or(0..0, |point| point.span.clone());
         let path = format!("{path}.shape");
-        let fault = Fault::new(span, &path, format!("{path} does not move at any point"));
-        reader.fault(fault.allowed("at least one displacement must differ from 0"));
+        let fault = Fault::new(
+            span,
+            &path,
+            WrongSurvey::DoesNotMoveAt {
+                path: path.to_string(),
+            },
+        );
+        reader.fault(fault.allowed(WrongSurvey::AtLeastOneDisplacement));
     }
     let twist = twist(reader, raw, path);
     Some(SurveyMode {
@@ -353,23 +386,29 @@ fn tilt(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<Tilt> {
         NumberRaw::Number(ratio) => (Some(*ratio), short(*ratio)),
         NumberRaw::Text(text) => (tilt_ratio(text), text.trim().to_owned()),
     };
-    let fault = |message: String| Fault::new(raw.span.clone(), path, message);
+    let fault = |message: WrongSurvey| Fault::new(raw.span.clone(), path, message);
     match ratio {
         Some(ratio) if ratio.abs() <= TILT_MOST => Some(Tilt { ratio, written }),
         Some(_) => {
-            let fault = fault(format!("{path} = {written} would have fallen"));
+            let fault = fault(WrongSurvey::WouldHaveFallen {
+                path: path.to_string(),
+                written: written.to_string(),
+            });
             reader.fault(
                 fault
-                    .allowed(format!("must be within ±{TILT_MOST}"))
-                    .help("tilt is horizontal / vertical: \"1/177\", 0.00565, \"0.32 deg\" or \"5.65 mm/m\""),
+                    .allowed(WrongSurvey::MustBeWithin {
+                        most: TILT_MOST.to_string(),
+                    })
+                    .help(WrongSurvey::TiltIsHorizontalVertical),
             );
             None
         }
         None => {
-            let fault = fault(format!("{path} = \"{written}\" is not a tilt"));
-            reader.fault(
-                fault.allowed("must be a ratio, or text such as \"1/177\", \"0.32 deg\", \"5.65 mm/m\""),
-            );
+            let fault = fault(WrongSurvey::IsNotTilt {
+                path: path.to_string(),
+                written: written.to_string(),
+            });
+            reader.fault(fault.allowed(Common::MustBeTilt));
             None
         }
     }

@@ -6,6 +6,7 @@ use crate::error::Fault;
 use crate::file_number::At;
 use crate::reader::Reader;
 use crate::written::short;
+use crate::wrong::WrongRecords;
 use dolmen::modal::{Criteria, Harmonics, Method};
 use std::ops::Range;
 
@@ -100,14 +101,14 @@ fn ordered(
     if pair.0 < pair.1 {
         return Some(());
     }
-    let message = format!(
-        "{path}: {} = {} is not below {} = {}",
-        keys.0,
-        short(pair.0),
-        keys.1,
-        short(pair.1)
-    );
-    reader.fault(Fault::new(span.clone(), path, message).allowed("nothing would be left"));
+    let message = WrongRecords::IsNotBelow {
+        path: path.to_string(),
+        lower: keys.0.to_string(),
+        low: short(pair.0),
+        upper: keys.1.to_string(),
+        high: short(pair.1),
+    };
+    reader.fault(Fault::new(span.clone(), path, message).allowed(WrongRecords::NothingWouldBeLeft));
     None
 }
 
@@ -117,9 +118,11 @@ fn damping_range(reader: &mut Reader, raw: &ModalRaw, path: &str) -> [Option<f64
     if let (Some(MethodRaw::Fdd | MethodRaw::Efdd | MethodRaw::Fsdd | MethodRaw::Era), Some(given)) =
         (raw.method, least.or(most))
     {
-        let message = format!("{path}: damping_least and damping_most are not used by this method");
+        let message = WrongRecords::DampingLeastAndDamping {
+            path: path.to_string(),
+        };
         let fault = Fault::new(given.span.clone(), path, message);
-        reader.fault(fault.allowed("leave them out, or choose ssi-cov, ssi-data, plscf or bayoma"));
+        reader.fault(fault.allowed(WrongRecords::LeaveThemOutOr));
     }
     let defaults = Criteria::default();
     let range = [

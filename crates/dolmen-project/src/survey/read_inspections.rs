@@ -8,6 +8,7 @@ use crate::measure::{Bound, Measure};
 use crate::names::Names;
 use crate::reader::Reader;
 use crate::report::{PartNames, PhotoPart, a_part, words};
+use crate::wrong::WrongSurvey;
 
 /// The words by which a kind is known, lower case.
 const KINDS: [(DamageKind, &[&str]); 8] = [
@@ -95,9 +96,12 @@ fn at(reader: &mut Reader, raw: Option<&At<Vec<At<QuantityRaw>>>>, path: &str) -
         })
         .collect();
     let [x, y, z] = read.as_slice() else {
-        let message = format!("{path} has {} lengths", read.len());
+        let message = WrongSurvey::HasLengths {
+            path: path.to_string(),
+            count: read.len().to_string(),
+        };
         let fault = Fault::new(raw.span.clone(), path, message);
-        reader.fault(fault.allowed("must be three: x right, y away, z up"));
+        reader.fault(fault.allowed(WrongSurvey::MustBeThreeX));
         return None;
     };
     Some([(*x)?, (*y)?, (*z)?])

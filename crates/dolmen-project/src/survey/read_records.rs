@@ -9,6 +9,7 @@ use crate::measure::{Bound, Measure};
 use crate::reader::Reader;
 use crate::way::way;
 use crate::written::short;
+use crate::wrong::{Common, WrongRecords};
 use dolmen::signal::Starts;
 use dolmen_records::motions::start_of_text;
 use dolmen_records::records::{LostSamples, Unit};
@@ -62,9 +63,12 @@ fn position(reader: &mut Reader, raw: &At<Vec<At<QuantityRaw>>>, path: &str) -> 
         let fault = Fault::new(
             raw.span.clone(),
             path,
-            format!("{path} has {} numbers", raw.value.len()),
+            Common::HasNumbers {
+                path: path.to_string(),
+                count: raw.value.len().to_string(),
+            },
         );
-        reader.fault(fault.allowed("must be 3: x right, y away, z up"));
+        reader.fault(fault.allowed(WrongRecords::MustBeXRight));
         return None;
     }
     let mut position_m = [0.0; 3];
@@ -119,11 +123,17 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
     let listed = raw.stations.as_deref().unwrap_or_default();
     if listed.is_empty() {
         if raw.file.is_none() {
-            let fault = Fault::new(span.clone(), path, format!("{path} names no file"));
+            let fault = Fault::new(
+                span.clone(),
+                path,
+                WrongRecords::NamesNoFile {
+                    path: path.to_string(),
+                },
+            );
             reader.fault(
                 fault
-                    .allowed("file is missing")
-                    .help("write file = \"record.csv\", or stations for several files"),
+                    .allowed(WrongRecords::FileIsMissing)
+                    .help(WrongRecords::WriteFileRecordCsv),
             );
         }
         if let Some(starts) = &raw.starts {
@@ -131,9 +141,11 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
             let fault = Fault::new(
                 starts.span.clone(),
                 &path,
-                format!("{path} stands without stations"),
+                WrongRecords::StandsWithoutStations {
+                    path: path.to_string(),
+                },
             );
-            reader.fault(fault.help("one file has one start: leave it out"));
+            reader.fault(fault.help(WrongRecords::OneFileHasOne));
         }
         return one_file(reader, &keys, path).map(|source| RecordSource {
             conditioning,
@@ -154,9 +166,12 @@ pub(super) fn records(reader: &mut Reader, raw: &At<RecordsRaw>, path: &str) -> 
     ];
     for (key, span) in own {
         if let Some(span) = span {
-            let message = format!("{path}.{key} stands beside {path}.stations");
+            let message = WrongRecords::StandsBesideStations {
+                path: path.to_string(),
+                key: key.to_string(),
+            };
             let fault = Fault::new(span.clone(), &format!("{path}.{key}"), message);
-            reader.fault(fault.help("write it with each station: each file has its own"));
+            reader.fault(fault.help(WrongRecords::WriteItWithEach));
         }
     }
     let stations: Vec<RecordSource> = listed
@@ -221,8 +236,15 @@ fn begins(reader: &mut Reader, raw: &At<NumberRaw>, path: &str) -> Option<f64> {
         NumberRaw::Text(text) => (start_of_text(text), text.clone()),
     };
     if found.is_none() {
-        let fault = Fault::new(raw.span.clone(), path, format!("{path} = {written:?} is no time"));
-        reader.fault(fault.allowed("must be a time such as \"2024-06-05T10:00:00.25\", or seconds"));
+        let fault = Fault::new(
+            raw.span.clone(),
+            path,
+            WrongRecords::IsNoTime {
+                path: path.to_string(),
+                written: format!("{:?}", written),
+            },
+        );
+        reader.fault(fault.allowed(WrongRecords::MustBeTimeSuch));
     }
     found
 }
@@ -236,9 +258,12 @@ fn factor(reader: &mut Reader, raw: Option<&At<f64>>, path: &str) -> Option<f64>
     let fault = Fault::new(
         raw.span.clone(),
         path,
-        format!("{path} = {} is no scale", short(raw.value)),
+        WrongRecords::IsNoScale {
+            path: path.to_string(),
+            given: short(raw.value),
+        },
     );
-    reader.fault(fault.allowed("must be a finite number other than 0"));
+    reader.fault(fault.allowed(WrongRecords::MustBeFiniteNumber));
     None
 }
 
@@ -269,12 +294,14 @@ fn one_file(reader: &mut Reader, raw: &FileKeys<'_>, path: &str) -> Option<Recor
         let fault = Fault::new(
             file.span.clone(),
             &rate_path,
-            format!("{} holds no time stamps", file.value),
+            WrongRecords::HoldsNoTimeStamps {
+                file: file.value.to_string(),
+            },
         );
         reader.fault(
             fault
-                .allowed("sampling_rate is missing")
-                .help("write sampling_rate = \"200 Hz\" beside it"),
+                .allowed(WrongRecords::SamplingRateIsMissing)
+                .help(WrongRecords::WriteSamplingRateHz),
         );
     }
     Some(RecordSource {
@@ -311,13 +338,17 @@ fn format(
         Some(format) => Some(Some(format)),
         None => {
             let path = format!("{path}.file");
-            let message = format!("the format of {} is not clear", file.value);
+            let message = WrongRecords::FormatOfIsNot {
+                file: file.value.to_string(),
+            };
             let names: Vec<String> = RecordFormat::ALL
                 .iter()
                 .map(|format| format!("\"{}\"", format.name()))
                 .collect();
             let fault = Fault::new(file.span.clone(), &path, message);
-            reader.fault(fault.help(format!("write format = one of {} beside it", names.join(", "))));
+            reader.fault(fault.help(WrongRecords::WriteFormatOneOf {
+                names: names.join(", "),
+            }));
             None
         }
     }
@@ -326,9 +357,12 @@ fn format(
 /// The unit of samples must be one that the readers of records know.
 fn sample_unit(reader: &mut Reader, unit: &At<String>, path: &str) {
     if let Err(why) = Unit::parse(&unit.value) {
-        let message = format!("{path} = \"{}\" is no unit of vibration", unit.value.trim());
+        let message = WrongRecords::IsNoUnitOf {
+            path: path.to_string(),
+            unit: unit.value.trim().to_string(),
+        };
         let fault = Fault::new(unit.span.clone(), path, message);
-        reader.fault(fault.allowed("unknown unit").help(why.to_string()));
+        reader.fault(fault.allowed(Common::UnknownUnit).help(why.to_string()));
     }
 }
 
@@ -340,9 +374,12 @@ fn delimiter(reader: &mut Reader, raw: &At<String>, path: &str) -> Option<char> 
             let fault = Fault::new(
                 raw.span.clone(),
                 path,
-                format!("{path} = {:?} is not one character", raw.value),
+                WrongRecords::IsNotOneCharacter {
+                    path: path.to_string(),
+                    given: format!("{:?}", raw.value),
+                },
             );
-            reader.fault(fault.allowed("must be one character, such as \",\", \";\" or \"\\t\""));
+            reader.fault(fault.allowed(WrongRecords::MustBeOneCharacter));
             None
         }
     }
@@ -356,8 +393,12 @@ fn distinct(reader: &mut Reader, channels: &[At<ChannelRaw>], path: &str) {
             let first = *seen.entry(format!("{what} {value}")).or_insert(i);
             if first != i {
                 let path = format!("{path}.channels[{}].{what}", i + 1);
-                let message = format!("{path} = {value} is that of channels[{}] too", first + 1);
-                reader.fault(Fault::new(span.clone(), &path, message).allowed("must differ"));
+                let message = WrongRecords::IsThatOfChannels {
+                    path: path.to_string(),
+                    value: value.to_string(),
+                    first: (first + 1).to_string(),
+                };
+                reader.fault(Fault::new(span.clone(), &path, message).allowed(WrongRecords::MustDiffer));
             }
         };
         if let Some(name) = &channel.value.name {

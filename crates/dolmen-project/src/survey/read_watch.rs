@@ -7,6 +7,7 @@ use crate::file_number::{At, NumberRaw};
 use crate::reader::Reader;
 use crate::report::is_day;
 use crate::units::tilt_ratio;
+use crate::wrong::WrongSurvey;
 
 /// Bounds of the mean time between false alarms, years. Ours: below a month everything alarms, beyond ten lives nothing does.
 const YEARS: (f64, f64) = (0.1, 1000.0);
@@ -48,12 +49,11 @@ fn tilt_limit(reader: &mut Reader, given: &At<NumberRaw>) -> Option<f64> {
     let fault = Fault::new(
         given.span.clone(),
         PATH,
-        format!("{PATH} is not a tilt that can be a limit"),
+        WrongSurvey::IsNotTiltThat {
+            path: PATH.to_string(),
+        },
     );
-    reader
-        .fault(fault.allowed(
-            "must be a ratio of 0.0001 to 0.25, or text such as \"1/150\", \"0.4 deg\", \"7 mm/m\"",
-        ));
+    reader.fault(fault.allowed(WrongSurvey::MustBeRatioOf));
     None
 }
 
@@ -68,18 +68,24 @@ fn is_date(text: &str) -> bool {
 
 fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart> {
     let raw = &given.value;
-    let mut needed = |key: &str, is_there: bool, allowed: &str| {
+    let mut needed = |key: &str, is_there: bool, allowed: WrongSurvey| {
         if !is_there {
             let path = format!("{path}.{key}");
-            let fault = Fault::new(given.span.clone(), &path, format!("{path} is missing"));
+            let fault = Fault::new(
+                given.span.clone(),
+                &path,
+                WrongSurvey::IsMissing {
+                    path: path.to_string(),
+                },
+            );
             reader.fault(fault.allowed(allowed));
         }
     };
-    needed("date", raw.date.is_some(), "needs the date: \"2018-05-10\"");
+    needed("date", raw.date.is_some(), WrongSurvey::NeedsDate);
     needed(
         "kind",
         raw.kind.is_some(),
-        "needs \"repair\", \"inspection\", \"sensors\" or \"event\"",
+        WrongSurvey::NeedsRepairInspectionSensors,
     );
     let date = raw.date.as_ref()?;
     if !is_date(&date.value) {
@@ -87,9 +93,12 @@ fn work(reader: &mut Reader, given: &At<WorkRaw>, path: &str) -> Option<WorkPart
         let fault = Fault::new(
             date.span.clone(),
             &path,
-            format!("{path} = \"{}\" is not a date", date.value),
+            WrongSurvey::IsNotDate {
+                path: path.to_string(),
+                date: date.value.to_string(),
+            },
         );
-        reader.fault(fault.allowed("must be such as \"2018\", \"2018-05\" or \"2018-05-10\""));
+        reader.fault(fault.allowed(WrongSurvey::MustBeSuchAs));
         return None;
     }
     Some(WorkPart {

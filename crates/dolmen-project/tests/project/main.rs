@@ -2,6 +2,7 @@
 #![allow(clippy::unwrap_used, reason = "helpers of tests: a panic is a failed test")]
 
 mod corpus;
+mod korean_errors;
 mod project;
 mod project_book;
 mod project_building;

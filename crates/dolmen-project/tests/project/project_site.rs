@@ -130,7 +130,7 @@ fn exact_tables_from_lists_and_from_a_file() {
     assert_eq!(source, "table sp.csv");
     let bad = parse_project_with(&text, "project.toml", &files("t,a\n0,1\n0.1,x\n")).unwrap_err();
     let said = "site.file = \"sp.csv\": line 3 is not a period, s, and an acceleration";
-    assert_eq!(bad.problems[0].message, said);
+    assert_eq!(bad.problems[0].message.english, said);
     let none = refused(&text);
     assert!(
         none.contains("site.file = \"sp.csv\": no files are read here, only the text of the project"),

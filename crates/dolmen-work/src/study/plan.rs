@@ -157,14 +157,14 @@ impl<'o> Plan<'o> {
                 let allowed = problem
                     .allowed
                     .as_ref()
-                    .map_or(String::new(), |allowed| format!(", {allowed}"));
+                    .map_or(String::new(), |allowed| format!(", {}", allowed.english));
                 let help = problem
                     .help
                     .as_ref()
-                    .map_or(String::new(), |help| format!("; {help}"));
+                    .map_or(String::new(), |help| format!("; {}", help.english));
                 format!(
                     "{}{allowed}{help} (line {} of {file})",
-                    problem.message, problem.line
+                    problem.message.english, problem.line
                 )
             })
         })

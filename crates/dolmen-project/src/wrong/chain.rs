@@ -1,0 +1,134 @@
+//! What is wrong with a chain.
+
+use dolmen_words::messages;
+
+messages! {
+    /// What is wrong with a chain.
+    pub(crate) enum WrongChain in "project.error.chain" {
+        DampingRatioAndBoth { path: String } => {
+            en: "damping_ratio and {path} both damp the joints",
+            ko: "damping_ratio와 {path}이(가) 모두 접합부의 감쇠를 정한다",
+        },
+        KeepOneOfThem => {
+            en: "keep one of them: damping_ratio makes a dashpot of every joint",
+            ko: "둘 중 하나만 남긴다. damping_ratio는 모든 접합부에 감쇠를 준다",
+        },
+        StandsWithoutFrictionMoment { path: String } => {
+            en: "{path} stands without friction_moment",
+            ko: "{path}이(가) friction_moment 없이 주어졌다",
+        },
+        GiveFrictionMomentToo => {
+            en: "give friction_moment too: the moment while the joint turns",
+            ko: "friction_moment(접합부가 회전하는 동안의 모멘트)도 입력한다",
+        },
+        IsBelow { path: String, written: String, other: String, other_written: String } => {
+            en: "{path} = {written} is below {other} = {other_written}",
+            ko: "{path} = {written}이(가) {other} = {other_written}보다 작다",
+        },
+        JointThatStandsHolds => {
+            en: "a joint that stands holds at least what one that turns does",
+            ko: "멈춰 있는 접합부의 저항은 회전하는 접합부 이상이다",
+        },
+        HasBothInertiaAnd { path: String } => {
+            en: "{path} has both inertia and breadth",
+            ko: "{path}에 inertia와 breadth가 모두 있다",
+        },
+        KeepOneOfThemBreadth => {
+            en: "keep one of them: breadth makes the inertia that of a box",
+            ko: "둘 중 하나만 남긴다. breadth를 주면 직육면체의 관성모멘트로 계산한다",
+        },
+        LiesAboveLinkS { path: String, written: String } => {
+            en: "{path} = {written} lies above the link's top",
+            ko: "{path} = {written}이(가) 부재 상단보다 위에 있다",
+        },
+        MustBeToLink { number: String, unit: String } => {
+            en: "must be 0 to {number} {unit}, the link's own length",
+            ko: "0~{number} {unit}(부재 길이)이어야 한다",
+        },
+        CentroidIsMeasuredFrom => {
+            en: "centroid is measured from the link's lower joint, not from the ground",
+            ko: "centroid는 지면이 아니라 부재 하단 접합부에서 잰다",
+        },
+        ChainNeedsLinks => { en: "a chain needs links", ko: "chain에는 links가 필요하다" },
+        LinksWeightLengthCentroid => {
+            en: "links = [ {{ weight = …, length = …, centroid = … }}, … ]",
+            ko: "links = [ {{ weight = …, length = …, centroid = … }}, … ]를 쓴다",
+        },
+        ChainNeedsJoints => { en: "a chain needs joints", ko: "chain에는 joints가 필요하다" },
+        WriteJointsUnknownIf => {
+            en: "write joints = \"unknown\" if nobody has measured them, or [ {{ stiffness = … }}, … ]",
+            ko: "측정한 적이 없으면 joints = \"unknown\", 아니면 [ {{ stiffness = … }}, … ]를 쓴다",
+        },
+        EdgeButWidthOf { path: String } => {
+            en: "{path} = \"edge\", but the width of its bed is not given",
+            ko: "{path} = \"edge\"인데 접합면 폭이 주어지지 않았다",
+        },
+        GiveBedWidthThere => {
+            en: "give bed_width there, or write opening = \"held\"",
+            ko: "그곳에 bed_width를 입력하거나 opening = \"held\"로 쓴다",
+        },
+        IsSameBedAs { path: String, other: String } => {
+            en: "{path} is the same bed as {other}",
+            ko: "{path}은(는) {other}와(과) 같은 접합면이다",
+        },
+        GivenTwice => { en: "given twice", ko: "두 번 주어졌다" },
+        LinksAreToM { least: String, most: String } => {
+            en: "links are {least} to {most} m long",
+            ko: "부재 길이는 {least}~{most} m이다",
+        },
+        AsStoneLinkWould { path: String, written: String, side_m: String, height_m: String } => {
+            en: "{path} = {written}: as stone the link would be {side_m} m wide, and the whole is {height_m} m high",
+            ko: "{path} = {written}: 석재라면 부재의 폭이 {side_m} m가 되는데 전체 높이는 {height_m} m이다",
+        },
+        IsOfLinkS { path: String, written: String, share: String } => {
+            en: "{path} = {written} is {share} of the link's length: a block's centre of mass is near its middle",
+            ko: "{path} = {written}은(는) 부재 길이의 {share}이다. 부재의 무게중심은 가운데 부근에 있다",
+        },
+        LinkSDensityWould { path: String, written: String, density: String } => {
+            en: "{path} = {written}: the link's density would be about {density} kg/m3",
+            ko: "{path} = {written}: 부재의 밀도가 약 {density} kg/m3이 된다",
+        },
+        LinkSRadiusOf { path: String, written: String, radius_m: String, length_m: String } => {
+            en: "{path} = {written}: the link's radius of gyration would be {radius_m} m, and the link is {length_m} m long",
+            ko: "{path} = {written}: 부재의 회전반경이 {radius_m} m가 되는데 부재 길이는 {length_m} m이다",
+        },
+        ThinRodOfThis { factor: String } => {
+            en: "a thin rod of this mass and length has {factor}",
+            ko: "같은 질량과 길이의 가는 봉은 {factor}이다",
+        },
+        LinkWouldBeM { path: String, written: String, side_m: String } => {
+            en: "{path} = {written}: the link would be {side_m} m wide as stone",
+            ko: "{path} = {written}: 석재라면 부재의 폭은 {side_m} m가 된다",
+        },
+        IsWeightTimesHeight { path: String, written: String, share: String, product: String } => {
+            en: "{path} = {written} is {share} × the weight times height above the joint, {product}",
+            ko: "{path} = {written}은(는) 접합부 위 무게 × 높이({product})의 {share}배이다",
+        },
+        JointThatKeepsChain => {
+            en: "a joint that keeps a chain upright has about 1 × that or more; is it in N m/rad, kN m/rad or kN m/deg?",
+            ko: "서 있는 구조물의 접합부는 약 1배 이상이다. 단위가 N m/rad, kN m/rad, kN m/deg 중 어느 것인가?",
+        },
+        IsWeightTimesHeightAbove { path: String, written: String, share: String, product: String } => {
+            en: "{path} = {written} is {share} × the weight times height above the joint, {product}",
+            ko: "{path} = {written}은(는) 접합부 위 무게 × 높이({product})의 {share}배이다",
+        },
+        FrictionHoldsSmallPart => {
+            en: "friction holds a small part of that; is it in N m or kN m? A bare number is in units.moment, N m without it",
+            ko: "마찰은 그 일부만 저항한다. 단위가 N m, kN m 중 어느 것인가? 단위 없는 수는 units.moment, 그것도 없으면 N m이다",
+        },
+        IsGivenButWidth { path: String } => {
+            en: "{path} is given, but the width of its bed is not",
+            ko: "{path}이(가) 있는데 접합면 폭이 없다",
+        },
+        GiveBedWidthThereToo => { en: "give bed_width there too", ko: "그곳에 bed_width도 입력한다" },
+        IsNotAboveWeight { path: String, written: String, pressure: String } => {
+            en: "{path} = {written} is not above {pressure}, the weight above over the whole bed",
+            ko: "{path} = {written}이(가) 접합면 전체에 걸리는 위 무게의 압력 {pressure}보다 크지 않다",
+        },
+        BedCrushesUnderWeight => { en: "the bed crushes under the weight alone", ko: "자중만으로 접합면이 압괴한다" },
+        IsItInPa => {
+            en: "is it in Pa, kPa or MPa? Mortar has 1 to 10 MPa, granite 100 MPa and more",
+            ko: "단위가 Pa, kPa, MPa 중 어느 것인가? 모르타르는 1~10 MPa, 화강암은 100 MPa 이상이다",
+        },
+    }
+}

@@ -1,0 +1,118 @@
+//! What is wrong with a frame.
+
+use dolmen_words::messages;
+
+messages! {
+    /// What is wrong with a frame.
+    pub(crate) enum WrongFrame in "project.error.frame" {
+        HasLawJenkinsBut { path: String } => {
+            en: "{path} has law = \"jenkins\", but no slipping_stiffness",
+            ko: "{path}에 law = \"jenkins\"가 있는데 slipping_stiffness가 없다",
+        },
+        GiveWhatIsLeft => {
+            en: "give what is left of each storey's stiffness while its joints slip; 0 for nothing",
+            ko: "접합부가 미끄러지는 동안 각 층에 남는 강성을 입력한다. 남지 않으면 0이다",
+        },
+        IsGivenButLaw { slipping_path: String } => {
+            en: "{slipping_path} is given, but the law is \"coulomb\": its slider stands beside the whole spring",
+            ko: "{slipping_path}이(가) 있는데 law가 \"coulomb\"이다. 이 모델의 마찰 요소는 스프링 전체와 나란히 놓인다",
+        },
+        WriteLawJenkinsOr => {
+            en: "write law = \"jenkins\", or take slipping_stiffness out",
+            ko: "law = \"jenkins\"로 쓰거나 slipping_stiffness를 삭제한다",
+        },
+        IsNotBelow { path: String, written: String, other: String, other_written: String } => {
+            en: "{path} = {written} is not below {other} = {other_written}",
+            ko: "{path} = {written}이(가) {other} = {other_written}보다 작지 않다",
+        },
+        StiffnessIsWhatVibration => {
+            en: "stiffness is what vibration measures, with all joints stuck; slipping joints leave less",
+            ko: "stiffness는 모든 접합부가 고착된 상태에서 진동으로 측정한 값이며, 미끄러지는 접합부의 강성은 그보다 작다",
+        },
+        ItIsSlipForce => {
+            en: "it is slip force over axial force; for forces write force = [ … ]",
+            ko: "축력에 대한 미끄러짐 힘의 비이다. 힘으로 주려면 force = [ … ]를 쓴다",
+        },
+        IsBelowCoefficient { fixed_path: String, written: String, other_written: String } => {
+            en: "{fixed_path} = {written} is below coefficient = {other_written}",
+            ko: "{fixed_path} = {written}이(가) coefficient = {other_written}보다 작다",
+        },
+        MustBeAtLeast => {
+            en: "must be at least the coefficient while slipping",
+            ko: "미끄러지는 동안의 계수 이상이어야 한다",
+        },
+        HasBothForceAnd { path: String } => {
+            en: "{path} has both force and static_coefficient",
+            ko: "{path}에 force와 static_coefficient가 모두 있다",
+        },
+        GiveCoefficientAndStatic => {
+            en: "give coefficient and static_coefficient, or force alone",
+            ko: "coefficient와 static_coefficient를 주거나 force만 준다",
+        },
+        HasBothCoefficientAnd { path: String } => {
+            en: "{path} has both coefficient and force",
+            ko: "{path}에 coefficient와 force가 모두 있다",
+        },
+        KeepOneOfThem => {
+            en: "keep one of them: force = coefficient × axial force",
+            ko: "둘 중 하나만 남긴다. force = coefficient × 축력",
+        },
+        HasNeitherCoefficientNor { path: String } => {
+            en: "{path} has neither coefficient nor force",
+            ko: "{path}에 coefficient도 force도 없다",
+        },
+        WriteFrictionCoefficientOr => {
+            en: "write friction = {{ coefficient = 0.3 }}, or force = [ … ] with one for each storey",
+            ko: "friction = {{ coefficient = 0.3 }}을 쓰거나 force = [ … ]를 층마다 하나씩 쓴다",
+        },
+        FrameNeedsStoreys => { en: "a frame needs storeys", ko: "frame에는 storeys가 필요하다" },
+        StoreysMassHeight => {
+            en: "storeys = [ {{ mass = …, height = … }}, … ]",
+            ko: "storeys = [ {{ mass = …, height = … }}, … ]를 쓴다",
+        },
+        AxialIsGivenBut => {
+            en: "axial is given, but no storey has an axial_force",
+            ko: "axial이 있는데 axial_force가 있는 층이 없다",
+        },
+        GiveEachStoreyIts => {
+            en: "give each storey its axial_force, or take axial out: it then follows the masses",
+            ko: "층마다 axial_force를 입력하거나 axial을 삭제한다. 삭제하면 축력은 질량으로 계산한다",
+        },
+        StoreysHasNoAxial { first: String } => {
+            en: "storeys[{first}] has no axial_force, but another storey has",
+            ko: "storeys[{first}]에 axial_force가 없는데 다른 층에는 있다",
+        },
+        GiveAllOfThem => {
+            en: "give all of them, or none: they then follow from the masses",
+            ko: "모든 층에 주거나 모두 삭제한다. 모두 없으면 질량으로 계산한다",
+        },
+        AxialForceIsGiven => {
+            en: "axial_force is given, but not what it is: \"axial\" is missing",
+            ko: "axial_force가 있는데 그 뜻을 정하는 \"axial\"이 없다",
+        },
+        WriteAxialStoreyIf => {
+            en: "write axial = \"storey\" if it is the force in the storey's columns (its own level and all above), axial = \"level\" if it is the load added at its top",
+            ko: "그 층 기둥의 축력(그 층과 위층 전체)이면 axial = \"storey\", 그 층 상단에 더해지는 하중이면 axial = \"level\"로 쓴다",
+        },
+        ButStoreysHaveT { path: String, written: String } => {
+            en: "{path} = {written}, but storeys have 1 t to 20 000 t",
+            ko: "{path} = {written}인데, 층의 질량은 1~20 000 t이다",
+        },
+        StoreyAloneWouldSway { path: String, written: String, frequency_hz: String, least: String, most: String } => {
+            en: "{path} = {written}: the storey alone would sway at {frequency_hz} Hz, but storeys sway at {least} to {most} Hz",
+            ko: "{path} = {written}: 이 층만의 진동수가 {frequency_hz} Hz인데, 층은 {least}~{most} Hz이다",
+        },
+        AxialButAxialForces { word: String, other_word: String } => {
+            en: "axial = \"{word}\", but the axial forces are the weights of the masses only if they are read as \"{other_word}\"",
+            ko: "axial = \"{word}\"인데, 축력은 \"{other_word}\"(으)로 읽을 때에만 질량의 무게와 맞는다",
+        },
+        DidYouMeanAxial { other_word: String } => {
+            en: "did you mean axial = \"{other_word}\"?",
+            ko: "axial = \"{other_word}\"인가?",
+        },
+        StoreySColumnsWould { path: String, written: String, share: String, weight: String } => {
+            en: "{path} = {written}: the storey's columns would carry {share} × the weight of the masses above, {weight}",
+            ko: "{path} = {written}: 이 층 기둥의 축력이 위 질량의 무게({weight})의 {share}배가 된다",
+        },
+    }
+}

@@ -1,0 +1,168 @@
+//! What is wrong with wind, loads and their combinations.
+
+use dolmen_words::message::Both;
+use dolmen_words::messages;
+
+messages! {
+    /// What is wrong with wind, loads and their combinations.
+    pub(crate) enum WrongLoads in "project.error.loads" {
+        ThereIsNoPart { path: String, written: String } => {
+            en: "{path}: there is no part \"{written}\"",
+            ko: "{path}: 부재 \"{written}\"이(가) 없다",
+        },
+        PartsAreCalled { path: String, count: String, written: String } => {
+            en: "{path}: {count} parts are called \"{written}\"",
+            ko: "{path}: 이름이 \"{written}\"인 부재가 {count}개이다",
+        },
+        WriteForLowestTo { list: String, count: String } => {
+            en: "write \"{list}[1]\" for the lowest to \"{list}[{count}]\"",
+            ko: "가장 아래 \"{list}[1]\"부터 \"{list}[{count}]\"까지 번호로 쓴다",
+        },
+        IsNotOn { path: String, written: String, list: String, part: String } => {
+            en: "{path} = {written} is not on {list}[{part}]",
+            ko: "{path} = {written}이(가) {list}[{part}] 위에 있지 않다",
+        },
+        MustBeTo { bottom: String, top: String } => {
+            en: "must be {bottom} to {top}",
+            ko: "{bottom}~{top}이어야 한다",
+        },
+        HeightsCountFromLowest => {
+            en: "heights count from the lowest joint; name the part that stands there",
+            ko: "높이는 가장 아래 접합부에서 잰다. 그 높이에 있는 부재의 이름을 쓴다",
+        },
+        IsNotReadFor { key: String } => {
+            en: "{key} is not read for this kind of structure",
+            ko: "이 종류의 구조물에는 {key}을(를) 쓰지 않는다",
+        },
+        TakeItOutWind => {
+            en: "take it out: wind and static loads are for kind = \"chain\"",
+            ko: "삭제한다. 풍하중과 정하중은 kind = \"chain\"에만 쓴다",
+        },
+        WriteWindSpeedMeans => {
+            en: "write wind = {{ speed, means, force_coefficient }}, or wind = \"sheltered\"",
+            ko: "wind = {{ speed, means, force_coefficient }} 또는 wind = \"sheltered\"를 쓴다",
+        },
+        WriteLoadsNameAt => {
+            en: "write loads = [{{ name, at, force }}]",
+            ko: "loads = [{{ name, at, force }}]를 쓴다",
+        },
+        ButFileHasNo { path: String, factor: String, key: String } => {
+            en: "{path} = {factor}, but the file has no {key}",
+            ko: "{path} = {factor}인데 파일에 {key}이(가) 없다",
+        },
+        OrTakeItOut { help: Both } => { en: "{help}; or take it out", ko: "{help}. 또는 삭제한다" },
+        HasNoForceWeight { path: String } => {
+            en: "{path} has no force, weight or moment",
+            ko: "{path}에 force, weight, moment 중 아무것도 없다",
+        },
+        GiveForceFromSide => {
+            en: "give force = … (from the side), weight = … or moment = …",
+            ko: "force = …(수평), weight = … 또는 moment = …을 입력한다",
+        },
+        WeightLeavesNoWeight { path: String } => {
+            en: "{path}.weight = 0 leaves no weight",
+            ko: "{path}.weight = 0이면 무게가 없다",
+        },
+        StonesWithoutWeightHold => {
+            en: "stones without weight hold nothing: give the factor on the weight, such as 0.9 or 1",
+            ko: "석재는 무게가 없으면 저항하지 못한다. 자중의 하중계수를 0.9나 1과 같이 입력한다",
+        },
+        WriteMeansGustFor => {
+            en: "write means = \"gust\" for a gust of some 3 s, or means = \"10 min\" with code = \"EN 1991-1-4\" or \"KDS 41 12 00\" for the mean that weather stations and maps of codes give: the force differs by a factor of 2 to 3",
+            ko: "약 3초 가스트이면 means = \"gust\", 기상관측소나 기준의 풍속 지도와 같은 10분 평균이면 means = \"10 min\"과 code = \"EN 1991-1-4\" 또는 \"KDS 41 12 00\"을 쓴다. 둘의 풍력은 2~3배 차이가 난다",
+        },
+        WindWidthOfIs { unknown: String } => {
+            en: "wind: the width of {unknown} is not known",
+            ko: "wind: {unknown}의 폭을 알 수 없다",
+        },
+        GiveBreadthOrBed { first: String } => {
+            en: "give {first}.breadth or bed_width, or wind.areas = [{{ part = \"{first}\", area = … }}]",
+            ko: "{first}.breadth나 bed_width 또는 wind.areas = [{{ part = \"{first}\", area = … }}]를 입력한다",
+        },
+        WindHasBothSpeed => { en: "wind has both speed and pressure", ko: "wind에 speed와 pressure가 모두 있다" },
+        KeepOneOfThem => {
+            en: "keep one of them: pressure = ½ ρ speed²",
+            ko: "둘 중 하나만 남긴다. pressure = ½ ρ speed²",
+        },
+        WindHasNeitherSpeed => {
+            en: "wind has neither speed nor pressure",
+            ko: "wind에 speed도 pressure도 없다",
+        },
+        GiveSpeedMS => {
+            en: "give speed = \"30 m/s\" or pressure = \"0.6 kPa\", with means = \"gust\" or \"10 min\"",
+            ko: "speed = \"30 m/s\" 또는 pressure = \"0.6 kPa\"를 means = \"gust\"나 \"10 min\"과 함께 입력한다",
+        },
+        WindDoesNotSay => {
+            en: "wind does not say whether it is a gust or a mean",
+            ko: "wind가 가스트인지 평균 풍속인지 알 수 없다",
+        },
+        WindHasCodeBut => {
+            en: "wind has a code, but means = \"gust\": a code makes the gust from a 10-minute mean",
+            ko: "wind에 code가 있는데 means = \"gust\"이다. code는 10분 평균에서 가스트를 계산한다",
+        },
+        WriteMeansMinIf => {
+            en: "write means = \"10 min\" if speed is the basic wind speed of the code, else take code and terrain out",
+            ko: "speed가 기준의 기본풍속이면 means = \"10 min\"으로 쓰고, 아니면 code와 terrain을 삭제한다",
+        },
+        WindPressureIsMean => {
+            en: "wind.pressure is the mean of 10 minutes, which says nothing of gusts",
+            ko: "wind.pressure는 10분 평균이어서 가스트를 알 수 없다",
+        },
+        GiveSpeedWithCode => {
+            en: "give speed with a code, or the pressure of the gust with means = \"gust\"",
+            ko: "speed를 code와 함께 주거나, 가스트의 pressure를 means = \"gust\"로 준다",
+        },
+        WindMeansMinBut => {
+            en: "wind.means = \"10 min\", but no code makes the gust of it",
+            ko: "wind.means = \"10 min\"인데 가스트를 계산할 code가 없다",
+        },
+        WriteCodeEnOr => {
+            en: "write code = \"EN 1991-1-4\" or code = \"KDS 41 12 00\" with its terrain, or give the speed of the gust",
+            ko: "code = \"EN 1991-1-4\" 또는 code = \"KDS 41 12 00\"을 terrain과 함께 쓰거나 가스트의 speed를 입력한다",
+        },
+        Code => { en: "a code", ko: "기준(code)" },
+        Speed => { en: "a speed", ko: "풍속(speed)" },
+        HasNoMeaningWithout { path: String, needs: Both } => {
+            en: "{path} has no meaning without {needs}",
+            ko: "{path}은(는) {needs} 없이는 쓰이지 않는다",
+        },
+        CodeEnHasTerrain => {
+            en: "code = \"EN 1991-1-4\" has terrain \"0\" (sea), \"I\", \"II\", \"III\" (suburb, forest) or \"IV\" (town)",
+            ko: "code = \"EN 1991-1-4\"의 terrain은 \"0\"(바다), \"I\", \"II\", \"III\"(교외, 숲), \"IV\"(도심)이다",
+        },
+        CodeKdsHasTerrain => {
+            en: "code = \"KDS 41 12 00\" has terrain \"A\" (large town), \"B\", \"C\" (open country) or \"D\" (coast)",
+            ko: "code = \"KDS 41 12 00\"의 terrain은 \"A\"(대도시 중심), \"B\", \"C\"(개활지), \"D\"(해안)이다",
+        },
+        WindHasCodeButNo => { en: "wind has a code, but no terrain", ko: "wind에 code가 있는데 terrain이 없다" },
+        WindTerrainIsOne => {
+            en: "wind.terrain is one of another code",
+            ko: "wind.terrain이 다른 기준의 지표면조도구분이다",
+        },
+        GustOfMS => {
+            en: "a gust of 30 m/s has 560 Pa; is it in Pa or kPa?",
+            ko: "30 m/s 가스트의 속도압은 560 Pa이다. 단위가 Pa, kPa 중 어느 것인가?",
+        },
+        SpeedsAreInM => {
+            en: "speeds are in m/s: 100 km/h is 28 m/s, 50 knots are 26 m/s",
+            ko: "풍속의 단위는 m/s이다. 100 km/h는 28 m/s, 50노트는 26 m/s이다",
+        },
+        IsNoStormThat { path: String, written: String } => {
+            en: "{path} = {written} is no storm that people design for",
+            ko: "{path} = {written}은(는) 설계에 쓰는 바람이 아니다",
+        },
+        IsOutsideWhatBodies { path: String, written: String } => {
+            en: "{path} = {written} is outside what bodies have",
+            ko: "{path} = {written}은(는) 물체의 풍력계수 범위를 벗어난다",
+        },
+        SquarePrismHasOctagon => {
+            en: "a square prism has 2.0, an octagon 1.3 to 1.45, a circle 0.7 to 1.2",
+            ko: "정사각기둥 2.0, 팔각기둥 1.3~1.45, 원기둥 0.7~1.2이다",
+        },
+        WindDensityIsKg { density: String } => {
+            en: "wind.density is {density} kg/m3",
+            ko: "wind.density가 {density} kg/m3이다",
+        },
+        AirHasKgM3 => { en: "air has 1.2 kg/m3", ko: "공기의 밀도는 1.2 kg/m3이다" },
+    }
+}

@@ -1,0 +1,95 @@
+//! What is wrong with project files, in both languages: one file a chapter.
+
+mod building;
+mod chain;
+mod common;
+mod damper;
+mod frame;
+mod framed;
+mod keys;
+mod limits;
+mod loads;
+mod numbers;
+mod parser;
+mod records;
+mod report;
+mod schema_words;
+mod site;
+mod slips;
+mod stack;
+mod stack_slips;
+mod study;
+mod survey;
+mod tables;
+mod toml;
+mod units;
+mod whole;
+
+pub(crate) use building::WrongBuilding;
+pub(crate) use chain::WrongChain;
+pub(crate) use common::Common;
+pub(crate) use damper::WrongDamper;
+pub(crate) use frame::WrongFrame;
+pub(crate) use framed::Framed;
+pub(crate) use keys::WrongKey;
+pub(crate) use limits::WrongLimits;
+pub(crate) use loads::WrongLoads;
+pub(crate) use numbers::WrongNumber;
+pub(crate) use parser::{AtItsPlace, Expected, OfParser, of_parser};
+pub(crate) use records::WrongRecords;
+pub(crate) use report::WrongReport;
+pub(crate) use schema_words::{Meaning, Needed, OtherMeaning, of_schema};
+pub(crate) use site::WrongSite;
+pub(crate) use slips::Slip;
+pub(crate) use stack::WrongStack;
+pub(crate) use stack_slips::StackSlip;
+pub(crate) use study::WrongStudy;
+pub(crate) use survey::WrongSurvey;
+pub(crate) use tables::WrongTable;
+pub(crate) use toml::WrongToml;
+pub(crate) use units::WrongUnit;
+pub(crate) use whole::WrongFile;
+
+use dolmen_words::Template;
+use dolmen_words::message::Both;
+
+/// Words of the file, one of which is meant: "a or b".
+pub(crate) fn either<T: AsRef<str>>(words: &[T]) -> Both {
+    let words: Vec<&str> = words.iter().map(AsRef::as_ref).collect();
+    Both {
+        english: words.join(" or "),
+        korean: words.join(" 또는 "),
+    }
+}
+
+/// All sentences of errors of project files.
+pub const ERRORS: [&[Template]; 28] = [
+    Framed::TEMPLATES,
+    Common::TEMPLATES,
+    WrongToml::TEMPLATES,
+    WrongKey::TEMPLATES,
+    WrongFile::TEMPLATES,
+    WrongNumber::TEMPLATES,
+    WrongUnit::TEMPLATES,
+    Slip::TEMPLATES,
+    WrongTable::TEMPLATES,
+    Meaning::TEMPLATES,
+    OtherMeaning::TEMPLATES,
+    Needed::TEMPLATES,
+    WrongSite::TEMPLATES,
+    WrongStack::TEMPLATES,
+    StackSlip::TEMPLATES,
+    WrongChain::TEMPLATES,
+    WrongFrame::TEMPLATES,
+    WrongBuilding::TEMPLATES,
+    WrongDamper::TEMPLATES,
+    WrongLoads::TEMPLATES,
+    WrongLimits::TEMPLATES,
+    WrongStudy::TEMPLATES,
+    WrongSurvey::TEMPLATES,
+    OfParser::TEMPLATES,
+    Expected::TEMPLATES,
+    AtItsPlace::TEMPLATES,
+    WrongRecords::TEMPLATES,
+    WrongReport::TEMPLATES,
+];

@@ -1,0 +1,151 @@
+//! What is wrong with a stack.
+
+use dolmen_words::message::Both;
+use dolmen_words::messages;
+
+messages! {
+    /// What is wrong with a stack.
+    pub(crate) enum WrongStack in "project.error.stack" {
+        NeedsNameOfBlock => {
+            en: "needs the name of a block, or \"ground\"",
+            ko: "부재 이름 또는 \"ground\"가 필요하다",
+        },
+        IsBlockItself { path: String, name: String } => {
+            en: "{path} = \"{name}\" is the block itself",
+            ko: "{path} = \"{name}\"은(는) 그 부재 자신이다",
+        },
+        NeedsNameOfAnother => {
+            en: "needs the name of another block, or \"ground\"",
+            ko: "다른 부재의 이름 또는 \"ground\"가 필요하다",
+        },
+        CannotBe { path: String, name: String } => {
+            en: "{path} = \"{name}\" cannot be",
+            ko: "{path} = \"{name}\"은(는) 쓸 수 없는 이름이다",
+        },
+        NeedsNameOtherThan => { en: "needs a name other than \"ground\"", ko: "\"ground\"가 아닌 이름이 필요하다" },
+        IsAlsoNameOf { path: String, name: String, other: String } => {
+            en: "{path} = \"{name}\" is also the name of blocks[{other}]",
+            ko: "{path} = \"{name}\"은(는) blocks[{other}]의 이름과 같다",
+        },
+        MustBeUnique => { en: "must be unique", ko: "이름이 서로 달라야 한다" },
+        NumberThemBodyBody => {
+            en: "number them: \"body 1\", \"body 2\"",
+            ko: "번호를 붙인다: \"body 1\", \"body 2\"",
+        },
+        IsNo { path: String, name: String, which: Both } => {
+            en: "{path} = \"{name}\" is no {which}",
+            ko: "{path} = \"{name}\"은(는) {which}의 이름이 아니다",
+        },
+        WriteNameOfBlock { ground: String } => {
+            en: "write the name of a block as it stands in blocks, or \"{ground}\"",
+            ko: "blocks에 있는 부재 이름 또는 \"{ground}\"을(를) 쓴다",
+        },
+        UnknownName => { en: "unknown name", ko: "없는 이름" },
+        Is { path: String, ground: String } => {
+            en: "{path} is \"{ground}\"",
+            ko: "{path}이(가) \"{ground}\"이다",
+        },
+        MustBeNameOf => { en: "must be the name of a block", ko: "부재 이름이어야 한다" },
+        AsSurveyedButNo { name: String } => {
+            en: "as_surveyed = \"{name}\", but no survey of this name has a tilt",
+            ko: "as_surveyed = \"{name}\"인데 기울기(tilt)가 있는 조사 중에 이 이름이 없다",
+        },
+        MustBeOneOf { allowed: String } => {
+            en: "must be one of {allowed}",
+            ko: "다음 중 하나이어야 한다: {allowed}",
+        },
+        PagodaHasBothBody => {
+            en: "pagoda has both body_slenderness and slenderness_angle",
+            ko: "pagoda에 body_slenderness와 slenderness_angle이 모두 있다",
+        },
+        KeepOneOfThem => {
+            en: "keep one of them: it determines the other",
+            ko: "둘 중 하나만 남긴다. 하나가 다른 하나를 결정한다",
+        },
+        Pagoda { why: String } => { en: "pagoda: {why}", ko: "pagoda: {why}" },
+        PagodaOther => { en: "a pagoda", ko: "석탑(pagoda)" },
+        Arch => { en: "an arch", ko: "홍예(arch)" },
+        Wall => { en: "a wall", ko: "돌담(wall)" },
+        FileHasBothAnd { first: Both, second: Both } => {
+            en: "the file has both {first} and {second}",
+            ko: "파일에 {first}와(과) {second}이(가) 모두 있다",
+        },
+        KeepOneOfThemMakes { second: Both } => {
+            en: "keep one of them: {second} makes its own blocks",
+            ko: "둘 중 하나만 남긴다. {second}은(는) 부재를 스스로 만든다",
+        },
+        BlocksNameBaseWidth => {
+            en: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ], lowest first; or pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }}",
+            ko: "blocks = [ {{ name = \"base\", width = …, height = … }}, … ]를 아래에서부터 쓰거나 pagoda = {{ storeys = 3, … }}, arch = {{ … }}, wall = {{ … }} 중 하나를 쓴다",
+        },
+        StackNeedsBlocks => { en: "a stack needs blocks", ko: "stack에는 blocks가 필요하다" },
+        WriteDensityAtTop => {
+            en: "write density = 2600 at the top level (granite, kg/m3)",
+            ko: "최상위에 density = 2600(화강암, kg/m3)을 쓴다",
+        },
+        StonesOfNeedDensity { makers: Vec<Both> } => {
+            en: "the stones of {makers} need a density",
+            ko: "{makers}의 석재에 밀도가 필요하다",
+        },
+        StandsOverBlocksBelow { path: String, name: String } => {
+            en: "{path}: '{name}' stands, over the blocks below it, on itself",
+            ko: "{path}: '{name}'이(가) 아래 부재들을 거쳐 자기 자신 위에 놓인다",
+        },
+        LetOneOfThem => { en: "let one of them stand on \"ground\"", ko: "그중 하나를 \"ground\" 위에 놓는다" },
+        NorHaveMoreBlocks { others: String } => {
+            en: ", nor have {others} more blocks",
+            ko: "(밖에도 부재 {others}개에 없다)",
+        },
+        BlocksHasNoDensity { first: String, others: Both } => {
+            en: "blocks[{first}] has no density{others}",
+            ko: "blocks[{first}]에 밀도가 없다{others}",
+        },
+        WriteDensityAtTopLevel => {
+            en: "write density = 2600 at the top level for all blocks (granite, kg/m3), or density = … in the block",
+            ko: "모든 부재에 적용하려면 최상위에 density = 2600(화강암, kg/m3)을, 아니면 해당 부재에 density = …을 쓴다",
+        },
+        HasNoMeaningIn { key_path: String, shape: Both } => {
+            en: "{key_path} has no meaning in a {shape}",
+            ko: "{key_path}은(는) {shape}에 쓰지 않는다",
+        },
+        HasNoButNeeds { path: String, key: String, shape: Both } => {
+            en: "{path} has no \"{key}\", but a {shape} needs it",
+            ko: "{shape}에 필요한 \"{key}\"이(가) {path}에 없다",
+        },
+        Write { key: String } => { en: "write {key} = …", ko: "{key} = …을(를) 쓴다" },
+        HasNoSidesBut { path: String } => {
+            en: "{path} has no \"sides\", but a prism needs it",
+            ko: "prism에 필요한 \"sides\"가 {path}에 없다",
+        },
+        WriteSides => { en: "write sides = …", ko: "sides = …을 쓴다" },
+        HasNoMeaningWith { key_path: String } => {
+            en: "{key_path} has no meaning with coordinates = \"site\"",
+            ko: "coordinates = \"site\"에는 {key_path}을(를) 쓰지 않는다",
+        },
+        TakeItOutOr => {
+            en: "take it out, or write coordinates = \"own\"",
+            ko: "삭제하거나 coordinates = \"own\"으로 쓴다",
+        },
+        HasNoPointsBut { path: String } => {
+            en: "{path} has no \"points\", but a solid of points needs them",
+            ko: "points 형상에 필요한 \"points\"가 {path}에 없다",
+        },
+        WritePointsXY => {
+            en: "write points = [[x, y, z], …], four or more",
+            ko: "points = [[x, y, z], …]로 네 점 이상 쓴다",
+        },
+        HasNoFileBut { path: String } => {
+            en: "{path} has no \"file\", but a mesh needs it",
+            ko: "mesh에 필요한 \"file\"이 {path}에 없다",
+        },
+        WriteFileStoneObj => {
+            en: "write file = \"stone.obj\" (OBJ, STL or PLY)",
+            ko: "file = \"stone.obj\"(OBJ, STL, PLY)를 쓴다",
+        },
+        MeshOf { file_path: String, file: String, name: String, why: Both } => {
+            en: "{file_path} = \"{file}\", the mesh of '{name}': {why}",
+            ko: "{file_path} = \"{file}\", '{name}'의 메시: {why}",
+        },
+        OfBlock => { en: "block", ko: "부재" },
+    }
+}

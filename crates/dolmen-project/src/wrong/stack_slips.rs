@@ -1,0 +1,82 @@
+//! What looks like a slip in a stack.
+
+use dolmen_words::messages;
+
+messages! {
+    /// What looks like a slip in a stack.
+    pub(crate) enum StackSlip in "project.error.stack-slips" {
+        BlocksLastStoneStands { top: String, last_m: String, foot: String, first_m: String } => {
+            en: "blocks: the last stone, '{top}', stands on top and is {last_m} m wide, the first, '{foot}', stands on the ground and is {first_m} m",
+            ko: "blocks: 마지막 석재 '{top}'은(는) 맨 위에 있고 폭이 {last_m} m, 첫 석재 '{foot}'은(는) 지반 위에 있고 폭이 {first_m} m이다",
+        },
+        ListStonesLowestFirst => {
+            en: "list the stones lowest first, or say with on what each stands on",
+            ko: "석재를 아래에서부터 쓰거나 각 석재가 놓인 곳을 on으로 밝힌다",
+        },
+        ButItIsTo { path: String, written: String, least: String, most: String } => {
+            en: "{path} = {written}, but it is {least} to {most} m",
+            ko: "{path} = {written}인데, 보통 {least}~{most} m이다",
+        },
+        ButPagodasHaveTo { path: String, written: String } => {
+            en: "{path} = {written}, but pagodas have 1 to 20 m",
+            ko: "{path} = {written}인데, 석탑은 1~20 m이다",
+        },
+        ButPagodasHaveToOther { path: String, written: String } => {
+            en: "{path} = {written}, but pagodas have 0.2 to 0.6",
+            ko: "{path} = {written}인데, 석탑은 0.2~0.6이다",
+        },
+        ItIsHalfWidth => {
+            en: "it is half width over height of the centroid, or an angle with its unit: \"21 deg\"",
+            ko: "무게중심 높이에 대한 반폭의 비이거나, 단위를 붙인 각도(\"21 deg\")이다",
+        },
+        ButStonesAreTo { least: String, most: String } => {
+            en: "but stones are {least} to {most} m",
+            ko: "석재는 {least}~{most} m이다",
+        },
+        IsMAcrossBut { path: String, name: String, extent: String, least: String, most: String } => {
+            en: "{path}: '{name}' is {extent} m across, but stones are {least} to {most} m",
+            ko: "{path}: '{name}'의 크기가 {extent} m인데, 석재는 {least}~{most} m이다",
+        },
+        ButStoneHasTo { path: String, written: String } => {
+            en: "{path} = {written}, but stone has 1500 to 3200 kg/m3",
+            ko: "{path} = {written}인데, 석재의 밀도는 1500~3200 kg/m3이다",
+        },
+        DidYouMeanT { tonnes: String } => {
+            en: "did you mean \"{tonnes} t/m3\"?",
+            ko: "\"{tonnes} t/m3\"인가?",
+        },
+        KgM3TM3 => {
+            en: "2600 kg/m3, 2.6 t/m3 and a unit weight of 25.5 kN/m3 are the same: is it in kg/m3?",
+            ko: "2600 kg/m3, 2.6 t/m3, 단위중량 25.5 kN/m3은 같은 값이다. kg/m3 단위인가?",
+        },
+        ButStoneOnStone { path: String, written: String } => {
+            en: "{path} = {written}, but stone on stone has 0.4 to 0.8",
+            ko: "{path} = {written}인데, 석재 사이의 마찰계수는 0.4~0.8이다",
+        },
+        DidYouMean { percent: String } => { en: "did you mean \"{percent} %\"?", ko: "\"{percent} %\"인가?" },
+        ItIsFrictionCoefficient => {
+            en: "it is the friction coefficient, not an angle",
+            ko: "각도가 아니라 마찰계수이다",
+        },
+        ButJointsHaveE6 { path: String, written: String } => {
+            en: "{path} = {written}, but joints have 1e6 to 1e13 Pa/m",
+            ko: "{path} = {written}인데, 접합면 강성은 1e6~1e13 Pa/m이다",
+        },
+        DidYouMeanMpa => { en: "did you mean MPa/m or GPa/m?", ko: "MPa/m 또는 GPa/m 단위인가?" },
+        GpaMIsE9 => { en: "1 GPa/m is 1e9 Pa/m", ko: "1 GPa/m은 1e9 Pa/m이다" },
+        IsNormalStiffnessBut { path: String, written: String, ratio: String } => {
+            en: "{path} = {written} is {ratio} × the normal stiffness, but joints have 0.3 to 1",
+            ko: "{path} = {written}은(는) 수직강성의 {ratio}배인데, 접합면은 0.3~1배이다",
+        },
+        AreBothInSame => { en: "are both in the same unit?", ko: "두 값의 단위가 같은가?" },
+        ButMortarHasKpa { path: String, written: String } => {
+            en: "{path} = {written}, but mortar has 10 kPa to 1 MPa",
+            ko: "{path} = {written}인데, 모르타르는 10 kPa~1 MPa이다",
+        },
+        DidYouMeanPa => { en: "did you mean Pa or kPa?", ko: "Pa 또는 kPa 단위인가?" },
+        ButItIsToOther { path: String, written: String } => {
+            en: "{path} = {written}, but it is 0 to 1",
+            ko: "{path} = {written}인데, 0~1이어야 한다",
+        },
+    }
+}

@@ -1,0 +1,64 @@
+//! What is wrong with a table beside the file.
+
+use dolmen_words::message::Both;
+use dolmen_words::messages;
+
+messages! {
+    /// What is wrong with a table beside the file.
+    pub(crate) enum WrongTable in "project.error.tables" {
+        HasKeyBesideFile { key: String, name: String } => {
+            en: "{key} has the key \"{name}\" beside file",
+            ko: "{key}에 file과 함께 \"{name}\" 키가 있다",
+        },
+        MustBeFileAnd => { en: "must be file and sheet alone", ko: "file과 sheet만 쓸 수 있다" },
+        File { key: String, file: String, why: Both } => {
+            en: "{key}.file = \"{file}\": {why}",
+            ko: "{key}.file = \"{file}\": {why}",
+        },
+        CellColumnIsThere { file: String, place: String, of: String } => {
+            en: "{file}, cell {place}: the column \"{of}\" is there twice",
+            ko: "{file}, {place} 셀: \"{of}\" 열이 두 번 있다",
+        },
+        Cell { file: String, place: String, said: Both } => {
+            en: "{file}, cell {place}: {said}",
+            ko: "{file}, {place} 셀: {said}",
+        },
+        CellIsNoColumn { file: String, place: String, head: String, key: String } => {
+            en: "{file}, cell {place}: \"{head}\" is no column of {key}",
+            ko: "{file}, {place} 셀: \"{head}\"은(는) {key}의 열이 아니다",
+        },
+        NameItOneOf { known: String } => {
+            en: "name it one of {known}, in English or Korean, or take it out",
+            ko: "{known} 중 하나(한글 이름도 가능)로 고치거나 삭제한다",
+        },
+        CellStandsUnderNo { file: String, place: String } => {
+            en: "{file}, cell {place}: stands under no head",
+            ko: "{file}, {place} 셀: 열 이름이 없는 값이다",
+        },
+        NameColumnInFirst => {
+            en: "name the column in the first row, or clear the cell",
+            ko: "첫 행에 열 이름을 쓰거나 셀을 비운다",
+        },
+        CellRowIsEmpty { file: String, place: String } => {
+            en: "{file}, cell {place}: the row is empty",
+            ko: "{file}, {place} 셀: 빈 행이다",
+        },
+        DeleteRow => { en: "delete the row", ko: "행을 삭제한다" },
+        ColumnHasNoUnit { name: String, unit: String } => {
+            en: "the column \"{name}\" has no unit, but its head says \"{unit}\"",
+            ko: "\"{name}\" 열에는 단위가 없는데 열 이름에 \"{unit}\"이(가) 있다",
+        },
+        ColumnNeedsButIts { name: String, needed: Both, unit: String } => {
+            en: "the column \"{name}\" needs {needed}, but its head says \"{unit}\"",
+            ko: "\"{name}\" 열에는 {needed}의 단위가 필요한데 열 이름에 \"{unit}\"이(가) 있다",
+        },
+        ColumnIsInBut { name: String, unit: String, key: String, of_file: String } => {
+            en: "the column \"{name}\" is in {unit}, but units.{key} of the file is {of_file}",
+            ko: "\"{name}\" 열의 단위는 {unit}인데 파일의 units.{key}은(는) {of_file}이다",
+        },
+        SayOneUnitIn => {
+            en: "say one unit in both, or leave it out of the head",
+            ko: "두 곳의 단위를 같게 하거나 열 이름에서 단위를 뺀다",
+        },
+    }
+}
