@@ -389,7 +389,7 @@ fn buildable(reader: &mut Reader, structure: Option<&mut Structure>) {
         Some(Structure::Stack(stack)) => {
             if let Err(why) = stack.build(&mut Quantity::nominal) {
                 let path = why.path();
-                reader.fault(Fault::new(reader.place(path), path, why.to_string()));
+                reader.fault(Fault::new(reader.place(path), path, why.said()));
             }
             return;
         }

@@ -7,10 +7,12 @@ use super::part::{
 use super::surveyed_lean::Turn;
 use super::vectors::{centroid, unit_normal};
 use crate::quantity::{Pick, Quantity};
+use crate::wrong::WrongStack;
 use dolmen::structure::stack::{
     BED_GAP_M, Block, Body, Joint, JointMaterial, Pagoda, PagodaFactors, PagodaSlenderness, Placement,
     SideSupport, Solid, Stack, StackError, Tie, pagoda,
 };
+use dolmen_words::message::Both;
 
 /// Least rise of the normal of a face that can be stood on, as cosine: 45°. Chosen here; what leans more is a side.
 const TOP_RISE_LEAST: f64 = 0.7;
@@ -61,6 +63,34 @@ impl StackFault {
     fn part(path: String, why: StackError) -> Self {
         let why = Box::new(why);
         StackFault::Part { path, why }
+    }
+
+    /// What is wrong; what the science says is English in both languages.
+    pub(crate) fn said(&self) -> Both {
+        match self {
+            StackFault::Part { .. } => Both::from(self.to_string()),
+            StackFault::Apart {
+                upper,
+                lower,
+                allowed_m,
+                ..
+            } => Both::from(WrongStack::Apart {
+                upper: upper.clone(),
+                lower: lower.clone(),
+                allowed_m: allowed_m.to_string(),
+            }),
+            StackFault::Twice {
+                path,
+                upper,
+                lower,
+                first,
+            } => Both::from(WrongStack::GivenTwice {
+                path: path.clone(),
+                upper: upper.clone(),
+                lower: lower.clone(),
+                first: first.to_string(),
+            }),
+        }
     }
 
     /// Where in the file.

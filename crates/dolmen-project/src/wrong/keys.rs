@@ -79,7 +79,7 @@ messages! {
             ko: "{key}은(는) 한 단계 아래에 속한다. {table}에 이름을 붙여 [{table}.이름] 아래에 쓴다",
         },
         WholeNumber => { en: "a whole number", ko: "정수" },
-        TrueOrFalse => { en: "true or false", ko: "true 또는 false" },
+        TrueOrFalse => { en: "true or false", ko: "논리값(true 또는 false)" },
         Date => { en: "a date", ko: "날짜" },
         Or { others: String, last: String } => { en: "{others} or {last}", ko: "{others} 또는 {last}" },
         Text => { en: "text", ko: "문자열" },

@@ -94,7 +94,7 @@ messages! {
         LetOneOfThem => { en: "let one of them stand on \"ground\"", ko: "그중 하나를 \"ground\" 위에 놓는다" },
         NorHaveMoreBlocks { others: String } => {
             en: ", nor have {others} more blocks",
-            ko: "(밖에도 부재 {others}개에 없다)",
+            ko: "(이 밖에 부재 {others}개에도 없다)",
         },
         BlocksHasNoDensity { first: String, others: Both } => {
             en: "blocks[{first}] has no density{others}",
@@ -147,5 +147,13 @@ messages! {
             ko: "{file_path} = \"{file}\", '{name}'의 메시: {why}",
         },
         OfBlock => { en: "block", ko: "부재" },
+        Apart { upper: String, lower: String, allowed_m: String } => {
+            en: "'{upper}' is said to stand on '{lower}', but they do not touch: a bed there must lie within {allowed_m} m of it and be level with it to 5°",
+            ko: "'{upper}'이(가) '{lower}' 위에 놓인다고 하였으나 서로 닿지 않는다. 접합면의 높이 차는 {allowed_m} m, 기울기 차는 5° 이내이어야 한다",
+        },
+        GivenTwice { path: String, upper: String, lower: String, first: String } => {
+            en: "{path} gives the joint of '{upper}' on '{lower}' a second time, after contacts[{first}]: keep one of them",
+            ko: "{path}이(가) '{lower}' 위 '{upper}'의 접합면을 contacts[{first}]에 이어 다시 준다. 둘 중 하나만 남긴다",
+        },
     }
 }

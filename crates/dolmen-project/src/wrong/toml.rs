@@ -6,7 +6,7 @@ use dolmen_words::messages;
 messages! {
     /// What is wrong with the syntax of a file, or its version.
     pub(crate) enum WrongToml in "project.error.toml" {
-        ThisIsNotToml { first: Both } => { en: "this is not TOML: {first}", ko: "TOML 문법 오류이다: {first}" },
+        ThisIsNotToml { first: Both } => { en: "this is not TOML: {first}", ko: "TOML 문법 오류: {first}" },
         NumberBeginsWithDigit => {
             en: "a number begins with a digit: write 0.02, not .02",
             ko: "수는 숫자로 시작한다. .02가 아니라 0.02로 쓴다",

@@ -32,7 +32,7 @@ messages! {
         },
         TakeItOutOrWrite { owner: String } => {
             en: "take it out, or write kind = \"{owner}\"",
-            ko: "삭제하거나 kind = \"{owner}\"(으)로 바꾼다",
+            ko: "삭제하거나 kind를 바꾼다: kind = \"{owner}\"",
         },
         FramesAndChains => { en: "frames and chains", ko: "frame과 chain" },
         IsForButThis { name: String, words: Both, kind: String } => {
