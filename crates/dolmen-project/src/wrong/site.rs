@@ -122,12 +122,12 @@ messages! {
         MustBeGM => { en: "must be \"g\", \"m/s2\" or \"gal\"", ko: "\"g\", \"m/s2\" 또는 \"gal\"이어야 한다" },
         SiteFile { file: String, why: Both } => {
             en: "site.file = \"{file}\": {why}",
-            ko: "site.file = \"{file}\": {why}",
+            ko: "site.file = \"{file}\"을(를) 읽을 수 없다: {why}",
         },
         LineIsNotPeriod { i: String } => {
             en: "line {i} is not a period, s, and an acceleration",
             ko: "{i}행이 주기(s)와 가속도가 아니다",
         },
-        Hazard { message: Both } => { en: "site.hazard: {message}", ko: "site.hazard: {message}" },
+        Hazard { message: Both } => { en: "site.hazard: {message}", ko: "site.hazard(재해도): {message}" },
     }
 }

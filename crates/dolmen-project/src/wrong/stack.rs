@@ -62,7 +62,7 @@ messages! {
             en: "keep one of them: it determines the other",
             ko: "둘 중 하나만 남긴다. 하나가 다른 하나를 결정한다",
         },
-        Pagoda { why: String } => { en: "pagoda: {why}", ko: "pagoda: {why}" },
+        Pagoda { why: String } => { en: "pagoda: {why}", ko: "pagoda(석탑): {why}" },
         PagodaOther => { en: "a pagoda", ko: "석탑(pagoda)" },
         Arch => { en: "an arch", ko: "홍예(arch)" },
         Wall => { en: "a wall", ko: "돌담(wall)" },

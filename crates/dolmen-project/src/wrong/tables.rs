@@ -13,7 +13,7 @@ messages! {
         MustBeFileAnd => { en: "must be file and sheet alone", ko: "file과 sheet만 쓸 수 있다" },
         File { key: String, file: String, why: Both } => {
             en: "{key}.file = \"{file}\": {why}",
-            ko: "{key}.file = \"{file}\": {why}",
+            ko: "{key}.file = \"{file}\"을(를) 읽을 수 없다: {why}",
         },
         CellColumnIsThere { file: String, place: String, of: String } => {
             en: "{file}, cell {place}: the column \"{of}\" is there twice",

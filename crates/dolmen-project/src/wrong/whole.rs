@@ -139,8 +139,8 @@ messages! {
             en: "take it out: copied text sometimes brings one along",
             ko: "삭제한다. 복사한 글에 딸려 온 것일 수 있다",
         },
-        Stacks => { en: "stacks", ko: "stack" },
-        Frames => { en: "frames", ko: "frame" },
-        Buildings => { en: "buildings", ko: "building" },
+        Stacks => { en: "stacks", ko: "stack 모델" },
+        Frames => { en: "frames", ko: "frame 모델" },
+        Buildings => { en: "buildings", ko: "building 모델" },
     }
 }
