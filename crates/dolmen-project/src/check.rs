@@ -4,6 +4,7 @@
 
 use super::error::Fault;
 use super::schema_tree::Tree;
+use super::type_words::{alternatives, type_word_of, type_words};
 use super::wrong::{Common, WrongKey, either, of_schema};
 use dolmen_words::message::Both;
 use dolmen_words::{Language, nearest};
@@ -329,7 +330,10 @@ impl<'t, 'i> SchemaCheck<'t, 'i> {
         let needed = match schema.get("x-must-be").and_then(Tree::text) {
             Some(must_be) => of_schema(must_be),
             None => {
-                let mut types: Vec<Both> = branches.iter().filter_map(|branch| type_words(branch)).collect();
+                let mut types: Vec<Both> = branches
+                    .iter()
+                    .filter_map(|branch| type_words(type_of(branch)?))
+                    .collect();
                 types.dedup();
                 let types = |language| {
                     types
@@ -523,41 +527,5 @@ fn fits(value: &DeValue<'_>, schema: &Tree) -> bool {
         Some("array") => matches!(value, DeValue::Array(_)),
         Some("object") => matches!(value, DeValue::Table(_)),
         _ => true,
-    }
-}
-
-fn type_words(schema: &Tree) -> Option<Both> {
-    Some(Both::from(match type_of(schema)? {
-        "number" => WrongKey::Number,
-        "integer" => WrongKey::WholeNumber,
-        "string" => WrongKey::Text,
-        "boolean" => WrongKey::TrueOrFalse,
-        "array" => WrongKey::List,
-        "object" => WrongKey::Table,
-        _ => return None,
-    }))
-}
-
-fn type_word_of(value: &DeValue<'_>) -> Both {
-    Both::from(match value {
-        DeValue::String(_) => WrongKey::Text,
-        DeValue::Integer(_) | DeValue::Float(_) => WrongKey::Number,
-        DeValue::Boolean(_) => WrongKey::TrueOrFalse,
-        DeValue::Datetime(_) => WrongKey::Date,
-        DeValue::Array(_) => WrongKey::List,
-        DeValue::Table(_) => WrongKey::Table,
-    })
-}
-
-/// "a", "b" or "c", each in quotes.
-fn alternatives(words: &[&str]) -> Both {
-    let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
-    match quoted.split_last() {
-        Some((last, [])) => Both::from(last.as_str()),
-        Some((last, others)) => Both::from(WrongKey::Or {
-            others: others.join(", "),
-            last: last.to_string(),
-        }),
-        None => Both::from(""),
     }
 }

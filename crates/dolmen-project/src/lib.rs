@@ -1,5 +1,6 @@
 //! Project files: one TOML a structure, with its surveys, variants and the evidence of each number.
 
+mod bounds;
 mod building;
 mod chain;
 mod check;
@@ -38,7 +39,9 @@ mod study;
 mod survey;
 mod syntax;
 mod tabled;
+mod type_words;
 mod units;
+mod unknown_variants;
 mod usual;
 mod usual_numbers;
 mod warned;

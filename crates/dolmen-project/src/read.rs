@@ -31,12 +31,11 @@ use super::survey::{add_inspections, change, surveys, watch};
 use super::syntax::{of_toml, version};
 use super::tabled::{Tabled, tabled};
 use super::units::STANDARD_GRAVITY_M_S2;
+use super::unknown_variants::unknown_variants;
 use super::warned::Warned;
 use super::wrong::{Common, WrongFile};
 use dolmen::structure::StructureError;
 use dolmen_records::{Files, NoFiles};
-use dolmen_words::message::Both;
-use dolmen_words::nearest;
 use serde::Deserialize;
 use std::borrow::Cow;
 use std::collections::{BTreeMap, BTreeSet};
@@ -182,47 +181,6 @@ fn doubts_of(variant: &Variant, project: &Project) -> Vec<Warning> {
         .filter(is_new)
         .map(in_variant)
         .collect()
-}
-
-/// Variants that studies name and the file does not have.
-fn unknown_variants(project: &Project, variants: &[Variant]) -> Vec<Fault> {
-    let known: Vec<&str> = variants.iter().map(|variant| variant.name.as_str()).collect();
-    let mut faults = Vec::new();
-    for study in &project.studies {
-        for (i, name) in study.variants.iter().enumerate() {
-            if known.contains(&name.as_str()) {
-                continue;
-            }
-            let path = format!("study.{}.variants[{}]", study.name, i + 1);
-            let span = project.spans.get(&path).cloned().unwrap_or(0..0);
-            let fault = Fault::new(
-                span,
-                &path,
-                WrongFile::ThereIsNoVariant {
-                    name: name.to_string(),
-                },
-            );
-            let help: Both = match nearest(name, known.iter().copied()) {
-                Some(near) => Common::DidYouMean {
-                    near: near.to_string(),
-                }
-                .into(),
-                None => WrongFile::WriteVariantOrTake {
-                    name: name.to_string(),
-                }
-                .into(),
-            };
-            faults.push(match known.is_empty() {
-                true => fault.help(help),
-                false => fault
-                    .allowed(WrongFile::MustBeOneOf {
-                        known: known.join(", "),
-                    })
-                    .help(help),
-            });
-        }
-    }
-    faults
 }
 
 /// Reads one whole structure, the file's own or a merged variant.

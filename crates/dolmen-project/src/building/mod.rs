@@ -8,6 +8,7 @@ mod floor_number;
 mod part;
 mod read;
 mod read_damper;
+mod read_damping;
 mod slips;
 mod slips_damper;
 

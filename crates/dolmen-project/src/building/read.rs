@@ -3,7 +3,8 @@
 use super::file::{FloorRaw, StoreyStiffnessRaw, WallRaw, WatchedRaw};
 use super::floor_number::floor_number;
 use super::part::{BuildingPart, FloorPart, GyrationPart, StoreyStiffnessPart, WallPart, WatchedPart};
-use super::read_damper::{dampers, damping};
+use super::read_damper::dampers;
+use super::read_damping::damping;
 use super::slips_damper::judge_dampers;
 use crate::error::Fault;
 use crate::file::FileRaw;

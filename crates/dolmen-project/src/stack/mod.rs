@@ -5,6 +5,7 @@ mod block;
 mod body;
 mod build;
 mod doubts;
+mod fault;
 mod file;
 mod lean;
 mod made;
@@ -16,8 +17,8 @@ mod slips;
 mod surveyed_lean;
 mod vectors;
 
-pub use build::StackFault;
 pub(crate) use doubts::doubt_stack;
+pub use fault::StackFault;
 pub(crate) use file::{
     ArchRaw, BedRaw, BlockRaw, ContactRaw, PagodaRaw, SideSupportRaw, StoneWallRaw, TieRaw,
 };

@@ -1,0 +1,43 @@
+//! The words for types and for values among which one is chosen.
+
+use super::wrong::WrongKey;
+use dolmen_words::message::Both;
+use toml::de::DeValue;
+
+/// A type of the schema in words.
+pub(super) fn type_words(of: &str) -> Option<Both> {
+    Some(Both::from(match of {
+        "number" => WrongKey::Number,
+        "integer" => WrongKey::WholeNumber,
+        "string" => WrongKey::Text,
+        "boolean" => WrongKey::TrueOrFalse,
+        "array" => WrongKey::List,
+        "object" => WrongKey::Table,
+        _ => return None,
+    }))
+}
+
+/// The type of a value in words.
+pub(super) fn type_word_of(value: &DeValue<'_>) -> Both {
+    Both::from(match value {
+        DeValue::String(_) => WrongKey::Text,
+        DeValue::Integer(_) | DeValue::Float(_) => WrongKey::Number,
+        DeValue::Boolean(_) => WrongKey::TrueOrFalse,
+        DeValue::Datetime(_) => WrongKey::Date,
+        DeValue::Array(_) => WrongKey::List,
+        DeValue::Table(_) => WrongKey::Table,
+    })
+}
+
+/// "a", "b" or "c", each in quotes.
+pub(super) fn alternatives(words: &[&str]) -> Both {
+    let quoted: Vec<String> = words.iter().map(|word| format!("\"{word}\"")).collect();
+    match quoted.split_last() {
+        Some((last, [])) => Both::from(last.as_str()),
+        Some((last, others)) => Both::from(WrongKey::Or {
+            others: others.join(", "),
+            last: last.to_string(),
+        }),
+        None => Both::from(""),
+    }
+}
