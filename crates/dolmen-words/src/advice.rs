@@ -135,6 +135,8 @@ impl Advice for Note {
             Self::BlockRowsBounded { .. }
             | Self::FewBlocks { .. }
             | Self::Tones { .. }
+            | Self::Narrow { .. }
+            | Self::TonesOnModes { .. }
             | Self::Harmonics { .. }
             | Self::NoDamping { .. }
             | Self::ClosePairs { .. }

@@ -133,11 +133,13 @@ impl SurveyAnswer {
     /// Peaks of its record that are none of its modes, and modes that were not picked, Hz, ascending. Empty of several setups.
     pub fn unexplained_hz(&self) -> Vec<f64> {
         let notes = self.records.iter().flat_map(|record| &record.analysis.notes);
-        let frequencies = notes.filter_map(|note| match note {
-            Note::PeaksWithoutMode { frequency_hz } | Note::NotPicked { frequency_hz } => Some(frequency_hz),
-            _ => None,
-        });
-        let mut all: Vec<f64> = frequencies.flatten().copied().collect();
+        let mut all: Vec<f64> = notes
+            .flat_map(|note| match note {
+                Note::PeaksWithoutMode { peaks } => peaks.iter().map(|peak| peak.frequency_hz).collect(),
+                Note::NotPicked { frequency_hz } => frequency_hz.clone(),
+                _ => Vec::new(),
+            })
+            .collect();
         all.sort_by(f64::total_cmp);
         all
     }

@@ -8,6 +8,7 @@ mod findings;
 mod joint;
 mod notes;
 mod record;
+mod refused;
 mod settings;
 mod setup_remarks;
 mod setups;
@@ -37,7 +38,7 @@ messages! {
 }
 
 /// The sentences on records as they are written.
-pub(crate) const TEMPLATES: [&[Template]; 16] = [
+pub(crate) const TEMPLATES: [&[Template]; 17] = [
     findings::Found::TEMPLATES,
     Of::TEMPLATES,
     record::Record::TEMPLATES,
@@ -47,6 +48,7 @@ pub(crate) const TEMPLATES: [&[Template]; 16] = [
     shapes::Shapes::TEMPLATES,
     settings::Chosen::TEMPLATES,
     notes::Notes::TEMPLATES,
+    refused::Refused::TEMPLATES,
     steady::Steady::TEMPLATES,
     clocks::Clocks::TEMPLATES,
     decay::Decays::TEMPLATES,

@@ -2,7 +2,8 @@
 
 use super::clocks::{Clocks, drifting, late};
 use super::faults::fault_words;
-use super::steady::{steady_words, tone_words};
+use super::refused::refused_words;
+use super::steady::{on_mode_words, steady_words, tone_words};
 use super::values::{all_hertz, fixed, hertz, percent};
 use dolmen::modal::Note;
 use dolmen_words::{Digits, Quantity, Sentence, Unit, Values, messages};
@@ -23,8 +24,16 @@ messages! {
             ko: "기록이 짧아 표준편차를 시간 블록 {blocks}개에서 산정하였으며, 표준편차 자체의 정확도는 ± {accuracy}이다.",
         },
         Tones { tones: Vec<Sentence> } => {
-            en: "The spectrum has lines too narrow for a structure or too steady for random forces, at {tones}: machines.",
-            ko: "{tones}에 구조물로 보기에는 폭이 너무 좁거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
+            en: "The spectrum has lines of one phase for the whole record, or too steady for random forces, at {tones}: machines.",
+            ko: "{tones}에 기록 전체에서 위상이 일정하거나 세기가 너무 일정한 스펙트럼 선이 있다. 기계 진동이다.",
+        },
+        Narrow { least: Quantity, peaks: Vec<Sentence> } => {
+            en: "The spectrum has peaks narrower than a mode with a damping ratio of {least}, at {peaks}: machines that run for a part of the time, or modes damped less than that; damping_least in the modal options of the survey admits them.",
+            ko: "{peaks}에 감쇠비 {least}인 모드보다 폭이 좁은 스펙트럼 피크가 있다. 일부 시간만 가동한 기계 진동이거나 감쇠가 그보다 작은 모드이다. 모드라면 조사의 modal 항목에서 damping_least로 하한을 낮춘다.",
+        },
+        TonesOnModes { tones: Vec<Sentence> } => {
+            en: "Machines run on modes, at {tones}: their sines keep one phase for the whole record; the damping ratio of such a mode comes out too low, and its shape is the machine's too: measure while the machine rests.",
+            ko: "모드의 진동수에서 기계가 가동한다({tones}). 기록 전체에서 위상이 일정한 정현파가 있어 그 모드의 감쇠비는 실제보다 작고 모드형상에는 기계의 영향이 섞인다. 기계가 멈춘 동안 다시 계측한다.",
         },
         HarmonicsRemoved { steady: Vec<Sentence> } => {
             en: "The motion at {steady} is too steady for random forces (3 is random, 1.5 a sine): machines, left out.",
@@ -67,9 +76,9 @@ messages! {
             en: "Two singular values of the spectrum rise at {at}, where one mode was found: it may be two that lie close, and then its frequency, damping and shape are of both; ssi-cov and ssi-data tell close modes apart.",
             ko: "{at}에서 스펙트럼의 특이값 두 개가 함께 솟지만 모드는 하나만 찾았다. 가까운 두 모드일 수 있으며, 그렇다면 진동수, 감쇠비, 모드형상은 둘이 섞인 것이다. ssi-cov와 ssi-data가 가까운 모드를 구별한다.",
         },
-        PeaksWithoutMode { at: Values } => {
-            en: "The spectrum has peaks that no stable mode explains, at {at}: machines, or modes too weak for this record.",
-            ko: "{at}에 스펙트럼 피크가 있으나 이를 설명하는 안정한 모드가 없다. 기계 진동이거나 이 기록에서는 너무 약한 모드이다.",
+        PeaksWithoutMode { peaks: Vec<Sentence> } => {
+            en: "The spectrum has peaks that are no modes, each with the test that refused it: {peaks}.",
+            ko: "스펙트럼에 모드로 보지 않은 피크가 있다. 괄호 안은 그 이유이다: {peaks}.",
         },
         NotPicked { at: Values } => {
             en: "Modes that were found and not picked: {at}.",
@@ -118,6 +127,16 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         Note::Tones { tones } => Notes::Tones {
             tones: tones.iter().map(tone_words).collect(),
         },
+        Note::Narrow {
+            peaks,
+            damping_ratio_least,
+        } => Notes::Narrow {
+            least: percent(*damping_ratio_least, 2),
+            peaks: peaks.iter().map(tone_words).collect(),
+        },
+        Note::TonesOnModes { tones } => Notes::TonesOnModes {
+            tones: tones.iter().map(on_mode_words).collect(),
+        },
         Note::Harmonics { steady, removed } => {
             let steady = steady.iter().map(steady_words).collect();
             match removed {
@@ -147,8 +166,8 @@ pub(super) fn note_words(note: &Note) -> Sentence {
         Note::HiddenPairs { frequency_hz } => Notes::HiddenPairs {
             at: all_hertz(frequency_hz),
         },
-        Note::PeaksWithoutMode { frequency_hz } => Notes::PeaksWithoutMode {
-            at: all_hertz(frequency_hz),
+        Note::PeaksWithoutMode { peaks } => Notes::PeaksWithoutMode {
+            peaks: peaks.iter().map(refused_words).collect(),
         },
         Note::NotPicked { frequency_hz } => Notes::NotPicked {
             at: all_hertz(frequency_hz),

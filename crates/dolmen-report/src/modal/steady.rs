@@ -1,7 +1,7 @@
 //! Motion that is too steady for random forces.
 
 use super::values::{fixed, hertz, percent};
-use dolmen::modal::{Kurtosis, Tone};
+use dolmen::modal::{Kurtosis, Tone, ToneOnMode};
 use dolmen_words::{Quantity, Sentence, messages};
 
 messages! {
@@ -18,6 +18,10 @@ messages! {
         Mode { frequency: Quantity, kurtosis: Sentence } => {
             en: "{frequency} ({kurtosis})",
             ko: "{frequency}({kurtosis})",
+        },
+        OnMode { frequency: Quantity, mode: Quantity, strength: Quantity } => {
+            en: "{frequency} ({strength} of the power of the mode at {mode})",
+            ko: "{frequency}({mode} 모드 세기의 {strength})",
         },
         Kurtosis { kurtosis: Quantity } => { en: "kurtosis {kurtosis}", ko: "첨도 {kurtosis}" },
         Runs { kurtosis: Quantity, share: Quantity } => {
@@ -58,6 +62,16 @@ pub(super) fn steady_words(of: &Kurtosis) -> Sentence {
     Steady::Mode {
         frequency: hertz(of.frequency_hz),
         kurtosis: kurtosis_words(of),
+    }
+    .into()
+}
+
+/// A machine that runs on a mode.
+pub(super) fn on_mode_words(tone: &ToneOnMode) -> Sentence {
+    Steady::OnMode {
+        frequency: hertz(tone.frequency_hz),
+        mode: hertz(tone.mode_hz),
+        strength: percent(tone.strength, 0),
     }
     .into()
 }

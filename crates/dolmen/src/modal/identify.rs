@@ -8,9 +8,9 @@ use super::options::Identify;
 use super::quality::leave_out_late_clocks;
 use super::quality::leave_out_other_clocks;
 use super::quality::note_hidden_pairs;
-use super::quality::remark;
 use super::quality::{doubt_channels, to_one_quantity};
-use super::quality::{split_tones, test_for_machines};
+use super::quality::{note_tones_on_modes, split_tones, test_for_machines};
+use super::quality::{refusal, remark};
 use super::quality::{unequal, widen};
 use super::settings::{choose, passed_hz};
 use super::spectrum::FractionScatter;
@@ -80,7 +80,14 @@ pub fn identify(record: &Record, options: &Identify) -> Result<ModalAnalysis, Mo
     }
     let not_picked_hz = pick(options, &mut analysis.modes)?;
     wanted(options, &analysis.modes)?;
-    remark(&analysis.modes, &analysis.fdd_modes, not_picked_hz, &mut notes);
+    note_tones_on_modes(record, (&analysis.modes, &analysis.fdd_modes), &mut notes);
+    let why = |peak_hz: f64| refusal(&analysis, peak_hz, &options.clustering);
+    remark(
+        &analysis.modes,
+        (&analysis.fdd_modes, &why),
+        not_picked_hz,
+        &mut notes,
+    );
     // the subspace methods tell such modes apart, where the record does
     if matches!(
         options.method,

@@ -13,12 +13,14 @@ mod options;
 mod pass;
 mod products;
 mod quality;
+mod refusal;
 mod sensors;
 mod settings;
 mod setups;
 mod spectrum;
 mod subspace;
 mod synthetic;
+mod unkind;
 
 pub use decay::{AtAmplitude, Decay, Decrement, Era, FreeDecay, ModeDecay, decrement, era};
 pub use error::ModalError;
@@ -26,9 +28,10 @@ pub use identify::identify;
 pub use indicators::{assurance, phase_collinearity, phase_deviation};
 pub use modal_analysis::ModalAnalysis;
 pub use modes::{Method, Mode, Modes};
-pub use notes::{LateClock, Note, Tone};
+pub use notes::{LateClock, Note, Tone, ToneOnMode};
 pub use options::{Harmonics, Identify};
 pub use quality::{Kurtosis, band_kurtosis};
+pub use refusal::{Refusal, RefusedPeak};
 pub use sensors::{SensorDoubt, doubt_sensors};
 pub use settings::Settings;
 pub(crate) use setups::shared;
@@ -42,3 +45,4 @@ pub use subspace::{
     Stabilization, Subspace, clusters, ssi_cov, ssi_data, stabilize,
 };
 pub use synthetic::{MadeMode, MadeRecord, ReferenceCase};
+pub use unkind::{UnkindMode, UnkindPlan, UnkindRecord, UnkindTone};

@@ -1,7 +1,7 @@
 //! What must be known beside the modes, as sentences.
 
-use super::Kurtosis;
 use super::subspace::HANKEL_ROWS_MOST;
+use super::{Kurtosis, RefusedPeak};
 use crate::signal::ChannelFault;
 
 /// A peak of the spectrum that a machine makes.
@@ -13,6 +13,31 @@ pub struct Tone {
     pub width_hz: f64,
     /// How steady it is; `None` where the record is too short to tell.
     pub kurtosis: Option<Kurtosis>,
+}
+
+/// A machine that runs on a mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ToneOnMode {
+    /// Its frequency, Hz.
+    pub frequency_hz: f64,
+    /// The mode or peak that it stands on, Hz.
+    pub mode_hz: f64,
+    /// Its power over that of the mode, –.
+    pub strength: f64,
+}
+
+impl std::fmt::Display for ToneOnMode {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let ToneOnMode {
+            frequency_hz,
+            mode_hz,
+            strength,
+        } = self;
+        write!(
+            f,
+            "{frequency_hz:.4} Hz ({strength:.2} of the power of the mode at {mode_hz:.3} Hz)"
+        )
+    }
 }
 
 impl std::fmt::Display for Tone {
@@ -91,6 +116,18 @@ pub enum Note {
         /// The peaks.
         tones: Vec<Tone>,
     },
+    /// Peaks narrower than a mode damped by the least, that no test calls a machine.
+    Narrow {
+        /// The peaks.
+        peaks: Vec<Tone>,
+        /// The least damping ratio of a mode.
+        damping_ratio_least: f64,
+    },
+    /// Sines that stand on modes: the damping ratio and shape of these are wrong.
+    TonesOnModes {
+        /// The sines.
+        tones: Vec<ToneOnMode>,
+    },
     /// Modes whose motion is too steady for random forces.
     Harmonics {
         /// Kurtosis of each.
@@ -135,10 +172,10 @@ pub enum Note {
         /// Their frequencies, Hz.
         frequency_hz: Vec<f64>,
     },
-    /// Peaks of the spectrum at which no stable mode was found.
+    /// Peaks of the spectrum that are no modes.
     PeaksWithoutMode {
-        /// Their frequencies, Hz.
-        frequency_hz: Vec<f64>,
+        /// Each with what refused it.
+        peaks: Vec<RefusedPeak>,
     },
     /// Modes that were found and not picked by hand.
     NotPicked {
@@ -208,7 +245,29 @@ impl std::fmt::Display for Note {
                 let all: Vec<String> = tones.iter().map(ToString::to_string).collect();
                 write!(
                     f,
-                    "the spectrum has lines too narrow for a structure or too steady for random forces, at {}: machines",
+                    "the spectrum has lines of one phase for the whole record, or too steady for random forces, at {}: machines",
+                    all.join(", ")
+                )
+            }
+            Note::Narrow {
+                peaks,
+                damping_ratio_least,
+            } => {
+                let all: Vec<String> = peaks.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "the spectrum has peaks narrower than a mode damped by {:.2} %, at {}: machines that run for a part of the time, or modes damped \
+                     less than that",
+                    100.0 * damping_ratio_least,
+                    all.join(", ")
+                )
+            }
+            Note::TonesOnModes { tones } => {
+                let all: Vec<String> = tones.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "machines run on modes, at {}: their sines keep one phase for the whole record; the damping ratio of such a mode comes \
+                     out too low, and its shape is the machine's too: measure while the machine rests",
                     all.join(", ")
                 )
             }
@@ -289,10 +348,13 @@ impl std::fmt::Display for Note {
                      ssi-cov and ssi-data tell close modes apart"
                 )
             }
-            Note::PeaksWithoutMode { frequency_hz } => {
-                write!(f, "the spectrum has peaks that no stable mode explains, at ")?;
-                list(f, frequency_hz)?;
-                write!(f, " Hz: machines, or modes too weak for this record")
+            Note::PeaksWithoutMode { peaks } => {
+                let all: Vec<String> = peaks.iter().map(ToString::to_string).collect();
+                write!(
+                    f,
+                    "the spectrum has peaks that are no modes, each with what refused it: {}",
+                    all.join("; ")
+                )
             }
             Note::NotPicked { frequency_hz } => {
                 write!(f, "modes that were found and not picked: ")?;

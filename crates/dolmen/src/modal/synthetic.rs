@@ -9,7 +9,7 @@
 use super::ModalError;
 use crate::numeric::Random;
 use crate::signal::{Channel, Quantity, Record};
-use dolmen_linalg::{Matrix, generalized_symmetric_eigen};
+use dolmen_linalg::{Complex64, Matrix, generalized_symmetric_eigen};
 use std::f64::consts::PI;
 
 /// Decay times that pass before the first sample is kept: e⁻⁸ = 0.03 % of the start is left.
@@ -124,38 +124,85 @@ impl MadeRecord {
     }
 
     fn motion(&self, mode: &MadeMode, mut random: Random, length: usize) -> Vec<f64> {
+        let own = Oscillator::new(mode, self.sampling_rate_hz, self.quantity);
+        let before = own.samples_before();
+        let force = (0..before + length).map(|_| random.normal());
+        own.driven(force).skip(before).collect()
+    }
+}
+
+/// One mode as a recursion, exact for forces held over a sample.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Oscillator {
+    omega: f64,
+    zeta: f64,
+    dt: f64,
+    quantity: Quantity,
+    /// Ad = e^(A dt)
+    ad: [[f64; 2]; 2],
+    /// Bd = (1/ω²) (x_static - Ad x_static) with x_static = [1 0]
+    bd: [f64; 2],
+}
+
+impl Oscillator {
+    pub(super) fn new(mode: &MadeMode, sampling_rate_hz: f64, quantity: Quantity) -> Self {
         let (omega, zeta) = (2.0 * PI * mode.frequency_hz, mode.damping_ratio);
-        let dt = 1.0 / self.sampling_rate_hz;
+        let dt = 1.0 / sampling_rate_hz;
         let omega_d = omega * (1.0 - zeta * zeta).sqrt();
         let decay = (-zeta * omega * dt).exp();
         let (s, c) = (omega_d * dt).sin_cos();
         let (s, c) = (decay * s / omega_d, decay * c);
-        // Ad = e^(A dt), Bd = (1/ω²) (x_static - Ad x_static) with x_static = [1 0]
         let ad = [
             [c + zeta * omega * s, s],
             [-omega * omega * s, c - zeta * omega * s],
         ];
-        let bd = [(1.0 - ad[0][0]) / (omega * omega), -ad[1][0] / (omega * omega)];
-        let before = (DECAYS_BEFORE_START / (zeta * omega * dt)).ceil() as usize;
-        let (mut q, mut v) = (0.0, 0.0);
-        let mut motion = Vec::with_capacity(length);
-        for k in 0..before + length {
-            let p = random.normal();
-            if k >= before {
-                motion.push(match self.quantity {
-                    Quantity::Displacement => q,
-                    Quantity::Velocity => v,
-                    Quantity::Acceleration | Quantity::Unknown => {
-                        p - 2.0 * zeta * omega * v - omega * omega * q
-                    }
-                });
-            }
-            (q, v) = (
-                ad[0][0] * q + ad[0][1] * v + bd[0] * p,
-                ad[1][0] * q + ad[1][1] * v + bd[1] * p,
-            );
+        Oscillator {
+            omega,
+            zeta,
+            dt,
+            quantity,
+            ad,
+            bd: [(1.0 - ad[0][0]) / (omega * omega), -ad[1][0] / (omega * omega)],
         }
-        motion
+    }
+
+    /// Samples after which the start is forgotten.
+    pub(super) fn samples_before(&self) -> usize {
+        (DECAYS_BEFORE_START / (self.zeta * self.omega * self.dt)).ceil() as usize
+    }
+
+    /// What is measured under these forces, from rest.
+    pub(super) fn driven(self, forces: impl Iterator<Item = f64>) -> impl Iterator<Item = f64> {
+        let (ad, bd) = (self.ad, self.bd);
+        forces.scan([0.0, 0.0], move |[q, v], p| {
+            let y = match self.quantity {
+                Quantity::Displacement => *q,
+                Quantity::Velocity => *v,
+                Quantity::Acceleration | Quantity::Unknown => {
+                    p - 2.0 * self.zeta * self.omega * *v - self.omega * self.omega * *q
+                }
+            };
+            (*q, *v) = (
+                ad[0][0] * *q + ad[0][1] * *v + bd[0] * p,
+                ad[1][0] * *q + ad[1][1] * *v + bd[1] * p,
+            );
+            Some(y)
+        })
+    }
+
+    /// Modulus of C (z - Ad)⁻¹ Bd + D at z = e^(iω dt).
+    pub(super) fn gain(&self, frequency_hz: f64) -> f64 {
+        let z = Complex64::from_polar(1.0, 2.0 * PI * frequency_hz * self.dt);
+        let ([[a, b], [c, d]], [p, q]) = (self.ad, self.bd);
+        let determinant = (z - a) * (z - d) - b * c;
+        let (x, y) = ((z - d) * p + b * q, c * p + (z - a) * q);
+        let omega = self.omega;
+        let [cx, cy, dp] = match self.quantity {
+            Quantity::Displacement => [1.0, 0.0, 0.0],
+            Quantity::Velocity => [0.0, 1.0, 0.0],
+            Quantity::Acceleration | Quantity::Unknown => [-omega * omega, -2.0 * self.zeta * omega, 1.0],
+        };
+        ((cx * x + cy * y) / determinant + dp).norm()
     }
 }
 

@@ -14,8 +14,8 @@
 //            mode is itself known to 16 % from 20 seeds, so the root mean square over all modes is held to 0.8 … 1.25.
 
 use dolmen::modal::{
-    Criteria, Harmonics, Identify, MadeMode, MadeRecord, Method, Modes, Note, ReferenceCase, assurance,
-    identify,
+    Criteria, Harmonics, Identify, MadeMode, MadeRecord, Method, Modes, Note, ReferenceCase, Refusal,
+    assurance, identify,
 };
 use dolmen::signal::{Channel, Quantity, Record};
 use dolmen_linalg::Complex64;
@@ -487,4 +487,98 @@ fn holds_a_mode_damped_by_less_than_usual_is_found_when_asked_for() {
     assert!(off < 3.0 * sd && sd < 0.002, "{off} Hz off, {sd} Hz stated");
     let ratio = found.modes[0].damping_ratio.unwrap() / weak.damping_ratio;
     assert!((ratio - 1.0).abs() < 0.6, "{ratio} of the damping");
+}
+
+/// A chain of two floors for twenty minutes, a machine of `strength` times the motion of the first mode (root mean squares) running on it.
+fn machine_on_a_mode(strength: f64, seed: u64) -> (MadeRecord, Record) {
+    let made = MadeRecord {
+        modes: [(2.0, [0.5, 1.0]), (6.3, [1.0, -0.5])]
+            .map(|(frequency_hz, shape)| MadeMode {
+                frequency_hz,
+                damping_ratio: 0.015,
+                shape: shape.to_vec(),
+            })
+            .to_vec(),
+        duration_s: 1200.0,
+        seed,
+        ..MadeRecord::default()
+    };
+    let record = made.make().unwrap();
+    let first = MadeRecord {
+        modes: made.modes[..1].to_vec(),
+        noise_ratio: 0.0,
+        ..made.clone()
+    };
+    let alone = first.make().unwrap();
+    let with_machine = |c: usize| -> Vec<f64> {
+        let own = alone.samples(c);
+        let spread = (own.iter().map(|y| y * y).sum::<f64>() / own.len() as f64).sqrt();
+        let wave = |t: usize| (2.0 * std::f64::consts::PI * 2.0071 * t as f64 / 100.0).sin();
+        let size = strength * spread * 2.0_f64.sqrt();
+        let samples = record.samples(c).iter().enumerate();
+        samples.map(|(t, y)| y + size * wave(t)).collect()
+    };
+    let samples = (0..2).map(with_machine).collect();
+    let disturbed = Record::new(record.channels().to_vec(), samples, 100.0).unwrap();
+    (made, disturbed)
+}
+
+#[test]
+fn holds_a_machine_that_runs_on_a_mode_is_named() {
+    let (strength, seed) = (2.0_f64, 100);
+    let (_, record) = machine_on_a_mode(strength, seed);
+    let found = identify(&record, &Identify::default()).unwrap();
+    let tones = found.notes.iter().find_map(|note| match note {
+        Note::TonesOnModes { tones } => Some(tones),
+        _ => None,
+    });
+    let Some([tone]) = tones.map(Vec::as_slice) else {
+        panic!("{strength}: {:?}", found.notes)
+    };
+    assert!((tone.frequency_hz - 2.0071).abs() < 2e-4, "{tone:?}");
+    assert!((tone.strength / strength.powi(2)).ln().abs() < 0.7, "{tone:?}");
+}
+
+#[test]
+fn holds_no_machine_is_seen_on_the_modes_of_records_without_one() {
+    for seed in 100..106 {
+        let (_, record) = machine_on_a_mode(0.0, seed);
+        let found = identify(&record, &Identify::default()).unwrap();
+        let is_tone = |note: &Note| {
+            matches!(
+                note,
+                Note::TonesOnModes { .. } | Note::Tones { .. } | Note::Narrow { .. }
+            )
+        };
+        assert!(!found.notes.iter().any(is_tone), "{:?}", found.notes);
+    }
+}
+
+#[test]
+fn holds_a_peak_that_is_no_mode_says_what_refused_it_and_by_how_much() {
+    let record = ReferenceCase::ShearChain.made(100).unwrap().make().unwrap();
+    let options = Identify {
+        criteria: Criteria {
+            damping_ratio_most: 0.008,
+            ..Criteria::default()
+        },
+        ..Identify::default()
+    };
+    let found = identify(&record, &options).unwrap();
+    let peaks = found.notes.iter().find_map(|note| match note {
+        Note::PeaksWithoutMode { peaks } => Some(peaks),
+        _ => None,
+    });
+    let peaks = peaks.unwrap();
+    assert_eq!(peaks.len(), 2, "{peaks:?}");
+    for (peak, hz) in peaks.iter().zip([1.1, 4.2]) {
+        assert!((peak.frequency_hz / hz - 1.0).abs() < 0.03, "{peak:?}");
+        let Some(Refusal::Damping {
+            damping_ratio, most, ..
+        }) = peak.refusal
+        else {
+            panic!("{peak:?}")
+        };
+        assert!(most == 0.008 && (0.01..0.04).contains(&damping_ratio), "{peak:?}");
+    }
 }

@@ -1,13 +1,18 @@
 //! Peaks and modes that machines make: told by their width and by how steady they are.
 
 use super::harmonics::{Kurtosis, band_kurtosis};
+use super::lines::{FineLines, LineTest};
+use super::remarks::explained;
 use crate::modal::options::{Harmonics, Identify};
 use crate::modal::spectrum::FddResult;
-use crate::modal::{ModalError, Mode, Modes, Note, Tone};
+use crate::modal::{Method, ModalError, Mode, Modes, Note, Tone, ToneOnMode};
 use crate::signal::Record;
 
-/// Takes the peaks out that machines make: narrower than any structure's where the lines are fine enough to tell, or too
-/// steady for random forces; returns their frequencies, Hz.
+/// Power of a sine over that of the mode under it up to which both are told apart. Chosen here: beyond, the skirts of the sine pass for a mode.
+const STRENGTH_MOST: f64 = 15.0;
+
+/// Takes the peaks out that are narrower than a mode damped by the least, where the lines are fine enough to tell, or too steady for random
+/// forces; returns their frequencies, Hz. Those of one phase for the whole record, or too steady, are machines; of the rest nobody can say.
 pub(crate) fn split_tones(
     record: &Record,
     peaks: &mut FddResult,
@@ -17,17 +22,24 @@ pub(crate) fn split_tones(
     let width_hz = std::mem::take(&mut peaks.spectrum.half_power_width_hz);
     let prominence_db = std::mem::take(&mut peaks.spectrum.prominence_db);
     let modes = std::mem::take(&mut peaks.modes.modes);
-    let mut tones: Vec<(f64, Tone)> = Vec::new();
+    let mut lines = FineLines::new(record);
+    let mut taken: Vec<Taken> = Vec::new();
     for ((mode, width_hz), prominence_db) in modes.into_iter().zip(width_hz).zip(prominence_db) {
         let kurtosis = kurtosis(record, &mode, damping_ratio_least)?;
-        let narrow = width_hz < 2.0 * damping_ratio_least * mode.frequency_hz;
-        if narrow || kurtosis.is_some_and(|k| k.harmonic()) {
+        let is_steady = kurtosis.is_some_and(|k| k.harmonic());
+        let is_narrow = width_hz < 2.0 * damping_ratio_least * mode.frequency_hz;
+        if is_narrow || is_steady {
             let tone = Tone {
                 frequency_hz: mode.frequency_hz,
                 width_hz,
                 kurtosis,
             };
-            tones.push((prominence_db, tone));
+            let is_machine = is_steady || lines.test(&mode).is_some_and(|line| line.is_sine());
+            taken.push(Taken {
+                prominence_db,
+                tone,
+                is_machine,
+            });
         } else {
             peaks.modes.modes.push(mode);
             peaks.spectrum.half_power_width_hz.push(width_hz);
@@ -35,28 +47,71 @@ pub(crate) fn split_tones(
         }
     }
     let line_hz = peaks.spectrum.frequency_hz.get(1).copied().unwrap_or(0.0);
-    let tones = strongest(tones, SKIRT_LINES * line_hz);
-    let frequency_hz = tones.iter().map(|tone| tone.frequency_hz).collect();
-    if !tones.is_empty() {
-        notes.push(Note::Tones { tones });
+    let taken = strongest(taken, SKIRT_LINES * line_hz);
+    let frequency_hz = taken.iter().map(|of| of.tone.frequency_hz).collect();
+    let (machines, narrow): (Vec<Taken>, Vec<Taken>) = taken.into_iter().partition(|of| of.is_machine);
+    let tones = |of: Vec<Taken>| -> Vec<Tone> { of.into_iter().map(|of| of.tone).collect() };
+    if !machines.is_empty() {
+        notes.push(Note::Tones {
+            tones: tones(machines),
+        });
+    }
+    if !narrow.is_empty() {
+        notes.push(Note::Narrow {
+            peaks: tones(narrow),
+            damping_ratio_least,
+        });
     }
     Ok(frequency_hz)
+}
+
+/// A peak that was taken out.
+struct Taken {
+    prominence_db: f64,
+    tone: Tone,
+    is_machine: bool,
+}
+
+/// Names the sines on the modes that were found and on the peaks of the spectrum that none explains, where a mode is left beside the sine.
+pub(crate) fn note_tones_on_modes(record: &Record, (modes, peaks): (&Modes, &Modes), notes: &mut Vec<Note>) {
+    if modes.channels.len() != record.channels().len() || modes.method == Method::Era {
+        return;
+    }
+    let mut lines = FineLines::new(record);
+    let far_hz = 0.5 / record.duration_s();
+    let unexplained = peaks.modes.iter().filter(|peak| !explained(peak, &modes.modes));
+    let each = modes.modes.iter().chain(unexplained).filter_map(|mode| {
+        let line = lines.test(mode).filter(LineTest::is_sine)?;
+        let within_hz = far_hz + 1.5 * mode.damping_ratio.unwrap_or(line.damping_ratio) * mode.frequency_hz;
+        let is_here = (line.frequency_hz - mode.frequency_hz).abs() <= within_hz;
+        let is_on = is_here && line.mode_remains && line.strength <= STRENGTH_MOST;
+        is_on.then_some(ToneOnMode {
+            frequency_hz: line.frequency_hz,
+            mode_hz: mode.frequency_hz,
+            strength: line.strength,
+        })
+    });
+    let mut tones: Vec<ToneOnMode> = each.collect();
+    if !tones.is_empty() {
+        tones.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+        notes.push(Note::TonesOnModes { tones });
+    }
 }
 
 /// Lines on each side of a tone that its leakage fills with small peaks.
 const SKIRT_LINES: f64 = 20.0;
 
 /// The tones, by frequency, without those that lie within `skirt_hz` of a stronger one.
-fn strongest(mut tones: Vec<(f64, Tone)>, skirt_hz: f64) -> Vec<Tone> {
-    tones.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let mut kept: Vec<Tone> = Vec::new();
-    for (_, tone) in tones {
-        let beside = |k: &Tone| (k.frequency_hz - tone.frequency_hz).abs() <= skirt_hz;
+fn strongest(mut tones: Vec<Taken>, skirt_hz: f64) -> Vec<Taken> {
+    tones.sort_by(|a, b| b.prominence_db.total_cmp(&a.prominence_db));
+    let mut kept: Vec<Taken> = Vec::new();
+    for of in tones {
+        let beside = |k: &Taken| (k.tone.frequency_hz - of.tone.frequency_hz).abs() <= skirt_hz;
         if !kept.iter().any(beside) {
-            kept.push(tone);
+            kept.push(of);
         }
     }
-    kept.sort_by(|a, b| a.frequency_hz.total_cmp(&b.frequency_hz));
+    kept.sort_by(|a, b| a.tone.frequency_hz.total_cmp(&b.tone.frequency_hz));
     kept
 }
 

@@ -5,7 +5,9 @@ mod gusts;
 mod harmonics;
 mod hidden_pairs;
 mod late_clocks;
+mod lines;
 mod machines;
+mod refused_peaks;
 mod remarks;
 mod shape_checks;
 
@@ -14,6 +16,7 @@ pub(super) use gusts::{unequal, widen};
 pub use harmonics::{Kurtosis, band_kurtosis};
 pub(super) use hidden_pairs::note_hidden_pairs;
 pub(super) use late_clocks::leave_out_late_clocks;
-pub(super) use machines::{split_tones, test_for_machines};
+pub(super) use machines::{note_tones_on_modes, split_tones, test_for_machines};
+pub(super) use refused_peaks::refusal;
 pub(super) use remarks::{explained, remark};
 pub(super) use shape_checks::{doubt_channels, to_one_quantity};

@@ -1,18 +1,27 @@
 //! What the modes of a record leave open: peaks without a mode, pairs, few cycles.
 
-use crate::modal::{Method, Mode, Modes, Note};
+use crate::modal::{Method, Mode, Modes, Note, Refusal, RefusedPeak};
 
-pub(crate) fn remark(modes: &Modes, peaks: &Modes, not_picked_hz: Vec<f64>, notes: &mut Vec<Note>) {
+/// `why` tells what refused a peak of the spectrum that is no mode.
+pub(crate) fn remark(
+    modes: &Modes,
+    (peaks, why): (&Modes, &dyn Fn(f64) -> Option<Refusal>),
+    not_picked_hz: Vec<f64>,
+    notes: &mut Vec<Note>,
+) {
     const DAMPING_FLOOR: f64 = 0.3; // relative: a damping ratio known worse is a guess
     let picked_away = |peak: &Mode| not_picked_hz.iter().any(|hz| near(*hz, peak.frequency_hz));
-    let frequency_hz: Vec<f64> = peaks
+    let peaks: Vec<RefusedPeak> = peaks
         .modes
         .iter()
         .filter(|peak| !explained(peak, &modes.modes) && !picked_away(peak))
-        .map(|peak| peak.frequency_hz)
+        .map(|peak| RefusedPeak {
+            frequency_hz: peak.frequency_hz,
+            refusal: why(peak.frequency_hz),
+        })
         .collect();
-    if !frequency_hz.is_empty() {
-        notes.push(Note::PeaksWithoutMode { frequency_hz });
+    if !peaks.is_empty() {
+        notes.push(Note::PeaksWithoutMode { peaks });
     }
     if !not_picked_hz.is_empty() {
         notes.push(Note::NotPicked {
@@ -54,7 +63,7 @@ pub(crate) fn explained(peak: &Mode, modes: &[Mode]) -> bool {
 }
 
 /// A line of the spectrum lies so near its mode.
-fn near(frequency_hz: f64, peak_hz: f64) -> bool {
+pub(super) fn near(frequency_hz: f64, peak_hz: f64) -> bool {
     const NEAR: f64 = 0.03;
     (frequency_hz / peak_hz - 1.0).abs() <= NEAR
 }

@@ -181,7 +181,7 @@ pub fn joint_setups(
     test_for_machines(&seen, &options, &mut modes, &mut notes)?;
     let not_picked_hz = pick(&options, &mut modes)?;
     wanted(&options, &modes)?;
-    remark(&modes, &peaks, not_picked_hz, &mut notes);
+    remark(&modes, (&peaks, &|_| None), not_picked_hz, &mut notes);
     doubt_channels(&modes, &mut notes);
     Ok(JointSetups {
         modes,

@@ -1,0 +1,291 @@
+//! Sines told from modes by the finest lines that a record has: a sine keeps its phase for the whole record, a mode forgets it.
+//!
+//! | symbol | code | meaning | unit |
+//! |:--|:--|:--|:--|
+//! | P_i | `power` | periodogram of the whole record (Hann) along the shape, lines 1/T apart | |
+//! | w | `half_width` | half of the half-power width of a mode, ζ f T | lines |
+//! | m_i | `model` | expected P_i: a mode over even noise, S (1/(1 + ((i − c)/w)²) + β) | |
+//! | Λ | `gain` | what a sine at one line gains in the logarithm of Whittle's likelihood | – |
+
+use crate::modal::Mode;
+use crate::signal::Record;
+use dolmen_linalg::Complex64;
+use realfft::RealFftPlanner;
+use std::collections::BTreeMap;
+use std::f64::consts::PI;
+
+/// Half width of the narrowest mode that a record is asked to show, lines: its damping ratio is known to 33 % at best. What is narrower is a
+/// sine, or cannot be told from one.
+const HALF_WIDTH_LEAST: f64 = 1.5;
+/// Lines on each side of the frequency, at least and at most.
+const REACH: [usize; 2] = [64, 512];
+/// Half widths of a mode on each side of it within which its skirts hide the noise.
+const SKIRTS: f64 = 4.0;
+/// Lines on each side of a sine that Hann's window fills.
+const LOBE: usize = 2;
+/// Gain from which a line is a sine. Chosen on the development seeds of `unkind_modes`: neighbours share two thirds of their amplitude under
+/// Hann's window, so that what chance does at one line counts about three times.
+const GAIN_LEAST: f64 = 30.0;
+/// What is left of a mode under a sine rises so far over the noise beside it, and is so wide, lines, or there is none.
+const MODE_OVER_NOISE: f64 = 10.0;
+const MODE_WIDE: f64 = 4.0;
+
+/// What the finest lines say of a peak or mode.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct LineTest {
+    /// The line that stands out most, Hz.
+    pub(crate) frequency_hz: f64,
+    /// Λ of a sine there.
+    pub(crate) gain: f64,
+    /// Damping ratio of the mode that fits the lines, the sine left out.
+    pub(crate) damping_ratio: f64,
+    /// Power of the sine over that of this mode.
+    pub(crate) strength: f64,
+    /// Whether a mode is left without the sine.
+    pub(crate) mode_remains: bool,
+}
+
+impl LineTest {
+    pub(crate) fn is_sine(&self) -> bool {
+        self.gain >= GAIN_LEAST
+    }
+}
+
+/// Spectra of whole channels, made when they are asked for.
+pub(crate) struct FineLines<'a> {
+    record: &'a Record,
+    channels: BTreeMap<usize, Vec<Complex64>>,
+}
+
+impl<'a> FineLines<'a> {
+    pub(crate) fn new(record: &'a Record) -> Self {
+        FineLines {
+            record,
+            channels: BTreeMap::new(),
+        }
+    }
+
+    fn of_channel(&mut self, c: usize) -> &[Complex64] {
+        let record = self.record;
+        self.channels.entry(c).or_insert_with(|| {
+            let y = record.samples(c);
+            let n = y.len();
+            let mean = y.iter().sum::<f64>() / n as f64;
+            let hann = |t: usize| (PI * (t as f64 + 0.5) / n as f64).sin().powi(2);
+            let mut time: Vec<f64> = y.iter().enumerate().map(|(t, y)| hann(t) * (y - mean)).collect();
+            let plan = RealFftPlanner::<f64>::new().plan_fft_forward(n);
+            let mut bins = plan.make_output_vec();
+            let _ = plan.process(&mut time, &mut bins); // lengths are the plan's own
+            bins.into_iter().map(|z| Complex64::new(z.re, z.im)).collect()
+        })
+    }
+
+    /// Powers of the lines about the middle one along a shape, and how many stand on each side of it; `None` where the record has too few.
+    fn about(
+        &mut self,
+        shape: &[Complex64],
+        channels: &[usize],
+        middle: usize,
+        wished: f64,
+    ) -> Option<(usize, Vec<f64>)> {
+        let last = self.record.length() / 2;
+        let reach = (wished as usize)
+            .clamp(REACH[0], REACH[1])
+            .min(middle.saturating_sub(4))
+            .min(last.saturating_sub(middle + 1));
+        if reach < REACH[0] / 4 {
+            return None;
+        }
+        let mut along = vec![Complex64::ZERO; 2 * reach + 1];
+        for &c in channels {
+            let weight = shape[c].conj();
+            let bins = &self.of_channel(c)[middle - reach..=middle + reach];
+            along.iter_mut().zip(bins).for_each(|(sum, z)| *sum += weight * z);
+        }
+        Some((reach, along.iter().map(|z| z.norm_sqr()).collect()))
+    }
+
+    /// Whether a sine stands at a mode, seen along its shape; `None` where the record has too few lines there.
+    ///
+    /// ```text
+    /// Λ = max_(S, A, w') Σ (ln p₀ of lines under two modes)  against  Σ (ln p₁ of lines under one mode and a sine),  w, w' ≥ 1.5
+    /// ```
+    /// Under random forces P_i/m_i is exponential with mean 1, in gusts too. A second mode may stand where the sine would: a pair is no sine.
+    ///
+    /// # Source
+    /// Whittle (1953) Ark. Mat. 2:423-434 for the likelihood; Fisher (1929) Proc. R. Soc. A 125:54-59 for a line that is too strong for chance.
+    /// Differs from Fisher: the spectrum beside the line is a mode's, not even.
+    pub(crate) fn test(&mut self, mode: &Mode) -> Option<LineTest> {
+        const CHANNELS: usize = 4;
+        let duration_s = self.record.length() as f64 / self.record.sampling_rate_hz();
+        let mut channels: Vec<usize> = (0..mode.shape.len()).collect();
+        channels.sort_by(|&a, &b| mode.shape[b].norm().total_cmp(&mode.shape[a].norm()));
+        channels.truncate(CHANNELS);
+        let middle = (mode.frequency_hz * duration_s).round() as usize;
+        let half_width = mode.damping_ratio.unwrap_or(0.0) * mode.frequency_hz * duration_s;
+        let (mut reach, mut power) = self.about(&mode.shape, &channels, middle, 2.0 * half_width)?;
+        let mut found = judged(&power)?;
+        if SKIRTS * found.half_width > reach as f64 {
+            // the noise beside a mode is seen beyond its skirts
+            (reach, power) = self.about(&mode.shape, &channels, middle, SKIRTS * found.half_width)?;
+            found = judged(&power)?;
+        }
+        let line_hz = 1.0 / duration_s;
+        let at = |line: f64| (middle - reach) as f64 * line_hz + line * line_hz;
+        Some(LineTest {
+            frequency_hz: at(found.line as f64 + offset(&power, found.line)),
+            gain: found.gain,
+            damping_ratio: found.half_width * line_hz / mode.frequency_hz,
+            strength: found.strength,
+            mode_remains: found.mode_remains,
+        })
+    }
+}
+
+/// Place of a sine between the lines, from Hann's main lobe: amplitudes of neighbours 1 and (1 + δ)/(2 − δ).
+fn offset(power: &[f64], line: usize) -> f64 {
+    let amplitude = |i: usize| power.get(i).copied().unwrap_or(0.0).sqrt();
+    let (before, at, after) = (
+        line.checked_sub(1).map_or(0.0, amplitude),
+        amplitude(line),
+        amplitude(line + 1),
+    );
+    let ratio = after.max(before) / at.max(f64::MIN_POSITIVE);
+    let delta = ((2.0 * ratio - 1.0) / (ratio + 1.0)).clamp(0.0, 0.5);
+    if after > before { delta } else { -delta }
+}
+
+struct Judged {
+    line: usize,
+    gain: f64,
+    half_width: f64,
+    strength: f64,
+    mode_remains: bool,
+}
+
+/// A mode over even noise, fitted.
+struct OneMode {
+    model: Vec<f64>,
+    half_width: f64,
+    /// Top over the noise.
+    over_noise: f64,
+    /// S.
+    top: f64,
+    /// Line of its top.
+    centre: f64,
+}
+
+fn judged(power: &[f64]) -> Option<Judged> {
+    let n = power.len();
+    let floor = power.iter().sum::<f64>() / n as f64 * 1e-12;
+    if floor <= 0.0 {
+        return None;
+    }
+    let power: Vec<f64> = power.iter().map(|p| p.max(floor)).collect();
+    let whole = fitted(&power, &[]);
+    // where one mode explains least, away from the edges
+    let stands_out = |i: &usize| power[*i] / whole.model[*i];
+    let mut line = (LOBE + 1..n - LOBE - 1).max_by(|a, b| stands_out(a).total_cmp(&stands_out(b)))?;
+    let top = (LOBE + 1..n - LOBE - 1).max_by(|a, b| power[*a].total_cmp(&power[*b]))?;
+    if top.abs_diff(line) <= LOBE {
+        line = top;
+    }
+    let mut best = at_line(&power, line);
+    if top != line {
+        let other = at_line(&power, top);
+        if other.gain > best.gain {
+            best = other;
+        }
+    }
+    Some(best)
+}
+
+fn at_line(power: &[f64], line: usize) -> Judged {
+    let lobe: Vec<usize> = (line - LOBE..=line + LOBE).collect();
+    let rest = fitted(power, &lobe);
+    let near = |i: usize| i.abs_diff(line) <= 24;
+    let cost = |p: f64, m: f64| m.ln() + p / m;
+    let with_sine: f64 = (0..power.len())
+        .filter(|i| near(*i))
+        .map(|i| {
+            if lobe.contains(&i) {
+                rest.model[i].ln() + 1.0
+            } else {
+                cost(power[i], rest.model[i])
+            }
+        })
+        .sum();
+    let mut with_mode = f64::INFINITY;
+    // modes side by side are damped alike: the second not much less than the first
+    let narrowest = HALF_WIDTH_LEAST.max(0.8 * rest.half_width.min(40.0));
+    for half_width in [1.0, 1.5, 2.5, 4.0].map(|times| times * narrowest) {
+        for shift in [-1.0, -0.5, 0.0, 0.5, 1.0] {
+            for step in 0..=20 {
+                let size = power[line] * 10f64.powf(0.4 - 0.125 * f64::from(step));
+                let cost_of = |i: usize| {
+                    let x = (i as f64 - line as f64 - shift) / half_width;
+                    cost(power[i], rest.model[i] + size / (1.0 + x * x))
+                };
+                let sum: f64 = (0..power.len()).filter(|i| near(*i)).map(cost_of).sum();
+                with_mode = with_mode.min(sum);
+            }
+        }
+    }
+    let whole = fitted(power, &[]);
+    let alone: f64 = (0..power.len())
+        .filter(|i| near(*i))
+        .map(|i| cost(power[i], whole.model[i]))
+        .sum();
+    // Hann's window spreads a line of power P over lines that sum to 1.5 P
+    let sine: f64 = lobe.iter().map(|&i| (power[i] - rest.model[i]).max(0.0)).sum();
+    Judged {
+        line,
+        gain: with_mode.min(alone) - with_sine,
+        half_width: rest.half_width,
+        strength: sine / (PI * rest.half_width * rest.top).max(f64::MIN_POSITIVE),
+        mode_remains: rest.over_noise >= MODE_OVER_NOISE
+            && rest.half_width >= MODE_WIDE
+            && (rest.centre - line as f64).abs() <= 1.5 * rest.half_width.max(3.0),
+    }
+}
+
+/// The likeliest mode over even noise, these lines left out.
+fn fitted(power: &[f64], without: &[usize]) -> OneMode {
+    let used: Vec<usize> = (0..power.len()).filter(|i| !without.contains(i)).collect();
+    let (mut least, mut best) = (f64::INFINITY, (0.0, HALF_WIDTH_LEAST, 1.0, 0.0));
+    let mut half_width = HALF_WIDTH_LEAST;
+    while half_width < power.len() as f64 {
+        let smooth = half_width.ceil() as usize;
+        let sum = |i: usize| -> f64 {
+            let range = i.saturating_sub(smooth)..(i + smooth + 1).min(power.len());
+            range.filter(|k| !without.contains(k)).map(|k| power[k]).sum()
+        };
+        let middle = used
+            .iter()
+            .copied()
+            .max_by(|a, b| sum(*a).total_cmp(&sum(*b)))
+            .unwrap_or(0);
+        for shift in [-0.8, -0.4, 0.0, 0.4, 0.8] {
+            let c = middle as f64 + shift * half_width;
+            for step in 0..=8 {
+                let beta = 10f64.powf(1.0 - 0.6 * f64::from(step));
+                let shape = |i: usize| 1.0 / (1.0 + ((i as f64 - c) / half_width).powi(2)) + beta;
+                let s = used.iter().map(|&i| power[i] / shape(i)).sum::<f64>() / used.len() as f64;
+                let cost = used.len() as f64 * s.ln() + used.iter().map(|&i| shape(i).ln()).sum::<f64>();
+                if cost < least {
+                    (least, best) = (cost, (c, half_width, beta, s));
+                }
+            }
+        }
+        half_width *= 1.5;
+    }
+    let (c, half_width, beta, s) = best;
+    let shape = |i: usize| s * (1.0 / (1.0 + ((i as f64 - c) / half_width).powi(2)) + beta);
+    OneMode {
+        model: (0..power.len()).map(shape).collect(),
+        half_width,
+        over_noise: 1.0 / beta,
+        top: s,
+        centre: c,
+    }
+}
