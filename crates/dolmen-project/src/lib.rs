@@ -61,7 +61,9 @@ pub use dolmen_records::{FileError, Files, MemoryFiles, NoFiles};
 pub use doubted::Doubted;
 pub use doubts::{likely, looks_like_radians};
 pub use error::{Problem, ProjectError, headed};
-pub use frame::{Axial, DirectionPart, FramePart, FrictionPart, SlipForces, StoreyPart};
+pub use frame::{
+    Axial, ColumnsPart, DirectionPart, FootPart, FramePart, FrictionPart, SlipForces, StoreyPart,
+};
 pub use heaviness::Heaviness;
 pub use loads::{CombinationPart, LoadPart, LoadsPart, WindArea, WindGiven, WindPart, WindSpeed};
 pub use names::Names;

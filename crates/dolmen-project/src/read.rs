@@ -79,7 +79,7 @@ const PATHS_LISTED: usize = 12;
 ///
 /// let mistake = text.replace("0.9", "9.0");
 /// let fault = parse_project(&mistake, "stones.toml").unwrap_err();
-/// assert_eq!(fault.problems[0].message, "links[1].centroid = 9 m lies above the link's top");
+/// assert_eq!(fault.problems[0].message.english, "links[1].centroid = 9 m lies above the link's top");
 /// # Ok::<(), dolmen_project::ProjectError>(())
 /// ```
 pub fn parse_project(text: &str, file: &str) -> Result<Project, ProjectError> {

@@ -127,11 +127,11 @@ fn exact_a_tilt_and_loads_take_from_what_a_bed_passes_before_the_shaking() {
     // what loads weigh swings too: 1 kN at the top
     let loads = "loads = [{ name = \"sign\", at = \"shaft\", height = 3.0, weight = 1.0, force = 0.2 }]\n";
     let (demand, _) = part(&pole(bed, loads));
-    let (gravity, inertia) = (14.7e3 + 1e3 * 3.0, 3000.0 + 1e3 / 9.8 * 9.0);
+    let (gravity, inertia): (f64, f64) = (14.7e3 + 1e3 * 3.0, 3000.0 + 1e3 / 9.8 * 9.0);
     let stiffness = 200e3 - gravity;
     close(
         number(&demand["spectral"][0], "period_s"),
-        std::f64::consts::TAU / (stiffness / inertia as f64).sqrt(),
+        std::f64::consts::TAU / (stiffness / inertia).sqrt(),
     );
     let of = demand["limits"]["parts"][0].clone();
     close(number(&of, "taken"), 200e3 / stiffness * 200.0 * 3.0);

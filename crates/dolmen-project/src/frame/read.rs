@@ -32,10 +32,8 @@ fn storey(reader: &mut Reader, raw: &At<StoreyRaw>, path: &str) -> Option<Storey
         Measure::Force,
         Bound::NotNegative,
     );
-    let columns = match &storey.columns {
-        None => None,
-        Some(raw) => Some(columns(reader, raw, &format!("{path}.columns"))),
-    };
+    let given = storey.columns.as_ref();
+    let columns = given.map(|raw| columns(reader, raw, &format!("{path}.columns")));
     let heaviness = heaviness(
         reader,
         storey.weight.as_ref(),

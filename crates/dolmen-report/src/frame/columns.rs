@@ -30,7 +30,7 @@ messages! {
 
 messages! {
     /// The section on columns.
-    pub(crate) enum Columns in "frame.columns" {
+    pub(crate) enum FreeColumns in "frame.columns" {
         Caption { storey: usize, count: usize } => {
             en: "Columns of storey {storey}: {count}, free on their stones.",
             ko: "{storey}층 자립 기둥 {count}개.",
@@ -150,19 +150,22 @@ pub(super) fn section<'a>(document: &mut Document<'a>, columns: &'a StoreyColumn
     document.put(Block::Table(states(columns, standing)));
     document.put(Block::Table(swings(columns)));
     let storey = columns.storey;
-    let caption = vec![Columns::Figure { storey }.into(), Columns::FigureMeaning.into()];
+    let caption = vec![
+        FreeColumns::Figure { storey }.into(),
+        FreeColumns::FigureMeaning.into(),
+    ];
     document.charted(Figure::new(caption, move |language| {
         free_columns(columns, language)
     }));
     let stiffness = |value| Quantity::engineering(value, "N/m", DIGITS);
     match (columns.springs, columns.bed_stiffness_n_m) {
-        (Springs::Beside { stiffness_n_m }, Some(beds)) => document.note(Columns::Contained {
+        (Springs::Beside { stiffness_n_m }, Some(beds)) => document.note(FreeColumns::Contained {
             beds: stiffness(beds),
             springs: stiffness(stiffness_n_m),
         }),
-        (Springs::Grounded, _) => document.note(Columns::Grounded),
-        (_, None) => document.note(Columns::Rigid),
-        (_, Some(beds)) => document.note(Columns::Unknown {
+        (Springs::Grounded, _) => document.note(FreeColumns::Grounded),
+        (_, None) => document.note(FreeColumns::Rigid),
+        (_, Some(beds)) => document.note(FreeColumns::Unknown {
             beds: stiffness(beds),
         }),
     }
@@ -188,10 +191,10 @@ impl Shown {
 
     fn heads(&self) -> Vec<Column> {
         vec![
-            Column::numbers(Columns::Drift, self.drift.clone()),
-            Column::numbers(Columns::DriftShare, Unit::percent()),
-            Column::numbers(Columns::Force, self.force.clone()),
-            Column::numbers(Columns::ForceShare, Unit::percent()),
+            Column::numbers(FreeColumns::Drift, self.drift.clone()),
+            Column::numbers(FreeColumns::DriftShare, Unit::percent()),
+            Column::numbers(FreeColumns::Force, self.force.clone()),
+            Column::numbers(FreeColumns::ForceShare, Unit::percent()),
         ]
     }
 
@@ -215,20 +218,23 @@ fn states(columns: &StoreyColumns, standing: &ColumnStanding) -> Table {
         ..standing.falls
     };
     let states = [
-        (Columns::LiftOff, standing.uplift),
-        (Columns::HoldMost, standing.greatest),
-        (Columns::Fall, fallen),
+        (FreeColumns::LiftOff, standing.uplift),
+        (FreeColumns::HoldMost, standing.greatest),
+        (FreeColumns::Fall, fallen),
     ];
     let rows = states.into_iter().map(|(name, point)| {
         let mut row = vec![Cell::words(name)];
         row.extend(shown.cells(&point));
         row
     });
-    let mut heads = vec![Column::words(Columns::State)];
+    let mut heads = vec![Column::words(FreeColumns::State)];
     heads.extend(shown.heads());
     let (storey, count) = (columns.storey, columns.count);
     Table {
-        caption: vec![Columns::Caption { storey, count }.into(), Columns::Meaning.into()],
+        caption: vec![
+            FreeColumns::Caption { storey, count }.into(),
+            FreeColumns::Meaning.into(),
+        ],
         columns: heads,
         rows: rows.collect(),
     }
@@ -240,12 +246,12 @@ fn swings(columns: &StoreyColumns) -> Table {
     let amplitude: Vec<f64> = columns.swings.iter().map(|swing| swing.at.drift_m).collect();
     let drift = Unit::of(&amplitude, "m");
     let mut heads = vec![
-        Column::numbers(Columns::Drift, drift.clone()),
-        Column::numbers(Columns::DriftShare, Unit::percent()),
-        Column::numbers(Columns::OnColumns, hertz()),
+        Column::numbers(FreeColumns::Drift, drift.clone()),
+        Column::numbers(FreeColumns::DriftShare, Unit::percent()),
+        Column::numbers(FreeColumns::OnColumns, hertz()),
     ];
     if has_springs {
-        heads.push(Column::numbers(Columns::WithSprings, hertz()));
+        heads.push(Column::numbers(FreeColumns::WithSprings, hertz()));
     }
     let frequency = |value| Cell::number(Quantity::new(value, hertz(), Digits::Significant(FEW)));
     let row = |swing: &ColumnSwing| {
@@ -263,11 +269,11 @@ fn swings(columns: &StoreyColumns) -> Table {
         row
     };
     let caption: Vec<Sentence> = vec![
-        Columns::SwingCaption {
+        FreeColumns::SwingCaption {
             storey: columns.storey,
         }
         .into(),
-        Columns::SwingMeaning.into(),
+        FreeColumns::SwingMeaning.into(),
     ];
     Table {
         caption,

@@ -43,7 +43,7 @@ pub(crate) const TEMPLATES: [&[Template]; 8] = [
     modes::Modes::TEMPLATES,
     slipping::Slipping::TEMPLATES,
     columns::Found::TEMPLATES,
-    columns::Columns::TEMPLATES,
+    columns::FreeColumns::TEMPLATES,
 ];
 
 /// The sections of a frame.

@@ -45,7 +45,7 @@ pub(super) fn cases() -> Result<Vec<Case>, ValidationError> {
     let (alpha, gravity_m_s2) = (0.5_f64.atan2(height_m), 9.81);
     let pull = gravity_m_s2 / height_m.hypot(0.5);
     cases.push(Case {
-        source: "Housner (1963)",
+        source: "By hand: a rigid beam on rigid columns (Housner 1963)",
         what: "frequency of a rigid beam on rigid columns at θ = α/2".to_owned(),
         unit: "Hz",
         published: 0.25 * pull.sqrt() / f64::acosh(2.0),

@@ -98,9 +98,9 @@ fn solved(mut a: [[f64; 4]; 3]) -> Option<[f64; 3]> {
         }
         for i in 0..3 {
             if i != p {
-                let factor = a[i][p] / a[p][p];
-                for j in p..4 {
-                    a[i][j] -= factor * a[p][j];
+                let (factor, pivot) = (a[i][p] / a[p][p], a[p]);
+                for (of, by) in a[i].iter_mut().zip(pivot) {
+                    *of -= factor * by;
                 }
             }
         }
@@ -138,9 +138,7 @@ fn newton(storey: &PlanStorey, frequencies_hz: [f64; 3], start: [f64; 3]) -> Opt
             rows[1][q] += term;
         }
         for i in 0..3 {
-            for j in 0..3 {
-                rows[i][j] /= wanted[i];
-            }
+            rows[i].iter_mut().for_each(|of| *of /= wanted[i]);
             rows[i][3] = 1.0 - have[i] / wanted[i];
         }
         let step = solved(rows)?;
