@@ -105,7 +105,7 @@ pub(super) struct FileRaw {
     pub(super) limits: Option<At<LimitsRaw>>,
     /// Studies by name, for `dolmen study`: [study.NAME].
     pub(super) study: Option<BTreeMap<String, At<StudyRaw>>>,
-    /// kind = "stack": whose tilt the model leans by: "latest" (the latest survey with a date and a tilt; if not given), "none", or
+    /// kind = "stack" or "chain": whose tilt the model leans by: "latest" (the latest survey with a date and a tilt; if not given), "none", or
     /// the name of a survey.
     pub(super) as_surveyed: Option<At<String>>,
     /// What was measured, by occasion: [survey.2010-05-12].

@@ -25,8 +25,10 @@ pub(super) fn foreign_keys(root: &mut DeTable<'_>, faults: &mut Vec<Fault>) {
         let fault = Fault::new(key.span(), "motion", message).allowed(Common::NoMeaningHere);
         faults.push(fault.help(WrongFile::TakeItOutOr));
     }
-    for (owner, keys) in KEYS_OF_KIND.iter().filter(|(owner, _)| *owner != kind) {
-        for name in *keys {
+    let own = KEYS_OF_KIND.iter().find(|(owner, _)| *owner == kind);
+    let own = own.map_or(&[][..], |(_, keys)| keys);
+    for (owner, keys) in KEYS_OF_KIND {
+        for name in keys.iter().filter(|name| !own.contains(name)) {
             if let Some((key, _)) = root.remove_entry(*name) {
                 let message = WrongFile::BelongsToKindBut {
                     name: name.to_string(),

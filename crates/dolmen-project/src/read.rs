@@ -1,7 +1,7 @@
 //! From the text of a project file to a [`Project`]: parse, check against the schema, read, judge, then the variants.
 
 use super::building::{buildable as building_buildable, building};
-use super::chain::chain;
+use super::chain::{chain, lean_chain};
 use super::check::SchemaCheck;
 use super::content::{Project, Structure, Variant, Warning, WarningKind};
 use super::doubted::Doubted;
@@ -261,7 +261,10 @@ fn of_raw(
     let motions = motions(&mut reader, raw.motion.as_ref());
     let studies = studies(&mut reader, text, raw.study.as_ref());
     let mut structure = match kind {
-        Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(Structure::Chain),
+        Some(KindRaw::Chain) => chain(&mut reader, &raw, gravity_m_s2).map(|mut part| {
+            lean_chain(&mut reader, raw.as_surveyed.as_ref(), &surveys, &mut part);
+            Structure::Chain(part)
+        }),
         Some(KindRaw::Frame) => {
             let mut surveyed: Vec<String> = Vec::new();
             for direction in surveys.iter().flat_map(|survey| survey.modes.keys()) {

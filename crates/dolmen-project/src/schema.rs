@@ -55,7 +55,10 @@ fn blocks_or_made() -> Value {
 
 /// Keys that belong to one kind only; the first is required there (of a stack, it or what makes blocks).
 pub(super) const KEYS_OF_KIND: &[(&str, &[&str])] = &[
-    ("chain", &["links", "joints", "cap", "damping_ratio"]),
+    (
+        "chain",
+        &["links", "joints", "cap", "damping_ratio", "as_surveyed"],
+    ),
     ("frame", &["storeys", "axial", "convention", "direction"]),
     (
         "stack",

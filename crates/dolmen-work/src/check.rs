@@ -110,7 +110,7 @@ fn state_of(project: &Project, sampling: Option<Sampling>) -> Result<Option<Stat
     }))
 }
 
-/// The tilts of the last survey that states any, against the uplift limit of the joints of a chain or stack; of others it is not known.
+/// The tilts of the survey that the model leans by, or of the last that states any, against the uplift limit of the joints of a chain or stack; of others it is not known.
 fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     // what leans in the model is in its limits already
     if let Structure::Stack(part) = &project.structure
@@ -118,12 +118,13 @@ fn tilts(project: &Project, check: &Check) -> Vec<TiltCheck> {
     {
         return Vec::new();
     }
-    let Some(survey) = project
-        .surveys
-        .iter()
-        .rev()
-        .find(|survey| !survey.tilt.is_empty())
-    else {
+    let tilted = || project.surveys.iter().filter(|survey| !survey.tilt.is_empty());
+    let leans_as = match &project.structure {
+        Structure::Chain(part) => part.lean.as_ref(),
+        _ => None,
+    };
+    let chosen = leans_as.and_then(|lean| tilted().find(|survey| survey.name == lean.survey));
+    let Some(survey) = chosen.or_else(|| tilted().last()) else {
         return Vec::new();
     };
     let uplift_tilt = kinds::uplift_tilt(check);

@@ -120,3 +120,62 @@ fn holds_a_surveyed_tilt_is_said_or_why_it_is_left_out() {
     let undated = said("", "[survey.2025-09-10]", "[survey.before-the-repair]");
     assert!(!undated.contains("found it"), "{undated}");
 }
+
+/// A pole of two stones whose survey found it to lean.
+fn pole(tilt: &str, more: &str) -> String {
+    format!(
+        "schema = 1\nkind = \"chain\"\nname = \"Pole\"\nunits = {{ force = \"kN\", stiffness = \"kN*m/rad\" }}\n{more}damping_ratio = 0.05\nlinks = [\n\
+         {{ name = \"lower\", weight = 30, length = 3, centroid = 1.4, bed_width = 0.9 }},\n\
+         {{ name = \"upper\", weight = 12, length = 2.5, centroid = 1.2, bed_width = 0.7 }},\n]\n\
+         joints = [{{ stiffness = 4000 }}, {{ stiffness = 1500 }}]\n[survey.2025-09-10]\ntilt = {tilt}\n\
+         [motion.weak]\nbuilt_in = \"el-centro-1940-ns\"\npeak = \"0.01 g\"\n"
+    )
+}
+
+#[test]
+fn holds_a_chain_that_overturns_as_surveyed_falls_in_simulate_too() {
+    let scratch = Scratch::new("surveyed-lean-chain");
+    let run = |name: &str, tilt: &str, more: &str| {
+        fs::write(scratch.path().join(name), pole(tilt, more)).unwrap();
+        let check = scratch.dolmen(&format!("check {name}"));
+        let run = scratch.dolmen(&format!("simulate {name} --motion weak"));
+        (check.status, run.status, run.words())
+    };
+    let steep = "{ x = \"1/12\", y = \"1/5\" }";
+    let (check, simulate, words) = run("steep.toml", steep, "");
+    assert_eq!((check, simulate), (1, 1), "{words}");
+    assert!(
+        words.contains("It leans as survey 2025-09-10 found it, tilt x 1/12, y 1/5"),
+        "{words}"
+    );
+    let (_, simulate, words) = run("none.toml", steep, "as_surveyed = \"none\"\n");
+    assert_eq!(simulate, 0, "{words}");
+    assert!(words.contains("The run starts plumb"), "{words}");
+    let (_, simulate, words) = run("little.toml", "{ x = \"1/200\" }", "");
+    assert_eq!(simulate, 0, "{words}");
+}
+
+#[test]
+fn exact_at_rest_a_leaning_chain_carries_what_the_check_says_its_tilt_adds() {
+    // moments of the tilt in check: linear statics of its own; here those of the run's first sample
+    let scratch = Scratch::new("surveyed-lean-moment");
+    let more = "loads = [{ name = \"sign\", at = \"upper\", force = 0.001 }]\n";
+    fs::write(
+        scratch.path().join("pole.toml"),
+        pole("{ x = \"1/200\", y = \"1/300\" }", more),
+    )
+    .unwrap();
+    let check = json(&scratch, "check pole.toml --json");
+    let joints = check
+        .pointer("/state/loads/combinations/0/under/joints")
+        .unwrap_or_else(|| panic!("{check:#}"));
+    let answer = scratch.dolmen("simulate pole.toml --motion weak --keep-first 1 --rotations small -o out");
+    assert_eq!(answer.status, 0, "{}", answer.stderr);
+    let rows = super::studies::rows(&scratch.path().join("out/histories.csv"));
+    for (i, joint) in joints.as_array().unwrap().iter().enumerate() {
+        let tilt = joint["tilt_moment_n_m"].as_f64().unwrap();
+        let first: f64 = rows[0][&format!("joint_{}_moment_n_m", i + 1)].parse().unwrap();
+        // the check takes the tangent of 0.006 as the angle: 1.2e-5
+        assert!((first / tilt - 1.0).abs() < 1.5e-5, "{i}: {first} {tilt}");
+    }
+}

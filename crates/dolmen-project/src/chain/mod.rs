@@ -3,6 +3,7 @@
 mod doubts;
 mod file;
 mod friction;
+mod lean;
 mod part;
 mod read;
 mod slips;
@@ -10,6 +11,7 @@ mod strength;
 
 pub(crate) use doubts::doubt_chain;
 pub(crate) use file::{CapRaw, JointRaw, LinkRaw};
-pub use part::{Cap, ChainPart, JointFrictionPart, JointPart, LinkPart};
+pub(crate) use lean::lean_chain;
+pub use part::{Cap, ChainLean, ChainPart, JointFrictionPart, JointPart, LinkPart};
 pub(crate) use read::chain;
 pub(crate) use slips::judge_chain;

@@ -73,6 +73,19 @@ pub struct ChainPart {
     pub damping_ratio: Option<Quantity>,
     /// Acceleration of gravity, m/s², that turns weights into masses.
     pub gravity_m_s2: f64,
+    /// How a survey found it to lean; `None` if none did, or the file leaves that out.
+    pub lean: Option<ChainLean>,
+}
+
+/// How a survey found a chain to lean as a whole, beds with it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ChainLean {
+    /// The survey.
+    pub survey: String,
+    /// As written: "x 1/177, y 1/540".
+    pub written: String,
+    /// The tilts of all directions together, rad.
+    pub lean_rad: f64,
 }
 
 impl ChainPart {
@@ -142,7 +155,7 @@ impl ChainPart {
         Some(joints.iter().map(damping).collect())
     }
 
-    /// The chain with its springs, dashpots, beds and friction, for time histories; `None` if the joints are unknown.
+    /// The chain with its springs, dashpots, beds, friction and lean, for time histories; `None` if the joints are unknown.
     ///
     /// # Errors
     /// [`DynamicsError`] for a damping ratio of a chain that falls by itself; else none with the file's own values.
@@ -178,7 +191,8 @@ impl ChainPart {
                 friction,
             });
         }
-        let model = ChainModel::new(chain, built, rotations)?;
+        let lean_rad = self.lean.as_ref().map_or(0.0, |lean| lean.lean_rad);
+        let model = ChainModel::new(chain, built, rotations)?.leaning(lean_rad)?;
         Ok(Some(match &self.damping_ratio {
             None => model,
             Some(ratio) => model.with_first_mode_damping(pick(ratio))?,

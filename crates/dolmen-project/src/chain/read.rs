@@ -184,6 +184,7 @@ pub(crate) fn chain(reader: &mut Reader, raw: &FileRaw, gravity_m_s2: f64) -> Op
         cap,
         damping_ratio,
         gravity_m_s2,
+        lean: None,
     };
     beds_bear(reader, &part);
     Some(part)

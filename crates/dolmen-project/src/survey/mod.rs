@@ -1,5 +1,6 @@
 //! Surveys: what was measured, and the records of it.
 
+mod as_surveyed;
 mod doubts;
 mod file;
 mod inspection;
@@ -13,6 +14,7 @@ mod records;
 mod watch;
 mod watch_file;
 
+pub(crate) use as_surveyed::as_surveyed;
 pub(crate) use doubts::doubt_surveys;
 pub(crate) use file::{ChangeRaw, SurveyRaw};
 pub use inspection::{DamageKind, Inspection, OtherDamage, Severity};

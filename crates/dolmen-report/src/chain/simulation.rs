@@ -1,6 +1,6 @@
 //! Simulated motions of a chain: how they ended, link by link, in time; versions side by side.
 
-use super::simulation_ending::{beyond_small, ending, simulation_findings, tilt_left_out, title};
+use super::simulation_ending::{beyond_small, ending, leans, simulation_findings, tilt_left_out, title};
 use super::simulation_run::{bed_notes, course, run};
 use super::simulation_tables::{joints, links, versions};
 use crate::document::{Block, Document, Figure, TextStyle, document_text, findings_text};
@@ -85,9 +85,11 @@ fn ended(document: &mut Document<'_>, simulation: &ChainSimulation) {
     document
         .blocks
         .extend(without.map(|found| Block::Note(found.sentence)));
-    document
-        .blocks
-        .extend(tilt_left_out(simulation).map(|found| Block::Note(found.sentence)));
+    document.blocks.extend(
+        leans(simulation)
+            .or_else(|| tilt_left_out(simulation))
+            .map(|found| Block::Note(found.sentence)),
+    );
     document
         .blocks
         .extend(beyond_small(simulation).map(|found| Block::Warning(found.sentence)));

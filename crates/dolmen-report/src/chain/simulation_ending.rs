@@ -48,9 +48,13 @@ messages! {
             en: "‘{name}’ leaned by {rotation}, beyond the {most} up to which the equations of small rotations hold: counted as fallen; --rotations large follows it.",
             ko: "‘{name}’의 회전각이 {rotation}로, 소회전 방정식의 범위 {most}을(를) 넘어 전도로 본다. --rotations large로 다시 해석한다.",
         },
+        Leans { survey: String, tilt: String, lean: Quantity } => {
+            en: "It leans as survey {survey} found it, tilt {tilt}, in the plane of the motion by all directions together: {lean}; as_surveyed = \"none\" leaves that out.",
+            ko: "{survey} 조사의 실측 기울기 {tilt}을(를) 반영하였다. 방향별 값을 합성하여 지진동 방향으로 {lean} 기운 것으로 보았다. 제외하려면 as_surveyed = \"none\"으로 한다.",
+        },
         TiltLeftOut { survey: String, tilt: String } => {
-            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner.",
-            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다.",
+            en: "The run starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans falls sooner. as_surveyed = \"{survey}\" takes it over.",
+            ko: "이 해석은 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 구조물은 더 일찍 전도된다. 반영하려면 as_surveyed = \"{survey}\"(으)로 한다.",
         },
         WordStood => { en: "stood", ko: "안정 유지" },
         WordOpened => { en: "joints opened", ko: "접합면 벌어짐" },
@@ -70,6 +74,7 @@ pub(crate) fn simulation_findings(simulations: &[&ChainSimulation]) -> Vec<Findi
         first
             .chain(without)
             .chain(beyond_small(simulation))
+            .chain(leans(simulation))
             .chain(tilt_left_out(simulation))
     })
     .collect()
@@ -84,6 +89,17 @@ pub(super) fn beyond_small(simulation: &ChainSimulation) -> Option<Finding> {
         most: milliradians(ChainSimulation::SMALL_ROTATION_MOST_RAD),
     };
     Some(Finding::key(Tone::Bad, said))
+}
+
+/// That it leans, and by whose measurement.
+pub(super) fn leans(simulation: &ChainSimulation) -> Option<Finding> {
+    let lean = simulation.lean.as_ref()?;
+    let said = Ending::Leans {
+        survey: lean.survey.clone(),
+        tilt: lean.written.clone(),
+        lean: milliradians(lean.lean_rad),
+    };
+    Some(Finding::key(Tone::Plain, said))
 }
 
 pub(super) fn tilt_left_out(simulation: &ChainSimulation) -> Option<Finding> {

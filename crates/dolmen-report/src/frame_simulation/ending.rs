@@ -7,6 +7,7 @@ use crate::simulated::{
 };
 use dolmen::dynamics::{FrameOutcome, StoreyFriction};
 use dolmen_words::{Digits, Quantity, Sentence, Unit, messages};
+use dolmen_work::TiltLeftOut;
 use dolmen_work::frame::FrameSimulation;
 
 messages! {
@@ -34,6 +35,10 @@ messages! {
             en: "The restoring moment of the free-standing columns is not in this motion: the frame moves on its storey stiffness and friction alone, and does not soften where feet lift off. `dolmen check` says what the columns hold.",
             ko: "이 해석에는 자립 기둥의 복원모멘트를 반영하지 않았으며, 골조는 층강성과 마찰만으로 거동하여 주각이 들린 뒤의 강성 저하가 나타나지 않는다. 기둥의 복원력은 `dolmen check`에서 확인한다.",
         },
+        TiltLeftOut { survey: String, tilt: String } => {
+            en: "The frame starts plumb: the tilt of survey {survey} ({tilt}) is not in it, and what leans drifts further to that side.",
+            ko: "골조는 연직 상태에서 시작하며 {survey} 조사의 실측 기울기({tilt})를 반영하지 않았다. 기울어진 골조는 그 방향으로 더 변위한다.",
+        },
         AtRest => { en: "At the end it is at rest.", ko: "종료 시 정지 상태이다." },
         Moving => {
             en: "At the end it is still moving: what is left is where it comes to rest if nothing slips any more.",
@@ -55,6 +60,7 @@ pub(super) fn own(simulation: &FrameSimulation) -> Vec<Finding> {
     let mut all = vec![finding(simulation)];
     all.extend(undamped(simulation.undamped.as_ref()));
     all.extend(columns_left_out(simulation));
+    all.extend(tilt_left_out(simulation));
     // what fell has said so
     if !simulation.falls() {
         all.extend(limits(simulation));
@@ -67,6 +73,16 @@ pub(super) fn columns_left_out(simulation: &FrameSimulation) -> Option<Finding> 
     simulation
         .leaves_columns_out
         .then(|| Finding::key(Tone::Warn, Ending::ColumnsLeftOut))
+}
+
+/// That a surveyed tilt is not in the motion; nothing where none was surveyed.
+pub(super) fn tilt_left_out(simulation: &FrameSimulation) -> Option<Finding> {
+    let TiltLeftOut { survey, written } = simulation.tilt_left_out.clone()?;
+    let said = Ending::TiltLeftOut {
+        survey,
+        tilt: written,
+    };
+    Some(Finding::key(Tone::Warn, said))
 }
 
 fn limits(simulation: &FrameSimulation) -> Vec<Finding> {

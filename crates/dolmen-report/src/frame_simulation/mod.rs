@@ -75,7 +75,10 @@ fn ended(document: &mut Document<'_>, simulation: &FrameSimulation) {
         false => Block::Paragraph(std::iter::once(said).chain(ending::state(simulation)).collect()),
     });
     let without = undamped(simulation.undamped.as_ref());
-    let without = without.into_iter().chain(ending::columns_left_out(simulation));
+    let without = without
+        .into_iter()
+        .chain(ending::columns_left_out(simulation))
+        .chain(ending::tilt_left_out(simulation));
     document
         .blocks
         .extend(without.map(|found| Block::Note(found.sentence)));

@@ -46,6 +46,9 @@ pub fn chain_simulation_json(simulation: &ChainSimulation) -> Value {
         "motion": simulation.motion.as_ref().map(|(motion, _)| motion_json(motion)),
         "component": simulation.motion.as_ref().map(|(_, component)| component.name()),
         "push_rad": simulation.push_rad,
+        "lean_as_surveyed": simulation.lean.as_ref().map(|lean| json!({
+            "survey": lean.survey, "written": lean.written, "lean_rad": lean.lean_rad,
+        })),
         "rotations": match model.rotations() {
             ChainRotations::Large => "large",
             ChainRotations::Small => "small",

@@ -1,15 +1,19 @@
 //! A chain pushed, or on a moving ground, up to its fall.
 
+use super::ChainSimulation;
 use super::limits::link_names;
-use super::{ChainSimulation, TiltLeftOut};
 use crate::error::WorkError;
 use crate::frame::simulate::horizontal;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
+use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use crate::version::Version;
-use dolmen::dynamics::{ChainRotations, ChainRun, TimeFunction, chain_growth, simulate_chain};
+use dolmen::dynamics::{
+    ChainModel, ChainRotations, ChainRun, DynamicsError, TimeFunction, chain_at_rest, chain_growth,
+    simulate_chain,
+};
 use dolmen_project::{ChainPart, Quantity};
 
 /// Length of a run that begins with a push alone, s: a pole of 0.3 Hz swings twenty times. Chosen here.
@@ -63,10 +67,11 @@ pub(crate) fn simulate(
         None => PUSHED_S,
         Some((motion, _)) => motion.motion.duration_s() + SWING_REST_S,
     });
+    let start = start_rotation_rad(&model)?;
     let run = ChainRun {
         duration_s: Some(run_s),
         output_step_s: options.output_step_s,
-        start_rotation_rad: vec![options.push_rad; part.links.len()],
+        start_rotation_rad: start.iter().map(|at_rest| at_rest + options.push_rad).collect(),
         ..ChainRun::default()
     };
     let history = simulating(progress, run_s, |reached| {
@@ -97,7 +102,17 @@ pub(crate) fn simulate(
         push_rad: options.push_rad,
         options: run,
         growth,
-        tilt_left_out: TiltLeftOut::of(&version.project.surveys),
+        lean: part.lean.clone(),
+        tilt_left_out: match part.lean {
+            Some(_) => None,
+            None => TiltLeftOut::of(&version.project.surveys),
+        },
         history,
     })
+}
+
+/// Where a run begins: at rest as the chain leans, or, where it does not come to rest so, as it leans.
+pub(super) fn start_rotation_rad(model: &ChainModel) -> Result<Vec<f64>, DynamicsError> {
+    let leaning = vec![model.lean_rad(); model.joints().len()];
+    Ok(chain_at_rest(model)?.unwrap_or(leaning))
 }

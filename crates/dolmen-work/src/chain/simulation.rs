@@ -1,10 +1,11 @@
 //! What `dolmen simulate` found of a chain, with what went in.
 
 use crate::motion::MotionAnswer;
+use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use dolmen::dynamics::{ChainGrowth, ChainHistory, ChainModel, ChainOutcome, ChainRun};
 use dolmen::signal::Component;
-use dolmen_project::{Names, Survey};
+use dolmen_project::{ChainLean, Names};
 
 /// A simulation of a chain in one plane, and its inputs.
 #[derive(Clone, Debug, PartialEq)]
@@ -33,32 +34,12 @@ pub struct ChainSimulation {
     pub growth: Option<ChainGrowth>,
     /// That it ran without viscous damping and friction; `None` if it has some.
     pub undamped: Option<Undamped>,
+    /// How a survey found it to lean, from which the run starts.
+    pub lean: Option<ChainLean>,
     /// A surveyed tilt that the run does not start from.
     pub tilt_left_out: Option<TiltLeftOut>,
     /// What happened.
     pub history: ChainHistory,
-}
-
-/// A tilt that was measured and is not in the model.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct TiltLeftOut {
-    /// The survey.
-    pub survey: String,
-    /// As written, by direction: "x 1/177, y 1/540".
-    pub written: String,
-}
-
-impl TiltLeftOut {
-    /// That of the last survey that states any.
-    pub(crate) fn of(surveys: &[Survey]) -> Option<Self> {
-        let survey = surveys.iter().rev().find(|survey| !survey.tilt.is_empty())?;
-        let each = survey.tilt.iter();
-        let written = each.map(|(direction, tilt)| format!("{direction} {}", tilt.written));
-        Some(TiltLeftOut {
-            survey: survey.name.clone(),
-            written: written.collect::<Vec<_>>().join(", "),
-        })
-    }
 }
 
 impl ChainSimulation {

@@ -1,5 +1,6 @@
 //! Runs of chains.
 
+use super::simulate::start_rotation_rad;
 use crate::progress::Progress;
 use crate::study::{ChainMeasures, Run, RunMeasures, RunOutcome, SWING_REST_S, acting_component};
 use crate::told::told;
@@ -44,12 +45,16 @@ pub(crate) fn row(
 ) -> Option<Run> {
     let load = TimeFunction::of_motion(motion, acting_component(motion));
     let run_s = motion.duration_s() + study.rest_s.unwrap_or(SWING_REST_S);
-    let options = ChainRun {
-        duration_s: Some(run_s),
-        output_step_s: SAMPLE_S,
-        ..ChainRun::default()
-    };
-    let history = match simulate_chain(&model.chain, &load, &options, &mut |_| !progress.is_cancelled()) {
+    let history = start_rotation_rad(&model.chain).and_then(|start_rotation_rad| {
+        let options = ChainRun {
+            duration_s: Some(run_s),
+            output_step_s: SAMPLE_S,
+            start_rotation_rad,
+            ..ChainRun::default()
+        };
+        simulate_chain(&model.chain, &load, &options, &mut |_| !progress.is_cancelled())
+    });
+    let history = match history {
         Ok(history) => history,
         Err(why) => {
             run.outcome = RunOutcome::Diverged;

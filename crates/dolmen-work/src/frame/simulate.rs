@@ -5,6 +5,7 @@ use crate::error::WorkError;
 use crate::motion::MotionAnswer;
 use crate::progress::{Progress, simulating};
 use crate::study::SWING_REST_S;
+use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use crate::version::Version;
 use dolmen::dynamics::{FrameLoad, FrameRun, FrictionFrame, StoreyFriction, TimeFunction, simulate_frame};
@@ -84,6 +85,7 @@ pub(crate) fn simulate(
             storeys: storey_names(part),
             undamped: (!is_damped(part, direction, &frame))
                 .then(|| Undamped::of(&version.project.surveys, Some(direction))),
+            tilt_left_out: TiltLeftOut::of(&version.project.surveys),
             leaves_columns_out: part.storeys.iter().any(|storey| storey.columns.is_some()),
             frame,
             motion: motion.clone(),

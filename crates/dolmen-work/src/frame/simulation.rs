@@ -1,6 +1,7 @@
 //! What `dolmen simulate` found of a frame, with what went in.
 
 use crate::motion::MotionAnswer;
+use crate::tilt_left_out::TiltLeftOut;
 use crate::undamped::Undamped;
 use dolmen::assess::demand::DriftLimit;
 use dolmen::dynamics::{FrameHistory, FrameOutcome, FrameRun, FrictionFrame};
@@ -32,6 +33,8 @@ pub struct FrameSimulation {
     pub undamped: Option<Undamped>,
     /// Whether free-standing columns are in the file: their restoring moment is not in the motion.
     pub leaves_columns_out: bool,
+    /// A surveyed tilt that the run does not start from.
+    pub tilt_left_out: Option<TiltLeftOut>,
     /// Options of the run.
     pub options: FrameRun,
     /// Allowable drift of storeys; `None` where the file gives none.

@@ -74,7 +74,8 @@ pub fn chain_growth(
         let step_s = history.times_s[sample] - history.times_s[sample - 1];
         Some(history.times_s[sample - 1] + step_s * ((times * push).ln() - low) / (high - low))
     };
-    let from_to = (push > 0.0)
+    // a chain that leans leaves from where it leans, not from the vertical
+    let from_to = (push > 0.0 && model.lean_rad() == 0.0)
         .then(|| reaches(FROM_TIMES).zip(reaches(TO_TIMES)))
         .flatten();
     Ok(Some(ChainGrowth {

@@ -131,6 +131,8 @@ pub struct ChainHistory {
     pub steps: usize,
     /// Whether a moment of inertia that was not given was taken to be a thin rod's.
     pub assumes_thin_rods: bool,
+    /// The angle at which all links lean without stress, rad.
+    pub lean_rad: f64,
 }
 
 impl ChainHistory {
@@ -158,9 +160,13 @@ impl ChainHistory {
         leaning.max_by(|a, b| a.1.total_cmp(&b.1)).map(|(link, _)| link)
     }
 
-    /// Rotation across a joint (0 the lowest) at every sample, rad.
+    /// Rotation across a joint (0 the lowest) at every sample, from where it is without stress, rad.
     pub fn across_rad(&self, joint: usize) -> Vec<f64> {
-        across(&self.rotation_rad, joint)
+        let mut across = across(&self.rotation_rad, joint);
+        if joint == 0 {
+            across.iter_mut().for_each(|angle| *angle -= self.lean_rad);
+        }
+        across
     }
 
     /// Its rate, rad/s.

@@ -2,7 +2,7 @@
 //!
 //! | symbol | code | meaning | unit |
 //! |:--|:--|:--|:--|
-//! | φ_i | | θ_i − θ_{i−1}, rotation across joint i | rad |
+//! | φ_i | `across_rad` | θ_i − θ_{i−1}, rotation across joint i; θ_0 is the lean of the whole | rad |
 //! | k_i | `stiffness_n_m_rad` | spring of joint i | N m/rad |
 //! | d_i | `damping_n_m_s_rad` | dashpot of joint i | N m s/rad |
 //! | N_i | | weight above joint i | N |
@@ -12,6 +12,9 @@
 use super::DynamicsError;
 use crate::structure::Chain;
 use dolmen_linalg::generalized_symmetric_eigen;
+
+/// Lean of the whole that is refused, rad.
+const LEAN_MOST_RAD: f64 = std::f64::consts::FRAC_PI_6;
 
 /// Whether a joint opens.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -114,6 +117,7 @@ pub struct ChainModel {
     pub(super) rotations: ChainRotations,
     /// N b/2, infinite for a held joint.
     pub(super) moment_most_n_m: Vec<f64>,
+    pub(super) lean_rad: f64,
 }
 
 impl ChainModel {
@@ -191,7 +195,37 @@ impl ChainModel {
             joints,
             rotations,
             moment_most_n_m,
+            lean_rad: 0.0,
         })
+    }
+
+    /// The same, without stress where all links lean by this angle, beds with them: the whole was turned about its foot.
+    ///
+    /// # Errors
+    /// [`DynamicsError::Argument`] for an angle of 30° or more, either way: N b/2 is that of level beds.
+    pub fn leaning(mut self, lean_rad: f64) -> Result<Self, DynamicsError> {
+        if lean_rad.is_nan() || lean_rad.abs() >= LEAN_MOST_RAD {
+            return Err(DynamicsError::Argument {
+                argument: "lean_rad",
+                given: lean_rad,
+                allowed: "below 30° (0.524 rad) in size",
+            });
+        }
+        self.lean_rad = lean_rad;
+        Ok(self)
+    }
+
+    /// The angle at which all links lean without stress, rad.
+    pub fn lean_rad(&self) -> f64 {
+        self.lean_rad
+    }
+
+    /// Rotation across a joint (0 the lowest) from where it is without stress, with the links turned so, rad.
+    pub(super) fn across_rad(&self, joint: usize, rotation_rad: &[f64]) -> f64 {
+        let below = joint
+            .checked_sub(1)
+            .map_or(self.lean_rad, |below| rotation_rad[below]);
+        rotation_rad[joint] - below
     }
 
     /// The same with dashpots in proportion to the springs, such that the first mode of the chain has a damping ratio.

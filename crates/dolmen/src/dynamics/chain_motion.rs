@@ -22,6 +22,7 @@ const STEPS_A_CALL: usize = 256;
 /// ```text
 /// Σ_j M_ij (cos(θ_i − θ_j) θ_j'' + sin(θ_i − θ_j) θ_j'²) = G_i sin θ_i − τ_i + τ_{i+1} − δ_i + δ_{i+1} − Γ_i a_g cos θ_i
 /// τ_i = k_i φ_i, at most N_i b_i/2 in size where the joint opens;  δ_i = d_i φ_i';  φ_i = θ_i − θ_{i−1}         n links
+/// θ_0 = 0, or the lean of the whole
 /// with friction τ_i + q_i:  q_i = f_k sign φ_i' while the joint turns; while it sticks φ_i' = 0 and |q_i| ≤ f_s
 /// ```
 /// The solution is expanded in a Taylor series of degree 24 whose last terms are below rounding. The ground's acceleration is

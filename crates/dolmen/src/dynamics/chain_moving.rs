@@ -52,7 +52,7 @@ impl<'a> Run<'a> {
         };
         let theta = given(&options.start_rotation_rad);
         let joints = (0..n).map(|i| {
-            let elastic = model.joints[i].stiffness_n_m_rad * across(&theta, i);
+            let elastic = model.joints[i].stiffness_n_m_rad * model.across_rad(i, &theta);
             if elastic.abs() > model.moment_most_n_m[i] {
                 JointState::Open(elastic.signum())
             } else {
@@ -64,7 +64,7 @@ impl<'a> Run<'a> {
         let sliders: Vec<Slider> = (0..n)
             .map(|i| match model.joints[i].friction.moments_n_m() {
                 None => Slider::Absent,
-                Some(_) if across(&omega, i) != 0.0 => Slider::Slipping(across(&omega, i).signum()),
+                Some(_) if relative(&omega, i) != 0.0 => Slider::Slipping(relative(&omega, i).signum()),
                 Some(_) => Slider::Stuck,
             })
             .collect();
@@ -108,6 +108,7 @@ impl<'a> Run<'a> {
                 steps: 0,
                 at_rest: false,
                 assumes_thin_rods: model.chain.assumes_thin_rods(),
+                lean_rad: model.lean_rad,
             },
         };
         if let Some(joint) = run.state.joints.iter().position(|j| *j != JointState::Closed) {
@@ -158,7 +159,7 @@ impl<'a> Run<'a> {
 
         let (ground, damping) = (self.series.ground_work_j(), self.series.damping_work_j(h));
         let (from_s, before) = (self.at_s, self.energy);
-        let turned: Vec<f64> = (0..n).map(|i| across(&self.state.theta, i)).collect();
+        let turned: Vec<f64> = (0..n).map(|i| self.across_now(i)).collect();
         let mut to_s = from_s + h;
         if let Some(end_s) = whole_to_s.filter(|end| (end - to_s).abs() <= TOGETHER_S) {
             to_s = end_s;
@@ -202,7 +203,7 @@ impl<'a> Run<'a> {
 
     /// Rotation across a joint where the run is, rad.
     pub(super) fn across_now(&self, joint: usize) -> f64 {
-        across(&self.state.theta, joint)
+        self.series.model.across_rad(joint, &self.state.theta)
     }
 
     /// Moments of friction at σ of the step.
@@ -249,7 +250,8 @@ impl<'a> Run<'a> {
                 0.5 * theta[i]
             };
             gravity -= 2.0 * self.series.gravity[i] * half * half;
-            springs += self.series.model.spring_energy_j(i, across(theta, i));
+            let model = self.series.model;
+            springs += model.spring_energy_j(i, model.across_rad(i, theta));
         }
         self.energy.kinetic_j = kinetic;
         self.energy.gravity_j = gravity;
@@ -274,9 +276,9 @@ impl<'a> Run<'a> {
     }
 }
 
-/// φ of joint i.
-fn across(theta: &[f64], i: usize) -> f64 {
-    theta[i] - i.checked_sub(1).map_or(0.0, |below| theta[below])
+/// Rate of joint i from those of its links.
+fn relative(omega: &[f64], i: usize) -> f64 {
+    omega[i] - i.checked_sub(1).map_or(0.0, |below| omega[below])
 }
 
 /// Raises `peak` to the largest size that `c` reaches on the step.

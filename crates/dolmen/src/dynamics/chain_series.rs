@@ -235,7 +235,7 @@ impl<'a> ChainSeries<'a> {
             }
             for i in 0..n {
                 let (joint, below) = (self.model.joints[i], i.checked_sub(1));
-                let across = |m: usize| self.theta[i][m] - below.map_or(0.0, |b| self.theta[b][m]);
+                let across = |m: usize| self.theta[i][m] - self.below(i, m);
                 let spring = match state.joints[i] {
                     JointState::Closed => joint.stiffness_n_m_rad * across(k),
                     JointState::Open(sign) if k == 0 => sign * self.model.moment_most_n_m[i],
@@ -287,8 +287,17 @@ impl<'a> ChainSeries<'a> {
                     .sum();
             }
             for k in 0..=DEGREE {
-                self.across[i][k] = self.theta[i][k] - i.checked_sub(1).map_or(0.0, |b| self.theta[b][k]);
+                self.across[i][k] = self.theta[i][k] - self.below(i, k);
             }
+        }
+    }
+
+    /// Coefficient k of the rotation below joint i: of the link, or of the ground, which leans.
+    fn below(&self, i: usize, k: usize) -> f64 {
+        match i.checked_sub(1) {
+            Some(below) => self.theta[below][k],
+            None if k == 0 => self.model.lean_rad,
+            None => 0.0,
         }
     }
 

@@ -1,0 +1,51 @@
+//! Whose measured tilt a model takes over.
+
+use super::part::Survey;
+use crate::error::Fault;
+use crate::file_number::At;
+use crate::reader::Reader;
+use crate::wrong::WrongStack;
+
+/// The day of a survey from its name: "2010-05-12", "2011-restored".
+fn day(name: &str) -> Option<[u32; 3]> {
+    let mut parts = name.split('-');
+    let number =
+        |part: Option<&str>, digits: usize| part.filter(|part| part.len() == digits)?.parse::<u32>().ok();
+    let year = number(parts.next(), 4)?;
+    let month = number(parts.next(), 2);
+    let day = month.and_then(|_| number(parts.next(), 2));
+    Some([year, month.unwrap_or(0), day.unwrap_or(0)])
+}
+
+/// The survey whose tilt the model takes over: the one named, else the latest with a date and a tilt.
+pub(crate) fn as_surveyed<'a>(
+    reader: &mut Reader,
+    given: Option<&At<String>>,
+    surveys: &'a [Survey],
+) -> Option<&'a Survey> {
+    let tilted = || surveys.iter().filter(|survey| !survey.tilt.is_empty());
+    match given.map(|given| given.value.as_str()) {
+        Some("none") => None,
+        None | Some("latest") => tilted()
+            .filter_map(|survey| Some((day(&survey.name)?, survey)))
+            .max_by_key(|(day, _)| *day)
+            .map(|(_, survey)| survey),
+        Some(name) => {
+            let found = tilted().find(|survey| survey.name == name);
+            if found.is_none()
+                && let Some(given) = given
+            {
+                let names: Vec<String> = tilted().map(|survey| format!("\"{}\"", survey.name)).collect();
+                let message = WrongStack::AsSurveyedButNo {
+                    name: name.to_string(),
+                };
+                let fault = Fault::new(given.span.clone(), "as_surveyed", message);
+                let allowed = [vec!["\"latest\"".to_owned(), "\"none\"".to_owned()], names].concat();
+                reader.fault(fault.allowed(WrongStack::MustBeOneOf {
+                    allowed: allowed.join(", "),
+                }));
+            }
+            found
+        }
+    }
+}
